@@ -27,7 +27,7 @@
 //! ```
 //!
 //! Threads of the pools that the library makes ([`in_threads`](crate::solve::in_threads)) hear what the thread hears that made
-//! them; those of other pools hear nothing. So functions that take no number of threads, such as those that read a solution,
+//! them; those of other pools hear nothing, or what a piece of work hears that they take over while they wait. So functions that take no number of threads, such as those that read a solution,
 //! are to be called through `in_threads`. A program built with `panic = "abort"` ends instead.
 //!
 //! A [`Stop`](crate::solve::Stop) is something else: the wish that the sending of rays finishes with the rays sent so far, whose
@@ -63,9 +63,9 @@ impl fmt::Display for Interrupted {
 
 impl Error for Interrupted {}
 
-/// What a thread that was interrupted unwinds with.
+/// What a thread that was interrupted unwinds with: what it heard.
 #[derive(Debug)]
-struct Ended;
+struct Ended(Interruption);
 
 /// Sets back what a thread hears, whatever happens.
 struct Before(Option<Interruption>);
@@ -109,7 +109,10 @@ impl Interruption {
         };
         // The library leaves nothing half changed that outlives its work.
         let done = catch_unwind(AssertUnwindSafe(work));
-        done.map_err(|fault| if fault.is::<Ended>() { Interrupted } else { resume_unwind(fault) })
+        done.map_err(|fault| match fault.downcast_ref() {
+            Some(Ended(heard)) if Arc::ptr_eq(&heard.is_raised, &self.is_raised) => Interrupted,
+            _ => resume_unwind(fault),
+        })
     }
 }
 
@@ -132,10 +135,12 @@ pub(crate) fn heed() {
     }
 }
 
-/// Unwinds this thread.
+/// Unwinds this thread, which hears an interruption.
 #[cold]
-fn end() -> ! {
-    resume_unwind(Box::new(Ended))
+fn end() {
+    if let Some(heard) = current() {
+        resume_unwind(Box::new(Ended(heard)));
+    }
 }
 
 /// Rays of which one asks: each takes a part of a microsecond.
@@ -164,6 +169,20 @@ mod tests {
         // The thread hears nothing any more.
         assert!(current().is_none());
         heed();
+    }
+
+    #[test]
+    fn an_outer_one_passes_an_inner_one() {
+        let [outer, inner] = [Interruption::new(), Interruption::new()];
+        let found = outer.within(|| {
+            let ended = || {
+                outer.raise();
+                hear(Some(outer.clone()));
+                heed();
+            };
+            inner.within(ended)
+        });
+        assert_eq!(found, Err(Interrupted));
     }
 
     #[test]

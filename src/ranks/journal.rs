@@ -78,7 +78,7 @@ impl Journal {
         begin: Begin,
         (rank, any): (usize, &dyn Fn(bool) -> bool),
     ) -> Result<Self, JournalError> {
-        let mut folder = Folder::open(folder)?;
+        let mut folder = Folder::open(folder, begin)?;
         let old = folder.files(begin)?;
         let mut kept = Kept::default();
         old.iter().try_for_each(|file| kept.add(file, fingerprint))?;

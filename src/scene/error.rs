@@ -15,7 +15,7 @@ use crate::wording::Wording;
 pub struct SceneError {
     /// File name, `<stdin>`, the name that was asked for, or that of a scene built in code.
     pub origin: String,
-    /// Where the fault stands; none if it is something absent, a file that cannot be read, or a scene built in code.
+    /// Where the fault stands; none if it is something absent, a file that cannot be read, or in a scene made in code.
     pub place: Option<Box<Place>>,
     /// The part of the scene it belongs to, e.g. `surface "floor"`; in a [`Tree`](crate::scene::Tree) down to the value,
     /// `surface "floor", polygon.vertices[2]`.

@@ -4,6 +4,8 @@
 //! Numbers ascend from a table to its keys and values and from there to the next; the place of a value reaches from its own number
 //! to behind the last one in it.
 
+use std::collections::HashSet;
+
 use crate::scene::{
     error::Fault,
     place::At,
@@ -46,10 +48,14 @@ fn number(node: &mut Node, next: usize, levels: usize) -> Result<usize, Fault> {
 pub(super) fn repeated_key(node: &Node) -> Option<&At<String>> {
     match &node.value {
         Value::List(items) => items.iter().find_map(repeated_key),
-        Value::Table(entries) => entries.iter().enumerate().find_map(|(index, (key, item))| {
-            let is_known = entries[..index].iter().any(|(earlier, _)| earlier.value == key.value);
-            if is_known { Some(key) } else { repeated_key(item) }
-        }),
+        Value::Table(entries) => {
+            let mut known = HashSet::new();
+            entries.iter().find_map(
+                |(key, item)| {
+                    if known.insert(&key.value) { repeated_key(item) } else { Some(key) }
+                },
+            )
+        }
         _ => None,
     }
 }

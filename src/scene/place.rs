@@ -1,4 +1,4 @@
-//! Places in a text, and the values that stand there.
+//! Places in a text, or in a tree, and the values that stand there.
 
 use std::{fmt, ops::Range, sync::Arc};
 
@@ -8,10 +8,10 @@ const LONGEST_LINE: usize = 4096;
 /// Characters before every so many bytes are counted once. Chosen; not tuned.
 const STRIDE: usize = 1024;
 
-/// Byte range in a source text.
+/// Range of the bytes of a text, or of the numbers of the values of a tree ([`super::numbering`]).
 pub(super) type Span = Range<usize>;
 
-/// A value and the bytes it was read from.
+/// A value and where it was read from.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct At<T> {
     /// What was read.

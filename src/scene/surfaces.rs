@@ -2,6 +2,7 @@
 
 use radiosity_geom::{Aabb, Bvh, DVec3};
 
+use crate::interruption::heed;
 use crate::scene::{
     coincident::Occupied,
     draft::SurfaceDraft,
@@ -60,6 +61,7 @@ fn named(drafts: &[SurfaceDraft]) -> Result<(Vec<SceneSurface>, Vec<Maker>), Loc
     let mut outlooks = KnownOutlooks::default();
     let mut makers = Vec::new();
     for (index, draft) in drafts.iter().enumerate() {
+        heed();
         let typed = draft.typed.as_ref();
         let shapes = draft.shapes.iter().map(|shape| draft.sides(shape, &mut outlooks));
         let shapes: Vec<Vec<SceneSurface>> = shapes.collect();

@@ -2,8 +2,7 @@
 
 use radiosity_solvers::{Report, Settings, SolveError, Step};
 
-use crate::interruption;
-use crate::interruption::{Interruption, heed};
+use crate::interruption::{self, Interruption, heed};
 use crate::system::ritz::{Found, Ritz};
 
 use super::options::Options;

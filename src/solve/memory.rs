@@ -14,8 +14,8 @@
 //! ```
 //!
 //! and 10 MB for the program. Of N ranks each holds 2/N − 1/N² of the blocks, those of its rows and of its columns, and all else; a
-//! method that needs single entries gathers all blocks, once as they are and twice as messages. Integrated blocks are freed before the system is set up, so the peak is the larger of the
-//! two sums. Pairs that repeat or are hidden reduce it, which is not known beforehand.
+//! method that needs single entries gathers all blocks, once as they are and twice as messages. Integrated blocks are freed before the
+//! system is set up, so the peak is the larger of the two sums. Pairs that repeat or are hidden reduce it, which is not known beforehand.
 
 use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::method::Method;

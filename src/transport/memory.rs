@@ -164,7 +164,8 @@ impl Memory {
     ) -> Option<KnownRays> {
         let obstacles = Arc::clone(self.obstacles.as_ref()?);
         let before = self.sent.remove(&sequence).map(|sent| sent.elements).unwrap_or_default();
-        Some(KnownRays::new(before, &numbers, obstacles, MOST / sequences as u64))
+        let room = MOST / (sequences * ranks::current().count()) as u64;
+        Some(KnownRays::new(before, &numbers, obstacles, room))
     }
 
     /// Keeps what the rays of a sequence met in this scene; all ranks together, each those that it sent.

@@ -3,6 +3,8 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
+use radiosity::animation::follower::{Follower, Way};
+use radiosity::animation::sequence::Sequence;
 use radiosity::geom::DVec3;
 use radiosity::heat::{Heat, HeatOptions};
 use radiosity::interruption::{Interrupted, Interruption};
@@ -19,7 +21,7 @@ use radiosity::{Options, Scene, Solution, Solved, ViewFactors, solve, view_facto
 const BEFORE: [f64; 3] = [0.01, 0.2, 1.0];
 
 /// How soon it has ended (s); the machine may do other things too.
-const SOON: f64 = 2.0;
+const SOON: f64 = 5.0;
 
 fn scene(name: &str) -> Scene {
     Scene::builtin(name).expect("it is built in")
@@ -128,4 +130,43 @@ fn what_is_done_after_an_interruption_finds_the_same_bits() {
     let again = Solved::new(scene("cornell-box"), solved.options, &|_| {}).expect("a solution");
     let place = [DVec3::splat(100.0), DVec3::Y];
     assert_eq!(read().expect("a thread"), again.irradiance_at(place[0], place[1]));
+}
+
+#[test]
+fn a_frame_that_was_interrupted_leaves_nothing_to_the_next() {
+    let sliding = scene("sliding-light");
+    let options = Options { subdivide: Some(1), ..exact(1, 1e-6) };
+    let light = |sequence: &mut Sequence<'_>, moment: f64| {
+        let frame = sequence.at(moment, &|_| {}).expect("a frame");
+        format!("{:?}", frame.solution.bands().iter().map(|band| &band.coefficients).collect::<Vec<_>>())
+    };
+    let alone = [1.0, 2.0].map(|moment| light(&mut Sequence::fresh(&sliding, &options), moment));
+    let ways = [Sequence::new(&sliding, &options), Sequence::by_series(&sliding, &options, 1e-4)];
+    for (mut sequence, frames) in ways.into_iter().zip([2, 1]) {
+        (0..3).for_each(|frame| drop(light(&mut sequence, f64::from(frame))));
+        let interruption = Interruption::new();
+        let ended = interruption.within(|| sequence.at(5.0, &|_| interruption.raise()).map(drop));
+        assert!(matches!(ended, Err(Interrupted)));
+        // A series begins anew, with blocks that are integrated.
+        for (moment, alone) in [1.0, 2.0].into_iter().zip(&alone).take(frames) {
+            assert_eq!(light(&mut sequence, moment), *alone);
+        }
+    }
+}
+
+#[test]
+fn segments_of_a_path_are_those_of_one_that_was_not_interrupted() {
+    let sliding = scene("sliding-light");
+    let options = Options { subdivide: Some(1), ..exact(1, 1e-4) };
+    let ends = [0, sliding.frames() - 1];
+    let course = || Follower::new(&sliding, &options, Way::Path { tolerance: 1e-2 }, ends);
+    let (mut whole, mut torn) = (course(), course());
+    let interruption = Interruption::new();
+    let ended = interruption.within(|| torn.frame(0, &|_| interruption.raise()).map(drop));
+    assert!(matches!(ended, Err(Interrupted)));
+    let [found, right] = [&mut torn, &mut whole].map(|course| {
+        let frame = course.frame(3, &|_| {}).expect("a frame");
+        format!("{:?}", frame.solution.bands().iter().map(|band| &band.coefficients).collect::<Vec<_>>())
+    });
+    assert_eq!((found, torn.segments()), (right, whole.segments()));
 }

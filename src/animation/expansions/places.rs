@@ -48,13 +48,18 @@ impl Places {
     /// Takes note of where the elements of the next scene are; of another number of them all are new.
     pub(super) fn turn_to(&mut self, elements: &[Element]) {
         let before = std::mem::take(&mut self.now);
-        let is_known = before.len() == elements.len();
-        let known = |index: usize| before.get(index).filter(|_| is_known).and_then(Option::as_ref);
+        let are_known = before.len() == elements.len();
+        let known = |index: usize| before.get(index).filter(|_| are_known).and_then(Option::as_ref);
         let place = |(index, element): (usize, &Element)| {
             element.plane?;
             Some(known(index).map_or_else(|| Place::anew(element, 0), |before| before.moved(element)))
         };
         self.now = elements.iter().enumerate().map(place).collect();
+    }
+
+    /// Whether the scene had so many elements.
+    pub(super) fn are_of(&self, elements: usize) -> bool {
+        self.now.len() == elements
     }
 
     /// Where the element number `index` is; None if it is curved.

@@ -58,7 +58,7 @@ pub(super) struct SavedScene {
     pub(super) name: String,
     /// The name shown in messages.
     pub(super) origin: String,
-    /// TOML or JSON; null for a scene built in code, which cannot be read back.
+    /// TOML or JSON; null for a scene of a `SceneBuilder`, which cannot be read back.
     pub(super) text: Option<String>,
     /// The texts that it includes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]

@@ -20,12 +20,15 @@ pub(super) struct Folder {
 }
 
 impl Folder {
-    /// The folder at `path`, which is made if need be.
+    /// The folder at `path`, which is made if need be, unless a run is to go on from it.
     ///
     /// # Errors
-    /// One that cannot be made, or something else in its place.
-    pub(super) fn open(path: &Path) -> Result<Self, JournalError> {
+    /// One that cannot be made, something else in its place, or none to go on from.
+    pub(super) fn open(path: &Path, begin: Begin) -> Result<Self, JournalError> {
         let is_made = !path.exists();
+        if is_made && begin == Begin::Resume {
+            return Err(JournalError::Empty { path: path.to_owned() });
+        }
         if !is_made && !path.is_dir() {
             let source = io::Error::new(io::ErrorKind::NotADirectory, "this is no folder");
             return Err(JournalError::of(path)(source));

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use radiosity_geom::{DVec3, Encounter, Hit, RayTree};
 use serde::{Deserialize, Serialize};
 
-/// Most rays that are kept, by all sequences of rays together; others are traced in every scene. Chosen: half a gigabyte, the rays
+/// Most rays that are kept, by all ranks and all sequences of rays together; others are traced in every scene. Chosen: half a gigabyte, the rays
 /// of the scene before and those of this one.
 pub(crate) const MOST: u64 = 1 << 23;
 

@@ -59,6 +59,7 @@ impl Strong {
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Self {
         if pairs.is_empty() {
+            memory.into_iter().for_each(|memory| memory.keep(Vec::new()));
             return Self::default();
         }
         let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
