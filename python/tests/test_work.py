@@ -34,6 +34,8 @@ SOON = 4
 
 # What the works above begin with, and how Ctrl-C is answered: the process goes on, and what it finds is as before.
 PROGRAM = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)  # It is ignored in what a shell runs in the background.
 import sys
 import numpy as np
 import radiosity.core
@@ -72,7 +74,8 @@ def test_ctrl_c_ends_the_work_and_later_work_is_as_before(name: str, before: flo
 
 
 def test_ctrl_c_ends_the_program_that_does_not_expect_it():
-    program = f"import radiosity\nprint('begun', flush=True)\n{LONG['exact'].format(progress='')}"
+    listen = "import signal\nsignal.signal(signal.SIGINT, signal.default_int_handler)\n"
+    program = f"{listen}import radiosity\nprint('begun', flush=True)\n{LONG['exact'].format(progress='')}"
     child = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
         child.stdout.readline()
