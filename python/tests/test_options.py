@@ -10,8 +10,9 @@ from radiosity import options
 
 RENAMED = {"for": "aim", "from": "format"}
 
-# Results are arrays here: how they are written, shown and told is Python's own; `set` is an argument of `load`.
-OUTPUT = {"help", "version", "output", "format", "report", "quiet", "verbose", "set"}
+# Results are arrays here: how they are written, shown and told is Python's own; `set` is an argument of `load`. Only the command records
+# what it does.
+OUTPUT = {"help", "version", "output", "format", "report", "quiet", "verbose", "set", "checkpoint", "resume"}
 STYLE = {"show", "size", "range", "band", "log", "isolines"}
 
 SCENE = set(options.Import.__annotations__)

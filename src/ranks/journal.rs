@@ -6,7 +6,7 @@
 //! less memory, therefore finds no foreign pieces.
 //!
 //! Each rank writes a file of its own, `RUN-RANK.journal`; a run that goes on reads the files of all. A file is a header and
-//! [records](record):
+//! records:
 //!
 //! ```text
 //! header   8 bytes, 8 bytes of the fingerprint of the run
