@@ -4,7 +4,8 @@
 //!
 //! Each block is integrated once, and what it cost is recorded. The rule that shares blocks between ranks
 //! (`transport/schedule/balance.rs`) is then run for so many ranks, without any process: it sees what it would see. Efficiency
-//! is the mean work of a rank over that of the one with the most; a kernel sample counts 1 and a segment tested for visibility 20.
+//! is the mean work of a rank over the time that all take, in which ranks wait for each other after each round; a kernel sample
+//! counts 1 and a segment tested for visibility 20.
 
 #![allow(clippy::print_stdout, reason = "the table is what it is for")]
 
@@ -63,14 +64,19 @@ fn cost([samples, rays]: [u64; 2]) -> f64 {
     samples as f64 + A_RAY * rays as f64
 }
 
-fn row(ranks: usize, done: &[[u64; 2]]) {
-    let excess = |of: &dyn Fn(&[u64; 2]) -> f64| {
-        let most = done.iter().map(of).fold(0.0, f64::max);
-        most * ranks as f64 / done.iter().map(of).sum::<f64>().max(f64::MIN_POSITIVE)
-    };
+/// The row of so many ranks, of which each has done so much in each round.
+fn row(ranks: usize, rounds: &[Vec<[u64; 2]>]) {
+    let most = |of: &dyn Fn(&[u64; 2]) -> f64, done: &[[u64; 2]]| done.iter().map(of).fold(0.0, f64::max);
+    let done: Vec<[u64; 2]> = (0..ranks)
+        .map(|rank| rounds.iter().fold([0; 2], |[a, b], round| [a + round[rank][0], b + round[rank][1]]))
+        .collect();
+    let mean = |of: &dyn Fn(&[u64; 2]) -> f64| done.iter().map(of).sum::<f64>() / ranks as f64;
+    let excess = |of: &dyn Fn(&[u64; 2]) -> f64| most(of, &done) / mean(of).max(f64::MIN_POSITIVE);
+    let cost = |own: &[u64; 2]| cost(*own);
+    let time: f64 = rounds.iter().map(|round| most(&cost, round)).sum();
     println!(
         "{ranks:>7} {:>10.3} {:>16.3} {:>13.3}",
-        1.0 / excess(&|own| cost(*own)),
+        mean(&cost) / time,
         excess(&|own| own[0] as f64),
         excess(&|own| own[1] as f64)
     );

@@ -46,17 +46,19 @@ pub fn work(
     pieces.map(|(place, piece)| Work { piece, account: integrated.told(place).block }).collect()
 }
 
-/// Kernel samples and rays of each of so many ranks that share this work.
-pub fn shared(work: &[Work], ranks: usize) -> Vec<[u64; 2]> {
+/// Kernel samples and rays of each of so many ranks that share this work, round by round: ranks wait for each other between rounds.
+pub fn shared(work: &[Work], ranks: usize) -> Vec<Vec<[u64; 2]>> {
     let pieces: Vec<Piece> = work.iter().map(|work| work.piece).collect();
-    let (mut balance, mut done) = (Balance::new(ranks), vec![[0; 2]; ranks]);
-    for round in rounds(pieces.len(), ranks) {
+    let mut balance = Balance::new(ranks);
+    let round = |round: Vec<usize>| {
+        let mut done = vec![[0; 2]; ranks];
         let makers = balance.share(&round, &pieces);
         for (place, maker) in round.into_iter().zip(makers) {
             balance.take(maker, &pieces[place], &work[place].account);
             done[maker][0] += work[place].samples();
             done[maker][1] += work[place].rays();
         }
-    }
-    done
+        done
+    };
+    rounds(pieces.len(), ranks).into_iter().map(round).collect()
 }
