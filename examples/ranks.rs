@@ -4,22 +4,18 @@
 //!
 //! Each block is integrated once, and what it cost is recorded. The rule that shares blocks between ranks
 //! (`transport/schedule/balance.rs`) is then run for so many ranks, without any process: it sees what it would see. Efficiency
-//! is the mean work of a rank over the time that all take, in which ranks wait for each other after each round; a kernel sample
-//! counts 1 and a segment tested for visibility 20.
+//! is the mean work of a rank over the time that all take, in which ranks wait for each other after each round.
 
 #![allow(clippy::print_stdout, reason = "the table is what it is for")]
 
 use radiosity::elements::Discretization;
 use radiosity::elements::Subdivide;
-use radiosity::transport::{Work, shared, work};
+use radiosity::transport::{Work, cost, shared, work};
 use radiosity::visibility::Visibility;
 use radiosity::{Options, Scene};
 
 /// Numbers of ranks.
 const RANKS: [usize; 8] = [2, 3, 4, 10, 30, 100, 1000, 10_000];
-
-/// Kernel samples that take as long as a segment tested for visibility.
-const A_RAY: f64 = 20.0;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut names: Vec<String> = std::env::args().skip(1).collect();
@@ -58,10 +54,6 @@ fn costs(scene: &Scene) -> Result<Vec<Work>, Box<dyn std::error::Error>> {
     let elements = options.elements(scene, &Discretization { order, space, subdivide, layers }, None)?;
     let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
     Ok(work(&elements, &sends, &visibility, options.accuracy()))
-}
-
-fn cost([samples, rays]: [u64; 2]) -> f64 {
-    samples as f64 + A_RAY * rays as f64
 }
 
 /// The row of so many ranks, of which each has done so much in each round.

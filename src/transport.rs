@@ -46,5 +46,5 @@ pub use memory::met::RayCounts;
 pub use moments::integrand::kernel;
 pub use rules::contour::polygon_exchange;
 pub use sampled::{Rays, SampledTransport};
-pub use schedule::{Work, shared, work};
+pub use schedule::{Work, cost, shared, work};
 pub use unreached::FINEST as FINEST_BY_RAYS;

@@ -221,9 +221,7 @@ impl HeatArgs {
         if heat.error_orders.is_empty() {
             lines.push(format!("warning: {}", no_error_of_order(self.order as usize)));
         }
-        lines.extend(
-            checkpoint.and_then(|own| own.warning()).map(|warning| format!("warning: {}", warning.message)),
-        );
+        lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
         let files = self.output.iter().chain(&self.conductances).chain(&self.picture.picture);
         lines.extend(files.map(|path| format!("wrote {}", path.display())));
         console::tell(&(lines.join("\n") + "\n"));

@@ -59,9 +59,8 @@ fn run_in_the_dark(args: &ReportPageArgs, path: &Path, loaded: &Loaded) -> Resul
     drop(progress);
     let checkpoint = Checkpoint::so_far();
     if !args.report.quiet {
-        let warning = checkpoint.as_ref().and_then(Checkpoint::warning);
         let mut lines: Vec<String> = checkpoint.iter().map(Checkpoint::to_string).collect();
-        lines.extend(warning.map(|warning| format!("warning: {}", warning.message)));
+        lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
         lines.push(format!("wrote {}\n", files.written()));
         console::tell(&lines.join("\n"));
     }

@@ -16,6 +16,7 @@ use radiosity::output::read_error::ReadError;
 use radiosity::output::report::Report;
 use radiosity::output::round::decimals;
 use radiosity::output::solution_file::{is_solution, read};
+use radiosity::output::warning::Warning;
 use radiosity::ranks;
 use radiosity::request::aim::at_probes;
 use radiosity::scene::{LightGroup, Scene};
@@ -470,7 +471,7 @@ impl Run {
             ));
         }
         lines.extend(self.report.planes.iter().flat_map(|plane| plane.lines(&self.report.unit)));
-        lines.extend(self.report.warnings.iter().map(|warning| format!("warning: {}", warning.message)));
+        lines.extend(self.report.warnings.iter().map(Warning::to_string));
         lines.extend(written.map(|path| format!("wrote {path}")));
         console::tell(&(lines.join("\n") + "\n"));
     }

@@ -215,9 +215,7 @@ impl ViewFactorsArgs {
             let names = miss.pair.map(|surface| &factors.names[surface][..]);
             lines.push(format!("warning: {}", missed(&miss, names)));
         }
-        lines.extend(
-            checkpoint.and_then(|own| own.warning()).map(|warning| format!("warning: {}", warning.message)),
-        );
+        lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
         lines.extend(self.output.as_ref().map(|path| format!("wrote {}", path.display())));
         console::tell(&(lines.join("\n") + "\n"));
     }
@@ -230,7 +228,7 @@ impl ViewFactorsArgs {
             "reciprocity: of {} pairs integrated from either side A_i F_ij and A_j F_ji differ by {:.1e} at the most",
             factors.reciprocity.pairs, factors.reciprocity.largest
         );
-        let warning = sums.warning().map(|warning| format!("warning: {}", warning.message));
+        let warning = sums.warning().map(|warning| warning.to_string());
         [range, reciprocity, closed].into_iter().chain(warning).collect()
     }
 }

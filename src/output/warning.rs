@@ -1,5 +1,7 @@
 //! A warning of a report.
 
+use std::fmt;
+
 use serde::Serialize;
 
 use crate::wording::Wording;
@@ -23,5 +25,12 @@ impl Warning {
     /// One that is about no surface.
     pub(super) fn general(code: &str, message: impl Into<Wording>) -> Self {
         Self { code: code.to_owned(), message: message.into(), surface: None, other: None, size: None }
+    }
+}
+
+/// As a line of a summary.
+impl fmt::Display for Warning {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        write!(to, "warning: {}", self.message)
     }
 }

@@ -50,7 +50,7 @@ use integrated::{Integrated, Told};
 use source::Source;
 pub(in crate::transport) use task::Unreached;
 use task::{Scene, Task};
-pub use work::{Work, shared, work};
+pub use work::{Work, cost, shared, work};
 
 /// Factor that turns a coarse estimate of a curved pair into a lower bound. Chosen; not tuned.
 const ESTIMATE_SHARE: f64 = 0.5;

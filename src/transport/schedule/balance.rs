@@ -22,6 +22,11 @@ const SAMPLES_A_RAY: f64 = 20.0;
 /// What an integral costs beside its samples, in samples.
 const START: f64 = 50.0;
 
+/// What so many kernel samples and segments cost, in samples.
+pub fn cost([samples, rays]: [u64; 2]) -> f64 {
+    samples as f64 + SAMPLES_A_RAY * rays as f64
+}
+
 /// A block before it is made.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
@@ -66,7 +71,7 @@ impl Balance {
 
     /// Takes note of what a block cost.
     pub(super) fn take(&mut self, maker: usize, piece: &Piece, block: &Account) {
-        let cost = START + block.samples as f64 + SAMPLES_A_RAY * block.rays as f64;
+        let cost = START + cost([block.samples, block.rays]);
         self.loads[maker] += cost;
         let [number, sum] = self.classes.entry(piece.class).or_default();
         (*number, *sum) = (*number + 1.0, *sum + cost);

@@ -4,6 +4,7 @@ use crate::elements::Elements;
 use crate::ranks;
 use crate::transport::blocks::block::{Account, Accuracy};
 use crate::transport::blocks::held::Held;
+pub use crate::transport::schedule::balance::cost;
 use crate::transport::schedule::balance::{Balance, Piece, rounds};
 use crate::transport::schedule::task::{Scene, Unreached};
 use crate::visibility::Visibility;
