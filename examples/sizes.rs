@@ -149,7 +149,7 @@ fn measure(grid: [usize; 3], order: usize) {
     let right = system.right_hand_side();
     let mut unknowns = vec![0.0; right.len()];
     let matrix = system.matrix().expect("it fits");
-    let settings = Settings { threads: 1, ..Settings::default() };
+    let settings = Settings::default().with_threads(1);
     let solved = options.method.solver.solve(&matrix, &right, &mut unknowns, &settings, &mut |_| {});
     solved.expect("walls of reflectance ½ converge");
     let seconds = [integrated - start, processor() - integrated].map(|time| time.as_secs_f64());

@@ -210,9 +210,9 @@ impl<'a> System<'a> {
     ///
     /// # Errors
     /// Values that are not finite.
-    pub fn operator(&self, method: &str, threads: usize) -> Result<Box<dyn Operator + '_>, SolveError> {
+    pub fn operator(&self, method: &Method, threads: usize) -> Result<Box<dyn Operator + '_>, SolveError> {
         let unknowns = self.unknown_count();
-        let only_multiplies = Method::only_multiplies(method);
+        let only_multiplies = method.only_multiplies();
         let is_thin = (self.blocks.stored_numbers() as f64) < THIN * (unknowns as f64).powi(2);
         let most = if only_multiplies && is_thin { DIRECT } else { DENSE };
         if unknowns <= most || !self.blocks.symmetric() || (self.coating.transmits() && !only_multiplies) {

@@ -166,7 +166,7 @@ fn solved(elements: &Elements, coating: &Coating, blocks: &Blocks) -> Result<Coe
     let right = system.right_hand_side();
     let mut unknowns = vec![0.0; right.len()];
     let settings = Settings::default();
-    let operator = system.operator("auto", settings.threads)?;
-    Method::named("auto")?.solver.solve(&*operator, &right, &mut unknowns, &settings, &mut |_| ())?;
+    let operator = system.operator(&Method::AUTO, settings.threads)?;
+    Method::AUTO.solver.solve(&*operator, &right, &mut unknowns, &settings, &mut |_| ())?;
     Ok(system.coefficients(&unknowns))
 }

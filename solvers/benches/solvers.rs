@@ -31,7 +31,7 @@ fn system(dim: usize) -> (Dense, Vec<f64>) {
 
 fn solve(name: &str, a: &Dense, b: &[f64], threads: usize) -> Report {
     let mut x = vec![0.0; b.len()];
-    let settings = Settings { threads, ..Settings::default() };
+    let settings = Settings::default().with_threads(threads);
     let method = Method::named(name).expect("a name from the list");
     method.solver.solve(a, b, &mut x, &settings, &mut |_| ()).expect("a well-conditioned system")
 }

@@ -14,13 +14,12 @@
 //! probe, vᵀ(A p₀) = p₀ᵀ(A v) for a scattered v. Reference: Y. Saad, *Iterative Methods for Sparse Linear
 //! Systems*, 2nd ed., SIAM 2003, §6.7, §9.2.
 
-use crate::cholesky_factor::CholeskyFactor;
+use nalgebra::{Cholesky, DMatrix, DVectorViewMut, Dyn};
+
 use crate::diagonal::diagonal_block;
 use crate::error::SolveError;
-use crate::factors::Factors;
 use crate::iteration::{Iteration, Watch, iterate};
 use crate::operator::Operator;
-use crate::panel::Labour;
 use crate::problem::Problem;
 use crate::settings::{Preconditioner, Settings};
 use crate::solver::{Report, Solver, Step};
@@ -68,8 +67,11 @@ impl Solver for Cg {
     }
 }
 
+/// L of a diagonal block L Lᵀ.
+type Factor = Cholesky<f64, Dyn>;
+
 /// The factors of all diagonal blocks; none where nothing preconditions.
-fn factors(a: &dyn Operator, preconditioner: Preconditioner) -> Result<Vec<CholeskyFactor>, SolveError> {
+fn factors(a: &dyn Operator, preconditioner: Preconditioner) -> Result<Vec<Factor>, SolveError> {
     match preconditioner {
         Preconditioner::Block => (0..a.partition().len()).map(|block| factor(a, block)).collect(),
         Preconditioner::None => Ok(Vec::new()),
@@ -77,8 +79,9 @@ fn factors(a: &dyn Operator, preconditioner: Preconditioner) -> Result<Vec<Chole
 }
 
 /// A_BB = L Lᵀ.
-fn factor(a: &dyn Operator, block: usize) -> Result<CholeskyFactor, SolveError> {
-    let factor = CholeskyFactor::new(diagonal_block(a, block)?, a.partition().size(block), Labour::ALONE);
+fn factor(a: &dyn Operator, block: usize) -> Result<Factor, SolveError> {
+    let size = a.partition().size(block);
+    let factor = Cholesky::new(DMatrix::from_vec(size, size, diagonal_block(a, block)?));
     factor.ok_or(SolveError::NotPositiveDefinite { method: NAME })
 }
 
@@ -90,7 +93,7 @@ struct Direction {
 
 struct Descent<'p> {
     problem: &'p Problem<'p>,
-    blocks: Vec<CholeskyFactor>,
+    blocks: Vec<Factor>,
     r: Vec<f64>,
     /// Relative residual when `r` was last recomputed.
     renewed: f64,
@@ -107,7 +110,9 @@ impl Descent<'_> {
     fn precondition(&self) -> Result<(Vec<f64>, f64), SolveError> {
         let mut z = self.r.clone();
         for (block, factor) in self.blocks.iter().enumerate() {
-            factor.solve(&mut z[self.problem.a.partition().range(block)]);
+            let own = &mut z[self.problem.a.partition().range(block)];
+            let size = own.len();
+            factor.solve_mut(&mut DVectorViewMut::from_slice(own, size));
         }
         let rz = dot(&self.r, &z);
         if rz > 0.0 && rz.is_finite() { Ok((z, rz)) } else { Err(self.broken()) }

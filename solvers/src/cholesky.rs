@@ -1,20 +1,31 @@
-//! Cholesky factorisation.
+//! Cholesky factorisation, by faer.
 //!
 //! A = L Lᵀ in n³/6 multiplications from the lower triangle of A alone, half of what LU takes. The residual
 //! is recomputed with all of A and refined; where that does not reach the tolerance (a matrix that is not as
 //! symmetric as it claims, or factors gone wrong) LU takes over. Exists exactly for symmetric positive
-//! definite A. Reference: N. J. Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002,
-//! ch. 10.
+//! definite A. The columns are taken in panels, of which the first is factored and the rest updated,
+//!
+//!   A₁₁ = L₁₁ L₁₁ᵀ,   L₂₁ = A₂₁ L₁₁⁻ᵀ,   A₂₂ ← A₂₂ − L₂₁ L₂₁ᵀ.
+//!
+//! Reference: N. J. Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002, ch. 10.
 
 use std::time::Instant;
 
-use crate::cholesky_factor::CholeskyFactor;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::{factor, solve};
+use faer::linalg::matmul::matmul;
+use faer::linalg::matmul::triangular::{self, BlockStructure};
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::{Accum, MatMut, MatRef, Par};
+
 use crate::direct::Direct;
 use crate::error::{SolveError, Stop};
+use crate::factored::Factored;
 use crate::factors::Factors;
+use crate::halt::Halt;
 use crate::lu::Lu;
 use crate::operator::Operator;
-use crate::panel::Labour;
+use crate::panel::{PANEL, Threads};
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
 
@@ -23,6 +34,22 @@ pub(crate) const NAME: &str = "cholesky";
 /// Cholesky with refinement, LU where that fails; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cholesky;
+
+impl Cholesky {
+    /// Factors `a` once, to solve with it often; without the fall-back to LU.
+    ///
+    /// # Errors
+    /// [`SolveError::NotSymmetric`] if the operator does not claim to be, [`SolveError::NotPositiveDefinite`], and those
+    /// of [`Lu::factor`] but [`SolveError::Singular`].
+    pub fn factor<'a>(
+        &self,
+        a: &'a dyn Operator,
+        settings: &Settings<'a>,
+    ) -> Result<Factored<'a>, SolveError> {
+        require_symmetric(a)?;
+        Factored::new::<LowerTriangle>(a, settings)
+    }
+}
 
 impl Solver for Cholesky {
     fn solve(
@@ -82,8 +109,88 @@ impl Direct for LowerTriangle {
 
     const LOWER: bool = true;
 
-    fn factor(matrix: Vec<f64>, dim: usize, settings: &Settings<'_>) -> Result<Box<dyn Factors>, SolveError> {
-        let factor = CholeskyFactor::new(matrix, dim, Labour::of(settings));
-        Ok(Box::new(factor.ok_or(SolveError::NotPositiveDefinite { method: NAME })?))
+    fn factor(
+        mut matrix: Vec<f64>,
+        dim: usize,
+        threads: Threads,
+        halt: &Halt<'_>,
+    ) -> Result<Box<dyn Factors>, SolveError> {
+        factor_panels(&mut matrix, dim, threads, halt)?;
+        Ok(Box::new(Triangle { matrix, dim }))
+    }
+}
+
+/// A = L Lᵀ in place, panel by panel.
+fn factor_panels(
+    matrix: &mut [f64],
+    dim: usize,
+    threads: Threads,
+    halt: &Halt<'_>,
+) -> Result<(), SolveError> {
+    for start in (0..dim).step_by(PANEL) {
+        halt.check_factoring()?;
+        let width = PANEL.min(dim - start);
+        let (panel, right) = matrix[start * dim..].split_at_mut(width * dim);
+        let panel = MatMut::from_column_major_slice_mut(panel, dim, width).split_at_row_mut(start).1;
+        let (mut diagonal, mut below) = panel.split_at_row_mut(width);
+        factor_diagonal(diagonal.as_mut(), threads)?;
+        // B ← B L⁻ᵀ: the rows of B are the right-hand sides.
+        let par = threads.for_columns(below.nrows());
+        solve_lower_triangular_in_place(diagonal.as_ref(), below.as_mut().transpose_mut(), par);
+        for (chunk, columns) in right.chunks_mut(PANEL * dim).enumerate() {
+            halt.check_factoring()?;
+            let count = columns.len() / dim;
+            let (_, below) = below.as_ref().split_at_row(chunk * PANEL);
+            let top = start + width + chunk * PANEL;
+            let columns = MatMut::from_column_major_slice_mut(columns, dim, count).split_at_row_mut(top).1;
+            subtract_square(below, columns, threads);
+        }
+    }
+    Ok(())
+}
+
+/// A₁₁ = L₁₁ L₁₁ᵀ in place, of the lower triangle.
+fn factor_diagonal(diagonal: MatMut<'_, f64>, threads: Threads) -> Result<(), SolveError> {
+    let dim = diagonal.nrows();
+    let par = threads.for_columns(dim);
+    let scratch = factor::cholesky_in_place_scratch::<f64>(dim, par, Default::default());
+    let stack = &mut MemBuffer::new(scratch);
+    let factored = factor::cholesky_in_place(
+        diagonal,
+        Default::default(),
+        par,
+        MemStack::new(stack),
+        Default::default(),
+    );
+    factored.map(|_| ()).map_err(|_| SolveError::NotPositiveDefinite { method: NAME })
+}
+
+/// C ← C − B B₁ᵀ on and below the diagonal, where B₁ has the first rows of B, as many as C has columns.
+fn subtract_square(b: MatRef<'_, f64>, c: MatMut<'_, f64>, threads: Threads) {
+    let par = threads.for_columns(c.ncols());
+    let (first, rest) = b.split_at_row(c.ncols());
+    let (square, below) = c.split_at_row_mut(first.nrows());
+    let (lower, whole) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
+    triangular::matmul(square, lower, Accum::Add, first, whole, first.transpose(), whole, -1.0, par);
+    matmul(below, Accum::Add, rest, first.transpose(), -1.0, par);
+}
+
+/// L on and below the diagonal; the entries above are of no meaning.
+struct Triangle {
+    /// Entry (i, j) at `matrix[j·dim + i]`.
+    matrix: Vec<f64>,
+    dim: usize,
+}
+
+impl Factors for Triangle {
+    fn solve(&self, x: &mut [f64]) {
+        let scratch = solve::solve_in_place_scratch::<f64>(self.dim, 1, Par::Seq);
+        let matrix = MatRef::from_column_major_slice(&self.matrix, self.dim, self.dim);
+        let x = MatMut::from_column_major_slice_mut(x, self.dim, 1);
+        solve::solve_in_place(matrix, x, Par::Seq, MemStack::new(&mut MemBuffer::new(scratch)));
+    }
+
+    fn solve_transposed(&self, x: &mut [f64]) {
+        self.solve(x);
     }
 }

@@ -7,6 +7,8 @@
 //! Every y_i is summed over j in ascending order, four columns at a time, whatever rows a thread is
 //! given: the number of threads never changes a bit.
 
+mod conversions;
+
 use rayon::prelude::*;
 
 use crate::error::SolveError;
@@ -33,6 +35,20 @@ const ASYMMETRY: f64 = 1e-12;
 /// assert!((x[0] - 1.0 / 11.0).abs() < 1e-7 && (x[1] - 7.0 / 11.0).abs() < 1e-7);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// Matrices of [faer] and [nalgebra] are taken by `try_from`, as blocks of one unknown ([`with_partition`] cuts other
+/// ones), and a `Dense` is seen as theirs by `from`, without a copy:
+///
+/// ```
+/// use radiosity_solvers::{Dense, Partition};
+///
+/// let a = Dense::try_from(nalgebra::DMatrix::from_row_slice(2, 2, &[4.0, 1.0, 1.0, 3.0]))?;
+/// let a = a.with_partition(Partition::new(&[2]))?;
+/// assert_eq!(faer::MatRef::from(&a)[(1, 1)], 3.0);
+/// # Ok::<(), radiosity_solvers::SolveError>(())
+/// ```
+///
+/// [`with_partition`]: Self::with_partition
 #[derive(Clone, Debug)]
 pub struct Dense {
     partition: Partition,
@@ -72,6 +88,23 @@ impl Dense {
     #[must_use]
     pub fn with_threads(self, threads: usize) -> Self {
         Self { threads: threads.max(1), ..self }
+    }
+
+    /// The matrix cut into the blocks of `partition`.
+    ///
+    /// # Errors
+    /// [`DimensionMismatch`](SolveError::DimensionMismatch) unless they hold as many unknowns.
+    pub fn with_partition(self, partition: Partition) -> Result<Self, SolveError> {
+        let (expected, found) = (self.dim(), partition.dim());
+        if expected != found {
+            return Err(SolveError::DimensionMismatch { what: "the partition", expected, found });
+        }
+        Ok(Self { partition, ..self })
+    }
+
+    /// Number of unknowns.
+    fn dim(&self) -> usize {
+        self.partition.dim()
     }
 
     /// The entries, column by column.

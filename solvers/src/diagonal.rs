@@ -1,10 +1,9 @@
 //! Diagonal blocks and their inverses.
 
+use nalgebra::{DMatrix, DVectorViewMut, Dyn, LU};
+
 use crate::error::SolveError;
-use crate::factors::Factors;
-use crate::lu_factors::LuFactors;
 use crate::operator::Operator;
-use crate::panel::Labour;
 use crate::partition::Partition;
 use crate::problem::finite;
 use crate::settings::Granularity;
@@ -12,7 +11,7 @@ use crate::settings::Granularity;
 /// The inverse of one diagonal block, or of its diagonal alone.
 pub(crate) enum Pivot {
     /// The block D, factored.
-    Block(LuFactors),
+    Block(LU<f64, Dyn, Dyn>),
     /// The block D as it is, column by column: its unknowns are relaxed one by one.
     Coefficients(Vec<f64>),
 }
@@ -30,7 +29,8 @@ impl Pivot {
             let invertible = (0..size).all(|k| values[k * size + k] != 0.0);
             return if invertible { Ok(Self::Coefficients(values)) } else { Err(singular()) };
         }
-        LuFactors::new(values, size, Labour::ALONE).map(Self::Block).ok_or_else(singular)
+        let factored = DMatrix::from_vec(size, size, values).lu();
+        if factored.is_invertible() { Ok(Self::Block(factored)) } else { Err(singular()) }
     }
 
     /// All diagonal blocks of `a`, in order.
@@ -48,7 +48,13 @@ impl Pivot {
     /// r := D⁻¹ r, or r_k := r_k / d_kk.
     pub(crate) fn divide(&self, r: &mut [f64]) {
         match self {
-            Self::Block(lu) => lu.solve(r),
+            // nalgebra solves nothing for no unknowns.
+            Self::Block(_) if r.is_empty() => {}
+            Self::Block(factored) => {
+                let size = r.len();
+                // Always solved: the block was refused unless it is invertible.
+                factored.solve_mut(&mut DVectorViewMut::from_slice(r, size));
+            }
             Self::Coefficients(values) => {
                 let size = r.len();
                 for (k, r) in r.iter_mut().enumerate() {

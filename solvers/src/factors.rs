@@ -1,7 +1,7 @@
-//! What a factorisation is good for.
+//! Solving with the factors of a matrix.
 
 /// A matrix in factors.
-pub(crate) trait Factors {
+pub(crate) trait Factors: Send + Sync {
     /// x := A⁻¹ x.
     fn solve(&self, x: &mut [f64]);
 

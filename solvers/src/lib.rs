@@ -79,17 +79,17 @@ mod iteration;
 
 mod factors;
 
+mod halt;
+
 mod panel;
-
-mod lu_factors;
-
-mod cholesky_factor;
 
 mod diagonal;
 
 mod ranking;
 
 mod condition;
+
+mod factored;
 
 mod direct;
 
@@ -118,6 +118,7 @@ pub mod method;
 pub use block_sparse::{BlockSparse, SparseBlock};
 pub use dense::Dense;
 pub use error::{SolveError, Stop};
+pub use factored::Factored;
 pub use functional::functional;
 pub use operator::Operator;
 pub use partition::Partition;

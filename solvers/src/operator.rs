@@ -31,8 +31,12 @@ pub trait Operator: Sync {
         }
     }
 
-    /// The square diagonal block of `block`, column by column: entry (k, l) at `out[l·size + k]`; provided by
-    /// shooting unit vectors.
+    /// The square diagonal block of `block`, column by column: entry (k, l) at `out[l·size + k]`.
+    ///
+    /// Provided by shooting each unit vector of the block, which makes a whole block column of `dim·size` entries to
+    /// keep `size²` of them, and computes it where columns are computed on demand. Write it yourself wherever the
+    /// diagonal block is known by itself: jacobi, gauss-seidel, southwell and the preconditioners of cg and gmres
+    /// read it of every block that they touch.
     fn diagonal(&self, block: usize, out: &mut [f64]) {
         let range = self.partition().range(block);
         let (dim, size) = (self.partition().dim(), range.len());

@@ -36,7 +36,15 @@ pub enum Sweep {
 }
 
 /// Settings of a solver; a method ignores those that do not concern it.
+///
+/// ```
+/// use radiosity_solvers::Settings;
+///
+/// let settings = Settings::default().with_tolerance(1e-12).with_threads(2);
+/// assert_eq!((settings.tolerance, settings.threads), (1e-12, 2));
+/// ```
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Settings<'a> {
     /// Wanted ‖b − A x‖₂ / ‖b‖₂, at least 0. Rounding leaves about ε ‖A‖ ‖x‖ / ‖b‖: less is never reached.
     pub tolerance: f64,
@@ -48,7 +56,7 @@ pub struct Settings<'a> {
     /// Threads of the direct methods, 0 for all there are. Never changes a bit of the result.
     pub threads: usize,
     /// Time after which a solve gives up, all right-hand sides and fall-backs together; looked at between
-    /// iterations only: a factorisation is not cut short.
+    /// iterations, and between the panels of a factorisation.
     pub time_budget: Option<Duration>,
     /// Raised by the caller to stop; looked at between iterations, and between the panels of a factorisation.
     pub cancel: Option<&'a AtomicBool>,
@@ -89,8 +97,88 @@ impl Default for Settings<'_> {
     }
 }
 
+impl<'a> Settings<'a> {
+    /// These settings with another [`tolerance`](Self::tolerance).
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// These settings with another [`max_iterations`](Self::max_iterations).
+    #[must_use]
+    pub fn with_max_iterations(self, max_iterations: usize) -> Self {
+        Self { max_iterations, ..self }
+    }
+
+    /// These settings with another [`max_shots`](Self::max_shots).
+    #[must_use]
+    pub fn with_max_shots(self, max_shots: usize) -> Self {
+        Self { max_shots: Some(max_shots), ..self }
+    }
+
+    /// These settings with another [`threads`](Self::threads).
+    #[must_use]
+    pub fn with_threads(self, threads: usize) -> Self {
+        Self { threads, ..self }
+    }
+
+    /// These settings with another [`time_budget`](Self::time_budget).
+    #[must_use]
+    pub fn with_time_budget(self, time_budget: Duration) -> Self {
+        Self { time_budget: Some(time_budget), ..self }
+    }
+
+    /// These settings with another [`cancel`](Self::cancel).
+    #[must_use]
+    pub fn with_cancel(self, cancel: &'a AtomicBool) -> Self {
+        Self { cancel: Some(cancel), ..self }
+    }
+
+    /// These settings with another [`measure`](Self::measure).
+    #[must_use]
+    pub fn with_measure(self, measure: &'a [f64]) -> Self {
+        Self { measure: Some(measure), ..self }
+    }
+
+    /// These settings with another [`granularity`](Self::granularity).
+    #[must_use]
+    pub fn with_granularity(self, granularity: Granularity) -> Self {
+        Self { granularity, ..self }
+    }
+
+    /// These settings with another [`sweep`](Self::sweep).
+    #[must_use]
+    pub fn with_sweep(self, sweep: Sweep) -> Self {
+        Self { sweep, ..self }
+    }
+
+    /// These settings with another [`relaxation`](Self::relaxation).
+    #[must_use]
+    pub fn with_relaxation(self, relaxation: f64) -> Self {
+        Self { relaxation, ..self }
+    }
+
+    /// These settings with another [`preconditioner`](Self::preconditioner).
+    #[must_use]
+    pub fn with_preconditioner(self, preconditioner: Preconditioner) -> Self {
+        Self { preconditioner, ..self }
+    }
+
+    /// These settings with another [`restart`](Self::restart).
+    #[must_use]
+    pub fn with_restart(self, restart: usize) -> Self {
+        Self { restart, ..self }
+    }
+
+    /// These settings with another [`condition`](Self::condition).
+    #[must_use]
+    pub fn with_condition(self, condition: bool) -> Self {
+        Self { condition, ..self }
+    }
+}
+
 impl Settings<'_> {
-    /// The same settings with the time budget that is left.
+    /// These settings with the time budget that is left.
     pub(crate) fn since(&self, started: Instant) -> Self {
         Self {
             time_budget: self.time_budget.map(|budget| budget.saturating_sub(started.elapsed())),

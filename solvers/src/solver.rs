@@ -8,6 +8,7 @@ use crate::settings::Settings;
 
 /// The state of a solver, passed to the observer after each iteration.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Step<'a> {
     /// Iterations done: sweeps, products, shots, or refinements.
     pub iteration: usize,
@@ -25,6 +26,7 @@ pub struct Step<'a> {
 
 /// The result of a successful solve.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Report {
     /// The method that found x: the choice of `auto`, or the one that another fell back to.
     pub method: &'static str,
@@ -40,6 +42,23 @@ pub struct Report {
     pub columns: usize,
     /// Estimate of the condition number ‖A‖₁ ‖A⁻¹‖₁, from below, by a direct method that was asked for it.
     pub condition: Option<f64>,
+}
+
+impl<'a> Step<'a> {
+    /// The state `x` after so many iterations, at this relative residual; the rest is 0 or absent.
+    pub fn new(iteration: usize, residual: f64, x: &'a [f64]) -> Self {
+        Self { iteration, residual, work: 0.0, largest_unshot: None, ambient: None, x }
+    }
+}
+
+impl Report {
+    /// The account of `method`, for a solver of one's own, from the residuals before the first iteration and after
+    /// each; the residual is the last of them, the rest 0 or absent.
+    pub fn new(method: &'static str, history: Vec<f64>) -> Self {
+        let (iterations, residual) =
+            (history.len().saturating_sub(1), history.last().copied().unwrap_or(0.0));
+        Self { method, iterations, residual, history, work: 0.0, columns: 0, condition: None }
+    }
 }
 
 /// A method that solves A x = b.

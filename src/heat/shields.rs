@@ -54,7 +54,7 @@ pub(super) fn levels(roles: &Roles, solution: &Solution) -> Vec<f64> {
 /// The solution of a small dense system, entry (i, j) at `values[j·n + i]`; not numbers if it has none.
 fn solve(values: Vec<f64>, right: Vec<f64>) -> Vec<f64> {
     let mut levels = vec![0.0; right.len()];
-    let solver = Method::named("lu").expect("lu is always listed").solver;
+    let solver = Method::LU.solver;
     let solved = Dense::new(Partition::points(right.len()), values, false)
         .and_then(|a| solver.solve(&a, &right, &mut levels, &Settings::default(), &mut |_| ()));
     if solved.is_err() {

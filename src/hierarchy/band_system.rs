@@ -62,7 +62,8 @@ impl<'a> BandSystem<'a> {
         let right = self.right_hand_side();
         let mut unknowns = vec![0.0; right.len()];
         let interruption = interruption::current();
-        let settings = Settings { cancel: interruption.as_ref().map(Interruption::flag), ..*settings };
+        let mut settings = settings.clone();
+        settings.cancel = interruption.as_ref().map(Interruption::flag);
         let report = method.solver.solve(self, &right, &mut unknowns, &settings, &mut |_| heed());
         // Where it was cancelled.
         heed();

@@ -141,7 +141,7 @@ impl Work<'_> {
         let reflectance: Vec<f64> = surfaces.iter().map(|own| own.material.reflectance[band]).collect();
         let exitance: Vec<f64> = surfaces.iter().map(|own| own.exitance(band)).collect();
         let system = BandSystem::new(hierarchy, &reflectance, &exitance);
-        let settings = Settings { tolerance: self.options.tolerance, ..Settings::default() };
+        let settings = Settings::default().with_tolerance(self.options.tolerance);
         let solved = system.solve(self.options.method, &settings);
         let failed = |source| HierarchyError::Solver { band: self.scene.bands[band].clone(), source };
         let irradiance = system.gather(&solved.map_err(failed)?.0);

@@ -31,7 +31,7 @@ impl Default for HierarchyOptions {
             separation: 1.5,
             rounds: 8,
             rays_per_link: 16,
-            method: Method::named("cg").expect("cg is always listed"),
+            method: &Method::CG,
             tolerance: 1e-8,
         }
     }

@@ -60,7 +60,7 @@ impl Need<'_> {
         let fits =
             |how, method| (Need { how, options: &Options { method, ..*options }, ..*self }).peak() <= allowed;
         let mut less = Vec::new();
-        if fits(how, Method::named("cg").expect("cg is always listed")) {
+        if fits(how, &Method::CG) {
             less.push(Fit::ConjugateGradients);
         }
         let lower =

@@ -1,5 +1,6 @@
 //! The linear systems of one band: one matrix, a right-hand side for each light group.
 
+use radiosity_solvers::method::Access;
 use radiosity_solvers::{Report, Settings, SolveError, Step};
 
 use crate::interruption::{self, Interruption, heed};
@@ -45,20 +46,19 @@ pub(super) fn solve_band(
     let mut needed = None;
     if let Some(first) = systems.first().filter(|_| !lit.is_empty()) {
         let (operator, preconditioner) =
-            first.operator(options.method.name, options.preconditioner.into(), options.threads)?;
+            first.operator(options.method, options.preconditioner.into(), options.threads)?;
         let method = first.method(options.method, operator.symmetric());
         // Only shooting needs it, and it costs as much as a basis.
-        let measure = (method.name == "southwell").then(|| first.shooting_measure());
+        let measure = (method.access == Access::Columns).then(|| first.shooting_measure());
         let interruption = interruption::current();
-        let settings = Settings {
-            cancel: interruption.as_ref().map(Interruption::flag),
-            tolerance: options.tolerance,
-            max_iterations: options.max_iterations,
-            threads: options.threads,
-            measure: measure.as_deref(),
-            preconditioner,
-            ..Settings::default()
-        };
+        let mut settings = Settings::default()
+            .with_tolerance(options.tolerance)
+            .with_max_iterations(options.max_iterations)
+            .with_threads(options.threads)
+            .with_preconditioner(preconditioner);
+        settings.cancel = interruption.as_ref().map(Interruption::flag);
+        settings.time_budget = options.solving_time();
+        settings.measure = measure.as_deref();
         let mut observe = |step: &Step<'_>| {
             heed();
             observe(step);

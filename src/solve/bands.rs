@@ -82,7 +82,7 @@ impl Bands<'_> {
                 before.iter_mut().for_each(|own| own[k].extend(bounced.before.clone()));
             }
         }
-        let method = Method::named("richardson").expect("it is always listed").name;
+        let method = Method::RICHARDSON.name;
         let efforts = vec![Effort { method, iterations: bounces, converged: true }];
         Light { light, before, efforts, functionals: Vec::new() }
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use radiosity_solvers::Settings;
-use radiosity_solvers::method::Method;
+use radiosity_solvers::method::{Access, Method};
 
 use super::choice::Choice;
 use super::emission::Emission;
@@ -92,7 +92,7 @@ fn by_links(
 /// How finely these options link.
 fn linking(options: &Options) -> HierarchyOptions {
     let usual = HierarchyOptions::default();
-    let method = if options.method.name == "auto" { usual.method } else { options.method };
+    let method = if options.method.access == Access::BySize { usual.method } else { options.method };
     let farther = (USUAL / options.eps).max(1.0).powf(FARTHER);
     HierarchyOptions {
         eps: options.eps,
@@ -150,12 +150,10 @@ impl Run<'_> {
             exitance[element.surface] = coating.exitance[index];
         }
         let system = BandSystem::new(self.hierarchy, &reflectance, &exitance);
-        let settings = Settings {
-            tolerance: self.options.tolerance,
-            max_iterations: self.options.max_iterations,
-            threads: self.options.threads,
-            ..Settings::default()
-        };
+        let settings = Settings::default()
+            .with_tolerance(self.options.tolerance)
+            .with_max_iterations(self.options.max_iterations)
+            .with_threads(self.options.threads);
         let solved = system.solve(self.method, &settings);
         let failed = |source| Failure::Solver { band: self.scene.bands[band].clone(), source };
         let (radiosity, report) = solved.map_err(failed)?;

@@ -18,7 +18,7 @@
 //! system is set up, so the peak is the larger of the two sums. Pairs that repeat or are hidden reduce it, which is not known beforehand.
 
 use radiosity_solvers::auto::{DENSE, DIRECT};
-use radiosity_solvers::method::Method;
+use radiosity_solvers::method::{Access, Method};
 
 use crate::elements::{CutSize, Discretization, cut_sizes, shares};
 use crate::ranks;
@@ -91,7 +91,7 @@ impl Footprint {
         let sizes = cut_sizes(scene, how);
         let own = Self::of_blocks(scene, &sizes);
         let matrix = NUMBER * most_unknowns(scene, &sizes).pow(2);
-        let matrices = matrix * if matches!(method.name, "lu" | "auto") { 2 } else { 1 };
+        let matrices = matrix * if matches!(method.access, Access::Entries | Access::BySize) { 2 } else { 1 };
         let system = matrices + groups(scene, &sizes);
         Self { blocks: 2 * own.blocks, system, ..own }
     }
@@ -164,7 +164,7 @@ fn held(blocks: u64, ranks: u64) -> u64 {
 
 /// Bytes on their way to all of so many ranks, where a method needs the entries of all blocks.
 fn gathered(method: &Method, unknowns: u64, blocks: u64, ranks: u64) -> u64 {
-    let only_multiplies = Method::only_multiplies(method.name) && unknowns > DENSE as u64;
+    let only_multiplies = method.only_multiplies() && unknowns > DENSE as u64;
     if ranks == 1 || only_multiplies { 0 } else { 3 * blocks }
 }
 
@@ -190,12 +190,12 @@ fn groups(scene: &Scene, sizes: &[CutSize]) -> u64 {
 /// Bytes of the system of a band with so many unknowns, and blocks of so many bytes.
 fn system(method: &Method, unknowns: u64, blocks: u64) -> u64 {
     let matrix = NUMBER * unknowns * unknowns;
-    match method.name {
-        "lu" | "cholesky" => 2 * matrix,
-        "auto" if unknowns <= DIRECT as u64 => 2 * matrix,
+    match method.access {
+        Access::Entries => 2 * matrix,
+        Access::BySize if unknowns <= DIRECT as u64 => 2 * matrix,
         _ if unknowns <= DENSE as u64 => matrix,
-        name if Method::only_multiplies(name) => NUMBER * unknowns * VECTORS,
+        Access::Products | Access::BySize => NUMBER * unknowns * VECTORS,
         // Blocks and their transposes.
-        _ => 2 * blocks,
+        Access::Rows | Access::Columns => 2 * blocks,
     }
 }

@@ -1,6 +1,6 @@
 //! What to solve and how well.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
@@ -21,6 +21,9 @@ use crate::transport::Accuracy;
 use crate::visibility::{Hiding, Shadows};
 use crate::zatz1993::masked_light::Masking;
 use crate::zatz1993::transfers;
+
+/// Least time of a linear system, after a deadline too. Chosen: a person waits as long without noticing.
+const LEAST_SOLVING: Duration = Duration::from_secs(1);
 
 /// What to solve and how well.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -78,7 +81,8 @@ pub struct Options {
     /// Raised by another thread to end the sending of rays; what was sent counts.
     #[serde(skip)]
     pub stop: Option<&'static Stop>,
-    /// When the sending of rays ends; what was sent counts. An adaptation begins no run that would end later.
+    /// When the sending of rays ends; what was sent counts. A solver gives up there, or a second after it has begun. An
+    /// adaptation begins no run that would end later.
     #[serde(skip)]
     pub deadline: Option<Instant>,
     /// Threads; the result does not depend on it.
@@ -104,7 +108,7 @@ impl Default for Options {
             shadows: Hiding::Auto,
             masks: None,
             direct: Direct::Auto,
-            method: Method::named("auto").expect("auto is always listed"),
+            method: &Method::AUTO,
             preconditioner: Preconditioning::Block,
             bounces: None,
             tolerance: 1e-8,
@@ -163,6 +167,13 @@ impl Options {
     /// Whether the deadline has passed, by the clock of this rank.
     pub(crate) fn is_late_here(&self) -> bool {
         self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
+    }
+
+    /// The time that a linear system may take; None for any. It is at least [`LEAST_SOLVING`], so that a small scene has
+    /// a result after the deadline too. Several ranks, whose clocks differ, go on to the end.
+    pub(super) fn solving_time(&self) -> Option<Duration> {
+        let deadline = self.deadline.filter(|_| ranks::current().count() == 1)?;
+        Some(deadline.saturating_duration_since(Instant::now()).max(LEAST_SOLVING))
     }
 
     /// Rays of the sampled transport of `scene`.

@@ -243,7 +243,7 @@ impl Subject<'_> {
 
     /// Rough solutions, band by band and group by group.
     fn solved(&self, blocks: &Blocks) -> Result<Vec<Coefficients>, SolveError> {
-        let method = Method::named("auto").expect("auto is always listed");
+        let method = &Method::AUTO;
         let tolerance = ROUGH.max(self.options.tolerance);
         let rough = Options { tolerance, method, keep_partial: false, ..*self.options };
         let list = self.elements.list();

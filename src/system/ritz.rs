@@ -29,7 +29,7 @@
 
 use std::borrow::Cow;
 
-use radiosity_solvers::method::Method;
+use radiosity_solvers::method::{Access, Method};
 use radiosity_solvers::{Operator, Preconditioner, SolveError};
 
 use crate::bases::Subspace;
@@ -76,11 +76,10 @@ impl<'a> Ritz<'a> {
     /// The method for the one that was asked for, where the matrix `is_symmetric` or not. In a subspace it is known by its
     /// products, so that a choice that is left open falls on a method that multiplies.
     pub fn method(&self, asked: &'static Method, is_symmetric: bool) -> &'static Method {
-        if self.reduction.is_none() || asked.name != "auto" {
+        if self.reduction.is_none() || asked.access != Access::BySize {
             return asked;
         }
-        let multiplies = if is_symmetric { "cg" } else { "gmres" };
-        Method::named(multiplies).unwrap_or(asked)
+        if is_symmetric { &Method::CG } else { &Method::GMRES }
     }
 
     /// The matrix for the solver `method`, and how residuals are to be preconditioned where `asked` says how.
@@ -89,15 +88,15 @@ impl<'a> Ritz<'a> {
     /// Values that are not finite.
     pub fn operator(
         &self,
-        method: &str,
+        method: &Method,
         asked: Preconditioner,
         threads: usize,
     ) -> Result<(Box<dyn Operator + '_>, Preconditioner), SolveError> {
         let Some(reduction) = &self.reduction else {
             return Ok((self.system.operator(method, threads)?, asked));
         };
-        let product = Projected::new(reduction, self.system.operator("cg", threads)?);
-        if Method::only_multiplies(method) {
+        let product = Projected::new(reduction, self.system.operator(&Method::CG, threads)?);
+        if method.only_multiplies() {
             // Diagonal blocks would cost as much as the whole matrix; those of flat surfaces are the identity.
             return Ok((Box::new(product), Preconditioner::None));
         }

@@ -407,12 +407,12 @@ proptest! {
         let blocks = transport::assemble(&elements, &visibility, accuracy, &|_, _| {});
         let coating = Coating::constant(reflectances, exitances);
         let ritz = Ritz::new(System::new(elements.list(), &blocks, &coating), None);
-        let (operator, _) = ritz.operator("cg", Preconditioner::Block, 1).expect("it is finite");
+        let (operator, _) = ritz.operator(&Method::CG, Preconditioner::Block, 1).expect("it is finite");
         let right = ritz.right_hand_side();
         let mut unknowns = vec![0.0; right.len()];
         let mut values = Vec::new();
-        let settings = Settings { tolerance: 1e-14, ..Settings::default() };
-        let cg = Method::named("cg").expect("it is listed").solver;
+        let settings = Settings::default().with_tolerance(1e-14);
+        let cg = Method::CG.solver;
         let mut observe = |step: &Step<'_>| values.push(functional_of(&*operator, &right, step.x));
         // The floor of rounding may come before the tolerance.
         let _ = cg.solve(&*operator, &right, &mut unknowns, &settings, &mut observe);
@@ -432,7 +432,7 @@ fn steps(order: usize, cells: usize, preconditioner: Preconditioning) -> usize {
         "tube",
     )
     .expect("the scene is valid");
-    let method = Method::named("cg").expect("it is listed");
+    let method = &Method::CG;
     let options = Options {
         preconditioner,
         method,

@@ -59,7 +59,7 @@ fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)>
         let right = system.right_hand_side();
         let mut unknowns = vec![0.0; right.len()];
         let measure = system.shooting_measure();
-        let settings = Settings { tolerance: 1e-12, measure: Some(&measure), ..Settings::default() };
+        let settings = Settings::default().with_tolerance(1e-12).with_measure(&measure);
         let matrix = system.matrix().expect("the matrix is finite");
         method.solver.solve(&matrix, &right, &mut unknowns, &settings, &mut |_| {}).expect(method.name);
         let coefficients = system.coefficients(&unknowns);

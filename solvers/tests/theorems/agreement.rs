@@ -25,14 +25,9 @@ fn finds(method: &Method, a: &Dense, truth: &[f64], settings: &Settings<'_>) -> 
 
 /// Every way to run the relaxations; other methods take no notice.
 fn variants(tolerance: f64) -> [Settings<'static>; 4] {
-    let block = Settings { tolerance, max_iterations: 1_000_000, ..Settings::default() };
-    let coefficient = Settings { granularity: Granularity::Coefficient, ..block.clone() };
-    [
-        Settings { sweep: Sweep::Symmetric, ..block.clone() },
-        Settings { relaxation: 1.2, ..block.clone() },
-        coefficient,
-        block,
-    ]
+    let block = Settings::default().with_tolerance(tolerance).with_max_iterations(1_000_000);
+    let coefficient = block.clone().with_granularity(Granularity::Coefficient);
+    [block.clone().with_sweep(Sweep::Symmetric), block.clone().with_relaxation(1.2), coefficient, block]
 }
 
 /// What is known of a system: symmetric and positive definite, dominant, of eigenvalues within 1 of 1.

@@ -20,7 +20,7 @@ fn large_systems_are_iterated_unless_rounding_decides() {
     for (symmetric, iterative, direct) in [(true, "cg", "cholesky"), (false, "gmres", "lu")] {
         let a = enclosure(&mut Random(61), Partition::new(&[6; LARGE / 6]), (0.3, 0.8), symmetric);
         assert_eq!(auto(&a, &Settings::default()).method, iterative);
-        assert_eq!(auto(&a, &Settings { tolerance: 5e-14, ..Settings::default() }).method, direct);
+        assert_eq!(auto(&a, &Settings::default().with_tolerance(5e-14)).method, direct);
     }
 }
 
@@ -43,7 +43,7 @@ fn almost_nothing_lost_is_no_hindrance() {
             let a =
                 enclosure(&mut Random(67), Partition::new(&vec![6; dim / 6]), (1.0 - loss, 1.0 - loss), true);
             // Rounding of x, which is 1/loss times as large as b, leaves about ε / loss.
-            let settings = Settings { tolerance: 1e-8f64.max(1e-14 / loss), ..Settings::default() };
+            let settings = Settings::default().with_tolerance(1e-8f64.max(1e-14 / loss));
             auto(&a, &settings);
         }
     }

@@ -117,7 +117,7 @@ fn lengths_must_agree() {
     }
     let short = Dense::new(Partition::points(2), vec![0.0; 3], false);
     assert!(matches!(short, Err(SolveError::DimensionMismatch { expected: 4, found: 3, .. })));
-    let measure = Settings { measure: Some(&[1.0]), ..Settings::default() };
+    let measure = Settings::default().with_measure(&[1.0]);
     let solved = solve("southwell", &a, &[1.0, 1.0], &measure);
     assert!(matches!(solved, Err(SolveError::DimensionMismatch { expected: 2, found: 1, .. })));
 }
@@ -230,8 +230,8 @@ fn cancellation_and_time_are_looked_at() {
     let random = &mut Random(5);
     let a = enclosure(random, Partition::new(&[4; 10]), (0.9, 0.999), true);
     let cancel = AtomicBool::new(true);
-    let cancelled = Settings { cancel: Some(&cancel), ..Settings::default() };
-    let hurried = Settings { time_budget: Some(Duration::ZERO), tolerance: 0.0, ..Settings::default() };
+    let cancelled = Settings::default().with_cancel(&cancel);
+    let hurried = Settings::default().with_time_budget(Duration::ZERO).with_tolerance(0.0);
     for method in Method::ALL {
         let solved = solve(method.name, &a, &[1.0; 40], &cancelled);
         assert!(matches!(solved, Err(SolveError::Cancelled { .. })), "{}: {solved:?}", method.name);
@@ -280,7 +280,7 @@ fn a_factorisation_that_has_begun_is_cancelled() {
             let cancel = AtomicBool::new(false);
             let truth = positive_definite(&mut Random(3), Partition::points(dim), 0.1);
             let a = Cancelling { truth, cancel: &cancel };
-            let settings = Settings { cancel: Some(&cancel), ..Settings::default() };
+            let settings = Settings::default().with_cancel(&cancel);
             let solved = solve(name, &a, &vec![1.0; dim], &settings);
             assert!(matches!(solved, Err(SolveError::Cancelled { .. })), "{name}: {solved:?}");
         }
@@ -291,12 +291,12 @@ fn a_factorisation_that_has_begun_is_cancelled() {
 fn settings_out_of_range_are_refused() {
     let a = dense(1, &[1.0], true);
     let wrong = [
-        Settings { tolerance: f64::NAN, ..Settings::default() },
-        Settings { tolerance: -1.0, ..Settings::default() },
-        Settings { relaxation: 2.0, ..Settings::default() },
-        Settings { relaxation: 0.0, ..Settings::default() },
-        Settings { restart: 0, ..Settings::default() },
-        Settings { measure: Some(&[0.0]), ..Settings::default() },
+        Settings::default().with_tolerance(f64::NAN),
+        Settings::default().with_tolerance(-1.0),
+        Settings::default().with_relaxation(2.0),
+        Settings::default().with_relaxation(0.0),
+        Settings::default().with_restart(0),
+        Settings::default().with_measure(&[0.0]),
     ];
     for settings in &wrong {
         for method in Method::ALL {
@@ -311,7 +311,7 @@ fn too_few_iterations_leave_the_best_iterate_and_its_residual() {
     let random = &mut Random(7);
     let a = positive_definite(random, Partition::new(&[3; 12]), 1e-4);
     let b = random.vector(36);
-    let settings = Settings { max_iterations: 3, tolerance: 1e-12, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(3).with_tolerance(1e-12);
     for name in ["jacobi", "gauss-seidel", "southwell", "cg", "gmres"] {
         let mut x = vec![0.0; 36];
         let solved = Method::named(name).unwrap().solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
@@ -328,7 +328,7 @@ fn divergence_is_seen_and_undone() {
     let a = dense(2, &[1.0, 3.0, 3.0, 1.0], true);
     for name in ["jacobi", "richardson", "gauss-seidel", "southwell"] {
         let mut x = vec![0.0; 2];
-        let settings = Settings { max_iterations: usize::MAX, ..Settings::default() };
+        let settings = Settings::default().with_max_iterations(usize::MAX);
         let solved =
             Method::named(name).unwrap().solver.solve(&a, &[1.0, 1.0], &mut x, &settings, &mut |_| ());
         let Err(SolveError::NotConverged { residual, stop, .. }) = solved else {
@@ -342,7 +342,7 @@ fn divergence_is_seen_and_undone() {
 #[test]
 fn messages_name_the_cure() {
     let a = dense(2, &[1.0, 2.0, 2.0, 1.0], true);
-    let settings = Settings { tolerance: 0.0, ..Settings::default() };
+    let settings = Settings::default().with_tolerance(0.0);
     let indefinite = solve("cg", &a, &[1.0, 0.0], &settings).unwrap_err();
     assert!(indefinite.to_string().contains("take lu or gmres"));
     let unknown = Method::named("guass-seidel").unwrap_err();

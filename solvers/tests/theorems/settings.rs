@@ -15,7 +15,7 @@ fn no_tolerance_is_too_small_to_end() {
         let partition = random.partition(40, 7);
         let a = positive_definite(random, partition, floor);
         let b = random.vector(40);
-        let settings = Settings { tolerance: 0.0, max_iterations: 100_000, ..Settings::default() };
+        let settings = Settings::default().with_tolerance(0.0).with_max_iterations(100_000);
         for method in Method::ALL {
             let mut x = vec![0.0; 40];
             let solved = method.solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
@@ -42,7 +42,7 @@ fn the_condition_number_is_found_on_request() {
     let a = matrix(Partition::new(&[2, 2]), true, |i, j| if i == j { diagonal[i] } else { 0.0 });
     for method in Method::ALL.iter().filter(|method| method.storage == "n²") {
         let mut x = vec![0.0; 4];
-        let asked = Settings { condition: true, ..Settings::default() };
+        let asked = Settings::default().with_condition(true);
         let report = method.solver.solve(&a, &[1.0; 4], &mut x, &asked, &mut |_| ()).unwrap();
         assert!(
             (report.condition.unwrap() / 1e6 - 1.0).abs() < 1e-12,
@@ -67,7 +67,7 @@ fn the_condition_number_is_a_close_lower_bound() {
         let one_norm = |values: &[f64]| {
             values.chunks(dim).map(|column| column.iter().map(|a| a.abs()).sum::<f64>()).fold(0.0, f64::max)
         };
-        let settings = Settings { condition: true, ..Settings::default() };
+        let settings = Settings::default().with_condition(true);
         for method in Method::ALL.iter().filter(|method| method.name.starts_with("lu")) {
             let reports =
                 method.solver.solve_many(&a, &identity, &mut inverse, &settings, &mut |_| ()).unwrap();
@@ -113,7 +113,7 @@ fn nothing_and_zero_are_solved() {
 #[test]
 fn nothing_has_no_condition() {
     let empty = matrix(Partition::new(&[0, 0]), true, |_, _| 0.0);
-    let settings = Settings { condition: true, ..Settings::default() };
+    let settings = Settings::default().with_condition(true);
     for method in Method::ALL {
         assert!(method.solver.solve(&empty, &[], &mut [], &settings, &mut |_| ()).is_ok(), "{}", method.name);
     }
@@ -127,7 +127,7 @@ fn empty_blocks_are_passed_over() {
     for granularity in [Granularity::Block, Granularity::Coefficient] {
         for method in Method::ALL {
             let mut x = vec![0.0; 6];
-            let settings = Settings { granularity, ..Settings::default() };
+            let settings = Settings::default().with_granularity(granularity);
             let solved = method.solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
             assert!(solved.is_ok(), "{}: {solved:?}", method.name);
         }
@@ -162,7 +162,7 @@ fn what_rises_first_and_falls_slowly_is_not_stuck() {
     let a = matrix(Partition::points(dim), false, |i, j| f64::from(u8::from(i == j)) - 0.99 * share(i, j));
     let mut b = vec![0.0; dim];
     b[0] = 1.0;
-    let settings = Settings { max_iterations: 10_000, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(10_000);
     for name in ["jacobi", "richardson", "gauss-seidel", "southwell"] {
         let mut x = vec![0.0; dim];
         let solved = Method::named(name).unwrap().solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
@@ -174,7 +174,7 @@ fn what_rises_first_and_falls_slowly_is_not_stuck() {
 fn several_right_hand_sides_share_one_time_budget() {
     let a = enclosure(&mut Random(73), Partition::points(20), (0.3, 0.8), true);
     let pause = Duration::from_millis(40);
-    let settings = Settings { time_budget: Some(pause), ..Settings::default() };
+    let settings = Settings::default().with_time_budget(pause);
     for name in ["jacobi", "gauss-seidel", "gmres", "southwell", "cg"] {
         let (b, mut x) = (vec![1.0; 40], vec![0.0; 40]);
         let mut steps = 0;
@@ -218,7 +218,7 @@ fn a_residual_that_rises_and_then_falls_slowly_is_not_stuck() {
     let partition = Random(1).partition(6, 1);
     let a = matrix(partition, true, |i, j| if i == j { 1.0 } else { -0.2 * rho });
     let b: Vec<f64> = (0..6).map(|i| if i == 0 { 0.0 } else { 0.2 * rho }).collect();
-    let settings = Settings { max_iterations: 10_000_000, ..Settings::default() };
+    let settings = Settings::default().with_max_iterations(10_000_000);
     for name in ["gauss-seidel", "jacobi", "southwell"] {
         let method = Method::named(name).unwrap();
         let mut x = vec![0.0; 6];

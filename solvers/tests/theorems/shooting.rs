@@ -76,7 +76,7 @@ fn the_order_is_that_worked_by_hand() {
     // r: (8,0,4) → shoot 0 → (0,2,4) → 2 → (0,4,0) → 1 → (2,0,1) → 0 → (0,½,1) → 2 → (0,1,0).
     let a = example();
     let mut largest = Vec::new();
-    let settings = Settings { max_shots: Some(5), tolerance: 0.0, ..Settings::default() };
+    let settings = Settings::default().with_max_shots(5).with_tolerance(0.0);
     let (x, _) = southwell(&a, &[8.0, 0.0, 4.0], &settings, &mut |step| {
         largest.push(step.largest_unshot.unwrap());
     });
@@ -89,12 +89,7 @@ fn the_order_is_that_worked_by_hand() {
 fn a_measure_changes_the_order() {
     // Weights (1,3,1): measures (8,0,4) → shoot 0, r (0,2,4), measures (0,6,4) → 1, r (1,0,4½) → 2.
     let a = example();
-    let settings = Settings {
-        max_shots: Some(3),
-        tolerance: 0.0,
-        measure: Some(&[1.0, 3.0, 1.0]),
-        ..Settings::default()
-    };
+    let settings = Settings::default().with_max_shots(3).with_tolerance(0.0).with_measure(&[1.0, 3.0, 1.0]);
     let (x, _) = southwell(&a, &[8.0, 0.0, 4.0], &settings, &mut |_| ());
     assert_eq!(a.shots()[..3], [0, 1, 2]);
     assert_eq!(x, [8.0, 2.0, 4.5]);
@@ -104,7 +99,7 @@ fn a_measure_changes_the_order() {
 fn overshooting_shoots_ahead() {
     // ω = 1½: shoot 12 from 0, r (-4,3,4); the tie of 0 and 2 goes to 0, -6: r (2,1½,4) → 2.
     let a = example();
-    let settings = Settings { max_shots: Some(3), tolerance: 0.0, relaxation: 1.5, ..Settings::default() };
+    let settings = Settings::default().with_max_shots(3).with_tolerance(0.0).with_relaxation(1.5);
     let (x, _) = southwell(&a, &[8.0, 0.0, 4.0], &settings, &mut |_| ());
     assert_eq!(a.shots()[..3], [0, 0, 2]);
     assert_eq!(x, [6.0, 0.0, 6.0]);
@@ -120,7 +115,7 @@ fn each_shot_is_the_largest_by_definition() {
         let weights: Vec<f64> = (0..20).map(|_| 0.1 + random.unit()).collect();
         let granularity = if case % 2 == 0 { Granularity::Block } else { Granularity::Coefficient };
         let mut steps: Vec<Vec<f64>> = Vec::new();
-        let settings = Settings { measure: Some(&weights), granularity, ..Settings::default() };
+        let settings = Settings::default().with_measure(&weights).with_granularity(granularity);
         let (_, solved) = southwell(&a, &b, &settings, &mut |step| steps.push(step.x.to_vec()));
         assert!(solved.is_ok());
         let items: Vec<_> = match granularity {
@@ -183,7 +178,7 @@ fn needs_few_columns((matrix, b): (Dense, Vec<f64>)) {
     let partition = matrix.partition().clone();
     let a = Counting::new(matrix);
     let cancel = AtomicBool::new(false);
-    let settings = Settings { cancel: Some(&cancel), tolerance: 0.0, ..Settings::default() };
+    let settings = Settings::default().with_cancel(&cancel).with_tolerance(0.0);
     let mut unshot = f64::INFINITY;
     let (x, solved) = southwell(&a, &b, &settings, &mut |step| {
         let mut sent = vec![0.0; b.len()];

@@ -66,18 +66,16 @@ fn hard(random: &mut Random, kind: usize, dim: usize) -> Dense {
 
 /// Settings that a caller may think of.
 fn settings(random: &mut Random) -> Settings<'static> {
-    Settings {
-        tolerance: if random.below(8) == 0 { 0.0 } else { 10f64.powf(-17.0 * random.unit()) },
-        max_iterations: 1 + random.below(60),
-        time_budget: Some(Duration::from_secs(5)),
-        granularity: if random.below(2) == 0 { Granularity::Block } else { Granularity::Coefficient },
-        sweep: if random.below(2) == 0 { Sweep::Forward } else { Sweep::Symmetric },
-        relaxation: if random.below(2) == 0 { 1.0 } else { 0.1 + 1.8 * random.unit() },
-        preconditioner: if random.below(2) == 0 { Preconditioner::Block } else { Preconditioner::None },
-        restart: 1 + random.below(30),
-        condition: random.below(4) == 0,
-        ..Settings::default()
-    }
+    Settings::default()
+        .with_tolerance(if random.below(8) == 0 { 0.0 } else { 10f64.powf(-17.0 * random.unit()) })
+        .with_max_iterations(1 + random.below(60))
+        .with_time_budget(Duration::from_secs(5))
+        .with_granularity(if random.below(2) == 0 { Granularity::Block } else { Granularity::Coefficient })
+        .with_sweep(if random.below(2) == 0 { Sweep::Forward } else { Sweep::Symmetric })
+        .with_relaxation(if random.below(2) == 0 { 1.0 } else { 0.1 + 1.8 * random.unit() })
+        .with_preconditioner(if random.below(2) == 0 { Preconditioner::Block } else { Preconditioner::None })
+        .with_restart(1 + random.below(30))
+        .with_condition(random.below(4) == 0)
 }
 
 /// Runs one method and holds it to its word; returns whether it solved the system.

@@ -23,7 +23,7 @@ proptest! {
         let a = positive_definite(random, partition, 10f64.powf(floor));
         let b = random.vector(dim);
         let preconditioner = if plain { Preconditioner::None } else { Preconditioner::Block };
-        let settings = Settings { tolerance: 1e-12, preconditioner, ..Settings::default() };
+        let settings = Settings::default().with_tolerance(1e-12).with_preconditioner(preconditioner);
         let (mut x, mut energies) = (vec![0.0; dim], Vec::new());
         let solver = Method::named("cg").unwrap().solver;
         solver.solve(&a, &b, &mut x, &settings, &mut |step| energies.push(functional(&a, &b, step.x))).unwrap();
@@ -67,7 +67,7 @@ proptest! {
             term.iter_mut().zip(&image).for_each(|(t, i)| *t -= i);
             sum.iter_mut().zip(&term).for_each(|(s, t)| *s += t);
         }
-        let settings = Settings { max_iterations: terms, tolerance: 0.0, ..Settings::default() };
+        let settings = Settings::default().with_max_iterations(terms).with_tolerance(0.0);
         let mut x = vec![0.0; dim];
         let solver = Method::named("richardson").unwrap().solver;
         let _ = solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
@@ -101,7 +101,7 @@ proptest! {
         let truth = random.vector(dim);
         let mut b = vec![0.0; dim];
         a.apply(&truth, &mut b);
-        let settings = Settings { preconditioner: Preconditioner::None, tolerance: 1e-13, ..Settings::default() };
+        let settings = Settings::default().with_preconditioner(Preconditioner::None).with_tolerance(1e-13);
         for name in if symmetric { &["cg", "gmres"][..] } else { &["gmres"][..] } {
             let mut x = vec![0.0; dim];
             Method::named(name).unwrap().solver.solve(&a, &b, &mut x, &settings, &mut |_| ()).unwrap();

@@ -157,8 +157,8 @@ impl Weights {
     /// The solution for this right side, as near as it comes.
     fn solve(&self, right: &[f64]) -> Vec<f64> {
         let mut x = vec![0.0; right.len()];
-        let solver = Method::named("cg").expect("cg is always listed").solver;
-        let settings = Settings { tolerance: SOLVED, ..Settings::default() };
+        let solver = Method::CG.solver;
+        let settings = Settings::default().with_tolerance(SOLVED);
         // Where it does not converge, the next turn goes on from its best x.
         let _ = solver.solve(self, right, &mut x, &settings, &mut |_| heed());
         x

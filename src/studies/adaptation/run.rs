@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use radiosity_solvers::SolveError;
+use radiosity_solvers::{SolveError, Stop};
 
 use crate::ranks;
 use crate::scene::Scene;
@@ -41,6 +41,9 @@ pub(super) fn fits(deadline: Option<Instant>, run: Duration) -> bool {
 pub(super) fn finer(run: Result<Outcome, Failure>) -> Result<Result<Outcome, End>, Failure> {
     match run {
         Ok(outcome) if outcome.converged => Ok(Ok(outcome)),
+        Err(Failure::Solver { source: SolveError::NotConverged { stop: Stop::Time, .. }, .. }) => {
+            Ok(Err(End::Time))
+        }
         Ok(_) | Err(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
             Ok(Err(End::NotConverged))
         }

@@ -1,0 +1,246 @@
+//! A matrix factored once, which solves for one right-hand side after the other, checks and refines.
+//!
+//! After each solve the residual is recomputed through the operator, not through the factors, and
+//!
+//!   r = b − A x,   x ← x + A⁻¹ r
+//!
+//! is repeated while r is above the aim and falls at least by half (iterative refinement: N. J. Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002, ch. 12; with a backward stable
+//! factorisation it converges while ε κ(A) < 1).
+
+use std::fmt;
+use std::time::Instant;
+
+use crate::condition::inverse_norm;
+use crate::direct::{Direct, lower_triangle, matrix};
+use crate::error::{SolveError, Stop};
+use crate::factors::Factors;
+use crate::halt::Halt;
+use crate::operator::Operator;
+use crate::panel::Threads;
+use crate::problem::{Problem, exploded, finite};
+use crate::settings::Settings;
+use crate::solver::{Report, Step};
+use crate::vector::{add_scaled, all_finite};
+
+/// Refinement goes on until the residual is below this, even if the tolerance is looser. Chosen; not tuned.
+const AIM: f64 = 1e-10;
+
+/// Most refinement steps. Chosen; not tuned.
+const REFINEMENTS: usize = 10;
+
+/// A matrix with its factors, made by [`Lu::factor`](crate::lu::Lu::factor) or
+/// [`Cholesky::factor`](crate::cholesky::Cholesky::factor).
+///
+/// ```
+/// use radiosity_solvers::{Dense, Partition, Settings, lu::Lu};
+///
+/// // 4x + y = b₁, x + 3y = b₂, for two right-hand sides.
+/// let a = Dense::new(Partition::points(2), vec![4.0, 1.0, 1.0, 3.0], true)?;
+/// let factored = Lu.factor(&a, &Settings::default())?;
+/// let (mut x, mut y) = ([0.0; 2], [0.0; 2]);
+/// factored.solve(&[5.0, 4.0], &mut x)?;
+/// factored.solve(&[3.0, -2.0], &mut y)?;
+/// assert!((x[0] - 1.0).abs() < 1e-15 && (x[1] - 1.0).abs() < 1e-15);
+/// assert!((y[0] - 1.0).abs() < 1e-15 && (y[1] + 1.0).abs() < 1e-15);
+/// # Ok::<(), radiosity_solvers::SolveError>(())
+/// ```
+pub struct Factored<'a> {
+    method: &'static str,
+    /// Entries multiplied by the factorisation, divided by dim².
+    cost: f64,
+    a: &'a dyn Operator,
+    factors: Box<dyn Factors>,
+    settings: Settings<'a>,
+    condition: Option<f64>,
+}
+
+impl fmt::Debug for Factored<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { method, condition, .. } = self;
+        f.debug_struct("Factored")
+            .field("method", method)
+            .field("condition", condition)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'a> Factored<'a> {
+    /// Reads and factors the matrix.
+    ///
+    /// # Errors
+    /// Those of [`Lu::factor`](crate::lu::Lu::factor) and [`SolveError::NotPositiveDefinite`].
+    pub(crate) fn new<D: Direct>(a: &'a dyn Operator, settings: &Settings<'a>) -> Result<Self, SolveError> {
+        let dim = a.partition().dim();
+        settings.check(dim)?;
+        let halt = Halt::new(D::NAME, settings, Instant::now());
+        halt.check_factoring()?;
+        if let Some(held) = a.dense().filter(|held| held.len() != dim * dim) {
+            let (expected, found) = (dim * dim, held.len());
+            return Err(SolveError::DimensionMismatch { what: "the matrix", expected, found });
+        }
+        let matrix = if D::LOWER { lower_triangle(a) } else { matrix(a) };
+        // The reading may have taken the time of a caller, or raised the flag.
+        halt.check_factoring()?;
+        let factors = D::factor(matrix, dim, Threads::new(dim, settings.threads), &halt);
+        let factors =
+            factors.map_err(|error| if is_of_the_matrix(&error) { blame(a, error) } else { error })?;
+        let condition = settings.condition.then(|| condition(a, &*factors));
+        let cost = D::COST * dim as f64;
+        Ok(Self { method: D::NAME, cost, a, factors, settings: settings.clone(), condition })
+    }
+
+    /// Solves A x = b: Ok means that ‖b − A x‖₂ / ‖b‖₂, recomputed, is at most the tolerance of the settings with which
+    /// the matrix was factored. `b` and `x` have `dim` entries; the first value of `x` is ignored. The time budget
+    /// begins anew.
+    ///
+    /// # Errors
+    /// [`SolveError::DimensionMismatch`], [`SolveError::NonFinite`], [`SolveError::Singular`],
+    /// [`SolveError::NotConverged`], [`SolveError::Cancelled`]; `x` then holds the best iterate there was, or is as it
+    /// was.
+    pub fn solve(&self, b: &[f64], x: &mut [f64]) -> Result<Report, SolveError> {
+        let problem = Problem::new(self.a, b, x, &self.settings)?;
+        self.refine_from(&problem, x, Instant::now(), &mut |_| ())
+    }
+
+    /// Solves and refines, within a time budget that began at `started`.
+    pub(crate) fn refine_from(
+        &self,
+        problem: &Problem<'_>,
+        x: &mut [f64],
+        started: Instant,
+        observer: &mut dyn FnMut(&Step<'_>),
+    ) -> Result<Report, SolveError> {
+        if problem.norm == 0.0 {
+            x.fill(0.0);
+            return Ok(self.report(vec![0.0]));
+        }
+        let mut refinement = Refinement::new(self, problem, x, observer)?;
+        let ended = refinement.run(&Halt::new(self.method, &self.settings, started));
+        let (residual, tolerance) = (refinement.residual(), self.settings.tolerance);
+        if residual <= tolerance && !matches!(ended, Err(SolveError::Cancelled { .. })) {
+            return Ok(self.report(refinement.history));
+        }
+        ended?;
+        if condition(self.a, &*self.factors) * f64::EPSILON >= 1.0 {
+            return Err(singular());
+        }
+        let (method, iterations) = (self.method, refinement.history.len() - 1);
+        Err(SolveError::NotConverged { method, iterations, residual, tolerance, stop: Stop::Stagnation })
+    }
+
+    /// Matrix entries multiplied, over dim²: the factorisation, then two triangles and one product per step.
+    fn work(&self, steps: usize) -> f64 {
+        self.cost + 2.0 * steps as f64
+    }
+
+    /// The account of a success.
+    fn report(&self, history: Vec<f64>) -> Report {
+        Report {
+            method: self.method,
+            iterations: history.len() - 1,
+            residual: history[history.len() - 1],
+            work: self.work(history.len()),
+            columns: self.a.partition().len(),
+            condition: self.condition,
+            history,
+        }
+    }
+}
+
+/// A solution on its way: x, its residual, and the residuals before.
+struct Refinement<'r, 'f> {
+    factored: &'r Factored<'f>,
+    problem: &'r Problem<'r>,
+    x: &'r mut [f64],
+    /// b − A x.
+    r: Vec<f64>,
+    /// ‖b − A x‖₂ / ‖b‖₂ of the first x and after each refinement.
+    history: Vec<f64>,
+    observer: &'r mut dyn FnMut(&Step<'_>),
+}
+
+impl<'r, 'f> Refinement<'r, 'f> {
+    /// x = A⁻¹ b by the factors alone; keeps `x` where the result is not finite.
+    fn new(
+        factored: &'r Factored<'f>,
+        problem: &'r Problem<'r>,
+        x: &'r mut [f64],
+        observer: &'r mut dyn FnMut(&Step<'_>),
+    ) -> Result<Self, SolveError> {
+        let mut first = problem.b.to_vec();
+        factored.factors.solve(&mut first);
+        if !all_finite(&first) {
+            return Err(blame(factored.a, singular()));
+        }
+        let mut r = vec![0.0; x.len()];
+        let residual = problem.residual(&first, &mut r);
+        let residual = residual.map_err(|error| if exploded(&first) { singular() } else { error })?;
+        x.copy_from_slice(&first);
+        let mut own = Self { factored, problem, x, r, history: vec![residual], observer };
+        own.observe();
+        Ok(own)
+    }
+
+    /// ‖b − A x‖₂ / ‖b‖₂.
+    fn residual(&self) -> f64 {
+        self.history[self.history.len() - 1]
+    }
+
+    /// Refines x as long as it pays.
+    fn run(&mut self, halt: &Halt<'_>) -> Result<(), SolveError> {
+        let aim = self.factored.settings.tolerance.min(AIM);
+        while self.history.len() <= REFINEMENTS && self.residual() > aim {
+            let residual = self.residual();
+            halt.check(self.history.len() - 1, residual)?;
+            if !self.improve() || self.residual() > 0.5 * residual {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// x ← x + A⁻¹ r, unless the residual does not fall; returns whether it fell.
+    fn improve(&mut self) -> bool {
+        self.factored.factors.solve(&mut self.r);
+        let mut next = self.x.to_vec();
+        add_scaled(1.0, &self.r, &mut next);
+        match self.problem.residual(&next, &mut self.r) {
+            Ok(refined) if refined < self.residual() => self.history.push(refined),
+            _ => return false,
+        }
+        self.x.copy_from_slice(&next);
+        self.observe();
+        true
+    }
+
+    fn observe(&mut self) {
+        let (iteration, residual) = (self.history.len() - 1, self.residual());
+        let work = self.factored.work(self.history.len());
+        let step = Step { iteration, residual, work, largest_unshot: None, ambient: None, x: self.x };
+        (self.observer)(&step);
+    }
+}
+
+fn singular() -> SolveError {
+    SolveError::Singular { what: "the matrix".into() }
+}
+
+/// Whether the entries of the matrix, and not the caller, ended the factorisation.
+fn is_of_the_matrix(error: &SolveError) -> bool {
+    matches!(error, SolveError::Singular { .. } | SolveError::NotPositiveDefinite { .. })
+}
+
+/// `error`, or [`SolveError::NonFinite`] if the matrix is not finite: checked only after a failure, since a small
+/// residual proves that it is.
+fn blame(a: &dyn Operator, error: SolveError) -> SolveError {
+    finite(&matrix(a)).err().unwrap_or(error)
+}
+
+/// Estimate of ‖A‖₁ ‖A⁻¹‖₁ from below.
+fn condition(a: &dyn Operator, factors: &dyn Factors) -> f64 {
+    let dim = a.partition().dim();
+    let size = |column: &[f64]| column.iter().map(|entry| entry.abs()).sum::<f64>();
+    let one_norm = matrix(a).chunks_exact(dim.max(1)).map(size).fold(0.0, f64::max);
+    one_norm * inverse_norm(factors, dim)
+}
