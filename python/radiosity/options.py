@@ -152,6 +152,8 @@ class HeatMethod(Transfers, total=False):
     """Degree of the polynomials on each element (3); 0 takes all fluxes as even over it, as thermal networks do."""
     transport: Literal["auto", "exact", "sampled"]
     """What carries the pairs of elements ("exact")."""
+    solver: str
+    """Solver of the linear system."""
     memory: int | str
     """Most bytes to use (80 % of what is free), a number or a text such as "2G"."""
     conductances: bool

@@ -110,6 +110,7 @@ pub(crate) fn heat(given: &mut Arguments<'_>) -> PyResult<HeatRequest> {
         transfers: transfers(given, TransferRequest::HEAT)?,
         order: given.count("order", &(0..=MAX_ORDER as u64))?.unwrap_or(usual.order),
         transport: given.named("transport")?.unwrap_or(usual.transport),
+        solver: given.read("solver", Method::named)?.unwrap_or(usual.solver),
         memory: given.bytes("memory")?,
         conductances: given.flag("conductances")?,
     })

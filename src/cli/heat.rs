@@ -18,10 +18,20 @@ use radiosity::scene::{MAX_ORDER, Scene};
 use radiosity::solve::{Progress as Step, Transport, in_threads};
 use radiosity::transport::Miss;
 use radiosity::visibility::Visibility;
+use radiosity_solvers::method::Method;
 
 use crate::cli::{
-    console, destination::Destination, error::CliError, format, given::Given, heat::picture::PictureArgs,
-    options::SceneArg, output_file::OutputFile, progress::Progress, run::remarks, table::Table,
+    console,
+    destination::Destination,
+    error::CliError,
+    format,
+    given::Given,
+    heat::picture::PictureArgs,
+    options::{SceneArg, solver},
+    output_file::OutputFile,
+    progress::Progress,
+    run::remarks,
+    table::Table,
     transfers::TransferArgs,
 };
 
@@ -71,6 +81,10 @@ pub(crate) struct HeatArgs {
     /// What carries the pairs of elements
     #[arg(long, value_name = "MODE", default_value = "exact")]
     pub(crate) transport: Transport,
+
+    /// Solver of the linear system
+    #[arg(long, value_name = "NAME", default_value = "auto", value_parser = solver())]
+    pub(crate) solver: &'static Method,
 
     /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
     #[arg(long, value_name = "BYTES", value_parser = ranges::bytes)]
@@ -180,6 +194,7 @@ impl HeatArgs {
             transfers: self.transfers.request(),
             order: self.order as usize,
             transport: self.transport,
+            solver: self.solver,
             memory: self.memory,
             conductances: self.conductances.is_some(),
         }

@@ -317,8 +317,10 @@ fn bounces() -> RangedU64ValueParser<u16> {
     RangedU64ValueParser::new().range(ranges::BOUNCES)
 }
 
-fn solver() -> impl TypedValueParser<Value = &'static Method> {
-    let summary = |method: &Method| PossibleValue::new(method.name).help(method.summary);
+pub(crate) fn solver() -> impl TypedValueParser<Value = &'static Method> {
+    let summary = |method: &Method| {
+        PossibleValue::new(method.name).aliases(method.aliases).help(method.summary_with_aliases())
+    };
     PossibleValuesParser::new(Method::ALL.iter().map(summary))
         .map(|name| Method::named(&name).expect("the parser lets only listed names pass"))
 }

@@ -1,5 +1,7 @@
 //! Transfers without light, of view factors and of heat: what is asked for, and the library's options that follow.
 
+use radiosity_solvers::method::Method;
+
 use super::memory;
 use super::modes::Shadows;
 use super::refusal::Refusal;
@@ -72,7 +74,7 @@ impl TransferRequest {
 }
 
 /// How a balance of heat is to be computed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct HeatRequest {
     /// How transfers are integrated.
     pub transfers: TransferRequest,
@@ -80,6 +82,8 @@ pub struct HeatRequest {
     pub order: usize,
     /// What carries the pairs of elements.
     pub transport: Transport,
+    /// Solver of the linear system.
+    pub solver: &'static Method,
     /// Most bytes of memory; None for 80 % of what is free.
     pub memory: Option<u64>,
     /// Whether conductances are wanted.
@@ -90,7 +94,8 @@ impl Default for HeatRequest {
     fn default() -> Self {
         let HeatOptions { options, conductances } = HeatOptions::default();
         let transfers = TransferRequest::new(TransferRequest::HEAT);
-        Self { transfers, order: options.order, transport: options.transport, memory: None, conductances }
+        let Options { order, transport, method: solver, .. } = options;
+        Self { transfers, order, transport, solver, memory: None, conductances }
     }
 }
 
@@ -106,6 +111,7 @@ impl HeatRequest {
             shadow_eps,
             shadows: self.transfers.shadows.hiding(),
             transport: self.transport,
+            method: self.solver,
             memory: self.memory.or_else(memory::usable),
             threads: self.transfers.threads(),
             ..usual
