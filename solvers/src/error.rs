@@ -35,15 +35,13 @@ impl fmt::Display for Stop {
 #[non_exhaustive]
 pub enum SolveError {
     /// The wanted residual was not reached.
-    #[error(
-        "{method} left a relative residual of {residual:.2e} after {iterations} iterations, wanted {tolerance:.2e}; {stop}"
-    )]
+    #[error("{method} {}, wanted {tolerance:.2e}; {stop}", progress(*iterations, *residual))]
     NotConverged {
         /// Name of the method.
         method: &'static str,
         /// Iterations done; refinement steps for a direct method.
         iterations: usize,
-        /// ‖b − A x‖₂ / ‖b‖₂ of the returned x, recomputed.
+        /// ‖b − A x‖₂ / ‖b‖₂ of the returned x, recomputed; infinite if none was computed yet.
         residual: f64,
         /// The residual that was asked for.
         tolerance: f64,
@@ -110,4 +108,12 @@ pub enum SolveError {
         /// Its range.
         wanted: &'static str,
     },
+}
+
+/// What a method had reached when it ended.
+fn progress(iterations: usize, residual: f64) -> String {
+    if residual.is_infinite() {
+        return "has no solution yet".to_owned();
+    }
+    format!("left a relative residual of {residual:.2e} after {iterations} iterations")
 }

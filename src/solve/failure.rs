@@ -1,6 +1,6 @@
 //! Why a scene could not be solved.
 
-use radiosity_solvers::SolveError;
+use radiosity_solvers::{SolveError, Stop};
 use rayon::ThreadPoolBuildError;
 
 use crate::elements::ElementError;
@@ -146,6 +146,9 @@ impl Failure {
             Self::Memory { .. } => words("ask for one of these, or ") + more(),
             Self::Elements(ElementError::Layers { .. }) => {
                 words("take fewer ") + option("layers") + " or a larger " + option("ratio")
+            }
+            Self::Solver { source: SolveError::NotConverged { stop: Stop::Time, .. }, .. } => {
+                words("raise ") + option("time-limit") + ", or take " + set("solver", "cg")
             }
             Self::Solver { source: SolveError::NotConverged { .. }, .. } => {
                 words("raise ")

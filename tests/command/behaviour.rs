@@ -440,6 +440,17 @@ fn completions_name_the_verbs() {
     }
 }
 
+#[test]
+fn progressive_and_shooting_name_southwell() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["southwell", "progressive", "shooting"] {
+        let args = ["solve", "empty-box", "--order", "1", "--solver", name, "--report", "r.json"];
+        let output = radiosity(folder.path(), &args);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        assert_eq!(json(&folder.path().join("r.json"))["solver"], "southwell", "{name}");
+    }
+}
+
 /// What the file of a run tells of its memory, and what was foretold for the same scene, cuts and solver.
 fn peak_and_estimate(order: usize, subdivide: usize, solver: &str) -> [f64; 2] {
     let folder = tempfile::tempdir().unwrap();

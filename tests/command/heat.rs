@@ -33,6 +33,29 @@ fn the_oven_is_in_balance_in_every_format() {
 }
 
 #[test]
+fn every_solver_finds_the_same_heat() {
+    let folder = tempfile::tempdir().unwrap();
+    let flows = |solver: &str| -> Vec<f64> {
+        let args = ["oven", "--format", "csv", "-q", "--eps", "1e-3", "--order", "1", "--solver", solver];
+        let [csv, _] = heat(folder.path(), &args);
+        let mut reader = csv::Reader::from_reader(csv.as_bytes());
+        reader.records().map(|row| row.unwrap()[6].parse().unwrap()).collect()
+    };
+    let expected = flows("lu");
+    let largest = expected.iter().fold(0.0, |largest: f64, flow| largest.max(flow.abs()));
+    for solver in
+        ["cholesky", "cg", "gmres", "gauss-seidel", "jacobi", "richardson", "progressive", "shooting"]
+    {
+        for (found, expected) in flows(solver).iter().zip(&expected) {
+            // Systems of heat are solved to 1e-12.
+            assert!((found - expected).abs() < 1e-10 * largest, "{solver}: {found} for {expected}");
+        }
+    }
+    let wrong = ["heat", "oven", "--solver", "shoting"];
+    refused(folder.path(), &wrong, &["'shoting'", "a similar value exists: 'shooting'"]);
+}
+
+#[test]
 fn conductances_of_a_surface_sum_to_what_it_emits() {
     let folder = tempfile::tempdir().unwrap();
     for file in ["C.csv", "C.json", "C.npy"] {

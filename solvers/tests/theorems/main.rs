@@ -3,6 +3,7 @@
 mod agreement;
 mod choice;
 mod exact;
+mod factored;
 mod operators;
 mod refusals;
 mod settings;

@@ -287,6 +287,36 @@ fn a_factorisation_that_has_begun_is_cancelled() {
     }
 }
 
+/// Unknowns of a factorisation that takes several times [`SOON`]: 2·10¹⁰ operations by lu, 10¹⁰ by cholesky.
+const LONG: usize = 3073;
+
+/// Longer than the entries take to be read, shorter than a factorisation.
+const SOON: Duration = Duration::from_millis(80);
+
+#[test]
+fn a_long_factorisation_ends_between_its_panels() {
+    let a = matrix(Partition::points(LONG), true, |i, j| if i == j { 2.0 } else { 0.5 / LONG as f64 });
+    let b = vec![1.0; LONG];
+    for name in ["lu", "cholesky"] {
+        let hurried = Settings::default().with_time_budget(SOON);
+        let solved = solve(name, &a, &b, &hurried);
+        let Err(SolveError::NotConverged { stop: Stop::Time, residual, .. }) = solved else {
+            panic!("{name}: {solved:?}")
+        };
+        assert_eq!(residual, f64::INFINITY);
+        let cancel = AtomicBool::new(false);
+        let settings = Settings::default().with_cancel(&cancel);
+        let solved = std::thread::scope(|scope| {
+            scope.spawn(|| {
+                std::thread::sleep(SOON);
+                cancel.store(true, Ordering::Relaxed);
+            });
+            solve(name, &a, &b, &settings)
+        });
+        assert!(matches!(solved, Err(SolveError::Cancelled { .. })), "{name}: {solved:?}");
+    }
+}
+
 #[test]
 fn settings_out_of_range_are_refused() {
     let a = dense(1, &[1.0], true);
