@@ -11,6 +11,8 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use faer::MatRef;
+use faer::linalg::solvers::Solve;
 use nalgebra::{DMatrix, DVector};
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Partition, Report, Settings};
@@ -39,6 +41,12 @@ fn solve(name: &str, a: &Dense, b: &[f64], threads: usize) -> Report {
 fn nalgebra_lu(a: &Dense, b: &[f64]) {
     let matrix = DMatrix::from_column_slice(b.len(), b.len(), a.values());
     black_box(matrix.lu().solve(&DVector::from_column_slice(b)));
+}
+
+/// faer by its high-level interface, on the threads of the process.
+fn faer_lu(a: &Dense, b: &[f64]) {
+    let factored = MatRef::from(a).partial_piv_lu();
+    black_box(factored.solve(MatRef::from_column_major_slice(b, b.len(), 1)));
 }
 
 fn timed(run: impl FnOnce()) -> Duration {
@@ -72,11 +80,16 @@ fn tables() {
             );
         }
     }
-    println!("shortest time of ours and of nalgebra called directly, one thread, taking turns");
-    for dim in SIZES.into_iter().filter(|dim| *dim <= SMALL) {
+    faer::set_global_parallelism(faer::Par::Seq);
+    println!("shortest time of lu and of faer and nalgebra called directly, one thread, taking turns");
+    for dim in SIZES {
         let (a, b) = system(dim);
-        let (ours, theirs) = duel(40_000 / dim, || drop(solve("lu", &a, &b, 1)), || nalgebra_lu(&a, &b));
-        println!("{dim:>5} lu {ours:.2?} {theirs:.2?} {:.3}", ours.div_duration_f64(theirs));
+        let (ours, theirs) = duel(40_000 / dim, || drop(solve("lu", &a, &b, 1)), || faer_lu(&a, &b));
+        println!("{dim:>5} faer {ours:.2?} {theirs:.2?} {:.3}", ours.div_duration_f64(theirs));
+        if dim <= SMALL {
+            let (ours, theirs) = duel(40_000 / dim, || drop(solve("lu", &a, &b, 1)), || nalgebra_lu(&a, &b));
+            println!("{dim:>5} nalgebra {ours:.2?} {theirs:.2?} {:.3}", ours.div_duration_f64(theirs));
+        }
     }
 }
 
