@@ -1,6 +1,7 @@
 //! Theorems about the crate, and tables made elsewhere.
 
 mod bases;
+mod connection;
 mod conversion;
 mod matrices;
 mod oracle;
