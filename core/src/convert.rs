@@ -4,9 +4,9 @@
 //! Σ_n c_n p_n^(a,b) = Σ_k d_k p_k,   d = A c
 //! ```
 //!
-//! Steps lead from the exponents (a, b) to (m, m), m = min(a, b), lowering one, and from there to (0, 0), lowering
-//! both. With x_n = (min(α, β) + 1)_n/(α + β + 1)_n times the coefficient of the classical P_n^(α,β), every step is
-//! a sum and a factor:
+//! Steps lead from the exponents (a, b) to (m, m), m = min(a, b), lowering one, and from there to (0, 0),
+//! lowering both. With x_n = (min(α, β) + 1)_n/(α + β + 1)_n times the coefficient of the classical
+//! P_n^(α,β), every step is a sum and a factor:
 //!
 //! ```text
 //! (α, β) → (α − 1, β)        x_k ← (2k + s)/s · (x_k + x_{k+1} + x_{k+2} + …),     s = α + β
@@ -15,25 +15,28 @@
 //! ```
 //!
 //! The last is Gegenbauer's C_n^(μ+1) = Σ_j (n − 2j + μ)/μ C_{n−2j}^(μ), as P_n^(α,α) is C_n^(α+½) times
-//! (α + 1)_n/(2α + 1)_n. All divisors s, 1/‖P_n^(a,b)‖ and (m + 1)_n/(a + b + 1)_n make one number per coefficient,
+//! (α + 1)_n/(2α + 1)_n. All divisors s, 1/‖P_n^(a,b)‖ and (m + 1)_n/(a + b + 1)_n make one number,
 //!
 //! ```text
 //! D_n² = 2^−|a−b| (n + (a + b + 1)/2) n! (n + m)!/((n + M)! (n + a + b)!),   M = max(a, b),
 //! ```
 //!
-//! carried on from n to n + 1 in two floats. The way back takes differences for sums, in the opposite order. Either
-//! way is O(n) for each of M steps, in place, with one rounding for a term and one for a factor.
+//! carried on from n to n + 1 in two floats. The way back takes differences for sums, in the opposite order.
+//! Either way is O(n) for each of M steps, in place, with one rounding for a term and one for a factor.
 //!
 //! # Accuracy
 //!
-//! No step cancels: A_kn ≥ 0 for a ≥ b, (−1)^{n−k} A_kn ≥ 0 for a < b. The error of d_k is below 12 ε Σ_n |A_kn c_n|
-//! for a, b ≤ 20 and n ≤ 100 (tested; 5 ε seen). For a = b even and odd degrees never meet: what is 0 stays 0.
+//! No step cancels: A_kn ≥ 0 for a ≥ b, (−1)^{n−k} A_kn ≥ 0 for a < b. The error of d_k is below
+//! 12 ε Σ_n |A_kn c_n| for a, b ≤ 20 and n ≤ 100 (tested; 5 ε seen). For a = b even and odd degrees never
+//! meet: what is 0 stays 0.
 //!
-//! The way back is as good where the entries of A⁻¹ keep their signs, too, that is for a = b, a = 0 or b = 0: the
-//! error of c_n is below 12 ε Σ_k |(A⁻¹)_nk d_k| (4 ε seen). For other exponents A⁻¹ itself cancels, and the bound
-//! is the largest of these sums, n = 0, 1, …. It magnifies little: ‖c‖₂ ≤ max √((1 − x)^a (1 + x)^b) · ‖d‖₂, the
-//! factor being 1 for a = b. But d may be far larger than the c from which it comes. There and back, c returns to
-//! within 24 ε |A⁻¹| |A| |c|, whose largest entry for |c_n| ≤ 1 grows like n^M:
+//! The way back is as good where the entries of A⁻¹ keep their signs, too, that is for a = b, a = 0 or b = 0:
+//! the error of c_n is below 12 ε Σ_k |(A⁻¹)_nk d_k| (4 ε seen). For other exponents A⁻¹ itself cancels, and
+//! the bound is the largest of these sums, n = 0, 1, …. It magnifies little:
+//! ‖c‖₂ ≤ max √((1 − x)^a (1 + x)^b) · ‖d‖₂, the factor being 1 for a = b.
+//!
+//! But d may be far larger than the c from which it comes. There and back, c returns to within
+//! 24 ε |A⁻¹| |A| |c|, whose largest entry for |c_n| ≤ 1 grows like n^M:
 //!
 //! | n ≤ | (0, 1) | (1, 1) | (2, 2) | (5, 5) | (3, 7) | (10, 10) | (0, 10) | (20, 20) |
 //! | --- | --- | --- | --- | --- | --- | --- | --- | --- |
@@ -50,8 +53,8 @@
 //!
 //! Reference: NIST Digital Library of Mathematical Functions, 18.3, 18.7.1, 18.9.5, 18.9.7.
 
-mod scales;
 mod step;
+mod scales;
 
 use self::scales::Scales;
 use self::step::steps;

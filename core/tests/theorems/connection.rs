@@ -1,4 +1,5 @@
-//! Connection coefficients of orthonormal Jacobi and Legendre polynomials in fixed point with 320 binary digits.
+//! Connection coefficients of orthonormal Jacobi and Legendre polynomials in fixed point with 320 binary
+//! digits.
 //!
 //! Independent of the crate: the textbook step of one exponent by one (NIST Digital Library of Mathematical
 //! Functions, 18.9.5) in the classical polynomials, all steps of β and then all of α, and norms from their

@@ -1,7 +1,7 @@
 //! Jacobi to Legendre and back, against big integers, tables and closed forms.
 //!
-//! d = A c. Errors are measured entry by entry in ε of what the condition allows: of |A| |c| there, of |A⁻¹| |d|
-//! back.
+//! d = A c. Errors are measured entry by entry in ε of what the condition allows: of |A| |c| there, of |A⁻¹|
+//! |d| back.
 
 use proptest::prelude::*;
 use radiosity_core::convert;
@@ -271,7 +271,8 @@ fn unit_vectors_convert_to_two_in_1e15() {
     }
 }
 
-/// 2ⁿ P_n^(a,b) = Σ_m C(n + a, m) C(n + b, n − m) (x − 1)^{n−m} (x + 1)^m as coefficients of powers of x, exactly.
+/// 2ⁿ P_n^(a,b) = Σ_m C(n + a, m) C(n + b, n − m) (x − 1)^{n−m} (x + 1)^m as coefficients of powers of x,
+/// exactly.
 fn powers(a: u32, b: u32, n: u32) -> Vec<i128> {
     let binomial = |n: u32, k: u32| (0..k).fold(1i128, |v, j| v * i128::from(n - j) / i128::from(j + 1));
     let mut sum = vec![0i128; n as usize + 1];

@@ -36,8 +36,8 @@ def jacobi_to_legendre(coefficients: ArrayLike, alpha: SupportsIndex, beta: Supp
 def legendre_to_jacobi(coefficients: ArrayLike, alpha: SupportsIndex, beta: SupportsIndex) -> Array:
     """Coefficients of orthonormal Legendre polynomials → coefficients of orthonormal Jacobi polynomials, of the same function.
 
-    Arguments, result and errors are those of :func:`jacobi_to_legendre`. Rounding errors of the result are as small, but
-    errors that d holds already grow: there and back, c returns to 3e-14 for (2, 2), m = 31; to 1e-7 for (10, 10), m = 61.
+    Arguments, result and errors are those of :func:`jacobi_to_legendre`. Rounding adds as little, but errors
+    that d holds already grow: there and back, c of size 1 returns to 5e-15 for (2, 2), m = 31, to 1e-8 for (10, 10), m = 61.
     """
     return _convert(True, coefficients, alpha, beta)
 
