@@ -5,6 +5,7 @@ mod connection;
 mod conversion;
 mod matrices;
 mod oracle;
+mod readme;
 mod rules;
 mod tables;
 mod values;
