@@ -2,16 +2,22 @@
 //!
 //!     cargo run --release -p radiosity-core --example accuracy
 //!
-//! Ours are measured by this program, against big integers. Those of others were measured once, over the same sizes:
-//! nodes in ulp, weights relative in ε, which is between half an ulp and one.
+//! Ours are measured by this program, against big integers. Those of others were measured once, over the same
+//! sizes: nodes in ulp, weights relative in ε, which is between half an ulp and one.
 
 #[path = "../tests/theorems/oracle.rs"]
 #[expect(dead_code, reason = "the tests use the rest")]
 mod oracle;
 
+#[path = "../tests/theorems/connection.rs"]
+#[expect(dead_code, reason = "the tests use the rest")]
+mod connection;
+
 use std::io::{self, Write};
 
+use connection::Connection;
 use oracle::{Fixed, Oracle, integral};
+use radiosity_core::convert;
 use radiosity_core::gauss;
 use radiosity_core::jacobi::{Polynomials, Weight};
 use radiosity_core::legendre;
@@ -65,6 +71,54 @@ fn values(alpha: f64, beta: f64) -> f64 {
         }
     }
     worst
+}
+
+/// Worst errors of conversions of coefficients in (−1, 1), in ε.
+struct Conversion {
+    /// To Legendre, of Σ |A| |c|, entry by entry.
+    there: f64,
+    /// From Legendre, of Σ |A⁻¹| |d|, entry by entry.
+    back: f64,
+    /// There and back, in ε of 1.
+    returned: f64,
+    /// The largest entry of |A⁻¹| |A| |c| for |c_n| = 1.
+    condition: f64,
+}
+
+fn conversion(a: u8, b: u8, count: usize) -> Conversion {
+    let connection = Connection::new(a, b);
+    let unit = |n: usize| (0..count).map(|k| Fixed::new(i64::from(k == n))).collect::<Vec<Fixed>>();
+    let columns: Vec<Vec<Fixed>> = (0..count).map(|n| connection.apply_inverse(&unit(n))).collect();
+    let inverse_size = |d: &[Fixed]| -> Vec<Fixed> {
+        let row = |k: usize| (0..count).fold(Fixed::new(0), |sum, n| sum + (&columns[n][k] * &d[n]).abs());
+        (0..count).map(row).collect()
+    };
+    let mut worst = Conversion { there: 0.0, back: 0.0, returned: 0.0, condition: 0.0 };
+    for seed in 1..=6 {
+        // Multiples of the reciprocal of the plastic number, mod 1.
+        let c: Vec<f64> = (0..count)
+            .map(|n| ((n + 1) as f64 * 0.754_877_666 * f64::from(seed)).fract() * 2.0 - 1.0)
+            .collect();
+        let exact: Vec<Fixed> = c.iter().map(|&c| Fixed::float(c)).collect();
+        let (mut there, mut back) = (c.clone(), c.clone());
+        convert::to_legendre(a, b, &mut there);
+        convert::from_legendre(a, b, &mut back);
+        worst.there = worst.there.max(error(&there, &connection.apply(&exact), &connection.size(&exact)));
+        worst.back = worst.back.max(error(&back, &connection.apply_inverse(&exact), &inverse_size(&exact)));
+        convert::from_legendre(a, b, &mut there);
+        worst.returned = worst.returned.max(error(&there, &exact, &vec![Fixed::new(1); count]));
+    }
+    let rows = inverse_size(&connection.size(&vec![Fixed::new(1); count]));
+    worst.condition = rows.iter().map(Fixed::to_f64).fold(0.0, f64::max);
+    worst
+}
+
+/// The largest error in ε of `size`, entry by entry.
+fn error(ours: &[f64], exact: &[Fixed], size: &[Fixed]) -> f64 {
+    let errors = ours.iter().zip(exact).zip(size).map(|((&v, exact), size)| {
+        (Fixed::float(v) - exact.clone()).to_f64().abs() / size.to_f64() / f64::EPSILON
+    });
+    errors.fold(0.0, f64::max)
 }
 
 fn main() -> io::Result<()> {
@@ -127,5 +181,24 @@ fn main() -> io::Result<()> {
     let mut ends = [0.0; 33];
     legendre::orthonormal(1.0, &mut ends);
     let exact = ends.iter().enumerate().all(|(n, p)| *p == (n as f64 + 0.5).sqrt());
-    writeln!(out, "  Legendre at ±1 correctly rounded: {exact}")
+    writeln!(out, "  Legendre at ±1 correctly rounded: {exact}")?;
+
+    writeln!(
+        out,
+        "\nConversion, d = A c: worst error in ε of Σ|A||c| there, of Σ|A⁻¹||d| back, of 1 there and back,"
+    )?;
+    writeln!(out, "and the largest entry of |A⁻¹||A||c|, |c_n| = 1")?;
+    for (a, b) in
+        [(0, 1), (1, 0), (0, 2), (1, 1), (2, 2), (5, 5), (3, 7), (7, 3), (10, 10), (0, 10), (20, 20)]
+    {
+        for n in [30, 60, 100] {
+            let Conversion { there, back, returned, condition } = conversion(a, b, n + 1);
+            writeln!(
+                out,
+                "  {:<38} {there:6.2} {back:6.2} {returned:9.1e} {condition:9.2e}",
+                format!("({a}, {b}), n ≤ {n}")
+            )?;
+        }
+    }
+    Ok(())
 }

@@ -1,18 +1,26 @@
-//! The radiant power through a lens, on a machine without an operating system.
+//! A function of the radius of a disk as a Legendre series, on a machine without an operating system.
 //!
-//! The rule is computed by the compiler; the program holds sixteen numbers and multiplies. To see it build for a
-//! bare target, `benches/README.md` has the two commands.
-#![no_std]
+//! The compiler makes the rule and the polynomials. `.ci/run` compiles the program for bare targets, a test
+//! runs it.
+#![cfg_attr(not(test), no_std)]
 
+use radiosity_core::convert;
 use radiosity_core::gauss::Rule;
-use radiosity_core::jacobi::Weight;
+use radiosity_core::jacobi::{Polynomials, Weight};
 
-/// Eight points for ∫₋₁¹ f(x) (1 + x) dx: the radius of a disk is (1 + x)/2, and its area element grows with it.
-const DISK: Rule<8> = Rule::jacobi(Weight::integer(0, 1));
+/// With the radius (1 + x)/2 an area element of the disk is proportional to (1 + x) dx.
+const AREA: Weight = Weight::integer(0, 1);
+const RULE: Rule<8> = Rule::jacobi(AREA);
+const BASIS: Polynomials<8> = Polynomials::new(AREA);
 
-/// π/2 ∫₋₁¹ irradiance((1 + x)/2) (1 + x) dx = ∬ irradiance dA over the unit disk, exact to degree 15 in the radius.
-///
-/// `irradiance` maps a radius in [0, 1] to W m⁻²; the result is in W.
-pub fn power(irradiance: impl Fn(f64) -> f64) -> f64 {
-    core::f64::consts::FRAC_PI_2 * DISK.sum(|x| irradiance(0.5 * (1.0 + x)))
+/// The Legendre coefficients of the polynomial of degree 7 that equals `f` in the eight nodes.
+pub fn fit(f: fn(f64) -> f64) -> [f64; 8] {
+    let (mut coefficients, mut p) = ([0.0; 8], [0.0; 8]);
+    for (&x, w) in RULE.nodes.iter().zip(RULE.weights) {
+        BASIS.values(x, &mut p);
+        let value = w * f(x);
+        coefficients.iter_mut().zip(p).for_each(|(c, p)| *c += value * p);
+    }
+    convert::to_legendre(0, 1, &mut coefficients);
+    coefficients
 }

@@ -55,6 +55,20 @@ impl Fixed {
         (Fixed::float(v) - self.clone()).to_f64().abs() / ulp
     }
 
+    /// self · above/below, rounded towards 0.
+    pub(crate) fn times(&self, above: i64, below: i64) -> Fixed {
+        Fixed(&self.0 * above / below)
+    }
+
+    pub(crate) fn abs(&self) -> Fixed {
+        if self.0 < BigInt::ZERO { -self.clone() } else { self.clone() }
+    }
+
+    /// √self, rounded down.
+    pub(crate) fn sqrt(&self) -> Fixed {
+        Fixed((&self.0 << BITS).sqrt())
+    }
+
     fn is_zero(&self) -> bool {
         self.0 == BigInt::ZERO
     }

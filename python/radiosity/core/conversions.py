@@ -23,7 +23,7 @@ def jacobi_to_legendre(coefficients: ArrayLike, alpha: SupportsIndex, beta: Supp
     Returns
     -------
     ndarray of shape (..., m)
-        d_0 … d_{m−1}. By m = 30 the conversion loses no digit if α or β is 0, one for (2, 2), five for (10, 10).
+        d_0 … d_{m−1}, d = A c, each to 12 ε Σ |A_kn c_n|. For α = β even and odd degrees stay apart, exactly.
 
     Raises
     ------
@@ -36,7 +36,8 @@ def jacobi_to_legendre(coefficients: ArrayLike, alpha: SupportsIndex, beta: Supp
 def legendre_to_jacobi(coefficients: ArrayLike, alpha: SupportsIndex, beta: SupportsIndex) -> Array:
     """Coefficients of orthonormal Legendre polynomials → coefficients of orthonormal Jacobi polynomials, of the same function.
 
-    Arguments, result and errors are those of :func:`jacobi_to_legendre`.
+    Arguments, result and errors are those of :func:`jacobi_to_legendre`. Rounding adds as little, but errors
+    that d holds already grow: there and back, c of size 1 returns to 5e-15 for (2, 2), m = 31, to 1e-8 for (10, 10), m = 61.
     """
     return _convert(True, coefficients, alpha, beta)
 
