@@ -9,10 +9,10 @@
 
 use faer::Par;
 
-/// Columns of a panel. At n = 4000 widths of 512 to 2048 take times within a tenth of each other (benches/README.md).
+/// Columns of a panel. Chosen: each step is short, and panels cost nothing that shows (benches/README.md).
 pub(crate) const PANEL: usize = 1024;
 
-/// Unknowns from which threads pay: 0.95 times as fast on two threads at n = 1500, 1.4 times at 3000.
+/// Unknowns from which threads are used: two gain 1.4 times at 2000, 1.1 to 1.4 times at 1500, and lose at 500 (benches/README.md).
 const THREADED: usize = 2000;
 
 /// Columns below which a product runs on one thread. Chosen; any number from 2 on keeps the bits.
