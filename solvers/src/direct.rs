@@ -64,24 +64,37 @@ impl<D: Direct> Solver for D {
     }
 }
 
-/// All entries of `a`, column by column.
-pub(crate) fn matrix(a: &dyn Operator) -> Vec<f64> {
+/// All entries of `a`, column by column; `between` is asked before each block.
+///
+/// # Errors
+/// The first of `between`.
+pub(crate) fn entries(
+    a: &dyn Operator,
+    between: &dyn Fn() -> Result<(), SolveError>,
+) -> Result<Vec<f64>, SolveError> {
     if let Some(held) = a.dense() {
-        return held.to_vec();
+        return Ok(held.to_vec());
     }
     let partition = a.partition();
     let dim = partition.dim();
     let mut values = vec![0.0; dim * dim];
     for block in 0..partition.len() {
+        between()?;
         let range = partition.range(block);
         a.entries(block, &mut values[range.start * dim..range.end * dim]);
     }
-    values
+    Ok(values)
 }
 
 /// The entries of `a` on and below the diagonal, column by column; those above are anything.
-pub(crate) fn lower_triangle(a: &dyn Operator) -> Vec<f64> {
-    let Some(held) = a.dense() else { return matrix(a) };
+///
+/// # Errors
+/// Those of [`entries`].
+pub(crate) fn lower_triangle(
+    a: &dyn Operator,
+    between: &dyn Fn() -> Result<(), SolveError>,
+) -> Result<Vec<f64>, SolveError> {
+    let Some(held) = a.dense() else { return entries(a, between) };
     let dim = a.partition().dim();
     // Pages of zeros cost nothing until they are written.
     let mut values = vec![0.0; dim * dim];
@@ -89,5 +102,5 @@ pub(crate) fn lower_triangle(a: &dyn Operator) -> Vec<f64> {
         let below = j * dim + j..(j + 1) * dim;
         values[below.clone()].copy_from_slice(&held[below]);
     }
-    values
+    Ok(values)
 }

@@ -77,7 +77,7 @@ pub enum SolveError {
         iterations: usize,
     },
     /// The caller raised the cancellation flag.
-    #[error("cancelled after {iterations} iterations at a relative residual of {residual:.2e}")]
+    #[error("cancelled; the method {}", progress(*iterations, *residual))]
     Cancelled {
         /// Iterations done.
         iterations: usize,
@@ -110,7 +110,7 @@ pub enum SolveError {
     },
 }
 
-/// What a method had reached when it ended.
+/// The progress of a method until it ended.
 fn progress(iterations: usize, residual: f64) -> String {
     if residual.is_infinite() {
         return "has no solution yet".to_owned();

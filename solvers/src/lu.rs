@@ -35,7 +35,7 @@ impl Lu {
     /// Factors `a` once, to solve with it often.
     ///
     /// # Errors
-    /// [`SolveError::Singular`] if a pivot is exactly 0, [`SolveError::NonFinite`], [`SolveError::DimensionMismatch`]
+    /// [`SolveError::Singular`] if a pivot is 0 or its inverse overflows, [`SolveError::NonFinite`], [`SolveError::DimensionMismatch`]
     /// if the operator holds another number of entries than dim², [`SolveError::Setting`],
     /// [`SolveError::Cancelled`], and [`SolveError::NotConverged`] once the time budget is used up.
     pub fn factor<'a>(
@@ -59,7 +59,8 @@ impl Direct for Lu {
         halt: &Halt<'_>,
     ) -> Result<Box<dyn Factors>, SolveError> {
         let rows = eliminate(&mut matrix, dim, threads, halt)?;
-        if (0..dim).any(|k| matrix[k * dim + k] == 0.0) {
+        // faer multiplies by the inverses of pivots.
+        if (0..dim).any(|k| !matrix[k * dim + k].recip().is_finite()) {
             return Err(SolveError::Singular { what: "the matrix".into() });
         }
         let mut inverse = vec![0; dim];
@@ -114,14 +115,14 @@ fn factor_panel(panel: MatMut<'_, f64>, threads: Threads) -> Vec<usize> {
 /// A permutation by the places that it changes: at most two for each column of a panel.
 struct Moves(Vec<Move>);
 
-/// What stood at `from` comes to `to`.
+/// A row that comes from the place `from` to the place `to`.
 struct Move {
     from: usize,
     to: usize,
 }
 
 impl Moves {
-    /// The permutation that brings what stood at `forward[k]` to k.
+    /// The permutation that brings row `forward[k]` to the place k.
     fn new(forward: Vec<usize>) -> Self {
         let moves = forward.into_iter().enumerate().map(|(to, from)| Move { from, to });
         Self(moves.filter(|own| own.from != own.to).collect())
@@ -182,5 +183,33 @@ impl Factors for Triangles {
             Par::Seq,
             MemStack::new(stack),
         );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Instant;
+
+    use super::*;
+
+    #[test]
+    fn transposed_solutions_satisfy_the_transposed_system() {
+        for dim in [1, 3, 40, 1100] {
+            // Zeros on the diagonal, so that rows are interchanged; unsymmetric.
+            let entry = |i: usize, j: usize| match (i + 1) % dim == j {
+                _ if dim > 1 && i == j => 0.0,
+                true => 1.0,
+                false => ((5 * i + 3 * j) % 11) as f64 / (20 * dim) as f64,
+            };
+            let matrix: Vec<f64> = (0..dim * dim).map(|k| entry(k % dim, k / dim)).collect();
+            let settings = Settings::default();
+            let halt = Halt::new(NAME, &settings, Instant::now());
+            let factors = <Lu as Direct>::factor(matrix, dim, Threads::new(dim, 1), &halt).unwrap();
+            let truth: Vec<f64> = (0..dim).map(|i| 1.0 + (i % 7) as f64).collect();
+            let product = |j: usize| (0..dim).map(|i| entry(i, j) * truth[i]).sum::<f64>();
+            let mut x: Vec<f64> = (0..dim).map(product).collect();
+            factors.solve_transposed(&mut x);
+            assert!(x.iter().zip(&truth).all(|(x, truth)| (x - truth).abs() < 1e-11), "{dim}");
+        }
     }
 }

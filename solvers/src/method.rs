@@ -219,7 +219,7 @@ impl Method {
         Methods::default().named(name)
     }
 
-    /// What it does, and its other names.
+    /// Its summary with its other names.
     pub fn summary_with_aliases(&self) -> String {
         match self.aliases {
             [] => self.summary.to_owned(),
@@ -291,10 +291,12 @@ impl Methods {
     /// Adds a method at the end.
     ///
     /// # Errors
-    /// [`NameTaken`] if one of its names finds another method already.
+    /// [`NameTaken`] if one of its names finds another method already, or stands twice among its own.
     pub fn with(mut self, method: &'static Method) -> Result<Self, NameTaken> {
-        if let Some(name) = method.names().find(|name| self.find(name).is_some()) {
-            return Err(NameTaken { name });
+        for (place, name) in method.names().enumerate() {
+            if self.find(name).is_some() || method.names().take(place).any(|own| own == name) {
+                return Err(NameTaken { name });
+            }
         }
         self.list.push(method);
         Ok(self)
@@ -318,7 +320,7 @@ impl Methods {
     }
 }
 
-/// A method of this name is there already.
+/// Two methods, or two aliases of one, claim a name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("a method called \"{name}\" is there already; give yours another name")]
 pub struct NameTaken {

@@ -12,7 +12,8 @@ use faer::Par;
 /// Columns of a panel. Chosen: each step is short, and panels cost nothing that shows (benches/README.md).
 pub(crate) const PANEL: usize = 1024;
 
-/// Unknowns from which threads are used: two gain 1.4 times at 2000, 1.1 to 1.4 times at 1500, and lose at 500 (benches/README.md).
+/// Unknowns from which threads are used: two gain 1.4 times at 2000, 1.1 to 1.4 times at 1500, and lose at 100
+/// (`benches/README.md` of the workspace).
 const THREADED: usize = 2000;
 
 /// Columns below which a product runs on one thread. Chosen; any number from 2 on keeps the bits.
@@ -23,8 +24,8 @@ const NARROW: usize = 64;
 pub(crate) struct Threads(Par);
 
 impl Threads {
-    /// Threads for `dim` unknowns, of the current rayon pool: at most `threads`, 0 for all there are. They are always
-    /// said outright, because faer's default is shared by the whole process.
+    /// Threads for `dim` unknowns, of the current rayon pool: at most `threads` in faer's kernels, 0 for all there are.
+    /// They are always said outright, because faer's default is shared by the whole process.
     pub(crate) fn new(dim: usize, threads: usize) -> Self {
         Self(if threads == 1 || dim < THREADED { Par::Seq } else { Par::rayon(threads) })
     }

@@ -112,8 +112,8 @@ impl<'a> Settings<'a> {
 
     /// These settings with another [`max_shots`](Self::max_shots).
     #[must_use]
-    pub fn with_max_shots(self, max_shots: usize) -> Self {
-        Self { max_shots: Some(max_shots), ..self }
+    pub fn with_max_shots(self, max_shots: impl Into<Option<usize>>) -> Self {
+        Self { max_shots: max_shots.into(), ..self }
     }
 
     /// These settings with another [`threads`](Self::threads).
@@ -124,14 +124,14 @@ impl<'a> Settings<'a> {
 
     /// These settings with another [`time_budget`](Self::time_budget).
     #[must_use]
-    pub fn with_time_budget(self, time_budget: Duration) -> Self {
-        Self { time_budget: Some(time_budget), ..self }
+    pub fn with_time_budget(self, time_budget: impl Into<Option<Duration>>) -> Self {
+        Self { time_budget: time_budget.into(), ..self }
     }
 
     /// These settings with another [`cancel`](Self::cancel).
     #[must_use]
-    pub fn with_cancel(self, cancel: &'a AtomicBool) -> Self {
-        Self { cancel: Some(cancel), ..self }
+    pub fn with_cancel(self, cancel: impl Into<Option<&'a AtomicBool>>) -> Self {
+        Self { cancel: cancel.into(), ..self }
     }
 
     /// These settings with another [`measure`](Self::measure).

@@ -62,8 +62,7 @@ impl<'a> BandSystem<'a> {
         let right = self.right_hand_side();
         let mut unknowns = vec![0.0; right.len()];
         let interruption = interruption::current();
-        let mut settings = settings.clone();
-        settings.cancel = interruption.as_ref().map(Interruption::flag);
+        let settings = settings.clone().with_cancel(interruption.as_ref().map(Interruption::flag));
         let report = method.solver.solve(self, &right, &mut unknowns, &settings, &mut |_| heed());
         // Where it was cancelled.
         heed();

@@ -15,14 +15,17 @@ pub(super) struct Effort {
     pub converged: bool,
 }
 
-/// The cost of a finished solver; with `keep_partial` the best iterate of one that did not converge counts too.
+/// The cost of a finished solver; with `keep_partial` the best iterate of one that did not converge counts too, if it has
+/// one: a factorisation that ran out of time has none.
 fn effort(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<Option<Effort>, SolveError> {
     match ended {
         Ok(reports) => Ok(reports
             .into_iter()
             .max_by_key(|report| report.iterations)
             .map(|Report { method, iterations, .. }| Effort { method, iterations, converged: true })),
-        Err(SolveError::NotConverged { method, iterations, .. }) if keep_partial => {
+        Err(SolveError::NotConverged { method, iterations, residual, .. })
+            if keep_partial && residual.is_finite() =>
+        {
             Ok(Some(Effort { method, iterations, converged: false }))
         }
         Err(error) => Err(error),
@@ -55,9 +58,9 @@ pub(super) fn solve_band(
             .with_tolerance(options.tolerance)
             .with_max_iterations(options.max_iterations)
             .with_threads(options.threads)
-            .with_preconditioner(preconditioner);
-        settings.cancel = interruption.as_ref().map(Interruption::flag);
-        settings.time_budget = options.solving_time();
+            .with_preconditioner(preconditioner)
+            .with_cancel(interruption.as_ref().map(Interruption::flag))
+            .with_time_budget(options.solving_time());
         settings.measure = measure.as_deref();
         let mut observe = |step: &Step<'_>| {
             heed();

@@ -45,7 +45,7 @@ def text(checksums: dict[str, str]) -> str:
 
 
 def read() -> tuple[str, dict[str, str]]:
-    """What the committed file was made with, and its checksums."""
+    """The processor features of the committed file, and its checksums."""
     head, *lines = PLACE.read_text().splitlines()
     pairs = [line.split() for line in lines]
     return head.removeprefix(HEAD), {name: digest for digest, name in pairs}

@@ -1,4 +1,4 @@
-"""What a file holds: texts that are equal or not, and columns of numbers."""
+"""Contents of a file: texts that are equal or not, and columns of numbers."""
 
 from dataclasses import dataclass, field
 

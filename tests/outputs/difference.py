@@ -65,7 +65,7 @@ def _short(text: str) -> str:
 
 
 def _scale(name: str, one: Content, other: Content, masks: Masks) -> float:
-    """What differences of a column are relative to."""
+    """Scale of the differences of a column."""
     key = one.columns[name].key
     match masks.scales.get(key):
         case None:

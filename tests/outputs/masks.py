@@ -1,4 +1,4 @@
-"""What is no result, and what is rounding alone: `masks.toml`, read."""
+"""`masks.toml`, read: parts of outputs that are no results, or rounding alone."""
 
 import fnmatch
 import pathlib
@@ -36,7 +36,7 @@ class Masks:
         return _without(self._measured, file, text)
 
     def without_noise(self, file: str, text: str) -> str:
-        """The same without digits that rounding alone makes."""
+        """The content without digits that rounding alone makes."""
         return _without(self._noise, file, text)
 
 

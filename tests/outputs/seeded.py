@@ -104,7 +104,7 @@ def _scaled_literal(part: float) -> Edit:
 
 
 def _scaled_double(part: float) -> Edit:
-    """The same of the largest 64-bit number among the last ones of the data."""
+    """That change in the largest 64-bit number among the last ones of the data."""
 
     def edit(data: bytes) -> bytes:
         begin = len(data) % 8 if not data.startswith(b"\x93NUMPY") else 10 + int.from_bytes(data[8:10], "little")

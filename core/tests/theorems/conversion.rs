@@ -51,7 +51,7 @@ fn random(seed: u64, length: usize) -> Vec<f64> {
     (0..length).map(|_| next()).collect()
 }
 
-/// What the big integers may leave where the exact number is 0.
+/// Largest remainder of the big integers where the exact number is 0.
 const NOTHING: f64 = 1e-60;
 
 /// The largest error of `ours` in ε of `size`, entry by entry; where the size is 0, there must be no error.

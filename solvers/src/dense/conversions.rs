@@ -52,8 +52,8 @@ impl Dense {
     /// The matrix of `entries` column by column, in blocks of one unknown, if it is square.
     fn square(rows: usize, columns: usize, entries: Vec<f64>) -> Result<Self, SolveError> {
         if rows != columns {
-            let (expected, found) = (rows * rows, rows * columns);
-            return Err(SolveError::DimensionMismatch { what: "a square matrix", expected, found });
+            let (expected, found) = (rows, columns);
+            return Err(SolveError::DimensionMismatch { what: "a row of the matrix", expected, found });
         }
         let partition = Partition::points(rows);
         let mut matrix = Self::new(partition, entries, false)?;
@@ -94,7 +94,7 @@ mod tests {
     #[test]
     fn rectangles_and_what_is_not_finite_are_refused() {
         let rectangle = Dense::try_from(DMatrix::zeros(2, 3));
-        assert!(matches!(rectangle, Err(SolveError::DimensionMismatch { expected: 4, found: 6, .. })));
+        assert!(matches!(rectangle, Err(SolveError::DimensionMismatch { expected: 2, found: 3, .. })));
         let infinite = Dense::try_from(DMatrix::from_element(1, 1, f64::INFINITY));
         assert!(matches!(infinite, Err(SolveError::NonFinite { .. })));
     }

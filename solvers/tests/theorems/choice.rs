@@ -1,6 +1,6 @@
 //! What `auto` chooses, and that it falls on its feet.
 
-use radiosity_solvers::method::Method;
+use radiosity_solvers::method::{Method, Methods, NameTaken};
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Report, Settings};
 
 use crate::systems::{Random, enclosure, matrix};
@@ -68,4 +68,23 @@ fn many_right_hand_sides_share_a_factorisation_only_where_the_entries_are_held()
             "{reports:?}"
         );
     }
+}
+
+/// A method that only has names.
+static NAMED: Method = Method { name: "mine", aliases: &["own"], ..Method::CG };
+static TAKEN: Method = Method { name: "lu", aliases: &[], ..Method::CG };
+static TAKEN_ALIAS: Method = Method { name: "yours", aliases: &["shooting"], ..Method::CG };
+static TWICE: Method = Method { name: "twice", aliases: &["double", "twice"], ..Method::CG };
+
+#[test]
+fn a_name_finds_one_method() {
+    let methods = Methods::default().with(&NAMED).unwrap();
+    assert_eq!(methods.named("own").unwrap().name, "mine");
+    assert_eq!(methods.iter().count(), Method::ALL.len() + 1);
+    for (method, name) in [(&TAKEN, "lu"), (&TAKEN_ALIAS, "shooting"), (&NAMED, "mine"), (&TWICE, "twice")] {
+        assert_eq!(methods.clone().with(method).err(), Some(NameTaken { name }));
+    }
+    let unknown = methods.named("min").unwrap_err();
+    assert_eq!(unknown.nearest, Some("mine"));
+    assert!(unknown.to_string().ends_with("southwell, mine"), "{unknown}");
 }

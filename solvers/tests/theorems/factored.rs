@@ -1,9 +1,12 @@
 //! Matrices that are factored once and solve often.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
 use radiosity_solvers::cholesky::Cholesky;
 use radiosity_solvers::lu::Lu;
 use radiosity_solvers::method::Method;
-use radiosity_solvers::{Factored, Partition, Settings, SolveError};
+use radiosity_solvers::{Dense, Factored, Operator, Partition, Settings, SolveError, Stop};
 
 use crate::systems::{Random, dominant, matrix, positive_definite};
 
@@ -77,5 +80,85 @@ fn lengths_are_asked_at_every_solve() {
     for (rows, unknowns) in [(3, 4), (4, 5), (0, 4)] {
         let solved = factored.solve(&vec![1.0; rows], &mut vec![0.0; unknowns]);
         assert!(matches!(solved, Err(SolveError::DimensionMismatch { expected: 4, .. })));
+    }
+}
+
+#[test]
+fn every_solve_asks_the_flag_and_the_time() {
+    let a = dominant(&mut Random(59), Partition::points(4));
+    let cancel = AtomicBool::new(false);
+    let factored = Lu.factor(&a, &Settings::default().with_cancel(&cancel)).unwrap();
+    let mut x = [0.0; 4];
+    assert!(factored.solve(&[1.0; 4], &mut x).is_ok());
+    cancel.store(true, Ordering::Relaxed);
+    let solved = factored.solve(&[1.0; 4], &mut x);
+    assert!(matches!(solved, Err(SolveError::Cancelled { .. })), "{solved:?}");
+    for (name, solver) in [("lu", Method::LU.solver), ("cholesky", Method::CHOLESKY.solver)] {
+        let a = positive_definite(&mut Random(61), Partition::points(4), 0.5);
+        let pause = Duration::from_millis(40);
+        let settings = Settings::default().with_time_budget(pause);
+        let mut steps = 0;
+        let solved = solver.solve_many(&a, &[1.0; 12], &mut [0.0; 12], &settings, &mut |_| {
+            // The first column takes all the time; none is left for the others.
+            std::thread::sleep(pause);
+            steps += 1;
+        });
+        let is_late = matches!(solved, Err(SolveError::NotConverged { stop: Stop::Time, .. }));
+        assert!(is_late && steps == 1, "{name}: {solved:?} after {steps} steps");
+    }
+}
+
+/// A matrix of which the lower triangle is read as that of a symmetric one.
+struct Lower<'a>(&'a Dense);
+
+impl Operator for Lower<'_> {
+    fn partition(&self) -> &Partition {
+        self.0.partition()
+    }
+
+    fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
+        self.0.shoot(column, x, y);
+    }
+
+    fn dense(&self) -> Option<&[f64]> {
+        self.0.dense()
+    }
+
+    fn symmetric(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn refinement_reaches_what_the_factors_miss() {
+    // The factors are those of L + D + Lᵀ, the matrix is L + D + 0.9 Lᵀ.
+    let dim = 30;
+    let a = matrix(Partition::points(dim), false, |i, j| match i.cmp(&j) {
+        std::cmp::Ordering::Equal => 1.0,
+        std::cmp::Ordering::Greater => 0.3 / dim as f64,
+        std::cmp::Ordering::Less => 0.27 / dim as f64,
+    });
+    let mut x = vec![0.0; dim];
+    let b = Random(67).vector(dim);
+    let report = Cholesky.factor(&Lower(&a), &Settings::default()).unwrap().solve(&b, &mut x).unwrap();
+    assert!(report.iterations > 1, "{report:?}");
+    assert!(report.history.is_sorted_by(|before, after| after < before), "{report:?}");
+    let (truth, rounding) = crate::exact::residual(&a, &b, &x);
+    assert!(truth <= 1e-10 + rounding, "{truth:e}");
+}
+
+#[test]
+fn cholesky_reads_the_lower_triangle_alone() {
+    for (dim, threads) in [(70, 1), (1100, 1), (2100, 2)] {
+        let entry = |i: usize, j: usize| if i == j { 1.5 } else { ((i * j) % 7) as f64 / (8 * dim) as f64 };
+        let a = matrix(Partition::points(dim), true, entry);
+        let spoilt = matrix(Partition::points(dim), false, |i, j| if i < j { 1e300 } else { entry(i, j) });
+        let settings = Settings::default().with_threads(threads).with_tolerance(1e300);
+        let b = Random(71).vector(dim);
+        let (mut x, mut y) = (vec![0.0; dim], vec![0.0; dim]);
+        Cholesky.factor(&a, &settings).unwrap().solve(&b, &mut x).unwrap();
+        // The first solution, before the product with the whole matrix says that it is none.
+        let _ = Cholesky.factor(&Lower(&spoilt), &settings).unwrap().solve(&b, &mut y);
+        assert_eq!(x, y, "{dim}");
     }
 }

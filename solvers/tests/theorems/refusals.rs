@@ -1,7 +1,7 @@
 //! Every error is provoked, and a lying operator is found out.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use radiosity_solvers::method::{Method, Needs};
 use radiosity_solvers::{Dense, Operator, Partition, Report, Settings, SolveError, Stop};
@@ -287,19 +287,17 @@ fn a_factorisation_that_has_begun_is_cancelled() {
     }
 }
 
-/// Unknowns of a factorisation that takes several times [`SOON`]: 2·10¹⁰ operations by lu, 10¹⁰ by cholesky.
-const LONG: usize = 3073;
-
-/// Longer than the entries take to be read, shorter than a factorisation.
-const SOON: Duration = Duration::from_millis(80);
-
 #[test]
 fn a_long_factorisation_ends_between_its_panels() {
-    let a = matrix(Partition::points(LONG), true, |i, j| if i == j { 2.0 } else { 0.5 / LONG as f64 });
-    let b = vec![1.0; LONG];
+    let dim = 3073;
+    let a = matrix(Partition::points(dim), true, |i, j| if i == j { 2.0 } else { 0.5 / dim as f64 });
+    let b = vec![1.0; dim];
     for name in ["lu", "cholesky"] {
-        let hurried = Settings::default().with_time_budget(SOON);
-        let solved = solve(name, &a, &b, &hurried);
+        let started = Instant::now();
+        assert!(solve(name, &a, &b, &Settings::default()).is_ok(), "{name}");
+        // The entries are read by then, and most panels are still to come.
+        let half = started.elapsed() / 2;
+        let solved = solve(name, &a, &b, &Settings::default().with_time_budget(half));
         let Err(SolveError::NotConverged { stop: Stop::Time, residual, .. }) = solved else {
             panic!("{name}: {solved:?}")
         };
@@ -308,13 +306,42 @@ fn a_long_factorisation_ends_between_its_panels() {
         let settings = Settings::default().with_cancel(&cancel);
         let solved = std::thread::scope(|scope| {
             scope.spawn(|| {
-                std::thread::sleep(SOON);
+                std::thread::sleep(half);
                 cancel.store(true, Ordering::Relaxed);
             });
             solve(name, &a, &b, &settings)
         });
         assert!(matches!(solved, Err(SolveError::Cancelled { .. })), "{name}: {solved:?}");
     }
+}
+
+/// An identity whose every column takes [`PAUSE`].
+struct Slow {
+    blocks: Partition,
+}
+
+/// Time of a column of [`Slow`].
+const PAUSE: Duration = Duration::from_millis(20);
+
+impl Operator for Slow {
+    fn partition(&self) -> &Partition {
+        &self.blocks
+    }
+
+    fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
+        std::thread::sleep(PAUSE);
+        y[column] += x[0];
+    }
+}
+
+#[test]
+fn the_reading_of_entries_ends_with_its_time() {
+    let a = Slow { blocks: Partition::points(500) };
+    let started = Instant::now();
+    let solved = solve("lu", &a, &[1.0; 500], &Settings::default().with_time_budget(2 * PAUSE));
+    assert!(matches!(solved, Err(SolveError::NotConverged { stop: Stop::Time, .. })), "{solved:?}");
+    // All columns would take ten seconds.
+    assert!(started.elapsed() < 100 * PAUSE);
 }
 
 #[test]

@@ -67,7 +67,7 @@ def _unfiltered(filtered: bytes, stride: int, height: int, step: int) -> bytearr
 
 
 def _predicted(kind: int, left: int, up: int, corner: int) -> int:
-    """What the filter `kind` takes a code for, from its neighbours."""
+    """Prediction of a code from its neighbours by the filter `kind`."""
     match kind:
         case 1:
             return left
