@@ -9,7 +9,7 @@
 //! integral runs over cells of P that follow the edges of Q ([`plan`]). Both are planned before any kernel value is
 //! known.
 
-mod complex;
+mod ellipse;
 mod radial;
 mod samples;
 mod stretch;

@@ -12,11 +12,11 @@
 //! On a receiver inclined to the emitter's plane, the emitter's polynomials add a term h² ln h where the line meets
 //! that plane inside the emitter.
 
+use num_complex::Complex64;
 use radiosity_geom::{DVec2, DVec3};
 
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Direction, Patch};
-use crate::transport::rules::near::complex::Complex;
 use crate::transport::rules::near::polar::{Edge, Polar, edges};
 
 /// Singularities farther than this from the cell, in lengths of the cell, are ignored; strong maps bring those up to it
@@ -60,11 +60,11 @@ impl<'a> Emitter<'a> {
     ///
     /// One that is close to the cell and found in one direction may lie between the lines of the other direction, which
     /// then gets a line at its parameter.
-    pub(super) fn places(&self, cell: &Patch, floor: f64, eps: f64) -> [Vec<Complex>; 2] {
+    pub(super) fn places(&self, cell: &Patch, floor: f64, eps: f64) -> [Vec<Complex64>; 2] {
         let directions = [Direction::Along, Direction::Across];
         let mut found = directions.map(|direction| self.roots(cell, direction, &LINES, floor, eps));
         let lines = [&found[1], &found[0]].map(|others| {
-            let mut close: Vec<Complex> = others
+            let mut close: Vec<Complex64> = others
                 .iter()
                 .copied()
                 .filter(|root| root.im < CLOSE && (0.0..=1.0).contains(&root.re))
@@ -79,7 +79,14 @@ impl<'a> Emitter<'a> {
     }
 
     /// Singularities on given lines of one direction, their imaginary parts not below `floor`.
-    fn roots(&self, cell: &Patch, direction: Direction, lines: &[f64], floor: f64, eps: f64) -> Vec<Complex> {
+    fn roots(
+        &self,
+        cell: &Patch,
+        direction: Direction,
+        lines: &[f64],
+        floor: f64,
+        eps: f64,
+    ) -> Vec<Complex64> {
         let mut found = Vec::new();
         for line in lines {
             let ends = match direction {
@@ -100,11 +107,11 @@ impl<'a> Emitter<'a> {
 }
 
 /// The singularities near the cell, those that almost coincide once.
-fn distinct(roots: Vec<Complex>) -> Vec<Complex> {
-    let mut kept: Vec<Complex> = Vec::new();
+fn distinct(roots: Vec<Complex64>) -> Vec<Complex64> {
+    let mut kept: Vec<Complex64> = Vec::new();
     for root in roots {
-        let distance = (root - Complex::new(root.re.clamp(0.0, 1.0), 0.0)).abs();
-        if distance < FAR && !kept.iter().any(|other| (*other - root).abs() <= ALIKE * distance) {
+        let distance = (root - root.re.clamp(0.0, 1.0)).norm();
+        if distance < FAR && !kept.iter().any(|other| (*other - root).norm() <= ALIKE * distance) {
             kept.push(root);
         }
     }
@@ -112,7 +119,7 @@ fn distinct(roots: Vec<Complex>) -> Vec<Complex> {
 }
 
 /// Adds the singularities on the line `start` + s `step` that belong to `edge`.
-fn singularities(start: DVec3, step: DVec3, edge: &Edge, roots: &mut Vec<Complex>) {
+fn singularities(start: DVec3, step: DVec3, edge: &Edge, roots: &mut Vec<Complex64>) {
     let from = start - edge.start;
     // A line parallel to the edge, to rounding, keeps its distance.
     roots.push(root(from, step));
@@ -127,6 +134,6 @@ fn singularities(start: DVec3, step: DVec3, edge: &Edge, roots: &mut Vec<Complex
     }
 }
 
-fn root(w: DVec3, x: DVec3) -> Complex {
-    Complex::new(-x.dot(w), x.cross(w).length()).scale(1.0 / x.length_squared())
+fn root(w: DVec3, x: DVec3) -> Complex64 {
+    Complex64::new(-x.dot(w), x.cross(w).length()) / x.length_squared()
 }

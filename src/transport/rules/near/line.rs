@@ -1,7 +1,8 @@
 //! The rule for one direction of a cell, plain or stretched, or where to cut the cell.
 
+use num_complex::Complex64;
+
 use crate::elements::rule::MOST_POINTS;
-use crate::transport::rules::near::complex::Complex;
 use crate::transport::rules::near::stretch::Stretch;
 
 /// Points for which no better rule is sought. Chosen; not tuned.
@@ -23,12 +24,11 @@ pub(super) struct LineRule {
 }
 
 impl LineRule {
-    pub(super) fn of(roots: &[Complex], request: &Request) -> Self {
+    pub(super) fn of(roots: &[Complex64], request: &Request) -> Self {
         let (stretch, points, slowest) = Self::whole(roots, request);
         let parts = |place: f64| {
             let part = |low: f64, width: f64| {
-                let moved: Vec<Complex> =
-                    roots.iter().map(|r| (*r - Complex::new(low, 0.0)).scale(1.0 / width)).collect();
+                let moved: Vec<Complex64> = roots.iter().map(|root| (root - low) / width).collect();
                 Self::whole(&moved, &Request { fraction: request.fraction * width, ..*request }).1
             };
             (place, part(0.0, place) + part(place, 1.0 - place))
@@ -47,13 +47,13 @@ impl LineRule {
     }
 
     /// The better of the plain and the stretched rule, uncut, and the singularity that limits it.
-    fn whole(roots: &[Complex], request: &Request) -> (Stretch, usize, Complex) {
+    fn whole(roots: &[Complex64], request: &Request) -> (Stretch, usize, Complex64) {
         let Request { fraction, degree, eps } = *request;
         let rule = |stretch: Stretch| {
-            let (rho, root) = roots
-                .iter()
-                .map(|root| (stretch.ellipse(*root), *root))
-                .fold((f64::INFINITY, Complex::ONE), |best, next| if next.0 < best.0 { next } else { best });
+            let (rho, root) = roots.iter().map(|root| (stretch.ellipse(*root), *root)).fold(
+                (f64::INFINITY, Complex64::ONE),
+                |best, next| if next.0 < best.0 { next } else { best },
+            );
             (stretch, stretch.points(rho, fraction, degree, eps), root)
         };
         let plain = rule(Stretch::PLAIN);

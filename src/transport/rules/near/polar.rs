@@ -17,12 +17,12 @@
 //! rest is analytic in s except at s = ±𝚒D, D = √(p² + h²) being the distance of x from the edge's line. s = D sinh μ
 //! makes it converge exponentially, and the cost of the nearest edge grows like ln(1/D).
 
+use num_complex::Complex64;
 use radiosity_geom::{DVec2, DVec3};
 
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::MOST_POINTS;
-use crate::transport::rules::near::complex::Complex;
 use crate::transport::rules::near::radial::Radial;
 use crate::transport::rules::near::samples::Samples;
 use crate::transport::rules::near::stretch::Stretch;
@@ -118,7 +118,7 @@ impl<'a> Polar<'a> {
 
     /// Where the line `start` + s `step` meets the plane inside the polygon, h = 0 and I_l has a term of order h² ln h;
     /// None if that stays below `eps` for all s ∈ [0, 1].
-    pub(super) fn crossing(&self, start: DVec3, step: DVec3, eps: f64) -> Option<Complex> {
+    pub(super) fn crossing(&self, start: DVec3, step: DVec3, eps: f64) -> Option<Complex64> {
         let (height, slope) = ((start - self.edges[0].0.start).dot(self.normal), step.dot(self.normal));
         let size = self.edges.iter().map(|(edge, _)| edge.length).fold(0.0, f64::max);
         let most = height.abs().max((height + slope).abs()) / size;
@@ -129,7 +129,7 @@ impl<'a> Polar<'a> {
         let place = -height / slope;
         let foot = start + step * place;
         let inside = self.edges.iter().all(|(edge, outward)| (foot - edge.start).dot(*outward) <= 0.0);
-        inside.then_some(Complex::new(place, 0.0))
+        inside.then_some(Complex64::from(place))
     }
 
     /// Irradiance at x from the emitter with radiosity 1, by Lambert's formula (1760): E = 1/(2π) |Σ_edges θ n_x·(a ×
@@ -220,7 +220,7 @@ impl Rays {
             let length = high - low;
             let (center, scale) = (-low / length, radius / length);
             let stretch = Stretch::around(center, scale);
-            let n = stretch.points(stretch.ellipse(Complex::new(center, scale)), fraction, degree, eps);
+            let n = stretch.points(stretch.ellipse(Complex64::new(center, scale)), fraction, degree, eps);
             (Piece { stretch, length }, n)
         };
         let [low, high] = self.ends;

@@ -24,8 +24,10 @@
 //!
 //! Reference: NIST Digital Library of Mathematical Functions, §14.
 
+use num_complex::Complex64;
+
 use crate::elements::rule::UnitRule;
-use crate::transport::rules::near::complex::Complex;
+use crate::transport::rules::near::ellipse::ellipse;
 
 /// Accuracy of the recurrences relative to that of the rule. Chosen; not tuned.
 const RECURRENCE_ACCURACY: f64 = 1e-4;
@@ -44,7 +46,7 @@ pub(super) struct Radial {
     forward: f64,
     /// (2i + 1) w_j P_i(2t_j − 1), a row per j.
     projection: Vec<f64>,
-    functions: Vec<Complex>,
+    functions: Vec<Complex64>,
     /// A_i and B_i, i = 0..=n.
     moments: Vec<[f64; 2]>,
     /// [α_j, β_j] of the last η.
@@ -66,7 +68,7 @@ impl Radial {
                 (low, p) = (p, ((2.0 * f + 1.0) * x * p - f * low) / (f + 1.0));
             }
         }
-        let functions = vec![Complex::new(0.0, 0.0); n + 1];
+        let functions = vec![Complex64::new(0.0, 0.0); n + 1];
         let digits = -(RECURRENCE_ACCURACY * eps).ln();
         let loss = (-f64::EPSILON.ln() - digits).max(LEAST_LOSS);
         // On Re z = −1 the ellipse with ϱ = e^{loss/n}, whose half axes are cosh and sinh of ln ϱ.
@@ -105,13 +107,13 @@ impl Radial {
 
     /// Q_i(−1 + 2𝚒η), i = 0..=n.
     fn second_kind(&mut self, eta: f64) {
-        let z = Complex::new(-1.0, 2.0 * eta);
+        let z = Complex64::new(-1.0, 2.0 * eta);
         let n = self.functions.len() - 1;
         let inverse = 1.0 / eta;
-        let first = Complex::new(-0.25 * (inverse * inverse).ln_1p(), -0.5 * inverse.atan());
+        let first = Complex64::new(-0.25 * (inverse * inverse).ln_1p(), -0.5 * inverse.atan());
         self.functions[0] = first;
         if eta < self.forward {
-            self.functions[1] = z * first - Complex::ONE;
+            self.functions[1] = z * first - 1.0;
             for i in 1..n {
                 let f = i as f64;
                 let next = (z * self.functions[i]).scale(2.0 * f + 1.0) - self.functions[i - 1].scale(f);
@@ -119,10 +121,10 @@ impl Radial {
             }
             return;
         }
-        let growth = z.ellipse().ln();
+        let growth = ellipse(z).ln();
         // Any small value starts Miller's recurrence; the results are scaled to Q₀.
         let start = n + 1 + (self.digits / (2.0 * growth)) as usize;
-        let (mut high, mut low) = (Complex::new(0.0, 0.0), Complex::new(1e-100, 0.0));
+        let (mut high, mut low) = (Complex64::new(0.0, 0.0), Complex64::new(1e-100, 0.0));
         for i in (1..=start).rev() {
             if i <= n {
                 self.functions[i] = low;
@@ -131,14 +133,14 @@ impl Radial {
             let next = (z * low).scale(2.0 * f + 1.0) - high.scale(f + 1.0);
             (high, low) = (low, next.scale(1.0 / f));
         }
-        let factor = first.over(low);
-        self.functions[1..].iter_mut().for_each(|q| *q = *q * factor);
+        let factor = first / low;
+        self.functions[1..].iter_mut().for_each(|q| *q *= factor);
     }
 
     fn integrals(&mut self, eta: f64) {
-        let z = Complex::new(-1.0, 2.0 * eta);
+        let z = Complex64::new(-1.0, 2.0 * eta);
         let size = 1.0 + eta * eta;
-        let turn = Complex::new(eta, -1.0).scale(1.0 / (eta * size));
+        let turn = Complex64::new(eta, -1.0).scale(1.0 / (eta * size));
         let n = self.functions.len() - 1;
         self.moments[0] = [0.5 / (eta * eta * size), 0.5 * ((1.0 / eta).atan() / eta - 1.0 / size)];
         for i in 1..=n {

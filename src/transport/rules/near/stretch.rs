@@ -16,8 +16,10 @@
 //! Reference: P. R. Johnston, D. Elliott, *A sinh transformation for evaluating nearly singular boundary element
 //! integrals*, Int. J. Numer. Methods Eng. 62 (2005).
 
+use num_complex::Complex64;
+
 use crate::elements::rule::UnitRule;
-use crate::transport::rules::near::complex::Complex;
+use crate::transport::rules::near::ellipse::ellipse;
 
 /// Largest ϱ used in counts: 2.2 digits per point. Chosen; not tuned.
 const LARGEST_RHO: f64 = 12.0;
@@ -44,15 +46,15 @@ impl Stretch {
     }
 
     /// ϱ of a singularity at `place` in s, its imaginary part not negative.
-    pub(super) fn ellipse(&self, place: Complex) -> f64 {
+    pub(super) fn ellipse(&self, place: Complex64) -> f64 {
         let half = 0.5 * (self.high - self.low);
-        let rho = |mu: Complex| (mu - Complex::new(self.low + half, 0.0)).scale(1.0 / half).ellipse();
+        let rho = |mu: Complex64| ellipse((mu - (self.low + half)) / half);
         if !self.scale.is_finite() {
             return rho(place);
         }
-        let mu = (place - Complex::new(self.center, 0.0)).scale(1.0 / self.scale).asinh();
+        let mu = asinh((place - self.center) / self.scale);
         // sinh(𝚒π − μ) = sinh μ: the singularity has a second image, beyond π/2.
-        rho(mu).min(rho(Complex::new(-mu.re, core::f64::consts::PI - mu.im)))
+        rho(mu).min(rho(Complex64::new(-mu.re, core::f64::consts::PI - mu.im)))
     }
 
     /// Points for polynomials of degree `degree` on an element of whose frame [0, 1] covers the part `fraction`.
@@ -101,5 +103,38 @@ impl Stretch {
         }
         let at = |mu: f64| self.center + self.scale * mu.sinh();
         (at(self.high + beyond) - 1.0).max(-at(self.low - beyond))
+    }
+}
+
+/// Principal inverse of sinh; on the cuts beyond ±𝚒 that of the side which the sign of zero tells.
+///
+/// It is odd, and conjugate at conjugate places. In the first quadrant the sum z + √(z² + 1) of
+/// [`Complex64::asinh`] does not cancel.
+fn asinh(z: Complex64) -> Complex64 {
+    let first = Complex64::new(z.re.abs(), z.im.abs()).asinh();
+    Complex64::new(first.re.copysign(z.re), first.im.copysign(z.im))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn asinh_inverts_sinh() {
+        for (a, b) in [(0.3, 0.2), (-1.5, 1.4), (8.0, -0.7), (-17.0, 0.4), (0.0, 1.5), (-30.0, -1.5)] {
+            let w = Complex64::new(f64::sinh(a) * f64::cos(b), f64::cosh(a) * f64::sin(b));
+            assert!((asinh(w) - Complex64::new(a, b)).norm() < 1e-13, "{a} {b}");
+        }
+    }
+
+    /// Beyond ±𝚒, where principal values jump, asinh(±0 + 𝚒y) = ±arcosh y + 𝚒π/2.
+    #[test]
+    fn asinh_is_that_of_either_side_of_its_cut() {
+        for (side, y) in [0.0, -0.0].into_iter().flat_map(|side| [1.5, 2.0, 1e9].map(|y| (side, y))) {
+            let right = Complex64::new(f64::acosh(y).copysign(side), core::f64::consts::FRAC_PI_2);
+            for (z, right) in [(Complex64::new(side, y), right), (Complex64::new(side, -y), right.conj())] {
+                assert!((asinh(z) - right).norm() < 1e-14 * right.norm(), "{z}: {}", asinh(z));
+            }
+        }
     }
 }
