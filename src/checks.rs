@@ -22,6 +22,7 @@
 
 mod balance;
 
+use radiosity_core::{dot, norm};
 use serde::{Deserialize, Serialize};
 
 use crate::elements::Element;
@@ -124,7 +125,6 @@ fn lit(band: &Band, flux: f64) -> Lit<'_> {
 }
 
 fn closure(which: &[usize], starts: &[usize], ones: &[f64], open: &[f64]) -> f64 {
-    let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
     let ratio = |i: &usize| {
         let range = starts[*i]..starts[i + 1];
         norm(&open[range.clone()]) / norm(&ones[range])
@@ -133,10 +133,7 @@ fn closure(which: &[usize], starts: &[usize], ones: &[f64], open: &[f64]) -> f64
 }
 
 fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[f64]) -> Vec<f64> {
-    let sum = |i: &usize| {
-        let own = &transported[starts[*i]..];
-        list[*i].constant.iter().zip(own).map(|(c, gc)| c * gc).sum::<f64>() / list[*i].area
-    };
+    let sum = |i: &usize| dot(&list[*i].constant, &transported[starts[*i]..starts[i + 1]]) / list[*i].area;
     which.iter().map(sum).collect()
 }
 
@@ -155,13 +152,13 @@ fn spectral_bound(blocks: &dyn Carrier, coating: &Coating, ones: &[f64]) -> f64 
     let settled = if blocks.is_noisy() { SETTLED_BY_RAYS } else { SETTLED };
     let mut bound = 0.0;
     for _ in 0..MOST_STEPS {
-        let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        if norm == 0.0 {
+        let size = norm(&v);
+        if size == 0.0 {
             return 0.0;
         }
-        v.iter_mut().for_each(|x| *x /= norm);
+        v.iter_mut().for_each(|x| *x /= size);
         let next = step(&v);
-        let lambda: f64 = v.iter().zip(&next).map(|(x, y)| x * y).sum();
+        let lambda = dot(&v, &next);
         let error = v.iter().zip(&next).map(|(x, y)| (y - lambda * x).powi(2)).sum::<f64>().sqrt();
         bound = lambda + error;
         if error <= settled * lambda {

@@ -12,6 +12,7 @@ pub mod group_light;
 
 use std::sync::Arc;
 
+use radiosity_core::dot;
 use radiosity_geom::DVec3;
 
 use crate::elements::Elements;
@@ -316,7 +317,7 @@ impl Solution {
     ) {
         let values = self.elements.list()[element].raw_values(place.position, place.parameters);
         for (band, out) in self.bands.iter().zip(out) {
-            *out = values.iter().zip(raw(band)).map(|(x, y)| x * y).sum();
+            *out = dot(&values, raw(band));
         }
     }
 

@@ -51,6 +51,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
 
+use radiosity_core::norm;
 use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
@@ -61,7 +62,7 @@ use crate::elements::{Element, starts};
 use crate::light::first_bounce::{Bounce, Entry};
 use crate::transport::Blocks;
 
-use vector::{distance, norm, per_element, sum};
+use vector::{distance, per_element, sum};
 
 /// Share of the entries of a matrix above which it is held entry by entry, if it is small: a product by blocks takes
 /// some four times as long for each entry. Chosen.

@@ -13,7 +13,7 @@
 //!
 //! Each module uses those before it: [`recurrence`] (three-term tables, tiles, sums), [`jacobi`] (weights and
 //! orthonormal polynomials), [`gauss`] (rules), [`legendre`] (the case α = β = 0, its tiles and matrices), [`basis`]
-//! (squares and triangles), [`convert`] (Jacobi coefficients to Legendre).
+//! (squares and triangles), [`convert`] (Jacobi coefficients to Legendre); [`dot()`] and [`norm`] use none.
 #![no_std]
 
 #[cfg(test)]
@@ -21,6 +21,8 @@ extern crate std;
 
 mod double;
 mod math;
+
+mod dot;
 
 pub mod recurrence;
 
@@ -33,3 +35,5 @@ pub mod legendre;
 pub mod basis;
 
 pub mod convert;
+
+pub use dot::{dot, norm};

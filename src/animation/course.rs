@@ -21,6 +21,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use radiosity_core::dot;
+
 use crate::elements::{Element, Elements};
 use crate::scene::Animation;
 use crate::solution::Solution;
@@ -345,7 +347,7 @@ fn apart(light: &[GroupLight], right: &[GroupLight]) -> f64 {
     let relative = bands.map(|(own, other)| {
         let pairs = own.irradiance.iter().zip(&other.irradiance);
         let difference = pairs.map(|(a, b)| (a - b).powi(2)).sum::<f64>();
-        let size = other.irradiance.iter().map(|h| h * h).sum::<f64>();
+        let size = dot(&other.irradiance, &other.irradiance);
         match size {
             size if size > 0.0 => (difference / size).sqrt(),
             _ if difference > 0.0 => f64::INFINITY,

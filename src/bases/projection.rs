@@ -7,11 +7,12 @@
 //! with the orthonormal polynomials φ_k of all elements together; the second equation holds where the polynomials hold the
 //! functions. Gauss rules on the patches of each element, exact for products of polynomials on flat ones.
 
+use radiosity_core::dot;
 use radiosity_geom::{DVec3, Surface};
 
 use super::functions::SurfaceFunctions;
 use crate::elements::Element;
-use crate::elements::columns::{add_scaled, dot};
+use crate::elements::columns::add_scaled;
 use crate::elements::frame::duals;
 use crate::elements::patch::Node;
 use crate::elements::rule::UnitRule;

@@ -6,16 +6,18 @@
 //!
 //! surface by surface, by modified Gram–Schmidt, done twice; columns that add nothing are left out. c are the coefficients of the
 //! constant 1: it comes first, since each of these bases has it in its span, and so power is kept to rounding whatever the basis.
+//! Pivots would exchange it for a column that has it only to what is left out.
 //! Parts of a surface on which others lie have functions of their own, for they receive other light than what is around them.
 
 use std::ops::Range;
 
+use radiosity_core::{dot, norm};
 use radiosity_geom::Rect;
 use rayon::prelude::*;
 
 use super::basis::Basis;
 use super::projection::Projection;
-use crate::elements::columns::{add_scaled, dot, take_out};
+use crate::elements::columns::{add_scaled, take_out};
 use crate::elements::space::Space;
 use crate::elements::{Element, Elements};
 use crate::interruption::heed;
@@ -142,13 +144,13 @@ fn groups(elements: &Elements) -> Vec<(usize, Vec<usize>)> {
 fn orthonormal(columns: impl Iterator<Item = Vec<f64>>) -> Vec<Vec<f64>> {
     let mut done: Vec<Vec<f64>> = Vec::new();
     for mut column in columns {
-        let length = dot(&column, &column).sqrt();
+        let length = norm(&column);
         for _ in 0..2 {
             done.iter().for_each(|unit| {
                 take_out(&mut column, unit);
             });
         }
-        let rest = dot(&column, &column).sqrt();
+        let rest = norm(&column);
         if rest > NEW * length {
             column.iter_mut().for_each(|x| *x /= rest);
             done.push(column);

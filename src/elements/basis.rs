@@ -15,9 +15,10 @@
 //! φ₀ is constant, so constants are in the span and power is conserved to rounding. (The parameter-orthonormal basis of
 //! Zatz 1993, eq. 7, differs from this one on every element whose area element varies.)
 
+use radiosity_core::dot;
 use radiosity_geom::DVec3;
 
-use super::columns::{add_scaled, dot};
+use super::columns::add_scaled;
 pub use super::frame::Frame;
 use super::measure::Measure;
 use super::patch::Patch;

@@ -19,6 +19,7 @@ mod pane;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use radiosity_core::dot;
 use radiosity_geom::Rect;
 use rayon::prelude::*;
 
@@ -359,7 +360,7 @@ fn each_entry(matrix: &[f64], columns: usize, visit: &mut impl FnMut(usize, usiz
 /// Adds M x to `out`, M row-major.
 fn add_product(matrix: &[f64], x: &[f64], out: &mut [f64]) {
     for (out, row) in out.iter_mut().zip(matrix.chunks_exact(x.len())) {
-        *out += row.iter().zip(x).map(|(m, x)| m * x).sum::<f64>();
+        *out += dot(row, x);
     }
 }
 

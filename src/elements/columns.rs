@@ -1,17 +1,6 @@
 //! Columns of tables and of row-major matrices.
 
-/// Σ x y in eight partial sums, which shortens the chains of rounding and vectorises.
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
-    let (left, right) = (a.chunks_exact(8), b.chunks_exact(8));
-    let rest: f64 = left.remainder().iter().zip(right.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in left.zip(right) {
-        for (lane, (x, y)) in lanes.iter_mut().zip(x.iter().zip(y)) {
-            *lane += x * y;
-        }
-    }
-    lanes.iter().sum::<f64>() + rest
-}
+use radiosity_core::dot;
 
 /// Adds `factor` times `column` to `out`.
 pub(crate) fn add_scaled(out: &mut [f64], factor: f64, column: &[f64]) {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use radiosity_core::dot;
 use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, overhang, polygon_area};
 use smallvec::{SmallVec, smallvec};
 
@@ -44,7 +45,7 @@ impl Element {
     ///
     /// `position` matters on flat elements, `parameters` on curved ones.
     pub fn evaluate(&self, raw: &[f64], position: DVec3, parameters: [f64; 2]) -> f64 {
-        self.raw_values(position, parameters).iter().zip(raw).map(|(x, y)| x * y).sum()
+        dot(&self.raw_values(position, parameters), raw)
     }
 
     /// R_k at a point, for evaluating several polynomials there.
@@ -66,8 +67,7 @@ impl Element {
                 let node = patch.node(s, t);
                 self.basis.raw(self.basis.frame().coordinates(&node), &mut raw);
                 for (sum, row) in sums.iter_mut().zip(self.basis.transform().chunks_exact(count)) {
-                    let value: f64 = row.iter().zip(&raw).map(|(t, l)| t * l).sum();
-                    *sum += ws * wt * node.area * value.abs();
+                    *sum += ws * wt * node.area * dot(row, &raw).abs();
                 }
             }
         }

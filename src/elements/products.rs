@@ -8,9 +8,9 @@
 //! condition number of the element's shape enters once, not squared as it would by a Cholesky factor of the Gram
 //! matrix. On a parallelogram that fills its frame T is a multiple of the identity.
 
-use radiosity_core::legendre;
+use radiosity_core::{dot, legendre, norm};
 
-use super::columns::{add_scaled, dot, take_out};
+use super::columns::{add_scaled, take_out};
 use super::space::Space;
 use crate::scene::MAX_ORDER;
 
@@ -61,7 +61,7 @@ pub(crate) fn orthonormalise(rows: &[Vec<f64>], count: usize) -> Option<Vec<f64>
     for k in 0..count {
         let (done, rest) = columns.split_at_mut(k);
         let column = &mut rest[0];
-        let before = dot(column, column).sqrt();
+        let before = norm(column);
         let mut row = vec![0.0; count];
         row[k] = 1.0;
         for _pass in 0..2 {
@@ -70,13 +70,13 @@ pub(crate) fn orthonormalise(rows: &[Vec<f64>], count: usize) -> Option<Vec<f64>
                 add_scaled(&mut row, -overlap, &transform[j * count..(j + 1) * count]);
             }
         }
-        let norm = dot(column, column).sqrt();
-        if norm.is_nan() || norm <= f64::EPSILON * before {
+        let left = norm(column);
+        if left.is_nan() || left <= f64::EPSILON * before {
             return None;
         }
-        column.iter_mut().for_each(|x| *x /= norm);
+        column.iter_mut().for_each(|x| *x /= left);
         for (out, x) in transform[k * count..].iter_mut().zip(&row) {
-            *out = x / norm;
+            *out = x / left;
         }
     }
     Some(transform)

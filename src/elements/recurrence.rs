@@ -28,7 +28,9 @@
 
 use std::ops::Range;
 
-use super::columns::{add_scaled, dot, take_out};
+use radiosity_core::dot;
+
+use super::columns::{add_scaled, take_out};
 
 /// The levels of a space of polynomials.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,5 +1,7 @@
 //! The figures of each surface.
 
+use radiosity_core::dot;
+
 use crate::elements::Elements;
 use crate::scene::Scene;
 use crate::solve::Outcome;
@@ -43,7 +45,7 @@ pub(super) fn received(elements: &Elements, irradiance: &[f64]) -> Vec<f64> {
     let mut rest = irradiance;
     for element in elements.list() {
         let (own, others) = rest.split_at(element.constant.len());
-        received[element.surface] += element.constant.iter().zip(own).map(|(c, h)| c * h).sum::<f64>();
+        received[element.surface] += dot(&element.constant, own);
         rest = others;
     }
     received

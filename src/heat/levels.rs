@@ -5,6 +5,8 @@
 
 use std::collections::BTreeMap;
 
+use radiosity_core::dot;
+
 use crate::elements::Element;
 use crate::scene::Scene;
 use crate::solve::{Model, Options};
@@ -28,9 +30,8 @@ pub(super) fn require(
     let ones = model.elements().constant();
     let received = model.blocks().apply(&ones);
     let starts = model.elements().starts();
-    let kept = |index: usize, element: &Element| {
-        element.constant.iter().zip(&received[starts[index]..]).map(|(c, gc)| c * gc).sum::<f64>()
-    };
+    let kept =
+        |index: usize, element: &Element| dot(&element.constant, &received[starts[index]..starts[index + 1]]);
     let mut sums: BTreeMap<usize, Part> = BTreeMap::new();
     for (index, element) in list.iter().enumerate() {
         let part = sums.entry(parts[element.surface]).or_default();

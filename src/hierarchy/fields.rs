@@ -7,7 +7,9 @@
 //!
 //! Push is the transpose of pull. Pull keeps constants, push keeps power; Φ/A, the irradiance, is handed down unchanged.
 
-use super::harmonics::{HARMONICS, add, dot};
+use radiosity_core::dot;
+
+use super::harmonics::{HARMONICS, add};
 use super::tree::Tree;
 
 /// A number on every face and nine on every cluster: radiosity (W m⁻²) and directional intensity (W, times π per sr)
@@ -29,8 +31,8 @@ impl Fields {
 
     /// The sum of all products.
     pub fn dot(&self, other: &Self) -> f64 {
-        let faces: f64 = self.faces.iter().zip(&other.faces).map(|(a, b)| a * b).sum();
-        faces + self.clusters.iter().zip(&other.clusters).map(|(a, b)| dot(a, b)).sum::<f64>()
+        let [own, others] = [self, other].map(|fields| fields.clusters.as_flattened());
+        dot(&self.faces, &other.faces) + dot(own, others)
     }
 
     /// What all nodes send, from the radiosity of the `leaves`, nodes of `tree`.

@@ -44,11 +44,6 @@ pub fn clamped_cosine(n: DVec3) -> [f64; HARMONICS] {
     std::array::from_fn(|k| COSINE[k] * values[k])
 }
 
-/// Σ a_k b_k: the value at a direction of the function with coefficients `a`, for the harmonics `b` of it.
-pub fn dot(a: &[f64; HARMONICS], b: &[f64; HARMONICS]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 /// y += factor · x.
 pub(crate) fn add(y: &mut [f64; HARMONICS], factor: f64, x: &[f64; HARMONICS]) {
     y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);

@@ -10,6 +10,8 @@
 
 use std::ops::Range;
 
+use radiosity_core::dot;
+
 use super::two_scale::TwoScale;
 use crate::elements::Elements;
 use crate::interruption::heed;
@@ -106,7 +108,7 @@ impl LinkedBlocks {
     fn add(&self, Link { pair, values }: &Link, x: &[f64], y: &mut [f64]) {
         let [rows, columns] = pair.map(|node| self.nodes[node].coefficients.clone());
         for (row, line) in rows.zip(values.chunks_exact(columns.len())) {
-            y[row] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
+            y[row] += dot(line, &x[columns.clone()]);
             if pair[0] != pair[1] {
                 y[columns.clone()].iter_mut().zip(line).for_each(|(y, g)| *y += g * x[row]);
             }

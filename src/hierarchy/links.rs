@@ -9,13 +9,14 @@
 
 use std::f64::consts::PI;
 
+use radiosity_core::dot;
 use radiosity_geom::{DVec3, RayTree};
 use rayon::prelude::*;
 
 use super::exchange::exchange;
 use super::face::Face;
 use super::fields::Fields;
-use super::harmonics::{HARMONICS, add, dot, harmonics};
+use super::harmonics::{HARMONICS, add, harmonics};
 use super::refinement::Pair;
 use super::sight::visible_part;
 use super::tree::Tree;

@@ -13,6 +13,8 @@
 //!
 //! Reference: S. Gortler, P. Schröder, M. Cohen, P. Hanrahan, *Wavelet radiosity*, SIGGRAPH 93 (1993), §4.
 
+use radiosity_core::dot;
+
 use crate::elements::Element;
 use crate::elements::measure::Measure;
 use crate::elements::patch::Node;
@@ -49,7 +51,7 @@ impl TwoScale {
     /// Adds H b of the parent's coefficients b to those of the child.
     pub fn push(&self, parent: &[f64], child: &mut [f64]) {
         for (row, child) in self.values.chunks_exact(self.parent).zip(child) {
-            *child += row.iter().zip(parent).map(|(h, b)| h * b).sum::<f64>();
+            *child += dot(row, parent);
         }
     }
 
@@ -66,6 +68,5 @@ fn functions(element: &Element, node: &Node) -> Vec<f64> {
     let basis = &element.basis;
     let mut raw = vec![0.0; basis.len()];
     basis.raw(basis.frame().coordinates(node), &mut raw);
-    let value = |row: &[f64]| row.iter().zip(&raw).map(|(t, r)| t * r).sum();
-    basis.transform().chunks_exact(basis.len()).map(value).collect()
+    basis.transform().chunks_exact(basis.len()).map(|row| dot(row, &raw)).collect()
 }

@@ -12,6 +12,7 @@
 //! The integrals over x are Gauss rules on m × m cells of each patch: many cells for D with its edges, few for the
 //! smooth g, whose points are exact for φ_k times a linear function.
 
+use radiosity_core::dot;
 use radiosity_geom::DVec3;
 
 use crate::elements::coating::Coating;
@@ -306,8 +307,7 @@ impl<'a> Sums<'a> {
     fn finish(self) -> Vec<Vec<f64>> {
         let basis = &self.element.basis;
         let rows = || basis.transform().chunks_exact(basis.len());
-        let orthonormal =
-            |sums: &Vec<f64>| rows().map(|row| row.iter().zip(sums).map(|(t, sum)| t * sum).sum()).collect();
+        let orthonormal = |sums: &Vec<f64>| rows().map(|row| dot(row, sums)).collect();
         self.sums.iter().map(orthonormal).collect()
     }
 }

@@ -11,6 +11,7 @@
 //! these two solutions is about the error of the solution by all rays. (Rays by brightness: P. Hanrahan, D. Salzman,
 //! L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
 
+use radiosity_core::dot;
 use radiosity_solvers::SolveError;
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
@@ -265,9 +266,9 @@ impl Subject<'_> {
     fn means(&self, coefficients: &[f64]) -> Vec<f64> {
         let mut start = 0;
         let mean = |element: &Element| {
-            let own = coefficients[start..].iter().zip(&element.constant);
-            start += element.basis.len();
-            own.map(|(h, c)| h * c).sum::<f64>() / element.area
+            let own = &coefficients[start..][..element.constant.len()];
+            start += own.len();
+            dot(own, &element.constant) / element.area
         };
         self.elements.list().iter().map(mean).collect()
     }

@@ -29,6 +29,7 @@
 
 use std::borrow::Cow;
 
+use radiosity_core::dot;
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Preconditioner, SolveError};
 
@@ -162,7 +163,6 @@ impl System<'_> {
         let apart = self.apart.as_deref().map_or_else(nothing, Cow::Borrowed);
         let of_unknown = irradiance.iter().zip(apart.iter()).zip(&self.first).map(|((h, l), g)| h - l - g);
         let carried: f64 = unknown.iter().zip(of_unknown).map(|(b, h)| b * h).sum();
-        let sent: f64 = unknown.iter().zip(&self.first).map(|(b, g)| b * g).sum();
-        0.5 * (unknowns.iter().map(|y| y * y).sum::<f64>() - carried) - sent
+        0.5 * (dot(unknowns, unknowns) - carried) - dot(unknown, &self.first)
     }
 }

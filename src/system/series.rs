@@ -4,7 +4,8 @@
 //! t_1 = G ρ d (or g, where direct light is split off) ,     t_{k+1} = G ρ t_k
 //! ```
 
-use super::vector::norm;
+use radiosity_core::norm;
+
 use super::{Coefficients, System};
 
 impl System<'_> {

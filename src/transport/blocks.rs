@@ -15,6 +15,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
 
+use radiosity_core::dot;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -350,13 +351,13 @@ impl Blocks {
         let (line, rest) = self.line_and_rest(stored).split_at(columns.len());
         if self.held.has(row) {
             let (x, y) = (&x[columns.clone()], &mut own[self.place(&rows)]);
-            y[0] += product(line, x);
+            y[0] += dot(line, x);
             add_multiple(rest, x[0], &mut y[1..]);
         }
         if self.held.has(column) {
             let (x, y) = (&x[rows], &mut own[self.place(&columns)]);
             add_multiple(line, x[0], y);
-            y[0] += product(rest, &x[1..]);
+            y[0] += dot(rest, &x[1..]);
         }
     }
 
@@ -367,7 +368,7 @@ impl Blocks {
         let lines = self.entries(stored).chunks_exact(columns.len());
         if self.held.has(row) {
             let y = own[self.place(&rows)].iter_mut();
-            y.zip(lines.clone()).for_each(|(y, line)| *y += product(line, &x[columns.clone()]));
+            y.zip(lines.clone()).for_each(|(y, line)| *y += dot(line, &x[columns.clone()]));
         }
         if self.symmetric && row != column && self.held.has(column) {
             let y = &mut own[self.place(&columns)];
@@ -464,11 +465,6 @@ impl Blocks {
     fn range(&self, element: usize) -> Range<usize> {
         self.starts[element]..self.starts[element + 1]
     }
-}
-
-/// Σ a_k b_k, from the first on.
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// y ← y + a x.

@@ -16,6 +16,8 @@ pub(crate) mod tensor;
 
 use std::borrow::Cow;
 
+use radiosity_core::dot;
+
 use crate::elements::basis::AreaBasis;
 use crate::elements::columns::transposed;
 use crate::elements::patch::{Node, Patch};
@@ -230,7 +232,7 @@ impl<'a> Moments<'a> {
         for (out, row) in block.chunks_exact_mut(columns).zip(half.chunks_exact(columns)) {
             for (l, g) in out.iter_mut().enumerate() {
                 let transform = &self.emitter.transform()[l * columns..=l * columns + l];
-                *g = transform.iter().zip(row).map(|(t, m)| t * m).sum();
+                *g = dot(transform, &row[..=l]);
             }
         }
         block

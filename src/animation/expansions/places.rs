@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use radiosity_core::dot;
 use radiosity_geom::DVec3;
 
 use crate::elements::Element;
@@ -98,5 +99,5 @@ fn corners(element: &Element) -> Option<Vec<DVec3>> {
 fn values(element: &Element, x: DVec3) -> Vec<f64> {
     let raw = element.raw_values(x, [0.0; 2]);
     let rows = element.basis.transform().chunks_exact(raw.len());
-    rows.map(|row| row.iter().zip(&raw).map(|(t, r)| t * r).sum()).collect()
+    rows.map(|row| dot(row, &raw)).collect()
 }

@@ -8,6 +8,8 @@
 //! the rules miss is an estimate and counts like it, that of the series and what a fresh block is allowed: the difference from a
 //! fresh frame is told. Without shadows ‖G‖ may exceed 1 by what bodies hide from each other.
 
+use radiosity_core::norm;
+
 use crate::elements::Element;
 use crate::solution::{Band, Solution};
 use crate::transport::Remainder;
@@ -40,8 +42,4 @@ fn sizes(list: &[Element], band: &Band) -> Vec<f64> {
         norm(own)
     };
     list.iter().map(size).collect()
-}
-
-fn norm(x: &[f64]) -> f64 {
-    x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 
+use radiosity_core::dot;
 use radiosity_geom::Rect;
 
 use crate::scene::Pattern;
@@ -73,8 +74,8 @@ impl Tiles {
         };
         let (along, across) = (lengths(0, rect.u), lengths(1, rect.v));
         let area = along.iter().sum::<f64>() * across.iter().sum::<f64>();
-        let row = |means: &[f64]| means.iter().zip(&across).map(|(mean, length)| mean * length).sum::<f64>();
-        let sum: f64 = self.means.chunks_exact(across.len()).zip(&along).map(|(own, x)| x * row(own)).sum();
+        let sum: f64 =
+            self.means.chunks_exact(across.len()).zip(&along).map(|(own, x)| x * dot(own, &across)).sum();
         (!self.means.is_empty() && area > 0.0).then(|| sum / area)
     }
 }

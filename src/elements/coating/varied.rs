@@ -9,6 +9,7 @@
 
 use std::sync::Arc;
 
+use radiosity_core::dot;
 use radiosity_geom::Surface;
 
 use super::tiles::Tiles;
@@ -82,7 +83,7 @@ impl Varied {
         });
         let n = sums.len();
         let rows = element.basis.transform().chunks_exact(n);
-        rows.map(|row| row.iter().zip(&sums).map(|(t, sum)| t * sum).sum()).collect()
+        rows.map(|row| dot(row, &sums)).collect()
     }
 
     /// Calls `add` with q times the area that a point stands for, and the raw functions there, for points that are

@@ -8,6 +8,7 @@
 //! there are enough values, else 1. Where the places lie on one side p(0) is extrapolated: a = |Σ w d| / √(Σw Σ w d²), 0
 //! where they lie around it, tells how far. Values may carry errors, which the fit averages.
 
+use radiosity_core::dot;
 use smallvec::SmallVec;
 
 /// Coefficients of a polynomial of degree 2 and of degree 1.
@@ -86,7 +87,7 @@ impl<'a> Fit<'a> {
             _ => return None,
         };
         let rows = self.rows();
-        let factor = Factor::of(self.matrix(&rows), wanted);
+        let factor = PartialCholesky::of(self.matrix(&rows), wanted);
         let terms = if factor.terms == QUADRATIC { QUADRATIC } else { LINEAR };
         if factor.terms < terms {
             return None;
@@ -164,13 +165,13 @@ impl<'a> Fit<'a> {
 /// A Cholesky factor L of the normal equations' matrix M = L Lᵀ. Its leading rows are the factor of fewer terms.
 ///
 /// With L y = b and L z = e₀ the fit is p(0) = z · y, and Σ w (p − f)² = Σ w f² − y · y.
-struct Factor {
+struct PartialCholesky {
     rows: [[f64; QUADRATIC]; QUADRATIC],
     /// Rows that are known: M is nearly singular from there on, or no more were wanted.
     terms: usize,
 }
 
-impl Factor {
+impl PartialCholesky {
     /// Factors a symmetric matrix, of which the lower triangle is given, for so many terms.
     fn of(mut matrix: [[f64; QUADRATIC]; QUADRATIC], wanted: usize) -> Self {
         for i in 0..wanted {
@@ -194,10 +195,6 @@ impl Factor {
         }
         b
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! What a report warns of.
 
+use radiosity_core::dot;
+
 use crate::inspection::Inspection;
 use crate::output::missed::missed;
 use crate::scene::Scene;
@@ -74,9 +76,7 @@ fn cure_of_power(outcome: &Outcome) -> Wording {
         None => (1.0 - checks.row_sum_min).max(checks.row_sum_max - 1.0).max(0.0),
     };
     let ones = solution.elements().constant();
-    let of_band = |band: &Band| -> f64 {
-        band.coefficients.radiosity.iter().zip(&ones).map(|(radiosity, one)| radiosity * one).sum()
-    };
+    let of_band = |band: &Band| dot(&band.coefficients.radiosity, &ones);
     let carried: f64 = solution.bands().iter().map(of_band).sum();
     let is_direct = checks.energy_lost.abs() > BEYOND * missed * carried;
     match (is_direct, has_points, outcome.split) {

@@ -1,5 +1,7 @@
 //! Grids of texels on a surface.
 
+use radiosity_core::dot;
+
 use super::placement::Placement;
 
 /// A grid of texels and how it lies on the surface.
@@ -34,8 +36,11 @@ impl Texels {
     pub(super) fn mean(&self, band: usize) -> f64 {
         let across = self.placement.shares(0, self.columns);
         let down = self.placement.shares(1, self.rows);
-        let row = |row: &[f64]| row.iter().zip(&across).map(|(value, share)| value * share).sum::<f64>();
-        self.values[band].chunks_exact(self.columns).zip(down).map(|(own, share)| share * row(own)).sum()
+        self.values[band]
+            .chunks_exact(self.columns)
+            .zip(down)
+            .map(|(own, share)| share * dot(own, &across))
+            .sum()
     }
 
     /// The largest number of a band times `sign`, with its column from the left and its row from the top, counted from 0.

@@ -11,6 +11,7 @@
 //! found by conjugate gradients on the normal equations, started from 0 (CGLS; Björck, *Numerical Methods for Least
 //! Squares Problems*, 1996, 7.4). The planes tilt with their nodes, so a few steps of Newton's method follow.
 
+use radiosity_core::{dot, norm};
 use radiosity_geom::DVec3;
 
 use super::corners::Corners;
@@ -113,12 +114,8 @@ impl<'a> Fit<'a> {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
 fn normalized(mut values: Vec<f64>) -> Vec<f64> {
-    let length = dot(&values, &values).sqrt().max(f64::MIN_POSITIVE);
+    let length = norm(&values).max(f64::MIN_POSITIVE);
     values.iter_mut().for_each(|value| *value /= length);
     values
 }

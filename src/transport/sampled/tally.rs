@@ -8,6 +8,7 @@
 
 use std::collections::HashSet;
 
+use radiosity_core::dot;
 use rayon::prelude::*;
 use smallvec::{SmallVec, smallvec};
 
@@ -247,7 +248,7 @@ pub(super) fn functions(element: &Element, coordinates: [f64; 2]) -> Values {
     // The transform is lower triangular.
     for (k, (value, row)) in values.iter_mut().zip(element.basis.transform().chunks_exact(count)).enumerate()
     {
-        *value = row[..=k].iter().zip(&raw).map(|(t, r)| t * r).sum();
+        *value = dot(&row[..=k], &raw[..=k]);
     }
     values
 }

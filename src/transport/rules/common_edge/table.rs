@@ -19,7 +19,7 @@
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, Mutex};
 
-use radiosity_core::basis::total;
+use radiosity_core::{basis::total, dot};
 
 use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::rule::UnitRule;
@@ -105,11 +105,11 @@ impl EdgeTable {
                 // The total degree limits i + n on the receiver, j + n on the emitter.
                 let most = self.degrees[side] - [i, j][side];
                 for (r, value) in row[..=most].iter_mut().enumerate() {
-                    *value = dot(along, &kappa[r * angular.width..]);
+                    *value = dot(along, &kappa[r * angular.width..][..along.len()]);
                 }
                 let line = &mut out[(i * columns + j) * width..][..=most];
                 for (n, value) in line.iter_mut().enumerate() {
-                    *value = dot(&radial.dilation[n * stride..=n * stride + n], &row);
+                    *value = dot(&radial.dilation[n * stride..=n * stride + n], &row[..=n]);
                 }
             }
         }
@@ -122,7 +122,7 @@ impl EdgeTable {
         let mut half = vec![0.0; widths[0] * widths[1]];
         for (line, kappa) in half.chunks_exact_mut(widths[1]).zip(kappa.chunks_exact(widths[1])) {
             for (beta, value) in line.iter_mut().enumerate() {
-                *value = dot(&radial.dilation[beta * stride..=beta * stride + beta], kappa);
+                *value = dot(&radial.dilation[beta * stride..=beta * stride + beta], &kappa[..=beta]);
             }
         }
         let mut whole = vec![0.0; widths[0] * widths[1]];
@@ -208,9 +208,4 @@ fn values(x: f64, count: usize) -> Vec<f64> {
 /// Degrees (along, across) of the polynomials of total degree ≤ `degree`, in the order of the basis.
 fn pairs(degree: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..=degree).flat_map(|d| (0..=d).map(move |j| (d - j, j)))
-}
-
-/// Σ_k a_k b_k over the length of `a`.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
