@@ -28,9 +28,14 @@
 
 use std::ops::Range;
 
-use radiosity_core::dot;
+use nalgebra::DMatrix;
+use radiosity_core::norm;
 
 use super::columns::{add_scaled, take_out};
+
+/// A product of which those chosen before it leave no more adds no dimension. Functions and products are of
+/// order 1.
+const DEPENDENT: f64 = 1e-14;
 
 /// The levels of a space of polynomials.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +76,7 @@ impl Recurrence {
     /// levels m and d − m for 1 ≤ m ≤ `depth`. None where the points cannot distinguish the polynomials.
     pub(crate) fn new(points: &[([f64; 2], f64)], levels: &Levels, depth: usize) -> Option<Self> {
         let roots: Vec<f64> = points.iter().map(|(_, weight)| weight.sqrt()).collect();
-        let constant = 1.0 / dot(&roots, &roots).sqrt();
+        let constant = 1.0 / norm(&roots);
         let first = roots.iter().map(|root| root * constant).collect();
         let mut builder = Builder { points, roots, columns: vec![first] };
         let steps =
@@ -124,10 +129,7 @@ impl Builder<'_> {
         let values: Vec<Vec<f64>> = products.iter().map(|product| self.product(*product)).collect();
         let (rests, overlaps) = self.projected_out(&values);
         let functions = levels.functions[degree].clone();
-        let basis = span(&rests, functions.len())?;
-        let matrix: Vec<Vec<f64>> =
-            basis.iter().map(|unit| rests.iter().map(|rest| dot(unit, rest)).collect()).collect();
-        let mut rows = least_inverse(&matrix)?;
+        let mut rows = least_weights(&rests, functions.len())?;
         for row in &mut rows {
             let below = (0..self.columns.len()).map(|l| {
                 -row.iter().zip(&overlaps).map(|(weight, overlap)| weight * overlap[l]).sum::<f64>()
@@ -188,7 +190,7 @@ impl Builder<'_> {
                 let overlap = take_out(&mut column, other);
                 add_scaled(row, -overlap, theirs);
             }
-            let scale = 1.0 / dot(&column, &column).sqrt();
+            let scale = 1.0 / norm(&column);
             column.iter_mut().for_each(|x| *x *= scale);
             row.iter_mut().for_each(|x| *x *= scale);
             done.push(column);
@@ -213,53 +215,72 @@ fn pairs(multipliers: Vec<Multiplier>, sources: &Range<usize>) -> Vec<(Multiplie
     multipliers.into_iter().flat_map(|multiplier| sources.clone().map(move |p| (multiplier, p))).collect()
 }
 
-/// An orthonormal basis of the `count` dimensions that `columns` span, longest first. None if there are fewer, to
-/// 1e-14.
-fn span(columns: &[Vec<f64>], count: usize) -> Option<Vec<Vec<f64>>> {
-    let mut rests = columns.to_vec();
-    let mut basis: Vec<Vec<f64>> = Vec::new();
-    for _ in 0..count {
-        let lengths = rests.iter().map(|rest| dot(rest, rest).sqrt()).enumerate();
-        let (farthest, length) = lengths.reduce(|best, next| if next.1 > best.1 { next } else { best })?;
-        // Not a number is refused as well.
-        if !matches!(length.partial_cmp(&1e-14), Some(std::cmp::Ordering::Greater)) {
-            return None;
-        }
-        let mut unit = rests.swap_remove(farthest);
-        basis.iter().for_each(|other| {
-            take_out(&mut unit, other);
-        });
-        let scale = 1.0 / dot(&unit, &unit).sqrt();
-        unit.iter_mut().for_each(|x| *x *= scale);
-        rests.iter_mut().for_each(|rest| {
-            take_out(rest, &unit);
-        });
-        basis.push(unit);
+/// W: for each of `count` functions the weights of the products, of which `rests` is what the levels below
+/// leave. None if these span fewer dimensions.
+fn least_weights(rests: &[Vec<f64>], count: usize) -> Option<Vec<Vec<f64>>> {
+    let columns = DMatrix::from_vec(rests.first()?.len(), rests.len(), rests.concat());
+    // Pivots are sought in the triangle: it has far fewer rows than there are points.
+    let chosen = columns.qr().unpack_r().col_piv_qr();
+    let triangle = chosen.r();
+    if triangle.nrows() < count || (0..count).any(|k| triangle[(k, k)] <= DEPENDENT) {
+        return None;
     }
-    Some(basis)
+    // A, in the orthonormal basis of the columns that were chosen. With A = Q R its least left inverse is R⁻¹ Qᵀ.
+    let mut matrix = triangle.rows(0, count).transpose();
+    chosen.p().inv_permute_rows(&mut matrix);
+    let qr = matrix.qr();
+    let weights = qr.r().solve_upper_triangular(&qr.q().transpose())?;
+    let rows = weights.row_iter().map(|row| row.iter().copied().collect());
+    weights.iter().all(|weight| weight.is_finite()).then(|| rows.collect())
 }
 
-/// Rows of (A Aᵀ)⁻¹ A, given the rows of A, by Cholesky.
-fn least_inverse(matrix: &[Vec<f64>]) -> Option<Vec<Vec<f64>>> {
-    let count = matrix.len();
-    let mut lower = vec![vec![0.0; count]; count];
-    for i in 0..count {
-        for j in 0..=i {
-            let rest = dot(&matrix[i], &matrix[j]) - dot(&lower[i][..j], &lower[j][..j]);
-            lower[i][j] = if i == j { rest.sqrt() } else { rest / lower[j][j] };
+#[cfg(test)]
+mod tests {
+    use radiosity_core::dot;
+
+    use super::*;
+
+    /// Three orthonormal columns of five entries times a 3 × n matrix C, given by its columns.
+    fn spanned(c: &[[f64; 3]]) -> Vec<Vec<f64>> {
+        let unit = [[0.6, 0.0, 0.8, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.6, -0.8]];
+        let entry = |c: &[f64; 3], k: usize| (0..3).map(|l| c[l] * unit[l][k]).sum();
+        c.iter().map(|c| (0..5).map(|k| entry(c, k)).collect()).collect()
+    }
+
+    /// W makes orthonormal functions of the columns, and is least: it vanishes on what makes nothing of them.
+    #[test]
+    fn least_weights_make_orthonormal_functions() {
+        let c = [[1.0, 0.0, 0.0], [1.0, 1e-3, 0.0], [2.0, 1e-3, 0.0], [0.3, 2e-4, 1e-4], [0.0, 0.0, 0.0]];
+        let vanishing = [[1.0, 1.0, -1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 1.0]];
+        let weights = least_weights(&spanned(&c), 3).expect("three dimensions");
+        let coefficients: Vec<Vec<f64>> = weights
+            .iter()
+            .map(|row| (0..3).map(|l| row.iter().zip(&c).map(|(w, c)| w * c[l]).sum()).collect())
+            .collect();
+        for (k, own) in coefficients.iter().enumerate() {
+            for (l, other) in coefficients.iter().enumerate() {
+                let defect = dot(own, other) - f64::from(u8::from(k == l));
+                // Rounding times the condition number of C, about 3e4.
+                assert!(defect.abs() < 2e-11, "{k} {l}: {defect:e}");
+            }
         }
+        for row in &weights {
+            assert_eq!(row.len(), c.len());
+            vanishing.iter().for_each(|null| assert!(dot(row, null).abs() < 1e-14 * norm(row), "{row:?}"));
+        }
+        let one = least_weights(&[vec![-0.5]], 1).expect("one dimension");
+        assert!((one[0][0].abs() - 2.0).abs() < 1e-15);
     }
-    let mut rows = matrix.to_vec();
-    for (i, line) in lower.iter().enumerate() {
-        let (done, row) = rows.split_at_mut(i);
-        done.iter().zip(line).for_each(|(other, factor)| add_scaled(&mut row[0], -factor, other));
-        row[0].iter_mut().for_each(|x| *x /= line[i]);
+
+    #[test]
+    fn too_few_dimensions_are_refused() {
+        let plane = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.5, 0.25, 0.0], [0.0, 1.0, 0.0]];
+        assert!(least_weights(&spanned(&plane), 2).is_some());
+        assert!(least_weights(&spanned(&plane), 3).is_none(), "a third to rounding only");
+        assert!(least_weights(&spanned(&[[0.0; 3]; 4]), 1).is_none(), "nothing");
+        assert!(least_weights(&spanned(&plane[..1]), 2).is_none(), "one column");
+        assert!(least_weights(&[vec![1.0], vec![2.0]], 2).is_none(), "one point");
+        assert!(least_weights(&spanned(&[[f64::NAN; 3], [1.0; 3]]), 1).is_none(), "not a number");
+        assert!(least_weights(&[], 1).is_none());
     }
-    for i in (0..count).rev() {
-        let (row, done) = rows.split_at_mut(i + 1);
-        let factors = lower[i + 1..].iter().map(|line| line[i]);
-        done.iter().zip(factors).for_each(|(other, factor)| add_scaled(&mut row[i], -factor, other));
-        row[i].iter_mut().for_each(|x| *x /= lower[i][i]);
-    }
-    (0..count).all(|i| lower[i][i] > 0.0).then_some(rows)
 }

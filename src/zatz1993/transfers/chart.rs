@@ -10,6 +10,8 @@
 //! On a parallelogram T = (2/√A) I and G = √(A_i/A_j) K. On a receiver whose area element varies the paper projects in
 //! the parameters, so that even exact integrals give another G than projection with respect to area.
 
+use nalgebra::DMatrix;
+
 use crate::elements::Element;
 use crate::elements::patch::Patch;
 use crate::zatz1993::transfers::party::Party;
@@ -65,32 +67,60 @@ impl<'a> Chart<'a> {
 
     /// G, row-major, from K, row-major, both with this element as receiver.
     pub fn block(&self, emitter: &Self, transfer: &[f64]) -> Vec<f64> {
-        let columns = emitter.element.basis.len();
-        let transforms = emitter.element.basis.transform();
-        // K T_jᵀ, row by row.
-        let mut block: Vec<f64> = transfer
-            .chunks_exact(columns)
-            .flat_map(|row| transforms.chunks_exact(columns).map(move |line| dot(row, line)))
-            .collect();
-        self.solve_transposed(&mut block, columns);
-        block
-    }
-
-    /// Overwrites X with T^−ᵀ X.
-    fn solve_transposed(&self, x: &mut [f64], columns: usize) {
-        let (count, transform) = (self.element.basis.len(), self.element.basis.transform());
-        for k in (0..count).rev() {
-            let (above, below) = x.split_at_mut((k + 1) * columns);
-            let row = &mut above[k * columns..];
-            for (m, later) in below.chunks_exact(columns).enumerate() {
-                let factor = transform[(k + 1 + m) * count + k];
-                row.iter_mut().zip(later).for_each(|(r, x)| *r -= factor * x);
-            }
-            row.iter_mut().for_each(|r| *r /= transform[k * count + k]);
-        }
+        let [own, other] = [self, emitter].map(|chart| {
+            let basis = &chart.element.basis;
+            DMatrix::from_row_slice(basis.len(), basis.len(), basis.transform())
+        });
+        let transfer = DMatrix::from_row_slice(own.nrows(), other.nrows(), transfer);
+        let block = own.tr_solve_lower_triangular(&(transfer * other.transpose()));
+        block.expect("the functions of a basis are independent").transpose().as_slice().to_vec()
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
+#[cfg(test)]
+mod tests {
+    use radiosity_core::{dot, norm};
+
+    use super::*;
+    use crate::elements::columns::transposed;
+    use crate::elements::{Discretization, Elements};
+    use crate::scene::Scene;
+
+    /// T_iᵀ G = K T_jᵀ, of polynomials that mix on curved surfaces; on parallelograms G = √(A_i/A_j) K.
+    #[test]
+    fn blocks_are_transfers_in_orthonormal_functions() {
+        let surfaces = "
+            [[surfaces]]\nname = 'ball'\nsphere = { center = [0, 0, 9], radius = 1 }
+            [[surfaces]]\nname = 'disk'\ndisk = { center = [5, 0, 0], normal = [0, 0, 1], radius = 0.5 }
+            [[surfaces]]\nname = 'quad'\nquad = { vertices = [[0, 0, 5], [2, 0, 5], [3, 2, 5], [1, 2, 5]] }";
+        let scene = Scene::from_toml(surfaces, "scene").expect("it is valid");
+        let elements = Elements::new(&scene, &Discretization::uniform(3, 1)).expect("all have area");
+        let charts: Vec<Chart> =
+            elements.list().iter().map(|element| Chart::of(element).expect("one patch")).collect();
+        assert_eq!(charts.len(), 3);
+        for (receiver, emitter) in charts.iter().flat_map(|a| charts.iter().map(move |b| (a, b))) {
+            let [own, other] = [receiver, emitter].map(|chart| &chart.element.basis);
+            let transfer: Vec<f64> =
+                (0..own.len() * other.len()).map(|k| (k as f64 * 0.7).sin() / (1.0 + k as f64)).collect();
+            let block = receiver.block(emitter, &transfer);
+            let (of_block, of_own) =
+                (transposed(&block, other.len()), transposed(own.transform(), own.len()));
+            for k in 0..own.len() {
+                for l in 0..other.len() {
+                    let left =
+                        dot(&of_own[k * own.len()..][..own.len()], &of_block[l * own.len()..][..own.len()]);
+                    let rows = [&transfer[k * other.len()..], &other.transform()[l * other.len()..]];
+                    let right = dot(&rows[0][..other.len()], &rows[1][..other.len()]);
+                    assert!(
+                        (left - right).abs() < 1e-13 * norm(other.transform()),
+                        "{k} {l}: {left} {right}"
+                    );
+                }
+            }
+        }
+        let quad = &charts[2];
+        let transfer = vec![0.25; quad.element.basis.len().pow(2)];
+        let same = quad.block(quad, &transfer);
+        assert!(same.iter().all(|g| (g - 0.25).abs() < 1e-14), "{same:?}");
+    }
 }
