@@ -4,9 +4,14 @@ use std::fmt;
 use std::fmt::{Debug, Write};
 use std::hash::{DefaultHasher, Hasher};
 
-/// A number that tells a run from others: of its scene and options, as they print for programmers, and of the version.
+/// Version of the pieces of runs, to be raised where those of one scene and options change their meaning, as coefficients do with
+/// the order of the functions of an element.
+const PIECES: u32 = 2;
+
+/// A number that tells a run from others: of its scene and options, as they print for programmers, and of the versions of the
+/// program and of its pieces.
 pub fn fingerprint(run: &dyn Debug) -> u64 {
-    digest(&(env!("CARGO_PKG_VERSION"), run))
+    digest(&(env!("CARGO_PKG_VERSION"), PIECES, run))
 }
 
 /// A number of what this prints. It is the same in every process of one program.
