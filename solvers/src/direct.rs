@@ -1,16 +1,10 @@
-//! Direct methods: read the matrix, factor it, solve.
-
-use std::time::Instant;
+//! The entries that direct methods factor, and how each of them does it.
 
 use crate::error::SolveError;
-use crate::factored::Factored;
 use crate::factors::Factors;
 use crate::halt::Halt;
 use crate::operator::Operator;
 use crate::panel::Threads;
-use crate::problem::Problem;
-use crate::settings::Settings;
-use crate::solver::{Report, Solver, Step, check_columns, column_by_column};
 
 /// How a direct method factors; all else is the same for all.
 pub(crate) trait Direct: Sync {
@@ -30,38 +24,6 @@ pub(crate) trait Direct: Sync {
         threads: Threads,
         halt: &Halt<'_>,
     ) -> Result<Box<dyn Factors>, SolveError>;
-}
-
-impl<D: Direct> Solver for D {
-    fn solve(
-        &self,
-        a: &dyn Operator,
-        b: &[f64],
-        x: &mut [f64],
-        settings: &Settings<'_>,
-        observer: &mut dyn FnMut(&Step<'_>),
-    ) -> Result<Report, SolveError> {
-        let problem = Problem::new(a, b, x, settings)?;
-        let started = Instant::now();
-        Factored::new::<D>(a, settings)?.refine_from(&problem, x, started, observer)
-    }
-
-    fn solve_many(
-        &self,
-        a: &dyn Operator,
-        b: &[f64],
-        x: &mut [f64],
-        settings: &Settings<'_>,
-        observer: &mut dyn FnMut(&Step<'_>),
-    ) -> Result<Vec<Report>, SolveError> {
-        check_columns(a.partition().dim(), b, x)?;
-        let started = Instant::now();
-        let factored = Factored::new::<D>(a, settings)?;
-        column_by_column(a, b, x, |b, x| {
-            let problem = Problem::new(a, b, x, settings)?;
-            factored.refine_from(&problem, x, started, observer)
-        })
-    }
 }
 
 /// All entries of `a`, column by column; `between` is asked before each block.

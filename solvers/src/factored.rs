@@ -20,7 +20,7 @@ use crate::operator::Operator;
 use crate::panel::Threads;
 use crate::problem::{Problem, exploded, finite};
 use crate::settings::Settings;
-use crate::solver::{Report, Step};
+use crate::solver::{Report, Solver, Step, check_columns, column_by_column};
 use crate::vector::{add_scaled, all_finite};
 
 /// Refinement goes on until the residual is below this, even if the tolerance is looser. Chosen; not tuned.
@@ -146,6 +146,38 @@ impl<'a> Factored<'a> {
             condition: self.condition,
             history,
         }
+    }
+}
+
+impl<D: Direct> Solver for D {
+    fn solve(
+        &self,
+        a: &dyn Operator,
+        b: &[f64],
+        x: &mut [f64],
+        settings: &Settings<'_>,
+        observer: &mut dyn FnMut(&Step<'_>),
+    ) -> Result<Report, SolveError> {
+        let problem = Problem::new(a, b, x, settings)?;
+        let started = Instant::now();
+        Factored::new::<D>(a, settings)?.refine_from(&problem, x, started, observer)
+    }
+
+    fn solve_many(
+        &self,
+        a: &dyn Operator,
+        b: &[f64],
+        x: &mut [f64],
+        settings: &Settings<'_>,
+        observer: &mut dyn FnMut(&Step<'_>),
+    ) -> Result<Vec<Report>, SolveError> {
+        check_columns(a.partition().dim(), b, x)?;
+        let started = Instant::now();
+        let factored = Factored::new::<D>(a, settings)?;
+        column_by_column(a, b, x, |b, x| {
+            let problem = Problem::new(a, b, x, settings)?;
+            factored.refine_from(&problem, x, started, observer)
+        })
     }
 }
 

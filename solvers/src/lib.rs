@@ -89,9 +89,9 @@ mod ranking;
 
 mod condition;
 
-mod factored;
-
 mod direct;
+
+mod factored;
 
 mod sweeps;
 
