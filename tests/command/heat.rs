@@ -52,7 +52,7 @@ fn every_solver_finds_the_same_heat() {
         }
     }
     let wrong = ["heat", "oven", "--solver", "shoting"];
-    refused(folder.path(), &wrong, &["'shoting'", "a similar value exists: 'shooting'"]);
+    refused(folder.path(), &wrong, &["'shoting'", "southwell"]);
 }
 
 #[test]
