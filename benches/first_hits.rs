@@ -22,7 +22,6 @@ use std::time::{Duration, Instant};
 use glam::{DVec3, Vec3A};
 use obvhs::cwbvh::{CwBvh, builder::build_cwbvh};
 use obvhs::{BvhBuildParams, ray::RayHit};
-use radiosity::scene::Scene;
 use radiosity_geom::shapes::Parallelogram;
 use radiosity_geom::{Aabb, Hit, Ray, RayTree, Rect, Surface};
 
@@ -60,7 +59,7 @@ fn main() {
             println!("| {name} | not there: {} | | | | | |", path.display());
             continue;
         }
-        let scene = Scene::load(&path.to_string_lossy()).expect("the scene can be read");
+        let scene = radiosity::load(&path.to_string_lossy()).expect("the scene can be read");
         compare(name, &scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect::<Vec<_>>());
     }
 }

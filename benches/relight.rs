@@ -6,8 +6,8 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
+use radiosity::solve::solved::Solved;
 use radiosity::solve::{Direct, Model, Options, solve};
-use radiosity::solved::Solved;
 use radiosity::{Material, Scene, SceneBuilder};
 
 const LAMPS: usize = 10;

@@ -4,16 +4,16 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use radiosity::output::reader::Read;
-use radiosity::output::render::render;
-use radiosity::output::shown::Shown;
+use radiosity::output::pictures::render::render;
+use radiosity::output::readings::reader::Read;
+use radiosity::output::readings::shown::Shown;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads, solve};
 use radiosity::visibility::{Hiding, Visibility};
 use radiosity_solvers::method::Method;
 
 fn builtin(name: &str) -> Scene {
-    Scene::builtin(name).expect("the scene is built in")
+    radiosity::builtin(name).expect("the scene is built in")
 }
 
 fn on_one_thread() -> Options {

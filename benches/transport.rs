@@ -4,15 +4,14 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::scene::Scene;
+use radiosity::kernel::Accuracy;
 use radiosity::solve::{Options, solve};
 use radiosity::transport;
-use radiosity::transport::Accuracy;
 use radiosity::visibility::{Hiding, Shadows, Visibility};
 
 /// Blocks of the empty box, six elements: edge and face pairs, no shadows.
 fn blocks_of_the_empty_box(criterion: &mut Criterion) {
-    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let scene = radiosity::builtin("empty-box").expect("the scene is built in");
     let visibility = Visibility::new(&scene, Shadows::Off);
     for (order, eps) in [(4, 1e-2), (4, 1e-4), (8, 1e-2), (8, 1e-4)] {
         let how = Discretization {
@@ -31,7 +30,7 @@ fn blocks_of_the_empty_box(criterion: &mut Criterion) {
 
 /// The Cornell box at the defaults, one thread, with and without shadows: their ratio is the price of visibility.
 fn cornell_box(criterion: &mut Criterion) {
-    let scene = Scene::builtin("cornell-box").expect("the scene is built in");
+    let scene = radiosity::builtin("cornell-box").expect("the scene is built in");
     for shadows in [Hiding::Off, Hiding::Auto] {
         let options = Options { shadows, threads: 1, ..Options::default() };
         let name = format!(

@@ -6,9 +6,8 @@ use std::time::Instant;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::elements::{Discretization, Elements};
-use radiosity::scene::Scene;
+use radiosity::kernel::{Accuracy, polygon_exchange};
 use radiosity::transport;
-use radiosity::transport::{Accuracy, polygon_exchange};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 
@@ -99,7 +98,7 @@ fn whole_boxes(_: &mut Criterion) {
 
 /// The same even box as a scene: what the blocks cost beyond the exchange.
 fn assembled_box(_: &mut Criterion) {
-    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let scene = radiosity::builtin("empty-box").expect("the scene is built in");
     let how = Discretization::uniform(0, CELLS);
     let accuracy = Accuracy { eps: 1e-12, shadow_eps: 3e-3 };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread can be started");

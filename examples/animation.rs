@@ -19,9 +19,9 @@
 
 use cpu_time::ProcessTime;
 
-use radiosity::animation::follower::{Follower, Way};
-use radiosity::animation::frame::Frame;
 use radiosity::scene::Scene;
+use radiosity::solve::animation::follower::{Follower, Way};
+use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::{Direct, Options, Transport};
 use radiosity::transport::RayCounts;
 use radiosity::visibility::Hiding;
@@ -91,11 +91,11 @@ fn main() {
         compare(name, scene, options, count);
     };
     for name in &scenes {
-        compared(name, &Scene::load(name).expect("a scene with motions"), &options);
+        compared(name, &radiosity::load(name).expect("a scene with motions"), &options);
     }
     if scenes.is_empty() {
-        let sliding = Scene::builtin("sliding-light").expect("it is built in");
-        let swinging = Scene::from_toml(SWING, "swinging.toml").expect("it is valid");
+        let sliding = radiosity::builtin("sliding-light").expect("it is built in");
+        let swinging = radiosity::language::from_toml(SWING, "swinging.toml").expect("it is valid");
         for (name, scene) in [("sliding light", &sliding), ("swinging lamp", &swinging)] {
             let without = Options { shadows: Hiding::Off, ..options };
             compared(&format!("{name}, no shadows"), scene, &without);

@@ -11,8 +11,7 @@ use std::error::Error;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::rule::UnitRule;
 use radiosity::geom::DVec3;
-use radiosity::scene::Scene;
-use radiosity::solution::Place;
+use radiosity::solve::solution::Place;
 use radiosity::solve::{Direct, Options, Outcome, solve};
 use radiosity::{Basis, Solution};
 use radiosity_solvers::method::Method;
@@ -166,7 +165,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             squares[0].toml("lamp"),
             squares[1].toml("wall")
         );
-        let scene = Scene::from_toml(&text, name)?;
+        let scene = radiosity::language::from_toml(&text, name)?;
         let solved = |options: Options| -> Result<Outcome, Box<dyn Error>> {
             let options = Options { direct: Direct::Projected, eps: 1e-7, ..options };
             Ok(solve(&scene, &options, &|_| {})?)

@@ -18,14 +18,14 @@
 
 use cpu_time::ProcessTime;
 
-use radiosity::animation::follower::{Follower, Way};
 use radiosity::geom::Encounter;
-use radiosity::output::pinhole::Pinhole;
-use radiosity::output::reader::Read;
-use radiosity::output::render::render;
-use radiosity::output::shown::Shown;
+use radiosity::output::pictures::pinhole::Pinhole;
+use radiosity::output::pictures::render::render;
+use radiosity::output::readings::reader::Read;
+use radiosity::output::readings::shown::Shown;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::Options;
+use radiosity::solve::animation::follower::{Follower, Way};
 use radiosity::visibility::Visibility;
 
 /// What is asked for.
@@ -63,7 +63,7 @@ fn main() {
 }
 
 fn row(name: &str, asked: &Asked) -> String {
-    let scene = Scene::load(name).expect("a scene with motions");
+    let scene = radiosity::load(name).expect("a scene with motions");
     let options = Options::default();
     let [first, last] = asked.frames.unwrap_or([0, scene.frames() - 1]);
     let [width, height] = asked.size;

@@ -17,7 +17,7 @@ mod words;
 
 use std::time::Instant;
 
-use radiosity::hierarchy::{Counts, Hierarchical, HierarchyOptions, solve_hierarchically};
+use radiosity::published::hierarchy::{Counts, Hierarchical, HierarchyOptions, solve_hierarchically};
 use radiosity::solve::{Options, Outcome, solve};
 use radiosity::{Scene, Solution};
 
@@ -100,7 +100,7 @@ fn errors_of_hall() {
 }
 
 fn cornell() {
-    let scene = Scene::builtin("cornell-box").expect("the scene is built in");
+    let scene = radiosity::builtin("cornell-box").expect("the scene is built in");
     let options = Options { order: 5, eps: 1e-4, shadow_eps: 1e-4, ..Options::default() };
     let Outcome { solution, .. } = solve(&scene, &options, &|_| {}).expect("the scene can be solved");
     println!("| eps | leaves | links | links per leaf | links / leaves² | error | rounds | seconds |");

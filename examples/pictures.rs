@@ -15,14 +15,14 @@
 
 use std::time::Instant;
 
-use radiosity::gather::choice::By;
 use radiosity::geom::{DVec3, Encounter};
-use radiosity::output::pinhole::Pinhole;
-use radiosity::output::reader::{Read, Reader};
-use radiosity::output::render::{render, usual_read};
-use radiosity::output::shown::Shown;
-use radiosity::scene::{Camera, Scene};
-use radiosity::solution::{Place, Solution};
+use radiosity::output::pictures::pinhole::Pinhole;
+use radiosity::output::pictures::render::{render, usual_read};
+use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::output::readings::shown::Shown;
+use radiosity::scene::Camera;
+use radiosity::solve::gather::choice::By;
+use radiosity::solve::solution::{Place, Solution};
 use radiosity::solve::{Options, solve};
 use radiosity::visibility::Visibility;
 
@@ -43,7 +43,7 @@ fn main() {
 }
 
 fn row(name: &str) -> String {
-    let scene = Scene::builtin(name).expect("built in");
+    let scene = radiosity::builtin(name).expect("built in");
     let camera = scene.camera.clone().expect("it has one");
     let camera = if name == "temple" { Camera { width: 240, height: 192, ..camera } } else { camera };
     let options = Options::default();

@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         names = ["cornell-box", "two-boxes", "temple"].map(str::to_owned).to_vec();
     }
     for name in names {
-        let scene = Scene::load(&name)?;
+        let scene = radiosity::load(&name)?;
         let costs = costs(&scene)?;
         let total = |of: fn(&Work) -> u64| costs.iter().map(of).sum::<u64>();
         let (samples, rays) = (total(Work::samples), total(Work::rays));

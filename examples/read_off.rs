@@ -14,13 +14,13 @@ mod words;
 use std::num::NonZeroUsize;
 use std::time::Instant;
 
-use radiosity::output::grid::{Cell, grid};
-use radiosity::output::quality::{Quality, Reading};
-use radiosity::output::reader::{Read, Reader};
+use radiosity::output::readings::grid::{Cell, grid};
+use radiosity::output::readings::quality::{Quality, Reading};
+use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::published::zatz1993::masked_light::{Average, Masking};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome, in_threads, solve};
 use radiosity::visibility::Visibility;
-use radiosity::zatz1993::masked_light::{Average, Masking};
 use serde_json::Value;
 
 use words::words;
@@ -39,7 +39,7 @@ fn main() -> Result<(), String> {
     let ways = ways();
     let names: Vec<&str> = ways.iter().map(|way| way.name).collect();
     let only = words(&names)?;
-    let scene = Scene::builtin("cornell-box").expect("the scene is built in");
+    let scene = radiosity::builtin("cornell-box").expect("the scene is built in");
     let work = || {
         println!(
             "| way | read | unknowns | samples | rays | floor, % | back wall, % | both, % | solve, s | cells, s | s |"

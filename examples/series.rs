@@ -11,14 +11,14 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use radiosity::animation::series::{BlockSeries, Settings, TranslatedPair};
 use radiosity::elements::{Discretization, Elements};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
+use radiosity::published::series::{BlockSeries, Settings, TranslatedPair};
 use radiosity::solve::in_threads;
-use radiosity::transport::{Accuracy, assemble};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity::{Material, Scene, SceneBuilder};
+use radiosity::{kernel::Accuracy, transport::assemble};
 
 /// Polynomials of total degree 4: blocks of 15 × 15.
 const DEGREE: usize = 4;

@@ -19,22 +19,22 @@ use std::fs::File;
 use std::io::{BufWriter, Result};
 use std::num::NonZeroUsize;
 
-use radiosity::output::difference::Difference;
-use radiosity::output::false_colour::false_colour;
-use radiosity::output::image::Image;
-use radiosity::output::picture::Picture;
-use radiosity::output::pinhole::Pinhole;
-use radiosity::output::quality::Quality;
-use radiosity::output::raster::Raster;
-use radiosity::output::reader::Read;
-use radiosity::output::render::render;
-use radiosity::output::scale::Scale;
-use radiosity::output::shown::Shown;
-use radiosity::output::tone::Tone;
+use radiosity::output::drawings::false_colour::false_colour;
+use radiosity::output::drawings::picture::Picture;
+use radiosity::output::drawings::scale::Scale;
+use radiosity::output::pictures::image::Image;
+use radiosity::output::pictures::pinhole::Pinhole;
+use radiosity::output::pictures::raster::Raster;
+use radiosity::output::pictures::render::render;
+use radiosity::output::pictures::tone::Tone;
+use radiosity::output::readings::difference::Difference;
+use radiosity::output::readings::quality::Quality;
+use radiosity::output::readings::reader::Read;
+use radiosity::output::readings::shown::Shown;
+use radiosity::published::zatz1993::masked_light::{Average, Masking};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Direct, Options, in_threads, solve};
 use radiosity::visibility::{Hiding, Visibility};
-use radiosity::zatz1993::masked_light::{Average, Masking};
 
 /// Pixels across and down each picture, and rays along the side of a pixel.
 const SIZE: u32 = 176;
@@ -119,7 +119,7 @@ fn ways() -> [Way; 5] {
 }
 
 fn scene(orders: [Option<usize>; 2]) -> Scene {
-    let mut scene = Scene::builtin("occluder-box").expect("the scene is built in");
+    let mut scene = radiosity::builtin("occluder-box").expect("the scene is built in");
     for (name, order) in ["floor", "lamp"].into_iter().zip(orders) {
         let surface = scene.surface_named(name).expect("it is there");
         scene.surfaces[surface].order = order;

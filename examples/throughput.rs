@@ -7,10 +7,9 @@
 use std::time::Instant;
 
 use radiosity::elements::{Discretization, Elements};
-use radiosity::scene::Scene;
+use radiosity::kernel::Accuracy;
 use radiosity::solve::in_threads;
 use radiosity::transport;
-use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
 
 fn main() {
@@ -27,7 +26,7 @@ fn main() {
 }
 
 fn measure(cuts: usize, order: usize, eps: f64) {
-    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let scene = radiosity::builtin("empty-box").expect("the scene is built in");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let how = Discretization::uniform(order, cuts);
     let elements = Elements::new(&scene, &how).expect("a box has area");
@@ -59,7 +58,7 @@ fn plain(order: usize, eps: f64) {
 quad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }
 [[surfaces]]
 quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }";
-    let scene = Scene::from_toml(squares, "squares").expect("the scene is valid");
+    let scene = radiosity::language::from_toml(squares, "squares").expect("the scene is valid");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("squares have area");
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };

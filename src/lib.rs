@@ -4,19 +4,22 @@
 //! B(x) = E₀(x) + ρ(x) ∫ κ(x, y) V(x, y) B(y) dA_y
 //! ```
 //!
-//! The modules stand in the order of their dependencies; each imports only modules listed above it: wording (sentences of messages) →
-//! interruption (ends work) → ranks (who shares it) → scene → visibility → elements → bases (functions that they hold) → transport (the
-//! blocks) → light (direct, first bounce) → system → solution → gather → solve (the driver) → solved (a scene with its solution) →
-//! output. Terms and places: `docs/glossary.md`; derivations: `docs/theory/`.
+//! This crate passes on those that do the work, each with a module here; each imports only what is listed before it: [`work`]
+//! (interruption, ranks, sentences of messages) → [`fit`] (rounded shapes made to agree) → [`photometry`] → [`formats`] (scenes of
+//! other programs) → [`scene`] (the model) → [`language`] (its texts) → [`visibility`] → [`elements`] → [`kernel`] (integrals over
+//! pairs) → [`transport`] (all blocks) → [`light`] (direct, first bounce) → [`published`] (methods of four papers) → [`mod@solve`]
+//! (systems, solutions, the driver, animation) → [`heat`] → [`output`] → [`request`] (what is typed, checked). Below them stand
+//! [`geom`], [`solvers`] and `radiosity-core`. Terms and places: `docs/glossary.md`; derivations: `docs/theory/`; the picture:
+//! `docs/architecture.md`.
 //!
 //! Lux at a point of a room, in ten lines:
 //!
 //! ```
 //! use radiosity::geom::DVec3;
-//! use radiosity::{Options, Scene, Solved};
+//! use radiosity::{Options, Solved};
 //!
-//! // A built-in scene; your own by `Scene::load("office.toml")?`.
-//! let scene = Scene::builtin("furnace-cube")?;
+//! // A built-in scene; your own by `radiosity::load("office.toml")?`.
+//! let scene = radiosity::builtin("furnace-cube")?;
 //! let solved = Solved::new(scene, Options::default(), &|_progress| {})?;
 //! let lux = solved.irradiance_at(DVec3::new(0.5, 0.5, 0.5), DVec3::Z)[0];
 //! println!("{lux:.3} lx");
@@ -25,7 +28,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Scenes are built in, read from files ([`scene::Scene::load`]), or made in code:
+//! Scenes are built in, read from files ([`load`]), or made in code:
 //!
 //! ```
 //! use radiosity::geom::DVec3;
@@ -47,42 +50,29 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod wording;
-pub mod interruption;
-pub mod ranks;
-pub mod scene;
-pub mod visibility;
-pub mod irradiance;
-pub mod footings;
-pub mod covers;
-pub mod inspection;
-pub mod elements;
-pub mod bases;
-mod sampling;
-pub mod transport;
-pub mod light;
-pub mod zatz1993;
-pub mod system;
-pub mod hierarchy;
-pub mod solution;
-pub mod gather;
-pub mod checks;
-pub mod solve;
-pub mod studies;
-pub mod solved;
-pub mod animation;
-pub mod view_factors;
-pub mod heat;
-pub mod output;
-pub mod request;
-
+pub use radiosity_elements as elements;
+pub use radiosity_fit as fit;
 pub use radiosity_formats as formats;
 pub use radiosity_geom as geom;
+pub use radiosity_heat as heat;
+pub use radiosity_kernel as kernel;
+pub use radiosity_language as language;
+pub use radiosity_light as light;
+pub use radiosity_output as output;
+pub use radiosity_photometry as photometry;
+pub use radiosity_published as published;
+pub use radiosity_request as request;
+pub use radiosity_scene as scene;
+pub use radiosity_solve as solve;
 pub use radiosity_solvers as solvers;
+pub use radiosity_transport as transport;
+pub use radiosity_visibility as visibility;
+pub use radiosity_work as work;
 
-pub use crate::bases::Basis;
-pub use crate::scene::{Material, Scene, SceneBuilder, SceneError};
-pub use crate::solution::Solution;
-pub use crate::solve::{Failure, Model, Options, Outcome, solve};
-pub use crate::solved::Solved;
-pub use crate::view_factors::ViewFactors;
+pub use radiosity_language::{builtin, load};
+pub use radiosity_published::bases::Basis;
+pub use radiosity_scene::{Material, Scene, SceneBuilder, SceneError};
+pub use radiosity_solve::solution::Solution;
+pub use radiosity_solve::solved::Solved;
+pub use radiosity_solve::view_factors::ViewFactors;
+pub use radiosity_solve::{Failure, Model, Options, Outcome, solve};

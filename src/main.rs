@@ -3,9 +3,6 @@
 //! Data goes to stdout, progress and diagnostics to stderr. Exit code 0: done; 1: failed; 2: the command line or a
 //! scene file has to be changed first.
 
-mod cli;
-mod launch;
-
 fn main() -> std::process::ExitCode {
-    launch::launch()
+    radiosity_cli::launch()
 }

@@ -16,13 +16,13 @@ mod scenes;
 
 use std::time::{Duration, Instant};
 
-use radiosity::gather::Gather;
-use radiosity::gather::by_rays::{RayGather, Receiver};
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
-use radiosity::solution::Solution;
+use radiosity::solve::gather::Gather;
+use radiosity::solve::gather::by_rays::{RayGather, Receiver};
+use radiosity::solve::solution::Solution;
+use radiosity::solve::studies::adaptation::{Adapted, adapt};
 use radiosity::solve::{Options, Transport, solve};
-use radiosity::studies::adaptation::{Adapted, adapt};
 use radiosity::visibility::Visibility;
 use rayon::prelude::*;
 

@@ -1,8 +1,8 @@
 //! Scenes, and runs of them that are much finer.
 
-use radiosity::gather::choice::By;
 use radiosity::scene::Scene;
-use radiosity::studies::adaptation::{Aim, Goal};
+use radiosity::solve::gather::choice::By;
+use radiosity::solve::studies::adaptation::{Aim, Goal};
 
 #[path = "../../tests/stress/walls.rs"]
 mod walls;
@@ -47,7 +47,7 @@ impl Case {
     /// One of the list, or a scene file, which is held against many rays.
     pub(crate) fn named(name: &str) -> Self {
         all().into_iter().find(|case| case.name == name).unwrap_or_else(|| {
-            let scene = Scene::load(name).expect("a scene of the list, or a file");
+            let scene = radiosity::load(name).expect("a scene of the list, or a file");
             Self { name: name.to_owned(), scene, fine: Fine::Rays { rays: RAYS, cuts: None }, by_rays: true }
         })
     }
@@ -68,7 +68,7 @@ impl Case {
 
 /// All of them: flat boxes, plates, things that hover or stand in rooms, then curved ones.
 pub(crate) fn all() -> Vec<Case> {
-    let builtin = |name: &str| Scene::builtin(name).expect("it is built in");
+    let builtin = |name: &str| radiosity::builtin(name).expect("it is built in");
     vec![
         Case::flat("empty-box", builtin("empty-box"), [8, 3]),
         Case::flat("long box", scene(&long_box()), [8, 3]),
@@ -94,7 +94,7 @@ pub(crate) fn all() -> Vec<Case> {
 }
 
 fn scene(text: &str) -> Scene {
-    Scene::from_toml(&format!("{MATERIALS}{text}"), "case").expect("the scene is valid")
+    radiosity::language::from_toml(&format!("{MATERIALS}{text}"), "case").expect("the scene is valid")
 }
 
 fn surface(material: &str, rest: &str) -> String {

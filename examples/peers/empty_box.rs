@@ -4,8 +4,8 @@ use std::error::Error;
 use std::io::Write;
 
 use radiosity::elements::cells::Layers;
-use radiosity::output::probe::{Probe, probe};
-use radiosity::output::reader::{Read, Reader};
+use radiosity::output::readings::probe::{Probe, probe};
+use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, in_threads, solve};
 use radiosity::visibility::Visibility;
@@ -63,7 +63,7 @@ const PEERS: [[&str; 4]; 9] = [
 
 /// Prints the table.
 pub(crate) fn print(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
-    let scene = Scene::builtin("empty-box")?;
+    let scene = radiosity::builtin("empty-box")?;
     let truth = floor(&scene, &TRUTH)?;
     writeln!(out, "| program | settings | unknowns | error | seconds | |")?;
     writeln!(out, "| --- | --- | --- | --- | --- | --- |")?;

@@ -4,9 +4,9 @@ use std::error::Error;
 use std::hint::black_box;
 use std::io::Write;
 
+use radiosity::kernel::{Accuracy, polygon_exchange};
 use radiosity::scene::Scene;
-use radiosity::transport::{Accuracy, polygon_exchange};
-use radiosity::view_factors::{Options, ViewFactors};
+use radiosity::solve::view_factors::{Options, ViewFactors};
 use radiosity::visibility::Hiding;
 use radiosity_geom::DVec3;
 
@@ -40,7 +40,7 @@ pub(crate) fn print(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     let scenes = [scenes[0], scenes[1], ("hinge-squares", "angle", 90.0)];
     let mut columns = Vec::new();
     for ((name, parameter, value), exact) in scenes.into_iter().zip(EXACT) {
-        let scene = Scene::builtin_with(name, &[(parameter, value)])?;
+        let scene = radiosity::language::builtin_with(name, &[(parameter, value)])?;
         columns.push(of_scene(&scene, exact)?);
     }
     writeln!(out, "| this, `ViewFactors` of a scene | {} | here |", columns.join(" | "))?;

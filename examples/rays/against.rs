@@ -3,7 +3,6 @@
 use std::error::Error;
 use std::time::Instant;
 
-use radiosity::Scene;
 use radiosity::solve::{Options, Transport, solve};
 
 use crate::judge::Points;
@@ -19,7 +18,7 @@ const RAYS: [u64; 4] = [400_000, 1_600_000, 3_200_000, 6_400_000];
 pub(crate) fn against(scene: &str) -> Result<(), Box<dyn Error>> {
     println!("| {scene} | solved in, s | L2 | median |");
     println!("| --- | --- | --- | --- |");
-    let scene = Scene::load(scene)?;
+    let scene = radiosity::load(scene)?;
     let sampled = |rays| Options { transport: Transport::Sampled, rays: Some(rays), ..Options::default() };
     let truth = solve(&scene, &sampled(TRUE), &|_| {})?.solution;
     let points = Points::of(&scene, &truth, POINTS);

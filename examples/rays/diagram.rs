@@ -4,8 +4,8 @@ use std::error::Error;
 use std::path::Path;
 
 use plotters::prelude::*;
-use radiosity::output::chart::COLOURS;
-use radiosity::output::decades::Decades;
+use radiosity::output::drawings::chart::COLOURS;
+use radiosity::output::drawings::decades::Decades;
 
 /// Width and height in SVG units.
 const SIZE: (u32, u32) = (980, 430);

@@ -3,8 +3,8 @@
 use std::error::Error;
 use std::time::Instant;
 
+use radiosity::solve::studies::adaptation::{Aim, Goal, adapt};
 use radiosity::solve::{Options, Transport};
-use radiosity::studies::adaptation::{Aim, Goal, adapt};
 
 use crate::boxes::room;
 

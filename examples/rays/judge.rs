@@ -7,7 +7,7 @@ use std::path::Path;
 use radiosity::Scene;
 use radiosity::elements::patch::Node;
 use radiosity::geom::{DVec3, Encounter, Ray};
-use radiosity::solution::{Place, Solution};
+use radiosity::solve::solution::{Place, Solution};
 use radiosity::visibility::{Shadows, Visibility};
 use rayon::prelude::*;
 use serde::Deserialize;

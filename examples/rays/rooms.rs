@@ -35,7 +35,7 @@ pub(crate) fn rooms(folder: &Path, file: &Path) -> Result<(), Box<dyn Error>> {
     for name in names {
         let (mut errors, mut medians) = (Vec::new(), Vec::new());
         let path = folder.join(format!("{name}.json"));
-        let scene = Scene::load(path.to_str().ok_or("the path is no text")?)?;
+        let scene = radiosity::load(path.to_str().ok_or("the path is no text")?)?;
         let points = Points::read(&folder.join(format!("{name}_reference.json")))?;
         for rays in RAYS {
             let (outcome, seconds) = by_rays(&scene, rays)?;

@@ -10,11 +10,14 @@ use std::time::Instant;
 use radiosity::Scene;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::{Discretization, Elements};
+use radiosity::solve::system::{Coefficients, System};
 use radiosity::solvers::Settings;
 use radiosity::solvers::method::Method;
-use radiosity::system::{Coefficients, System};
-use radiosity::transport::{Accuracy, Blocks, Rays, SampledTransport, assemble};
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity::{
+    kernel::{Accuracy, Blocks},
+    transport::{Rays, SampledTransport, assemble},
+};
 
 use crate::apart::{apart, means};
 use crate::diagram;
@@ -79,7 +82,7 @@ pub(crate) fn sooner(file: &Path) -> Result<(), Box<dyn Error>> {
     println!("| --- | --- | --- | --- | --- | --- |");
     let mut panels = Vec::new();
     for name in SCENES {
-        let subject = Subject::new(&Scene::builtin(name)?)?;
+        let subject = Subject::new(&radiosity::builtin(name)?)?;
         let mut runs = Vec::new();
         for accuracy in ACCURACIES {
             let run = subject.run(Way::Exact, || (subject.exact(accuracy), 0))?;

@@ -40,7 +40,7 @@ pub(crate) fn told(folder: Option<&Path>) -> Result<(), Box<dyn Error>> {
     println!("| scene | rays | told | true | told / true |");
     println!("| --- | --- | --- | --- | --- |");
     for Study { name, settings, cuts } in BUILT_IN {
-        let scene = Scene::parse(&Scene::text_of(name, settings)?)?;
+        let scene = radiosity::language::parse(&radiosity::language::text_of(name, settings)?)?;
         let settings: String = settings.iter().map(|(name, value)| format!(", {name} {value}")).collect();
         judge(&format!("{name}{settings}"), &scene, cuts)?;
     }
@@ -48,7 +48,7 @@ pub(crate) fn told(folder: Option<&Path>) -> Result<(), Box<dyn Error>> {
     for name in ["soda", "classroom"] {
         if let Some(folder) = folder {
             let path = folder.join(format!("{name}.json"));
-            judge(name, &Scene::load(path.to_str().ok_or("the path is no text")?)?, 1)?;
+            judge(name, &radiosity::load(path.to_str().ok_or("the path is no text")?)?, 1)?;
         }
     }
     Ok(())

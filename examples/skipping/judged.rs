@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use cpu_time::ProcessTime;
+use radiosity::kernel::Accuracy;
 use radiosity::transport;
-use radiosity::transport::Accuracy;
 use radiosity::visibility::{Hiding, Shadows, Visibility};
 
 use crate::naive;

@@ -3,7 +3,7 @@
 use radiosity::elements::Element;
 use radiosity::elements::patch::{Node, Patch};
 use radiosity::elements::rule::UnitRule;
-use radiosity::transport::kernel;
+use radiosity::kernel::kernel;
 use radiosity::visibility::Visibility;
 use radiosity_geom::Ray;
 use smallvec::SmallVec;

@@ -6,8 +6,8 @@ use std::path::Path;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use radiosity::output::chart::COLOURS;
-use radiosity::output::decades::Decades;
+use radiosity::output::drawings::chart::COLOURS;
+use radiosity::output::drawings::decades::Decades;
 
 use crate::family::Family;
 use crate::front::Front;

@@ -2,13 +2,13 @@
 
 use cpu_time::ProcessTime;
 use radiosity::elements::rule::UnitRule;
-use radiosity::irradiance::visible_polygon::irradiance;
-use radiosity::output::grid::{Cell, Rates, grid};
-use radiosity::output::reader::{Read, Reader};
+use radiosity::kernel::irradiance::visible_polygon::irradiance;
+use radiosity::output::readings::grid::{Cell, Rates, grid};
+use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::scene::Scene;
-use radiosity::solution::{Place, Solution};
+use radiosity::solve::solution::{Place, Solution};
+use radiosity::solve::studies::error_norm::distance;
 use radiosity::solve::{Options, Outcome, in_threads, solve};
-use radiosity::studies::error_norm::distance;
 use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 use serde_json::Value;

@@ -1,9 +1,9 @@
 //! The scenes, the runs that are tried on each, and what their errors are measured against.
 
 use radiosity::elements::cells::Layers;
+use radiosity::published::zatz1993::transfers::{Reading, Rules};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options};
-use radiosity::zatz1993::transfers::{Reading, Rules};
 
 /// A unit sphere under a square lamp that reflects nothing: the irradiance of the sphere is Lambert's form.
 const LIT_SPHERE: &str = "bands = [\"grey\"]
@@ -112,9 +112,10 @@ pub(crate) struct Study {
 /// All of them.
 pub(crate) fn studies() -> Vec<Study> {
     let study = |name, title, scene, judge, trials| Study { name, title, scene, judge, trials };
-    let builtin = |name| Scene::builtin(name).expect("it is built in");
-    let bright = Scene::builtin_with("empty-box", &[("reflectance", 0.8)]).expect("it is built in");
-    let sphere = Scene::from_toml(LIT_SPHERE, "lit-sphere").expect("it is valid");
+    let builtin = |name| radiosity::builtin(name).expect("it is built in");
+    let bright =
+        radiosity::language::builtin_with("empty-box", &[("reflectance", 0.8)]).expect("it is built in");
+    let sphere = radiosity::language::from_toml(LIT_SPHERE, "lit-sphere").expect("it is valid");
     let closed = Judge::Finest(Trial { layers: 2, ..run(8, 1, 1e-7) });
     // Sharper than the runs it judges, as far as minutes go.
     let shadowed = |order, cells, eps| Judge::Finest(run(order, cells, eps));

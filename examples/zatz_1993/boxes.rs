@@ -6,21 +6,21 @@ use std::io::{BufWriter, Write};
 use std::num::NonZeroUsize;
 
 use cpu_time::ProcessTime;
-use radiosity::output::difference::Difference;
-use radiosity::output::false_colour::false_colour;
-use radiosity::output::image::Image;
-use radiosity::output::picture::Picture;
-use radiosity::output::quality::Quality;
-use radiosity::output::raster::Raster;
-use radiosity::output::reader::Read;
-use radiosity::output::render::render;
-use radiosity::output::scale::Scale;
-use radiosity::output::shown::Shown;
-use radiosity::output::tone::Tone;
+use radiosity::output::drawings::false_colour::false_colour;
+use radiosity::output::drawings::picture::Picture;
+use radiosity::output::drawings::scale::Scale;
+use radiosity::output::pictures::image::Image;
+use radiosity::output::pictures::raster::Raster;
+use radiosity::output::pictures::render::render;
+use radiosity::output::pictures::tone::Tone;
+use radiosity::output::readings::difference::Difference;
+use radiosity::output::readings::quality::Quality;
+use radiosity::output::readings::reader::Read;
+use radiosity::output::readings::shown::Shown;
+use radiosity::published::zatz1993::masked_light::{Average, Masking};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads, solve};
 use radiosity::visibility::Visibility;
-use radiosity::zatz1993::masked_light::{Average, Masking};
 
 use crate::memory::megabytes;
 
@@ -35,7 +35,7 @@ const ENDS: f64 = 40.0;
 
 /// Prints the errors and writes the pictures, their differences from light gathered at every pixel below them.
 pub(crate) fn figure_9(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
-    let scene = Scene::builtin("two-boxes")?;
+    let scene = radiosity::builtin("two-boxes")?;
     let exact = picture(&scene, &Quality::Fine.options(), Read::Gather)?;
     let cells = NonZeroUsize::new(20).ok_or("no cells")?;
     let masks = Some(Masking { cells, average: Average::Plain });

@@ -3,7 +3,7 @@
 use radiosity::elements::{Discretization, Subdivide};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
-use radiosity::solve::memory::Footprint;
+use radiosity::solve::driver::memory::Footprint;
 
 /// Megabytes as reckoned before the run, whole surfaces being elements.
 pub(crate) fn megabytes(scene: &Scene, options: &Options) -> f64 {

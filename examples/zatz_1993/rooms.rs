@@ -5,11 +5,11 @@ use std::io::Write;
 use std::num::NonZeroUsize;
 
 use cpu_time::ProcessTime;
+use radiosity::published::zatz1993::masked_light::{Average, Masking};
+use radiosity::published::zatz1993::transfers::{Reading, Rules};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, solve};
 use radiosity::visibility::Hiding;
-use radiosity::zatz1993::masked_light::{Average, Masking};
-use radiosity::zatz1993::transfers::{Reading, Rules};
 use radiosity_solvers::method::Method;
 
 use crate::memory::megabytes;
@@ -73,7 +73,7 @@ fn rooms() -> Result<Vec<Room>, Box<dyn Error>> {
         threads: 1,
         ..Options::default()
     };
-    let mut empty = Scene::builtin("occluder-box")?;
+    let mut empty = radiosity::builtin("occluder-box")?;
     empty.surfaces.retain(|surface| !surface.name.starts_with("panel"));
     let cells = NonZeroUsize::new(40).ok_or("no cells")?;
     let masks = Some(Masking { cells, average: Average::Plain });
@@ -83,7 +83,7 @@ fn rooms() -> Result<Vec<Room>, Box<dyn Error>> {
             "6",
             "empty box, bright ceiling, hybrid rule of 1993",
             ["5.4 s", "7"],
-            Scene::builtin("empty-box")?,
+            radiosity::builtin("empty-box")?,
             Options { kernel: Some(Rules::Hybrid(Reading::H1)), ..shooting },
         ),
         room("6", "empty box with a lamp", ["5.4 s", "7"], empty, shooting),
@@ -102,13 +102,19 @@ fn rooms() -> Result<Vec<Room>, Box<dyn Error>> {
             occluder(8, 8)?,
             Options { masks, ..shooting },
         ),
-        room("12", "teapot", ["6.71 h", "53"], Scene::builtin("teapot")?, Options { order: 6, ..shooting }),
+        room(
+            "12",
+            "teapot",
+            ["6.71 h", "53"],
+            radiosity::builtin("teapot")?,
+            Options { order: 6, ..shooting },
+        ),
     ])
 }
 
 /// The box with a panel, with these orders of floor and lamp.
 fn occluder(floor: usize, lamp: usize) -> Result<Scene, Box<dyn Error>> {
-    let mut scene = Scene::builtin("occluder-box")?;
+    let mut scene = radiosity::builtin("occluder-box")?;
     for (name, order) in [("floor", floor), ("lamp", lamp)] {
         let surface = scene.surface_named(name)?;
         scene.surfaces[surface].order = Some(order);

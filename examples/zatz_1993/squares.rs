@@ -7,12 +7,11 @@ use std::io::{self, Write};
 
 use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
-use radiosity::irradiance::visible_polygon::irradiance;
-use radiosity::scene::Scene;
+use radiosity::kernel::Accuracy;
+use radiosity::kernel::irradiance::visible_polygon::irradiance;
+use radiosity::published::zatz1993::transfers::{EXTRA_POINTS, Party, Reading, Rules, transfer};
 use radiosity::transport;
-use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
-use radiosity::zatz1993::transfers::{EXTRA_POINTS, Party, Reading, Rules, transfer};
 use radiosity_core::basis::total;
 use radiosity_geom::DVec3;
 
@@ -86,7 +85,7 @@ fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
          [[surfaces]]\nname = \"emitter\"\nmaterial = \"white\"\nquad = {{ vertices = {:?} }}\n",
         emitter.0
     );
-    let scene = Scene::from_toml(&scene, "section 6.1").expect("two squares are a scene");
+    let scene = radiosity::language::from_toml(&scene, "section 6.1").expect("two squares are a scene");
     let how = Discretization::uniform(order, 1);
     let elements = Elements::new(&scene, &how).expect("squares have area");
     let visibility = Visibility::new(&scene, Shadows::Off);

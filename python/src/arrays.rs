@@ -3,9 +3,9 @@
 use numpy::ndarray::{ArrayD, IxDyn};
 use numpy::{IntoPyArray, PyArrayDyn, PyReadonlyArray2};
 use pyo3::prelude::*;
-use radiosity::gather::by_rays::Deviation;
 use radiosity::geom::DVec3;
-use radiosity::output::probe::Probe;
+use radiosity::output::readings::probe::Probe;
+use radiosity::solve::gather::by_rays::Deviation;
 
 use crate::error::Trouble;
 

@@ -8,14 +8,14 @@ use std::io;
 use pyo3::exceptions::{PyOSError, PyUserWarning, PyValueError};
 use pyo3::{PyErr, PyResult, Python, create_exception};
 use radiosity::heat::HeatError;
-use radiosity::output::solution_file::SolutionError;
-use radiosity::output::vtu::VtuError;
+use radiosity::output::files::solution_file::SolutionError;
+use radiosity::output::files::vtu::VtuError;
 use radiosity::request::picture::NoCamera;
 use radiosity::request::{LoadError, Refusal};
 use radiosity::scene::{Fault, SceneError};
 use radiosity::solve::Failure;
-use radiosity::solved::RelightError;
-use radiosity::wording::{Wording, words};
+use radiosity::solve::solved::RelightError;
+use radiosity::work::wording::{Wording, words};
 
 pub(crate) use spelling::spelt;
 

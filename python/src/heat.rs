@@ -5,9 +5,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
-use radiosity::output::missed::{corrected, missed, no_error_of_order};
+use radiosity::kernel::Miss;
+use radiosity::output::readings::missed::{corrected, missed, no_error_of_order};
 use radiosity::solve::Progress as Step;
-use radiosity::transport::Miss;
 
 use crate::arguments::Arguments;
 use crate::arrays::array;

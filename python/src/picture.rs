@@ -3,14 +3,14 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
-use radiosity::output::raster::Raster;
-use radiosity::output::reader::Read;
-use radiosity::output::render::{Stage, render, usual_read};
-use radiosity::output::shown::Shown;
+use radiosity::output::pictures::raster::Raster;
+use radiosity::output::pictures::render::{Stage, render, usual_read};
+use radiosity::output::readings::reader::Read;
+use radiosity::output::readings::shown::Shown;
 use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels, sized};
 use radiosity::request::{check_aim, ranges};
 use radiosity::scene::{Camera, Scene};
-use radiosity::solution::Solution as Light;
+use radiosity::solve::solution::Solution as Light;
 use radiosity::visibility::Visibility;
 
 use crate::arguments::Arguments;

@@ -3,11 +3,11 @@
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use radiosity::geom::DVec3;
-use radiosity::output::plane_figures::{BandFigures, PlaneFigures};
-use radiosity::output::probe::Reading;
-use radiosity::output::uniformity::Uniformity;
+use radiosity::output::readings::plane_figures::{BandFigures, PlaneFigures};
+use radiosity::output::readings::probe::Reading;
+use radiosity::output::readings::uniformity::Uniformity;
 use radiosity::scene::{Scene, SensorPlane};
-use radiosity::wording::Wording;
+use radiosity::work::wording::Wording;
 
 use crate::arrays::{array, relative};
 use crate::error::Trouble;

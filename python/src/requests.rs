@@ -5,12 +5,12 @@ use std::num::NonZeroUsize;
 use pyo3::prelude::*;
 use radiosity::elements::cells::Layers;
 use radiosity::formats::{format::Format, model::Sides};
-use radiosity::output::grid::Rates;
-use radiosity::output::quality::Quality;
+use radiosity::output::readings::grid::Rates;
+use radiosity::output::readings::quality::Quality;
+use radiosity::published::zatz1993::masked_light::Masking;
 use radiosity::request::{HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest, ranges};
 use radiosity::scene::{MAX_ORDER, MAX_PARTS};
 use radiosity::solve::MOST_RAYS;
-use radiosity::zatz1993::masked_light::Masking;
 use radiosity_solvers::method::Method;
 
 use crate::arguments::Arguments;

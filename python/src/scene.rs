@@ -7,14 +7,14 @@ use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
-use radiosity::output::probe::Probe;
+use radiosity::output::readings::probe::Probe;
 use radiosity::request::aim::{at_probes, of_picture};
 use radiosity::request::{MethodRequest, SceneRequest, ranges};
 use radiosity::scene;
 use radiosity::scene::Notation;
+use radiosity::solve::solved::Solved;
+use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::{Failure, Options};
-use radiosity::solved::Solved;
-use radiosity::studies::adaptation::{Aim, Goal};
 
 use crate::arguments::Arguments;
 use crate::arrays::probes;
@@ -60,7 +60,7 @@ pub(crate) fn load(
 #[pyfunction]
 pub(crate) fn parse(text: &str, name: &str) -> Result<Scene, Trouble> {
     let source = scene::Source::new(name, text).with_files();
-    Ok(Scene { scene: scene::Scene::parse(&source)? })
+    Ok(Scene { scene: radiosity::language::parse(&source)? })
 }
 
 /// The scene of these parts by the keys of scene files; `name` stands before messages. Files that they name are looked for in the
@@ -68,15 +68,16 @@ pub(crate) fn parse(text: &str, name: &str) -> Result<Scene, Trouble> {
 #[pyfunction]
 pub(crate) fn made(py: Python<'_>, parts: &Bound<'_, PyDict>, name: &str) -> Result<Scene, Trouble> {
     let tree = tree::tree(parts);
-    let scene = py.detach(|| scene::Scene::parse(&scene::Source::of_tree(name, tree)?.with_files()));
+    let scene = py.detach(|| radiosity::language::parse(&scene::Source::of_tree(name, tree)?.with_files()));
     Ok(Scene { scene: scene? })
 }
 
 /// The names of the built-in scenes with their parameters and the values these have unless set.
 #[pyfunction]
 pub(crate) fn builtins() -> BTreeMap<&'static str, BTreeMap<&'static str, f64>> {
-    let parameters = |own: &'static scene::Builtin| own.parameters.iter().map(|one| (one.name, one.default));
-    scene::Scene::builtins().iter().map(|own| (own.name, parameters(own).collect())).collect()
+    let parameters =
+        |own: &'static radiosity::language::Builtin| own.parameters.iter().map(|one| (one.name, one.default));
+    radiosity::language::builtins().iter().map(|own| (own.name, parameters(own).collect())).collect()
 }
 
 #[pymethods]
@@ -134,7 +135,7 @@ impl Scene {
 
     /// Its text in TOML.
     fn to_toml(&self) -> Result<String, Trouble> {
-        Ok(self.scene.text(Notation::Toml)?)
+        Ok(radiosity::language::text(&self.scene, Notation::Toml)?)
     }
 
     /// Solves it. `aim` is what an accuracy is wanted of: "gathered", "solution", "picture", or "points" with `sensors`.

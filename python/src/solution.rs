@@ -8,20 +8,19 @@ use std::sync::Arc;
 use numpy::{PyArrayDyn, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use radiosity::output::grid::{Cell, grid};
-use radiosity::output::probe::{Probe, Reading, probe};
-use radiosity::output::quality::Reading as How;
-use radiosity::output::read_error::ReadError;
-use radiosity::output::reader::Reader;
-use radiosity::output::report::Report;
-use radiosity::output::solution_file::{self, SolutionFile, is_solution};
-use radiosity::output::vtu::Grid as Cells;
+use radiosity::output::files::solution_file::{self, SolutionFile, is_solution};
+use radiosity::output::files::vtu::Grid as Cells;
+use radiosity::output::readings::grid::{Cell, grid};
+use radiosity::output::readings::probe::{Probe, Reading, probe};
+use radiosity::output::readings::quality::Reading as How;
+use radiosity::output::readings::read_error::ReadError;
+use radiosity::output::readings::reader::Reader;
+use radiosity::output::readings::report::Report;
 use radiosity::request::cells::require_cells;
 use radiosity::request::{KEPT, MethodRequest, ReadRequest, ranges, require_all_bounces};
-use radiosity::scene::Scene as Whole;
+use radiosity::solve::solved::Solved;
 use radiosity::solve::{Failure, Options, in_threads};
-use radiosity::solved::Solved;
-use radiosity::wording::{option, words};
+use radiosity::work::wording::{option, words};
 
 use crate::arguments::Arguments;
 use crate::arrays::{array, probes, relative};
@@ -74,7 +73,7 @@ pub(crate) fn load_solution(
 }
 
 fn read_file(path: &str, factors: &BTreeMap<String, f64>) -> Result<Found, Trouble> {
-    let text = Whole::text_of(path, &[])?;
+    let text = radiosity::language::text_of(path, &[])?;
     if !is_solution(&text.text()) {
         let cure = "solve it first: load(…).solve()";
         return Err(Trouble::new(format!("{}: this is no solution", text.origin), cure));

@@ -7,12 +7,12 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::shapes::Polygon;
-use radiosity::output::missed::missed;
-use radiosity::output::row_sums::RowSums;
+use radiosity::kernel::Miss;
+use radiosity::output::readings::missed::missed;
+use radiosity::output::readings::row_sums::RowSums;
 use radiosity::request::TransferRequest;
 use radiosity::scene::{Material, Scene as Whole, SceneError};
-use radiosity::transport::Miss;
-use radiosity::{SceneBuilder, view_factors as library};
+use radiosity::{SceneBuilder, solve::view_factors as library};
 
 use crate::arguments::Arguments;
 use crate::arrays::{array, points};

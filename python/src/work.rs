@@ -1,7 +1,7 @@
 //! Long work: a thread of its own does it, without the lock of the interpreter, while the thread that asked for it waits for
 //! signals and tells how far it is.
 //!
-//! Ctrl-C, or an exception of the observer, interrupts the work ([`radiosity::interruption`]).
+//! Ctrl-C, or an exception of the observer, interrupts the work ([`radiosity::work::interruption`]).
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use radiosity::interruption::Interruption;
+use radiosity::work::interruption::Interruption;
 
 use crate::error::Trouble;
 use crate::progress::{Progress, Step};

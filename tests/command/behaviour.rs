@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path, process::Command};
 
-use radiosity::{elements::Discretization, scene::Scene, solve::memory::Footprint};
+use radiosity::{elements::Discretization, solve::driver::memory::Footprint};
 use radiosity_solvers::method::Method;
 use serde_json::Value;
 
@@ -161,7 +161,7 @@ fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
 fn outputs_take_the_place_of_nothing_else_asked_for_or_read() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
-    let text = Scene::text_of("furnace-cube", &[]).unwrap().text().into_owned();
+    let text = radiosity::language::text_of("furnace-cube", &[]).unwrap().text().into_owned();
     fs::write(here.join("room.toml"), text.as_bytes()).unwrap();
     refused(
         here,
@@ -224,7 +224,7 @@ fn a_wanted_accuracy_that_memory_forbids_keeps_the_best_run() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
     let how = Discretization::uniform(3, 1);
-    let scene = Scene::builtin("empty-box").unwrap();
+    let scene = radiosity::builtin("empty-box").unwrap();
     let peak = Footprint::of(&scene, &how, Method::named("auto").unwrap()).peak().to_string();
     let args =
         ["solve", "empty-box", "--accuracy", "1e-6", "--subdivide", "1", "--report", "r.json", "--memory"];
@@ -458,7 +458,7 @@ fn peak_and_estimate(order: usize, subdivide: usize, solver: &str) -> [f64; 2] {
     let args = ["solve", "empty-box", "--order", &degree, "--subdivide", &parts, "--solver", solver];
     let output = radiosity(folder.path(), &[&args[..], &["--eps", "0.1", "--report", "r.json"]].concat());
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let scene = Scene::builtin("empty-box").unwrap();
+    let scene = radiosity::builtin("empty-box").unwrap();
     let how = Discretization::uniform(order, subdivide);
     let estimate = Footprint::of(&scene, &how, Method::named(solver).unwrap()).peak();
     [json(&folder.path().join("r.json"))["peak_bytes"].as_f64().unwrap(), estimate as f64]

@@ -4,21 +4,21 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 use radiosity::elements::{Discretization, Elements};
+use radiosity::kernel::Accuracy;
 use radiosity::scene::{Fault, Scene};
-use radiosity::solution::Place;
+use radiosity::solve::solution::Place;
 use radiosity::solve::{Options, solve};
 use radiosity::transport;
-use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::{DVec3, Encounter, Ray};
 
 fn with(name: &str, settings: &[(&str, f64)]) -> Scene {
-    Scene::builtin_with(name, settings).unwrap_or_else(|error| panic!("{error}"))
+    radiosity::language::builtin_with(name, settings).unwrap_or_else(|error| panic!("{error}"))
 }
 
 #[test]
 fn every_scene_loads_with_every_parameter_at_its_ends() {
-    for builtin in Scene::builtins() {
+    for builtin in radiosity::language::builtins() {
         let scene = with(builtin.name, &[]);
         assert!(scene.title.is_some() && scene.camera.is_some(), "{}", builtin.name);
         scene.require_light().expect("a built-in scene has a lamp");
@@ -49,8 +49,10 @@ fn scenes_hold_what_they_are_said_to() {
 
 #[test]
 fn settings_are_refused_with_a_reason() {
-    let fault = |name: &str, settings: &[(&str, f64)]| Scene::load_with(name, settings).unwrap_err().fault;
-    let unknown = Scene::builtin_with("parallel-squares", &[("distanse", 1.0)]).unwrap_err();
+    let fault = |name: &str, settings: &[(&str, f64)]| {
+        radiosity::language::load_with(name, settings).unwrap_err().fault
+    };
+    let unknown = radiosity::language::builtin_with("parallel-squares", &[("distanse", 1.0)]).unwrap_err();
     assert!(unknown.cure().expect("there is a cure").contains("\"distance\""));
     assert!(matches!(fault("cornell-box", &[("distance", 1.0)]), Fault::UnknownParameter { .. }));
     assert!(matches!(fault("furnace-cube", &[("reflectance", 1.0)]), Fault::ParameterRange { .. }));

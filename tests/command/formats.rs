@@ -188,7 +188,7 @@ fn past_the_corner() -> f64 {
 
 #[test]
 fn examples_of_view3d_have_their_closed_forms() {
-    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("formats/tests/fixtures");
+    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("crates/formats/tests/fixtures");
     let table = |name: &str| {
         let [table, _] = done(&fixtures, &["view-factors", name, "--eps", "1e-11", "-q"]);
         let (names, rows) = factors(&table);

@@ -5,10 +5,10 @@ use std::fs::{self, File};
 use std::io::Cursor;
 use std::path::Path;
 
-use radiosity::output::exr_file::read_exr;
-use radiosity::output::glb::texture_size;
-use radiosity::output::lightmap::Lightmap;
-use radiosity::output::raster::Raster;
+use radiosity::output::files::exr_file::read_exr;
+use radiosity::output::files::glb::texture_size;
+use radiosity::output::pictures::lightmap::Lightmap;
+use radiosity::output::pictures::raster::Raster;
 use serde_json::Value;
 
 use crate::program::{done, refused};
@@ -81,7 +81,7 @@ fn our_own_reader_finds_the_surfaces_where_they_were() {
     let path = folder.path();
     done(path, &["render", "room.toml", "-q", "--read", "basis", "--size", "64x64", "-o", "room.glb"]);
     // +z is up in the scene, +y in glTF, which the reader turns back.
-    let scene = radiosity::Scene::load(path.join("room.glb").to_str().expect("text")).expect("it is glTF");
+    let scene = radiosity::load(path.join("room.glb").to_str().expect("text")).expect("it is glTF");
     let flat = |axis: usize, place: f64| -> f64 {
         let on_it = scene.surfaces.iter().filter(|surface| {
             let jet = surface.shape.jet(0.0, 0.0);
@@ -114,7 +114,7 @@ fn meshes_have_places_in_the_texture_and_the_texture_has_the_light() {
     assert_eq!(names, ["floor", "wall", "ball", "lamp"]);
     let raster = linear(&path.join("room.exr"));
     let [width, height] = raster.size();
-    let scene = radiosity::Scene::load(path.join("room.toml").to_str().expect("text")).expect("a scene");
+    let scene = radiosity::load(path.join("room.toml").to_str().expect("text")).expect("a scene");
     let forecast = texture_size(Lightmap::sizes(&scene, 64 * 64));
     assert_eq!(forecast, [width, height].map(|count| count as usize), "memory is reckoned for these");
     let texels: Vec<&[f64]> = raster.pixels().collect();
@@ -165,7 +165,7 @@ fn textures_are_linear_in_the_light_and_even_in_a_furnace() {
     let cube = ["render", "furnace-cube", "-q", "--read", "basis", "--size", "48x48", "-o", "even.glb"];
     done(path, &cube);
     let even = File::open(path.join("even.exr")).expect("it was written");
-    let band = radiosity::Scene::builtin("furnace-cube").expect("it is built in").bands;
+    let band = radiosity::builtin("furnace-cube").expect("it is built in").bands;
     let even = read_exr(even, &band).expect("our own picture");
     for (light, coverage) in even.pixels().zip(even.coverage()) {
         // B = E₀/(1 − ρ), with E₀ = 1 and ρ = ½.

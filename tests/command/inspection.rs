@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 use std::process::Command;
 
 use radiosity::geom::Adjacency;
-use radiosity::inspection::{Fronts, Inspection};
 use radiosity::scene::Scene;
+use radiosity::visibility::inspection::{Fronts, Inspection};
 
 /// A scene of these surfaces, each `name | options and shape`, all of a material that emits.
 fn scene(surfaces: &[&str]) -> Scene {
@@ -17,7 +17,7 @@ fn scene(surfaces: &[&str]) -> Scene {
     let text = format!(
         "[camera]\neye = [0.4, 0.45, 0.55]\ntarget = [0, 0, 0]\n[materials.m]\nreflectance = 0.5\nemission = 1\n{surfaces}"
     );
-    Scene::from_toml(&text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"))
+    radiosity::language::from_toml(&text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 fn inspect(surfaces: &[&str]) -> Inspection {
@@ -215,10 +215,13 @@ fn fronts_that_see_no_other_are_named() {
 #[test]
 fn neither_light_nor_material_is_needed() {
     let text = "[[surfaces]]\nsphere = { center = [0,0,0], radius = 1 }\n";
-    let found = Inspection::of(&Scene::from_toml(text, "bare").unwrap());
+    let found = Inspection::of(&radiosity::language::from_toml(text, "bare").unwrap());
     assert_eq!(codes(&found), ["no-emitter", "no-camera", "no-material"]);
     let bright = "[materials.m]\nreflectance = 0.99\n[[surfaces]]\nmaterial = \"m\"\nsphere = { center = [0,0,0], radius = 1 }";
-    assert!(codes(&Inspection::of(&Scene::from_toml(bright, "bright").unwrap())).contains(&"bright"));
+    assert!(
+        codes(&Inspection::of(&radiosity::language::from_toml(bright, "bright").unwrap()))
+            .contains(&"bright")
+    );
 }
 
 #[test]
@@ -232,7 +235,7 @@ fn nothing_looks_wrong_in_the_built_in_rooms() {
         "furnace-sphere",
         "hinge-squares",
     ] {
-        let found = Inspection::of(&Scene::builtin(name).unwrap());
+        let found = Inspection::of(&radiosity::builtin(name).unwrap());
         assert_eq!(codes(&found), [""; 0], "{name}: {:?}", found.warnings);
     }
 }

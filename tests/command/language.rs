@@ -97,5 +97,5 @@ fn names_of_nothing_are_refused_with_what_there_is() {
 fn the_schema_is_printed() {
     let folder = tempfile::tempdir().unwrap();
     let printed: serde_json::Value = serde_json::from_str(&done(folder.path(), &["schema"])[0]).unwrap();
-    assert_eq!(printed, radiosity::scene::schema());
+    assert_eq!(printed, radiosity::language::schema());
 }

@@ -8,10 +8,9 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::read::DeflateDecoder;
 use radiosity::elements::{Discretization, Elements};
-use radiosity::output::exr_file::read_exr;
-use radiosity::output::sights::Sights;
-use radiosity::output::wireframe::wireframe;
-use radiosity::scene::Scene;
+use radiosity::output::files::exr_file::read_exr;
+use radiosity::output::pictures::sights::Sights;
+use radiosity::output::pictures::wireframe::wireframe;
 use radiosity::visibility::{Shadows, Visibility};
 
 use crate::program::radiosity;
@@ -227,7 +226,7 @@ fn below_a_lamp() -> String {
 
 #[test]
 fn pixels_know_whether_they_see_an_emitter_or_one_surface() {
-    let scene = Scene::from_toml(&below_a_lamp(), "test").expect("the scene is valid");
+    let scene = radiosity::language::from_toml(&below_a_lamp(), "test").expect("the scene is valid");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let camera = scene.camera.clone().expect("there is one");
     let sights = Sights::through(&camera, 3, &scene, &visibility);
@@ -266,7 +265,7 @@ const SQUARE: &str = "
 
 #[test]
 fn borders_cover_a_pixel_along_their_length() {
-    let scene = Scene::from_toml(SQUARE, "test").expect("the scene is valid");
+    let scene = radiosity::language::from_toml(SQUARE, "test").expect("the scene is valid");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let camera = scene.camera.clone().expect("there is one");
     // The picture shows [−½, ½]²; of 4 × 4 elements the borders at 0 cross it, those at ±½ lie on its rim.

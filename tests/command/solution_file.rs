@@ -6,11 +6,11 @@ use std::{
     process::{Command, Output},
 };
 
-use radiosity::output::solution_file::{SolutionFile, is_solution, read};
-use radiosity::scene::{Scene, Source};
+use radiosity::output::files::solution_file::{SolutionFile, is_solution, read};
+use radiosity::scene::Source;
 use radiosity::solve::Options;
-use radiosity::solved::Solved;
-use radiosity::studies::adaptation::{Aim, Goal};
+use radiosity::solve::solved::Solved;
+use radiosity::solve::studies::adaptation::{Aim, Goal};
 use serde_json::{Value, json};
 
 /// A bent floor, a wall with a hole, a triangle that is lit on both sides and shades the rest, a lamp.
@@ -93,7 +93,7 @@ fn pictures_and_grids_are_the_same_bytes() {
 }
 
 fn solved() -> Solved {
-    let scene = Scene::from_toml(ROOM, "rooms/room.toml").unwrap();
+    let scene = radiosity::language::from_toml(ROOM, "rooms/room.toml").unwrap();
     Solved::new(scene, Options { order: 2, eps: 0.1, shadow_eps: 0.3, ..Options::default() }, &|_| {})
         .unwrap()
 }
@@ -113,7 +113,7 @@ fn what_was_read_is_written_as_it_was() {
 
 #[test]
 fn refined_elements_are_read_as_they_were() {
-    let scene = Scene::builtin("empty-box").unwrap();
+    let scene = radiosity::builtin("empty-box").unwrap();
     let goal = Goal::new(1e-3, Aim::Gathered);
     let solved = Solved::to_accuracy(scene, &Options::default(), &goal, &|_| {}).unwrap();
     assert!(solved.outcome.solution.elements().refined_mesh().is_some(), "the box needs refined elements");
@@ -152,7 +152,7 @@ fn a_reader_needs_nothing_but_the_file_to_evaluate_it() {
         saved["irradiance"][0][k].as_f64().unwrap() * legendre(*i, a) * legendre(*j, b)
     };
     let value: f64 = places.iter().enumerate().map(term).sum();
-    let place = radiosity::solution::Place { surface: wall, parameters: [-0.7, 0.3], position };
+    let place = radiosity::solve::solution::Place { surface: wall, parameters: [-0.7, 0.3], position };
     let known = solved.outcome.solution.irradiance(0, index, &place);
     assert!((value - known).abs() < 1e-12 * known.abs(), "{value} {known}");
 }

@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::Path;
 
-use radiosity::output::probe::{Probe, probe};
-use radiosity::output::reader::{Read, Reader};
+use radiosity::kernel::Accuracy;
+use radiosity::output::readings::probe::{Probe, probe};
+use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::scene::Scene;
+use radiosity::solve::view_factors::{self, ViewFactors};
 use radiosity::solve::{Options, solve};
-use radiosity::transport::Accuracy;
-use radiosity::view_factors::{self, ViewFactors};
 use radiosity::visibility::{Hiding, Visibility};
 use radiosity_geom::{DVec3, Motion};
 
@@ -87,7 +87,7 @@ fn look(random: &mut Random, case: usize, curved: bool) -> Result<Found, String>
     let text = Interior::text(&surfaces);
     let kept = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("interior-{case}.toml"));
     fs::write(&kept, &text).expect("the scene is kept");
-    let scene = Scene::from_toml(&text, "interior").map_err(|error| error.to_string())?;
+    let scene = radiosity::language::from_toml(&text, "interior").map_err(|error| error.to_string())?;
     let count = if curved { 8 } else { 30 };
     let sensors = sensors(random, &interior, count, writing.least());
     let (furnace, at) = furnace(&scene, &writing, &sensors)?;

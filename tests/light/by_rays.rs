@@ -2,14 +2,14 @@
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
-use radiosity::gather::Gather;
-use radiosity::gather::by_rays::{RayGather, Receiver};
-use radiosity::gather::choice::By;
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::output::grid::{Rates, grid};
-use radiosity::output::reader::{Read, Reader};
+use radiosity::output::readings::grid::{Rates, grid};
+use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::solve::gather::Gather;
+use radiosity::solve::gather::by_rays::{RayGather, Receiver};
+use radiosity::solve::gather::choice::By;
 use radiosity::solve::{Options, Outcome, solve};
 use radiosity::visibility::Visibility;
 use radiosity::{Material, Scene, SceneBuilder};
@@ -28,7 +28,7 @@ fn places() -> impl Iterator<Item = (DVec3, DVec3)> {
 
 #[test]
 fn every_point_of_a_furnace_is_as_bright() {
-    let scene = Scene::builtin("furnace-cube").expect("built in");
+    let scene = radiosity::builtin("furnace-cube").expect("built in");
     let (outcome, visibility) = solved(&scene);
     for twice in [false, true] {
         let gather = RayGather::new(&outcome.solution, &visibility, 1e-2, twice);
@@ -73,7 +73,7 @@ fn a_round_lamp_lights_points_near_and_far() {
 
 #[test]
 fn rays_and_cells_agree_and_the_error_told_is_true() {
-    let scene = Scene::builtin("two-boxes").expect("built in");
+    let scene = radiosity::builtin("two-boxes").expect("built in");
     let (outcome, visibility) = solved(&scene);
     let cells = Reader::by(By::Cells, &outcome.solution, &visibility, Read::Gather, 1e-4);
     let rays = Reader::by(By::Rays, &outcome.solution, &visibility, Read::Gather, 1e-2);
@@ -101,7 +101,7 @@ fn rays_and_cells_agree_and_the_error_told_is_true() {
 
 #[test]
 fn rays_from_all_of_a_cell_give_its_mean() {
-    let scene = Scene::builtin("two-boxes").expect("built in");
+    let scene = radiosity::builtin("two-boxes").expect("built in");
     let (outcome, visibility) = solved(&scene);
     let read = |by, eps| {
         let reader = Reader::by(by, &outcome.solution, &visibility, Read::Gather, eps);
@@ -122,7 +122,7 @@ fn rays_from_all_of_a_cell_give_its_mean() {
 
 #[test]
 fn a_reading_depends_on_nothing_but_its_point() {
-    let scene = Scene::builtin("two-boxes").expect("built in");
+    let scene = radiosity::builtin("two-boxes").expect("built in");
     let (outcome, visibility) = solved(&scene);
     let gather = RayGather::new(&outcome.solution, &visibility, 2e-2, false);
     let read = |at: f64| {
@@ -139,7 +139,7 @@ fn a_reading_depends_on_nothing_but_its_point() {
 fn a_strip_of_wall_beside_a_block_is_gathered_by_cells_as_by_rays() {
     // From these points the back wall shows in a strip between the tall block and the wall on the right, which is twisted
     // and counts as curved: lines along the strip all miss it, and half a percent of the light was lost.
-    let scene = Scene::builtin("cornell-box").expect("built in");
+    let scene = radiosity::builtin("cornell-box").expect("built in");
     let options = Options { order: 2, ..Options::default() };
     let solution = solve(&scene, &options, &|_| {}).expect("the scene can be solved").solution;
     let visibility = Visibility::new(&scene, (&options).into());

@@ -3,14 +3,14 @@
 use std::fmt::Write;
 
 use radiosity::elements::{Discretization, Elements};
-use radiosity::scene::Scene;
+use radiosity::kernel::Accuracy;
 use radiosity::transport;
-use radiosity::transport::Accuracy;
 use radiosity::visibility::{Hiding, Visibility};
 
 /// Row sum Σ_j F_ij of the surface `name`, which is one element, at the default accuracies.
 fn row_sum(text: &str, name: &str, order: usize) -> f64 {
-    let scene = Scene::from_toml(text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let scene =
+        radiosity::language::from_toml(text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"));
     let accuracy = Accuracy { eps: 1e-3, shadow_eps: 3e-3 };
     let visibility = Visibility::new(&scene, Hiding::Auto.shadows(accuracy.shadow_eps));
     let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("all have area");

@@ -8,10 +8,9 @@
 
 use std::path::Path;
 
-use radiosity::output::grid::{Cell, Rates, grid};
-use radiosity::output::quality::Quality;
-use radiosity::output::reader::{Read, Reader};
-use radiosity::scene::Scene;
+use radiosity::output::readings::grid::{Cell, Rates, grid};
+use radiosity::output::readings::quality::Quality;
+use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::solve::{Options, solve};
 use radiosity::visibility::{Shadows, Visibility};
 use serde_json::Value;
@@ -20,7 +19,7 @@ use serde_json::Value;
 const PUBLISHED: [f64; 3] = [16.16, 11.04, 4.8];
 
 fn cells(order: usize, subdivide: usize, surface: &str) -> Vec<Cell> {
-    let mut scene = Scene::builtin("cornell-box").expect("the scene is built in");
+    let mut scene = radiosity::builtin("cornell-box").expect("the scene is built in");
     let index = scene.surfaces.iter().position(|s| s.name == surface).expect("the surface is there");
     scene.surfaces[index].subdivide = Some([subdivide; 2]);
     let options = Options { order, subdivide: Some(1), threads: 2, ..Options::default() };
@@ -91,7 +90,7 @@ fn gathered_light_follows_the_shadows() {
 
 /// Area-weighted relative L2 difference of floor and back wall, all bands together, %.
 fn gathered(quality: Quality) -> f64 {
-    let scene = Scene::builtin("cornell-box").expect("the scene is built in");
+    let scene = radiosity::builtin("cornell-box").expect("the scene is built in");
     let options = quality.options();
     let outcome = solve(&scene, &options, &|_| {}).expect("the box can be solved");
     let visibility = Visibility::new(&scene, (&options).into());

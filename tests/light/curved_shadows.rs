@@ -6,8 +6,8 @@ use radiosity::elements::coating::Coating;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::light::direct::{ACCURACY, DirectLight};
 use radiosity::scene::{Material, Scene, SceneBuilder};
-use radiosity::solution::{Band, Solution};
-use radiosity::system::Coefficients;
+use radiosity::solve::solution::{Band, Solution};
+use radiosity::solve::system::Coefficients;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{Bezier, Cylinder, Disk, FULL_TURN, Parallelogram, Sphere, Torus};
 use radiosity_geom::{DVec3, Surface};
@@ -210,7 +210,7 @@ fn sheets() {
 
 #[test]
 fn teapot() {
-    let scene = Scene::builtin("teapot").expect("built in");
+    let scene = radiosity::builtin("teapot").expect("built in");
     assert_accurate(&errors(&scene, &scattered(0, 20)));
     let pot: Vec<_> = (8..40).flat_map(|patch| scattered(patch, 3)).collect();
     assert_accurate(&errors(&scene, &pot));

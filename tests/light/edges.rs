@@ -15,11 +15,11 @@ use std::sync::Arc;
 
 use radiosity::elements::coating::Coating;
 use radiosity::elements::{Discretization, Elements};
-use radiosity::gather::Gather;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::{Material, Scene, SceneBuilder};
-use radiosity::solution::{Band, Solution};
-use radiosity::system::Coefficients;
+use radiosity::solve::gather::Gather;
+use radiosity::solve::solution::{Band, Solution};
+use radiosity::solve::system::Coefficients;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 use radiosity_geom::shapes::Parallelogram;

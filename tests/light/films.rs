@@ -1,11 +1,11 @@
 //! Pictures of frames that follow each other: they change by as much as things move, and no more.
 
-use radiosity::animation::follower::{Follower, Way};
-use radiosity::output::raster::Raster;
-use radiosity::output::reader::Read;
-use radiosity::output::render::render;
-use radiosity::output::shown::Shown;
+use radiosity::output::pictures::raster::Raster;
+use radiosity::output::pictures::render::render;
+use radiosity::output::readings::reader::Read;
+use radiosity::output::readings::shown::Shown;
 use radiosity::scene::Scene;
+use radiosity::solve::animation::follower::{Follower, Way};
 use radiosity::solve::{Options, Transport};
 use radiosity::visibility::Visibility;
 
@@ -38,7 +38,7 @@ surfaces = "lamp"
 translate = {{ points = {way} }}
 "#
     );
-    Scene::from_toml(&text, "room.toml").expect("the room is valid")
+    radiosity::language::from_toml(&text, "room.toml").expect("the room is valid")
 }
 
 /// The pictures of all frames.

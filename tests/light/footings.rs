@@ -2,10 +2,10 @@
 
 use proptest::prelude::*;
 use radiosity::elements::{Discretization, Elements};
-use radiosity::footings::footings;
-use radiosity::inspection::Inspection;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome, solve};
+use radiosity::visibility::footings::footings;
+use radiosity::visibility::inspection::Inspection;
 use radiosity_geom::DVec2;
 
 use crate::shapes::{Quad, quad, room, upright};
@@ -19,7 +19,7 @@ fn scene(quads: &[Quad]) -> Scene {
             "[[surfaces]]\nname = {name:?}\nmaterial = {material:?}\nquad = {{ vertices = {vertices:?} }}\n"
         );
     }
-    Scene::from_toml(&text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"))
+    radiosity::language::from_toml(&text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 fn rectangle([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> [[f64; 2]; 4] {
@@ -126,11 +126,11 @@ fn walls_across_a_room_and_dark_rooms_are_no_footings() {
 
 /// The text of the Cornell box; without the holes in its floor if `cut` is not set.
 fn cornell(cut: bool) -> Scene {
-    let text = Scene::text_of("cornell-box", &[]).expect("it is built in").text().to_string();
+    let text = radiosity::language::text_of("cornell-box", &[]).expect("it is built in").text().to_string();
     let start = text.find("holes = [\n").expect("the floor has holes");
     let end = start + text[start..].find("]\n\n").expect("they end") + 2;
     let text = if cut { text } else { text[..start].to_owned() + &text[end..] };
-    Scene::from_toml(&text, "cornell").expect("it is a scene")
+    radiosity::language::from_toml(&text, "cornell").expect("it is a scene")
 }
 
 fn solved(scene: &Scene) -> Outcome {

@@ -1,10 +1,10 @@
 //! Light is linear in emission: a solution with its groups dimmed is the solution of the scene whose lamps emit that much.
 
 use proptest::prelude::*;
+use radiosity::published::zatz1993::masked_light::{Average, Masking};
 use radiosity::scene::{Fault, Scene, SceneError};
+use radiosity::solve::solved::{RelightError, Solved};
 use radiosity::solve::{Direct, Options, Transport};
-use radiosity::solved::{RelightError, Solved};
-use radiosity::zatz1993::masked_light::{Average, Masking};
 use radiosity_solvers::method::Method;
 
 /// Number of lamps, each a group of its own.
@@ -64,7 +64,7 @@ pub(crate) fn room(levels: [f64; LAMPS]) -> Scene {
         quad = {{ vertices = [[0.2,0.2,0.5],[0.7,0.2,0.5],[0.7,0.5,0.5],[0.2,0.5,0.5]] }}
         {lamps}"#
     );
-    Scene::from_toml(&text, "room.toml").expect("the room is right")
+    radiosity::language::from_toml(&text, "room.toml").expect("the room is right")
 }
 
 /// A direct solver, so that what is compared is the theorem and not a tolerance.
@@ -216,7 +216,7 @@ fn gathered_light_is_that_of_the_dimmed_scene() {
 
 #[test]
 fn scenes_without_groups_keep_nothing_apart() {
-    let scene = Scene::builtin("furnace-cube").expect("it is built in");
+    let scene = radiosity::builtin("furnace-cube").expect("it is built in");
     let solved = Solved::new(scene, options(), &|_| {}).expect("it is solved");
     assert!(solved.outcome.solution.groups().is_empty());
     assert_same(&solved, &solved.relight(&[]).expect("nothing is set"));

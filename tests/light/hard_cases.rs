@@ -1,7 +1,7 @@
 //! Scenes on which an earlier version was wrong, dark or slow.
 
-use radiosity::output::render::{Read, render};
-use radiosity::output::shown::Shown;
+use radiosity::output::pictures::render::{Read, render};
+use radiosity::output::readings::shown::Shown;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome, solve};
 use radiosity::visibility::{Shadows, Visibility};
@@ -12,7 +12,7 @@ fn scene(surfaces: &str) -> Scene {
          [materials.white]\nreflectance = 0.8\n[materials.black]\nreflectance = 0\n\
          [materials.lamp]\nreflectance = 0\nemission = 1\n{surfaces}"
     );
-    Scene::from_toml(&text, "test").expect("the scene is valid")
+    radiosity::language::from_toml(&text, "test").expect("the scene is valid")
 }
 
 fn quad(name: &str, material: &str, vertices: [[f64; 3]; 4]) -> String {

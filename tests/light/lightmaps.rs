@@ -1,11 +1,11 @@
 //! Light textures: constants, values at single points, groups, borders.
 
-use radiosity::output::lightmap::Lightmap;
-use radiosity::output::reader::{Read, Reader};
+use radiosity::output::pictures::lightmap::Lightmap;
+use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::scene::Scene;
-use radiosity::solution::Place;
 use radiosity::solve::Options;
-use radiosity::solved::Solved;
+use radiosity::solve::solution::Place;
+use radiosity::solve::solved::Solved;
 
 use super::groups::{LAMPS, room};
 
@@ -36,7 +36,7 @@ fn a_furnace_has_light_two_at_every_texel() {
     ];
     let text =
         format!("bands = [\"grey\"]\n[materials.glow]\nreflectance = 0.5\nemission = 1\n{}", faces.concat());
-    let solved = solved(Scene::from_toml(&text, "furnace").expect("a scene"));
+    let solved = solved(radiosity::language::from_toml(&text, "furnace").expect("a scene"));
     let lightmap = lightmap(&solved, 20_000);
     for (texture, surface) in lightmap.surfaces().iter().zip(&solved.scene.surfaces) {
         if surface.name == "block-bottom" {
@@ -82,7 +82,7 @@ fn difference(solved: &Solved, lightmap: &Lightmap, factors: &[f64]) -> f64 {
 
 #[test]
 fn texels_hold_the_light_that_is_gathered_at_their_centres() {
-    let solved = solved(Scene::builtin("cornell-box").expect("built in"));
+    let solved = solved(radiosity::builtin("cornell-box").expect("built in"));
     let rms = difference(&solved, &lightmap(&solved, 4000), &[1.0]);
     assert!(rms < 1e-2, "{rms}");
 }

@@ -2,14 +2,14 @@
 
 use std::f64::consts::PI;
 
-use radiosity::gather::choice::By;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::output::grid::{Rates, grid};
-use radiosity::output::reader::{Read, Reader};
+use radiosity::output::readings::grid::{Rates, grid};
+use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::scene::{Distribution, Luminaire, Material, Scene, SceneBuilder, Source, Strength};
+use radiosity::solve::gather::choice::By;
+use radiosity::solve::solved::Solved;
 use radiosity::solve::{Direct, Options, Transport, solve};
-use radiosity::solved::Solved;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 use radiosity_geom::shapes::{Disk, FULL_TURN, Parallelogram};
@@ -182,7 +182,7 @@ fn room(reflectance: f64, more: &str) -> Scene {
         {more}
         "#
     );
-    Scene::from_toml(&text, "room").expect("a scene")
+    radiosity::language::from_toml(&text, "room").expect("a scene")
 }
 
 const BULB: &str = "[[luminaires]]\nposition = [2, 2, 2.2]\nflux = 1000\npoint = {}\n";
@@ -287,7 +287,7 @@ fn room_with_table(table: &str) -> Scene {
     let spot = "spot = { exponent = 1 }\nflux = 1\n";
     let scene = room(0.5, &format!("[[luminaires]]\nposition = [2, 2, 2.2]\n{spot}"));
     let text = scene.source.expect("it was read").text().replace(spot, "photometry = \"lamp.ies\"\n");
-    Scene::parse(&Source::new("room", &text).including("lamp.ies", table)).expect("a scene")
+    radiosity::language::parse(&Source::new("room", &text).including("lamp.ies", table)).expect("a scene")
 }
 
 /// A table of I₀ cos γ every 1/40 degree is bilinear to 2.4e-8 of I₀.
@@ -321,7 +321,8 @@ fn check_quarters(entry: &str, p: DVec3, aim: DVec3, along: DVec3) {
         "bands = [\"lm\"]\n[materials.black]\nreflectance = 0\n[[surfaces]]\nmaterial = \"black\"\n\
          sphere = {{ center = [0, 0, -20], radius = 1 }}\n{entry}"
     );
-    let scene = Scene::parse(&Source::new("web", &text).including("lamp.ies", QUARTERS)).expect("a scene");
+    let scene = radiosity::language::parse(&Source::new("web", &text).including("lamp.ies", QUARTERS))
+        .expect("a scene");
     let d = 1.5;
     let c90 = along.cross(aim);
     let points = [along, c90, -along, -c90].map(|side| (p + d * (aim + side), -aim));

@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use radiosity::gather::choice::By;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::output::reader::{Read, Reader};
+use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::scene::{Scene, Source};
+use radiosity::solve::gather::choice::By;
 use radiosity::solve::{Options, Transport, solve};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3 as V;
@@ -17,7 +17,7 @@ fn alone(luminaires: &str, table: &str) -> Scene {
         "bands = [\"lm\"]\n[materials.black]\nreflectance = 0\n[[surfaces]]\nname = \"ball\"\nmaterial = \"black\"\n\
          sphere = {{ center = [0, 0, -200], radius = 1 }}\n{luminaires}"
     );
-    Scene::parse(&Source::new("alone", &text).including("lamp.ies", table)).expect("a scene")
+    radiosity::language::parse(&Source::new("alone", &text).including("lamp.ies", table)).expect("a scene")
 }
 
 /// Direct light at points of the open for their normals, to this accuracy.
@@ -217,7 +217,7 @@ fn room(extent: &str) -> Scene {
         {extent}
         "#
     );
-    Scene::parse(&Source::new("room", &text).including("lamp.ies", &table)).expect("a scene")
+    radiosity::language::parse(&Source::new("room", &text).including("lamp.ies", &table)).expect("a scene")
 }
 
 /// A closed room absorbs what the table states.
@@ -280,7 +280,9 @@ fn areas_move_with_their_luminaires() {
             let text = format!(
                 "frames = 3\n{still}[[motion]]\n{named} = [\"panel\"]\n{turn}translate = {{ points = [[0, 0, 0], [1, 0, 0]] }}\n"
             );
-            let scene = Scene::from_toml(&text, "moving").and_then(|own| own.at_frame(2)).expect("a frame");
+            let scene = radiosity::language::from_toml(&text, "moving")
+                .and_then(|own| own.at_frame(2))
+                .expect("a frame");
             close(direct(&scene, &point, 1e-5)[0], exact, 1e-6);
             assert!(exact > 0.0 && scene.luminaires[0].position.distance(V::new(1.0, 0.0, 2.0)) < 1e-12);
         }

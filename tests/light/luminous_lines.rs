@@ -14,7 +14,7 @@ fn line(more: &str) -> Scene {
          parallelogram = {{ origin = [-5, -5, 0], edge1 = [10, 0, 0], edge2 = [0, 10, 0] }}\n\
          [[luminaires]]\nposition = [0, 0, 3]\nspot = {{ exponent = 1 }}\nintensity = 100\nextent = [2, 0]\n{more}"
     );
-    Scene::from_toml(&text, "line").expect("a scene")
+    radiosity::language::from_toml(&text, "line").expect("a scene")
 }
 
 fn direct(scene: &Scene, points: &[(V, V)]) -> Vec<f64> {
@@ -79,7 +79,7 @@ fn a_closed_room_absorbs_the_flux_of_a_line() {
     let text = "bands = [\"lm\"]\n[materials.wall]\nreflectance = 0.5\n[[surfaces]]\nname = \"room\"\nmaterial = \"wall\"\n\
         box = { origin = [0, 0, 0], size = [4, 5, 3], inward = true }\n\
         [[luminaires]]\nposition = [2, 2.5, 2.9]\nflux = 1000\npoint = {}\nextent = [0, 1.5]\n";
-    let scene = Scene::from_toml(text, "room").expect("a scene");
+    let scene = radiosity::language::from_toml(text, "room").expect("a scene");
     let options = Options { shadow_eps: 1e-3, ..Options::default() };
     let checks = solve(&scene, &options, &|_| {}).expect("a solution").checks;
     assert!((checks.energy_in - 1000.0).abs() < 1e-9, "{checks:?}");

@@ -4,12 +4,12 @@ use std::num::NonZeroUsize;
 use std::process::Command;
 
 use radiosity::light::direct::DirectLight;
-use radiosity::output::grid::{Cell, Rates, grid};
-use radiosity::output::reader::{Read, Reader};
+use radiosity::output::readings::grid::{Cell, Rates, grid};
+use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::published::zatz1993::masked_light::{Average, Masking};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome, solve};
 use radiosity::visibility::{Hiding, Visibility};
-use radiosity::zatz1993::masked_light::{Average, Masking};
 
 fn cells(count: usize) -> NonZeroUsize {
     NonZeroUsize::new(count).expect("more than none")
@@ -43,7 +43,7 @@ fn difference(scene: &Scene, ours: &[Cell], exact: &[Cell]) -> f64 {
 /// A panel between lamp and floor: polynomials ring at the edge of its shadow, masks have the edge.
 #[test]
 fn masks_keep_the_shadow_of_a_panel() {
-    let scene = Scene::builtin("occluder-box").expect("the scene is built in");
+    let scene = radiosity::builtin("occluder-box").expect("the scene is built in");
     let plain = solved(&scene, None);
     let exact = means(&scene, &plain, Read::Direct);
     let ringing = difference(&scene, &means(&scene, &plain, Read::Basis), &exact);
@@ -54,7 +54,7 @@ fn masks_keep_the_shadow_of_a_panel() {
 /// The plain average of the paper forgets that the near parts of an emitter weigh more.
 #[test]
 fn the_papers_average_is_coarser() {
-    let scene = Scene::builtin("occluder-box").expect("the scene is built in");
+    let scene = radiosity::builtin("occluder-box").expect("the scene is built in");
     let plain = solved(&scene, None);
     let exact = means(&scene, &plain, Read::Direct);
     let [weighted, paper] = [Average::Weighted, Average::Plain].map(|average| {
@@ -68,7 +68,7 @@ fn the_papers_average_is_coarser() {
 /// of the unshadowed light leave.
 #[test]
 fn nodes_carry_the_share_that_is_seen() {
-    let scene = Scene::builtin("occluder-box").expect("the scene is built in");
+    let scene = radiosity::builtin("occluder-box").expect("the scene is built in");
     let outcome = solved(&scene, weighted(20));
     let solution = &outcome.solution;
     let list = solution.elements().list();
@@ -95,7 +95,7 @@ fn nodes_carry_the_share_that_is_seen() {
 
 #[test]
 fn nothing_is_masked_where_nothing_stands_between() {
-    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let scene = radiosity::builtin("empty-box").expect("the scene is built in");
     let masked = solved(&scene, weighted(10));
     assert!(masked.solution.masked().expect("asked for").is_plain());
     let plain = solved(&scene, None);

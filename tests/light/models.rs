@@ -5,7 +5,7 @@ use radiosity::solve::{Direct, Failure, Model, Options, Outcome, solve};
 use radiosity_solvers::method::Method;
 
 fn builtin(name: &str) -> Scene {
-    Scene::builtin(name).expect("the scene is built in")
+    radiosity::builtin(name).expect("the scene is built in")
 }
 
 /// A direct solver, so that what is compared is not a tolerance.

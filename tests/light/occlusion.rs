@@ -5,10 +5,10 @@ use std::collections::HashMap;
 
 use proptest::prelude::*;
 use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::kernel::{Accuracy, polygon_exchange};
 use radiosity::scene::Scene;
+use radiosity::solve::view_factors::{Options, ViewFactors};
 use radiosity::transport;
-use radiosity::transport::{Accuracy, polygon_exchange};
-use radiosity::view_factors::{Options, ViewFactors};
 use radiosity::visibility::{Hiding, Shadows, Visibility};
 use radiosity_geom::DVec3;
 
@@ -19,7 +19,8 @@ pub(crate) fn factors(quads: &[Quad], hiding: Hiding, eps: f64) -> ViewFactors {
     for (name, vertices) in quads {
         text += &format!("[[surfaces]]\nname = {name:?}\nquad = {{ vertices = {vertices:?} }}\n");
     }
-    let scene = Scene::from_toml(&text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let scene =
+        radiosity::language::from_toml(&text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"));
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
     let options = Options { subdivide: None, accuracy, shadows: hiding, threads: 2 };
     ViewFactors::new(&scene, &options, &|_, _| {}).expect("all have area")
@@ -114,7 +115,7 @@ fn shadows_at_defaults_leave_them_to_three_digits() {
 fn a_ball_in_a_sphere_hides_a_part_of_it() {
     let text = "[[surfaces]]\nsphere = { center = [0, 0, 0], radius = 0.5 }
                 [[surfaces]]\nflip = true\nsphere = { center = [0, 0, 0], radius = 1 }";
-    let scene = Scene::from_toml(text, "spheres").expect("two spheres are a scene");
+    let scene = radiosity::language::from_toml(text, "spheres").expect("two spheres are a scene");
     for (hiding, eps, most) in [(Hiding::Rays, 1e-3, 1e-3), (Hiding::Auto, 1e-6, 1e-5)] {
         let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
         let options = Options { subdivide: None, accuracy, shadows: hiding, threads: 2 };
@@ -261,7 +262,7 @@ fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
 #[test]
 fn blocks_of_any_order_keep_the_accuracy_of_shadows() {
     for order in [0, 2] {
-        let scene = Scene::builtin("occluder-box").expect("it is built in");
+        let scene = radiosity::builtin("occluder-box").expect("it is built in");
         let error = largest_error(&scene, order, 1e-4);
         assert!(error <= 3e-3, "order {order}: {error:e}");
     }

@@ -4,12 +4,12 @@ use std::f64::consts::PI;
 
 use radiosity::geom::shapes::{Disk, FULL_TURN, Parallelogram, Sphere};
 use radiosity::geom::{DVec3, Encounter};
-use radiosity::output::pinhole::Pinhole;
-use radiosity::output::raster::Raster;
-use radiosity::output::reader::{Read, Reader};
-use radiosity::output::render::render;
-use radiosity::output::shown::Shown;
-use radiosity::solution::Place;
+use radiosity::output::pictures::pinhole::Pinhole;
+use radiosity::output::pictures::raster::Raster;
+use radiosity::output::pictures::render::render;
+use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::output::readings::shown::Shown;
+use radiosity::solve::solution::Place;
 use radiosity::solve::{Options, Outcome, solve};
 use radiosity::visibility::Visibility;
 use radiosity::{Material, Scene, SceneBuilder, scene::Camera};
@@ -234,7 +234,7 @@ name = "panel"
 material = "black"
 quad = { vertices = [[0.5,0.5,2.8],[2.5,0.5,2.8],[2.5,2.5,2.8],[0.5,2.5,2.8]] }
 "#;
-    let scene = Scene::from_toml(room, "room.toml").expect("a scene");
+    let scene = radiosity::language::from_toml(room, "room.toml").expect("a scene");
     let Taken { raster, .. } = taken(scene, 1);
     assert!(raster.pixels().any(|pixel| pixel[0] > 0.1));
 }
@@ -259,7 +259,7 @@ name = "ball"
 material = "wall"
 sphere = { center = [1.5,1.5,1.0], radius = 0.2 }
 "#;
-    let scene = Scene::from_toml(room, "room.toml").expect("a scene");
+    let scene = radiosity::language::from_toml(room, "room.toml").expect("a scene");
     let Taken { outcome, visibility, scene, raster } = taken(scene, 1);
     let camera = scene.camera.clone().expect("a camera");
     let read = Read::Basis;

@@ -3,12 +3,12 @@
 use std::f64::consts::PI;
 
 use radiosity::geom::{DVec3, Encounter};
-use radiosity::output::pinhole::Pinhole;
-use radiosity::output::reader::{Read, Reader};
-use radiosity::output::render::render;
-use radiosity::output::shown::Shown;
-use radiosity::scene::{Camera, Scene};
-use radiosity::solution::Place;
+use radiosity::output::pictures::pinhole::Pinhole;
+use radiosity::output::pictures::render::render;
+use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::output::readings::shown::Shown;
+use radiosity::scene::Camera;
+use radiosity::solve::solution::Place;
 use radiosity::solve::{Options, solve};
 use radiosity::visibility::Visibility;
 
@@ -18,7 +18,7 @@ const SIZE: usize = 256;
 #[test]
 fn fitted_light_is_that_of_every_pixel() {
     for name in ["cornell-box", "two-boxes"] {
-        let scene = Scene::builtin(name).expect("built in");
+        let scene = radiosity::builtin(name).expect("built in");
         let options = Options { order: 2, ..Options::default() };
         let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
         let visibility = Visibility::new(&scene, (&options).into());
@@ -57,7 +57,7 @@ fn luminous_areas_are_as_bright_as_they_are_towards_the_eye() {
     let text = "bands = [\"lm\"]\n[materials.black]\nreflectance = 0\n[[surfaces]]\nmaterial = \"black\"\n\
         sphere = { center = [0, 0, -9], radius = 1 }\n[[luminaires]]\nposition = [0, 0, 2]\nspot = { exponent = 3 }\n\
         intensity = 10\nextent = [0.5, 0.8]\n";
-    let scene = Scene::from_toml(text, "area").expect("a scene");
+    let scene = radiosity::language::from_toml(text, "area").expect("a scene");
     let options = Options::default();
     let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
     let visibility = Visibility::new(&scene, (&options).into());
@@ -80,7 +80,7 @@ fn luminous_areas_are_as_bright_as_they_are_towards_the_eye() {
 fn openings_are_as_bright_as_the_sky_behind_them() {
     let text = "bands = [\"lm\"]\n[sky]\nmodel = \"overcast\"\nilluminance = 700\n[materials.air]\nreflectance = 0\n[[surfaces]]\n\
         material = \"air\"\nopening = true\nparallelogram = { origin = [-1, -1, 3], edge1 = [0, 2, 0], edge2 = [2, 0, 0] }\n";
-    let scene = Scene::from_toml(text, "opening").expect("a scene");
+    let scene = radiosity::language::from_toml(text, "opening").expect("a scene");
     let options = Options::default();
     let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
     let visibility = Visibility::new(&scene, (&options).into());

@@ -3,11 +3,11 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use radiosity::gather::choice::By;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::output::reader::{Read, Reader};
+use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::scene::{Radiance, Scene};
+use radiosity::solve::gather::choice::By;
 use radiosity::solve::{Failure, Options, Transport, solve};
 use radiosity::visibility::{Hiding, Visibility};
 use radiosity_geom::DVec3 as V;
@@ -18,7 +18,7 @@ fn open_air(sky: &str) -> Scene {
         "bands = [\"lm\"]\n[sky]\n{sky}\n[materials.air]\nreflectance = 0\n[[surfaces]]\nname = \"air\"\nmaterial = \"air\"\n\
          opening = true\nbox = {{ origin = [-1, -1, -1], size = [2, 2, 2], inward = true }}\n"
     );
-    Scene::from_toml(&text, "air").expect("a scene")
+    radiosity::language::from_toml(&text, "air").expect("a scene")
 }
 
 /// Direct light at a point of the open for each normal, to this accuracy.
@@ -116,7 +116,7 @@ fn room(sky: &str, opening: &str) -> Scene {
         {opening}
         "#
     );
-    Scene::from_toml(&text, "room").expect("a scene")
+    radiosity::language::from_toml(&text, "room").expect("a scene")
 }
 
 const SKYLIGHT: &str = "quad = { vertices = [[1, 1, 3], [1, 3, 3], [2, 3, 3], [2, 1, 3]] }\n[[surfaces]]\nname = \"window\"\n\
@@ -240,7 +240,7 @@ fn openings_that_look_alike_share_what_they_see() {
         pane("glazed", 4.0, "glass = {}"),
         pane("turned", 6.0, "opening = true\nflip = true"),
     );
-    let scene = Scene::from_toml(&text, "panes").expect("a scene");
+    let scene = radiosity::language::from_toml(&text, "panes").expect("a scene");
     let [a, b, glazed, turned] = [0, 1, 2, 3]
         .map(|k| scene.surfaces[k].radiance.as_ref().and_then(Radiance::outlook).expect("an opening"));
     assert!(Arc::ptr_eq(a, b));

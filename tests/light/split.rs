@@ -1,8 +1,8 @@
 //! Direct light split off the polynomials: power, limits that both forms share, and where they are chosen.
 
-use radiosity::gather::Gather;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
+use radiosity::solve::gather::Gather;
 use radiosity::solve::{Direct, Options, Outcome, solve};
 use radiosity::visibility::Visibility;
 
@@ -15,7 +15,7 @@ fn solved(scene: &Scene, options: &Options) -> Outcome {
 }
 
 fn builtin(name: &str) -> Scene {
-    Scene::builtin(name).expect("the scene is built in")
+    radiosity::builtin(name).expect("the scene is built in")
 }
 
 #[test]
@@ -69,7 +69,7 @@ quad = { vertices = [[-0.5,-0.5,1],[-0.5,0.5,1],[0.5,0.5,1],[0.5,-0.5,1]] }
 /// Below the middle of the lamp half of it is seen past the plate: ½ of 4/π a/√(1+a²) atan(a/√(1+a²)) with a = ½.
 #[test]
 fn without_reflection_there_is_direct_light_alone() {
-    let scene = Scene::from_toml(BLACK, "black.toml").expect("the scene is valid");
+    let scene = radiosity::language::from_toml(BLACK, "black.toml").expect("the scene is valid");
     let outcome = solved(&scene, &options(3, Direct::Auto));
     assert!(outcome.split, "the plate casts a shadow");
     let coefficients = &outcome.solution.bands()[0].coefficients;

@@ -1,6 +1,6 @@
 //! The built-in scenes with all coordinates in single precision: their solutions are the same.
 
-use radiosity::scene::{Material, Scene, SceneSurface, Source};
+use radiosity::scene::{Material, SceneSurface, Source};
 use radiosity::solve::{Options, solve};
 
 /// The text with every number of a shape rounded to single precision. Numbers of cameras, materials and bands stay.
@@ -23,7 +23,7 @@ fn round(value: &mut toml::Value) {
 
 /// Relative L2 distance of the mean radiosities of the surfaces.
 fn distance(name: &str) -> f64 {
-    let source = Scene::text_of(name, &[]).expect("it is built in");
+    let source = radiosity::language::text_of(name, &[]).expect("it is built in");
     let rounded = Source::new(&source.origin, &single(&source.text()));
     let [clean, found] = [&source, &rounded].map(mean_radiosities);
     let sum = |of: &dyn Fn(&[f64; 2], &[f64; 2]) -> f64| {
@@ -36,7 +36,7 @@ fn distance(name: &str) -> f64 {
 
 /// Mean radiosity in the first band and area of each surface.
 fn mean_radiosities(source: &Source) -> Vec<[f64; 2]> {
-    let scene = Scene::parse(source).expect("a scene");
+    let scene = radiosity::language::parse(source).expect("a scene");
     let outcome = solve(&scene, &Options::default(), &|_| {}).expect("a solution");
     let mean = |(index, surface): (usize, &SceneSurface)| {
         let irradiance = outcome.solution.mean_irradiance(0, index);

@@ -1,10 +1,10 @@
 //! What lies on a surface, and what it covers of it, exchange light with each other alone.
 
 use proptest::prelude::*;
-use radiosity::covers::covers;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Transport, solve};
+use radiosity::visibility::covers::covers;
 use radiosity_geom::polygon_area;
 
 use crate::sheet::{Sheet, cuboid, factors, plate, room, scene, scene_lit_by, sheet, turned};

@@ -1,6 +1,6 @@
 //! One gap or offset from 1e-15 to 1e-1 of a metre, four a decade: rows add up at every step, and no factor jumps.
 
-use radiosity::view_factors::ViewFactors;
+use radiosity::solve::view_factors::ViewFactors;
 
 use crate::rooms::{FAMILIES, Family};
 use crate::sheet::{Sheet, factors, scene};

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use radiosity::scene::Scene;
-use radiosity::view_factors::ViewFactors;
+use radiosity::solve::view_factors::ViewFactors;
 
 use crate::sheet::factors;
 
@@ -20,7 +20,7 @@ fn path(name: &str) -> Option<PathBuf> {
 
 fn load(name: &str) -> Option<(Scene, ViewFactors)> {
     let path = path(name)?;
-    let scene = Scene::load(path.to_str().expect("a path in Unicode")).expect("a scene");
+    let scene = radiosity::load(path.to_str().expect("a path in Unicode")).expect("a scene");
     let start = Instant::now();
     let found = factors(&scene);
     println!("{name:24} {:.2} s, {:?}", start.elapsed().as_secs_f64(), scene.fitted.line());

@@ -1,8 +1,8 @@
 //! Flat sheets, the rooms and bodies that they make, and their view factors.
 
+use radiosity::kernel::Accuracy;
 use radiosity::scene::{Material, Scene, SceneBuilder, SceneError};
-use radiosity::transport::Accuracy;
-use radiosity::view_factors::{Options, ViewFactors};
+use radiosity::solve::view_factors::{Options, ViewFactors};
 use radiosity::visibility::Hiding;
 use radiosity_geom::DVec3;
 use radiosity_geom::shapes::Polygon;

@@ -6,9 +6,8 @@
 use std::f64::consts::TAU;
 
 use radiosity::elements::rule::UnitRule;
-use radiosity::irradiance::visible_polygon::irradiance;
-use radiosity::scene::Scene;
-use radiosity::solution::{Place, Solution};
+use radiosity::kernel::irradiance::visible_polygon::irradiance;
+use radiosity::solve::solution::{Place, Solution};
 use radiosity_geom::DVec3;
 
 use crate::estimate::{Case, within};
@@ -48,7 +47,7 @@ fn lit(name: &'static str, body: &str, lamp: Lamp) -> Case {
     let mut text = format!("bands = ['grey']\n{grey}[materials.lamp]\nreflectance = 0\nemission = 1\n");
     text += &format!("[[surfaces]]\nmaterial = 'grey'\n{body}\n");
     text += &format!("[[surfaces]]\nmaterial = 'lamp'\n{}\n", lamp.key);
-    let scene = Scene::from_toml(&text, name).expect("the scene is valid");
+    let scene = radiosity::language::from_toml(&text, name).expect("the scene is valid");
     Case::new(name, scene, move |solution| error(solution, &lamp.outline))
 }
 

@@ -4,13 +4,13 @@
 //! estimate may only be too large.
 
 use radiosity::elements::cells::Layers;
-use radiosity::gather::Gather;
-use radiosity::gather::spot::Spot;
 use radiosity::scene::Scene;
-use radiosity::solution::Solution;
+use radiosity::solve::gather::Gather;
+use radiosity::solve::gather::spot::Spot;
+use radiosity::solve::solution::Solution;
+use radiosity::solve::studies::adaptation::{Aim, Goal, adapt};
+use radiosity::solve::studies::error_norm::distance;
 use radiosity::solve::{Options, solve};
-use radiosity::studies::adaptation::{Aim, Goal, adapt};
-use radiosity::studies::error_norm::distance;
 use radiosity::visibility::Visibility;
 
 use crate::random::Random;
@@ -92,7 +92,7 @@ impl Case {
 fn scene(text: &str) -> Scene {
     let materials = "bands = ['grey']\n[materials.lit]\nreflectance = 0.5\nemission = 1\n[materials.wall]\nreflectance = 0.5\n
                      [materials.white]\nreflectance = 0.8\n[materials.lamp]\nreflectance = 0\nemission = 1\n";
-    Scene::from_toml(&format!("{materials}{text}"), "case").expect("the scene is valid")
+    radiosity::language::from_toml(&format!("{materials}{text}"), "case").expect("the scene is valid")
 }
 
 /// A surface of some material and shape.
@@ -143,7 +143,7 @@ fn random_box(random: &mut Random) -> Scene {
         text += &format!("[materials.m{k}]\nreflectance = {reflectance:?}\nemission = {emission:?}\n");
         text += &surface(&format!("m{k}"), shape);
     }
-    Scene::from_toml(&text, "box").expect("a box is valid")
+    radiosity::language::from_toml(&text, "box").expect("a box is valid")
 }
 
 fn balls() -> String {
@@ -205,7 +205,7 @@ fn above(cases: impl Iterator<Item = Case>, wanted: &[f64]) {
 
 /// Scenes whose radiosity is one number on each surface.
 fn constant() -> impl Iterator<Item = Case> {
-    let cube = Scene::builtin("furnace-cube").expect("it is built in");
+    let cube = radiosity::builtin("furnace-cube").expect("it is built in");
     let cases = [
         ("furnace", cube),
         ("zones of a sphere", scene(&zones())),
@@ -218,7 +218,7 @@ fn constant() -> impl Iterator<Item = Case> {
 
 #[test]
 fn the_estimate_is_near_the_error() {
-    let hinge = Scene::builtin("hinge-squares").expect("it is built in");
+    let hinge = radiosity::builtin("hinge-squares").expect("it is built in");
     let cases = [
         ("plates at distance 1", scene(&plates(1.0)), graded(12, 0)),
         ("plates at distance 0.1", scene(&plates(0.1)), graded(7, 2)),
@@ -231,7 +231,7 @@ fn the_estimate_is_near_the_error() {
 #[test]
 #[ignore = "the finest runs take minutes"]
 fn the_estimate_is_near_the_error_everywhere() {
-    let builtin = |name: &str| Scene::builtin(name).expect("it is built in");
+    let builtin = |name: &str| radiosity::builtin(name).expect("it is built in");
     let cases = [
         ("plates at distance 1", scene(&plates(1.0)), graded(12, 0)),
         ("plates at distance 0.1", scene(&plates(0.1)), graded(8, 2)),

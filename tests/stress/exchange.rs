@@ -13,9 +13,8 @@
 //! many digits where X or W are small or large, so that f64 would not do.
 
 use radiosity::elements::{Discretization, Elements};
-use radiosity::scene::Scene;
+use radiosity::kernel::{Accuracy, polygon_exchange};
 use radiosity::transport;
-use radiosity::transport::{Accuracy, polygon_exchange};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 
@@ -99,7 +98,7 @@ fn transfer([p, q]: &[[DVec3; 4]; 2], order: usize, eps: f64) -> f64 {
         format!("[[surfaces]]\nparallelogram = {{ origin = {origin:?}, edge1 = {u:?}, edge2 = {v:?} }}\n")
     };
     let text = format!("bands = [\"grey\"]\n{}{}", surface(p), surface(q));
-    let scene = Scene::from_toml(&text, "pair").expect("rectangles are valid");
+    let scene = radiosity::language::from_toml(&text, "pair").expect("rectangles are valid");
     let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("rectangles have area");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let blocks = transport::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: eps }, &|_, _| {});

@@ -7,7 +7,7 @@
 //! Each product n·(a × b)/|a × b| is rounded to ε/θ, so a term to about ε whatever its size: the form keeps digits of 1, not
 //! of E, and a small part of the sky is better summed by points.
 
-use radiosity::irradiance::visible_polygon::irradiance;
+use radiosity::kernel::irradiance::visible_polygon::irradiance;
 use radiosity_geom::DVec3;
 
 use crate::double::Double;

@@ -1,9 +1,9 @@
 //! Orders to 20 and thin rooms: the constant must be kept, c = G c, whatever the order.
 
 use radiosity::elements::{Discretization, Elements};
+use radiosity::kernel::Accuracy;
 use radiosity::scene::Scene;
 use radiosity::transport;
-use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
 
 use crate::random::Random;
@@ -13,7 +13,8 @@ use crate::walls::walls;
 /// A closed box of some size, seen from inside.
 fn room(sides: [f64; 3]) -> Scene {
     let faces = walls(sides).map(|wall| format!("[[surfaces]]\n{wall}"));
-    Scene::from_toml(&format!("bands = [\"grey\"]\n{}", faces.concat()), "box").expect("a box is valid")
+    radiosity::language::from_toml(&format!("bands = [\"grey\"]\n{}", faces.concat()), "box")
+        .expect("a box is valid")
 }
 
 /// Largest |c − G c| in multiples of what the blocks of its row may miss.

@@ -50,7 +50,7 @@ fn room(random: &mut Random) -> Scene {
         });
         text += &block(random, middle, radius, size[2]);
     }
-    Scene::from_toml(&text, "room").expect("boxes apart are valid")
+    radiosity::language::from_toml(&text, "room").expect("boxes apart are valid")
 }
 
 /// How many times as far off as asked a sum over a row may be: it adds up some twenty blocks.

@@ -31,7 +31,7 @@ fn room(scale: f64, curved: bool) -> Scene {
             "[[surfaces]]\nmaterial = 'white'\nsphere = {{ center = [{x:?}, {y:?}, {z:?}], radius = {r:?} }}\n"
         );
     }
-    Scene::from_toml(&text, "room").expect("the room is valid")
+    radiosity::language::from_toml(&text, "room").expect("the room is valid")
 }
 
 /// Irradiance coefficients over the length unit.

@@ -19,7 +19,7 @@ fn room(reflectance: f64) -> Scene {
     let materials_of = ["white", "lamp", "white", "white", "white", "white"];
     let surface = |(material, wall): (&str, String)| format!("[[surfaces]]\nmaterial = '{material}'\n{wall}");
     let walls: String = materials_of.into_iter().zip(walls([1.0; 3])).map(surface).collect();
-    Scene::from_toml(&(materials + &walls), "white").expect("a box is valid")
+    radiosity::language::from_toml(&(materials + &walls), "white").expect("a box is valid")
 }
 
 /// Most that a solver may take.

@@ -1,9 +1,9 @@
 //! Frames that follow each other against frames that are solved alone.
 
-use radiosity::animation::follower::{Follower, Way};
-use radiosity::animation::frame::Frame;
-use radiosity::animation::sequence::Sequence;
 use radiosity::scene::Scene;
+use radiosity::solve::animation::follower::{Follower, Way};
+use radiosity::solve::animation::frame::Frame;
+use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};
 
 /// A room with a block, a lamp of two groups under the ceiling, and a panel of two sides between them; `motion` moves them.
@@ -40,7 +40,7 @@ parallelogram = {{ origin = [0.1, 0.5, 0.6], edge1 = [0.3, 0, 0], edge2 = [0, 0.
 {motion}
 "#
     );
-    Scene::from_toml(&text, "room.toml").expect("the room is valid")
+    radiosity::language::from_toml(&text, "room.toml").expect("the room is valid")
 }
 
 /// A closed cube with `things` in it, of walls or a lamp of this reflectance.
@@ -57,7 +57,7 @@ box = {{ origin = [0, 0, 0], size = [1, 1, 1], inward = true }}
 {things}
 "#
     );
-    Scene::from_toml(&text, "cube.toml").expect("it is valid")
+    radiosity::language::from_toml(&text, "cube.toml").expect("it is valid")
 }
 
 const PANEL: &str = "surfaces = 'panel'

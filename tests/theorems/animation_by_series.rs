@@ -1,10 +1,10 @@
 //! Frames whose blocks are sums of power series against frames that are solved alone.
 
-use radiosity::animation::follower::{Follower, Way};
-use radiosity::animation::frame::Frame;
-use radiosity::animation::sequence::Sequence;
 use radiosity::geom::DVec3;
 use radiosity::scene::Scene;
+use radiosity::solve::animation::follower::{Follower, Way};
+use radiosity::solve::animation::frame::Frame;
+use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};
 use radiosity::visibility::Hiding;
 
@@ -83,7 +83,7 @@ surfaces = "glow"
 translate = {{ points = [[0, 0, 0], [0, -0.05, 0.04]] }}
 "#
     );
-    Scene::from_toml(&text, "random.toml").expect("the room is valid")
+    radiosity::language::from_toml(&text, "random.toml").expect("the room is valid")
 }
 
 /// Every fifth frame against that alone; returns how many blocks were sums of series in all.
@@ -107,7 +107,7 @@ fn compared(scene: &Scene, options: &Options, tolerance: f64) -> usize {
 
 #[test]
 fn frames_are_those_alone_to_the_error_that_is_told() {
-    let sliding = Scene::builtin("sliding-light").expect("it is built in");
+    let sliding = radiosity::builtin("sliding-light").expect("it is built in");
     for shadows in [false, true] {
         assert!(compared(&sliding, &options(shadows), 1e-4) > 500);
     }
@@ -160,7 +160,7 @@ MOTION
     let moved = "translate = { points = [[0, 0, 0], [0.02, 0.01, 0]] }";
     for (shape, motion, sums) in [(quad, turned, false), (ball, moved, false), (quad, moved, true)] {
         let text = text.replace("SHAPE", shape).replace("MOTION", motion);
-        let scene = Scene::from_toml(&text, "room.toml").expect("it is valid");
+        let scene = radiosity::language::from_toml(&text, "room.toml").expect("it is valid");
         let options = Options { eps: 1e-5, ..options(false) };
         let mut follower = Follower::new(&scene, &options, Way::Series { tolerance: 1e-4 }, [0, 20]);
         for number in 0..4 {

@@ -1,18 +1,18 @@
 //! Bases of the variational source: mass matrices, best fits and convergence rates against closed forms; what Ritz's method keeps.
 
 use proptest::prelude::*;
-use radiosity::bases::{Projection, Subspace};
 use radiosity::elements::cells::Layers;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements, Subdivide};
+use radiosity::kernel::Accuracy;
+use radiosity::published::bases::{Projection, Subspace};
 use radiosity::scene::Scene;
+use radiosity::solve::system::System;
+use radiosity::solve::system::ritz::Ritz;
 use radiosity::solve::{Options, Outcome, Preconditioning, Transport, solve};
-use radiosity::system::System;
-use radiosity::system::ritz::Ritz;
 use radiosity::transport;
-use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity::{Basis, Solved};
 use radiosity_geom::DVec3;
@@ -29,7 +29,7 @@ fn scene(shape: &str) -> Scene {
     let text = format!(
         "materials.grey = {{ reflectance = 0.5, emission = 1 }}\n[[surfaces]]\nmaterial = \"grey\"\n{shape}"
     );
-    Scene::from_toml(&text, "test").expect("the scene is valid")
+    radiosity::language::from_toml(&text, "test").expect("the scene is valid")
 }
 
 /// The elements of a basis on `cells` × `cells` cells, for transfers accurate to 1e-9.
@@ -247,7 +247,7 @@ fn below_a_square(x: f64, y: f64, h: f64) -> f64 {
 
 /// Relative L² error of the irradiance of the floor below a luminous square.
 fn error_below_a_square(options: &Options) -> f64 {
-    let scene = Scene::from_toml(
+    let scene = radiosity::language::from_toml(
         "materials.floor = { reflectance = 0.5 }\nmaterials.lamp = { reflectance = 0, emission = 1 }\n\
          [[surfaces]]\nmaterial = \"floor\"\nparallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [0,1,0] }\n\
          [[surfaces]]\nmaterial = \"lamp\"\norder = 0\nparallelogram = { origin = [0,0,0.7], edge1 = [0,1,0], edge2 = [1,0,0] }\n",
@@ -260,7 +260,7 @@ fn error_below_a_square(options: &Options) -> f64 {
     for index in solution.elements().of_surface(0) {
         let element = &solution.elements().list()[index];
         for (x, parameters, weight) in points(element) {
-            let place = radiosity::solution::Place { surface: 0, parameters, position: x };
+            let place = radiosity::solve::solution::Place { surface: 0, parameters, position: x };
             let exact = below_a_square(x.x, x.y, 0.7);
             error += weight * (solution.irradiance(0, index, &place) - exact).powi(2);
             size += weight * exact * exact;
@@ -288,7 +288,7 @@ fn solutions_converge_at_the_rates_of_theory() {
 #[test]
 fn the_functional_of_a_furnace_is_known() {
     for name in ["furnace-cube", "furnace-sphere"] {
-        let scene = Scene::builtin(name).expect("it is built in");
+        let scene = radiosity::builtin(name).expect("it is built in");
         let area: f64 = scene.surfaces.iter().map(|surface| surface.shape.area()).sum();
         for basis in [Basis::Legendre, Basis::Constant, Basis::Linear, Basis::Harmonic] {
             let outcome = solved(&scene, &Options { eps: 1e-4, ..options(basis, 2, 2) });
@@ -311,7 +311,7 @@ fn functional(scene: &Scene, options: &Options) -> f64 {
 
 #[test]
 fn larger_spaces_have_lower_functionals() {
-    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let scene = radiosity::builtin("empty-box").expect("it is built in");
     let of = |basis, order, cells| functional(&scene, &options(basis, order, cells));
     let falls = |all: &[f64]| assert!(all.windows(2).all(|pair| pair[1] < pair[0]), "{all:?}");
     falls(&[0, 1, 2, 3].map(|order| of(Basis::Legendre, order, 1)));
@@ -325,14 +325,14 @@ fn larger_spaces_have_lower_functionals() {
 
 #[test]
 fn cosines_do_not_depend_on_the_cells_that_hold_them() {
-    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let scene = radiosity::builtin("empty-box").expect("it is built in");
     let [whole, cut] = [1, 3].map(|cells| functional(&scene, &options(Basis::Harmonic, 3, cells)));
     assert!((whole / cut - 1.0).abs() < 1e-5, "{whole} {cut}");
 }
 
 #[test]
 fn every_solver_finds_the_same_light_in_every_basis() {
-    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let scene = radiosity::builtin("empty-box").expect("it is built in");
     for basis in OTHERS {
         let means = |method: &'static Method| {
             let outcome =
@@ -357,7 +357,7 @@ fn every_solver_finds_the_same_light_in_every_basis() {
 #[test]
 fn every_basis_keeps_power_to_rounding() {
     for name in ["empty-box", "two-boxes", "occluder-box"] {
-        let scene = Scene::builtin(name).expect("it is built in");
+        let scene = radiosity::builtin(name).expect("it is built in");
         for basis in OTHERS {
             let checks = solved(&scene, &Options { eps: 1e-3, ..options(basis, 2, 2) }).checks;
             let sum = checks.energy_absorbed + checks.energy_lost;
@@ -368,7 +368,7 @@ fn every_basis_keeps_power_to_rounding() {
 
 #[test]
 fn tents_and_cosines_have_no_jumps_inside_surfaces() {
-    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let scene = radiosity::builtin("empty-box").expect("it is built in");
     for (basis, jump) in [(Basis::Linear, 1e-12), (Basis::Harmonic, 1e-5)] {
         let found = solved(&scene, &options(basis, 2, 4)).checks.seam_jump_max;
         assert!(found < jump, "{basis:?}: {found}");
@@ -378,13 +378,13 @@ fn tents_and_cosines_have_no_jumps_inside_surfaces() {
 
 #[test]
 fn solution_files_of_every_basis_are_read_as_they_were() {
-    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let scene = radiosity::builtin("empty-box").expect("it is built in");
     for basis in OTHERS {
         let written = Solved::new(scene.clone(), options(basis, 2, 2), &|_| {}).expect("it is solved");
-        let file = radiosity::output::solution_file::SolutionFile::new(&written);
+        let file = radiosity::output::files::solution_file::SolutionFile::new(&written);
         let text = serde_json::to_string(&file).expect("it is written");
         let source = radiosity::scene::Source::new("file", &text);
-        let read = radiosity::output::solution_file::read(&source).expect("it is read");
+        let read = radiosity::output::files::solution_file::read(&source).expect("it is read");
         assert_eq!(read.options.basis, basis);
         assert_eq!(read.outcome.unknowns, written.outcome.unknowns);
         for (before, after) in written.outcome.solution.bands().iter().zip(read.outcome.solution.bands()) {
@@ -400,7 +400,7 @@ proptest! {
     fn conjugate_gradients_lower_the_functional_of_rooms(
         reflectances in prop::collection::vec(0.0..0.98, 6), exitances in prop::collection::vec(0.0..5.0, 6), order in 0..4usize,
     ) {
-        let scene = Scene::builtin("empty-box").expect("it is built in");
+        let scene = radiosity::builtin("empty-box").expect("it is built in");
         let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("a box has area");
         let visibility = Visibility::new(&scene, Shadows::Off);
         let accuracy = Accuracy { eps: 1e-4, shadow_eps: 3e-3 };
@@ -425,7 +425,7 @@ proptest! {
 
 /// Steps of cg in the tube that `scene` holds, closed by a lamp at one end.
 fn steps(order: usize, cells: usize, preconditioner: Preconditioning) -> usize {
-    let scene = Scene::from_toml(
+    let scene = radiosity::language::from_toml(
         "materials.wall = { reflectance = 0.9 }\nmaterials.lamp = { reflectance = 0, emission = 10 }\n\
          [[surfaces]]\nmaterial = \"wall\"\nflip = true\ncylinder = { base = [0,0,0], axis = [0,0,4], radius = 0.5 }\n\
          [[surfaces]]\nmaterial = \"lamp\"\ndisk = { center = [0,0,0], normal = [0,0,1], radius = 0.5 }\n",

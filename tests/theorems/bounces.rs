@@ -1,9 +1,9 @@
 //! Light of the first K reflections: powers of the reflectance in a furnace, and a series that rises to all light.
 
-use radiosity::gather::Gather;
-use radiosity::gather::by_rays::{RayGather, Receiver};
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
+use radiosity::solve::gather::Gather;
+use radiosity::solve::gather::by_rays::{RayGather, Receiver};
 use radiosity::solve::{Direct, Options, Outcome, solve};
 use radiosity::visibility::Visibility;
 use radiosity::{Basis, Material};
@@ -20,7 +20,7 @@ fn series(reflectance: f64, bounces: usize) -> f64 {
 
 #[test]
 fn a_furnace_sums_powers_of_its_reflectance() {
-    let cube = Scene::builtin("furnace-cube").expect("it is built in");
+    let cube = radiosity::builtin("furnace-cube").expect("it is built in");
     for reflectance in [0.2, 0.5, 0.8] {
         let material = Material::new(vec![reflectance], vec![1.0]).expect("a material");
         let scene = cube.with_material("wall", material).expect("walls are of it");
@@ -57,7 +57,7 @@ fn a_furnace_sums_powers_of_its_reflectance() {
 
 #[test]
 fn gathered_light_counts_the_same_reflections() {
-    let scene = Scene::builtin("furnace-cube").expect("it is built in");
+    let scene = radiosity::builtin("furnace-cube").expect("it is built in");
     for bounces in 0..4 {
         let options = Options { bounces: Some(bounces), order: 1, eps: 1e-6, ..Options::default() };
         let outcome = solved(&scene, &options);
@@ -77,7 +77,7 @@ fn gathered_light_counts_the_same_reflections() {
 #[test]
 fn light_rises_with_its_reflections_to_all_light() {
     for name in ["cornell-box", "two-boxes"] {
-        let scene = Scene::builtin(name).expect("it is built in");
+        let scene = radiosity::builtin(name).expect("it is built in");
         for basis in [Basis::Legendre, Basis::Linear] {
             let options = |bounces| Options { basis, bounces, order: 1, eps: 1e-2, ..Options::default() };
             let means = |outcome: &Outcome| -> Vec<f64> {

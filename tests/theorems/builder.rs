@@ -1,10 +1,10 @@
 //! Scenes made in code: refused for the faults of scene files, and solved as theorems say.
 
 use proptest::prelude::*;
-use radiosity::output::solution_file::{SolutionFault, SolutionFile, read};
+use radiosity::output::files::solution_file::{SolutionFault, SolutionFile, read};
 use radiosity::scene::{Camera, Fault, Material, NamedMaterial, Scene, SceneBuilder, SceneError, Source};
+use radiosity::solve::solved::Solved;
 use radiosity::solve::{Options, solve};
-use radiosity::solved::Solved;
 use radiosity_geom::shapes::{FULL_TURN, Parallelogram, Sphere};
 use radiosity_geom::{DVec3, Flipped, Surface};
 
@@ -171,7 +171,7 @@ fn options_mean_what_they_mean_in_files() {
         order = 4
         subdivide = [2, 3]
         parallelogram = { origin = [0, 0, 0], edge1 = [1, 0, 0], edge2 = [0, 1, 0] }";
-    let typed = Scene::from_toml(text, "room").expect("the text is right");
+    let typed = radiosity::language::from_toml(text, "room").expect("the text is right");
     let mut builder = SceneBuilder::new("room", ["grey"]);
     let white = builder.material("white", material(0.5, 1.0));
     builder.surface("floor", square(0.0), &white).group("lamps").two_sided().flip().order(4).subdivide(2, 3);

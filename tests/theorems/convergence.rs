@@ -8,16 +8,16 @@ use radiosity::elements::coating::Coating;
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements, Subdivide};
-use radiosity::gather::Gather;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
-use radiosity::solution::{Band, Place, Solution};
-use radiosity::solve::memory::Footprint;
+use radiosity::solve::driver::memory::Footprint;
+use radiosity::solve::gather::Gather;
+use radiosity::solve::solution::{Band, Place, Solution};
+use radiosity::solve::studies::adaptation::{Achieved, Adapted, Aim, End, Goal, adapt};
+use radiosity::solve::studies::convergence::{Reference, convergence};
+use radiosity::solve::studies::error_norm::{Incomparable, distance};
+use radiosity::solve::system::Coefficients;
 use radiosity::solve::{Options, Outcome, solve};
-use radiosity::studies::adaptation::{Achieved, Adapted, Aim, End, Goal, adapt};
-use radiosity::studies::convergence::{Reference, convergence};
-use radiosity::studies::error_norm::{Incomparable, distance};
-use radiosity::system::Coefficients;
 use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 use serde_json::Value;
@@ -35,7 +35,7 @@ fn scene(shape: &str, bands: usize) -> Scene {
         "bands = [{}]\n[materials.grey]\nreflectance = 0.5\nemission = 7\n[[surfaces]]\nmaterial = \"grey\"\n{shape}",
         bands.join(", ")
     );
-    Scene::from_toml(&text, "test").expect("the scene is valid")
+    radiosity::language::from_toml(&text, "test").expect("the scene is valid")
 }
 
 /// Coefficients of the projection of a function on an element.
@@ -135,7 +135,7 @@ const WHOLE_WALLS: [(usize, f64); 2] = [(4, 0.020), (6, 0.0105)];
 
 #[test]
 fn a_series_finds_the_known_errors_of_the_empty_box() {
-    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let scene = radiosity::builtin("empty-box").expect("it is built in");
     let layers = Layers { count: 2, ratio: 0.25 };
     let fine = Options { order: 5, layers, threads: 2, ..Options::default() };
     let fine = solve(&scene, &fine, &|_| {}).expect("it can be solved").solution;
@@ -156,7 +156,7 @@ fn a_series_finds_the_known_errors_of_the_empty_box() {
 
 #[test]
 fn the_finest_run_has_no_error_of_its_own() {
-    let scene = Scene::builtin("furnace-cube").expect("it is built in");
+    let scene = radiosity::builtin("furnace-cube").expect("it is built in");
     let layers = Layers { count: 1, ratio: 0.25 };
     let options = Options { order: 1, layers, threads: 2, ..Options::default() };
     let runs = convergence(&scene, &options, &[], &Reference::FinestRun, &|_| {}).expect("it can be solved");
@@ -168,7 +168,7 @@ fn the_finest_run_has_no_error_of_its_own() {
 }
 
 fn adapted(name: &str, goal: Goal) -> Adapted {
-    let scene = Scene::builtin(name).expect("it is built in");
+    let scene = radiosity::builtin(name).expect("it is built in");
     let options = Options { order: 0, threads: 2, ..Options::default() };
     adapt(&scene, &options, &goal, &|_| {}).expect("it can be solved")
 }
@@ -231,7 +231,8 @@ fn the_empty_box_is_met_to_the_accuracy_wanted() {
 /// Reflected light gathered to `eps` at the middles of a grid on three walls of the empty box.
 fn gathered(solution: &Solution, options: &Options, eps: f64) -> Vec<f64> {
     const CELLS: usize = 20;
-    let visibility = Visibility::new(&Scene::builtin("empty-box").expect("it is built in"), options.into());
+    let visibility =
+        Visibility::new(&radiosity::builtin("empty-box").expect("it is built in"), options.into());
     let gather = Gather::new(solution, &visibility, eps);
     let middle = |k: usize| (k as f64 + 0.5) / CELLS as f64;
     let mut light = Vec::new();
@@ -252,7 +253,7 @@ fn gathered_light_of_the_empty_box_is_met_to_the_accuracy_wanted_with_fewer_unkn
     // This run is known to be right to 1e-4 (`light::gather`).
     let layers = Layers { count: 2, ratio: 0.25 };
     let fine = Options { order: 8, layers, eps: 1e-6, shadow_eps: 1e-6, threads: 2, ..Options::default() };
-    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let scene = radiosity::builtin("empty-box").expect("it is built in");
     let exact = gathered(&solve(&scene, &fine, &|_| {}).expect("it can be solved").solution, &fine, 1e-5);
     for accuracy in [1e-2, 3e-3, 1e-3, 3e-4] {
         let adapted = |of| adapted("empty-box", Goal::new(accuracy, of));
@@ -277,7 +278,7 @@ fn light_at_points_is_met_with_fewer_unknowns_than_on_all_surfaces() {
     // This run is known to be right to 1e-4 (`light::gather`).
     let layers = Layers { count: 2, ratio: 0.25 };
     let fine = Options { order: 8, layers, eps: 1e-6, shadow_eps: 1e-6, threads: 2, ..Options::default() };
-    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let scene = radiosity::builtin("empty-box").expect("it is built in");
     let visibility = Visibility::new(&scene, (&fine).into());
     let exact = solve(&scene, &fine, &|_| {}).expect("it can be solved").solution;
     let places: Vec<DVec3> =
@@ -313,7 +314,7 @@ fn what_cannot_be_reached_is_told() {
 #[test]
 fn a_finer_run_that_fails_leaves_the_one_before() {
     // What order 3 needs is enough for order 2, the first, but not for order 4, the second.
-    let scene = Scene::builtin("empty-box").unwrap();
+    let scene = radiosity::builtin("empty-box").unwrap();
     let whole =
         |order| Footprint::of(&scene, &Discretization::uniform(order, 1), Options::default().method).peak();
     let memory = Some(whole(3));
@@ -333,7 +334,7 @@ fn runs_of_equal_size_have_no_rate() {
         + &["0", "1"].map(|z| {
             format!("[[surfaces]]\nmaterial = \"grey\"\norder = 1\nparallelogram = {{ origin = [0,0,{z}], edge1 = [1,0,0], edge2 = [0,1,0] }}\n")
         }).concat();
-    let scene = Scene::from_toml(&text, "test").unwrap();
+    let scene = radiosity::language::from_toml(&text, "test").unwrap();
     let against = |_: &Solution| 0.1;
     let options = Options { order: 2, ..Options::default() };
     let runs = convergence(&scene, &options, &[], &Reference::Given(&against), &|_| {}).unwrap();

@@ -34,7 +34,7 @@ const MAPS: [&str; 8] = [
     "docs/theory/animation.md",
     "docs/viewer.md",
 ];
-const PACKAGES: [&str; 5] = [".", "core", "formats", "geom", "solvers"];
+const PACKAGES: [&str; 5] = [".", "core", "crates/formats", "geom", "solvers"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -105,7 +105,17 @@ fn places_in_the_sources_are_there() {
         let text = fs::read_to_string(root().join(map)).expect("the document is there");
         let places = text.split('`').skip(1).step_by(2);
         for place in places.filter(|place| place.contains('/') && !place.contains([' ', '*', '…'])) {
-            let known = ["src/", "core/", "geom/", "solvers/", "tests/", "examples/", "benches/"];
+            let known = [
+                "src/",
+                "crates/",
+                "formats/",
+                "core/",
+                "geom/",
+                "solvers/",
+                "tests/",
+                "examples/",
+                "benches/",
+            ];
             if known.iter().any(|folder| place.starts_with(folder)) {
                 found += 1;
                 assert!(root().join(place).exists(), "{map} names {place}");

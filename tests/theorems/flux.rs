@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use radiosity::scene::{Fault, Material, Scene, SceneBuilder, SceneError};
 use radiosity::solve::Options;
-use radiosity::solved::Solved;
+use radiosity::solve::solved::Solved;
 use radiosity_geom::{DVec3, shapes::Parallelogram};
 
 const MATERIALS: &str =
@@ -12,7 +12,7 @@ const MATERIALS: &str =
 
 fn read(surface: &str) -> Result<Scene, SceneError> {
     let text = format!("{MATERIALS}[[surfaces]]\nname = \"lamp\"\nmaterial = \"white\"\n{surface}\n");
-    Scene::from_toml(&text, "lamp.toml")
+    radiosity::language::from_toml(&text, "lamp.toml")
 }
 
 fn scene(surface: &str) -> Scene {
@@ -51,7 +51,7 @@ fn all_light_of_a_solution_is_the_flux_of_its_lamps() {
          [[surfaces]]\nname = \"lamp\"\nmaterial = \"white\"\nflux = 40\ngroup = \"lamps\"\ntwo_sided = true\n\
          triangle = {{ vertices = [[0.5,0.5,1.5],[1.5,0.5,1.5],[0.5,1.5,1.5]] }}\n"
     );
-    let scene = Scene::from_toml(&text, "room.toml").unwrap();
+    let scene = radiosity::language::from_toml(&text, "room.toml").unwrap();
     let solved = Solved::new(scene, Options { order: 1, eps: 0.1, ..Options::default() }, &|_| {}).unwrap();
     assert!((solved.outcome.checks.energy_in - 40.0).abs() < 1e-9);
     let dimmed = solved.relight(&[("lamps", 0.25)]).unwrap();
@@ -115,7 +115,7 @@ fn fluxes_that_cannot_be_are_refused_where_they_stand() {
         assert!(error.cure().unwrap_or_default().contains(cure), "{line}: {:?}", error.cure());
     }
     let text = format!("{MATERIALS}[[surfaces]]\nmaterial = \"lamp\"\nflux = 2\n{square}");
-    let error = Scene::from_toml(&text, "lamp.toml").unwrap_err();
+    let error = radiosity::language::from_toml(&text, "lamp.toml").unwrap_err();
     let told =
         "lamp.toml:5:8: surface \"surface-1\": a flux is given, yet the material \"lamp\" emits as well";
     assert_eq!(error.to_string(), told);
@@ -135,10 +135,10 @@ fn scenes_of_single_numbers_have_one_band() {
     ] {
         let [material, surface] = texts;
         let text = format!("materials.white = {{ {material} }}\n{square}\n{surface}");
-        assert_eq!(Scene::from_toml(&text, "a.toml").unwrap().bands, bands, "{text}");
+        assert_eq!(radiosity::language::from_toml(&text, "a.toml").unwrap().bands, bands, "{text}");
         let named = format!("bands = [\"u\", \"v\", \"w\"]\n{text}");
-        assert_eq!(Scene::from_toml(&named, "a.toml").unwrap().bands, ["u", "v", "w"]);
+        assert_eq!(radiosity::language::from_toml(&named, "a.toml").unwrap().bands, ["u", "v", "w"]);
     }
-    let list = Scene::from_json("[[[0,0,0],[1,0,0],[0,1,0]]]", "one.json").unwrap();
+    let list = radiosity::language::from_json("[[[0,0,0],[1,0,0],[0,1,0]]]", "one.json").unwrap();
     assert_eq!(list.bands, ["grey"]);
 }

@@ -4,8 +4,8 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use radiosity::elements::{Discretization, Elements};
-use radiosity::inspection::Inspection;
 use radiosity::scene::{Scene, Source};
+use radiosity::visibility::inspection::Inspection;
 
 const BUILT_IN: [&str; 5] = ["cornell-box", "empty-box", "furnace-cube", "occluder-box", "hinge-squares"];
 
@@ -159,7 +159,7 @@ fn texts() -> Vec<(String, bool)> {
         let tree: toml::Value = toml::from_str(text).unwrap();
         serde_json::to_string_pretty(&tree).unwrap()
     };
-    let built_in = BUILT_IN.map(|name| Scene::text_of(name, &[]).unwrap().text().to_string());
+    let built_in = BUILT_IN.map(|name| radiosity::language::text_of(name, &[]).unwrap().text().to_string());
     let texts = built_in.into_iter().chain([include_str!("../data/every-shape.toml").to_owned()]);
     let texts: Vec<String> = texts.collect();
     texts.iter().flat_map(|text| [(text.clone(), false), (json(text), true)]).collect()
@@ -173,10 +173,14 @@ fn is_small(scene: &Scene) -> bool {
 
 /// Reads, cuts and inspects a text; whether it was read.
 fn survives(text: &str, is_json: bool) -> bool {
-    let scene = if is_json { Scene::from_json(text, "x.json") } else { Scene::from_toml(text, "x.toml") };
+    let scene = if is_json {
+        radiosity::language::from_json(text, "x.json")
+    } else {
+        radiosity::language::from_toml(text, "x.toml")
+    };
     if text.len().is_multiple_of(8) {
         let whole = Source::new("room.toml", "title = \"room\"\ninclude = \"x\"").including("x", text);
-        let included = Scene::parse(&whole);
+        let included = radiosity::language::parse(&whole);
         assert!(included.is_ok() || scene.is_err(), "what is right alone is right included");
     }
     match scene {

@@ -8,18 +8,21 @@ use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Polygon, Sphere};
-use radiosity::hierarchy::harmonics::{HARMONICS, clamped_cosine, harmonics};
-use radiosity::hierarchy::linked_blocks::LinkedBlocks;
-use radiosity::hierarchy::two_scale::TwoScale;
-use radiosity::hierarchy::{
+use radiosity::published::hierarchy::harmonics::{HARMONICS, clamped_cosine, harmonics};
+use radiosity::published::hierarchy::linked_blocks::LinkedBlocks;
+use radiosity::published::hierarchy::two_scale::TwoScale;
+use radiosity::published::hierarchy::{
     BandSystem, Counts, Fields, Hierarchical, HierarchyError, HierarchyOptions, solve_hierarchically,
 };
 use radiosity::scene::{Material, NamedMaterial, Scene, SceneBuilder};
+use radiosity::solve::solved::Solved;
+use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::{Algorithm, Options, Outcome, in_threads, solve};
-use radiosity::solved::Solved;
-use radiosity::studies::adaptation::{Aim, Goal};
-use radiosity::transport::{Accuracy, Blocks, assemble};
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity::{
+    kernel::{Accuracy, Blocks},
+    transport::assemble,
+};
 use radiosity_core::legendre::{Half, two_scale};
 
 fn solved(scene: &Scene, options: &HierarchyOptions) -> Hierarchical {
@@ -27,7 +30,7 @@ fn solved(scene: &Scene, options: &HierarchyOptions) -> Hierarchical {
 }
 
 fn builtin(name: &str) -> Scene {
-    Scene::builtin(name).expect("the scene is built in")
+    radiosity::builtin(name).expect("the scene is built in")
 }
 
 /// The six faces of a box between two corners, fronts outside, or inside if the corners are exchanged.

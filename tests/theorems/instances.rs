@@ -27,7 +27,7 @@ transform = { translate = [0.5, 0, 0], scale = 0.5 }
 "#;
 
 fn read(rest: &str) -> Result<Scene, SceneError> {
-    Scene::from_toml(&format!("{TABLE}{rest}\n"), "room.toml")
+    radiosity::language::from_toml(&format!("{TABLE}{rest}\n"), "room.toml")
 }
 
 fn scene(rest: &str) -> Scene {
@@ -89,7 +89,9 @@ fn json_says_the_same_and_variables_count_copies() {
         1,
     );
     let json = serde_json::to_string(&toml::from_str::<toml::Value>(&text).unwrap()).unwrap();
-    let [one, other] = [Scene::from_toml(&text, "room"), Scene::from_json(&json, "room")].map(Result::unwrap);
+    let [one, other] =
+        [radiosity::language::from_toml(&text, "room"), radiosity::language::from_json(&json, "room")]
+            .map(Result::unwrap);
     assert_eq!(names(&one), names(&other));
     assert!(
         (middle(&one, "leg-1[3].post") - middle(&one, "leg-1[0].post")).distance(12.0 * DVec3::X) < 1e-12
@@ -106,7 +108,8 @@ fn every_instance_emits_the_flux() {
         assert!((bulb.exitance(0) * bulb.shape.area() - 10.0).abs() < 1e-12);
     }
     let banded =
-        Scene::from_toml(&format!("{TABLE}{}", lamp.replace("= 10", "= [1, 2, 3]")), "room").unwrap();
+        radiosity::language::from_toml(&format!("{TABLE}{}", lamp.replace("= 10", "= [1, 2, 3]")), "room")
+            .unwrap();
     assert_eq!(banded.bands, ["r", "g", "b"], "lists in parts count as well");
 }
 

@@ -3,19 +3,19 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use radiosity::animation::follower::{Follower, Way};
-use radiosity::animation::sequence::Sequence;
 use radiosity::geom::DVec3;
 use radiosity::heat::{Heat, HeatOptions};
-use radiosity::interruption::{Interrupted, Interruption};
-use radiosity::output::render::{Read, render};
-use radiosity::output::shown::Shown;
+use radiosity::kernel::Accuracy;
+use radiosity::output::pictures::render::{Read, render};
+use radiosity::output::readings::shown::Shown;
 use radiosity::scene::Camera;
+use radiosity::solve::animation::follower::{Follower, Way};
+use radiosity::solve::animation::sequence::Sequence;
+use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::{Algorithm, Transport, in_threads};
-use radiosity::studies::adaptation::{Aim, Goal};
-use radiosity::transport::Accuracy;
 use radiosity::visibility::{Hiding, Visibility};
-use radiosity::{Options, Scene, Solution, Solved, ViewFactors, solve, view_factors};
+use radiosity::work::interruption::{Interrupted, Interruption};
+use radiosity::{Options, Scene, Solution, Solved, ViewFactors, solve, solve::view_factors};
 
 /// How long work goes on before it is interrupted: from none of it to well within.
 const BEFORE: [f64; 3] = [0.01, 0.2, 1.0];
@@ -24,7 +24,7 @@ const BEFORE: [f64; 3] = [0.01, 0.2, 1.0];
 const SOON: f64 = 5.0;
 
 fn scene(name: &str) -> Scene {
-    Scene::builtin(name).expect("it is built in")
+    radiosity::builtin(name).expect("it is built in")
 }
 
 /// Options of exact transfers.

@@ -53,9 +53,7 @@ impl House {
                 relative.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
             let module = if module == ["lib"] || module == ["main"] { Vec::new() } else { module };
             names.entry(module.clone()).or_insert_with(Vec::new).extend(declared(&path));
-            if !module.is_empty() {
-                files.insert(module, fs::read_to_string(&path).expect("source files can be read"));
-            }
+            files.insert(module, fs::read_to_string(&path).expect("source files can be read"));
         }
         Self { files, declared: names }
     }
@@ -91,7 +89,7 @@ impl House {
             _ => return None,
         };
         let known = |length: &usize| self.files.contains_key(&names[..*length]);
-        let length = (1..=names.len()).rev().find(known)?;
+        let length = (0..=names.len()).rev().find(known)?;
         (names[..length] != *from).then(|| names[..length].to_vec())
     }
 
@@ -167,15 +165,29 @@ fn spread<'a>(text: &'a str, mut stem: Vec<String>, found: &mut Vec<Vec<String>>
     }
 }
 
+/// The source folders of all packages.
+fn sources() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let crates = fs::read_dir(root.join("crates")).expect("the crates can be listed");
+    let mut folders: Vec<PathBuf> =
+        crates.map(|entry| entry.expect("a crate can be listed").path()).collect();
+    folders.sort();
+    folders.extend(["", "core", "geom", "solvers", "python"].map(|package| root.join(package)));
+    folders.into_iter().map(|folder| folder.join("src")).collect()
+}
+
 #[test]
 fn in_every_folder_modules_import_only_what_stands_above_them() {
-    for package in ["", "core", "formats", "geom", "solvers"] {
-        let house = House::of(&Path::new(env!("CARGO_MANIFEST_DIR")).join(package).join("src"));
+    let (mut found, mut faults) = (0, Vec::new());
+    for folder in sources() {
+        let house = House::of(&folder);
         let imports = house.imports();
-        assert!(imports.len() > 10, "the imports of '{package}' were found");
-        let faults: Vec<String> = imports.iter().filter_map(|import| house.fault(import, &imports)).collect();
-        assert!(faults.is_empty(), "{}", faults.join("\n"));
+        found += imports.len();
+        let wrong = imports.iter().filter_map(|import| house.fault(import, &imports));
+        faults.extend(wrong.map(|fault| format!("{}: {fault}", folder.display())));
     }
+    assert!(found > 2000, "{found} imports");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 #[test]
@@ -207,8 +219,7 @@ fn imports_against_the_order_are_found() {
 
 #[test]
 fn no_source_file_is_an_orphan() {
-    for package in ["", "core", "formats", "geom", "solvers"] {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(package).join("src");
+    for folder in sources() {
         let mut known: BTreeSet<PathBuf> =
             ["lib.rs", "main.rs"].iter().map(|root| folder.join(root)).filter(|root| root.exists()).collect();
         let mut open: Vec<PathBuf> = known.iter().cloned().collect();

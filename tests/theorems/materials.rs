@@ -5,7 +5,7 @@ use proptest::test_runner::{Config, RngSeed};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
 use radiosity::scene::{Material, Pattern, Placement, Polynomial, Scene, SceneBuilder, SurfaceDraft, Term};
-use radiosity::solution::Place;
+use radiosity::solve::solution::Place;
 use radiosity::solve::{Options, Outcome, solve};
 
 /// The unit cube, its front inward, whose walls are made by `paint`.
@@ -125,7 +125,7 @@ name = "block"
 material = "wall"
 box = { origin = [0.2, 0.2, 0.5], size = [0.3, 0.6, 0.2] }
 "#;
-    let scene = Scene::from_toml(room, "room.toml").unwrap_or_else(|error| panic!("{error}"));
+    let scene = radiosity::language::from_toml(room, "room.toml").unwrap_or_else(|error| panic!("{error}"));
     let outcome = solved(&scene, &Options { order: 2, ..exact() });
     let (solution, ones) = (&outcome.solution, outcome.solution.elements().constant());
     let light = &solution.bands()[0].coefficients.irradiance;
@@ -296,7 +296,7 @@ position = [0, 0, 0.05]
 flux = 1000
 point = {}
 "#;
-    let scene = Scene::from_toml(shade, "shade.toml").unwrap_or_else(|error| panic!("{error}"));
+    let scene = radiosity::language::from_toml(shade, "shade.toml").unwrap_or_else(|error| panic!("{error}"));
     let outcome = solved(&scene, &Options { order: 4, ..Options::default() });
     let walls = scene.surfaces.iter().enumerate().filter(|(_, own)| own.name.starts_with("room"));
     let arrives: f64 =

@@ -3,11 +3,11 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
-use radiosity::inspection::Inspection;
 use radiosity::scene::{
     Clock, Curve, Material, MoverDraft, Notation, Pose, RigidPath, Scene, SceneBuilder, SceneError,
     SceneSurface, Source, Track, Turn,
 };
+use radiosity::visibility::inspection::Inspection;
 use radiosity_geom::DVec3;
 
 /// A room with a lamp of two sides, a lamp post in an array, a luminaire and a camera.
@@ -46,7 +46,7 @@ transform = { translate = [1, 3, 0] }
 "#;
 
 fn read(motion: &str) -> Result<Scene, SceneError> {
-    Scene::from_toml(&format!("frames = 11\n{ROOM}{motion}\n"), "room.toml")
+    radiosity::language::from_toml(&format!("frames = 11\n{ROOM}{motion}\n"), "room.toml")
 }
 
 fn scene(motion: &str) -> Scene {
@@ -157,7 +157,7 @@ fn turns_about_several_axes_meet_their_keys_and_go_the_shorter_way() {
 fn frames_in_a_second_scale_times_but_not_paths() {
     let motion = |rest: &str| {
         let text = format!("fps = 5\nframes = 11\n{ROOM}[[motion]]\nsurfaces = [\"lamp\"]\n{rest}");
-        Scene::from_toml(&text, "room.toml").unwrap().animation.unwrap()
+        radiosity::language::from_toml(&text, "room.toml").unwrap().animation.unwrap()
     };
     let by = |animation: &radiosity::scene::Animation, moment: f64| {
         animation.poses(moment).unwrap()[0].point(DVec3::ZERO).x
@@ -234,7 +234,7 @@ fn scenes_far_from_the_origin_turn_about_the_same_point() {
             at.y + 0.5
         )
     };
-    let [near, far] = [DVec3::ZERO, far].map(|at| Scene::from_toml(&text(at), "far").unwrap());
+    let [near, far] = [DVec3::ZERO, far].map(|at| radiosity::language::from_toml(&text(at), "far").unwrap());
     assert!(far.middle != DVec3::ZERO);
     for frame in 0..5 {
         let [near, far] = [&near, &far].map(|scene| {
@@ -267,7 +267,7 @@ fn scenes_made_in_code_move_as_those_of_files() {
         room.build()
     };
     let made = build(Some(MoverDraft::new("ball", path()).surface("ball"))).unwrap();
-    let typed = Scene::from_toml(
+    let typed = radiosity::language::from_toml(
         "frames = 11\nmaterials.white = { reflectance = 0.5, emission = 1 }\n\
          [[surfaces]]\nname = \"floor\"\nmaterial = \"white\"\nparallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [0,1,0] }\n\
          [[surfaces]]\nname = \"ball\"\nmaterial = \"white\"\nsphere = { center = [0, 0, 1], radius = 0.25 }\n\
@@ -292,7 +292,7 @@ fn a_source_is_read_as_the_still_scene_of_its_moment() {
     let still = scene.at_moment(3.25).unwrap();
     let source = still.source.clone().unwrap();
     assert_eq!(source.moment, Some(3.25));
-    let again = Scene::parse(&source).unwrap();
+    let again = radiosity::language::parse(&source).unwrap();
     for (one, other) in still.surfaces.iter().zip(&again.surfaces) {
         assert_eq!(bits(one), bits(other));
     }
@@ -392,7 +392,7 @@ fn frames_that_are_not_there_are_refused() {
         assert_eq!(error.to_string(), message);
         assert_eq!(error.cure().as_deref(), Some("choose one from 0 to 10"));
     }
-    let refused = |text: String| Scene::from_toml(&text, "room.toml").unwrap_err();
+    let refused = |text: String| radiosity::language::from_toml(&text, "room.toml").unwrap_err();
     let error = refused(format!("{ROOM}{motion}"));
     assert!(error.to_string().ends_with("motion \"motion-1\": the key \"frames\" is missing"), "{error}");
     assert!(error.cure().unwrap().contains("frames = …"));
@@ -412,7 +412,7 @@ fn frames_that_are_not_there_are_refused() {
 
 #[test]
 fn a_surface_that_moves_into_the_place_of_another_is_refused_with_the_frame() {
-    let scene = Scene::from_toml(
+    let scene = radiosity::language::from_toml(
         "frames = 3\n[[surfaces]]\nname = \"a\"\nsphere = { center = [0, 0, 0], radius = 1 }\n\
          [[surfaces]]\nname = \"b\"\nsphere = { center = [4, 0, 0], radius = 1 }\n\
          [[motion]]\nsurfaces = [\"b\"]\ntranslate = { points = [[0, 0, 0], [-4, 0, 0]] }\n",
@@ -444,7 +444,7 @@ fn a_surface_that_is_lost_in_rounding_is_refused() {
 
 /// A box over a floor, at rest at a height, that moves along points; in each frame the gap below it, and what lies on what.
 fn box_over_floor(height: f64, points: &str) -> Vec<(f64, String)> {
-    let scene = Scene::from_toml(
+    let scene = radiosity::language::from_toml(
         &format!(
             "frames = 5\n[[surfaces]]\nname = \"floor\"\n\
              parallelogram = {{ origin = [-2,-2,0], edge1 = [4,0,0], edge2 = [0,4,0] }}\n\
@@ -487,7 +487,7 @@ fn sheets_that_come_into_one_plane_are_set_apart_and_what_stands_still_stays() {
 
 #[test]
 fn what_passes_through_another_is_told_with_its_frames() {
-    let scene = Scene::from_toml(
+    let scene = radiosity::language::from_toml(
         "frames = 21\n[[surfaces]]\nname = \"wall\"\nparallelogram = { origin = [0,-2,-2], edge1 = [0,4,0], edge2 = [0,0,4] }\n\
          [[surfaces]]\nname = \"ball\"\nsphere = { center = [-2, 0, 0], radius = 0.5 }\n\
          [[surfaces]]\nname = \"moon\"\nsphere = { center = [-2, 0, 1], radius = 0.1 }\n\
@@ -515,7 +515,7 @@ fn what_passes_through_another_is_told_with_its_frames() {
 /// reflects a fifth.
 #[test]
 fn an_opening_that_turns_sees_the_sky_from_where_it_is() {
-    let scene = Scene::from_toml(
+    let scene = radiosity::language::from_toml(
         "frames = 2\nmaterials.glass = { reflectance = 0 }\nsky = { model = \"uniform\", illuminance = 100 }\n\
          [[surfaces]]\nname = \"skylight\"\nmaterial = \"glass\"\nopening = true\n\
          parallelogram = { origin = [0,0,3], edge1 = [0,1,0], edge2 = [1,0,0] }\n\
@@ -534,21 +534,24 @@ fn motions_of_an_included_file_belong_to_the_scene_and_json_says_the_same() {
     let lamp = format!("{ROOM}[[motion]]\nsurfaces = [\"lamp\"]\n{path}\n");
     let whole =
         format!("frames = 11\ninclude = \"lamp.toml\"\n[[motion]]\nluminaires = [\"bulb\"]\n{path}\n");
-    let scene = Scene::parse(&Source::new("room.toml", &whole).including("lamp.toml", &lamp)).unwrap();
+    let scene =
+        radiosity::language::parse(&Source::new("room.toml", &whole).including("lamp.toml", &lamp)).unwrap();
     let movers = scene.animation.as_ref().unwrap().movers.iter();
     let told: Vec<(usize, usize)> =
         movers.map(|mover| (mover.surfaces.len(), mover.luminaires.len())).collect();
     assert_eq!(told, [(2, 0), (0, 1)]);
     let typed = read(&format!("[[motion]]\nsurfaces = [\"lamp\"]\n{path}\n")).unwrap();
-    let json = Scene::from_json(&typed.text(Notation::Json).unwrap(), "room").unwrap();
+    let json =
+        radiosity::language::from_json(&radiosity::language::text(&typed, Notation::Json).unwrap(), "room")
+            .unwrap();
     let [typed, json] = [&typed, &json].map(|scene| bits(&scene.at_frame(5).unwrap().surfaces[6]));
     assert_eq!(typed, json);
 }
 
 #[test]
 fn built_in_scenes_that_move_look_right_in_every_frame() {
-    let moving: Vec<Scene> = Scene::builtin_names()
-        .map(|name| Scene::builtin(name).unwrap())
+    let moving: Vec<Scene> = radiosity::language::builtin_names()
+        .map(|name| radiosity::builtin(name).unwrap())
         .filter(|scene| scene.frames() > 0)
         .collect();
     let names: Vec<&str> = moving.iter().map(|scene| scene.name.as_str()).collect();

@@ -4,10 +4,10 @@ use std::fs::{self, File};
 use std::path::Path;
 
 use proptest::prelude::*;
-use radiosity::output::solution_file::{SolutionFile, read};
+use radiosity::output::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Notation, Scene, SceneError, Source};
 use radiosity::solve::Options;
-use radiosity::solved::Solved;
+use radiosity::solve::solved::Solved;
 
 use crate::textures::{CORNERS, reflectance, room};
 
@@ -28,7 +28,7 @@ fn folder(text: &str) -> tempfile::TempDir {
 }
 
 fn load(folder: &Path) -> Result<Scene, SceneError> {
-    Scene::load(&folder.join("room.toml").to_string_lossy())
+    radiosity::load(&folder.join("room.toml").to_string_lossy())
 }
 
 #[test]
@@ -169,8 +169,8 @@ fn what_is_printed_reads_as_the_same_scene() {
     let scene = load(folder.path()).unwrap();
     for (notation, name) in [(Notation::Toml, "again.toml"), (Notation::Json, "again.json")] {
         let path = folder.path().join(name);
-        fs::write(&path, scene.text(notation).unwrap()).unwrap();
-        let again = Scene::load(&path.to_string_lossy()).unwrap();
+        fs::write(&path, radiosity::language::text(&scene, notation).unwrap()).unwrap();
+        let again = radiosity::load(&path.to_string_lossy()).unwrap();
         assert_eq!(again.surfaces[0].material, scene.surfaces[0].material, "{name}");
     }
 }
@@ -180,7 +180,7 @@ fn other_programs_get_means_and_are_told() {
     let text = room("reflectance = { cells = [[0.2, 0.4]] }\ntransmittance = 0.1")
         .replace("name = \"floor\"", "name = \"floor\"\ntwo_sided = true\nback_material = \"other\"");
     let text = format!("{text}\n[materials.other]\nreflectance = 0.3\ntransmittance = 0.1\n");
-    let model = Scene::from_toml(&text, "room").unwrap().model().unwrap();
+    let model = radiosity::language::model(&radiosity::language::from_toml(&text, "room").unwrap()).unwrap();
     let floor = model.materials.iter().find(|own| own.name == "floor").expect("it is there");
     assert!((floor.reflectance[0] - 0.3).abs() < 1e-15);
     let notes: Vec<&str> = model.notes.iter().map(|note| note.text.as_str()).collect();
@@ -205,7 +205,7 @@ proptest! {
             bytes[index] = byte;
         }
         let source = Source::new("room.toml", &room("reflectance = { image = \"wood.png\" }")).with_picture("wood.png", bytes);
-        if let Ok(scene) = Scene::parse(&source) {
+        if let Ok(scene) = radiosity::language::parse(&source) {
             prop_assert!(reflectance(&scene).range(0).iter().all(|rho| (0.0..1.0).contains(rho)));
         }
     }
@@ -217,7 +217,7 @@ mod grain;
 #[test]
 fn the_example_shows_what_its_picture_is_made_of() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/textured-room.toml");
-    let scene = Scene::load(&path.to_string_lossy()).unwrap();
+    let scene = radiosity::load(&path.to_string_lossy()).unwrap();
     scene.require_light().unwrap();
     let pattern = reflectance(&scene);
     let [columns, rows] = grain::SIZE;

@@ -11,8 +11,11 @@ use radiosity::scene::{Fault, Scene, SceneError};
 type Reader = fn(&str, &str) -> Result<Scene, SceneError>;
 
 /// The languages that scenes are written in.
-const LANGUAGES: [(&str, Reader); 3] =
-    [("toml", Scene::from_toml), ("json", Scene::from_json), ("csv", Scene::from_csv)];
+const LANGUAGES: [(&str, Reader); 3] = [
+    ("toml", radiosity::language::from_toml),
+    ("json", radiosity::language::from_json),
+    ("csv", radiosity::language::from_csv),
+];
 
 /// Tables of keys, each under a heading, and a text with the key `none` in such a table.
 const TABLES: [(&str, &str); 15] = [
@@ -62,7 +65,7 @@ fn section<'a>(text: &'a str, heading: &str) -> &'a str {
 
 /// The keys that may stand in place of `none`; nothing where the text is refused for another reason.
 fn known(text: &str) -> Option<Vec<&'static str>> {
-    match Scene::from_toml(text, "none").expect_err("no key is called none").fault {
+    match radiosity::language::from_toml(text, "none").expect_err("no key is called none").fault {
         Fault::UnknownKey { key, known } if key == "none" => Some(known),
         _ => None,
     }
@@ -110,7 +113,7 @@ fn the_scene_of_several_files_is_read() {
         fs::write(folder.path().join(name), text).unwrap();
     }
     let room = folder.path().join("room.toml");
-    let scene = Scene::load(&room.to_string_lossy()).unwrap_or_else(|error| panic!("{error}"));
+    let scene = radiosity::load(&room.to_string_lossy()).unwrap_or_else(|error| panic!("{error}"));
     scene.require_light().unwrap();
     assert_eq!(scene.surfaces.len(), 8);
     assert!(scene.surface_named("lamp[1].globe").is_ok());
@@ -119,7 +122,7 @@ fn the_scene_of_several_files_is_read() {
 #[test]
 fn scenes_in_toml_have_light() {
     let text = document();
-    for (block, scene) in blocks(&text, "toml").zip(scenes(&text, "toml", Scene::from_toml)) {
+    for (block, scene) in blocks(&text, "toml").zip(scenes(&text, "toml", radiosity::language::from_toml)) {
         scene.require_light().unwrap_or_else(|error| panic!("{error}\n{block}"));
         assert!(scene.camera.is_some(), "no camera in\n{block}");
     }

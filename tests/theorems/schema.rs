@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use jsonschema::Validator;
-use radiosity::scene::{Fault, Scene, schema};
+use radiosity::{language::schema, scene::Fault};
 use serde_json::{Value, json};
 
 fn validator() -> Validator {
@@ -57,8 +57,8 @@ fn whatever_is_a_scene_is_accepted() {
     let documented = documented();
     assert!(documented.len() > 20, "{} scenes of the document", documented.len());
     documented.iter().for_each(|scene| accepted(&validator, scene));
-    for name in Scene::builtin_names() {
-        accepted(&validator, &of_toml(&Scene::text_of(name, &[]).unwrap().text()));
+    for name in radiosity::language::builtin_names() {
+        accepted(&validator, &of_toml(&radiosity::language::text_of(name, &[]).unwrap().text()));
     }
     for file in ["tests/data/every-shape.toml", "examples/office.toml", "examples/textured-room.toml"] {
         let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
@@ -68,7 +68,7 @@ fn whatever_is_a_scene_is_accepted() {
 
 /// The keys that may stand in place of `none`.
 fn known(text: &str) -> Vec<&'static str> {
-    match Scene::from_toml(text, "none").expect_err("no key is called none").fault {
+    match radiosity::language::from_toml(text, "none").expect_err("no key is called none").fault {
         Fault::UnknownKey { key, known } if key == "none" => known,
         fault => panic!("{text}: {fault}"),
     }
@@ -188,7 +188,10 @@ fn wrong_scenes_are_refused() {
         let mut wrong = scene();
         wrong.pointer_mut(place).unwrap()[key] = value.clone();
         assert!(!validator.is_valid(&wrong), "{place}/{key} = {value}");
-        assert!(Scene::from_json(&wrong.to_string(), "wrong.json").is_err(), "{place}/{key} = {value}");
+        assert!(
+            radiosity::language::from_json(&wrong.to_string(), "wrong.json").is_err(),
+            "{place}/{key} = {value}"
+        );
     }
     for (place, key) in [
         ("/surfaces/0", "quad"),

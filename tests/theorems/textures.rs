@@ -27,7 +27,8 @@ disk = {{ center = [1, 1, 1], normal = [0, 0, -1], radius = 0.2 }}
 
 #[track_caller]
 fn typed(material: &str) -> Scene {
-    Scene::from_toml(&room(material), "room").unwrap_or_else(|error| panic!("{error}\n{material}"))
+    radiosity::language::from_toml(&room(material), "room")
+        .unwrap_or_else(|error| panic!("{error}\n{material}"))
 }
 
 pub(crate) fn reflectance(scene: &Scene) -> &Pattern {
@@ -74,7 +75,7 @@ emission = { polynomial = [["=odd", 0, "=white"], [0, 0, 1]] }"#
     );
     let source = Source::new("room", &text);
     for (white, set) in [(0.5, &[][..]), (0.25, &[("white", 0.25)])] {
-        let scene = Scene::parse(&source.clone().set(set.iter().copied())).unwrap();
+        let scene = radiosity::language::parse(&source.clone().set(set.iter().copied())).unwrap();
         let material = &scene.surfaces[0].material;
         assert_eq!(reflectance(&scene).at(0, [-0.5, 0.0]), white);
         assert_eq!(reflectance(&scene).at(0, [0.5, 0.0]), white / 2.0);
@@ -164,7 +165,7 @@ fn ranges_of_polynomials_are_those_of_their_extremes() {
 /// The message and the cure of a wrong material.
 fn refused(material: &str) -> (String, String) {
     let source = Source::new("room.toml", &room(material)).with_picture("any.png", *b"no picture");
-    let error = Scene::parse(&source).expect_err(material);
+    let error = radiosity::language::parse(&source).expect_err(material);
     (error.to_string(), error.cure().unwrap_or_default())
 }
 
@@ -268,7 +269,7 @@ fn wrong_patterns_are_refused_with_a_cure() {
 fn a_flux_and_a_pattern_of_emission_are_refused() {
     let text = room("reflectance = 0.1\nemission = { cells = [[1, 2]] }");
     let text = text.replace("name = \"floor\"", "name = \"floor\"\nflux = 10");
-    let error = Scene::from_toml(&text, "room").expect_err("both are given");
+    let error = radiosity::language::from_toml(&text, "room").expect_err("both are given");
     assert!(error.to_string().contains("a flux is given"), "{error}");
     assert!(error.cure().is_some_and(|cure| cure.contains("`factor`")));
 }
@@ -287,7 +288,7 @@ part = "cube"
 name = "cube"
 array = { count = 3, step = [2, 0, 0] }
 "#;
-    let scene = Scene::from_toml(text, "cubes").unwrap();
+    let scene = radiosity::language::from_toml(text, "cubes").unwrap();
     assert_eq!(scene.surfaces.len(), 18);
     let patterns: Vec<_> =
         scene.surfaces.iter().map(|own| own.material.reflectance_pattern.clone().unwrap()).collect();

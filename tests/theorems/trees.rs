@@ -5,10 +5,10 @@ use std::cell::Cell;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use radiosity::geom::DVec3;
-use radiosity::output::solution_file::{SolutionFile, read};
+use radiosity::output::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Fault, Notation, Scene, SceneError, Source, Tree};
+use radiosity::solve::solved::Solved;
 use radiosity::solve::{Options, solve};
-use radiosity::solved::Solved;
 use serde_json::{Value, json};
 
 /// A value of JSON as a tree; lists of points as such.
@@ -37,7 +37,8 @@ fn points(items: &[Value]) -> Option<Vec<DVec3>> {
 
 /// The built-in scenes and one of every shape, as values of JSON.
 fn rooms() -> Vec<Value> {
-    let built_in = Scene::builtin_names().map(|name| Scene::text_of(name, &[]).unwrap().text().into_owned());
+    let built_in = radiosity::language::builtin_names()
+        .map(|name| radiosity::language::text_of(name, &[]).unwrap().text().into_owned());
     let texts = built_in.chain([include_str!("../data/every-shape.toml").to_owned()]);
     texts.map(|text| serde_json::to_value(toml::from_str::<toml::Value>(&text).unwrap()).unwrap()).collect()
 }
@@ -61,8 +62,8 @@ const SOLVED: usize = 50;
 fn a_tree_makes_the_scene_of_its_text_to_the_last_bit() {
     let mut solved = 0;
     for room in rooms() {
-        let of_text = Scene::from_json(&room.to_string(), "room").unwrap();
-        let of_tree = Scene::of_tree("room", tree(&room)).unwrap();
+        let of_text = radiosity::language::from_json(&room.to_string(), "room").unwrap();
+        let of_tree = radiosity::language::of_tree("room", tree(&room)).unwrap();
         assert_eq!(held(&of_tree), held(&of_text));
         if of_text.surfaces.len() <= SOLVED && of_text.emits() {
             let options = Options { order: 0, subdivide: Some(1), eps: 0.1, ..Options::default() };
@@ -80,10 +81,10 @@ fn a_tree_makes_the_scene_of_its_text_to_the_last_bit() {
 #[test]
 fn the_text_of_a_tree_makes_the_same_scene() {
     for room in rooms() {
-        let scene = Scene::of_tree("room", tree(&room)).unwrap();
+        let scene = radiosity::language::of_tree("room", tree(&room)).unwrap();
         for notation in [Notation::Json, Notation::Toml] {
-            let text = scene.text(notation).unwrap();
-            assert_eq!(held(&Scene::parse(&Source::new("room", &text)).unwrap()), held(&scene));
+            let text = radiosity::language::text(&scene, notation).unwrap();
+            assert_eq!(held(&radiosity::language::parse(&Source::new("room", &text)).unwrap()), held(&scene));
         }
     }
 }
@@ -91,7 +92,8 @@ fn the_text_of_a_tree_makes_the_same_scene() {
 #[test]
 fn a_solution_of_a_tree_is_read_back() {
     let source = Source::of_tree("desk.csv", tree(&desk())).unwrap().set([("width", 3.0)]);
-    let solved = Solved::new(Scene::parse(&source).unwrap(), Options::default(), &|_| {}).unwrap();
+    let solved =
+        Solved::new(radiosity::language::parse(&source).unwrap(), Options::default(), &|_| {}).unwrap();
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
     let again = read(&Source::new("a.json", &text)).unwrap();
     assert_eq!(held(&again.scene), held(&solved.scene));
@@ -129,7 +131,7 @@ fn faults_are_found_by_names() {
     let told = |pointer: &str, value: Value| {
         let mut room = desk();
         *room.pointer_mut(pointer).unwrap() = value;
-        Scene::of_tree("room", tree(&room)).unwrap_err().to_string()
+        radiosity::language::of_tree("room", tree(&room)).unwrap_err().to_string()
     };
     for (pointer, value, expected) in [
         ("/bands/0", json!(1), "bands[0]: expected a text in quotes, found a number"),
@@ -201,7 +203,7 @@ fn faults_are_found_by_names() {
         let message = told(pointer, value);
         assert!(message.starts_with(&format!("room: {expected}")), "{message}\ninstead of {expected}");
     }
-    assert!(Scene::of_tree("room", tree(&desk())).is_ok());
+    assert!(radiosity::language::of_tree("room", tree(&desk())).is_ok());
 }
 
 #[test]
@@ -209,7 +211,7 @@ fn points_are_read_as_lists_of_lists() {
     let outline = vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, f64::NAN, 0.0)];
     let surface = |key, value| Tree::table([("name", Tree::text("a")), (key, value)]);
     let room = |surface| Tree::table([("surfaces", Tree::list([surface]))]);
-    let told = |surface| Scene::of_tree("room", room(surface)).unwrap_err().to_string();
+    let told = |surface| radiosity::language::of_tree("room", room(surface)).unwrap_err().to_string();
     let polygon = Tree::table([("vertices", Tree::points(outline.clone()))]);
     let expected = "room: surface \"a\", polygon.vertices[2][1]: NaN is not a finite number";
     assert_eq!(told(surface("polygon", polygon)), expected);
@@ -219,7 +221,7 @@ fn points_are_read_as_lists_of_lists() {
     let expected = "room: surfaces[0].disk: the key \"radius\" stands twice";
     assert_eq!(told(surface("disk", twice)), expected);
     let deep = (0..100).fold(Tree::number(1.0), |inner, _| Tree::list([inner]));
-    assert!(matches!(Scene::of_tree("room", deep).unwrap_err().fault, Fault::TooDeep { .. }));
+    assert!(matches!(radiosity::language::of_tree("room", deep).unwrap_err().fault, Fault::TooDeep { .. }));
 }
 
 /// What is put in place of a value.
@@ -312,8 +314,8 @@ fn run(cases: u32) {
     TestRunner::new(config)
         .run(&(0..rooms.len(), prop::collection::vec(damage(), 1..3)), |(k, damages)| {
             let room = damages.iter().fold(rooms[k].clone(), damaged);
-            let texts = Scene::parse(&Source::new("room.json", &room.to_string()));
-            match (texts, Scene::of_tree("room.json", tree(&room))) {
+            let texts = radiosity::language::parse(&Source::new("room.json", &room.to_string()));
+            match (texts, radiosity::language::of_tree("room.json", tree(&room))) {
                 (Ok(of_text), Ok(of_tree)) => prop_assert_eq!(held(&of_text), held(&of_tree)),
                 (Err(of_text), Err(of_tree)) => {
                     refused.set(refused.get() + 1);

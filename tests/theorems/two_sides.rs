@@ -44,7 +44,7 @@ translate = { points = [[0, 0, 0], [0, 0, 0.5]] }
 "#;
 
 fn shade() -> Scene {
-    Scene::from_toml(SHADE, "shade").unwrap_or_else(|error| panic!("{error}"))
+    radiosity::language::from_toml(SHADE, "shade").unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Checks that exactly the pairs `name` and `name:back` know each other.
@@ -94,7 +94,7 @@ fn each_side_has_its_material() {
 #[test]
 fn what_a_surface_says_goes_before_both_of_its_materials() {
     let text = SHADE.replace("back_material", "group = \"own\"\nadiabatic = true\nback_material");
-    let scene = Scene::from_toml(&text, "shade").unwrap();
+    let scene = radiosity::language::from_toml(&text, "shade").unwrap();
     for name in ["shade", "shade:back"] {
         let side = &scene.surfaces[scene.surface_named(name).unwrap()];
         assert_eq!(side.group.as_ref().map(|own| own.name.as_str()), Some("own"));
@@ -105,14 +105,15 @@ fn what_a_surface_says_goes_before_both_of_its_materials() {
 #[test]
 fn a_flux_is_that_of_both_sides_whatever_their_materials() {
     let text = SHADE.replace("back_material", "flux = 6\nback_material");
-    let scene = Scene::from_toml(&text, "shade").unwrap();
+    let scene = radiosity::language::from_toml(&text, "shade").unwrap();
     for name in ["shade", "shade:back"] {
         let side = &scene.surfaces[scene.surface_named(name).unwrap()];
         assert_eq!(side.material.emission, [3.0], "half of it from each side of 1 m²");
         assert_eq!(side.flux, Some(vec![3.0]));
     }
     let text = text.replace("back_material = \"paper\"", "back_material = \"lamp\"");
-    let error = Scene::from_toml(&text, "shade").expect_err("the back emits, and lets nothing through");
+    let error =
+        radiosity::language::from_toml(&text, "shade").expect_err("the back emits, and lets nothing through");
     assert!(matches!(error.fault, Fault::OtherTransmittance { .. }));
 }
 
@@ -128,7 +129,7 @@ fn the_other_side_stays_known() {
         format!("{}\n[[instances]]\npart = \"sheet\"\narray = {{ count = 3, step = [0, 0, 1] }}\n", SHADE)
             + "[[parts.sheet.surfaces]]\nname = \"cloth\"\nmaterial = \"silk\"\ntwo_sided = true\n"
             + "box = { origin = [5, 0, 0], size = [1, 1, 0.5], open = [\"top\"] }\n";
-    let scene = Scene::from_toml(&whole, "sheets").unwrap();
+    let scene = radiosity::language::from_toml(&whole, "sheets").unwrap();
     assert_eq!(scene.surfaces.len(), 5 + 3 * 10);
     assert_paired(&scene);
 }
@@ -141,7 +142,7 @@ fn sheets_that_lie_on_others_keep_their_other_side() {
         "[[surfaces]]\nname = \"mat\"\nmaterial = \"silk\"\ntwo_sided = true\n\
         parallelogram = { origin = [0.2, 0.2, 0], edge1 = [0.5, 0, 0], edge2 = [0, 0.5, 0] }\n[[motion]]",
     );
-    let scene = Scene::from_toml(&text, "mat").unwrap();
+    let scene = radiosity::language::from_toml(&text, "mat").unwrap();
     assert!(!scene.fitted.lying.is_empty());
     assert_paired(&scene);
     assert_paired(&scene.at_frame(1).unwrap());
@@ -149,7 +150,7 @@ fn sheets_that_lie_on_others_keep_their_other_side() {
 
 fn refused(from: &str, to: &str) -> SceneError {
     assert!(SHADE.contains(from), "{from}");
-    Scene::from_toml(&SHADE.replace(from, to), "shade").expect_err(to)
+    radiosity::language::from_toml(&SHADE.replace(from, to), "shade").expect_err(to)
 }
 
 #[test]

@@ -1,9 +1,9 @@
 //! Variables: formulas in place of numbers, set from outside, and the faults of both.
 
-use radiosity::output::solution_file::{SolutionFile, read};
+use radiosity::output::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Fault, Scene, SceneError, Source};
 use radiosity::solve::Options;
-use radiosity::solved::Solved;
+use radiosity::solve::solved::Solved;
 
 const ROOM: &str = r#"title = "= a room ="
 [variables]
@@ -35,7 +35,10 @@ fn area(scene: &Scene) -> f64 {
 #[test]
 fn formulas_stand_for_numbers() {
     let json = serde_json::to_string(&toml::from_str::<toml::Value>(ROOM).unwrap()).unwrap();
-    for scene in [Scene::from_toml(ROOM, "room").unwrap(), Scene::from_json(&json, "room").unwrap()] {
+    for scene in [
+        radiosity::language::from_toml(ROOM, "room").unwrap(),
+        radiosity::language::from_json(&json, "room").unwrap(),
+    ] {
         assert_eq!(scene.title.as_deref(), Some("= a room ="), "a text stays one");
         assert_eq!(scene.surfaces[0].name, "=floor");
         assert_eq!(scene.surfaces[0].order, Some(2));
@@ -61,7 +64,7 @@ fn a_formula_of_many_variables_that_stand_below_it_is_read_at_once() {
         })
         .collect();
     let text = ROOM.replace("[variables]\nwidth = 4\n", &(sum + &parts.concat()));
-    let scene = Scene::from_toml(&text, "room").unwrap();
+    let scene = radiosity::language::from_toml(&text, "room").unwrap();
     let width = scene.variables.iter().find(|(name, _)| name == "width").unwrap().1;
     assert_eq!(width, 0.5 * COUNT as f64);
 }
@@ -69,14 +72,14 @@ fn a_formula_of_many_variables_that_stand_below_it_is_read_at_once() {
 #[test]
 fn variables_are_set_from_outside() {
     let source = || Source::new("room.toml", ROOM);
-    let scene = Scene::parse(&source().set([("width", 6.0)])).unwrap();
+    let scene = radiosity::language::parse(&source().set([("width", 6.0)])).unwrap();
     assert!((area(&scene) - 6.0 * 3.5).abs() < 1e-12, "what is made of it changes with it");
-    let scene = Scene::parse(&source().set([("half", 1.0), ("half", 7.0)])).unwrap();
+    let scene = radiosity::language::parse(&source().set([("half", 1.0), ("half", 7.0)])).unwrap();
     assert!((area(&scene) - 4.0 * 7.5).abs() < 1e-12, "the last one counts");
-    let scene = Scene::parse_with(&source(), &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
+    let scene = radiosity::language::parse_with(&source(), &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
     assert!((area(&scene) - 6.0 * 3.5).abs() < 1e-12);
     assert_eq!(scene.surfaces[1].factor(), 0.5);
-    let fault = |settings: &[(&str, f64)]| Scene::parse_with(&source(), settings).unwrap_err();
+    let fault = |settings: &[(&str, f64)]| radiosity::language::parse_with(&source(), settings).unwrap_err();
     let error = fault(&[("widht", 1.0)]);
     assert!(
         error.to_string().starts_with("room.toml: there is no variable or light group \"widht\""),
@@ -87,17 +90,17 @@ fn variables_are_set_from_outside() {
     assert!(matches!(fault(&[("width", f64::NAN)]).fault, Fault::NotFinite { .. }));
     assert!(matches!(fault(&[("ceiling", -1.0)]).fault, Fault::OutOfRange { .. }));
     let both = Source::new("room.toml", &ROOM.replace("\"ceiling\"", "\"lamps\""));
-    let error = Scene::parse_with(&both, &[("lamps", 1.0)]).unwrap_err();
+    let error = radiosity::language::parse_with(&both, &[("lamps", 1.0)]).unwrap_err();
     assert!(error.to_string().contains("a variable and a light group are both called \"lamps\""), "{error}");
-    assert!(Scene::parse(&both).is_ok(), "only a setting could mean either");
-    let error = Scene::parse(&source().set([("ceiling", 1.0)])).unwrap_err();
+    assert!(radiosity::language::parse(&both).is_ok(), "only a setting could mean either");
+    let error = radiosity::language::parse(&source().set([("ceiling", 1.0)])).unwrap_err();
     assert!(matches!(&error.fault, Fault::UnknownVariable { known, .. } if known.len() == 3), "{error}");
 }
 
 #[test]
 fn a_solution_keeps_what_was_set() {
     let source = Source::new("room.toml", ROOM);
-    let scene = Scene::parse_with(&source, &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
+    let scene = radiosity::language::parse_with(&source, &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
     let solved = Solved::new(scene, Options { eps: 0.3, ..Options::default() }, &|_| {}).unwrap();
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
     let again = read(&Source::new("a.json", &text)).unwrap();
@@ -120,13 +123,13 @@ fn long_chains_of_variables_are_followed() {
     let rest = ROOM.split_once("[camera]").unwrap().1;
     let text = text + &rest.replace("=half", "=v0").replace("width", "v0").replace("=lamps", "=v19998");
     let text = text.replace("* lamps", "* 2").replace("sqrt(half)", "v1");
-    let scene = Scene::from_toml(&text, "chain").expect("it is right");
+    let scene = radiosity::language::from_toml(&text, "chain").expect("it is right");
     assert_eq!(scene.variables[0], ("v0".to_owned(), f64::from(count)));
 }
 
 fn refused(old: &str, new: &str) -> SceneError {
     assert!(ROOM.contains(old), "{old}");
-    Scene::from_toml(&ROOM.replacen(old, new, 1), "room.toml").expect_err(new)
+    radiosity::language::from_toml(&ROOM.replacen(old, new, 1), "room.toml").expect_err(new)
 }
 
 #[test]
@@ -199,6 +202,6 @@ fn faults_of_formulas_are_placed_within_them() {
         error.to_string().starts_with("room.toml:4:8: variable \"half\": there is no variable"),
         "{error}"
     );
-    let bare = Scene::from_toml("camera = { eye = [\"=n\", 0, 0] }", "a.toml").unwrap_err();
+    let bare = radiosity::language::from_toml("camera = { eye = [\"=n\", 0, 0] }", "a.toml").unwrap_err();
     assert_eq!(bare.cure().as_deref(), Some("define it: [variables] with n = 2.5"));
 }

@@ -1,20 +1,19 @@
 //! What must hold whatever the numbers: the white furnace, energy, agreement of solvers, equal bits.
 
-use radiosity::checks::Checks;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::kernel::Accuracy;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::first_bounce::Entry;
-use radiosity::output::grid::{Rates, grid};
-use radiosity::output::reader::{Read, Reader};
-use radiosity::scene::Scene;
-use radiosity::solution::{Band, Place, Solution};
+use radiosity::output::readings::grid::{Rates, grid};
+use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::solve::checks::Checks;
+use radiosity::solve::solution::{Band, Place, Solution};
+use radiosity::solve::system::System;
 use radiosity::solve::{Options, Outcome, solve};
-use radiosity::system::System;
 use radiosity::transport;
-use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
@@ -25,7 +24,7 @@ fn options(order: usize, solver: &str) -> Options {
 }
 
 fn solved(scene: &str, options: &Options) -> Outcome {
-    let scene = Scene::builtin(scene).expect("the scene is built in");
+    let scene = radiosity::builtin(scene).expect("the scene is built in");
     solve(&scene, options, &|_| {}).expect("the scene can be solved")
 }
 
@@ -45,7 +44,7 @@ fn furnace_error(solution: &Solution) -> f64 {
 
 /// The furnace cube with given blocks, by one solver; the residual is that of the original system.
 fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)> {
-    let scene = Scene::builtin("furnace-cube").expect("the scene is built in");
+    let scene = radiosity::builtin("furnace-cube").expect("the scene is built in");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let how =
         Discretization { order, space: Space::Total, subdivide: Subdivide::Uniform(1), layers: Layers::NONE };
@@ -111,7 +110,7 @@ fn difference(a: &Outcome, b: &Outcome) -> f64 {
 fn solvers_agree_on_every_small_built_in_scene() {
     // Solvers see matrices: the large scenes would add time, not cases.
     let small = |scene: &&str| !["teapot", "temple", "billiard", "cathedral"].contains(scene);
-    for scene in Scene::builtin_names().filter(small) {
+    for scene in radiosity::language::builtin_names().filter(small) {
         let reference = solved(scene, &options(2, "lu"));
         assert!(reference.residual < 1e-12);
         for method in Method::ALL {
@@ -168,7 +167,7 @@ fn closed_rooms_lose_no_more_power_than_their_transfers_at_any_order() {
 /// corner's 1/(2π) · 2 a/√(1+a²) atan(a/√(1+a²)).
 #[test]
 fn direct_light_is_exact_at_a_point() {
-    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let scene = radiosity::builtin("empty-box").expect("the scene is built in");
     let outcome = solved("empty-box", &Options { eps: 1e-6, ..options(8, "auto") });
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
     let direct = DirectLight::new(&outcome.solution.emitters(), &visibility);
@@ -189,7 +188,7 @@ fn direct_light_is_exact_at_a_point() {
 fn cells_add_up_to_the_whole() {
     let outcome = solved("cornell-box", &options(3, "lu"));
     let solution = &outcome.solution;
-    let scene = Scene::builtin("cornell-box").expect("the scene is built in");
+    let scene = radiosity::builtin("cornell-box").expect("the scene is built in");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let reader = Reader::new(solution, &visibility, Read::Basis, 1e-3);
     for cells in [[1, 1], [3, 5]] {
@@ -215,7 +214,7 @@ fn mean_power(solution: &Solution, element: usize) -> f64 {
 /// Total degree 2N contains degree N in each coordinate: on squares, function by function.
 #[test]
 fn tensor_blocks_are_parts_of_the_blocks_of_total_degree() {
-    let scene = Scene::builtin("furnace-cube").expect("the scene is built in");
+    let scene = radiosity::builtin("furnace-cube").expect("the scene is built in");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let accuracy = Accuracy { eps: 1e-10, shadow_eps: 3e-3 };
     let cut = |order, space| {

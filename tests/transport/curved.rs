@@ -8,11 +8,11 @@ use radiosity::elements::coating::Coating;
 use radiosity::elements::patch::{Direction, Patch};
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::{Discretization, Element, Elements};
-use radiosity::irradiance::visible_polygon::irradiance;
+use radiosity::kernel::irradiance::visible_polygon::irradiance;
+use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::{Material, Scene, SceneBuilder};
-use radiosity::system::System;
+use radiosity::solve::system::System;
 use radiosity::transport;
-use radiosity::transport::{Accuracy, Blocks};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{
     Bezier, Cone, Cylinder, Disk, FULL_TURN, Parallelogram, Sphere, SpherePatch, Torus,

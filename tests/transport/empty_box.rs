@@ -5,9 +5,9 @@ use std::time::Instant;
 
 use radiosity::elements::Elements;
 use radiosity::elements::rule::UnitRule;
+use radiosity::kernel::Blocks;
 use radiosity::scene::Scene;
 use radiosity::solve::in_threads;
-use radiosity::transport::Blocks;
 use radiosity_geom::DVec3;
 use serde_json::Value;
 

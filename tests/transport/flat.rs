@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use radiosity::elements::{Discretization, ElementError, Elements};
+use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::{Scene, SceneError};
 use radiosity::transport;
-use radiosity::transport::{Accuracy, Blocks};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 
@@ -109,7 +109,7 @@ pub(crate) fn scene(surfaces: &[Flat]) -> Result<Scene, SceneError> {
         writeln!(text, "[[surfaces]]\nflip = {flip}\nsubdivide = {cells:?}\n{}", outline.text())
             .expect("a string takes all");
     }
-    Scene::from_toml(&text, "test")
+    radiosity::language::from_toml(&text, "test")
 }
 
 /// The elements of a scene at one order.

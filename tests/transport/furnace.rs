@@ -1,8 +1,7 @@
 //! The white furnace: where everything emits 1 and reflects half, radiosity is 2.
 
 use radiosity::elements::Elements;
-use radiosity::scene::Scene;
-use radiosity::transport::Blocks;
+use radiosity::kernel::Blocks;
 
 use crate::flat::{blocks, elements};
 use crate::room;
@@ -29,7 +28,7 @@ pub(crate) fn error(elements: &Elements, blocks: &Blocks) -> f64 {
 }
 
 fn cube_errors(orders: impl Iterator<Item = usize>, accuracies: &[f64]) -> Vec<String> {
-    let scene = Scene::builtin("furnace-cube").expect("the scene is built in");
+    let scene = radiosity::builtin("furnace-cube").expect("the scene is built in");
     let mut failures = Vec::new();
     for order in orders {
         let elements = elements(&scene, order).expect("a cube has area");

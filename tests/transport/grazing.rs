@@ -5,10 +5,10 @@ use radiosity::elements::basis::AreaBasis;
 use radiosity::elements::patch::{Direction, Node, Patch};
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::{Discretization, Element, Elements};
-use radiosity::irradiance::visible_polygon::irradiance;
+use radiosity::kernel::irradiance::visible_polygon::irradiance;
+use radiosity::kernel::{Accuracy, kernel};
 use radiosity::scene::Scene;
 use radiosity::transport;
-use radiosity::transport::{Accuracy, kernel};
 use radiosity::visibility::{Shadows, Visibility};
 
 /// Adds ∫ κ(x, y) L_l(y) dA_y over the part of an element that x sees, L_l its raw polynomials.
@@ -30,7 +30,7 @@ pub(crate) fn ball_and(order: usize, cells: usize, other: &str) -> Scene {
         material = \"lamp\"
         {other}"
     );
-    Scene::from_toml(&text, "ball and another").expect("it is valid")
+    radiosity::language::from_toml(&text, "ball and another").expect("it is valid")
 }
 
 /// A square lamp of constant exitance over that ball, of half the width `half`.

@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
+use radiosity::kernel::Accuracy;
 use radiosity::scene::{Material, SceneBuilder};
-use radiosity::transport::Accuracy;
-use radiosity::view_factors::{Options, ViewFactors};
+use radiosity::solve::view_factors::{Options, ViewFactors};
 use radiosity::visibility::Hiding;
 use radiosity_geom::shapes::{Cylinder, Disk, FULL_TURN, Parallelogram, Sphere};
 use radiosity_geom::{DVec3, Surface};

@@ -11,12 +11,12 @@ use std::sync::Arc;
 
 use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
+use radiosity::kernel::{Accuracy, Blocks};
+use radiosity::published::zatz1993::transfers::{EXTRA_POINTS, Party, Reading, Rules, assemble, transfer};
 use radiosity::scene::Scene;
 use radiosity::solve::{Failure, Options, solve};
 use radiosity::transport;
-use radiosity::transport::{Accuracy, Blocks};
 use radiosity::visibility::{Shadows, Visibility};
-use radiosity::zatz1993::transfers::{EXTRA_POINTS, Party, Reading, Rules, assemble, transfer};
 use radiosity_core::basis::total;
 use radiosity_core::{gauss, legendre};
 use radiosity_geom::shapes::{Cylinder, Parallelogram, Sphere};
@@ -190,7 +190,7 @@ fn scene(quads: &[[[f64; 3]; 4]]) -> Scene {
     };
     let surfaces: String = quads.iter().map(surface).collect();
     let text = format!("[materials.white]\nreflectance = 0.5\nemission = 1\n{surfaces}");
-    Scene::from_toml(&text, "squares").expect("squares are a scene")
+    radiosity::language::from_toml(&text, "squares").expect("squares are a scene")
 }
 
 fn elements(scene: &Scene, order: usize) -> Elements {
@@ -368,7 +368,7 @@ fn only_the_hybrid_is_not_reciprocal_on_squares() {
 /// What is emitted is absorbed or lost, however coarse the rules: an identity that needs Gᵀ where G is not symmetric.
 #[test]
 fn power_balances_without_symmetry() {
-    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let scene = radiosity::builtin("empty-box").expect("the scene is built in");
     for rules in [Rules::Legendre, H1, H2] {
         let options = Options { order: 4, kernel: Some(rules), threads: 2, ..Options::default() };
         let outcome = solve(&scene, &options, &|_| {}).expect("a box has charts");
@@ -418,7 +418,7 @@ fn a_panel_over_half_hides_half() {
 
 #[test]
 fn other_polygons_are_refused_by_name() {
-    let scene = Scene::builtin("cornell-box").expect("the scene is built in");
+    let scene = radiosity::builtin("cornell-box").expect("the scene is built in");
     let options = Options { kernel: Some(H1), threads: 2, ..Options::default() };
     let failure = solve(&scene, &options, &|_| {}).expect_err("the floor is no parallelogram");
     assert!(matches!(&failure, Failure::NoChart { surface } if surface == "floor"), "{failure}");
@@ -439,7 +439,7 @@ fn the_command_takes_the_readings_it_says() {
             ["grid", "empty-box", "--cells", "1x1", "--read", "basis", "--order", "4", "--kernel", kernel];
         String::from_utf8(command.args(args).output().unwrap().stdout).unwrap()
     };
-    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let scene = radiosity::builtin("empty-box").expect("the scene is built in");
     for (name, kernel) in
         [("default", None), ("paper-legendre", Some(Rules::Legendre)), ("paper-hybrid", Some(H1))]
     {

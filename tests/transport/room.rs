@@ -1,7 +1,7 @@
 //! A room of equal reflectance solved by repeated reflection, with nothing of the library's solvers.
 
 use radiosity::elements::Elements;
-use radiosity::transport::Blocks;
+use radiosity::kernel::Blocks;
 
 /// Radiosity coefficients b = e + ρ G b; `reflectance` per element. Repeats to 1e-14 of the emission at most.
 pub(crate) fn radiosity(

@@ -8,9 +8,12 @@ use radiosity::geom::shapes::{Cylinder, Disk, FULL_TURN, Parallelogram, Sphere};
 use radiosity::scene::{NamedMaterial, Scene};
 use radiosity::solve::{Options, Outcome, Progress, Stop, Transport, solve};
 use radiosity::transport;
-use radiosity::transport::{Accuracy, Blocks, Rays, SampledTransport};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity::{Material, SceneBuilder};
+use radiosity::{
+    kernel::{Accuracy, Blocks},
+    transport::{Rays, SampledTransport},
+};
 
 /// The blocks of a scene by `rays` rays from each element.
 fn sampled(scene: &Scene, order: usize, rays: u64) -> Blocks {
@@ -80,7 +83,7 @@ fn turned_room() -> Scene {
 #[test]
 fn rays_find_the_exact_blocks_and_find_them_better_the_more_there_are() {
     for (scene, order) in
-        [(Scene::builtin("furnace-cube").expect("built in"), 2), (can(), 1), (turned_room(), 1)]
+        [(radiosity::builtin("furnace-cube").expect("built in"), 2), (can(), 1), (turned_room(), 1)]
     {
         let visibility = Visibility::new(&scene, Shadows::Rays(1e-4));
         let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("surfaces have area");
@@ -97,7 +100,7 @@ fn rays_find_the_exact_blocks_and_find_them_better_the_more_there_are() {
 #[test]
 fn no_ray_leaves_a_closed_room() {
     // Rays start within rounding of edges and corners, too: where one escaped, a row sum would be below 1.
-    for scene in [Scene::builtin("furnace-cube").expect("built in"), can(), turned_room()] {
+    for scene in [radiosity::builtin("furnace-cube").expect("built in"), can(), turned_room()] {
         let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
         let elements = Elements::new(&scene, &Discretization::uniform(0, 2)).expect("surfaces have area");
         let mut transport = SampledTransport::new(&elements, &visibility);
@@ -114,7 +117,7 @@ fn what_crosses_a_wall_hides_what_it_encloses() {
     // start inside, where all backs absorb; of what is outside the room all but those of the faces that cross the wall.
     let mut builder = SceneBuilder::new("crossing", ["grey"]);
     let grey = grey(&mut builder);
-    let cube = Scene::builtin("furnace-cube").expect("built in");
+    let cube = radiosity::builtin("furnace-cube").expect("built in");
     for surface in &cube.surfaces {
         builder.surface(&surface.name, surface.shape.clone(), &grey);
     }
@@ -162,7 +165,7 @@ fn what_crosses_a_wall_hides_what_it_encloses() {
 #[test]
 fn a_stopped_run_counts_the_rays_that_were_sent() {
     static STOP: Stop = Stop::new();
-    let scene = Scene::builtin("occluder-box").expect("built in");
+    let scene = radiosity::builtin("occluder-box").expect("built in");
     let planned = 8_000_000;
     let options = Options {
         transport: Transport::Sampled,
@@ -236,7 +239,7 @@ fn surfaces_apart(scene: &Scene, a: &Outcome, b: &Outcome) -> f64 {
 #[test]
 fn the_error_told_is_that_of_a_hundred_times_as_many_rays() {
     for name in ["cornell-box", "two-boxes", "occluder-box", "teapot", "furnace-cube"] {
-        let scene = Scene::builtin(name).expect("built in");
+        let scene = radiosity::builtin(name).expect("built in");
         let told = solved(&scene, Transport::Sampled, Some(30_000));
         let fine = solved(&scene, Transport::Sampled, Some(3_000_000));
         let error = told.sampling.and_then(|sampling| sampling.error).expect("rays carried the light");
@@ -250,7 +253,7 @@ fn the_error_told_is_that_of_a_hundred_times_as_many_rays() {
 #[test]
 fn surfaces_are_as_bright_as_by_exact_transport() {
     for name in ["cornell-box", "two-boxes", "occluder-box", "furnace-cube"] {
-        let scene = Scene::builtin(name).expect("built in");
+        let scene = radiosity::builtin(name).expect("built in");
         let exact = solved(&scene, Transport::Exact, None);
         let rays = solved(&scene, Transport::Sampled, Some(400_000));
         let apart = surfaces_apart(&scene, &rays, &exact);
@@ -266,7 +269,7 @@ fn a_closed_room_keeps_its_power() {
     for order in [1, 2] {
         let mut builder = SceneBuilder::new("white room", ["grey"]);
         let white = builder.material("white", Material::new(vec![0.95], vec![1.0]).expect("within bounds"));
-        let room = Scene::builtin("furnace-cube").expect("built in");
+        let room = radiosity::builtin("furnace-cube").expect("built in");
         for surface in &room.surfaces {
             builder.surface(&surface.name, surface.shape.clone(), &white).order(order).subdivide(3, 3);
         }

@@ -1,6 +1,6 @@
 //! Transfers between two flat elements against exact ones, and what they cost.
 
-use radiosity::transport::Blocks;
+use radiosity::kernel::Blocks;
 use radiosity_geom::DVec3;
 use serde_json::Value;
 

@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{Cone, Cylinder, Disk, FULL_TURN, Parallelogram, Sphere, Torus};
+use radiosity::kernel::Accuracy;
 use radiosity::scene::Scene;
-use radiosity::transport::Accuracy;
-use radiosity::view_factors::{Options, ViewFactors};
+use radiosity::solve::view_factors::{Options, ViewFactors};
 use radiosity::visibility::Hiding;
 use radiosity::{Material, SceneBuilder};
 

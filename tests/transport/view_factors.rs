@@ -1,7 +1,7 @@
 //! Theorems about the exchange of two polygons.
 
 use proptest::prelude::*;
-use radiosity::transport::polygon_exchange;
+use radiosity::kernel::polygon_exchange;
 use radiosity_core::gauss::Legendre;
 use radiosity_geom::{DVec3, clip_polygon, polygon_area};
 

@@ -1,6 +1,6 @@
 //! Options and verbs in messages as Python has them: `--shadow-eps 1e-3` is `shadow_eps=1e-3`, `` `radiosity scenes` `` a function.
 
-use radiosity::wording::{Part, Wording};
+use radiosity::work::wording::{Part, Wording};
 
 /// Options whose arguments have another name: `for` and `from` are words of the language.
 const RENAMED: [(&str, &str); 2] = [("for", "aim"), ("from", "format")];

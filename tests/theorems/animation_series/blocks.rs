@@ -1,12 +1,11 @@
 //! Blocks of moving elements against those of displaced scenes, and what has no series.
 
-use radiosity::animation::series::{BlockSeries, MovingBlock, SeriesError, Settings, TranslatedPair};
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::geom::DVec3;
-use radiosity::scene::Scene;
-use radiosity::transport::{Accuracy, assemble};
+use radiosity::published::series::{BlockSeries, MovingBlock, SeriesError, Settings, TranslatedPair};
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity::{kernel::Accuracy, transport::assemble};
 
 use super::quads::{Quad, elements, scene};
 
@@ -141,7 +140,7 @@ fn what_has_no_series_is_told() {
 quad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }
 [[surfaces]]
 sphere = { center = [0, 0, 3], radius = 1 }";
-    let scene = Scene::from_toml(ball, "ball").expect("the scene is valid");
+    let scene = radiosity::language::from_toml(ball, "ball").expect("the scene is valid");
     let curved = Elements::new(&scene, &Discretization::uniform(1, 1)).expect("both have area");
     let told = TranslatedPair::new(&curved.list()[0], &curved.list()[1], DVec3::X).unwrap_err();
     assert_eq!(told, SeriesError::Curved { surface: 1 });

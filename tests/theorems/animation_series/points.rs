@@ -1,9 +1,9 @@
 //! Single pairs of points: coefficients, bounds, symmetries.
 
-use radiosity::animation::series::displacement::DisplacementSeries;
-use radiosity::animation::series::point_pair::PointPair;
-use radiosity::animation::series::power_series::inverse_square;
 use radiosity::geom::DVec3;
+use radiosity::published::series::displacement::DisplacementSeries;
+use radiosity::published::series::point_pair::PointPair;
+use radiosity::published::series::power_series::inverse_square;
 
 use super::quads::read;
 

@@ -1,8 +1,8 @@
 //! Three quads of which one moves: the solution at displacements, by one expansion or a few.
 
-use radiosity::animation::series::{MovingBlock, Settings, TranslatedPair};
 use radiosity::elements::space::Space;
 use radiosity::geom::DVec3;
+use radiosity::published::series::{MovingBlock, Settings, TranslatedPair};
 use serde_json::Value;
 
 use super::quads::{Quad, elements, numbers, read, relative, vector};

@@ -1,9 +1,9 @@
 //! Blocks and their series against 80-bit integrals.
 
-use radiosity::animation::series::{BlockSeries, MovingBlock, SeriesError, Settings, TranslatedPair};
 use radiosity::elements::Elements;
 use radiosity::elements::space::Space;
 use radiosity::geom::DVec3;
+use radiosity::published::series::{BlockSeries, MovingBlock, SeriesError, Settings, TranslatedPair};
 use serde_json::Value;
 
 use super::quads::{Quad, elements, numbers, read, relative, vector};

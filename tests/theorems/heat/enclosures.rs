@@ -1,6 +1,6 @@
 //! Flat enclosures, and what any balance keeps.
 
-use radiosity::solution::Place;
+use radiosity::solve::solution::Place;
 
 use super::shared::{CUBE, at_order, close, level, lumped, of};
 

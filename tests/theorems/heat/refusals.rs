@@ -1,7 +1,5 @@
 //! What has no balance, and what cannot be read.
 
-use radiosity::Scene;
-
 use super::shared::{CUBE, at_order};
 
 /// The message and the cure of a scene whose heat has no balance.
@@ -28,7 +26,7 @@ fn what_has_no_balance_is_told_with_names_and_cure() {
 
 /// The message of a scene that cannot be read.
 fn unread(old: &str, new: &str) -> String {
-    let error = Scene::from_toml(&CUBE.replace(old, new), "heat.toml")
+    let error = radiosity::language::from_toml(&CUBE.replace(old, new), "heat.toml")
         .err()
         .unwrap_or_else(|| panic!("{new} is read"));
     format!("{error}: {}", error.cure().unwrap_or_default())

@@ -5,7 +5,7 @@ use radiosity::heat::{Heat, HeatError, HeatOptions, STEFAN_BOLTZMANN, SurfaceHea
 use radiosity::solve::{Options, Transport};
 
 pub(super) fn scene(text: &str) -> Scene {
-    Scene::from_toml(text, "heat.toml").unwrap_or_else(|error| panic!("{error}"))
+    radiosity::language::from_toml(text, "heat.toml").unwrap_or_else(|error| panic!("{error}"))
 }
 
 pub(super) fn at_order(order: usize, text: &str) -> Result<Heat, HeatError> {

@@ -1,0 +1,274 @@
+//! `radiosity animate`: the frames of a scene in which things move.
+
+mod encoder;
+mod film;
+mod frames;
+mod readings;
+mod summary;
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use radiosity_output::drawings::picture::Picture;
+use radiosity_output::pictures::image::Image;
+use radiosity_output::pictures::raster::Raster;
+use radiosity_output::pictures::render::{render, usual_read, white_balance};
+use radiosity_output::pictures::tone::Tone;
+use radiosity_output::readings::rank_work::RanksWork;
+use radiosity_output::readings::reader::Read;
+use radiosity_output::readings::shown::Shown;
+use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
+use radiosity_request::require_all_bounces;
+use radiosity_solve::animation::follower::{Follower, Way};
+use radiosity_solve::animation::frame::Frame;
+use radiosity_solve::{Algorithm, Options, in_threads};
+
+use crate::{
+    console,
+    error::CliError,
+    numbers::{Counts, fraction, positive},
+    options::{MethodArgs, SceneArg},
+    points::Points,
+    progress::Progress,
+    read::ReadArgs,
+    run::{Loaded, options},
+};
+use film::Film;
+use frames::FrameRange;
+use readings::Readings;
+
+/// Solves the frames of a scene in which things move, and takes a picture of each
+#[derive(Debug, Args)]
+#[command(mut_arg("scene", |scene| scene.default_value("billiard")), mut_arg("frame", |frame| frame.hide(true)), after_help = "\
+What moves is written in the scene: [[motion]], docs/scene.md. Frames are counted from 0. Light is found anew for every frame, shadows \
+and all; what has not changed is kept, to the bit. Where the path is known and light changes smoothly, it is solved at some moments \
+and interpolated between them, to --path-eps.
+
+Examples:
+  radiosity animate billiard -o out/billiard-####.png
+  radiosity animate billiard --frames 20..40 --size 320x240 -o swing.gif
+  radiosity animate sliding-light --animation series --shadows off --transport exact -o light.mp4
+  radiosity animate room.toml --probe desk.csv > lux-over-time.csv")]
+pub(crate) struct AnimateArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArg,
+
+    /// Files of the pictures, .png or .exr, in which #### stands for the number of the frame; or one film: .gif, or
+    /// .mp4 or .webm, which ffmpeg makes
+    /// [default: SCENE-####.png, and none with --probe]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    /// First and last frame, such as 0..99, or one [default: all]
+    #[arg(long, value_name = "A..B")]
+    frames: Option<FrameRange>,
+
+    /// Points whose irradiance over time is printed as CSV, a row for each frame and point: a file as that of probe --points
+    #[arg(long, value_name = "FILE.csv")]
+    probe: Option<String>,
+
+    /// Leaves alone the pictures that are there already, of a run that was stopped, and makes the others
+    #[arg(long)]
+    resume: bool,
+
+    /// How frames follow each other
+    #[arg(long = "animation", value_name = "WAY", default_value = "path")]
+    way: Follow,
+
+    /// Relative error that light interpolated along a path may have; by rays 0.3 of the error that these leave, if that is more.
+    /// With series that of a block, relative to its largest entry
+    #[arg(long, value_name = "E", default_value = "1e-4", value_parser = fraction)]
+    path_eps: f64,
+
+    /// Pixels across and down [default: as the scene's camera says]
+    #[arg(long, value_name = "WxH")]
+    size: Option<Counts>,
+
+    /// Camera rays along each side of a pixel: S × S in all [default: 3]
+    #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
+    samples: Option<u32>,
+
+    /// Exposure of all pictures: the radiosity that is white is 1 over it [default: that of the first picture, as render would]
+    #[arg(long, value_name = "X", value_parser = positive)]
+    exposure: Option<f64>,
+
+    /// Pictures a second of a film [default: those of the scene's time, if it has any; else 25]
+    #[arg(long, value_name = "N", value_parser = positive)]
+    fps: Option<f64>,
+
+    #[command(flatten)]
+    read: ReadArgs,
+
+    #[command(flatten)]
+    method: MethodArgs,
+
+    /// Prints neither progress nor a summary
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// How frames follow each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Follow {
+    /// Each frame by itself, with nothing kept.
+    Fresh,
+    /// One frame after the other; what has not changed is kept.
+    Selective,
+    /// Solved at some moments of the path, interpolated between them.
+    Path,
+    /// One frame after the other; blocks of flat things that are translated, with nothing between, are sums of power series.
+    Series,
+}
+
+impl AnimateArgs {
+    fn way(&self) -> Way {
+        match self.way {
+            Follow::Fresh => Way::Fresh,
+            Follow::Selective => Way::Selective,
+            Follow::Path => Way::Path { tolerance: self.path_eps },
+            Follow::Series => Way::Series { tolerance: self.path_eps },
+        }
+    }
+
+    /// Refuses methods that frames do not share.
+    fn refuse_methods(&self, asked: &Options) -> Result<(), CliError> {
+        let refuse = |message: &str, cure: &str| {
+            Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
+        };
+        if self.method.request().wanted_accuracy().is_some() {
+            return refuse(
+                "--accuracy: elements that one frame needs are not those of another",
+                "leave it out and choose --quality, or --order and --eps, which hold for all frames",
+            );
+        }
+        if asked.algorithm == Algorithm::Hierarchical {
+            return refuse(
+                "--method hierarchical: links of one frame are not those of another",
+                "leave it out; solve --frame K solves a single frame by links",
+            );
+        }
+        if asked.masks.is_some() && self.way == Follow::Path {
+            return refuse(
+                "light that goes through shadow masks cannot be interpolated along a path",
+                "add --animation selective, or choose other --shadows",
+            );
+        }
+        Ok(())
+    }
+
+    /// Where pictures go; None where none were asked for.
+    fn film(&self, loaded: &Loaded, first: usize) -> Result<Option<Film>, CliError> {
+        let output = match (&self.output, &self.probe) {
+            (Some(output), _) => output.clone(),
+            (None, Some(_)) => return Ok(None),
+            (None, None) => format!("{}-####.png", loaded.scene.name).into(),
+        };
+        let rate = loaded.scene.animation.as_ref().map(|animation| animation.rate);
+        let of_scene = rate.filter(|rate| *rate != 1.0);
+        let film = Film::new(&output, (self.fps, of_scene), first, loaded)?;
+        if film.is_exr() && self.exposure.is_some() {
+            return Err(CliError::Refused {
+                message: "--exposure: an .exr holds the values and nothing else".to_owned(),
+                cure: "leave it out, or choose files ending in .png".to_owned(),
+            });
+        }
+        Ok(Some(film))
+    }
+}
+
+/// What takes pictures, all alike.
+struct Shutter<'a> {
+    args: &'a AnimateArgs,
+    /// The radiosity that is white is 1 over it; that of the first picture unless told.
+    exposure: Option<f64>,
+    /// What is read, as for the first picture unless told.
+    read: Option<Read>,
+}
+
+impl Shutter<'_> {
+    /// The picture of a frame, through its own camera.
+    fn take(&mut self, frame: &Frame) -> Result<Raster, CliError> {
+        let camera = camera(self.args.size.map(|Counts(size)| size), &frame.scene)?;
+        let visibility = &frame.visibility;
+        let usual = || usual_read(&frame.solution, visibility, pixels(&camera));
+        let read = *self.read.get_or_insert_with(usual);
+        let samples = self.args.samples.unwrap_or(SAMPLES);
+        Ok(render(&frame.solution, visibility, &camera, samples, read, Shown::Radiosity, &|_| ()))
+    }
+
+    /// The same in colours. Without a typed exposure white is approached softly, as in a photograph.
+    fn developed(&mut self, raster: &Raster, frame: &Frame) -> Picture {
+        let image = Image::new(raster, white_balance(&frame.solution));
+        let exposure = *self.exposure.get_or_insert_with(|| image.automatic_exposure());
+        image.exposed(exposure, if self.args.exposure.is_some() { Tone::Linear } else { Tone::Shoulder })
+    }
+}
+
+/// Solves the frames and writes what was asked for.
+pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
+    let begun = Instant::now();
+    let scene = &loaded.scene;
+    args.method.request().check()?;
+    let frames = "frames that follow each other hold all light";
+    require_all_bounces(&args.method.request(), frames, "take single frames: render --frame K --bounces …")?;
+    let asked = options(&args.method);
+    args.refuse_methods(&asked)?;
+    let range = FrameRange::within(args.frames, scene)?;
+    let points = args.probe.as_deref().map(Points::load).transpose()?;
+    let mut film = args.film(&loaded, range.ends()[0])?;
+    if film.is_some() {
+        require_pixels(&camera(args.size.map(|Counts(size)| size), scene)?, scene, args.method.memory)?;
+    }
+    let progress = Progress::new(args.quiet);
+    let mut follower = Follower::new(scene, &asked, args.way(), range.ends());
+    let mut readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
+    let mut shutter = Shutter { args, exposure: args.exposure, read: args.read.read };
+    let mut made = 0;
+    for (done, number) in range.numbers().enumerate() {
+        progress.say_whole(standing(done, range.count(), made, begun));
+        // The first picture exposes all others.
+        let is_there = args.resume && film.as_ref().is_some_and(|film| film.has(number));
+        let is_unset = shutter.exposure.is_none() || shutter.read.is_none();
+        let is_needed = readings.is_some() || !is_there || (done == 0 && is_unset);
+        if !is_needed {
+            continue;
+        }
+        let frame = follower.frame(number, &|stage| progress.show_stage(stage, scene.bands.len()))?;
+        made += 1;
+        in_threads(asked.threads, || {
+            if let Some(readings) = &mut readings {
+                readings.read(number, &frame)?;
+            }
+            let Some(film) = &mut film else { return Ok(()) };
+            if is_there && done > 0 {
+                return Ok(());
+            }
+            let raster = shutter.take(&frame)?;
+            let mut develop = || shutter.developed(&raster, &frame);
+            if is_there {
+                drop(develop());
+                return Ok(());
+            }
+            film.add(number, &raster, develop)
+        })??;
+    }
+    film.map_or(Ok(()), Film::finish)?;
+    let read_error = readings.as_ref().and_then(Readings::error);
+    readings.map_or(Ok(()), |readings| readings.write(&scene.bands))?;
+    drop(progress);
+    if !args.quiet {
+        let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());
+        lines.extend(RanksWork::so_far(asked.threads).map(|work| work.to_string()));
+        lines.extend(read_error.map(|error| error.to_string()));
+        console::tell(&(lines.join("\n") + "\n"));
+    }
+    Ok(())
+}
+
+/// Where the frames stand: `done` of `count` are behind, of which so many were made.
+fn standing(done: usize, count: usize, made: usize, begun: Instant) -> String {
+    let rate = made as f64 / begun.elapsed().as_secs_f64();
+    let rate = if made > 0 { format!(", {rate:.2} a second") } else { String::new() };
+    format!("; frame {} of {count}{rate}", done + 1)
+}

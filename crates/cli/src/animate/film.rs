@@ -1,0 +1,209 @@
+//! Where pictures of frames go: files of their own, or one film.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use gif::Repeat;
+use radiosity_output::drawings::picture::Picture;
+use radiosity_output::files::exr_file::write_exr;
+use radiosity_output::pictures::raster::Raster;
+use radiosity_work::ranks;
+
+use super::encoder::{Container, Encoder, require_program};
+use crate::error::CliError;
+use crate::output_file::OutputFile;
+use crate::run::Loaded;
+
+/// Pictures a second where nothing says how long a frame lasts.
+const FPS: f64 = 25.0;
+
+/// Units of time in a second, as GIF counts how long a picture stays.
+const GIF_UNITS: f64 = 100.0;
+
+/// Most pictures a second of a GIF: viewers slow down shorter ones.
+const FASTEST: f64 = 50.0;
+
+/// How finely GIF looks for its 256 colours, from 1 to 30; chosen: 10 is three times as fast, and hardly seen.
+const SPEED: i32 = 10;
+
+/// Where pictures of frames go.
+#[derive(Debug)]
+pub(super) enum Film {
+    /// A file each.
+    Files(Pattern),
+    /// One animated GIF, written at the end.
+    Gif { output: OutputFile, fps: f64, size: [u16; 2], frames: Vec<gif::Frame<'static>> },
+    /// One film by a program that gets the pictures as they are made; none before the first.
+    Encoded { output: Option<OutputFile>, container: Container, fps: f64, encoder: Option<Encoder> },
+}
+
+/// A name in which a run of # stands for the number of a frame.
+#[derive(Debug)]
+pub(super) struct Pattern {
+    before: String,
+    digits: usize,
+    after: String,
+    is_exr: bool,
+}
+
+impl Film {
+    /// For a name as typed; finds out whether it can be written. Pictures a second are those that were typed, or those of the
+    /// scene.
+    pub(super) fn new(
+        name: &Path,
+        (typed, of_scene): (Option<f64>, Option<f64>),
+        first: usize,
+        loaded: &Loaded,
+    ) -> Result<Self, CliError> {
+        let fps = typed.or(of_scene).unwrap_or(FPS);
+        let ending = name.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        let refused = |message: String, cure: &str| {
+            Err(CliError::Refused {
+                message: format!("{}: {message}", name.display()),
+                cure: cure.to_owned(),
+            })
+        };
+        match ending.as_deref() {
+            Some("gif") if fps > FASTEST => refused(
+                format!("a .gif shows {FASTEST} pictures a second at the most, and {fps} were asked for"),
+                "add --fps 50, or write pictures of their own: frame-####.png",
+            ),
+            Some("gif") => Ok(Self::Gif {
+                output: loaded.apart(OutputFile::reserve(name)?)?,
+                fps,
+                size: [0; 2],
+                frames: Vec::new(),
+            }),
+            Some("png" | "exr") if typed.is_some() => refused(
+                "files have no speed".to_owned(),
+                "leave out --fps, or choose a film ending in .gif, .mp4 or .webm",
+            ),
+            Some(ending @ ("png" | "exr")) => match Pattern::of(name, ending == "exr") {
+                Some(pattern) => {
+                    loaded.apart(OutputFile::reserve(&pattern.path(first))?)?;
+                    Ok(Self::Files(pattern))
+                }
+                None => refused(
+                    "one name for all frames".to_owned(),
+                    "write #### where the number of the frame goes, as in frame-####.png",
+                ),
+            },
+            Some(ending) if let Some(container) = Container::of(ending) => {
+                if ranks::current().is_first() {
+                    require_program(name)?;
+                }
+                let output = Some(loaded.apart(OutputFile::reserve(name)?)?);
+                Ok(Self::Encoded { output, container, fps, encoder: None })
+            }
+            _ => refused(
+                "the ending names no kind of pictures".to_owned(),
+                "choose names such as frame-####.png or frame-####.exr, or a film ending in .gif, .mp4 or .webm",
+            ),
+        }
+    }
+
+    /// Whether the picture of a frame is there already.
+    pub(super) fn has(&self, frame: usize) -> bool {
+        // Others may look when it has just been written.
+        let Self::Files(pattern) = self else { return false };
+        ranks::current().of_first(pattern.path(frame).exists())
+    }
+
+    /// Whether it holds values rather than colours.
+    pub(super) fn is_exr(&self) -> bool {
+        matches!(self, Self::Files(pattern) if pattern.is_exr)
+    }
+
+    /// Takes the picture of a frame; files are written at once.
+    pub(super) fn add(
+        &mut self,
+        frame: usize,
+        raster: &Raster,
+        picture: impl FnOnce() -> Picture,
+    ) -> Result<(), CliError> {
+        match self {
+            Self::Files(pattern) => {
+                let output = OutputFile::reserve(&pattern.path(frame))?;
+                if pattern.is_exr {
+                    return output.write(|writer| write_exr(raster, writer));
+                }
+                let picture = picture();
+                output.write(|writer| picture.write_png(writer))
+            }
+            Self::Gif { output, fps, size, frames } => {
+                let picture = picture();
+                if output.is_elsewhere() {
+                    return Ok(());
+                }
+                let [width, height] = picture.size().map(|pixels| pixels as u16);
+                let mut frame = gif::Frame::from_rgb_speed(width, height, picture.codes(), SPEED);
+                // Each ends at the nearest unit to where it should: rounding does not add up.
+                let end = |picture: usize| (GIF_UNITS * picture as f64 / *fps).round();
+                frame.delay = (end(frames.len() + 1) - end(frames.len())) as u16;
+                *size = [width, height];
+                frames.push(frame);
+                Ok(())
+            }
+            Self::Encoded { output, container, fps, encoder } => {
+                let picture = picture();
+                if output.as_ref().is_some_and(OutputFile::is_elsewhere) {
+                    return Ok(());
+                }
+                if let Some(output) = output.take() {
+                    *encoder = Some(Encoder::start(output, *container, picture.size(), *fps)?);
+                }
+                encoder.as_mut().map_or(Ok(()), |encoder| encoder.add(picture.codes()))
+            }
+        }
+    }
+
+    /// Writes the film, where it is one.
+    pub(super) fn finish(self) -> Result<(), CliError> {
+        let (output, [width, height], frames) = match self {
+            Self::Files(_) => return Ok(()),
+            Self::Encoded { encoder, .. } => return encoder.map_or(Ok(()), Encoder::finish),
+            Self::Gif { output, size, frames, .. } => (output, size, frames),
+        };
+        output.write(|writer| {
+            let mut encoder = gif::Encoder::new(writer, width, height, &[]).map_err(io::Error::other)?;
+            encoder.set_repeat(Repeat::Infinite).map_err(io::Error::other)?;
+            frames.iter().try_for_each(|frame| encoder.write_frame(frame)).map_err(io::Error::other)
+        })
+    }
+}
+
+impl Pattern {
+    /// None without a run of #, or with several.
+    fn of(name: &Path, is_exr: bool) -> Option<Self> {
+        let text = name.to_str()?;
+        let start = text.find('#')?;
+        let end = text.rfind('#')? + 1;
+        let all = text[start..end].bytes().all(|byte| byte == b'#');
+        all.then(|| Self {
+            before: text[..start].to_owned(),
+            digits: end - start,
+            after: text[end..].to_owned(),
+            is_exr,
+        })
+    }
+
+    /// The file of a frame.
+    fn path(&self, frame: usize) -> PathBuf {
+        let Self { before, digits, after, .. } = self;
+        format!("{before}{frame:0digits$}{after}").into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_take_the_place_of_the_run() {
+        let pattern = |name: &str| Pattern::of(Path::new(name), false).map(|pattern| pattern.path(7));
+        assert_eq!(pattern("out/f-####.png"), Some("out/f-0007.png".into()));
+        assert_eq!(pattern("#.png"), Some("7.png".into()));
+        assert_eq!(pattern("f.png"), None);
+        assert_eq!(pattern("#-#.png"), None);
+    }
+}

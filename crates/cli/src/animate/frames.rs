@@ -1,0 +1,75 @@
+//! Which frames: `--frames A..B`.
+
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+
+use radiosity_scene::Scene;
+
+use crate::error::CliError;
+
+/// First and last frame as typed, both included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct FrameRange {
+    first: usize,
+    last: usize,
+}
+
+impl FromStr for FrameRange {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |part: &str| part.trim().parse::<usize>().ok();
+        let ends = match text.split_once("..") {
+            Some((first, last)) => number(first).zip(number(last)),
+            None => number(text).map(|only| (only, only)),
+        };
+        ends.filter(|(first, last)| first <= last).map(|(first, last)| Self { first, last }).ok_or_else(
+            || {
+                "expected the first and the last frame with .. between, such as 0..99, or one number"
+                    .to_owned()
+            },
+        )
+    }
+}
+
+impl FrameRange {
+    /// The frames that were asked for, or all of a scene.
+    ///
+    /// # Errors
+    /// A scene in which nothing moves, or that has fewer frames.
+    pub(super) fn within(asked: Option<Self>, scene: &Scene) -> Result<Self, CliError> {
+        // Refuses scenes in which nothing moves, and frames that do not exist.
+        scene.movers_at(asked.map_or(0, |asked| asked.last))?;
+        Ok(asked.unwrap_or(Self { first: 0, last: scene.frames() - 1 }))
+    }
+
+    /// The first and the last.
+    pub(super) fn ends(&self) -> [usize; 2] {
+        [self.first, self.last]
+    }
+
+    /// All of them, in order.
+    pub(super) fn numbers(&self) -> RangeInclusive<usize> {
+        self.first..=self.last
+    }
+
+    /// How many there are.
+    pub(super) fn count(&self) -> usize {
+        self.last - self.first + 1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_are_read() {
+        let read = |text: &str| text.parse::<FrameRange>().map(|range| (range.ends(), range.count()));
+        assert_eq!(read("3..7"), Ok(([3, 7], 5)));
+        assert_eq!(read("4"), Ok(([4, 4], 1)));
+        for wrong in ["", "7..3", "..", "a..b", "-1", "1...2", "1.5"] {
+            assert!(read(wrong).is_err(), "{wrong}");
+        }
+    }
+}

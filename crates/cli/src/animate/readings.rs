@@ -1,0 +1,63 @@
+//! Irradiance at points, frame after frame.
+
+use std::io;
+
+use radiosity_output::readings::probe::{Reading, probe};
+use radiosity_output::readings::quality;
+use radiosity_output::readings::read_error::ReadError;
+use radiosity_output::readings::reader::Reader;
+use radiosity_solve::animation::frame::Frame;
+
+use crate::destination::Destination;
+use crate::error::CliError;
+use crate::points::{COLUMNS, Points};
+use crate::sensors::Sensors;
+
+/// The readings so far.
+#[derive(Debug)]
+pub(super) struct Readings {
+    sensors: Sensors,
+    how: quality::Reading,
+    frames: Vec<(usize, Vec<Reading>)>,
+}
+
+impl Readings {
+    /// None yet.
+    pub(super) fn new(points: Points, how: quality::Reading) -> Self {
+        Self { sensors: Sensors::Points(points), how, frames: Vec::new() }
+    }
+
+    /// Reads the points in a frame.
+    pub(super) fn read(&mut self, number: usize, frame: &Frame) -> Result<(), CliError> {
+        let how = &self.how;
+        let reader = Reader::by(how.by, &frame.solution, &frame.visibility, how.read, how.eps);
+        let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, &|_, _| ());
+        let read = read.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
+        self.frames.push((number, read));
+        Ok(())
+    }
+
+    /// The error of readings by rays, of all frames.
+    pub(super) fn error(&self) -> Option<ReadError> {
+        let readings = self.frames.iter().flat_map(|(_, readings)| readings);
+        ReadError::of(readings.map(|reading| reading.deviation))
+    }
+
+    /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…`, a row for each frame and point.
+    pub(super) fn write(&self, bands: &[String]) -> Result<(), CliError> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let names = ["frame", "point"].into_iter().chain(COLUMNS).map(str::to_owned);
+        let light = bands.iter().map(|band| format!("E_{band}"));
+        writer.write_record(names.chain(light)).map_err(io::Error::from)?;
+        for (frame, readings) in &self.frames {
+            for (point, Reading { probe, irradiance, .. }) in readings.iter().enumerate() {
+                let place = probe.position.to_array().into_iter().chain(probe.normal.to_array());
+                let numbers = place.chain(irradiance.iter().copied()).map(|x| x.to_string());
+                let row = [frame.to_string(), point.to_string()].into_iter().chain(numbers);
+                writer.write_record(row).map_err(io::Error::from)?;
+            }
+        }
+        let table = writer.into_inner().map_err(|error| error.into_error())?;
+        Destination::Stdout.write(|writer| writer.write_all(&table))
+    }
+}

@@ -1,0 +1,64 @@
+//! What frames took, and what is wrong with them.
+
+use radiosity_output::readings::missed::missed;
+use radiosity_solve::animation::account::Account;
+use radiosity_solve::animation::follower::Follower;
+use radiosity_transport::RayCounts;
+
+/// The lines on so many frames that were made in so many seconds: one on what they took, and one for each thing that is wrong.
+pub(super) fn lines(follower: &Follower<'_>, frames: usize, seconds: f64) -> Vec<String> {
+    let account = follower.account();
+    std::iter::once(cost(follower, frames, seconds)).chain(warnings(account)).collect()
+}
+
+fn cost(follower: &Follower<'_>, frames: usize, seconds: f64) -> String {
+    let Account { moments, rays, noise, .. } = follower.account();
+    let mut line = format!("{frames} frames in {seconds:.1} s, {:.2} a second; ", frames as f64 / seconds);
+    line += &match follower.segments() {
+        Some(segments) => format!("light solved at {moments} moments, in {segments} segments of the path"),
+        None => format!("light solved {moments} times"),
+    };
+    if let Some(error) = follower.error() {
+        let what = if follower.segments().is_some() { "interpolated" } else { "by series" };
+        line += &format!(", {what} to {error:.1e}");
+    }
+    if follower.has_set_up() {
+        let counted = if *noise > 0.0 { "rays" } else { "blocks" };
+        line += &match follower.repaid() {
+            None => format!(", set-up not repaid (counted in {counted})"),
+            Some(frames) => format!(", set-up repaid after {frames} frames (counted in {counted})"),
+        };
+    }
+    line += &told(rays);
+    if *noise > 0.0 {
+        line += &format!(", rays leave an error of {noise:.1e}");
+    }
+    line
+}
+
+/// How many rays were sent, and how many of them did not have to be traced.
+fn told(RayCounts { traced, recalled }: &RayCounts) -> String {
+    match traced + recalled {
+        0 => String::new(),
+        all if *recalled == 0 => format!(", {all} rays"),
+        all => format!(", {all} rays, {:.1} % of them traced anew", 100.0 * *traced as f64 / all as f64),
+    }
+}
+
+/// A line for each thing that is wrong at any moment.
+fn warnings(account: &Account) -> Vec<String> {
+    let Account { moments, unconverged: (unconverged, residual), missing, worst, .. } = account;
+    let of_moments = |count: &usize| format!("warning: at {count} of {moments} moments");
+    let mut lines = Vec::new();
+    if *unconverged > 0 {
+        lines.push(format!(
+            "{} the solver did not converge, the relative residual is up to {residual:.1e}: the light is incomplete; raise \
+             --max-iterations or take another --solver",
+            of_moments(unconverged)
+        ));
+    }
+    if let Some((miss, [one, other])) = worst {
+        lines.push(format!("{} {}", of_moments(missing), missed(miss, [one, other])));
+    }
+    lines
+}

@@ -1,0 +1,106 @@
+//! `radiosity render -o room.glb`: the scene with its light in textures, for Blender and viewers.
+
+use std::path::Path;
+
+use radiosity_geom::{Aabb, Rect};
+use radiosity_output::drawings::picture::Picture;
+use radiosity_output::files::exr_file::write_exr;
+use radiosity_output::files::glb::{Baked, texture_size};
+use radiosity_output::pictures::image::Image;
+use radiosity_output::pictures::lightmap::Lightmap;
+use radiosity_output::pictures::render::{usual_read, white_balance};
+use radiosity_output::pictures::tessellation::tessellation;
+use radiosity_output::pictures::tone::Tone;
+use radiosity_output::readings::reader::Read;
+use radiosity_scene::Scene;
+use radiosity_solve::solved::Solved;
+use serde_json::{Value, json};
+
+use crate::{
+    error::CliError,
+    forecast,
+    numbers::Counts,
+    options::{MethodArgs, ReportArgs},
+    page,
+    progress::Progress,
+    read::ROUGH,
+    run::{Loaded, Run},
+    style::StyleArgs,
+};
+
+/// Texels across and down, unless told otherwise.
+const SIZE: [u32; 2] = [1024, 1024];
+
+/// Distance of triangles from a curved surface, over the diagonal of the scene. Chosen: half a pixel of a picture of the whole.
+const NEAR: f64 = 5e-4;
+
+/// What is baked, and how.
+#[derive(Debug)]
+pub(crate) struct Bake<'a> {
+    /// The file.
+    pub(crate) path: &'a Path,
+    /// The number of texels, as that of a picture.
+    pub(crate) size: Option<Counts>,
+    /// What the light is read from.
+    pub(crate) read: Option<Read>,
+    pub(crate) style: &'a StyleArgs,
+    pub(crate) method: &'a MethodArgs,
+    pub(crate) report: &'a ReportArgs,
+}
+
+impl Bake<'_> {
+    /// Solves the scene and writes it with its light; the light as it is goes to an .exr beside it.
+    pub(crate) fn run(&self, loaded: Loaded) -> Result<(), CliError> {
+        let beside = self.path.with_extension("exr");
+        let output = loaded.reserve(self.path, self.report)?;
+        let linear = loaded.reserve(&beside, self.report)?.apart_from(self.path, "the triangles")?;
+        let [across, down] = self.size.map_or(SIZE, |Counts(size)| size);
+        let texels = u64::from(across) * u64::from(down);
+        let [width, height] = texture_size(Lightmap::sizes(&loaded.scene, texels as usize));
+        let less = "ask for fewer with --size";
+        forecast::require_texels(width * height, &loaded.scene, self.method, less)?;
+        let progress = Progress::new(self.report.quiet);
+        let run = Run::solve(loaded, self.method, self.report, &progress)?;
+        let (scene, solution) = (&run.solved.scene, &run.solved.outcome.solution);
+        let usual = || usual_read(solution, run.solved.visibility(), texels);
+        let read = self.read.unwrap_or_else(usual);
+        let show = |stage| page::show(&progress, stage);
+        let (triangles, lightmap) = run.in_threads(|| {
+            let lightmap = Lightmap::new(&run.solved, read, texels as usize, &show);
+            (tessellation(scene, NEAR * diagonal(scene)), lightmap)
+        })?;
+        let baked = Baked::new(scene, &triangles, &lightmap, self.style.show);
+        let (picture, about) = self.coloured(&baked, &run.solved, &beside);
+        // Both are written before one is put in place: they belong together.
+        let linear = linear.filled(|writer| write_exr(baked.raster(), writer))?;
+        output.filled(|writer| baked.write(&picture, &about, writer))?.put()?;
+        linear.put()?;
+        let [width, height] = baked.raster().size();
+        let figures = format!("{} triangles, texture of {width} × {height}", baked.triangles());
+        let note = if self.read.is_none() && read == Read::Direct { ROUGH } else { "" };
+        let files = [self.path, &beside].map(Path::display);
+        run.finish(progress, Some(&format!("{} ({figures}) and {}{note}", files[0], files[1])))
+    }
+
+    /// The texture in colours, and what the file says of it; `beside` has the light as it is.
+    fn coloured(&self, baked: &Baked, solved: &Solved, beside: &Path) -> (Picture, Value) {
+        let (scene, balance) = (&solved.scene, white_balance(&solved.outcome.solution));
+        let image = Image::new(baked.raster(), balance);
+        let (exposure, tone) = match self.style.exposure {
+            Some(exposure) => (exposure, Tone::Linear),
+            None => (image.automatic_exposure(), Tone::Shoulder),
+        };
+        let about = json!({
+            "quantity": self.style.show.name(&scene.unit), "unit": scene.unit, "bands": scene.bands,
+            "exposure": exposure, "white_balance": balance,
+            "linear": beside.file_name().map(|name| name.to_string_lossy()),
+        });
+        (image.exposed(exposure, tone), about)
+    }
+}
+
+/// Diagonal of the box around a scene (scene length).
+fn diagonal(scene: &Scene) -> f64 {
+    let shapes = scene.surfaces.iter().map(|surface| &surface.shape);
+    shapes.fold(Aabb::EMPTY, |bounds, shape| bounds.union(shape.bounds(&Rect::FULL))).diagonal()
+}

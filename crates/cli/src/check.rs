@@ -1,0 +1,394 @@
+//! `radiosity check`: what is in a scene, and what looks wrong.
+
+use std::{
+    collections::BTreeMap,
+    fmt::{self, Write as _},
+};
+
+use clap::{Args, ValueEnum};
+use radiosity_geom::Adjacency;
+use radiosity_geom::DVec3;
+use radiosity_scene::{
+    Animation, Camera, Distribution, Extent, Imported, Luminaire, Lying, Mover, Scene, SceneSurface,
+    SensorPlane,
+};
+use radiosity_visibility::footings::Footing;
+use radiosity_visibility::inspection::{Contact, Fronts, Inspection, NearPoint, Passage, Shell, Warning};
+use serde_json::{Value, json};
+
+use crate::{console, error::CliError, materials, options::SceneArg, table::Table};
+
+/// Says what is in a scene, what touches what, and what looks wrong
+#[derive(Debug, Args)]
+#[command(after_help = "Example:\n  radiosity check room.toml")]
+pub(crate) struct CheckArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArg,
+
+    /// Text for people, or JSON with the same content
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    pub(crate) format: Format,
+}
+
+/// So many names, or warnings of a kind, are written as text; JSON names all. Chosen; not tuned.
+const LISTED: usize = 20;
+
+/// How the findings are written.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Format {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+}
+
+/// Prints the scene's bands, surfaces, contacts and camera, then the warnings.
+pub(crate) fn run(args: &CheckArgs, scene: &Scene) -> Result<(), CliError> {
+    let inspection = Inspection::of(scene);
+    let text = match args.format {
+        Format::Text => {
+            let mut text = String::new();
+            describe(scene, &inspection, &mut text).expect("a String takes all text");
+            text
+        }
+        Format::Json => format!("{:#}\n", as_json(scene, &inspection)),
+    };
+    console::print(text.as_bytes())?;
+    let is_wrong = |warning: &&Warning| !warning.is_of_something_missing();
+    let repairs = scene.imported().map_or(0, |imported| imported.repairs.len());
+    match inspection.warnings.iter().filter(is_wrong).count() + repairs {
+        count if args.scene.strict && count > 0 => Err(CliError::LooksWrong { count }),
+        _ => Ok(()),
+    }
+}
+
+fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::Result {
+    writeln!(text, "{}: {}", scene.origin, scene.title.as_deref().unwrap_or("(no title)"))?;
+    writeln!(text, "bands: {}; unit: {}", scene.bands.join(", "), scene.unit)?;
+    let area: f64 = inspection.areas.iter().sum();
+    let emitters = scene.surfaces.iter().filter(|surface| surface.material.emits()).count();
+    writeln!(text, "surfaces: {}, of which {emitters} emit; total area {area:.6}\n", scene.surfaces.len())?;
+    for line in scene.imported().into_iter().flat_map(Imported::lines) {
+        writeln!(text, "{line}")?;
+    }
+    let groups: Vec<&str> = scene.light_groups().iter().map(|group| group.name.as_str()).collect();
+    if !scene.variables.is_empty() {
+        let variables: Vec<String> =
+            scene.variables.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        writeln!(text, "variables: {}\n", variables.join(", "))?;
+    }
+    if !groups.is_empty() {
+        writeln!(text, "light groups: {}\n", groups.join(", "))?;
+    }
+    writeln!(text, "{}", surface_table(&scene.surfaces, &inspection.areas))?;
+    for line in materials::lines(scene) {
+        writeln!(text, "{line}")?;
+    }
+    if !inspection.contacts.is_empty() {
+        writeln!(text, "{}", contact_table(scene, &inspection.contacts))?;
+    }
+    if scene.fitted.welded.corners > 0 {
+        writeln!(text, "welded: {}", scene.fitted.welded)?;
+    }
+    for Lying { surface, on } in &scene.fitted.lying {
+        writeln!(text, "set apart: {surface} lies on {on}")?;
+    }
+    for footing in &inspection.footings {
+        writeln!(text, "covered: {}", footing_line(scene, footing))?;
+    }
+    for shell in &inspection.shells {
+        writeln!(text, "closed: {}", shell_line(scene, shell))?;
+    }
+    let openings = scene.surfaces.iter().filter(|surface| surface.is_opening());
+    let openings: Vec<&str> = openings.map(|surface| surface.name.as_str()).collect();
+    if !openings.is_empty() {
+        writeln!(text, "openings to the sky: {}", listed(&openings))?;
+    }
+    if !scene.luminaires.is_empty() {
+        writeln!(text, "{}", luminaire_table(scene))?;
+    }
+    for near in inspection.near_points.iter().take(LISTED) {
+        writeln!(text, "as a point: {}", near_line(near))?;
+    }
+    if let Some(rest) = inspection.near_points.len().checked_sub(LISTED).filter(|rest| *rest > 0) {
+        writeln!(text, "as a point: {rest} more; --format json names them all")?;
+    }
+    for line in motion_lines(scene) {
+        writeln!(text, "{line}")?;
+    }
+    match &scene.camera {
+        Some(camera) => writeln!(text, "camera: {}", camera_line(camera, scene.middle))?,
+        None => writeln!(text, "camera: none")?,
+    }
+    for plane in &scene.planes {
+        writeln!(text, "plane: {}", plane_line(plane))?;
+    }
+    describe_warnings(&inspection.warnings, text)?;
+    if inspection.warnings.is_empty() { writeln!(text, "nothing looks wrong") } else { Ok(()) }
+}
+
+/// One line for each warning, of each kind the first `LISTED`.
+fn describe_warnings(warnings: &[Warning], text: &mut String) -> fmt::Result {
+    let mut counts = BTreeMap::new();
+    for warning in warnings {
+        let count = counts.entry(warning.code).or_insert(0);
+        *count += 1;
+        if *count <= LISTED {
+            writeln!(text, "warning: {}", warning.message)?;
+        }
+    }
+    for (code, count) in counts.into_iter().filter(|(_, count)| *count > LISTED) {
+        let rest = count - LISTED;
+        writeln!(text, "warning: {rest} more of the kind {code:?}: --format json names them all")?;
+    }
+    Ok(())
+}
+
+fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table {
+    let mut table = Table::new(["surface", "shape", "area", "normal", "material", "reflectance"]);
+    for (surface, area) in surfaces.iter().zip(areas) {
+        let center = surface.shape.jet(0.0, 0.0).normal;
+        let curved = if surface.shape.region().is_some() { "" } else { " at its centre" };
+        table.row([
+            surface.name.clone(),
+            surface.kind.to_owned(),
+            format!("{area:.6}"),
+            vector(center.to_array()) + curved,
+            surface.material_name.clone().unwrap_or_else(|| "none".to_owned()),
+            numbers(&surface.material.reflectance),
+        ]);
+    }
+    table
+}
+
+fn luminaire_table(scene: &Scene) -> Table {
+    let mut table = Table::new(["luminaire", "light", "extent", "position", "aim", "flux"]);
+    for own in &scene.luminaires {
+        let flux: Vec<f64> = (0..scene.bands.len()).map(|band| rounded(own.flux(band))).collect();
+        table.row([
+            own.name.clone(),
+            distribution(&own.distribution),
+            extent(&own.extent),
+            vector((own.position + scene.middle).to_array()),
+            vector(own.aim.to_array()),
+            numbers(&flux),
+        ]);
+    }
+    table
+}
+
+fn distribution(distribution: &Distribution) -> String {
+    match distribution {
+        Distribution::Point => "point".to_owned(),
+        Distribution::Power { exponent } => format!("spot, exponent {exponent}"),
+        Distribution::Cone { angle, edge } => format!("spot, {angle}°, edge {edge}°"),
+        Distribution::Table(table) if table.name.is_empty() => "table".to_owned(),
+        Distribution::Table(table) => format!("table of {}", table.name),
+    }
+}
+
+fn extent(extent: &Extent) -> String {
+    match *extent {
+        Extent::Point => "point".to_owned(),
+        Extent::Line { .. } => format!("line of {}", rounded(extent.width())),
+        Extent::Rectangle { sides: [x, y] } => format!("{} × {}", rounded(x), rounded(y)),
+        Extent::Disk { diameter } => format!("disk of {}", rounded(diameter)),
+    }
+}
+
+fn near_line(near: &NearPoint) -> String {
+    let NearPoint { luminaire, surface, distance, width, error } = near;
+    format!(
+        "{luminaire} errs by up to about {:.0} % at {surface}, {distance:.2} away, for its file states an opening {width:.2} m wide; \
+         extent = \"file\" lets it shine from there",
+        (100.0 * error).max(1.0)
+    )
+}
+
+/// Six digits.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.5e}").parse().unwrap_or(number)
+}
+
+fn luminaire_json(own: &Luminaire, scene: &Scene) -> Value {
+    json!({
+        "name": own.name, "light": distribution(&own.distribution), "extent": extent(&own.extent), "position": (own.position + scene.middle).to_array(),
+        "aim": own.aim.to_array(), "along": own.along.to_array(),
+        "flux": (0..scene.bands.len()).map(|band| own.flux(band)).collect::<Vec<f64>>(),
+        "intensity": own.strength.iter().map(|strength| strength * own.distribution.peak()).collect::<Vec<f64>>(),
+        "group": own.group.as_ref().map(|group| &group.name),
+    })
+}
+
+/// One row for each surface and way of touching, each contact named once.
+fn contact_table(scene: &Scene, contacts: &[Contact]) -> Table {
+    let mut table = Table::new(["surface", "touches", "of"]);
+    let mut rows: Vec<(usize, &str, Vec<&str>)> = Vec::new();
+    for Contact { surfaces: [own, other], touch } in contacts {
+        let (way, name) = (way(*touch), scene.surfaces[*other].name.as_str());
+        // All contacts of a surface with later ones stand together.
+        match rows.iter_mut().rev().take_while(|row| row.0 == *own).find(|row| row.1 == way) {
+            Some(row) => row.2.push(name),
+            None => rows.push((*own, way, vec![name])),
+        }
+    }
+    for (own, way, others) in rows {
+        table.row([scene.surfaces[own].name.clone(), way.to_owned(), listed(&others)]);
+    }
+    table
+}
+
+/// Names, the first `LISTED` of them where there are many.
+fn listed(names: &[&str]) -> String {
+    match names.split_at_checked(LISTED) {
+        Some((first, rest)) if !rest.is_empty() => format!("{} and {} others", first.join(", "), rest.len()),
+        _ => names.join(", "),
+    }
+}
+
+fn way(touch: Adjacency) -> &'static str {
+    match touch {
+        Adjacency::Edge => "edge",
+        Adjacency::Tee => "side or face",
+        Adjacency::Vertex => "corner",
+        Adjacency::Crossing { .. } => "inside",
+        Adjacency::Overlap => "area",
+    }
+}
+
+fn shell_line(scene: &Scene, shell: &Shell) -> String {
+    let names: Vec<&str> = shell.surfaces.iter().map(|k| scene.surfaces[*k].name.as_str()).collect();
+    let Shell { volume, fronts, .. } = shell;
+    format!("{}; volume {volume:.6}, fronts {}", listed(&names), side(*fronts))
+}
+
+fn footing_line(scene: &Scene, footing: &Footing) -> String {
+    let name = |index: &usize| scene.surfaces[*index].name.as_str();
+    let standing: Vec<&str> = footing.standing.iter().map(name).collect();
+    let area = footing.region.area();
+    format!("{:.6} of {}, where {} stand", area, name(&footing.surface), listed(&standing))
+}
+
+/// How many frames there are, and what moves in them.
+fn motion_lines(scene: &Scene) -> Vec<String> {
+    let Some(Animation { frames, rate, movers, .. }) = &scene.animation else { return Vec::new() };
+    let motion = |mover: &Mover| format!("motion: {} moves {}", mover.name, listed(&moved(scene, mover)));
+    let head = match rate {
+        1.0 => format!("frames: {frames}, 0 to {}", frames - 1),
+        rate => format!("frames: {frames}, 0 to {}, {rate} in a unit of time", frames - 1),
+    };
+    [head].into_iter().chain(movers.iter().map(motion)).collect()
+}
+
+/// The names of all that a mover moves.
+fn moved<'a>(scene: &'a Scene, mover: &Mover) -> Vec<&'a str> {
+    let surfaces = mover.surfaces.iter().map(|index| scene.surfaces[*index].name.as_str());
+    let luminaires = mover.luminaires.iter().map(|index| scene.luminaires[*index].name.as_str());
+    surfaces.chain(luminaires).chain(mover.camera.then_some("the camera")).collect()
+}
+
+fn motion_json(scene: &Scene, inspection: &Inspection) -> Option<Value> {
+    let Animation { frames, rate, movers, .. } = scene.animation.as_ref()?;
+    let motion = |mover: &Mover| {
+        let surfaces = mover.surfaces.iter().map(|index| scene.surfaces[*index].name.as_str());
+        let luminaires = mover.luminaires.iter().map(|index| scene.luminaires[*index].name.as_str());
+        json!({
+            "name": mover.name, "surfaces": surfaces.collect::<Vec<_>>(), "luminaires": luminaires.collect::<Vec<_>>(),
+            "camera": mover.camera,
+        })
+    };
+    let passage =
+        |own: &Passage| json!({ "surface": own.surface, "through": own.other, "frames": own.frames });
+    Some(json!({
+        "frames": frames, "rate": rate, "motions": movers.iter().map(motion).collect::<Vec<_>>(),
+        "passages": inspection.passages.iter().map(passage).collect::<Vec<_>>(),
+    }))
+}
+
+fn side(fronts: Fronts) -> &'static str {
+    match fronts {
+        Fronts::Inside => "inside",
+        Fronts::Outside => "outside",
+        Fronts::Mixed => "on both sides",
+    }
+}
+
+fn plane_line(plane: &SensorPlane) -> String {
+    let ([along_first, along_second], normal) = (plane.counts(), vector(plane.normal().to_array()));
+    format!("{}, {along_first} × {along_second} sensors that face {normal}", plane.name())
+}
+
+/// The same content as the text, numbers in full.
+fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
+    let name = |index: &usize| scene.surfaces[*index].name.as_str();
+    let surfaces = scene.surfaces.iter().zip(&inspection.areas).map(|(surface, area)| {
+        json!({
+            "name": surface.name, "shape": surface.kind, "area": area,
+            "planar": surface.shape.region().is_some(), "normal": surface.shape.jet(0.0, 0.0).normal.to_array(),
+            "material": surface.material_name, "reflectance": surface.material.reflectance,
+            "emission": surface.material.emission, "other_side": surface.other_side.map(|index| name(&index)), "opening": surface.is_opening(), "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
+        })
+    });
+    let contacts = inspection.contacts.iter().map(|contact| {
+        let at = if let Adjacency::Crossing { at } = contact.touch { Some((at + scene.middle).to_array()) } else { None };
+        json!({ "surfaces": contact.surfaces.each_ref().map(name), "touch": touch_key(contact.touch), "at": at })
+    });
+    let shells = inspection.shells.iter().map(|shell| {
+        let surfaces: Vec<&str> = shell.surfaces.iter().map(name).collect();
+        json!({ "surfaces": surfaces, "volume": shell.volume, "fronts": side(shell.fronts) })
+    });
+    let footings = inspection.footings.iter().map(|footing| {
+        let standing: Vec<&str> = footing.standing.iter().map(name).collect();
+        json!({ "surface": name(&footing.surface), "area": footing.region.area(), "standing": standing })
+    });
+    let camera = scene.camera.as_ref().map(|camera| {
+        json!({
+            "eye": (camera.eye + scene.middle).to_array(), "target": (camera.target + scene.middle).to_array(), "up": camera.up.to_array(),
+            "fov": camera.fov, "width": camera.width, "height": camera.height,
+        })
+    });
+    let planes = scene.planes.iter().map(|plane| {
+        json!({
+            "name": plane.name(), "origin": plane.origin().to_array(),
+            "edges": plane.edges().map(|edge| edge.to_array()), "counts": plane.counts(),
+        })
+    });
+    json!({
+        "scene": scene.name, "title": scene.title, "bands": scene.bands, "unit": scene.unit,
+        "area": inspection.areas.iter().sum::<f64>(),
+        "variables": scene.variables.iter().cloned().collect::<BTreeMap<_, _>>(),
+        "surfaces": surfaces.collect::<Vec<_>>(), "materials": materials::as_json(scene), "contacts": contacts.collect::<Vec<_>>(),
+        "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
+        "luminaires": scene.luminaires.iter().map(|own| luminaire_json(own, scene)).collect::<Vec<_>>(),
+        "animation": motion_json(scene, inspection),
+        "near_points": inspection.near_points, "planes": planes.collect::<Vec<_>>(), "warnings": inspection.warnings,
+    })
+}
+
+fn touch_key(touch: Adjacency) -> &'static str {
+    match touch {
+        Adjacency::Edge => "edge",
+        Adjacency::Tee => "tee",
+        Adjacency::Vertex => "vertex",
+        Adjacency::Crossing { .. } => "crossing",
+        Adjacency::Overlap => "overlap",
+    }
+}
+
+/// Three decimals, without the −0 of rounding.
+fn vector(numbers: [f64; 3]) -> String {
+    let [x, y, z] = numbers.map(|number| (number * 1e3).round() / 1e3 + 0.0);
+    format!("({x}, {y}, {z})")
+}
+
+fn numbers(numbers: &[f64]) -> String {
+    let equal = numbers.iter().all(|number| *number == numbers[0]);
+    let shown = if equal { &numbers[..1] } else { numbers };
+    shown.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
+}
+
+fn camera_line(camera: &Camera, middle: DVec3) -> String {
+    let Camera { eye, target, fov, width, height, .. } = camera;
+    let (eye, target) = (vector((eye + middle).to_array()), vector((target + middle).to_array()));
+    format!("at {eye}, looking at {target}, {fov:.1} degrees high, {width}x{height} pixels")
+}

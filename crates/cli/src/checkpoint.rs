@@ -1,0 +1,87 @@
+//! `--checkpoint` and `--resume`: a run that is recorded, and goes on where it was ended.
+
+use std::env::current_exe;
+use std::fmt::Debug;
+use std::fs;
+use std::hash::{DefaultHasher, Hasher};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use radiosity_work::ranks::journal::{Begin, fingerprint};
+use radiosity_work::ranks::{self, Ranks};
+
+use crate::error::CliError;
+use crate::given::Given;
+
+/// Where a run is recorded.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Checkpoint")]
+pub(crate) struct CheckpointArgs {
+    /// Folder in which work is recorded as it is done: the same command with --resume goes on from there if this one is killed
+    #[arg(long, value_name = "FOLDER")]
+    checkpoint: Option<PathBuf>,
+
+    /// Goes on from what --checkpoint holds, with any number of threads and processes; results are those of one run, bit for bit
+    #[arg(long, requires = "checkpoint")]
+    resume: bool,
+}
+
+impl CheckpointArgs {
+    /// The current ranks, which record their work if that was asked for. Its results hang on what was `given`, on `content`, and on
+    /// the files that it `reads` besides: all ranks must have the same.
+    ///
+    /// # Errors
+    /// Ranks that differ; a folder that does not hold what was asked for, or cannot be written.
+    pub(crate) fn ranks(
+        &self,
+        given: &Given,
+        content: &dyn Debug,
+        reads: &[Option<&Path>],
+    ) -> Result<Ranks, CliError> {
+        let ranks = ranks::current();
+        if self.checkpoint.is_none() && ranks.are_alone() {
+            return Ok(ranks);
+        }
+        let reads =
+            reads.iter().flatten().filter(|path| self.checkpoint.is_some() || **path != Path::new("-"));
+        let reads = reads.map(|path| file(path)).collect::<Result<Vec<_>, _>>()?;
+        let run = fingerprint(&(program()?, given, content, reads));
+        if let Some(other) = ranks.differing(run) {
+            return Err(CliError::Refused {
+                message: format!(
+                    "rank {other} is another build of this program than rank 0, or reads other files"
+                ),
+                cure: "start the same build on all nodes, and let all ranks read the same files".to_owned(),
+            });
+        }
+        let Some(folder) = &self.checkpoint else { return Ok(ranks) };
+        let begin = if self.resume { Begin::Resume } else { Begin::Anew };
+        Ok(ranks.recording(folder, run, begin)?)
+    }
+}
+
+/// A number of this program: builds of one version may differ in numbers.
+fn program() -> Result<u64, CliError> {
+    current_exe().and_then(|path| number(&path)).map_err(|reason| CliError::Refused {
+        message: format!("the program cannot be told from others, its file cannot be read: {reason}"),
+        cure: "allow it to read its own file: ranks, and runs that go on, must be of one build".to_owned(),
+    })
+}
+
+/// A number of what a file holds; None where it cannot be read, which is told where it is needed.
+fn file(path: &Path) -> Result<Option<u64>, CliError> {
+    if path == Path::new("-") {
+        return Err(CliError::Refused {
+            message: "--checkpoint: points from standard input cannot be told from others".to_owned(),
+            cure: "save them to a file, and give its path".to_owned(),
+        });
+    }
+    Ok(number(path).ok())
+}
+
+fn number(path: &Path) -> io::Result<u64> {
+    let mut hashed = DefaultHasher::new();
+    hashed.write(&fs::read(path)?);
+    Ok(hashed.finish())
+}

@@ -1,0 +1,17 @@
+//! Standard output and stderr, of the rank that writes.
+
+use std::io::{self, Write, stderr, stdout};
+
+use radiosity_work::ranks;
+
+/// Writes to standard output.
+pub(crate) fn print(text: &[u8]) -> io::Result<()> {
+    if ranks::current().is_first() { stdout().write_all(text) } else { Ok(()) }
+}
+
+/// Writes to stderr. A closed one is no error: nobody would see a message.
+pub(crate) fn tell(text: &str) {
+    if ranks::current().is_first() {
+        drop(stderr().write_all(text.as_bytes()));
+    }
+}

@@ -1,0 +1,262 @@
+//! `radiosity convergence`: how the error of a scene's radiosity falls with order, layers, unknowns and time.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueEnum};
+use radiosity_output::drawings::chart::Chart;
+use radiosity_published::bases::Basis;
+use radiosity_request::check_ways;
+use radiosity_scene::Scene;
+use radiosity_solve::solution::Solution;
+use radiosity_solve::solved::Solved;
+use radiosity_solve::studies::convergence::{Reference, Run, Way, convergence};
+use radiosity_solve::studies::error_norm::distance;
+
+use crate::{
+    console,
+    destination::Destination,
+    error::CliError,
+    format::of_ending,
+    options::{MethodArgs, PARAMETER_OR_GROUP, SceneArg},
+    output_file::OutputFile,
+    progress::Progress,
+    reference,
+    run::{Loaded, options},
+    table::Table,
+};
+
+/// Solves a scene at orders 0 to --max-order, prints the errors and draws them
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Example:\n  radiosity convergence empty-box --max-order 6 --layers 2 -o empty-box.svg",
+    mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)),
+    mut_arg("order", |order| order.long("max-order").value_name("N").default_value("6")
+        .help("Highest degree of the polynomials: the scene is solved at 0, 1, … N")),
+    mut_arg("layers", |layers| layers.help("Most layers: every order is run on 0, 1, … L of them")),
+    mut_arg("accuracy", |accuracy| accuracy.hide(true)),
+)]
+pub(crate) struct ConvergenceArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArg,
+
+    /// File of the drawing, .svg or .png [default: SCENE.svg]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Solution file that errors are measured against [default: the finest run]
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) reference: Option<PathBuf>,
+
+    /// Adds runs by other ways to those at rising orders, parted by commas: hierarchical (constants by weaker and weaker links),
+    /// hp (elements refined for gathered light), sampled (more and more rays), constant, linear, harmonic (the bases of --basis)
+    #[arg(long = "with", value_name = "WAYS", value_delimiter = ',', value_parser = other_way())]
+    pub(crate) other: Vec<Way>,
+
+    /// Adds runs in the other bases of the variational source: --with constant,linear,harmonic
+    #[arg(long)]
+    pub(crate) bases: bool,
+
+    /// How the table on standard output is written
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    pub(crate) format: Format,
+
+    /// Prints no progress
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+
+    #[command(flatten)]
+    pub(crate) method: MethodArgs,
+}
+
+/// `--format` of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Columns for eyes
+    Text,
+    /// Comma-separated values with every digit
+    Csv,
+}
+
+/// Solves the scene again and again, prints the table and draws the errors.
+pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliError> {
+    let scene = &loaded.scene;
+    if args.method.request().wanted_accuracy().is_some() {
+        return Err(CliError::Refused {
+            message: "convergence runs every order and chooses none".to_owned(),
+            cure: "leave out --accuracy, and give --max-order a number".to_owned(),
+        });
+    }
+    args.check_basis()?;
+    args.method.request().check()?;
+    check_ways(&args.method.request(), &args.other_ways())?;
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
+    let kind = kind(&path)?;
+    let output = args.scene.kept_apart(OutputFile::reserve(&path)?)?;
+    let reference = args.reference.as_deref().map(|path| same_scene(path, scene)).transpose()?;
+    let progress = Progress::new(args.quiet);
+    let advance = |part: f64| progress.show("runs", (1000.0 * part) as usize, 1000);
+    let options = options(&args.method);
+    let other = args.other_ways();
+    let runs = match &reference {
+        None => convergence(scene, &options, &other, &Reference::FinestRun, &advance)?,
+        Some(Solved { outcome, .. }) => {
+            let error = |solution: &Solution| {
+                distance(solution, &outcome.solution).expect("surfaces and bands were compared")
+            };
+            convergence(scene, &options, &other, &Reference::Given(&error), &advance)?
+        }
+    };
+    drop(progress);
+    let table = match args.format {
+        Format::Text => text(&runs),
+        Format::Csv => csv(&runs),
+    };
+    draw(&chart(args, scene, &runs), kind, &output)?;
+    Destination::Stdout.write(|writer| writer.write_all(table.as_bytes()))?;
+    if !args.quiet {
+        console::tell(&format!("wrote {}\n", path.display()));
+    }
+    Ok(())
+}
+
+impl ConvergenceArgs {
+    /// All ways other than that of rising orders.
+    fn other_ways(&self) -> Vec<Way> {
+        let bases = Way::BASES.into_iter().filter(|way| self.bases && !self.other.contains(way));
+        self.other.iter().copied().chain(bases).collect()
+    }
+
+    /// Refuses a basis without orders, and one of those that are all compared.
+    fn check_basis(&self) -> Result<(), CliError> {
+        let basis = self.method.basis;
+        let has_no_order = matches!(basis, Basis::Constant | Basis::Linear);
+        if has_no_order || (self.bases && basis != Basis::Legendre) {
+            return Err(CliError::Refused {
+                message: format!(
+                    "convergence runs at rising orders, and with --bases in all bases: not --basis {}",
+                    basis.name()
+                ),
+                cure: format!(
+                    "take --with {} for finer and finer cells or higher degrees, or --bases alone",
+                    basis.name()
+                ),
+            });
+        }
+        Ok(())
+    }
+}
+
+/// A way other than that of all runs.
+fn other_way() -> impl TypedValueParser<Value = Way> {
+    let others = Way::value_variants().iter().filter(|way| **way != Way::Uniform);
+    PossibleValuesParser::new(others.map(|way| way.name()))
+        .map(|name| Way::from_str(&name, false).expect("the parser lets only listed names pass"))
+}
+
+/// What kind of file a chart is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    Svg,
+    Png,
+}
+
+fn kind(path: &Path) -> Result<Kind, CliError> {
+    of_ending(path).ok_or_else(|| CliError::Refused {
+        message: format!("{}: the ending names no kind of drawing", path.display()),
+        cure: "choose a file ending in .svg or .png".to_owned(),
+    })
+}
+
+/// The reference solution, of the same surfaces, bands and materials.
+fn same_scene(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
+    let solved = reference::solution(path, scene)?;
+    if !solved.outcome.converged {
+        return Err(CliError::Refused {
+            message: format!("{}: its solver did not converge, which makes it no reference", path.display()),
+            cure: "solve it with more --max-iterations or another --solver".to_owned(),
+        });
+    }
+    if reference::same_materials(&solved.scene, scene) {
+        return Ok(solved);
+    }
+    Err(CliError::Refused {
+        message: format!("{}: it has other materials than the scene", path.display()),
+        cure: "give a solution of the scene as it is".to_owned(),
+    })
+}
+
+fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, runs: &'a [Run]) -> Chart<'a> {
+    let title = scene.title.as_ref().unwrap_or(&scene.name);
+    let uniform = runs.iter().rfind(|run| run.way == Way::Uniform);
+    let finest = uniform.map_or_else(String::new, |run| match run.layers {
+        0 => format!("order {}", run.order),
+        layers => format!("order {} on {layers} layers", run.order),
+    });
+    let against = match &args.reference {
+        None => format!("the finest run, {finest}"),
+        Some(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+    };
+    let accuracy = match args.method.kernel.rules() {
+        Some(_) => "the rules of 1993".to_owned(),
+        None => format!("transfers to {:e}", options(&args.method).eps),
+    };
+    Chart {
+        title: format!("{title}: error by order"),
+        caption: format!("L² difference from {against}; {accuracy}; numbers are orders"),
+        runs,
+    }
+}
+
+fn draw(chart: &Chart, kind: Kind, output: &OutputFile) -> Result<(), CliError> {
+    match kind {
+        Kind::Svg => {
+            let svg = chart.svg()?;
+            output.write(|writer| writer.write_all(svg.as_bytes()))
+        }
+        Kind::Png => {
+            let picture = chart.picture()?;
+            output.write(|writer| picture.write_png(writer))
+        }
+    }
+}
+
+const HEADER: [&str; 11] = [
+    "way", "order", "layers", "elements", "unknowns", "samples", "rays", "seconds", "error", "rate", "energy",
+];
+
+fn text(runs: &[Run]) -> String {
+    let mut table = Table::new(HEADER);
+    for run in runs {
+        let number = |x: Option<f64>, show: fn(f64) -> String| x.map_or_else(|| "–".to_owned(), show);
+        table.row([
+            run.way.name().to_owned(),
+            run.order.to_string(),
+            run.layers.to_string(),
+            run.elements.to_string(),
+            run.unknowns.to_string(),
+            run.samples.to_string(),
+            run.rays.to_string(),
+            format!("{:.4}", run.seconds),
+            number(run.error, |error| format!("{error:.3e}")),
+            number(run.rate, |rate| format!("{rate:.2}")),
+            number(run.energy, |energy| format!("{energy:.3e}")),
+        ]);
+    }
+    table.to_string()
+}
+
+fn csv(runs: &[Run]) -> String {
+    let mut table = HEADER.join(",") + "\n";
+    for run in runs {
+        let Run { order, layers, elements, unknowns, samples, rays, seconds, .. } = run;
+        let [error, rate, energy] =
+            [run.error, run.rate, run.energy].map(|x| x.map_or_else(String::new, |x| x.to_string()));
+        table += &format!(
+            "{},{order},{layers},{elements},{unknowns},{samples},{rays},{seconds},{error},{rate},{energy}\n",
+            run.way.name()
+        );
+    }
+    table
+}

@@ -1,0 +1,77 @@
+//! Data that a verb prints: their form, and where they go.
+
+use std::io;
+use std::path::PathBuf;
+
+use clap::Args;
+use serde::Serialize;
+
+use crate::{
+    destination::Destination,
+    error::CliError,
+    format::{self, Format},
+    options::ReportArgs,
+    output_file::OutputFile,
+    run::Loaded,
+};
+
+/// `--format` and `--output` of readings.
+#[derive(Debug, Args)]
+pub(crate) struct DataArgs {
+    /// Form of the table [default: that of the file's ending, or csv]
+    #[arg(long, value_name = "FORMAT")]
+    format: Option<Format>,
+
+    /// File of the table, .csv or .json [default: standard output]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl DataArgs {
+    /// Checks, before the work, the form of the data and whether they can be written; `apart` refuses another file of
+    /// the verb.
+    pub(crate) fn reserve(
+        &self,
+        loaded: &Loaded,
+        report: &ReportArgs,
+        apart: impl Fn(OutputFile) -> Result<OutputFile, CliError>,
+    ) -> Result<Data, CliError> {
+        let reserve = |path| apart(loaded.reserve(path, report)?);
+        let destination = Destination::from(self.output.as_deref().map(reserve).transpose()?);
+        let format = format::chosen(self.format, self.output.as_deref(), Format::Csv)?;
+        let written = self.output.as_ref().map(|path| path.display().to_string());
+        Ok(Data { format, destination, written })
+    }
+}
+
+/// Where data go, and in what form.
+#[derive(Debug)]
+pub(crate) struct Data {
+    format: Format,
+    destination: Destination,
+    written: Option<String>,
+}
+
+impl Data {
+    /// Writes the form that was asked for.
+    pub(crate) fn write<D: Serialize>(
+        &self,
+        csv: impl FnOnce() -> io::Result<Vec<u8>>,
+        json: impl FnOnce() -> D,
+    ) -> Result<(), CliError> {
+        let table = match self.format {
+            Format::Csv => csv()?,
+            Format::Json => {
+                let mut text = serde_json::to_vec_pretty(&json()).map_err(io::Error::from)?;
+                text.push(b'\n');
+                text
+            }
+        };
+        self.destination.write(|writer| writer.write_all(&table))
+    }
+
+    /// The file they go to, if any, as it was typed.
+    pub(crate) fn written(&self) -> Option<&str> {
+        self.written.as_deref()
+    }
+}

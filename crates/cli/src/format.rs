@@ -1,0 +1,62 @@
+//! The form of an output: what `--format` names, else what the file ends in.
+
+use std::path::Path;
+
+use clap::ValueEnum;
+
+use crate::error::CliError;
+
+/// `--format` of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Comma-separated values with a header
+    Csv,
+    /// An object with the bands and a list
+    Json,
+}
+
+/// The form that was `asked` for, or that `output` ends in; `usual` on standard output.
+///
+/// # Errors
+/// An ending that names no form where none was asked for, or another form than was asked for.
+pub(crate) fn chosen<F: ValueEnum + PartialEq>(
+    asked: Option<F>,
+    output: Option<&Path>,
+    usual: F,
+) -> Result<F, CliError> {
+    let Some(path) = output else { return Ok(asked.unwrap_or(usual)) };
+    match (asked, of_ending(path)) {
+        (Some(asked), Some(ended)) if asked != ended => Err(CliError::Refused {
+            message: format!("{}: --format {} and the ending disagree", path.display(), name(&asked)),
+            cure: "leave out --format, or choose another ending".to_owned(),
+        }),
+        (Some(form), _) | (None, Some(form)) => Ok(form),
+        (None, None) => Err(CliError::UnknownFormat { path: path.to_owned(), known: known::<F>() }),
+    }
+}
+
+/// The form that `output` ends in, where no option asks for one.
+///
+/// # Errors
+/// An ending that names no form.
+pub(crate) fn of_file<F: ValueEnum>(output: &Path) -> Result<F, CliError> {
+    of_ending(output).ok_or_else(|| CliError::Refused {
+        message: format!("{}: the ending names no format", output.display()),
+        cure: format!("end the name in .{}", known::<F>().replace("or ", "or .")),
+    })
+}
+
+/// The form that `path` ends in, in capitals or not.
+pub(crate) fn of_ending<F: ValueEnum>(path: &Path) -> Option<F> {
+    F::from_str(path.extension()?.to_str()?, true).ok()
+}
+
+/// The word for a form on the command line.
+pub(crate) fn name(form: &impl ValueEnum) -> String {
+    form.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+}
+
+/// The forms there are, such as `csv or json`.
+fn known<F: ValueEnum>() -> String {
+    F::value_variants().iter().map(name).collect::<Vec<_>>().join(" or ")
+}

@@ -1,0 +1,244 @@
+//! `radiosity heat`: temperatures and net flows of radiant heat.
+
+mod picture;
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use radiosity_heat::{Heat, Stage};
+use radiosity_kernel::Miss;
+use radiosity_output::documents::heat as output;
+use radiosity_output::drawings::round::significant;
+use radiosity_output::readings::checkpoint::Checkpoint;
+use radiosity_output::readings::missed::{corrected, missed, no_error_of_order};
+use radiosity_output::readings::rank_work::RanksWork;
+use radiosity_request::{HeatRequest, ranges};
+use radiosity_scene::{MAX_ORDER, Scene};
+use radiosity_solve::{Progress as Step, Transport, in_threads};
+use radiosity_solvers::method::Method;
+use radiosity_visibility::Visibility;
+
+use crate::{
+    console,
+    destination::Destination,
+    error::CliError,
+    format,
+    given::Given,
+    heat::picture::PictureArgs,
+    options::{SceneArg, solver},
+    output_file::OutputFile,
+    progress::Progress,
+    run::remarks,
+    table::Table,
+    transfers::TransferArgs,
+};
+
+const NOTES: &str = "\
+Examples:
+  radiosity heat                              the built-in oven
+  radiosity heat oven --set heater=1500       its panels at 1500 K
+  radiosity heat satellite.toml -o nodes.csv --conductances C.csv
+  radiosity heat oven --picture oven.png --isolines
+
+Every surface, or its material, has one of temperature = … (K), heat_flux = … (W/m²) and adiabatic = true, and an
+emissivity. Lengths are metres. What leaves the scene goes to surroundings at 0 K. Conduction, convection and stored heat
+are left out; where they are known, they are a heat_flux.";
+
+/// Temperatures, net fluxes and flows of radiant heat between grey surfaces
+#[derive(Debug, Args)]
+#[command(
+    mut_arg("scene", |scene| scene.default_value("oven")),
+    mut_arg("eps", |eps| eps.default_value("1e-4").help("Accuracy of the transfers between elements, between 0 and 1")),
+    mut_arg("subdivide", |cuts| cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs")),
+    after_help = NOTES
+)]
+pub(crate) struct HeatArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArg,
+
+    /// File of the figures, in the format of its ending: .csv or .json [default: a table on standard output]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Format of the figures
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) format: Option<Format>,
+
+    /// File of the conductances C_ij (m²) between all surfaces for thermal networks, .csv, .json, .npy or .npz: from i to j flows
+    /// C_ij σ (T_i⁴ − T_j⁴)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) conductances: Option<PathBuf>,
+
+    #[command(flatten)]
+    picture: PictureArgs,
+
+    /// Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do
+    #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
+    pub(crate) order: u64,
+
+    /// What carries the pairs of elements
+    #[arg(long, value_name = "MODE", default_value = "exact")]
+    pub(crate) transport: Transport,
+
+    /// Solver of the linear system
+    #[arg(long, value_name = "NAME", default_value = "auto", value_parser = solver())]
+    pub(crate) solver: &'static Method,
+
+    /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
+    #[arg(long, value_name = "BYTES", value_parser = ranges::bytes)]
+    memory: Option<u64>,
+
+    #[command(flatten)]
+    transfers: TransferArgs,
+}
+
+fn order() -> clap::builder::RangedU64ValueParser<u64> {
+    clap::builder::RangedU64ValueParser::new().range(0..=MAX_ORDER as u64)
+}
+
+/// `--format` of the figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people
+    Text,
+    /// A row for each surface, numbers in full
+    Csv,
+    /// The same with the balance
+    Json,
+}
+
+/// Format of the conductances, by the ending of their file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum MatrixFormat {
+    Csv,
+    Json,
+    Npy,
+    Npz,
+}
+
+/// Digits of the table on standard output. Chosen.
+const DIGITS: usize = 6;
+
+/// Computes the balance of heat and writes it.
+pub(crate) fn run(args: &HeatArgs, given: &Given) -> Result<(), CliError> {
+    let start = Instant::now();
+    args.transfers.request().check()?;
+    let scene = args.scene.request().load_lit()?;
+    let ranks = args.transfers.checkpoint.ranks(given, &scene, &[])?;
+    ranks.within(|| of_scene(args, &scene, start))
+}
+
+/// The same for a scene that was read; the command began at `start`.
+fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant) -> Result<(), CliError> {
+    let format = format::chosen(args.format, args.output.as_deref(), Format::Text)?;
+    let matrix_format = args.conductances.as_deref().map(format::of_file::<MatrixFormat>);
+    let matrix_format = matrix_format.transpose()?;
+    let reserve = |path: &Path| args.scene.kept_apart(OutputFile::reserve(path)?);
+    let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
+    let matrix = args.conductances.as_deref().map(reserve).transpose()?;
+    let others =
+        [(args.output.as_deref(), "the figures"), (args.conductances.as_deref(), "the conductances")];
+    let picture = args.picture.wanted(scene, reserve, &others)?;
+    let matrix = match (&args.output, matrix) {
+        (Some(output), Some(matrix)) => Some(matrix.apart_from(output, "the figures")?),
+        (_, matrix) => matrix,
+    };
+    let progress = Progress::new(args.transfers.quiet);
+    let show = |stage| match stage {
+        Stage::Solution(Step::Blocks(done, total)) => progress.show("blocks", done, total),
+        Stage::Error(Step::Blocks(done, total)) => progress.show("for the error", done, total),
+        Stage::Solution(Step::Rays { done, total, error }) => progress.show_rays(done, total, error),
+        Stage::Error(Step::Rays { done, total, .. }) => {
+            progress.show("for the error", done as usize, total as usize);
+        }
+        _ => {}
+    };
+    let wanted = args.request().options();
+    let heat = Heat::of(scene, &wanted, &show)?;
+    destination.write(|writer| write(&heat, format, writer))?;
+    if let (Some(file), Some(format), Some(conductances)) = (matrix, matrix_format, &heat.conductances) {
+        let names: Vec<&str> = heat.surfaces.iter().map(|surface| surface.name.as_str()).collect();
+        file.write(|writer| match format {
+            MatrixFormat::Csv => output::conductances_csv(&names, conductances, writer),
+            MatrixFormat::Json => output::conductances_json(&names, conductances, writer),
+            MatrixFormat::Npy => output::conductances_npy(conductances, writer),
+            MatrixFormat::Npz => output::conductances_npz(&heat.surfaces, conductances, writer),
+        })?;
+    }
+    if let Some(picture) = picture {
+        let visibility = Visibility::new(scene, (&wanted.options).into());
+        let taken = in_threads(wanted.options.threads, || picture.take(scene, &visibility, &heat))?;
+        picture.file.write(|writer| taken.write_png(writer))?;
+    }
+    drop(progress);
+    if !args.transfers.quiet {
+        args.tell(scene, &heat, start);
+    }
+    Ok(())
+}
+
+fn write(heat: &Heat, format: Format, writer: &mut dyn Write) -> io::Result<()> {
+    match format {
+        Format::Text => write!(writer, "{}", Table::of(&output::table(&heat.surfaces, DIGITS))),
+        Format::Csv => output::csv(&heat.surfaces, writer),
+        Format::Json => output::json(heat, writer),
+    }
+}
+
+impl HeatArgs {
+    /// What is asked for.
+    fn request(&self) -> HeatRequest {
+        HeatRequest {
+            transfers: self.transfers.request(),
+            order: self.order as usize,
+            transport: self.transport,
+            solver: self.solver,
+            memory: self.memory,
+            conductances: self.conductances.is_some(),
+        }
+    }
+
+    /// The summary on stderr.
+    fn tell(&self, scene: &Scene, heat: &Heat, start: Instant) {
+        let elapsed = start.elapsed().as_secs_f64();
+        let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
+        let (given, taken) = (sum(1.0), sum(-1.0));
+        let mut lines = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
+        lines.extend(RanksWork::so_far(self.transfers.request().threads()).map(|work| work.to_string()));
+        let checkpoint = Checkpoint::so_far();
+        lines.extend(checkpoint.as_ref().map(Checkpoint::to_string));
+        lines.extend(remarks(scene));
+        lines.extend(scene.fitted.line());
+        let whole = if !heat.is_closed() {
+            format!("{} W leave the scene, to surroundings at 0 K", significant(heat.lost, 6))
+        } else {
+            format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
+        };
+        lines.extend(heat.moved.map(corrected));
+        lines.push(format!(
+            "surfaces send out {} W and take up {} W; {whole}",
+            significant(given, 6),
+            significant(taken, 6)
+        ));
+        if let Some(conductances) = &heat.conductances {
+            lines.push(format!(
+                "conductances: C_ij and C_ji differ by {:.1e} of ε A at the most; their means are written",
+                conductances.asymmetry
+            ));
+        }
+        if let Some(miss) = heat.outcome.miss.filter(Miss::is_real) {
+            let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
+            let names = miss.pair.map(|element| scene.surfaces[surface(element)].name.as_str());
+            lines.push(format!("warning: {}", missed(&miss, names)));
+        }
+        if heat.error_orders.is_empty() {
+            lines.push(format!("warning: {}", no_error_of_order(self.order as usize)));
+        }
+        lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
+        let files = self.output.iter().chain(&self.conductances).chain(&self.picture.picture);
+        lines.extend(files.map(|path| format!("wrote {}", path.display())));
+        console::tell(&(lines.join("\n") + "\n"));
+    }
+}

@@ -1,0 +1,121 @@
+//! Pictures of temperatures.
+
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use radiosity_heat::{Heat, kelvin};
+use radiosity_output::drawings::false_colour::false_colour;
+use radiosity_output::drawings::picture::Picture;
+use radiosity_output::pictures::render::render;
+use radiosity_output::pictures::sights::Sights;
+use radiosity_output::readings::reader::Read;
+use radiosity_output::readings::shown::Shown;
+use radiosity_request::picture::{SAMPLES, camera};
+use radiosity_scene::{Camera, Scene};
+use radiosity_visibility::Visibility;
+
+use crate::{
+    colours::ColourArgs, error::CliError, format, numbers::Counts, output_file::OutputFile,
+    style::with_legend,
+};
+
+/// `--picture` and how it looks.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Picture")]
+pub(crate) struct PictureArgs {
+    /// Picture through the scene's camera in false colours, .png
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
+
+    /// The quantity that it shows
+    #[arg(long, value_name = "QUANTITY", default_value = "temperature", requires = "picture")]
+    show: Quantity,
+
+    /// Pixels across and down [default: as the scene's camera says]
+    #[arg(long, value_name = "WxH", requires = "picture")]
+    size: Option<Counts>,
+
+    #[command(flatten)]
+    colours: ColourArgs,
+}
+
+/// What is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Quantity {
+    /// Temperature, K
+    Temperature,
+    /// σT⁴, what a black surface of that temperature emits, W/m²
+    Exitance,
+}
+
+/// The kind of file that a picture is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    Png,
+}
+
+/// A picture about to be taken.
+pub(crate) struct Wanted<'a> {
+    args: &'a PictureArgs,
+    camera: Camera,
+    pub(crate) file: OutputFile,
+}
+
+impl PictureArgs {
+    /// The picture, if one is wanted; `reserve` opens its file, which has to be none of the `others`, named by what they hold.
+    pub(crate) fn wanted(
+        &self,
+        scene: &Scene,
+        reserve: impl FnOnce(&Path) -> Result<OutputFile, CliError>,
+        others: &[(Option<&Path>, &str)],
+    ) -> Result<Option<Wanted<'_>>, CliError> {
+        let refuse = |message: &str, cure: &str| {
+            Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
+        };
+        let typed = self.colours.typed();
+        let Some(path) = &self.picture else {
+            return match typed.first() {
+                Some(option) => refuse(
+                    &format!("{option} speaks of a picture"),
+                    "add --picture FILE.png, or leave it out",
+                ),
+                None => Ok(None),
+            };
+        };
+        if typed.contains(&"--band") {
+            return refuse("--band: heat is of all wavelengths together", "leave it out");
+        }
+        self.colours.check()?;
+        format::of_file::<Kind>(path)?;
+        let camera = camera(self.size.map(|Counts(size)| size), scene)?;
+        let mut known = others.iter().filter_map(|(path, what)| Some(((*path)?, *what)));
+        let file = reserve(path)?;
+        let file = known.try_fold(file, |file, (path, what)| file.apart_from(path, what))?;
+        Ok(Some(Wanted { args: self, camera, file }))
+    }
+}
+
+impl Wanted<'_> {
+    /// The picture of this balance.
+    pub(crate) fn take(&self, scene: &Scene, visibility: &Visibility, heat: &Heat) -> Picture {
+        let PictureArgs { show, colours, .. } = self.args;
+        let levels = heat.levels();
+        let raster =
+            render(&levels, visibility, &self.camera, SAMPLES, Read::Basis, Shown::Radiosity, &|_| {});
+        let (field, title) = match show {
+            Quantity::Temperature => (raster.field(None).map(kelvin), ["temperature", "K"]),
+            Quantity::Exitance => (raster.field(None), ["σT⁴", "W/m²"]),
+        };
+        // No surface is left out of the range for its light.
+        let mut dark = scene.clone();
+        dark.surfaces.iter_mut().for_each(|surface| surface.material.emission.fill(0.0));
+        let sights = Sights::through(&self.camera, SAMPLES, &dark, visibility);
+        let usual = field.usual_range().unwrap_or_default();
+        let colours = match show {
+            Quantity::Temperature => colours.colours_between(usual),
+            Quantity::Exitance => colours.colours(usual),
+        };
+        let picture = false_colour(&field, &colours.scale);
+        with_legend(&colours, picture, &field, &sights, title.map(str::to_owned).to_vec())
+    }
+}

@@ -1,0 +1,77 @@
+//! Ctrl-C ends the program at once and leaves no temporary file, or lets it finish with what it has.
+//!
+//! Only the sending of rays is asked to stop, where what was sent is wanted: other work, such as a factorisation, would
+//! not notice. The handler runs in a thread of its own. It takes the lock under which temporary files are made, named and
+//! removed, so that none is half done, and never releases it.
+
+use std::collections::BTreeSet;
+use std::io::{Write, stderr};
+use std::path::PathBuf;
+use std::process::Child;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use radiosity_solve::Stop;
+use radiosity_work::ranks;
+
+/// The exit code of a program that Ctrl-C ended, by convention of shells: 128 plus the number of the signal, 2.
+const EXIT_CODE: i32 = 130;
+
+static TEMPORARY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// A program that works for this one.
+static EMPLOYED: Mutex<Option<Child>> = Mutex::new(None);
+
+/// Whether another rank says what happens.
+static IS_QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Raised by Ctrl-C to let work finish with what it has.
+pub(crate) static STOP: Stop = Stop::new();
+
+/// All temporary files; the set has to be locked while one is made, renamed or removed.
+pub(crate) fn temporary_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ctrl-C ends this program as well, before it removes the files that it may be writing.
+pub(crate) fn employ(program: Child) {
+    *employed() = Some(program);
+}
+
+/// The program that was employed; Ctrl-C leaves it alone from now on.
+pub(crate) fn dismiss() -> Option<Child> {
+    employed().take()
+}
+
+fn employed() -> MutexGuard<'static, Option<Child>> {
+    EMPLOYED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// From now on Ctrl-C removes the temporary files and ends the program.
+pub(crate) fn watch() {
+    IS_QUIET.store(!ranks::current().is_first(), Ordering::Relaxed);
+    // Where signals cannot be watched Ctrl-C still ends the program, as it always does.
+    let _ = ctrlc::set_handler(|| {
+        if STOP.raise() {
+            tell("\nfinishing with the rays sent so far; Ctrl-C again ends at once\n");
+            return;
+        }
+        let files = temporary_files();
+        if let Some(mut program) = dismiss() {
+            let _ = program.kill();
+            let _ = program.wait();
+        }
+        for file in files.iter() {
+            let _ = std::fs::remove_file(file);
+        }
+        tell("\ninterrupted\n");
+        std::process::exit(EXIT_CODE);
+    });
+}
+
+/// Writes to stderr, from a thread that belongs to no ranks.
+fn tell(text: &str) {
+    if !IS_QUIET.load(Ordering::Relaxed) {
+        drop(stderr().write_all(text.as_bytes()));
+    }
+}

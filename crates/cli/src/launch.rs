@@ -1,0 +1,102 @@
+//! One process, or one rank of several that MPI connects.
+//!
+//! `mpirun`, `srun` and the like tell each process by variables that it was started with others. Without them nothing of MPI is
+//! begun.
+
+#[cfg(feature = "mpi")]
+use std::env::args_os;
+use std::env::var;
+use std::io::{Write, stderr};
+use std::process::ExitCode;
+
+#[cfg(feature = "mpi")]
+use radiosity_work::ranks::{self, Ranks, failure::Failure, processes::World};
+
+use crate::{Cli, CliError};
+
+/// Variables of which one holds the number of a process: set by Open MPI, by PMI (MPICH and what is made of it), by PMIx.
+const NUMBERS: [&str; 3] = ["OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"];
+
+/// Does what was typed, and says why where that fails.
+pub fn launch() -> ExitCode {
+    match NUMBERS.iter().find_map(|name| var(name).ok()) {
+        Some(number) => among_others(&number),
+        None => alone(),
+    }
+}
+
+/// Does it in this process.
+fn alone() -> ExitCode {
+    match Cli::typed().and_then(|cli| cli.run()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            tell(&error);
+            ExitCode::from(error.exit_code())
+        }
+    }
+}
+
+/// Says why a command ended early.
+fn tell(error: &CliError) {
+    match error {
+        CliError::Typed(error) => drop(error.print()),
+        // A closed stderr is no error: nobody would see a message.
+        error => drop(stderr().write_all(error.explain().as_bytes())),
+    }
+}
+
+/// Does it on all ranks.
+#[cfg(feature = "mpi")]
+fn among_others(_number: &str) -> ExitCode {
+    let Some(world) = World::join() else { return alone() };
+    let work = || {
+        let ranks = ranks::current();
+        // Nobody has begun threads before.
+        drop(rayon::ThreadPoolBuilder::new().num_threads(ranks.place().threads).build_global());
+        same_arguments(&ranks)?;
+        let Err(error) = Cli::typed().and_then(|cli| cli.run()) else { return Ok(()) };
+        let is_told = matches!(error, CliError::Typed(_));
+        if is_told && ranks.is_first() {
+            tell(&error);
+        }
+        let message = if is_told { String::new() } else { error.explain() };
+        match error.exit_code() {
+            0 => Ok(()),
+            code => Err(Failure { code, message }),
+        }
+    };
+    world.run(work, |message| drop(stderr().write_all(message.as_bytes())))
+}
+
+/// Refuses ranks that were started to do different things: they would wait for each other.
+#[cfg(feature = "mpi")]
+fn same_arguments(ranks: &Ranks) -> Result<(), Failure> {
+    let own: Vec<String> =
+        args_os().skip(1).map(|argument| argument.to_string_lossy().into_owned()).collect();
+    let Some(other) = ranks.differing(own) else { return Ok(()) };
+    let error = CliError::Refused {
+        message: format!("rank {other} was started with other arguments than rank 0"),
+        cure: "start all ranks with the same command line: they share the work of one run".to_owned(),
+    };
+    Err(Failure { code: error.exit_code(), message: error.explain() })
+}
+
+/// Refuses to do the same several times.
+#[cfg(not(feature = "mpi"))]
+fn among_others(number: &str) -> ExitCode {
+    /// How many processes there are; that of Slurm is for steps that it starts itself, by PMIx.
+    const COUNTS: [&str; 3] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"];
+    let count = COUNTS.iter().find_map(|name| var(name).ok()?.parse::<usize>().ok());
+    if count.is_none_or(|count| count < 2) {
+        return alone();
+    }
+    let error = CliError::Refused {
+        message: "several processes were started, but this program was built without MPI, by which they share their work"
+            .to_owned(),
+        cure: "build it with `cargo build --release --features mpi` (docs/ranks.md), or start one process".to_owned(),
+    };
+    if number == "0" {
+        tell(&error);
+    }
+    ExitCode::from(error.exit_code())
+}

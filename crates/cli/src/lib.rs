@@ -1,0 +1,177 @@
+//! Command line: the verbs, and what each does with the library.
+
+mod console;
+mod interrupt;
+mod masks;
+mod subdivide;
+mod numbers;
+mod points;
+mod error;
+mod given;
+mod checkpoint;
+mod colours;
+mod planes;
+mod aim;
+mod sensors;
+mod completions;
+mod format;
+mod output_file;
+mod import;
+mod options;
+mod forecast;
+mod destination;
+mod progress;
+mod run;
+mod read;
+mod reference;
+mod solution_format;
+mod data;
+mod plan;
+mod grid;
+mod probe;
+mod solve;
+mod relight;
+mod style;
+mod page;
+mod bake;
+mod render;
+mod animate;
+mod table;
+mod convergence;
+mod materials;
+mod check;
+mod scenes;
+mod schema;
+mod convert;
+mod transfers;
+mod view_factors;
+mod heat;
+mod report;
+mod launch;
+
+use aim::joined;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+
+pub(crate) use error::CliError;
+use given::Given;
+pub use launch::launch;
+use options::MethodArgs;
+use run::Loaded;
+
+const EXAMPLES: &str = "\
+Examples:
+  radiosity render                            a picture of the Cornell box: cornell-box.png
+  radiosity animate billiard -o frame-####.png   pictures of a scene in which things move
+  radiosity render room.toml -o room.glb      the room with its light in textures, for Blender and viewers
+  radiosity render room.toml -o room.html     one file to walk through in a browser
+  radiosity solve room.toml --report r.json   coefficients and a report of your own scene
+  radiosity relight room.solution.json --set lamps=0.3   its light groups dimmed, without solving again
+  radiosity probe room.toml --points p.csv    irradiance at your points x,y,z,nx,ny,nz
+  radiosity probe room.toml --plane desk      irradiance on a plane of sensors, with mean, least and uniformity U0
+  radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
+  radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
+  radiosity heat oven                         temperatures and flows of radiant heat
+  radiosity report room.toml -o room.html     a report for people: picture, planes, surfaces, checks, settings
+  radiosity solve room.toml -o room.vtu       its light as polynomials on curved cells, for ParaView
+  radiosity convert room.mgf room.toml        a scene of another program, repaired and told, as one of radiosity
+  radiosity check room.toml --set width=5     what is in a scene, and what looks wrong; its variable `width` set
+
+SCENE is a path (.toml, .json, or a scene of another program: .mgf, .obj, .gltf, .glb, .stl, .ply, .xml of Mitsuba, .rad of
+Radiance, .vs3 of View3D), the name of a built-in scene, or - for standard input.";
+
+/// Diffuse light and radiant heat between curved surfaces, by high-order Galerkin radiosity.
+#[derive(Debug, Parser)]
+#[command(name = "radiosity", version, after_help = EXAMPLES, propagate_version = true)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+
+    /// Options of the method that were typed: a solution file has fixed them.
+    #[arg(skip)]
+    fixing: Vec<String>,
+
+    /// What was typed that changes results.
+    #[arg(skip)]
+    given: Given,
+}
+
+#[derive(Debug, Subcommand)]
+enum Verb {
+    Solve(solve::SolveArgs),
+    Relight(relight::RelightArgs),
+    Render(render::RenderArgs),
+    Animate(animate::AnimateArgs),
+    Probe(probe::ProbeArgs),
+    Grid(grid::GridArgs),
+    Convergence(convergence::ConvergenceArgs),
+    ViewFactors(view_factors::ViewFactorsArgs),
+    Heat(heat::HeatArgs),
+    Report(report::ReportPageArgs),
+    Check(check::CheckArgs),
+    Convert(convert::ConvertArgs),
+    Scenes(scenes::ScenesArgs),
+    Schema(schema::SchemaArgs),
+    Completions(completions::CompletionsArgs),
+}
+
+impl Cli {
+    /// What was typed.
+    ///
+    /// # Errors
+    /// [`CliError::Typed`] where that makes no sense, or asks for help.
+    pub(crate) fn typed() -> Result<Self, CliError> {
+        let mut command = Self::command();
+        let matches = command.try_get_matches_from_mut(joined(std::env::args_os()))?;
+        let mut cli = Self::from_arg_matches(&matches)?;
+        cli.fixing = matches.subcommand().map(|(_, typed)| MethodArgs::fixing(typed)).unwrap_or_default();
+        cli.given = Given::of(&command, &matches);
+        Ok(cli)
+    }
+
+    /// Does what was asked.
+    pub(crate) fn run(&self) -> Result<(), CliError> {
+        interrupt::watch();
+        let given = &self.given;
+        match &self.verb {
+            Verb::Solve(args) => {
+                let loaded = Loaded::lit(&args.scene)?;
+                let ranks = args.checkpoint.ranks(given, &loaded.content(), &[args.method.points_file()])?;
+                ranks.within(|| solve::run(args, loaded))
+            }
+            Verb::Relight(args) => relight::run(args),
+            Verb::Render(args) => {
+                let fixing = self.fixing.iter().filter(|option| !(args.importance && *option == "--for"));
+                let loaded = Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>())?;
+                let reads = [args.method.points_file(), args.style.difference.as_deref()];
+                let ranks = args.checkpoint.ranks(given, &loaded.content(), &reads)?;
+                ranks.within(|| render::run(args, loaded))
+            }
+            Verb::Animate(args) => animate::run(args, Loaded::lit(&args.scene)?),
+            Verb::Probe(args) => {
+                let points = args.load_points()?;
+                let loaded = Loaded::readable(&args.scene, &self.fixing)?;
+                let reads = [args.method.points_file()];
+                let ranks = args.checkpoint.ranks(given, &(loaded.content(), &points), &reads)?;
+                ranks.within(|| probe::run(args, points, loaded))
+            }
+            Verb::Grid(args) => {
+                let loaded = Loaded::readable(&args.scene, &self.fixing)?;
+                let ranks = args.checkpoint.ranks(given, &loaded.content(), &[args.method.points_file()])?;
+                ranks.within(|| grid::run(args, loaded))
+            }
+            Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene)?),
+            Verb::ViewFactors(args) => view_factors::run(args, given),
+            Verb::Heat(args) => heat::run(args, given),
+            Verb::Report(args) => {
+                let loaded = Loaded::dark_or_lit(&args.scene, &self.fixing)?;
+                let ranks = args.checkpoint.ranks(given, &loaded.content(), &[args.method.points_file()])?;
+                ranks.within(|| report::run(args, loaded))
+            }
+            Verb::Check(args) => check::run(args, &args.scene.request().load_repaired()?),
+            Verb::Convert(args) => convert::run(args),
+            Verb::Scenes(args) => scenes::run(args),
+            Verb::Schema(args) => schema::run(args),
+            Verb::Completions(args) => completions::run(args, Self::command()),
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! A page to walk through a scene in a browser.
+
+use std::path::Path;
+
+use radiosity_output::documents::viewer::{Start, texels, write_viewer};
+use radiosity_output::pictures::lightmap::{Lightmap, Stage};
+use radiosity_output::pictures::render::usual_read;
+use radiosity_output::readings::reader::Read;
+use radiosity_scene::{Material, Scene};
+
+use crate::{
+    error::CliError,
+    forecast,
+    options::{MethodArgs, ReportArgs},
+    output_file::OutputFile,
+    progress::Progress,
+    read::ROUGH,
+    run::{Loaded, Run},
+};
+
+/// Pixels of a picture whose light is reckoned to take as long as that of a texel. Chosen: on small and curved surfaces fewer texels
+/// can be interpolated.
+const PIXELS: u64 = 2;
+
+/// Shows how far the light of textures is.
+pub(crate) fn show(progress: &Progress, stage: Stage) {
+    match stage {
+        Stage::Expected(seconds) => progress.expect("texels", seconds),
+        Stage::Texels(done, all) => progress.show("texels", done, all),
+    }
+}
+
+/// Solves the scene and writes the page of its light, read by `read` or as that takes little time.
+pub(crate) fn write(
+    loaded: Loaded,
+    method: &MethodArgs,
+    report: &ReportArgs,
+    (path, output): (&Path, &OutputFile),
+    start: &Start,
+    read: Option<Read>,
+) -> Result<(), CliError> {
+    let scene = &loaded.scene;
+    let reckoned = Lightmap::sizes(scene, texels(scene.light_groups().len().max(1), scene.bands.len()));
+    let reckoned = reckoned.iter().map(|[across, down]| across * down).sum();
+    forecast::require_texels(reckoned, scene, method, "choose a file ending in .png")?;
+    let progress = Progress::new(report.quiet);
+    let run = Run::solve(loaded, method, report, &progress)?;
+    let solution = &run.solved.outcome.solution;
+    let parts = solution.groups().len().max(1);
+    let texels = texels(parts, solution.bands().len());
+    let pixels = PIXELS * (texels * parts) as u64;
+    let usual = || usual_read(solution, run.solved.visibility(), pixels);
+    let read_by = read.unwrap_or_else(usual);
+    let tell = |stage| show(&progress, stage);
+    let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &tell))?;
+    output.write(|writer| write_viewer(&run.solved, &lightmap, start, writer))?;
+    let mut written = path.display().to_string();
+    if read.is_none() && read_by == Read::Direct {
+        written += ROUGH;
+    }
+    written += left_out(&run.solved.scene);
+    run.finish(progress, Some(&written))
+}
+
+/// What a page does not show of the materials of a scene.
+fn left_out(scene: &Scene) -> &'static str {
+    let any = |is: fn(&Material) -> bool| scene.surfaces.iter().any(|surface| is(&surface.material));
+    match (any(Material::is_patterned), any(Material::transmits)) {
+        (false, false) => "",
+        (true, false) => "; once the viewer moves, what varies over surfaces is shown by its mean",
+        (false, true) => "; once the viewer moves, light that comes through surfaces is not shown",
+        (true, true) => {
+            "; once the viewer moves, what varies is shown by its mean, and light that comes through surfaces not at all"
+        }
+    }
+}

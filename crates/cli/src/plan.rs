@@ -1,0 +1,98 @@
+//! The picture of a probe: a plane of sensors as a plan.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use radiosity_output::documents::plan_page::plan_page;
+use radiosity_output::readings::probe::Reading;
+use radiosity_scene::Scene;
+
+use crate::{
+    colours::ColourArgs,
+    error::CliError,
+    options::ReportArgs,
+    output_file::OutputFile,
+    run::Loaded,
+    sensors::{OnPlane, Sensors},
+};
+
+/// Options of the plan.
+#[derive(Debug, Args)]
+pub(crate) struct PictureArgs {
+    /// Draws the plane as a plan in false colours, with isolines, their values and U0
+    #[arg(long, value_name = "FILE.png")]
+    pub(crate) picture: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) colours: ColourArgs,
+}
+
+/// A plan that will be drawn.
+#[derive(Debug)]
+pub(crate) struct Drawing<'a> {
+    colours: &'a ColourArgs,
+    band: Option<usize>,
+    output: OutputFile,
+    written: String,
+}
+
+impl PictureArgs {
+    /// Checks, before the work, whether there is one plane to draw, and whether it can be written.
+    pub(crate) fn reserve(
+        &self,
+        loaded: &Loaded,
+        report: &ReportArgs,
+        sensors: &Sensors,
+    ) -> Result<Option<Drawing<'_>>, CliError> {
+        let Some(path) = &self.picture else { return self.without() };
+        if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
+            return Err(CliError::Refused {
+                message: format!("{}: the ending names no kind of plan", path.display()),
+                cure: "choose a file ending in .png".to_owned(),
+            });
+        }
+        if sensors.planes().len() != 1 {
+            return Err(CliError::Refused {
+                message: format!("--picture draws one plane, {} are read", sensors.planes().len()),
+                cure: "choose one with --plane, and run the command once for each".to_owned(),
+            });
+        }
+        self.colours.check()?;
+        let band = self.colours.band(&loaded.scene)?;
+        let output = loaded.reserve(path, report)?;
+        Ok(Some(Drawing { colours: &self.colours, band, output, written: path.display().to_string() }))
+    }
+
+    /// Refuses options of a picture that is not drawn.
+    fn without(&self) -> Result<Option<Drawing<'_>>, CliError> {
+        match self.colours.typed()[..] {
+            [] => Ok(None),
+            [option, ..] => Err(CliError::Refused {
+                message: format!("{option} speaks of a picture"),
+                cure: "add --picture FILE.png, or leave it out".to_owned(),
+            }),
+        }
+    }
+}
+
+impl Drawing<'_> {
+    /// The file, as it was typed.
+    pub(crate) fn written(&self) -> &str {
+        &self.written
+    }
+
+    /// Draws the only plane.
+    pub(crate) fn write(
+        &self,
+        scene: &Scene,
+        sensors: &Sensors,
+        readings: &[Reading],
+    ) -> Result<(), CliError> {
+        sensors.by_plane(readings).try_for_each(|on| self.draw(scene, &on))
+    }
+
+    fn draw(&self, scene: &Scene, on: &OnPlane<Reading>) -> Result<(), CliError> {
+        let picture = plan_page(scene, on.plane, on.items, self.band, |range| self.colours.of_plan(range));
+        self.output.write(|writer| picture.write_png(writer))
+    }
+}

@@ -1,0 +1,107 @@
+//! A bar on stderr for long work: stage, done and total, rate, time left.
+
+use std::io::{IsTerminal, Write, stderr};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use radiosity_output::drawings::round::round_above;
+use radiosity_solve::Progress as Stage;
+use radiosity_work::ranks;
+
+/// A progress bar; silent if stderr is not a terminal or the user wants quiet. It has no colours.
+#[derive(Debug)]
+pub(crate) struct Progress {
+    bar: ProgressBar,
+    quiet: bool,
+    /// What stands at the end of every line.
+    whole: Mutex<String>,
+}
+
+/// Seconds from which waiting is announced. Chosen.
+const LONG: f64 = 1.0;
+
+impl Progress {
+    /// A bar that shows nothing yet; on the rank that writes only.
+    pub(crate) fn new(quiet: bool) -> Self {
+        let quiet = quiet || !ranks::current().is_first();
+        let shown = !quiet && stderr().is_terminal();
+        let target =
+            if shown { ProgressDrawTarget::stderr_with_hz(10) } else { ProgressDrawTarget::hidden() };
+        let style = ProgressStyle::with_template(
+            "{msg:12} [{bar:30}] {human_pos}/{human_len} {per_sec} {eta} left{prefix}",
+        )
+        .expect("the template is correct")
+        .progress_chars("=> ");
+        Progress {
+            bar: ProgressBar::with_draw_target(Some(0), target).with_style(style),
+            quiet,
+            whole: Mutex::default(),
+        }
+    }
+
+    /// Shows that `done` of `total` steps of a stage are done; may be called from any thread.
+    pub(crate) fn show(&self, stage: &'static str, done: usize, total: usize) {
+        self.show_with(stage, "", done as u64, total as u64);
+    }
+
+    /// Shows that `done` of `total` rays are sent, and the error that they leave so far.
+    pub(crate) fn show_rays(&self, done: u64, total: u64, error: Option<f64>) {
+        let error = error.map(|error| format!(", error so far {error:.1e}"));
+        self.show_with("rays", &error.unwrap_or_default(), done, total);
+    }
+
+    /// Shows how far a stage of a solution is, in so many bands.
+    pub(crate) fn show_stage(&self, stage: Stage, bands: usize) {
+        match stage {
+            Stage::Blocks(done, total) => self.show("blocks", done, total),
+            Stage::Rays { done, total, error } => self.show_rays(done, total, error),
+            Stage::Estimate(done, total) => self.show("estimate", done, total),
+            Stage::Solve(band, _, _) => self.show("solve", band, bands),
+            Stage::Finished(..) => {}
+        }
+    }
+
+    /// From now on says of what whole the stages are a part, at the end of every line.
+    pub(crate) fn say_whole(&self, whole: String) {
+        *self.whole.lock().unwrap_or_else(PoisonError::into_inner) = whole;
+    }
+
+    /// Shows a stage, with a remark at the end of the line.
+    fn show_with(&self, stage: &'static str, remark: &str, done: u64, total: u64) {
+        if self.bar.message() != stage {
+            self.bar.reset();
+            self.bar.set_message(stage);
+        }
+        let whole = self.whole.lock().unwrap_or_else(PoisonError::into_inner);
+        self.bar.set_prefix(format!("{remark}{whole}"));
+        self.bar.set_length(total);
+        self.bar.set_position(done);
+    }
+
+    /// Announces, also without a terminal, about how long a stage will take, where that is long.
+    pub(crate) fn expect(&self, stage: &str, seconds: f64) {
+        if !self.quiet && seconds >= LONG {
+            self.write(format!("{stage}: about {} s\n", round_above(seconds)));
+        }
+    }
+
+    /// Writes a line about a finished stage, also without a terminal.
+    pub(crate) fn tell(&self, stage: &str, took: Duration) {
+        if !self.quiet {
+            self.write(format!("{stage}: {:.3} s\n", took.as_secs_f64()));
+        }
+    }
+
+    fn write(&self, line: String) {
+        // A closed stderr is no error: nobody would see a message.
+        self.bar.suspend(|| drop(stderr().write_all(line.as_bytes())));
+    }
+}
+
+impl Drop for Progress {
+    /// Removes the bar, so that only the summary stays on the screen.
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

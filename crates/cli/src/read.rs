@@ -1,0 +1,88 @@
+//! What values are read from: options that reading verbs share.
+
+use std::str::FromStr;
+
+use clap::Args;
+use radiosity_output::readings::grid::Rates;
+use radiosity_output::readings::quality::Reading;
+use radiosity_output::readings::reader::Read;
+use radiosity_request::ReadRequest;
+use radiosity_request::ranges;
+use radiosity_solve::Options;
+use radiosity_solve::gather::choice::By;
+
+use crate::error::CliError;
+use crate::numbers::accuracy;
+use crate::options::MethodArgs;
+use crate::run::Run;
+
+/// What a summary says of light that was not gathered because that would have taken long.
+pub(crate) const ROUGH: &str = " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)";
+
+/// `--read` and the accuracy of it.
+#[derive(Debug, Args)]
+pub(crate) struct ReadArgs {
+    /// What is read [default: gather; with --quality finest gather-twice]
+    #[arg(long, value_name = "MODE")]
+    pub(crate) read: Option<Read>,
+
+    /// By what light is gathered [default: auto]
+    #[arg(long, value_name = "WAY")]
+    pub(crate) read_by: Option<By>,
+
+    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 1e-2 of a solution by
+    /// rays; less for a wanted accuracy below 4e-3: 0.3 of that]
+    #[arg(long, value_name = "E", value_parser = accuracy)]
+    pub(crate) read_eps: Option<f64>,
+}
+
+impl ReadArgs {
+    /// What is asked for.
+    pub(crate) fn request(&self) -> ReadRequest {
+        ReadRequest { read: self.read, by: self.read_by, eps: self.read_eps, samples: None }
+    }
+
+    /// Refuses what would have no effect on the reading of a solution with these options, or an accuracy of what is not read.
+    pub(crate) fn check(&self, options: &Options, method: &MethodArgs) -> Result<(), CliError> {
+        Ok(self.request().check(options, &method.request())?)
+    }
+
+    /// By what light is gathered.
+    pub(crate) fn by(&self) -> By {
+        self.read_by.unwrap_or_default()
+    }
+
+    /// As typed, the rest as the quality says.
+    pub(crate) fn plain(&self, method: &MethodArgs) -> Reading {
+        self.request().plain(&method.request())
+    }
+
+    /// As typed, the rest as the quality and the solution say.
+    pub(crate) fn reading(&self, method: &MethodArgs, run: &Run) -> Reading {
+        self.request().reading(&method.request(), &run.solved, run.is_saved())
+    }
+}
+
+/// `--read-samples`: two counts written `8,2`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Samples(pub(crate) Rates);
+
+impl FromStr for Samples {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let count = |part: &str| {
+            part.trim().parse().ok().filter(|count: &usize| ranges::POINTS.contains(&(*count as u64)))
+        };
+        text.split_once(',')
+            .and_then(|(direct, indirect)| {
+                Some(Samples(Rates { direct: count(direct)?, indirect: count(indirect)? }))
+            })
+            .ok_or_else(|| {
+                format!(
+                    "expected two numbers from 1 to {} with a comma between, such as 8,2",
+                    ranges::POINTS.end()
+                )
+            })
+    }
+}

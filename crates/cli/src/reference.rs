@@ -1,0 +1,50 @@
+//! Solution files with which others are compared.
+
+use std::path::Path;
+
+use radiosity_language::input;
+use radiosity_output::files::solution_file::{is_solution, read};
+use radiosity_scene::{Scene, Source};
+use radiosity_solve::solved::Solved;
+
+use crate::error::CliError;
+
+/// Areas of the same surface differ by less than this part. Chosen; not tuned.
+const SAME_AREA: f64 = 1e-9;
+
+/// Reads the solution file at `path`, which has to have the surfaces and bands of `scene`.
+pub(crate) fn solution(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
+    let refused = |reason: &str, cure: &str| CliError::Refused {
+        message: format!("{}: {reason}", path.display()),
+        cure: cure.to_owned(),
+    };
+    let cure = "give a file that `radiosity solve` wrote for this scene";
+    let text = input::text(&path.to_string_lossy()).map_err(|error| refused(&error.to_string(), cure))?;
+    if !is_solution(&text) {
+        return Err(refused("it is no solution file", cure));
+    }
+    let solved = read(&Source::new(&path.to_string_lossy(), &text))?;
+    if solved.scene.bands != scene.bands {
+        return Err(refused("it has other bands than the scene", cure));
+    }
+    if !same_surfaces(&solved.scene, scene) {
+        return Err(refused("it has other surfaces than the scene", cure));
+    }
+    Ok(solved)
+}
+
+/// Whether materials, and the factors of light groups, are the same surface by surface.
+pub(crate) fn same_materials(a: &Scene, b: &Scene) -> bool {
+    let mut pairs = a.surfaces.iter().zip(&b.surfaces);
+    pairs.all(|(a, b)| a.material == b.material && a.factor() == b.factor())
+}
+
+/// Whether names and areas are the same.
+fn same_surfaces(a: &Scene, b: &Scene) -> bool {
+    let same = |[a, b]: [f64; 2]| (a - b).abs() <= SAME_AREA * a;
+    a.surfaces.len() == b.surfaces.len()
+        && a.surfaces
+            .iter()
+            .zip(&b.surfaces)
+            .all(|(a, b)| a.name == b.name && same([a.shape.area(), b.shape.area()]))
+}

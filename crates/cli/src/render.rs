@@ -1,0 +1,201 @@
+//! `radiosity render`: a picture of a scene.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use radiosity_output::documents::viewer::Start;
+use radiosity_output::files::exr_file::write_exr;
+use radiosity_output::pictures::render::{Stage, render, usual_read, white_balance};
+use radiosity_output::pictures::sights::Sights;
+use radiosity_output::pictures::wireframe::wireframe;
+use radiosity_output::readings::reader::Read;
+use radiosity_output::readings::shown::Shown;
+use radiosity_request::check_aim;
+use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
+use radiosity_scene::{Camera, Scene};
+use radiosity_solve::solution::Solution;
+use radiosity_solve::studies::adaptation::{Goal, importance};
+use radiosity_visibility::Visibility;
+
+use crate::{
+    aim::Wanted,
+    bake::Bake,
+    checkpoint::CheckpointArgs,
+    error::CliError,
+    numbers::Counts,
+    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    page,
+    progress::Progress,
+    read::ROUGH,
+    run::{Loaded, Run},
+    style::{Kind, StyleArgs},
+};
+
+/// Solves a scene and takes a picture through its camera
+#[derive(Debug, Args)]
+#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "Examples:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png\n  radiosity render cornell-box -o box.html\n  radiosity render cornell-box -o box.glb")]
+pub(crate) struct RenderArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArg,
+
+    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit; .html, one file to walk through in a
+    /// browser; or .glb, the surfaces with their light in a texture, and an .exr of the same texels as they are beside it
+    /// [default: SCENE.png]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Pixels across and down [default: as the scene's camera says]; of a .glb about so many texels in all, more where
+    /// small surfaces are many: each has 2 × 2 at the least, a curved one 9 × 9 [default: 1024x1024]
+    #[arg(long, value_name = "WxH")]
+    pub(crate) size: Option<Counts>,
+
+    /// Camera rays along each side of a pixel: S × S in all [default: 3]
+    #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub(crate) samples: Option<u32>,
+
+    /// What the picture is read from [default: gather, or direct where that would take two threads more than some ten seconds]
+    #[arg(long, value_name = "MODE")]
+    pub(crate) read: Option<Read>,
+
+    /// Shows, instead of light, how much the light that leaves each place is worth to what --for names: its mean
+    /// irradiance is the integral of this times the exitance (1/area)
+    #[arg(long, conflicts_with_all = ["read", "show", "difference"])]
+    pub(crate) importance: bool,
+
+    #[command(flatten)]
+    pub(crate) style: StyleArgs,
+
+    #[command(flatten)]
+    pub(crate) method: MethodArgs,
+
+    #[command(flatten)]
+    pub(crate) checkpoint: CheckpointArgs,
+
+    #[command(flatten)]
+    pub(crate) report: ReportArgs,
+}
+
+/// Solves the scene and writes a picture.
+pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
+    check_aim(args.read, &args.method.request())?;
+    let kind = args.style.kind(&path)?;
+    if kind == Kind::Glb {
+        return args.bake(&path)?.run(loaded);
+    }
+    let output = loaded.reserve(&path, &args.report)?;
+    let camera = camera(args.size(), &loaded.scene)?;
+    if kind == Kind::Html {
+        let start = args.start(&loaded.scene, camera)?;
+        return page::write(loaded, &args.method, &args.report, (&path, &output), &start, args.read);
+    }
+    require_pixels(&camera, &loaded.scene, args.method.memory)?;
+    let [quantity, unit] = args.shown(&loaded.scene);
+    let mut style = args.style.prepare(&loaded.scene, &camera, [quantity, unit])?;
+    let wanted = args.wanted(&loaded.scene)?;
+    let progress = Progress::new(args.report.quiet);
+    let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
+    let visibility = run.solved.visibility();
+    let observe = |stage| show(&progress, stage);
+    let threads = run.threads();
+    let worth = wanted.map(|goal| importance(&run.solved.outcome.solution, visibility, &goal, threads));
+    let worth = worth.transpose()?;
+    let solution = worth.as_ref().unwrap_or(&run.solved.outcome.solution);
+    let (read, show) = match args.importance {
+        true => (Read::Basis, Shown::Irradiance),
+        false => {
+            let usual = || usual_read(solution, visibility, pixels(&camera));
+            (args.read.unwrap_or_else(usual), args.style.show)
+        }
+    };
+    let samples = args.samples();
+    let take = |solution: &Solution, visibility: &Visibility| {
+        render(solution, visibility, &camera, samples, read, show, &observe)
+    };
+    let (raster, borders, sights) = run.in_threads(|| {
+        style.take_other(|other| take(&other.outcome.solution, other.visibility()));
+        let borders = || wireframe(solution.elements(), visibility, &camera, samples);
+        let sights = || Sights::through(&camera, samples, &run.solved.scene, visibility);
+        let (borders, sights) = (args.style.wireframe.then(borders), args.style.false_colour.then(sights));
+        (take(solution, visibility), borders, sights)
+    })?;
+    let mut written = path.display().to_string();
+    if args.read.is_none() && read == Read::Direct {
+        written += ROUGH;
+    }
+    if kind == Kind::Exr {
+        output.write(|writer| write_exr(&raster, writer))?;
+    } else {
+        let (picture, figures) =
+            style.picture(&raster, white_balance(solution), borders.as_deref(), sights.as_ref())?;
+        written += &figures;
+        output.write(|writer| picture.write_png(writer))?;
+    }
+    run.finish(progress, Some(&written))
+}
+
+/// Shows how far a picture is.
+pub(crate) fn show(progress: &Progress, stage: Stage) {
+    match stage {
+        Stage::Expected(seconds) => progress.expect("picture", seconds),
+        Stage::Direct(done, total) => progress.show("direct light", done, total),
+        Stage::Gather(done, total) => progress.show("gathering", done, total),
+        Stage::Pixels(done, total) => progress.show("picture", done, total),
+    }
+}
+
+impl RenderArgs {
+    /// The light in textures instead of a picture.
+    fn bake<'a>(&'a self, path: &'a Path) -> Result<Bake<'a>, CliError> {
+        let Self { size, samples, read, importance, style, method, report, .. } = self;
+        let refuse = |reason: &str, option: &str| {
+            Err(CliError::Refused {
+                message: format!("{}: {reason}", path.display()),
+                cure: format!("leave out {option}, or choose a file ending in .png"),
+            })
+        };
+        if *importance {
+            return refuse("textures hold light, not its importance", "--importance");
+        }
+        if samples.is_some() {
+            return refuse("light is read at the middles of texels, and --samples counts rays", "--samples");
+        }
+        Ok(Bake { path, size: *size, read: *read, style, method, report })
+    }
+
+    /// Pixels across and down, if they were typed.
+    fn size(&self) -> Option<[u32; 2]> {
+        self.size.map(|Counts(size)| size)
+    }
+
+    /// Camera rays along each side of a pixel.
+    fn samples(&self) -> u32 {
+        self.samples.unwrap_or(SAMPLES)
+    }
+
+    /// The quantity that the picture shows and its unit.
+    fn shown(&self, scene: &Scene) -> [String; 2] {
+        match self.importance {
+            true => ["importance".to_owned(), "1/area".to_owned()],
+            false => [self.style.show.name(&scene.unit).to_owned(), scene.unit.clone()],
+        }
+    }
+
+    /// What a page shows first.
+    fn start(&self, scene: &Scene, camera: Camera) -> Result<Start, CliError> {
+        if self.importance {
+            return Err(CliError::Refused {
+                message: "--importance: a page to walk through shows light".to_owned(),
+                cure: "leave out --importance, or choose a file ending in .png".to_owned(),
+            });
+        }
+        self.style.start(scene, camera, self.samples())
+    }
+
+    /// What light is to be worth something to, where its importance is shown.
+    fn wanted(&self, scene: &Scene) -> Result<Option<Goal>, CliError> {
+        let aim = self.method.aim.as_ref().unwrap_or(&Wanted::Gathered);
+        // No accuracy follows from the sensors alone; any stands for none.
+        self.importance.then(|| aim.goal(1.0, scene)).transpose()
+    }
+}

@@ -1,0 +1,146 @@
+//! `radiosity report`: a report for people.
+
+mod args;
+mod kind;
+mod light;
+
+use std::path::Path;
+
+use radiosity_heat::{Heat, HeatError, HeatOptions, Stage as HeatStage};
+use radiosity_output::documents::report_page::ReportPage;
+use radiosity_output::readings::checkpoint::Checkpoint;
+use radiosity_request::memory::usable;
+use radiosity_scene::Scene;
+use radiosity_solve::{Options, Progress as Stage};
+
+use crate::{console, error::CliError, progress::Progress, run::Loaded};
+pub(crate) use args::ReportPageArgs;
+use kind::Files;
+use light::Wanted;
+
+/// Solves the scene and writes the report.
+pub(crate) fn run(args: &ReportPageArgs, loaded: Loaded) -> Result<(), CliError> {
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.html", loaded.scene.name).into());
+    let is_lit = loaded.scene.require_light().is_ok();
+    if !is_lit && Heat::is_known(&loaded.scene) {
+        return run_in_the_dark(args, &path, &loaded);
+    }
+    let loaded = loaded.required()?;
+    let wanted = Wanted::of(args, &loaded.scene)?;
+    args.read.check(&loaded.options(&args.method), &args.method)?;
+    let files = Files::reserve(&path, &wanted.figures(), |path| loaded.reserve(path, &args.report))?;
+    let progress = Progress::new(args.report.quiet);
+    let (run, read) = wanted.read(args, loaded, &progress)?;
+    let scene = &run.solved.scene;
+    let heat = Heat::is_known(scene).then(|| heat(args, scene, &progress));
+    let heat = heat.map(told).transpose()?;
+    let command = command();
+    let light = Some(read.part(&wanted, &run));
+    let heat = heat.as_ref().map(Result::as_ref);
+    let document = ReportPage { scene, light, heat, command: &command }.document();
+    files.write(&document)?;
+    run.finish(progress, Some(&files.written()))
+}
+
+/// Writes the report of a scene that has heat and no light.
+fn run_in_the_dark(args: &ReportPageArgs, path: &Path, loaded: &Loaded) -> Result<(), CliError> {
+    if args.report.report.is_some() {
+        return Err(CliError::Refused {
+            message: "--report has the figures of light, and no surface of this scene emits any".to_owned(),
+            cure: "leave it out; `radiosity heat -o FILE.json` has those of heat".to_owned(),
+        });
+    }
+    let files = Files::reserve(path, &[], |path| loaded.reserve(path, &args.report))?;
+    let progress = Progress::new(args.report.quiet);
+    let heat = heat(args, &loaded.scene, &progress)?;
+    let command = command();
+    let page = ReportPage { scene: &loaded.scene, light: None, heat: Some(Ok(&heat)), command: &command };
+    files.write(&page.document())?;
+    drop(progress);
+    let checkpoint = Checkpoint::so_far();
+    if !args.report.quiet {
+        let mut lines: Vec<String> = checkpoint.iter().map(Checkpoint::to_string).collect();
+        lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
+        lines.push(format!("wrote {}\n", files.written()));
+        console::tell(&lines.join("\n"));
+    }
+    Ok(())
+}
+
+/// The balance of heat, as `radiosity heat` computes it unless told otherwise.
+fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress) -> Result<Heat, HeatError> {
+    let show = |stage| {
+        if let HeatStage::Solution(Stage::Blocks(done, total))
+        | HeatStage::Error(Stage::Blocks(done, total)) = stage
+        {
+            progress.show("blocks of heat", done, total);
+        }
+    };
+    let usual = HeatOptions::default();
+    let threads = args.method.threads.unwrap_or(usual.options.threads);
+    let memory = args.method.memory.or_else(usable);
+    Heat::of(scene, &HeatOptions { options: Options { memory, threads, ..usual.options }, ..usual }, &show)
+}
+
+/// What is told in the report where a balance fails, if that is a matter of the scene.
+fn told(heat: Result<Heat, HeatError>) -> Result<Result<Heat, HeatError>, CliError> {
+    match heat {
+        Err(HeatError::Solve(failure)) => Err(failure.into()),
+        heat => Ok(heat),
+    }
+}
+
+/// The command as it was typed, for a shell.
+fn command() -> String {
+    let typed: Vec<String> =
+        std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    let words = unrecorded(&typed).into_iter().map(quoted);
+    ["radiosity".to_owned()].into_iter().chain(words).collect::<Vec<_>>().join(" ")
+}
+
+/// What was typed, without what says where the run is recorded.
+fn unrecorded(typed: &[String]) -> Vec<&str> {
+    let mut words = typed.iter().map(String::as_str);
+    let mut kept = Vec::new();
+    while let Some(word) = words.next() {
+        match word {
+            "--checkpoint" => {
+                words.next();
+            }
+            "--resume" => {}
+            word if word.starts_with("--checkpoint=") => {}
+            word => kept.push(word),
+        }
+    }
+    kept
+}
+
+/// A word as a shell takes it.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./=,:+@%".contains(c);
+    match !word.is_empty() && word.chars().all(is_plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', r"'\''")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn where_a_run_was_recorded_does_not_belong_to_the_command() {
+        let kept = |text: &str| {
+            let typed: Vec<String> = text.split(' ').map(str::to_owned).collect();
+            unrecorded(&typed).join(" ")
+        };
+        assert_eq!(kept("report --checkpoint c room --resume -o a.md"), "report room -o a.md");
+        assert_eq!(kept("report --checkpoint=c"), "report");
+    }
+
+    #[test]
+    fn words_are_quoted_where_a_shell_would_read_them_otherwise() {
+        let words = ["room.toml", "--set", "a=1", "0,0; 1", "it's", ""].map(quoted);
+        assert_eq!(words, ["room.toml", "--set", "a=1", "'0,0; 1'", r"'it'\''s'", "''"]);
+    }
+}

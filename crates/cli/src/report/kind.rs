@@ -1,0 +1,88 @@
+//! The files of a report: one of HTML, or Markdown with its pictures.
+
+use std::path::Path;
+
+use radiosity_output::documents::document::{Block, Document};
+use radiosity_output::documents::{html, markdown};
+
+use crate::error::CliError;
+use crate::output_file::OutputFile;
+
+/// The files of a report, reserved before the work.
+#[derive(Debug)]
+pub(super) struct Files {
+    kind: Kind,
+    page: OutputFile,
+    path: String,
+}
+
+#[derive(Debug)]
+enum Kind {
+    Html,
+    /// The name of the text without its ending, and the file of each figure.
+    Markdown {
+        stem: String,
+        figures: Vec<(String, OutputFile)>,
+    },
+}
+
+impl Files {
+    /// The files that the ending of `path` tells, for a document with these figures; `reserve` finds out whether one can be
+    /// written.
+    pub(super) fn reserve(
+        path: &Path,
+        figures: &[String],
+        reserve: impl Fn(&Path) -> Result<OutputFile, CliError>,
+    ) -> Result<Self, CliError> {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        let kind = match ending.as_deref() {
+            Some("html" | "htm") => Kind::Html,
+            Some("md") => {
+                let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                let file = |figure: &String| {
+                    let path = path.with_file_name(markdown::picture_name(&stem, figure));
+                    Ok((figure.clone(), reserve(&path)?))
+                };
+                let figures = figures.iter().map(file).collect::<Result<_, CliError>>()?;
+                Kind::Markdown { stem, figures }
+            }
+            _ => {
+                return Err(CliError::Refused {
+                    message: format!("{}: the ending names no kind of report", path.display()),
+                    cure:
+                        "choose a file ending in .html (one file with all) or .md (with pictures beside it)"
+                            .to_owned(),
+                });
+            }
+        };
+        Ok(Self { kind, page: reserve(path)?, path: path.display().to_string() })
+    }
+
+    /// Writes the document: pictures first, so that no text lacks them.
+    pub(super) fn write(&self, document: &Document) -> Result<(), CliError> {
+        match &self.kind {
+            Kind::Html => self.page.write(|writer| html::write(document, writer)),
+            Kind::Markdown { stem, figures } => {
+                for block in &document.blocks {
+                    let Block::Figure(figure) = block else { continue };
+                    let (_, file) =
+                        figures.iter().find(|(name, _)| *name == figure.name).expect("its file was reserved");
+                    file.write(|writer| figure.picture.write_png(writer))?;
+                }
+                self.page.write(|writer| markdown::write(document, stem, writer))
+            }
+        }
+    }
+
+    /// What is written, for the summary.
+    pub(super) fn written(&self) -> String {
+        match &self.kind {
+            Kind::Markdown { figures, .. } => match figures.len() {
+                0 => self.path.clone(),
+                1 => format!("{} and a picture beside it", self.path),
+                count => format!("{} and {count} pictures beside it", self.path),
+            },
+            Kind::Html => self.path.clone(),
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! The light of a report: what is wanted of it, and its reading.
+
+use radiosity_output::documents::plan_page::plan_page;
+use radiosity_output::documents::report_page::{LightPart, PICTURE, ReportedPlane, plan_name};
+use radiosity_output::drawings::picture::Picture;
+use radiosity_output::pictures::image::Image;
+use radiosity_output::pictures::render::{render, usual_read, white_balance};
+use radiosity_output::readings::grid::grid;
+use radiosity_output::readings::plane_figures::PlaneFigures;
+use radiosity_output::readings::probe::{Reading as Sensed, probe};
+use radiosity_output::readings::quality::Reading;
+use radiosity_output::readings::read_error::ReadError;
+use radiosity_output::readings::reader::Reader;
+use radiosity_output::readings::shown::{Shown, band_name, of_bands};
+use radiosity_output::readings::surface_light::SurfaceLight;
+use radiosity_output::readings::uniformity::Uniformity;
+use radiosity_request::picture::{SAMPLES, pixels, require_pixels, sized};
+use radiosity_scene::{Camera, Scene};
+use radiosity_solve::solved::Solved;
+
+use super::args::ReportPageArgs;
+use crate::{
+    colours::ColourArgs,
+    error::CliError,
+    numbers::Counts,
+    planes::plane,
+    progress::Progress,
+    render,
+    run::{Loaded, Run},
+    sensors::Sensors,
+};
+
+/// Cells along each side of a surface, and most cells of all. Chosen: seconds in rooms of a thousand surfaces.
+const SIDE: usize = 8;
+const MOST: usize = 20_000;
+
+/// What a report shows of light.
+#[derive(Debug)]
+pub(super) struct Wanted<'a> {
+    camera: Option<Camera>,
+    sensors: Sensors,
+    band: Option<usize>,
+    cells: [usize; 2],
+    colours: &'a ColourArgs,
+}
+
+/// The light that was read.
+#[derive(Debug)]
+pub(super) struct Read {
+    reading: Reading,
+    picture: Option<Picture>,
+    sensed: Vec<Sensed>,
+    surfaces: Vec<SurfaceLight>,
+}
+
+impl<'a> Wanted<'a> {
+    /// What was asked for of `scene`.
+    pub(super) fn of(args: &'a ReportPageArgs, scene: &Scene) -> Result<Self, CliError> {
+        args.colours.check()?;
+        let camera = scene.camera.clone().map(|camera| sized(camera, args.size.map(|Counts(size)| size)));
+        camera.iter().try_for_each(|camera| require_pixels(camera, scene, args.method.memory))?;
+        let mut planes = scene.planes.clone();
+        for (index, text) in args.plane.iter().enumerate() {
+            let typed = plane(text, index, scene)?;
+            // A plane of the scene that is named as well stands there once.
+            if !planes.contains(&typed) {
+                planes.push(typed);
+            }
+        }
+        let side = (MOST / scene.surfaces.len().max(1)).isqrt().clamp(1, SIDE);
+        let cells = args.cells.map_or([side; 2], |cells| cells.0.map(|count| count as usize));
+        let band = args.colours.band(scene)?;
+        Ok(Self { camera, sensors: Sensors::Planes(planes), band, cells, colours: &args.colours })
+    }
+
+    /// The names of its figures.
+    pub(super) fn figures(&self) -> Vec<String> {
+        let picture = self.camera.iter().map(|_| PICTURE.to_owned());
+        picture.chain((0..self.sensors.planes().len()).map(plan_name)).collect()
+    }
+
+    /// Solves the scene and reads what is wanted.
+    pub(super) fn read(
+        &self,
+        args: &ReportPageArgs,
+        loaded: Loaded,
+        progress: &Progress,
+    ) -> Result<(Run, Read), CliError> {
+        let mut run = Run::solve(loaded, &args.method, &args.report, progress)?;
+        let reading = args.read.reading(&args.method, &run);
+        let visibility = run.solved.visibility();
+        let Solved { scene, outcome, .. } = &run.solved;
+        let solution = &outcome.solution;
+        let (sensed, cells) = run.in_threads(|| {
+            let reader = Reader::by(reading.by, solution, visibility, reading.read, reading.eps);
+            let points = |done, total| progress.show("points", done, total);
+            let sensed = probe(&reader, &self.sensors.probes(), scene.middle, &points);
+            let cells = |done, total| progress.show("cells", done, total);
+            (sensed, grid(&reader, self.cells, reading.rates, &cells))
+        })?;
+        let sensed = sensed.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
+        let picture = self.camera.as_ref().map(|camera| picture(&run, camera, progress)).transpose()?;
+        let surfaces = SurfaceLight::of(solution, &cells);
+        let planes = self.sensors.by_plane(&sensed);
+        let figures = planes.map(|on| PlaneFigures::of(on.plane, &scene.bands, on.items)).collect();
+        let deviations = sensed.iter().map(|reading| reading.deviation);
+        let error = ReadError::of(deviations.chain(cells.iter().map(|cell| cell.deviation)));
+        run.add_read_error(error, reading.eps);
+        run.add_planes(figures);
+        Ok((run, Read { reading, picture, sensed, surfaces }))
+    }
+}
+
+/// The picture through the camera, as `radiosity render` takes it.
+fn picture(run: &Run, camera: &Camera, progress: &Progress) -> Result<Picture, CliError> {
+    let (solution, visibility) = (&run.solved.outcome.solution, run.solved.visibility());
+    let read = usual_read(solution, visibility, pixels(camera));
+    let observe = |stage| render::show(progress, stage);
+    let take = || render(solution, visibility, camera, SAMPLES, read, Shown::Radiosity, &observe);
+    let raster = run.in_threads(take)?;
+    Ok(Image::new(&raster, white_balance(solution)).photograph())
+}
+
+impl Read {
+    /// Its part of the report.
+    pub(super) fn part<'a>(&'a self, wanted: &'a Wanted, run: &'a Run) -> LightPart<'a> {
+        let scene = &run.solved.scene;
+        let plans = wanted.sensors.by_plane(&self.sensed).map(|on| ReportedPlane {
+            plane: on.plane,
+            shown: Uniformity::of(on.items.iter().map(|own| of_bands(&own.irradiance, wanted.band))),
+            band: band_name(&scene.bands, wanted.band),
+            picture: plan_page(scene, on.plane, on.items, wanted.band, |range| wanted.colours.of_plan(range)),
+        });
+        LightPart {
+            report: run.report(),
+            options: &run.solved.options,
+            reading: self.reading,
+            plans: plans.collect(),
+            picture: self.picture.clone(),
+            cells: wanted.cells,
+            surfaces: self.surfaces.clone(),
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Where a probe reads: at the points of a file, or on planes.
+
+use radiosity_output::readings::probe::{Probe, ProbeFault};
+use radiosity_scene::SensorPlane;
+
+use crate::{
+    error::CliError,
+    points::{Points, PointsError},
+};
+
+/// Points of a file, or planes one after the other.
+#[derive(Debug)]
+pub(crate) enum Sensors {
+    /// The points of a file.
+    Points(Points),
+    /// The sensors of planes.
+    Planes(Vec<SensorPlane>),
+}
+
+impl Sensors {
+    /// All points, in order.
+    pub(crate) fn probes(&self) -> Vec<Probe> {
+        match self {
+            Self::Points(points) => points.probes.clone(),
+            Self::Planes(planes) => planes.iter().flat_map(Probe::of_plane).collect(),
+        }
+    }
+
+    /// The planes.
+    pub(crate) fn planes(&self) -> &[SensorPlane] {
+        match self {
+            Self::Points(_) => &[],
+            Self::Planes(planes) => planes,
+        }
+    }
+
+    /// The items of each plane, of items for every point.
+    pub(crate) fn by_plane<'a, T>(&'a self, items: &'a [T]) -> impl Iterator<Item = OnPlane<'a, T>> {
+        self.planes().iter().scan(0, |next, plane| {
+            let first = *next;
+            *next += plane.counts().iter().product::<usize>();
+            Some(OnPlane { plane, first, items: &items[first..*next] })
+        })
+    }
+
+    /// The error where the point at `index` cannot be read.
+    pub(crate) fn unreadable(&self, index: usize, fault: ProbeFault) -> CliError {
+        let cure = "the polynomials are known on surfaces alone, along their normals: choose --read gather"
+            .to_owned();
+        match self {
+            Self::Points(points) => CliError::Points(PointsError {
+                origin: points.origin.clone(),
+                place: Some(points.lines[index]),
+                fault: fault.to_string(),
+                cure,
+            }),
+            Self::Planes(_) => {
+                let probes = self.probes();
+                let plane = self.by_plane(&probes).find(|on| index < on.first + on.items.len());
+                let name = plane.map_or("", |on| on.plane.name());
+                let [x, y, z] = probes[index].position.to_array();
+                let place = format!("plane {name:?}: the sensor at ({x:.6}, {y:.6}, {z:.6})");
+                CliError::Refused { message: format!("{place}: {fault}"), cure }
+            }
+        }
+    }
+}
+
+/// A plane with an item for each of its sensors.
+pub(crate) struct OnPlane<'a, T> {
+    pub(crate) plane: &'a SensorPlane,
+    /// Index of its first sensor among those of all planes.
+    pub(crate) first: usize,
+    pub(crate) items: &'a [T],
+}

@@ -1,0 +1,52 @@
+//! The form of a solution's file: JSON, which other verbs read, or a grid of VTK.
+
+use std::path::Path;
+
+use radiosity_output::files::solution_file::SolutionFile;
+use radiosity_output::files::vtu::{Grid, VtuError};
+use radiosity_solve::Options;
+use radiosity_solve::solved::Solved;
+
+use crate::{error::CliError, output_file::OutputFile};
+
+/// The form of a solution's file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SolutionFormat {
+    /// All there is, to be read back.
+    Json,
+    /// Cells of VTK.
+    Vtu,
+}
+
+impl SolutionFormat {
+    /// The grid where `path` ends in .vtu, else JSON.
+    pub(crate) fn of(path: &Path) -> Self {
+        let is_vtu = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("vtu"));
+        if is_vtu { Self::Vtu } else { Self::Json }
+    }
+
+    /// Refuses, before the work, what cannot be written of a solution with these options.
+    pub(crate) fn check(self, path: &Path, options: &Options) -> Result<(), CliError> {
+        match self {
+            Self::Vtu if options.masks.is_some() => {
+                Err(CliError::Vtu { path: path.to_owned(), reason: VtuError::Masked })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Writes `solved` to the file at `path`; what a summary says of it.
+    pub(crate) fn write(self, solved: &Solved, path: &Path, output: &OutputFile) -> Result<String, CliError> {
+        if self == Self::Json {
+            let file = SolutionFile::new(solved);
+            output.write(|writer| Ok(serde_json::to_writer(writer, &file)?))?;
+            return Ok(path.display().to_string());
+        }
+        let grid = Grid::new(&solved.scene, &solved.outcome.solution);
+        let grid = grid.map_err(|reason| CliError::Vtu { path: path.to_owned(), reason })?;
+        output.write(|writer| grid.write(writer))?;
+        let (cells, points, deviation) = (grid.cells(), grid.points(), grid.deviation());
+        let figures = format!("{cells} cells, {points} points, within {deviation:.1e} of the surfaces");
+        Ok(format!("{} ({figures})", path.display()))
+    }
+}

@@ -1,0 +1,311 @@
+//! How a picture shows what was computed: as a photograph, in false colours, as a difference, with wires.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use radiosity_output::documents::viewer::{Start, StartColours};
+use radiosity_output::drawings::false_colour::{FalseColours, false_colour};
+use radiosity_output::drawings::field::Field;
+use radiosity_output::drawings::legend::Legend;
+use radiosity_output::drawings::picture::Picture;
+use radiosity_output::drawings::round::{round_above, three_digits};
+use radiosity_output::drawings::scale::Scale;
+use radiosity_output::files::exr_file::read_exr;
+use radiosity_output::pictures::image::Image;
+use radiosity_output::pictures::raster::Raster;
+use radiosity_output::pictures::sights::Sights;
+use radiosity_output::pictures::tone::Tone;
+use radiosity_output::readings::difference::Difference;
+use radiosity_output::readings::shown::{Shown, band_name};
+use radiosity_scene::{Camera, Scene};
+use radiosity_solve::solved::Solved;
+
+use crate::{
+    colours::{ColourArgs, Range},
+    error::CliError,
+    numbers::positive,
+    reference,
+};
+
+/// How a picture looks.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Style")]
+pub(crate) struct StyleArgs {
+    /// Factor on the values before they become colours, in proportion up to white [default: chosen for the picture, with a
+    /// soft approach to white]
+    #[arg(long, value_name = "X", value_parser = positive, conflicts_with_all = ["false_colour", "difference"])]
+    pub(crate) exposure: Option<f64>,
+
+    /// Shows numbers in false colours, with a legend in the scene's unit
+    #[arg(long, alias = "false-color")]
+    pub(crate) false_colour: bool,
+
+    /// Shows by how much the picture differs from that of a solution file, or from an .exr of equal size, in %
+    #[arg(long, value_name = "FILE", conflicts_with = "false_colour")]
+    pub(crate) difference: Option<PathBuf>,
+
+    /// Draws the borders of the elements
+    #[arg(long)]
+    pub(crate) wireframe: bool,
+
+    /// The quantity that is shown
+    #[arg(long, value_name = "QUANTITY", default_value = "radiosity")]
+    pub(crate) show: Shown,
+
+    #[command(flatten)]
+    pub(crate) colours: ColourArgs,
+}
+
+/// What kind of file a picture is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// 8-bit colours.
+    Png,
+    /// The values.
+    Exr,
+    /// The surfaces with their light in textures.
+    Glb,
+    /// A page to walk through.
+    Html,
+}
+
+/// A style with its band and its other picture.
+#[derive(Debug)]
+pub(crate) struct Style<'a> {
+    args: &'a StyleArgs,
+    band: Option<usize>,
+    /// The quantity, the band, the unit.
+    title: Vec<String>,
+    /// The band's name, or how several bands become one.
+    band_name: Option<String>,
+    other: Option<Other>,
+}
+
+/// What a picture is compared with.
+#[derive(Debug)]
+enum Other {
+    /// A picture that was read from a file.
+    Taken(Raster),
+    /// A solution to take the same picture of.
+    Solved(Box<Solved>),
+}
+
+impl StyleArgs {
+    /// The kind that the ending of `path` names.
+    pub(crate) fn kind(&self, path: &Path) -> Result<Kind, CliError> {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        let drawn = self.false_colour || self.wireframe || self.difference.is_some();
+        match ending.as_deref() {
+            Some("png") => Ok(Kind::Png),
+            Some("exr") if drawn || self.exposure.is_some() => Err(CliError::Refused {
+                message: format!("{}: an .exr holds the values and nothing else", path.display()),
+                cure: "leave out the options of style, or choose a file ending in .png".to_owned(),
+            }),
+            Some("exr") => Ok(Kind::Exr),
+            Some("glb") => {
+                let drawn = ["--false-colour", "--wireframe", "--difference"];
+                let of_colours = ["--range", "--band", "--log", "--isolines"];
+                let unfit = [&drawn[..], &of_colours].concat();
+                self.require_none(path, &unfit, "a .glb holds textures of light, for which there is")?;
+                Ok(Kind::Glb)
+            }
+            Some("html") => {
+                let unfit = ["--wireframe", "--difference", "--isolines"];
+                self.require_none(path, &unfit, "a page to walk through has")?;
+                Ok(Kind::Html)
+            }
+            _ => Err(CliError::Refused {
+                message: format!("{}: the ending names no kind of picture", path.display()),
+                cure: "choose a file ending in .png (colours), .exr (values), .html (to walk through) or .glb (surfaces with \
+                       their light)"
+                    .to_owned(),
+            }),
+        }
+    }
+
+    /// Refuses the first of the options `unfit` that was typed, for a file of which `what` begins to say that it has none.
+    fn require_none(&self, path: &Path, unfit: &[&str], what: &str) -> Result<(), CliError> {
+        let drawn = [
+            ("--false-colour", self.false_colour),
+            ("--wireframe", self.wireframe),
+            ("--difference", self.difference.is_some()),
+        ];
+        let drawn = drawn.into_iter().filter(|(_, typed)| *typed).map(|(option, _)| option);
+        match drawn.chain(self.colours.typed()).find(|option| unfit.contains(option)) {
+            Some(option) => Err(CliError::Refused {
+                message: format!("{}: {what} no {option}", path.display()),
+                cure: format!("leave out {option}, or choose a file ending in .png"),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// What a page shows first through `camera`, with so many samples along each side of a pixel.
+    pub(crate) fn start(&self, scene: &Scene, camera: Camera, samples: u32) -> Result<Start, CliError> {
+        self.check_colours()?;
+        self.colours.check()?;
+        let ColourArgs { range, log, .. } = &self.colours;
+        let colours = StartColours {
+            band: self.colours.band(scene)?,
+            range: range.map(|Range(range)| range),
+            log: *log,
+        };
+        let false_colours = self.false_colour.then_some(colours);
+        Ok(Start { camera, samples, exposure: self.exposure, shown: self.show, false_colours })
+    }
+
+    /// Finds the band and reads the other picture of a quantity in this unit, before the work.
+    pub(crate) fn prepare(
+        &self,
+        scene: &Scene,
+        camera: &Camera,
+        [quantity, unit]: [String; 2],
+    ) -> Result<Style<'_>, CliError> {
+        self.check_colours()?;
+        self.colours.check()?;
+        let band = self.colours.band(scene)?;
+        let band_name = band_name(&scene.bands, band);
+        let title = [quantity].into_iter().chain(band_name.clone()).chain([unit]).collect();
+        let other = self.difference.as_deref().map(|path| other(path, scene, camera)).transpose()?;
+        Ok(Style { args: self, band, title, band_name, other })
+    }
+
+    /// Refuses options of colours where there are none.
+    fn check_colours(&self) -> Result<(), CliError> {
+        let typed = self.colours.typed();
+        let (unfit, message, cure) = match (self.false_colour, &self.difference) {
+            (true, _) => return Ok(()),
+            (false, Some(_)) => (
+                &["--log", "--isolines"][..],
+                "false colours",
+                "choose --false-colour instead of --difference",
+            ),
+            (false, None) => (
+                &["--range", "--band", "--log", "--isolines"][..],
+                "false colours and differences",
+                "add --false-colour or --difference FILE.exr",
+            ),
+        };
+        if !typed.iter().any(|option| unfit.contains(option)) {
+            return Ok(());
+        }
+        Err(CliError::Refused {
+            message: format!("{} speak of {message}", unfit.join(", ")),
+            cure: format!("{cure}, or leave them out"),
+        })
+    }
+}
+
+fn other(path: &Path, scene: &Scene, camera: &Camera) -> Result<Other, CliError> {
+    if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("exr")) {
+        return Ok(Other::Solved(Box::new(reference::solution(path, scene)?)));
+    }
+    let refused = |reason: String, cure: &str| CliError::Refused {
+        message: format!("{}: {reason}", path.display()),
+        cure: cure.to_owned(),
+    };
+    let cure = "give a picture of this scene that `radiosity render -o FILE.exr` wrote";
+    let file = std::fs::File::open(path).map_err(|error| refused(error.to_string(), cure))?;
+    let raster = read_exr(std::io::BufReader::new(file), &scene.bands);
+    let raster = raster.map_err(|error| refused(error.to_string(), cure))?;
+    let [width, height] = raster.size();
+    if [width, height] != [camera.width, camera.height] {
+        let reason =
+            format!("it has {width}x{height} pixels, the picture {}x{}", camera.width, camera.height);
+        return Err(refused(reason, &format!("add --size {width}x{height}")));
+    }
+    Ok(Other::Taken(raster))
+}
+
+impl Style<'_> {
+    /// Has `take` take the picture to compare with, if it is that of a solution.
+    pub(crate) fn take_other(&mut self, take: impl FnOnce(&Solved) -> Raster) {
+        if let Some(Other::Solved(solved)) = &self.other {
+            self.other = Some(Other::Taken(take(solved)));
+        }
+    }
+
+    /// The picture, in false colours where there are `sights`, and the message to print after its name.
+    pub(crate) fn picture(
+        &self,
+        raster: &Raster,
+        balance: [f64; 3],
+        borders: Option<&[f64]>,
+        sights: Option<&Sights>,
+    ) -> Result<(Picture, String), CliError> {
+        let wired = |mut picture: Picture| {
+            if let Some(borders) = borders {
+                picture.overlay(borders, raster.size()[0], WIRE);
+            }
+            picture
+        };
+        if let Some(Other::Taken(other)) = &self.other {
+            let (picture, figures) =
+                self.difference(&raster.field(self.band), &other.field(self.band), wired)?;
+            return Ok((picture, figures));
+        }
+        if let Some(sights) = sights {
+            return Ok((self.false_colours(&raster.field(self.band), sights, wired), String::new()));
+        }
+        let image = Image::new(raster, balance);
+        let picture = match self.args.exposure {
+            Some(exposure) => image.exposed(exposure, Tone::Linear),
+            None => image.photograph(),
+        };
+        Ok((wired(picture), String::new()))
+    }
+
+    fn false_colours(&self, field: &Field, sights: &Sights, wired: impl Fn(Picture) -> Picture) -> Picture {
+        // Where everything emits, emitters are what there is to see.
+        let usual = field.without(sights.emitters()).usual_range().or(field.usual_range());
+        let colours = self.args.colours.colours(usual.unwrap_or_default());
+        with_legend(&colours, wired(false_colour(field, &colours.scale)), field, sights, self.title.clone())
+    }
+
+    fn difference(
+        &self,
+        field: &Field,
+        other: &Field,
+        wired: impl Fn(Picture) -> Picture,
+    ) -> Result<(Picture, String), CliError> {
+        let difference = Difference::new(field, other).ok_or_else(|| CliError::Refused {
+            message: "the picture to compare with is black".to_owned(),
+            cure: "choose another picture or another band".to_owned(),
+        })?;
+        let Difference { field, rms, largest } = &difference;
+        let size = round_above(field.usual_size());
+        let scale = match self.args.colours.range {
+            Some(Range(range)) => Scale::diverging(range[0].abs().max(range[1].abs())),
+            None => Scale::diverging(size),
+        };
+        let title = ["difference".to_owned()].into_iter().chain(self.band_name.clone());
+        let title = title.chain(["% of mean".to_owned()]).collect();
+        let note = vec![format!("rms {rms:.3}"), format!("max {largest:.3}")];
+        let picture = Legend { scale: &scale, title, note, marks: Vec::new() }
+            .beside(&wired(false_colour(field, &scale)));
+        let figures = format!(
+            "\ndifference: rms {rms:.4} %, largest {largest:.4} % of the other picture's mean {}",
+            self.title[0]
+        );
+        Ok((picture, figures))
+    }
+}
+
+/// A picture of `field` in false colours with its isolines, and the legend beside it.
+pub(crate) fn with_legend(
+    colours: &FalseColours,
+    mut picture: Picture,
+    field: &Field,
+    sights: &Sights,
+    title: Vec<String>,
+) -> Picture {
+    colours.draw_isolines(&mut picture, field, sights.parts());
+    let greatest = field.seen().fold(0.0, f64::max);
+    let beyond = greatest > colours.scale.range()[1];
+    let note = if beyond { vec![format!("max {}", three_digits(greatest))] } else { Vec::new() };
+    let marks = colours.isolines.iter().map(|mark| mark.value).collect();
+    Legend { scale: &colours.scale, title, note, marks }.beside(&picture)
+}
+
+/// Colour of the borders of elements. Chosen.
+const WIRE: [u8; 3] = [20, 20, 20];

@@ -1,0 +1,234 @@
+//! `radiosity view-factors`: the share of what leaves each surface that reaches each other.
+
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use radiosity_kernel::Miss;
+use radiosity_output::files::view_factors as output;
+use radiosity_output::files::view_factors::Sparse;
+use radiosity_output::readings::checkpoint::Checkpoint;
+use radiosity_output::readings::missed::missed;
+use radiosity_output::readings::rank_work::RanksWork;
+use radiosity_output::readings::row_sums::RowSums;
+use radiosity_scene::Scene;
+use radiosity_solve::view_factors::ViewFactors;
+
+use crate::{
+    console, destination::Destination, error::CliError, format, given::Given, options::SceneArg,
+    output_file::OutputFile, progress::Progress, run::remarks, transfers::TransferArgs,
+};
+
+const NOTES: &str = "\
+Examples:
+  radiosity view-factors room.toml -o F.npz             F, names and areas for NumPy
+  radiosity view-factors hall.obj --sparse csr -o F.npz   without zeros, for scipy.sparse.load_npz
+  radiosity view-factors room.toml -o F.txt             as View3D writes them
+  radiosity view-factors room.toml --pairs floor,ceiling --eps 1e-10
+  radiosity view-factors faces.csv > F.csv
+
+Materials and emitters are not needed. Instead of a scene, SCENE may be a plain list of polygons:
+  .csv   a row name,x,y,z for each vertex; rows of one name that follow each other make a polygon
+  .json  [[[0,0,0],[1,0,0],[0,1,0]], …], a list of vertices for each polygon
+Vertices run counterclockwise as seen from the front, which alone sees; the back blocks.";
+
+/// Prints the view factors F_ij between the surfaces of a scene, and checks row sums and reciprocity
+#[derive(Debug, Args)]
+#[command(after_help = NOTES)]
+pub(crate) struct ViewFactorsArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArg,
+
+    /// File of the matrix, in the format of its ending: .csv, .json, .npy, .npz, or .txt as View3D writes it [default: CSV on
+    /// standard output]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Format of the matrix
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) format: Option<Format>,
+
+    /// Leaves zeros out: of .npz, by rows (csr) or as triples (coo); of .csv and .json, as a list of pairs (coo)
+    #[arg(long, value_name = "FORM", conflicts_with = "pairs")]
+    pub(crate) sparse: Option<Sparse>,
+
+    /// Computes and prints F from surface A to surface B only, with 17 digits; may be repeated
+    #[arg(long, value_name = "A,B")]
+    pub(crate) pairs: Vec<String>,
+
+    #[command(flatten)]
+    transfers: TransferArgs,
+}
+
+/// `--format` of a matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Names as header and first column
+    Csv,
+    /// Names, areas, factors, row sums and checks
+    Json,
+    /// `NumPy`: N × N numbers of 8 bytes
+    Npy,
+    /// `NumPy`: F, names and areas
+    Npz,
+    /// View3D: areas, factors and emittances as text
+    #[value(alias = "view3d")]
+    Txt,
+}
+
+impl Format {
+    /// Whether it has a place for a list of pairs.
+    fn holds_pairs(self) -> bool {
+        matches!(self, Self::Csv | Self::Json)
+    }
+}
+
+/// Computes the factors and writes them.
+pub(crate) fn run(args: &ViewFactorsArgs, given: &Given) -> Result<(), CliError> {
+    let start = Instant::now();
+    let format = args.format()?;
+    args.transfers.request().check()?;
+    let scene = args.scene.request().load()?;
+    let ranks = args.transfers.checkpoint.ranks(given, &scene, &[])?;
+    ranks.within(|| of_scene(args, &scene, format, start))
+}
+
+/// The same for a scene that was read; the command began at `start`.
+fn of_scene(args: &ViewFactorsArgs, scene: &Scene, format: Format, start: Instant) -> Result<(), CliError> {
+    let pairs: Vec<[usize; 2]> =
+        args.pairs.iter().map(|pair| named_pair(scene, pair)).collect::<Result<_, _>>()?;
+    let reserve = |path| args.scene.kept_apart(OutputFile::reserve(path)?);
+    let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
+    let progress = Progress::new(args.transfers.quiet);
+    let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
+    let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
+    let show = |done, total| progress.show("pairs", done, total);
+    let factors = ViewFactors::of_pairs(scene, &wanted, &args.transfers.request().factors(), &show)?;
+    let form = Form { format, sparse: args.sparse, pairs };
+    destination.write(|writer| form.write(scene, &factors, writer))?;
+    drop(progress);
+    if !args.transfers.quiet {
+        args.tell(scene, &factors, start);
+    }
+    Ok(())
+}
+
+/// What is written of the factors, and how.
+struct Form {
+    format: Format,
+    sparse: Option<Sparse>,
+    /// Those that were asked for; none for all.
+    pairs: Vec<[usize; 2]>,
+}
+
+impl Form {
+    fn write(&self, scene: &Scene, factors: &ViewFactors, writer: &mut dyn Write) -> io::Result<()> {
+        match (self.format, self.listed(factors), self.sparse) {
+            (Format::Csv, Some(pairs), _) => output::pairs_csv(factors, &pairs, writer),
+            (Format::Csv, None, _) => output::csv(factors, writer),
+            (Format::Json, Some(pairs), _) => output::pairs_json(factors, &pairs, writer),
+            (Format::Json, None, _) => output::json(factors, writer),
+            (Format::Npy, ..) => output::npy(factors, writer),
+            (Format::Npz, _, Some(sparse)) => output::sparse_npz(factors, sparse, writer),
+            (Format::Npz, _, None) => output::npz(factors, writer),
+            (Format::Txt, ..) => output::view3d(factors, &emittances(scene), writer),
+        }
+    }
+
+    /// The pairs that are listed one by one, where the factors are no matrix.
+    fn listed(&self, factors: &ViewFactors) -> Option<Vec<[usize; 2]>> {
+        match (self.pairs.is_empty(), self.sparse) {
+            (false, _) => Some(self.pairs.clone()),
+            (true, Some(_)) => Some(output::nonzero_pairs(factors)),
+            (true, None) => None,
+        }
+    }
+}
+
+/// Emissivities of all surfaces, of all bands together: those of heat where they are stated, else 1 − ρ − τ.
+fn emittances(scene: &Scene) -> Vec<f64> {
+    let mean = |numbers: &[f64]| numbers.iter().sum::<f64>() / numbers.len() as f64;
+    let surfaces = scene.surfaces.iter();
+    surfaces
+        .map(|surface| {
+            let material = &surface.material;
+            let given = surface.thermal.emissivity;
+            given.unwrap_or_else(|| 1.0 - mean(&material.reflectance) - mean(&material.transmittance))
+        })
+        .collect()
+}
+
+/// The two surfaces of `A,B`. Names may contain commas: the first comma with known names on both sides separates them.
+fn named_pair(scene: &Scene, pair: &str) -> Result<[usize; 2], CliError> {
+    let halves = || pair.match_indices(',').map(|(at, _)| (pair[..at].trim(), pair[at + 1..].trim()));
+    let Some((first, second)) = halves().next() else {
+        return Err(CliError::NoPair { text: pair.to_owned() });
+    };
+    let found = |(a, b)| Some([scene.surface_named(a).ok()?, scene.surface_named(b).ok()?]);
+    match halves().find_map(found) {
+        Some(pair) => Ok(pair),
+        None => Ok([scene.surface_named(first)?, scene.surface_named(second)?]),
+    }
+}
+
+impl ViewFactorsArgs {
+    /// The format asked for, or that of the output's ending.
+    fn format(&self) -> Result<Format, CliError> {
+        let format = format::chosen(self.format, self.output.as_deref(), Format::Csv)?;
+        let named = || format::name(&format).to_uppercase();
+        if !format.holds_pairs() && !self.pairs.is_empty() {
+            return Err(CliError::PairsAsArray { format: named() });
+        }
+        let Some(sparse) = self.sparse else { return Ok(format) };
+        let cure = match (format, sparse) {
+            (Format::Npz, _) | (Format::Csv | Format::Json, Sparse::Coo) => return Ok(format),
+            (Format::Csv | Format::Json, Sparse::Csr) => "take --sparse coo, or choose a file ending in .npz",
+            (Format::Npy | Format::Txt, _) => "leave out --sparse, or choose a file ending in .npz",
+        };
+        let message = format!("--sparse {}: {} has no place for it", format::name(&sparse), named());
+        Err(CliError::Refused { message, cure: cure.to_owned() })
+    }
+
+    /// The summary on stderr.
+    fn tell(&self, scene: &Scene, factors: &ViewFactors, start: Instant) {
+        let mut lines = vec![
+            format!("{}: {} surfaces", scene.name, factors.names.len()),
+            format!(
+                "{:.3} s, of which factors {:.3} s ({} kernel samples, {} shadow rays)",
+                start.elapsed().as_secs_f64(),
+                factors.elapsed.as_secs_f64(),
+                factors.samples,
+                factors.rays
+            ),
+        ];
+        lines.extend(RanksWork::so_far(self.transfers.request().threads()).map(|work| work.to_string()));
+        let checkpoint = Checkpoint::so_far();
+        lines.extend(checkpoint.as_ref().map(Checkpoint::to_string));
+        lines.extend(remarks(scene));
+        lines.extend(scene.fitted.line());
+        if self.pairs.is_empty() {
+            lines.extend(self.sums(factors));
+        }
+        if let Some(miss) = factors.miss.filter(Miss::is_real) {
+            let names = miss.pair.map(|surface| &factors.names[surface][..]);
+            lines.push(format!("warning: {}", missed(&miss, names)));
+        }
+        lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
+        lines.extend(self.output.as_ref().map(|path| format!("wrote {}", path.display())));
+        console::tell(&(lines.join("\n") + "\n"));
+    }
+
+    /// What row sums and reciprocity say.
+    fn sums(&self, factors: &ViewFactors) -> Vec<String> {
+        let sums = RowSums::of(factors, self.transfers.request().accuracy());
+        let [range, closed] = sums.lines();
+        let reciprocity = format!(
+            "reciprocity: of {} pairs integrated from either side A_i F_ij and A_j F_ji differ by {:.1e} at the most",
+            factors.reciprocity.pairs, factors.reciprocity.largest
+        );
+        let warning = sums.warning().map(|warning| warning.to_string());
+        [range, reciprocity, closed].into_iter().chain(warning).collect()
+    }
+}

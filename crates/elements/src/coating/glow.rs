@@ -1,0 +1,43 @@
+//! Glow: emitted exitance that varies over an element.
+
+use std::sync::Arc;
+
+use radiosity_geom::Surface;
+use radiosity_scene::Pattern;
+
+use super::varied::Varied;
+use crate::element::Element;
+
+/// The emitted exitance E₀(x) of an element, with e_k = ∫ E₀ φ_k dA.
+#[derive(Debug)]
+pub(super) struct Glow {
+    pub(super) varied: Varied,
+    /// What the pattern is multiplied by: the factor of the light group.
+    pub(super) factor: f64,
+    /// e (W m⁻² times length).
+    pub(super) coefficients: Vec<f64>,
+}
+
+impl Glow {
+    /// That of `factor` times a band of `pattern` on an element of a surface of this shape.
+    pub(super) fn new(
+        element: &Element,
+        shape: &Arc<dyn Surface>,
+        pattern: &Arc<Pattern>,
+        (band, factor): (usize, f64),
+    ) -> Self {
+        let varied = Varied::new(element, shape, pattern, band);
+        let coefficients = varied.vector(element).iter().map(|e| factor * e).collect();
+        Self { varied, factor, coefficients }
+    }
+
+    /// E₀ (W m⁻²) at parameters of the surface.
+    pub(super) fn at(&self, parameters: [f64; 2]) -> f64 {
+        self.factor * self.varied.at(parameters)
+    }
+
+    /// ∫ E₀ dA / A.
+    pub(super) fn mean(&self, element: &Element) -> f64 {
+        self.coefficients[0] / element.area.sqrt()
+    }
+}

@@ -1,0 +1,391 @@
+//! Elements: the scene's surfaces cut into pieces that carry polynomials.
+//!
+//! A planar element is any polygon, without holes and footings, with polynomials of order N in affine coordinates of
+//! its plane; parts that other surfaces lie on ([`radiosity_visibility::covers`]) are elements of their own. A curved element is a
+//! rectangle of its surface's parameters, with polynomials in them. Both bases are orthonormal with respect to area
+//! ([`basis`]). For quadrature an element is covered by [`patch`]es.
+
+pub mod cells;
+pub mod columns;
+pub mod patch;
+pub mod frame;
+pub(crate) mod recurrence;
+pub mod rule;
+pub mod space;
+pub(crate) mod products;
+pub(crate) mod spectrum;
+pub mod measure;
+pub mod basis;
+pub mod parameters;
+mod fault;
+mod element;
+pub mod coating;
+pub mod mesh;
+mod discretization;
+mod resolution;
+pub mod sampling;
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_width, touching};
+use radiosity_scene::{Scene, SceneSurface};
+use radiosity_visibility::covers::{self, Cover, covers};
+use radiosity_visibility::footings::bare_shapes;
+use radiosity_work::interruption::heed;
+
+use basis::HIGHEST_ORDER;
+pub use discretization::{Discretization, Subdivide};
+pub use element::flat_patches;
+pub use element::{Element, clip_to_cell};
+use element::{Part, element};
+pub use fault::ElementError;
+use mesh::{Mesh, Refinement, Tree};
+use patch::Patch;
+use resolution::Resolution;
+pub use resolution::{shares, usual_mesh};
+use space::Space;
+
+/// All elements of a scene, surface by surface.
+#[derive(Debug)]
+pub struct Elements {
+    list: Vec<Element>,
+    surfaces: Vec<Cut>,
+    how: Discretization,
+    mesh: Mesh,
+    /// Whether the mesh is another than follows from `how`.
+    is_refined: bool,
+}
+
+/// The cut of one surface: its cells with the element of each, and the covered elements.
+#[derive(Debug)]
+struct Cut {
+    shape: Arc<dyn Surface>,
+    cells: Tree<Option<usize>>,
+    /// Elements of the covered parts.
+    covered: Vec<usize>,
+}
+
+impl Elements {
+    /// Cuts `scene` as `how` says, without its footings ([`radiosity_visibility::footings`]).
+    ///
+    /// # Errors
+    /// A degree out of range, or a surface without area at the given degree.
+    pub fn new(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
+        Self::of_shapes(scene, how, None, bare_shapes(scene), &covers(scene))
+    }
+
+    /// Cuts `scene` into the cells of `mesh`, whatever `how` says of them, without its footings.
+    ///
+    /// # Errors
+    /// As for [`Elements::new`].
+    pub fn of_mesh(scene: &Scene, how: &Discretization, mesh: Mesh) -> Result<Self, ElementError> {
+        Self::of_shapes(scene, how, Some(mesh), bare_shapes(scene), &covers(scene))
+    }
+
+    /// Cuts `scene` as `how` says, or into the cells of `mesh`, with whole surfaces whatever stands on them.
+    ///
+    /// # Errors
+    /// As for [`Elements::new`].
+    pub fn of_whole_surfaces(
+        scene: &Scene,
+        how: &Discretization,
+        mesh: Option<Mesh>,
+    ) -> Result<Self, ElementError> {
+        let whole = scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
+        Self::of_shapes(scene, how, mesh, whole, &[])
+    }
+
+    /// The same elements where the surfaces of `scene` are, which has the same ones, some of them moved; those of the others are
+    /// copied.
+    ///
+    /// # Errors
+    /// As for [`Elements::new`].
+    pub fn moved(&self, scene: &Scene) -> Result<Self, ElementError> {
+        let mesh = (self.mesh.clone(), self.is_refined);
+        Self::cut(scene, &self.how, mesh, bare_shapes(scene), &covers(scene), Some(self))
+    }
+
+    fn of_shapes(
+        scene: &Scene,
+        how: &Discretization,
+        mesh: Option<Mesh>,
+        shapes: Vec<Arc<dyn Surface>>,
+        covers: &[Cover],
+    ) -> Result<Self, ElementError> {
+        if !how.layers.is_valid() {
+            return Err(ElementError::Layers { layers: how.layers });
+        }
+        let usual = usual_mesh(scene, how);
+        let is_refined = mesh.as_ref().is_some_and(|mesh| *mesh != usual);
+        let mesh = mesh.unwrap_or(usual);
+        Self::cut(scene, how, (mesh, is_refined), shapes, covers, None)
+    }
+
+    /// Cuts `shapes` into the cells of a mesh; elements of shapes that are those of `before`, and that nothing covers, are copied.
+    fn cut(
+        scene: &Scene,
+        how: &Discretization,
+        (mesh, is_refined): (Mesh, bool),
+        shapes: Vec<Arc<dyn Surface>>,
+        covers: &[Cover],
+        before: Option<&Self>,
+    ) -> Result<Self, ElementError> {
+        let mut list = Vec::new();
+        let mut surfaces = Vec::new();
+        for (index, (surface, shape)) in scene.surfaces.iter().zip(shapes).enumerate() {
+            let is_bare = covers::of_surface(covers, index).next().is_none();
+            if let Some(copy) =
+                before.filter(|_| is_bare).and_then(|before| before.copied(index, &shape, &mut list))
+            {
+                surfaces.push(copy);
+                continue;
+            }
+            let cells = &mesh.surfaces()[index];
+            let order = cells.values().into_iter().max().copied().unwrap_or(0);
+            if order > HIGHEST_ORDER {
+                return Err(ElementError::Order { order });
+            }
+            let own: Vec<&Cover> = covers::of_surface(covers, index).collect();
+            let pieces = shape.region().map_or_else(Vec::new, |region| open_pieces(region, &own));
+            let mut maker =
+                Maker { surface: (index, surface), space: how.space, covers: &own, list: &mut list };
+            let cells = cells.map(&Rect::FULL, &mut |rect, order| {
+                heed();
+                maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
+            })?;
+            let mut covered = Vec::new();
+            for Cover { pieces, contact, .. } in &own {
+                let part = Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) };
+                covered.extend(maker.made(part, order)?);
+            }
+            surfaces.push(Cut { shape: Arc::clone(&shape), cells, covered });
+        }
+        Ok(Self { list, surfaces, how: *how, mesh, is_refined })
+    }
+
+    /// The cut of a surface, if it has this shape and nothing covers it; its elements are appended to `list`.
+    fn copied(&self, surface: usize, shape: &Arc<dyn Surface>, list: &mut Vec<Element>) -> Option<Cut> {
+        let cut = self.surfaces.get(surface)?;
+        if !Arc::ptr_eq(&cut.shape, shape) || !cut.covered.is_empty() {
+            return None;
+        }
+        let own = self.of_surface(surface);
+        let start = list.len();
+        list.extend_from_slice(&self.list[own.clone()]);
+        let place = |element: &Option<usize>| element.map(|element| element - own.start + start);
+        let cells = cut.cells.map::<_, ElementError>(&Rect::FULL, &mut |_, element| Ok(place(element)));
+        let cells = cells.expect("nothing can fail");
+        Some(Cut { shape: Arc::clone(shape), cells, covered: Vec::new() })
+    }
+
+    /// The mesh, if it is another than follows from the discretization.
+    pub fn refined_mesh(&self) -> Option<&Mesh> {
+        self.is_refined.then_some(&self.mesh)
+    }
+
+    /// The mesh after what `refinement` says of each element; covered parts stay.
+    pub fn refined(&self, refinement: &[Refinement]) -> Mesh {
+        let leaves: Vec<Vec<Option<usize>>> =
+            self.surfaces.iter().map(|cut| cut.cells.values().into_iter().copied().collect()).collect();
+        self.mesh.refined(&|surface, leaf| {
+            leaves[surface][leaf].map_or(Refinement::Keep, |element| refinement[element])
+        })
+    }
+
+    /// How the scene was cut.
+    pub fn discretization(&self) -> &Discretization {
+        &self.how
+    }
+
+    /// The elements, in the order of their surfaces.
+    pub fn list(&self) -> &[Element] {
+        &self.list
+    }
+
+    /// Indices of the elements of one surface.
+    pub fn of_surface(&self, surface: usize) -> Range<usize> {
+        let start = self.list.partition_point(|element| element.surface < surface);
+        let end = self.list.partition_point(|element| element.surface <= surface);
+        start..end
+    }
+
+    /// The element of a surface that holds the parameters (u, v); None inside a hole that fills a cell.
+    pub fn at(&self, surface: usize, [u, v]: [f64; 2]) -> Option<usize> {
+        let cut = &self.surfaces[surface];
+        if let Some(covered) = self.covered_at(cut, [u, v]) {
+            return Some(covered);
+        }
+        *cut.cells.at([u, v])
+    }
+
+    /// The element beyond the seam at (u, v), further by 1e-9 along `step`; None at the border of the surface, inside
+    /// its holes and where another surface lies on it.
+    pub fn across_seam(&self, surface: usize, [u, v]: [f64; 2], step: [f64; 2]) -> Option<usize> {
+        let beyond = [u + 1e-9 * step[0], v + 1e-9 * step[1]];
+        let shape = self.shape(surface);
+        let cut = &self.surfaces[surface];
+        if [[u, v], beyond].iter().any(|place| self.covered_at(cut, *place).is_some()) {
+            return None;
+        }
+        let covered = shape.region().is_none_or(|region| region.contains(shape.jet(u, v).position));
+        if covered && beyond.iter().all(|x| *x < 1.0) { self.at(surface, beyond) } else { None }
+    }
+
+    /// The element of the part on which another surface lies at the parameters (u, v).
+    fn covered_at(&self, cut: &Cut, [u, v]: [f64; 2]) -> Option<usize> {
+        let position = (!cut.covered.is_empty()).then(|| cut.shape.jet(u, v).position)?;
+        let holds = |index: &&usize| {
+            let element = &self.list[**index];
+            element.covers(position, touching(element.extent, 0.0))
+        };
+        cut.covered.iter().find(holds).copied()
+    }
+
+    /// Number of surfaces, those without elements included.
+    pub fn surfaces(&self) -> usize {
+        self.surfaces.len()
+    }
+
+    /// The shape of a surface.
+    pub fn shape(&self, surface: usize) -> &dyn Surface {
+        self.surfaces[surface].shape.as_ref()
+    }
+
+    /// Disjoint patches that cover the part of element `element` over the parameters `rect`.
+    pub fn patches_over(&self, element: usize, rect: &Rect) -> Vec<Patch> {
+        let element = &self.list[element];
+        element.patches_over(self.shape(element.surface), rect)
+    }
+
+    /// Coefficients c of the constant 1, element by element.
+    pub fn constant(&self) -> Vec<f64> {
+        self.list.iter().flat_map(|element| &element.constant).copied().collect()
+    }
+
+    /// Where the coefficients of each element start, and their number.
+    pub fn starts(&self) -> Vec<usize> {
+        starts(&self.list)
+    }
+
+    /// Number of coefficients per band of all elements together.
+    pub fn coefficients(&self) -> usize {
+        self.list.iter().map(|element| element.basis.len()).sum()
+    }
+}
+
+/// Makes the elements of one surface.
+struct Maker<'a> {
+    surface: (usize, &'a SceneSurface),
+    space: Space,
+    covers: &'a [&'a Cover],
+    list: &'a mut Vec<Element>,
+}
+
+impl Maker<'_> {
+    /// Appends the element of a part to the list; its index, or None where the part is empty.
+    fn made(&mut self, part: Part, order: usize) -> Result<Option<usize>, ElementError> {
+        let found = match element(self.surface, part, (self.space, order)) {
+            // Beside covers the rest of a cell may be a sliver, for which a constant is enough.
+            Err(ElementError::Thin { .. }) if !self.covers.is_empty() => {
+                element(self.surface, part, (self.space, 0))
+            }
+            found => found,
+        };
+        let found = found?;
+        let place = found.is_some().then_some(self.list.len());
+        self.list.extend(found);
+        Ok(place)
+    }
+}
+
+/// Pieces beside covers that are narrower than this part of the surface's extent are rounding. Chosen; not tuned.
+const LEAST: f64 = 1e-6;
+
+/// Convex pieces of a flat surface outside its `covers`.
+fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
+    let whole = region.convex_pieces().to_vec();
+    let open = covers::without(whole, covers.iter().copied(), region.normal());
+    open.into_iter()
+        .filter(|piece| covers.is_empty() || polygon_width(piece) > LEAST * region.extent())
+        .collect()
+}
+
+/// Where the coefficients of each element start, and their number.
+pub fn starts(list: &[Element]) -> Vec<usize> {
+    let mut starts = vec![0];
+    starts.extend(list.iter().scan(0, |start, element| {
+        *start += element.basis.len();
+        Some(*start)
+    }));
+    starts
+}
+
+/// Upper bounds of what a surface is cut into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CutSize {
+    /// Number of elements, cells in holes included.
+    pub elements: u64,
+    /// Number of functions on each element.
+    pub functions: u64,
+}
+
+/// Upper bounds of the elements and functions that [`Elements::new`] makes of each surface, without making them.
+pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
+    let resolution = Resolution::new(scene, how);
+    let covers = covers(scene);
+    let size = |(index, surface): (usize, &SceneSurface)| {
+        let [along, across] =
+            resolution.parts(index, surface).map(|parts| (parts + 2 * how.layers.count) as u64);
+        let covered = covers::of_surface(&covers, index).count() as u64;
+        let functions = how.space.count(resolution.order(index, surface)) as u64;
+        CutSize { elements: along * across + covered, functions }
+    };
+    scene.surfaces.iter().enumerate().map(size).collect()
+}
+
+/// Upper bounds of the elements of each surface of a mesh, and about the functions on each.
+pub fn mesh_sizes(scene: &Scene, how: &Discretization, mesh: &Mesh) -> Vec<CutSize> {
+    let covers = covers(scene);
+    let size = |(index, tree): (usize, &Tree<usize>)| {
+        let orders = tree.values();
+        let squares: usize = orders.iter().map(|order| how.space.count(**order).pow(2)).sum();
+        let functions = (squares as f64 / orders.len() as f64).sqrt().ceil() as u64;
+        let covered = covers::of_surface(&covers, index).count();
+        CutSize { elements: (orders.len() + covered) as u64, functions }
+    };
+    mesh.surfaces().iter().enumerate().map(size).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cells::Layers;
+    use super::*;
+
+    fn graded_box() -> Elements {
+        let scene = radiosity_language::builtin("empty-box").expect("it is built in");
+        let layers = Layers { count: 2, ratio: 0.25 };
+        let how = Discretization { order: 1, space: Space::Total, subdivide: Subdivide::Uniform(1), layers };
+        Elements::new(&scene, &how).expect("walls have area")
+    }
+
+    #[test]
+    fn places_are_found_in_graded_elements_and_across_their_seams() {
+        let elements = graded_box();
+        assert_eq!(elements.of_surface(0), 0..25);
+        for (index, element) in elements.list().iter().enumerate() {
+            let [u, v] = element.rect.center();
+            assert_eq!(elements.at(element.surface, [u, v]), Some(index));
+            let right = elements.across_seam(element.surface, [element.rect.u[1], v], [1.0, 0.0]);
+            assert_eq!(right.is_some(), element.rect.u[1] < 1.0);
+            let neighbour = right.map_or(element.rect.u[1], |other| elements.list()[other].rect.u[0]);
+            assert_eq!(neighbour, element.rect.u[1]);
+        }
+    }
+
+    #[test]
+    fn graded_elements_cover_their_surface() {
+        let area: f64 = graded_box().list().iter().map(|element| element.area).sum();
+        assert!((area - 6.0).abs() < 1e-13, "{area}");
+    }
+}

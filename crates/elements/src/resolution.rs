@@ -1,0 +1,118 @@
+//! Order and cuts of a surface that does not state its own.
+
+use radiosity_geom::{Aabb, Rect};
+use radiosity_scene::{Pattern, Scene, SceneSurface};
+use rayon::prelude::*;
+
+use super::cells::breaks;
+use super::discretization::{Discretization, Subdivide};
+use super::mesh::{Mesh, Tree};
+
+/// Order and cuts of each surface of a scene.
+#[derive(Debug)]
+pub(super) struct Resolution {
+    how: Discretization,
+    /// Largest side of the bounding box of the scene (scene length).
+    extent: f64,
+    /// Share of each surface in the area of all; empty where it does not matter.
+    shares: Vec<f64>,
+}
+
+/// A surface that sends at least so many rays carries polynomials of at most `order` on `parts` × `parts` elements.
+struct Grade {
+    rays: f64,
+    order: usize,
+    parts: usize,
+}
+
+/// The grades, largest surfaces first; constants below. The functions of an element are told apart by its rays: n rays
+/// leave eigenvalues of their sums of products off by about 2 √(m/n) for m functions.
+const GRADES: [Grade; 6] = [
+    Grade { rays: 1.8e6, order: 2, parts: 16 },
+    Grade { rays: 1.15e5, order: 2, parts: 8 },
+    Grade { rays: 7200.0, order: 2, parts: 4 },
+    Grade { rays: 1100.0, order: 2, parts: 2 },
+    Grade { rays: 360.0, order: 2, parts: 1 },
+    Grade { rays: 120.0, order: 1, parts: 1 },
+];
+
+impl Resolution {
+    pub(super) fn new(scene: &Scene, how: &Discretization) -> Self {
+        let bounds = scene
+            .surfaces
+            .iter()
+            .fold(Aabb::EMPTY, |bounds, surface| bounds.union(surface.shape.bounds(&Rect::FULL)));
+        let extent = (bounds.max - bounds.min).max_element();
+        let shares = match how.subdivide {
+            Subdivide::Graded { .. } => shares(scene),
+            Subdivide::Auto { .. } | Subdivide::Uniform(_) => Vec::new(),
+        };
+        Self { how: *how, extent, shares }
+    }
+
+    /// Order of the polynomials on the `index`-th surface.
+    pub(super) fn order(&self, index: usize, surface: &SceneSurface) -> usize {
+        surface.order.unwrap_or_else(|| match self.how.subdivide {
+            Subdivide::Graded { rays } => {
+                self.grade(index, rays).map_or(0, |grade| grade.order).min(self.how.order)
+            }
+            Subdivide::Auto { .. } | Subdivide::Uniform(_) => self.how.order,
+        })
+    }
+
+    /// Elements of the `index`-th surface along u and v, layers apart.
+    pub(super) fn parts(&self, index: usize, surface: &SceneSurface) -> [usize; 2] {
+        surface.subdivide.unwrap_or_else(|| {
+            let parts = match self.how.subdivide {
+                Subdivide::Uniform(parts) => parts,
+                Subdivide::Graded { rays } => self.grade(index, rays).map_or(1, |grade| grade.parts),
+                Subdivide::Auto { occluded } => {
+                    let bounds = surface.shape.bounds(&Rect::FULL);
+                    let large = (bounds.max - bounds.min).max_element() > 0.5 * self.extent;
+                    if occluded && large { 2 } else { 1 }
+                }
+            };
+            let glow = surface.material.emission_pattern.as_deref().map_or([1, 1], parts_of_glow);
+            glow.map(|least| parts.max(least))
+        })
+    }
+
+    fn grade(&self, index: usize, rays: u64) -> Option<&'static Grade> {
+        let own = rays as f64 * self.shares[index];
+        GRADES.iter().find(|grade| own >= grade.rays)
+    }
+}
+
+/// The mesh that follows from `how`.
+pub fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
+    let resolution = Resolution::new(scene, how);
+    let tree = |(index, surface): (usize, &SceneSurface)| {
+        let breaks = resolution.parts(index, surface).map(|parts| breaks(parts, how.layers));
+        Tree::grid(&breaks, resolution.order(index, surface))
+    };
+    Mesh::new(scene.surfaces.iter().enumerate().map(tree).collect())
+}
+
+/// Most elements along each direction for the sake of emission that varies, and elements for a polynomial. Chosen; not tuned.
+const MOST_OF_GLOW: usize = 8;
+const OF_POLYNOMIAL: usize = 4;
+
+/// Elements of an emitter along u and v. Direct light takes the exitance of each as constant, so that what it misses falls with
+/// their size over the distance; elements as texels, where these are few, miss nothing.
+fn parts_of_glow(pattern: &Pattern) -> [usize; 2] {
+    match pattern.degree() {
+        Some(0) => [1, 1],
+        Some(_) => [OF_POLYNOMIAL; 2],
+        None => pattern.breaks().map(|breaks| {
+            let texels = breaks.len() + 1;
+            if texels <= 2 * MOST_OF_GLOW { texels } else { MOST_OF_GLOW }
+        }),
+    }
+}
+
+/// Share of each surface in the area of all.
+pub fn shares(scene: &Scene) -> Vec<f64> {
+    let areas: Vec<f64> = scene.surfaces.par_iter().map(|surface| surface.shape.area()).collect();
+    let all: f64 = areas.iter().sum();
+    areas.iter().map(|area| area / all).collect()
+}

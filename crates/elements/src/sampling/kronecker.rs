@@ -1,0 +1,44 @@
+//! Points spread evenly over [0, 1]ᴰ: a Kronecker sequence.
+//!
+//! ```text
+//! z_m = fract(½ + m a) ,     a_d = g⁻ᵈ ,   g^(D + 1) = g + 1 .
+//! ```
+//!
+//! Reference: M. Roberts, *The unreasonable effectiveness of quasirandom sequences* (2018): generalised golden ratio.
+
+/// Roots g of g^(D + 1) = g + 1 for D = 1, 2, 3, 4.
+const ROOTS: [f64; 4] =
+    [1.618_033_988_749_895, 1.324_717_957_244_746, 1.220_744_084_605_759_5, 1.167_303_978_261_418_7];
+
+/// Point number `index` of the sequence in D = 1 to 4 dimensions.
+pub fn point<const D: usize>(index: u64) -> [f64; D] {
+    let mut step = 1.0;
+    std::array::from_fn(|_| {
+        step /= const { ROOTS[D - 1] };
+        (0.5 + index as f64 * step).fract()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_are_roots() {
+        for (k, g) in ROOTS.iter().enumerate() {
+            assert!((g.powi(k as i32 + 2) - g - 1.0).abs() < 1e-14, "{g}");
+        }
+    }
+
+    /// ∫ x y over the unit square and ∫ x y z over the cube.
+    #[test]
+    fn means_converge_like_one_over_the_number_of_points() {
+        for n in [1_000, 10_000, 100_000] {
+            let mean = |f: &dyn Fn(u64) -> f64| (0..n).map(f).sum::<f64>() / n as f64;
+            let square = mean(&|k| point::<2>(k).iter().product());
+            let cube = mean(&|k| point::<3>(k).iter().product());
+            assert!((square - 0.25).abs() < 3.0 / n as f64, "{square}");
+            assert!((cube - 0.125).abs() < 30.0 / n as f64, "{cube}");
+        }
+    }
+}

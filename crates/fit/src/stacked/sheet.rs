@@ -1,0 +1,74 @@
+//! A flat sheet that may lie on others, and which of two does.
+
+use std::cmp::Ordering;
+use std::sync::Arc;
+
+use radiosity_geom::{DVec3, PlanarRegion, Surface};
+
+/// Areas that differ by less than this part are equal within rounding. Chosen; not tuned.
+pub(super) const SAME_AREA: f64 = 1e-6;
+
+/// A flat sheet that may lie on others.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    /// The surface as it stands in the scene.
+    pub shape: Arc<dyn Surface>,
+    /// The surface as it was read.
+    pub typed: Arc<dyn Surface>,
+    /// Whether its back emits and receives too.
+    pub two_sided: bool,
+    /// Whether its front is that of the shape turned over.
+    pub flip: bool,
+    /// Whether it stays where it is: then the other sheet of a pair moves.
+    pub stays: bool,
+    /// Its name: a sheet and one called `name:back` are two sides of one surface.
+    pub name: String,
+}
+
+impl Sheet {
+    /// The normal of its front.
+    pub(super) fn normal(&self) -> DVec3 {
+        let normal = self.region().map_or(DVec3::ZERO, PlanarRegion::normal);
+        if self.flip { -normal } else { normal }
+    }
+
+    pub(super) fn region(&self) -> Option<&PlanarRegion> {
+        self.shape.region()
+    }
+
+    pub(super) fn area(&self) -> f64 {
+        self.region().map_or(0.0, PlanarRegion::area)
+    }
+
+    /// Largest distance of two of its corners (scene length); 0 if it is curved.
+    pub fn extent(&self) -> f64 {
+        self.region().map_or(0.0, PlanarRegion::extent)
+    }
+
+    /// The order of two sheets that coincide: the smaller lies on the larger; of equal ones the one whose typed middle,
+    /// or else normal, comes later.
+    fn rank(&self) -> [f64; 7] {
+        let corners = self.typed.corners();
+        let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+        let steps = -(self.area().log2() / SAME_AREA).round();
+        let [a, b] = [middle, self.normal()].map(|x| x.to_array());
+        [steps, a[0], a[1], a[2], b[0], b[1], b[2]]
+    }
+
+    pub(super) fn order(&self, other: &Sheet) -> Ordering {
+        let pairs = self.rank().into_iter().zip(other.rank());
+        pairs.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(&b)))
+    }
+
+    /// Mean height of its typed corners over another sheet.
+    pub(super) fn typed_height(&self, other: &Sheet) -> f64 {
+        let corners = self.typed.corners();
+        let Some(region) = other.typed.region() else { return 0.0 };
+        let sign = if other.flip { -1.0 } else { 1.0 };
+        sign * corners.iter().map(|x| region.height(*x)).sum::<f64>() / corners.len() as f64
+    }
+
+    pub(super) fn is_back_of(&self, front: &Sheet) -> bool {
+        self.name.strip_suffix(":back") == Some(front.name.as_str())
+    }
+}

@@ -1,0 +1,49 @@
+//! The budget of a reader: how much text it follows before it gives up.
+
+use radiosity_photometry::fault::Fault;
+
+/// Most characters and items that are followed, repetitions by arrays and includes counted. Chosen; not tuned: a
+/// scene of 10⁷ lines is within, and a few lines that repeat one another without end are given up in seconds.
+const MOST: u64 = 1_000_000_000;
+
+/// What every item costs beside its characters, and what every opening of an included file. Chosen; not tuned.
+const ITEM: u64 = 32;
+const INCLUDE: u64 = 2000;
+
+/// What a reader may still follow.
+#[derive(Clone, Copy, Debug)]
+pub struct Budget(u64);
+
+impl Default for Budget {
+    fn default() -> Self {
+        Budget(MOST)
+    }
+}
+
+impl Budget {
+    /// Takes the price of an item of so many characters.
+    ///
+    /// # Errors
+    /// A budget that is spent.
+    pub fn spend(&mut self, characters: usize) -> Result<(), Fault> {
+        self.take(characters as u64 + ITEM)
+    }
+
+    /// Takes the price of opening an included file, or of an instance of an array.
+    ///
+    /// # Errors
+    /// A budget that is spent.
+    pub fn spend_on_include(&mut self) -> Result<(), Fault> {
+        self.take(INCLUDE)
+    }
+
+    fn take(&mut self, price: u64) -> Result<(), Fault> {
+        self.0 = self.0.checked_sub(price).ok_or_else(|| {
+            Fault::new(
+                format!("more than {MOST} characters are followed, arrays and includes counted"),
+                "make arrays smaller or split the scene",
+            )
+        })?;
+        Ok(())
+    }
+}

@@ -1,0 +1,171 @@
+//! Building a model: surfaces are named and checked, materials told apart by name and values.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+use radiosity_fit::outline::WARPED;
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::place::Place;
+use radiosity_photometry::text::short;
+
+use crate::colour::settle;
+use crate::model::{GREATEST, MOST_SURFACES, MOST_VERTICES, Material, Model, Shape, Sides, Surface};
+use crate::names::UniqueNames;
+
+/// A material before it has its index.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coat {
+    /// Its name.
+    pub name: String,
+    /// Diffuse reflectance of red, green and blue.
+    pub reflectance: [f64; 3],
+    /// Exitance of red, green and blue.
+    pub emission: [f64; 3],
+    /// The sides that surfaces of it have.
+    pub sides: Sides,
+}
+
+/// A model of red, green and blue that grows.
+#[derive(Debug, Default)]
+pub struct ModelBuilder {
+    model: Model,
+    names: UniqueNames,
+    material_names: UniqueNames,
+    materials: HashMap<(String, [u64; 6]), usize>,
+    vertices: usize,
+}
+
+impl ModelBuilder {
+    /// Notes something in a line; what was noted before is only counted.
+    pub fn note(&mut self, text: &str, line: usize) {
+        self.model.note(text, Some(Place::Line(line)));
+    }
+
+    /// States the unit of exitance.
+    pub fn unit(&mut self, unit: &str) {
+        self.model.unit = Some(unit.to_owned());
+    }
+
+    /// Adds a surface of a line. Without a name it is called by its kind and number.
+    ///
+    /// # Errors
+    /// Too many surfaces, and shapes that are too large or that have no extent.
+    pub fn surface(
+        &mut self,
+        name: Option<&str>,
+        shape: Shape,
+        coat: &Coat,
+        line: usize,
+    ) -> Result<(), Fault> {
+        if matches!(shape, Shape::Quad(_)) {
+            self.note(WARPED, line);
+        }
+        let (points, numbers) = parts(&shape);
+        self.vertices += points.len();
+        if self.model.surfaces.len() >= MOST_SURFACES || self.vertices > MOST_VERTICES {
+            return Err(Fault::new(
+                format!("more than {MOST_SURFACES} surfaces or {MOST_VERTICES} vertices"),
+                "split the scene",
+            ));
+        }
+        let mut numbers = points.iter().flat_map(|point| point.to_array()).chain(numbers);
+        // Not a number is not within either.
+        if !numbers.all(|number| number.abs() <= GREATEST) {
+            return Err(Fault::new(
+                format!("a coordinate or a radius is beyond {GREATEST:e} after transforms"),
+                "scale the scene down",
+            ));
+        }
+        check_size(&shape)?;
+        if !coat.reflectance.iter().chain(&coat.emission).all(|value| *value <= GREATEST) {
+            return Err(Fault::new(
+                format!("the material '{}' has a value beyond {GREATEST:e}", short(&coat.name)),
+                "correct its reflectance or its emission",
+            ));
+        }
+        let wanted = match name {
+            Some(name) => name.to_owned(),
+            None => format!("{}-{}", kind(&shape), self.model.surfaces.len() + 1),
+        };
+        let (name, material) = (self.names.take(&wanted), self.material(coat));
+        self.model.surfaces.push(Surface {
+            name,
+            material: Some(material),
+            shape,
+            sides: coat.sides,
+            place: Some(Place::Line(line)),
+        });
+        Ok(())
+    }
+
+    /// The material of these values under this name; of the same name and other values it is another.
+    fn material(&mut self, coat: &Coat) -> usize {
+        let ([r, g, b], [er, eg, eb]) = (coat.reflectance, coat.emission);
+        let key = (coat.name.clone(), [r, g, b, er, eg, eb].map(f64::to_bits));
+        let next = self.model.materials.len();
+        let index = *self.materials.entry(key).or_insert(next);
+        if index == next {
+            self.model.materials.push(Material {
+                name: self.material_names.take(&coat.name),
+                reflectance: coat.reflectance.to_vec(),
+                emission: coat.emission.to_vec(),
+            });
+        }
+        index
+    }
+
+    /// The model, in one band if it is grey.
+    pub fn finish(mut self) -> Model {
+        self.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
+        settle(&mut self.model);
+        self.model
+    }
+}
+
+/// The points and the other numbers of a shape.
+fn parts(shape: &Shape) -> (Vec<DVec3>, Vec<f64>) {
+    match shape {
+        Shape::Polygon { outline, holes } => {
+            (outline.iter().chain(holes.iter().flatten()).copied().collect(), Vec::new())
+        }
+        Shape::Quad(corners) => (corners.to_vec(), Vec::new()),
+        Shape::Disk { center, normal, radius, inner } => (vec![*center, *normal], vec![*radius, *inner]),
+        Shape::Cylinder { base, axis, radius, .. } => (vec![*base, *axis], vec![*radius]),
+        Shape::Cone { base, axis, radii, .. } => (vec![*base, *axis], radii.to_vec()),
+        Shape::Sphere { center, radius, .. } => (vec![*center], vec![*radius]),
+        Shape::Torus { center, axis, major, minor, .. } => (vec![*center, *axis], vec![*major, *minor]),
+    }
+}
+
+/// Refuses curved shapes without a radius or an axis. Flat shapes without an area are left to repair.
+fn check_size(shape: &Shape) -> Result<(), Fault> {
+    let (directions, radius) = match *shape {
+        Shape::Polygon { .. } | Shape::Quad(_) => return Ok(()),
+        Shape::Disk { normal, radius, inner, .. } => (Some(normal), radius - inner),
+        Shape::Cylinder { axis, radius, .. } => (Some(axis), radius),
+        Shape::Cone { axis, radii, .. } => (Some(axis), radii[0].max(radii[1])),
+        Shape::Sphere { radius, .. } => (None, radius),
+        Shape::Torus { axis, major, minor, .. } => (Some(axis), major.min(minor)),
+    };
+    let kind = kind(shape);
+    if radius <= 0.0 {
+        return Err(Fault::new(format!("a {kind} has no radius"), "give it one, or take it out"));
+    }
+    if directions == Some(DVec3::ZERO) {
+        return Err(Fault::new(format!("a {kind} has no axis"), "part its ends, or take it out"));
+    }
+    Ok(())
+}
+
+/// The kind of a shape, as scenes call it.
+fn kind(shape: &Shape) -> &'static str {
+    match shape {
+        Shape::Polygon { .. } => "polygon",
+        Shape::Quad(_) => "quad",
+        Shape::Disk { .. } => "disk",
+        Shape::Cylinder { .. } => "cylinder",
+        Shape::Cone { .. } => "cone",
+        Shape::Sphere { .. } => "sphere",
+        Shape::Torus { .. } => "torus",
+    }
+}

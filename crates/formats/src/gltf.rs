@@ -1,0 +1,89 @@
+//! glTF 2.0 (Khronos Group, *glTF 2.0 Specification*, 2.0.1): `.gltf` with buffers in the text or beside it, and `.glb`.
+//!
+//! The nodes of the scene place meshes (section 3.5); axes stay as they are: y up, metres. Triangles, strips and fans
+//! become faces (3.7.2.1); coplanar triangles of a node and a material are [merged](crate::merge). Fronts are turned
+//! where a node mirrors its mesh (3.7.4). The first perspective camera is kept.
+//!
+//! Of a material (3.9) the base colour, less the metallic part, is the reflectance; π times the emissive factor, times
+//! its strength (`KHR_materials_emissive_strength`), is the exitance. Where a texture tells what is metallic, nothing is;
+//! the mean of one that colours what reflects is taken for one half, and what one of emission makes shine is dark. What a
+//! radiosity scene does not have is left out and noted.
+
+mod container;
+mod json;
+mod scheme;
+mod buffers;
+mod accessor;
+mod material;
+mod triangles;
+mod nodes;
+
+use radiosity_photometry::error::Refusal;
+use radiosity_photometry::located::Located;
+use radiosity_photometry::text::short;
+
+use crate::files::Files;
+use crate::mesh::Mesh;
+use crate::model::Model;
+use accessor::Accessors;
+use json::Json;
+use nodes::Nodes;
+use scheme::Root;
+
+/// Beginnings of the names of extensions that a file may require: what they add is noted or needs no care.
+const HARMLESS: [&str; 6] = [
+    "KHR_materials_",
+    "KHR_texture_",
+    "EXT_texture_",
+    "MSFT_texture_",
+    "KHR_lights_punctual",
+    "KHR_mesh_quantization",
+];
+
+/// Reads a glTF or GLB of the name `file` and the buffers that it names.
+///
+/// # Errors
+/// Text that is not JSON, members that are missing or of the wrong kind, indices and ranges beyond what is there,
+/// buffers that cannot be read, required extensions that are not known, no triangles.
+pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
+    let mesh = mesh(bytes, files).map_err(|located| located.in_file(file))?;
+    mesh.finish("triangles in its scene").map_err(|fault| fault.of_file(file))
+}
+
+fn mesh(bytes: &[u8], files: &dyn Files) -> Result<Mesh, Located> {
+    let parts = container::parts(bytes)?;
+    let json = Json::new(&parts);
+    let root: Root = json.parse(json.text(), "the file")?;
+    check(&root, &json)?;
+    let buffers = buffers::all(&root, &json, parts.binary, files)?;
+    let mut mesh = Mesh::default();
+    mesh.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
+    let sides = material::add_all(&json, &root.materials, &mut mesh.model)?;
+    if !root.animations.is_empty() {
+        mesh.model.note("animations are left out", None);
+    }
+    let accessors = Accessors::new(&json, &root, &buffers);
+    Nodes::new(&json, &root, accessors, &sides, &mut mesh).add_scene()?;
+    Ok(mesh)
+}
+
+/// Whether the version and the required extensions are known.
+fn check(root: &Root, json: &Json) -> Result<(), Located> {
+    let place = json.place(json.text());
+    if !root.asset.version.starts_with("2.") {
+        return Err(Located::new(
+            place,
+            format!("the version is '{}'", short(&root.asset.version)),
+            "export the model as glTF 2.0",
+        ));
+    }
+    let is_harmless = |name: &&String| HARMLESS.iter().any(|known| name.starts_with(known));
+    match root.extensions_required.iter().find(|name| !is_harmless(name)) {
+        Some(name) => Err(Located::new(
+            place,
+            format!("the extension {} is required", short(name)),
+            "export the model without it, without compression",
+        )),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,92 @@
+//! GLB: a header of 12 bytes, a chunk of JSON, and a chunk of binary data (section 4.4). A file without that header is
+//! the JSON itself.
+
+use radiosity_photometry::located::Located;
+use radiosity_photometry::place::Place;
+
+const MAGIC: &[u8] = b"glTF";
+const JSON: u32 = 0x4E4F_534A;
+const BINARY: u32 = 0x004E_4942;
+
+/// Most bytes of the JSON. Chosen; not tuned.
+const MOST: usize = 1 << 28;
+
+/// The parts of a file.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Parts<'a> {
+    /// The JSON.
+    pub(super) text: &'a str,
+    /// Where it begins in a binary container (byte).
+    pub(super) start: Option<usize>,
+    /// The binary chunk.
+    pub(super) binary: Option<&'a [u8]>,
+}
+
+/// The parts of a `.gltf` or a `.glb`.
+pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, Located> {
+    if !bytes.starts_with(MAGIC) {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        return Ok(Parts { text: text(bytes, 0)?, start: None, binary: None });
+    }
+    if word(bytes, 4) != Some(2) {
+        return Err(Located::new(
+            Place::Byte(4),
+            "this is no GLB of version 2",
+            "export the model as glTF 2.0",
+        ));
+    }
+    let length = word(bytes, 8).map_or(0, |length| length as usize);
+    if length > bytes.len() {
+        return Err(Located::new(
+            Place::Byte(8),
+            format!("the file has {} bytes, its header says {length}", bytes.len()),
+            "copy or export it again",
+        ));
+    }
+    let (kind, json, next) = chunk(bytes, 12)?;
+    if kind != JSON {
+        return Err(Located::new(Place::Byte(16), "the first chunk is not JSON", "export the model again"));
+    }
+    let mut binary = None;
+    if next < length {
+        let (kind, part, _) = chunk(bytes, next)?;
+        binary = (kind == BINARY).then_some(part);
+    }
+    Ok(Parts { text: text(json, 20)?, start: Some(20), binary })
+}
+
+/// The kind of a chunk, its bytes, and where the next one begins.
+fn chunk(bytes: &[u8], at: usize) -> Result<(u32, &[u8], usize), Located> {
+    let header = word(bytes, at).zip(word(bytes, at + 4));
+    let part = header.and_then(|(length, kind)| {
+        let (start, length) = (at + 8, length as usize);
+        let part = bytes.get(start..)?.get(..length)?;
+        Some((kind, part, start + length.next_multiple_of(4)))
+    });
+    part.ok_or_else(|| {
+        Located::new(Place::Byte(at), "the file ends within a chunk", "copy or export it again")
+    })
+}
+
+/// The little-endian word at a byte.
+fn word(bytes: &[u8], at: usize) -> Option<u32> {
+    let word = bytes.get(at..)?.get(..4)?;
+    Some(u32::from_le_bytes(word.try_into().ok()?))
+}
+
+fn text(bytes: &[u8], start: usize) -> Result<&str, Located> {
+    if bytes.len() > MOST {
+        return Err(Located::new(
+            Place::Byte(start),
+            format!("the JSON is longer than {MOST} bytes"),
+            "keep buffers in files beside it",
+        ));
+    }
+    std::str::from_utf8(bytes).map_err(|error| {
+        Located::new(
+            Place::Byte(start + error.valid_up_to()),
+            "the JSON is not UTF-8",
+            "save it as UTF-8, or name the format that the file has",
+        )
+    })
+}

@@ -1,0 +1,91 @@
+//! JSON whose parts know where they stand.
+
+use radiosity_photometry::located::Located;
+use radiosity_photometry::place::Place;
+use serde::Deserialize;
+use serde_json::value::RawValue;
+
+use super::container::Parts;
+
+/// Most characters of a message about JSON. Chosen; not tuned.
+const LONGEST: usize = 160;
+
+/// A text of JSON.
+#[derive(Debug)]
+pub(super) struct Json<'a> {
+    text: &'a str,
+    /// Where it begins in a binary file.
+    start: Option<usize>,
+    /// Where its lines begin.
+    lines: Vec<usize>,
+}
+
+impl<'a> Json<'a> {
+    /// The text of a file.
+    pub(super) fn new(parts: &Parts<'a>) -> Self {
+        let ends = parts.text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        let lines = std::iter::once(0).chain(ends.map(|(at, _)| at + 1)).collect();
+        Json { text: parts.text, start: parts.start, lines }
+    }
+
+    /// All of it.
+    pub(super) fn text(&self) -> &'a str {
+        self.text
+    }
+
+    /// Where a part of the text begins: its line, or its byte in a binary file.
+    pub(super) fn place(&self, part: &str) -> Place {
+        self.at((part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize))
+    }
+
+    /// Where a byte of the text is.
+    fn at(&self, at: usize) -> Place {
+        match self.start {
+            Some(start) => Place::Byte(start + at),
+            None => Place::Line(self.lines.partition_point(|line| *line <= at).max(1)),
+        }
+    }
+
+    /// What a part of the text says; `what` names it: "the node 3".
+    ///
+    /// # Errors
+    /// Text that is no JSON, members that are missing or of another kind.
+    pub(super) fn parse<T: Deserialize<'a>>(&self, part: &'a str, what: &str) -> Result<T, Located> {
+        serde_json::from_str(part).map_err(|error| {
+            let lines = || part.match_indices('\n').map(|(at, _)| at + 1);
+            let line = if error.line() < 2 { Some(0) } else { lines().nth(error.line() - 2) };
+            let inside = (line.unwrap_or(0) + error.column().saturating_sub(1)).min(part.len());
+            let start = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize);
+            let message = error.to_string();
+            let message = message.rsplit_once(" at line ").map_or(message.as_str(), |(cause, _)| cause);
+            let message: String = message.chars().take(LONGEST).collect();
+            Located::new(
+                self.at(start + inside),
+                format!("{what}: {message}"),
+                "correct it, or export the model again",
+            )
+        })
+    }
+
+    /// What the item of a list says; `what` names it: "node". `from` is the place that names it.
+    ///
+    /// # Errors
+    /// An index beyond the list, and as [`Json::parse`].
+    pub(super) fn item<T: Deserialize<'a>>(
+        &self,
+        list: &[&'a RawValue],
+        index: usize,
+        what: &str,
+        from: Place,
+    ) -> Result<(T, Place), Located> {
+        let Some(item) = list.get(index) else {
+            return Err(Located::new(
+                from,
+                format!("the {what} {index} is named, {} are listed, from 0 on", list.len()),
+                "correct the index, or export the model again",
+            ));
+        };
+        let value = self.parse(item.get(), &format!("the {what} {index}"))?;
+        Ok((value, self.place(item.get())))
+    }
+}

@@ -1,0 +1,36 @@
+//! Scenes of other programs: a [`Model`](model::Model) is read from one of several [formats](format::Format), repaired,
+//! and written.
+//!
+//! Flow: bytes → `read` → [`Model`](model::Model) → `repair` → a scene of `radiosity`, or text of another format.
+//!
+//! Luminaires: bytes → [`luminaire::read`] → [`Photometry`](photometry::Photometry).
+//!
+//! Pictures: bytes → [`picture::read`] → [`Picture`](picture::Picture).
+
+pub mod files;
+pub mod model;
+pub mod names;
+pub mod colour;
+pub mod format;
+pub mod picture;
+pub mod budget;
+pub mod includes;
+pub mod xform;
+pub mod merge;
+pub mod builder;
+pub mod mesh;
+pub mod mgf;
+pub mod rad;
+pub mod stl;
+pub mod ply;
+pub mod obj;
+pub mod gltf;
+pub mod mitsuba;
+pub mod vs3;
+pub mod read;
+pub mod write;
+pub mod materials;
+pub mod unit;
+pub mod up;
+pub mod fronts;
+pub mod repair;

@@ -1,0 +1,121 @@
+//! Meshes: faces of objects, as OBJ, STL, PLY and glTF list them, become a model of named surfaces.
+
+use glam::DVec3;
+use radiosity_fit::outline::{WARPED, is_warped};
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::place::Place;
+
+use crate::colour;
+use crate::merge;
+use crate::model::{GREATEST, MOST_SURFACES, MOST_VERTICES, Model, Shape, Sides, Surface};
+use crate::names::UniqueNames;
+
+/// What the faces that follow share.
+#[derive(Clone, Copy, Debug)]
+pub struct Coat {
+    /// Index of the object, of [`Mesh::object`].
+    pub object: usize,
+    /// Index of the material in the model.
+    pub material: Option<usize>,
+    /// Which sides reflect and emit.
+    pub sides: Sides,
+}
+
+/// A model that grows by faces.
+#[derive(Debug, Default)]
+pub struct Mesh {
+    /// The model: materials, notes and the camera are added to it directly.
+    pub model: Model,
+    names: Vec<Option<String>>,
+    objects: Vec<usize>,
+    corners: usize,
+}
+
+impl Mesh {
+    /// A new object and its index; without a name its faces are called by their kinds.
+    pub fn object(&mut self, name: Option<&str>) -> usize {
+        self.names.push(name.map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned));
+        self.names.len() - 1
+    }
+
+    /// Adds a face with its corners counter-clockwise about its front. Four corners off their plane make a quad.
+    ///
+    /// # Errors
+    /// Fewer than three corners, coordinates beyond measure, too many faces.
+    pub fn face(&mut self, corners: Vec<DVec3>, coat: Coat, place: Place) -> Result<(), Fault> {
+        if corners.len() < 3 {
+            return Err(Fault::new(
+                format!("a face has {} corners, 3 are the least", corners.len()),
+                "take the face out, or give it three corners",
+            ));
+        }
+        if !corners.iter().all(|corner| corner.is_finite() && corner.abs().max_element() <= GREATEST) {
+            return Err(Fault::new(
+                format!("a coordinate is beyond {GREATEST:e}"),
+                "correct it, or scale the model down",
+            ));
+        }
+        self.corners += corners.len();
+        if self.objects.len() >= MOST_SURFACES || self.corners > MOST_VERTICES {
+            return Err(Fault::new(
+                format!("more than {MOST_SURFACES} faces or {MOST_VERTICES} corners"),
+                "split the model",
+            ));
+        }
+        let shape = match <[DVec3; 4]>::try_from(corners.as_slice()) {
+            Ok(four) if is_warped(&four) => Shape::Quad(four),
+            _ => Shape::Polygon { outline: corners, holes: Vec::new() },
+        };
+        if matches!(shape, Shape::Quad(_)) {
+            self.model.note(WARPED, Some(place));
+        }
+        let Coat { object, material, sides } = coat;
+        self.objects.push(object);
+        self.model.surfaces.push(Surface { name: String::new(), material, shape, sides, place: Some(place) });
+        Ok(())
+    }
+
+    /// The model: coplanar faces of an object merged, surfaces named by their objects, colours settled.
+    ///
+    /// # Errors
+    /// No faces; `what` names what the file lacks: "faces (f)".
+    pub fn finish(mut self, what: &str) -> Result<Model, Fault> {
+        if self.model.surfaces.is_empty() {
+            return Err(Fault::new(
+                format!("the file holds no {what}"),
+                "save the model with polygons, or name its format",
+            ));
+        }
+        merge::within(&mut self.model, &mut self.objects);
+        self.name();
+        colour::settle(&mut self.model);
+        Ok(self.model)
+    }
+
+    /// Names: the object's if it has one surface, else with a number behind it.
+    fn name(&mut self) {
+        let mut counts = vec![0_usize; self.names.len()];
+        for object in &self.objects {
+            counts[*object] += 1;
+        }
+        let mut names = UniqueNames::default();
+        let mut numbers = vec![0_usize; self.names.len()];
+        for (index, (surface, object)) in self.model.surfaces.iter_mut().zip(&self.objects).enumerate() {
+            numbers[*object] += 1;
+            let wanted = match &self.names[*object] {
+                Some(name) if counts[*object] == 1 => name.clone(),
+                Some(name) => format!("{name}-{}", numbers[*object]),
+                None => format!("{}-{}", kind(&surface.shape), index + 1),
+            };
+            surface.name = names.take(&wanted);
+        }
+    }
+}
+
+/// The kind of a face, as scenes call it.
+fn kind(shape: &Shape) -> &'static str {
+    match shape {
+        Shape::Quad(_) => "quad",
+        _ => "polygon",
+    }
+}

@@ -1,0 +1,415 @@
+//! The reader: entities one after another, arrays by going back, includes by going down.
+
+use glam::DVec3;
+use radiosity_photometry::error::Refusal;
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::text::{number, short};
+
+use crate::budget::Budget;
+use crate::builder::{Coat, ModelBuilder};
+use crate::files::Files;
+use crate::includes::Includes;
+use crate::mgf::chromaticity::Chromaticity;
+use crate::mgf::contexts::Contexts;
+use crate::mgf::lines::Lines;
+use crate::mgf::shapes::{self, Vertex};
+use crate::model::{Model, Shape, Sides};
+use crate::xform::{Similarity, Transforms};
+
+/// What radiosity carries of a material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Finish {
+    reflectance: [f64; 3],
+    emission: [f64; 3],
+    sides: Sides,
+}
+
+impl Default for Finish {
+    /// Black on both sides.
+    fn default() -> Self {
+        Self { reflectance: [0.0; 3], emission: [0.0; 3], sides: Sides::Both }
+    }
+}
+
+/// A transform that was begun and not yet ended.
+struct Open<'a> {
+    transforms: Transforms,
+    /// Which of its instances is being read.
+    instance: usize,
+    /// The transform outside it.
+    outside: Similarity,
+    /// The line behind it, to which an array goes back.
+    start: Lines<'a>,
+}
+
+/// What an MGF file says up to a line.
+pub(super) struct Reader<'a> {
+    includes: Includes<'a>,
+    model: ModelBuilder,
+    vertices: Contexts<Vertex>,
+    colours: Contexts<Chromaticity>,
+    materials: Contexts<Finish>,
+    objects: Vec<String>,
+    placed: Similarity,
+    budget: Budget,
+}
+
+impl<'a> Reader<'a> {
+    /// A reader of the scene that messages call `file`.
+    pub(super) fn new(file: &str, files: &'a dyn Files) -> Self {
+        Self {
+            includes: Includes::new(file, files),
+            model: ModelBuilder::default(),
+            vertices: Contexts::new("vertex"),
+            colours: Contexts::new("colour"),
+            materials: Contexts::new("material"),
+            objects: Vec::new(),
+            placed: Similarity::IDENTITY,
+            budget: Budget::default(),
+        }
+    }
+
+    /// The model that was read.
+    pub(super) fn finish(mut self) -> Model {
+        // MGF 2.0, entity `ed`: lumens per square metre.
+        self.model.unit("lx");
+        self.model.finish()
+    }
+
+    /// Reads the text of a file.
+    ///
+    /// # Errors
+    /// The first line that cannot be followed.
+    pub(super) fn read(&mut self, text: &str) -> Result<(), Refusal> {
+        let outer = self.placed;
+        let (mut lines, mut open) = (Lines::new(text), Vec::new());
+        while let Some(line) = lines.next() {
+            let words: Vec<&str> = line.text.split_ascii_whitespace().collect();
+            let done = self.budget.spend(line.text.len()).and_then(|()| match words[..] {
+                ["xf", ref arguments @ ..] => self.transform(arguments, &mut lines, &mut open),
+                _ => Ok(()),
+            });
+            done.map_err(|fault| self.refusal(fault, line.number))?;
+            match words[..] {
+                [] | ["xf", ..] => {}
+                ["i", ref arguments @ ..] => self.include(arguments, line.number)?,
+                [entity, ref arguments @ ..] => self
+                    .entity(entity, arguments, line.number)
+                    .map_err(|fault| self.refusal(fault, line.number))?,
+            }
+        }
+        self.end(&open)?;
+        self.placed = outer;
+        Ok(())
+    }
+
+    fn refusal(&self, fault: Fault, line: usize) -> Refusal {
+        fault.in_line(self.includes.current(), line)
+    }
+
+    /// Entity `xf`: with arguments it begins a transform; without it ends one, or goes back to its next instance.
+    fn transform<'t>(
+        &mut self,
+        arguments: &[&str],
+        lines: &mut Lines<'t>,
+        open: &mut Vec<Open<'t>>,
+    ) -> Result<(), Fault> {
+        if !arguments.is_empty() {
+            let (transforms, outside) = (transforms(arguments)?, self.placed);
+            self.placed = transforms.instance(0).then(&outside);
+            open.push(Open { transforms, instance: 0, outside, start: *lines });
+            return Ok(());
+        }
+        let Some(last) = open.last_mut() else {
+            return Err(Fault::new(
+                "an xf ends no transform",
+                "take it out, or begin one above: xf -t 0 0 1",
+            ));
+        };
+        last.instance += 1;
+        if last.instance < last.transforms.count() {
+            self.placed = last.transforms.instance(last.instance).then(&last.outside);
+            *lines = last.start;
+        } else {
+            self.placed = last.outside;
+            open.pop();
+        }
+        Ok(())
+    }
+
+    /// Transforms that are not ended end with their file; of an array nobody knows what it repeats.
+    fn end(&mut self, open: &[Open<'_>]) -> Result<(), Refusal> {
+        for Open { transforms, start, .. } in open {
+            let line = start.number() - 1;
+            if transforms.is_array() {
+                let fault =
+                    Fault::new("an array is not ended", "write a line with xf alone behind what it repeats");
+                return Err(self.refusal(fault, line));
+            }
+            self.model.note("a transform that is not ended ends with its file", line);
+        }
+        Ok(())
+    }
+
+    /// Entity `i`: another file, once or as an array.
+    fn include(&mut self, arguments: &[&str], line: usize) -> Result<(), Refusal> {
+        let located = |reader: &Self, fault: Fault| reader.refusal(fault, line);
+        let Some((name, arguments)) = arguments.split_first() else {
+            let fault = Fault::new("an include names no file", "write its name behind i");
+            return Err(located(self, fault));
+        };
+        let transforms = transforms(arguments).map_err(|fault| located(self, fault))?;
+        let path = self.includes.beside(name);
+        let outside = self.placed;
+        for instance in 0..transforms.count() {
+            let text = self.includes.enter(&path).map_err(|fault| located(self, fault))?;
+            self.placed = transforms.instance(instance).then(&outside);
+            self.read(&text)?;
+            self.includes.leave();
+            self.budget.spend_on_include().map_err(|fault| located(self, fault))?;
+        }
+        self.placed = outside;
+        Ok(())
+    }
+
+    /// All entities but `xf` and `i`.
+    fn entity(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<(), Fault> {
+        match entity {
+            comment if comment.starts_with('#') => Ok(()),
+            "v" => self.vertices.switch(arguments),
+            "c" => self.colours.switch(arguments),
+            "m" => self.materials.switch(arguments),
+            "p" | "n" => self.set_vertex(entity, arguments),
+            "cxy" | "cspec" | "cct" | "cmix" => self.set_colour(entity, arguments),
+            "rd" | "ed" | "sides" => self.set_material(entity, arguments),
+            "rs" | "td" | "ts" | "ir" => self.leave_out(entity, arguments, line),
+            "o" => self.object(arguments, line),
+            "ies" => {
+                self.model.note("luminaires with measured light (ies) are left out", line);
+                Ok(())
+            }
+            "f" | "fh" | "sph" | "cyl" | "cone" | "ring" | "torus" | "prism" => {
+                for shape in self.shapes(entity, arguments, line)? {
+                    self.add(&shape, line)?;
+                }
+                Ok(())
+            }
+            _ => {
+                self.model.note("lines that begin with no word of MGF are left out", line);
+                Ok(())
+            }
+        }
+    }
+
+    fn set_vertex(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Fault> {
+        let [x, y, z] = numbers(entity, arguments)?;
+        let vertex = self.vertices.current_mut();
+        match entity {
+            "p" => vertex.point = DVec3::new(x, y, z),
+            _ => vertex.normal = DVec3::new(x, y, z),
+        }
+        Ok(())
+    }
+
+    fn set_colour(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Fault> {
+        let colour = match entity {
+            "cxy" => {
+                let [x, y] = numbers(entity, arguments)?;
+                Chromaticity::of_xy(x, y)?
+            }
+            "cct" => {
+                let [kelvin] = numbers(entity, arguments)?;
+                Chromaticity::of_black_body(kelvin)?
+            }
+            "cspec" => {
+                let values: Vec<f64> = arguments
+                    .iter()
+                    .map(|word| number(word, "a number of cspec"))
+                    .collect::<Result<_, _>>()?;
+                let [first, last, ref values @ ..] = values[..] else {
+                    return Err(wrong_count("cspec", arguments.len(), "4 or more"));
+                };
+                Chromaticity::of_spectrum(first, last, values)?
+            }
+            _ => self.mixture(arguments)?,
+        };
+        *self.colours.current_mut() = colour;
+        Ok(())
+    }
+
+    fn mixture(&self, arguments: &[&str]) -> Result<Chromaticity, Fault> {
+        let mut parts = Vec::new();
+        for pair in arguments.chunks(2) {
+            let [weight, colour] = *pair else {
+                return Err(Fault::new("a mixture lacks a colour", "write a weight before each colour"));
+            };
+            parts.push((number(weight, "a weight")?, *self.colours.get(colour)?));
+        }
+        Chromaticity::of_mixture(&parts)
+    }
+
+    fn set_material(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Fault> {
+        let [value] = numbers(entity, arguments)?;
+        if value < 0.0 {
+            return Err(Fault::new(format!("{entity} is {value}, below 0"), "write 0 or more"));
+        }
+        let bands = self.colours.current().1.bands().map(|band| band * value);
+        let material = self.materials.current_mut();
+        match entity {
+            "rd" => material.reflectance = bands,
+            "ed" => material.emission = bands,
+            _ => {
+                material.sides = match value {
+                    1.0 => Sides::Front,
+                    2.0 => Sides::Both,
+                    _ => {
+                        return Err(Fault::new(
+                            format!("a material has {value} sides"),
+                            "write sides 1 or sides 2",
+                        ));
+                    }
+                };
+            }
+        }
+        Ok(())
+    }
+
+    /// Properties that radiosity does not carry; those that are 0 are not told.
+    fn leave_out(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<(), Fault> {
+        let first = arguments.first().ok_or_else(|| wrong_count(entity, 0, "1 or more"))?;
+        if number(first, &format!("a number of {entity}"))? == 0.0 {
+            return Ok(());
+        }
+        let text = match entity {
+            "rs" => "specular reflection is left out",
+            "td" => "diffuse transmission is left out",
+            "ts" => "specular transmission is left out",
+            _ => "indices of refraction are left out",
+        };
+        self.model.note(text, line);
+        Ok(())
+    }
+
+    fn object(&mut self, arguments: &[&str], line: usize) -> Result<(), Fault> {
+        match *arguments {
+            [] => {
+                if self.objects.pop().is_none() {
+                    self.model.note("an o that ends no object is left out", line);
+                }
+            }
+            [name] => {
+                let path = self.objects.last().map_or(name.to_owned(), |outer| format!("{outer}/{name}"));
+                if path.len() > LONGEST_NAME {
+                    return Err(Fault::new(
+                        "names of objects in objects are too long together",
+                        "end objects by o",
+                    ));
+                }
+                self.objects.push(path);
+            }
+            _ => return Err(wrong_count("o", arguments.len(), "1 name or none")),
+        }
+        Ok(())
+    }
+
+    /// The shapes of a geometric entity, before the transform.
+    fn shapes(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<Vec<Shape>, Fault> {
+        let radius = |word: &str| number(word, "a radius");
+        let point = |id: &str| Ok(self.vertices.get(id)?.point);
+        let shape = match (entity, arguments) {
+            ("f", outline) => shapes::face(self.points(outline, line)?)?,
+            ("fh", loops) => {
+                let loops = loops.split(|word| *word == "-").map(|ids| self.points(ids, line));
+                shapes::face_with_holes(loops.collect::<Result<_, _>>()?)?
+            }
+            ("sph", [center, size]) => shapes::sphere(point(center)?, radius(size)?),
+            ("cyl", [base, size, end]) => shapes::cone([point(base)?, point(end)?], [radius(size)?; 2])?,
+            ("cone", [base, first, end, second]) => {
+                shapes::cone([point(base)?, point(end)?], [radius(first)?, radius(second)?])?
+            }
+            ("ring", [vertex, inner, outer]) => {
+                shapes::ring(*self.vertices.get(vertex)?, radius(inner)?, radius(outer)?)?
+            }
+            ("torus", [vertex, least, most]) => {
+                shapes::torus(*self.vertices.get(vertex)?, radius(least)?, radius(most)?)?
+            }
+            ("prism", [outline @ .., length]) => {
+                let length = number(length, "the length of a prism")?;
+                return shapes::prism(self.points(outline, line)?, length);
+            }
+            (entity, arguments) => {
+                return Err(Fault::new(
+                    format!("{entity} does not have {} arguments", arguments.len()),
+                    format!("write {}", form(entity)),
+                ));
+            }
+        };
+        Ok(vec![shape])
+    }
+
+    fn points(&mut self, ids: &[&str], line: usize) -> Result<Vec<DVec3>, Fault> {
+        let vertices = ids.iter().map(|id| self.vertices.get(id).copied()).collect::<Result<Vec<_>, _>>()?;
+        if vertices.iter().any(|vertex| vertex.normal != DVec3::ZERO) {
+            self.model.note("normals of vertices are left out: faces are flat", line);
+        }
+        Ok(vertices.into_iter().map(|vertex| vertex.point).collect())
+    }
+
+    /// Adds a shape where the transform puts it.
+    fn add(&mut self, shape: &Shape, line: usize) -> Result<(), Fault> {
+        let (name, finish) = self.materials.current();
+        let coat = Coat {
+            name: name.unwrap_or("unnamed").to_owned(),
+            reflectance: finish.reflectance,
+            emission: finish.emission,
+            sides: finish.sides,
+        };
+        let name = self.objects.last().map(String::as_str);
+        self.model.surface(name, self.placed.shape(shape), &coat, line)
+    }
+}
+
+/// Most characters of an object's name with those around it. Chosen.
+const LONGEST_NAME: usize = 1000;
+
+/// The transforms that all of `arguments` make.
+fn transforms(arguments: &[&str]) -> Result<Transforms, Fault> {
+    let (transforms, read) = Transforms::parse(arguments)?;
+    match arguments.get(read) {
+        None => Ok(transforms),
+        Some(word) => Err(Fault::new(
+            format!("'{}' is no part of a transform", short(word)),
+            "write -t, -rx, -ry, -rz, -s, -mx, -my, -mz, -i or -a with their numbers",
+        )),
+    }
+}
+
+/// The `N` numbers behind an entity.
+fn numbers<const N: usize>(entity: &str, arguments: &[&str]) -> Result<[f64; N], Fault> {
+    let words: [&str; N] =
+        arguments.try_into().map_err(|_| wrong_count(entity, arguments.len(), &N.to_string()))?;
+    let mut values = [0.0; N];
+    for (value, word) in values.iter_mut().zip(words) {
+        *value = number(word, &format!("a number of {entity}"))?;
+    }
+    Ok(values)
+}
+
+/// How a geometric entity is written.
+fn form(entity: &str) -> &'static str {
+    match entity {
+        "sph" => "sph vertex radius",
+        "cyl" => "cyl vertex radius vertex",
+        "cone" => "cone vertex radius vertex radius",
+        "ring" => "ring vertex inner-radius outer-radius",
+        "torus" => "torus vertex least-radius greatest-radius",
+        _ => "prism vertex vertex vertex … length",
+    }
+}
+
+fn wrong_count(entity: &str, found: usize, expected: &str) -> Fault {
+    Fault::new(
+        format!("{entity} has {found} arguments, {expected} are needed"),
+        "write them on one line, or end lines with a backslash",
+    )
+}

@@ -1,0 +1,219 @@
+//! Bsdfs: the diffuse part of what surfaces do with light.
+
+use std::collections::HashMap;
+
+use radiosity_photometry::error::Refusal;
+use radiosity_photometry::text::short;
+
+use super::colours::{Colour, Colours};
+use super::element::Element;
+use super::ids::Ids;
+use super::remarks::Remarks;
+use crate::colour::UNKNOWN;
+use crate::model::Sides;
+
+/// Reflectance where the scene states none: Mitsuba's own.
+const USUAL: f64 = 0.5;
+
+/// Most bsdfs in one another. Chosen.
+const DEEPEST: usize = 16;
+
+/// What radiosity carries of a bsdf.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Finish {
+    /// Its id, or its type.
+    pub(super) name: String,
+    /// Diffuse reflectance of red, green and blue.
+    pub(super) reflectance: [f64; 3],
+    /// Which sides reflect.
+    pub(super) sides: Sides,
+    /// Whether light goes through it as if it were not there.
+    pub(super) is_void: bool,
+}
+
+/// What is known of bsdfs, by the numbers of their elements; nothing yet of those that are being looked at.
+#[derive(Debug, Default)]
+pub(super) struct Bsdfs(HashMap<usize, Option<Finish>>);
+
+impl Bsdfs {
+    /// The finish of a bsdf.
+    ///
+    /// # Errors
+    /// Values that are no numbers, ids that nothing has, bsdfs inside themselves.
+    pub(super) fn finish<'a>(
+        &mut self,
+        bsdf: &'a Element,
+        ids: &Ids<'a>,
+        remarks: &mut Remarks,
+    ) -> Result<Finish, Refusal> {
+        self.inner(bsdf, &mut Colours { ids, remarks }, 0)
+    }
+
+    fn inner<'a>(
+        &mut self,
+        bsdf: &'a Element,
+        colours: &mut Colours<'a, '_>,
+        depth: usize,
+    ) -> Result<Finish, Refusal> {
+        match self.0.get(&bsdf.number) {
+            Some(Some(known)) => return Ok(known.clone()),
+            None if depth < DEEPEST => {}
+            _ => {
+                return Err(bsdf.refusal(
+                    format!("bsdfs are in one another more than {DEEPEST} deep, or in a circle"),
+                    "take some out",
+                ));
+            }
+        }
+        self.0.insert(bsdf.number, None);
+        let mut finish = self.of(bsdf, colours, depth)?;
+        if let Some(id) = bsdf.attribute("id") {
+            finish.name = id.to_owned();
+        }
+        self.0.insert(bsdf.number, Some(finish.clone()));
+        Ok(finish)
+    }
+
+    fn of<'a>(
+        &mut self,
+        bsdf: &'a Element,
+        colours: &mut Colours<'a, '_>,
+        depth: usize,
+    ) -> Result<Finish, Refusal> {
+        let kind = bsdf.kind();
+        match kind {
+            "diffuse" => {
+                // What Mitsuba 0 calls it.
+                let is_old = bsdf.property("reflectance").is_none();
+                front(bsdf, if is_old { "diffuse_reflectance" } else { "reflectance" }, colours)
+            }
+            "roughdiffuse" => {
+                note(bsdf, "roughness is left out", colours);
+                front(bsdf, "reflectance", colours)
+            }
+            "plastic" | "roughplastic" | "pplastic" => {
+                note(bsdf, "specular reflection is left out", colours);
+                front(bsdf, "diffuse_reflectance", colours)
+            }
+            "principled" | "principledthin" => principled(bsdf, colours),
+            "twosided" => self.twosided(bsdf, colours, depth),
+            "mask" | "bumpmap" | "normalmap" => {
+                let what = if kind == "mask" { "opacity" } else { "the relief" };
+                note(bsdf, &format!("{what} is left out"), colours);
+                self.nested(bsdf, colours, depth).map(|mut nested| nested.remove(0))
+            }
+            "blendbsdf" => self.blend(bsdf, colours, depth),
+            "null" => Ok(Finish { is_void: true, ..black(bsdf) }),
+            _ => {
+                note(bsdf, "they are black", colours);
+                Ok(black(bsdf))
+            }
+        }
+    }
+
+    /// The bsdfs in a bsdf, at least one.
+    fn nested<'a>(
+        &mut self,
+        bsdf: &'a Element,
+        colours: &mut Colours<'a, '_>,
+        depth: usize,
+    ) -> Result<Vec<Finish>, Refusal> {
+        let mut nested = Vec::new();
+        for child in bsdf.children.iter().filter(|child| matches!(child.tag.as_str(), "bsdf" | "ref")) {
+            let meant = colours.ids.meant(child)?;
+            if meant.tag == "bsdf" {
+                nested.push(self.inner(meant, colours, depth + 1)?);
+            }
+        }
+        match nested.is_empty() {
+            false => Ok(nested),
+            true => Err(bsdf.refusal(
+                format!("the bsdf of type '{}' has no bsdf in it", short(bsdf.kind())),
+                "write one in it, or a <ref> to one",
+            )),
+        }
+    }
+
+    /// Both sides alike. Of two bsdfs the first, that of the front.
+    fn twosided<'a>(
+        &mut self,
+        bsdf: &'a Element,
+        colours: &mut Colours<'a, '_>,
+        depth: usize,
+    ) -> Result<Finish, Refusal> {
+        let mut nested = self.nested(bsdf, colours, depth)?;
+        if nested.len() > 1 {
+            note(bsdf, "the back is as the front", colours);
+        }
+        Ok(Finish { sides: Sides::Both, ..nested.remove(0) })
+    }
+
+    /// The mean of two bsdfs, `weight` of it the second.
+    fn blend<'a>(
+        &mut self,
+        bsdf: &'a Element,
+        colours: &mut Colours<'a, '_>,
+        depth: usize,
+    ) -> Result<Finish, Refusal> {
+        let nested = self.nested(bsdf, colours, depth)?;
+        let weight = match colours.property(bsdf, "weight")? {
+            Some(Colour::Known([weight, ..])) => weight.min(1.0),
+            _ => {
+                note(bsdf, "half of each is taken", colours);
+                0.5
+            }
+        };
+        let [first, second, ..] = &nested[..] else {
+            return Err(bsdf.refusal("the blend has one bsdf", "write two bsdfs in it"));
+        };
+        let mut finish = first.clone();
+        for (own, other) in finish.reflectance.iter_mut().zip(second.reflectance) {
+            *own += weight * (other - *own);
+        }
+        Ok(finish)
+    }
+}
+
+/// The front with the reflectance that `name` is given.
+fn front<'a>(bsdf: &'a Element, name: &str, colours: &mut Colours<'a, '_>) -> Result<Finish, Refusal> {
+    let reflectance = match colours.property(bsdf, name)? {
+        Some(Colour::Known(reflectance)) => reflectance,
+        Some(Colour::Unknown(kind)) => {
+            colours.remarks.add(
+                format!("reflectances of type '{kind}' become {UNKNOWN}: their mean is not known"),
+                bsdf,
+            );
+            [UNKNOWN; 3]
+        }
+        None => [USUAL; 3],
+    };
+    Ok(Finish { reflectance, ..black(bsdf) })
+}
+
+/// The base colour less the metallic and the transmitting part.
+fn principled<'a>(bsdf: &'a Element, colours: &mut Colours<'a, '_>) -> Result<Finish, Refusal> {
+    note(bsdf, "specular reflection and transmission are left out", colours);
+    let mut finish = front(bsdf, "base_color", colours)?;
+    for name in ["metallic", "spec_trans"] {
+        if let Some(Colour::Known([part, ..])) = colours.property(bsdf, name)? {
+            finish.reflectance = finish.reflectance.map(|value| value * (1.0 - part.min(1.0)));
+        }
+    }
+    if bsdf.kind() == "principledthin" {
+        finish.sides = Sides::Both;
+    }
+    Ok(finish)
+}
+
+/// A black front.
+fn black(bsdf: &Element) -> Finish {
+    let kind = short(bsdf.kind());
+    let name = if kind.is_empty() { "bsdf".to_owned() } else { kind };
+    Finish { name, reflectance: [0.0; 3], sides: Sides::Front, is_void: false }
+}
+
+/// Says what of bsdfs of a type is left out. What else is in it needs no word.
+fn note(bsdf: &Element, what: &str, colours: &mut Colours<'_, '_>) {
+    bsdf.pass_over();
+    colours.remarks.add(format!("of bsdfs of type '{}': {what}", short(bsdf.kind())), bsdf);
+}

@@ -1,0 +1,120 @@
+//! Parameters: values that `<default>` gives to names, and texts with `$name` in them.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::text::short;
+
+/// Most bytes of a name, of a value, and of a text with its parameters filled in. Chosen; not tuned.
+const LONGEST_NAME: usize = 100;
+const LONGEST_VALUE: usize = 10_000;
+const LONGEST_TEXT: usize = 100_000;
+
+/// The parameters that are known so far.
+#[derive(Debug, Default)]
+pub(super) struct Parameters {
+    values: HashMap<String, String>,
+}
+
+impl Parameters {
+    /// Gives a parameter its value, unless it has one.
+    ///
+    /// # Errors
+    /// A name without characters, a name or a value that is too long.
+    pub(super) fn add(&mut self, name: &str, value: &str) -> Result<(), Fault> {
+        if name.is_empty() {
+            return Err(Fault::new("a parameter has no name", "write name=\"…\" in <default>"));
+        }
+        if name.len() > LONGEST_NAME || value.len() > LONGEST_VALUE {
+            return Err(Fault::new(
+                format!(
+                    "the parameter '{}' is longer than {LONGEST_NAME} or its value than {LONGEST_VALUE} bytes",
+                    short(name)
+                ),
+                "write the value in its place",
+            ));
+        }
+        self.values.entry(name.to_owned()).or_insert_with(|| value.to_owned());
+        Ok(())
+    }
+
+    /// `text` with the values of its parameters. Of several names that fit behind a `$` the longest counts; `\$` is a `$`.
+    ///
+    /// # Errors
+    /// A parameter that has no value, and a text that becomes too long.
+    pub(super) fn fill<'t>(&self, text: &'t str) -> Result<Cow<'t, str>, Fault> {
+        if !text.contains('$') {
+            return Ok(Cow::Borrowed(text));
+        }
+        let (mut filled, mut rest) = (String::new(), text);
+        while let Some((before, behind)) = rest.split_once('$') {
+            match before.strip_suffix('\\') {
+                Some(before) => {
+                    filled.push_str(before);
+                    filled.push('$');
+                    rest = behind;
+                }
+                None => {
+                    let (name, value) = self.first(behind)?;
+                    filled.push_str(before);
+                    filled.push_str(value);
+                    rest = &behind[name..];
+                }
+            }
+            if filled.len() > LONGEST_TEXT {
+                return Err(Fault::new(
+                    format!("a text with its parameters is longer than {LONGEST_TEXT} bytes"),
+                    "shorten it",
+                ));
+            }
+        }
+        filled.push_str(rest);
+        Ok(Cow::Owned(filled))
+    }
+
+    /// How long the name is that `text` begins with, and its value.
+    fn first(&self, text: &str) -> Result<(usize, &str), Fault> {
+        let ends = (1..=text.len().min(LONGEST_NAME)).rev().filter(|end| text.is_char_boundary(*end));
+        let known = ends.filter_map(|end| Some((end, self.values.get(&text[..end])?.as_str()))).next();
+        known.ok_or_else(|| {
+            let is_of_name = |c: char| c.is_alphanumeric() || c == '_';
+            let end = text.find(|c| !is_of_name(c)).unwrap_or(text.len());
+            let name = short(&text[..end]);
+            Fault::new(
+                format!("the parameter ${name} has no value"),
+                format!("write <default name=\"{name}\" value=\"…\"/> above, or the value in its place"),
+            )
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_longest_name_and_the_first_value_count() {
+        let mut parameters = Parameters::default();
+        for (name, value) in [("a", "1"), ("ab", "2"), ("a", "3"), ("é", "4")] {
+            assert_eq!(parameters.add(name, value), Ok(()));
+        }
+        let told = [("$a", "1"), ("$ab$a", "21"), ("$ac", "1c"), ("x\\$a", "x$a"), ("$é$é", "44"), ("", "")];
+        for (text, expected) in told {
+            assert_eq!(parameters.fill(text).as_deref(), Ok(expected), "{text}");
+        }
+        for text in ["$", "$c", "1$ ab"] {
+            assert!(parameters.fill(text).is_err_and(|fault| fault.cause.contains("has no value")), "{text}");
+        }
+    }
+
+    #[test]
+    fn texts_do_not_grow_without_end() {
+        let mut parameters = Parameters::default();
+        assert_eq!(parameters.add("a", &"1".repeat(9999)), Ok(()));
+        assert!(parameters.fill(&"$a".repeat(99_999)).is_err());
+        assert!(parameters.add("b", &"1".repeat(10_001)).is_err());
+        assert!(parameters.add(&"b".repeat(101), "1").is_err());
+        assert!(parameters.add("", "1").is_err());
+    }
+}

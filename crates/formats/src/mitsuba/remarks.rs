@@ -1,0 +1,38 @@
+//! Remarks: what was left out or changed, each kind said once, and not too many kinds.
+
+use std::collections::HashMap;
+
+use radiosity_photometry::note::Note;
+use radiosity_photometry::place::Place;
+
+use super::element::Element;
+
+/// Most kinds of remarks; further ones are one kind. Chosen; not tuned.
+const MOST: usize = 100;
+
+/// What was remarked so far.
+#[derive(Debug, Default)]
+pub(super) struct Remarks {
+    notes: Vec<Note>,
+    known: HashMap<String, usize>,
+}
+
+impl Remarks {
+    /// Remarks something about an element; what was remarked before is only counted.
+    pub(super) fn add(&mut self, text: impl Into<String>, element: &Element) {
+        let text = text.into();
+        let is_room = self.notes.len() < MOST || self.known.contains_key(&text);
+        let text = if is_room { text } else { "other things that are not known are left out".to_owned() };
+        let next = self.notes.len();
+        let index = *self.known.entry(text.clone()).or_insert(next);
+        match self.notes.get_mut(index) {
+            Some(note) => note.count += 1,
+            None => self.notes.push(Note { text, place: Some(Place::Line(element.line)), count: 1 }),
+        }
+    }
+
+    /// The notes, in the order of what they were first remarked about.
+    pub(super) fn notes(self) -> Vec<Note> {
+        self.notes
+    }
+}

@@ -1,0 +1,54 @@
+//! Scenes: shapes, a camera, and what else is at the top.
+
+use radiosity_photometry::error::Refusal;
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::text::short;
+
+use super::colours::Colours;
+use super::element::Element;
+use super::emitters;
+use super::ids::Ids;
+use super::leftovers;
+use super::remarks::Remarks;
+use super::sensor;
+use super::shapes::Shapes;
+use crate::files::Files;
+use crate::model::Model;
+
+/// The model of a scene.
+///
+/// # Errors
+/// A root that is no scene, no shapes, and whatever cannot be followed.
+pub(super) fn model(root: &Element, files: &dyn Files) -> Result<Model, Refusal> {
+    if root.tag != "scene" {
+        return Err(root.refusal(
+            format!("the file begins with <{}>, not with <scene>", short(&root.tag)),
+            "name its format, or put it into <scene version=\"3.0.0\">",
+        ));
+    }
+    let ids = Ids::of(root)?;
+    let mut remarks = Remarks::default();
+    let mut shapes = Shapes::new(&ids, files);
+    let mut camera = None;
+    for child in &root.children {
+        match child.tag.as_str() {
+            "shape" => shapes.add(child, &mut remarks)?,
+            "emitter" => emitters::left_out(child, &mut Colours { ids: &ids, remarks: &mut remarks }),
+            "sensor" if camera.is_some() => {
+                child.pass_over();
+                remarks.add("cameras after the first are left out", child);
+            }
+            "sensor" => camera = sensor::camera(child, &ids, &mut remarks)?,
+            _ => {}
+        }
+    }
+    leftovers::remark(root, &mut remarks);
+    let mut model = shapes.finish();
+    if model.surfaces.is_empty() {
+        let fault = Fault::new("the scene holds no shapes that are known", "add shapes, or name its format");
+        return Err(fault.of_file(&root.file));
+    }
+    model.camera = camera;
+    model.notes.extend(remarks.notes());
+    Ok(model)
+}

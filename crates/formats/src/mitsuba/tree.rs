@@ -1,0 +1,307 @@
+//! The elements of a scene and of the files that it includes, with parameters filled in.
+
+use std::cell::Cell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use radiosity_photometry::error::Refusal;
+use radiosity_photometry::fault::Fault;
+use roxmltree::{Document, Error, Node, ParsingOptions};
+
+use super::element::Element;
+use super::parameters::Parameters;
+use crate::budget::Budget;
+use crate::files::Files;
+use crate::includes::Includes;
+
+/// Most bytes of a file, most elements and bytes of attributes of a scene with its includes. Chosen; not tuned: a scene
+/// names its meshes, it does not hold them.
+const LONGEST: usize = 1 << 26;
+const MOST_ELEMENTS: usize = 2_000_000;
+const MOST_CHARACTERS: usize = 1 << 28;
+
+/// Most elements in one another. Chosen: scenes have six.
+const DEEPEST: usize = 64;
+
+/// Most quotes in an element and most prefixes of namespaces in a file: the time of reading them is quadratic. Chosen.
+const MOST_QUOTES: usize = 1000;
+const MOST_PREFIXES: usize = 100;
+
+/// Most characters of a message about XML. Chosen; not tuned.
+const LONGEST_MESSAGE: usize = 160;
+
+/// The root element of the scene `file`, what it includes in the places of the includes.
+///
+/// # Errors
+/// Text that is no XML, entities, parameters without values, files that cannot be included, too much of anything.
+pub(super) fn read(file: &str, text: &str, files: &dyn Files) -> Result<Element, Refusal> {
+    let mut reader = Reader {
+        includes: Includes::new(file, files),
+        parameters: Parameters::default(),
+        budget: Budget::default(),
+        elements: 0,
+        characters: 0,
+        is_there: HashMap::new(),
+    };
+    reader.file(text, &[], 0)
+}
+
+/// What was read up to an element.
+struct Reader<'a> {
+    includes: Includes<'a>,
+    parameters: Parameters,
+    budget: Budget,
+    elements: usize,
+    characters: usize,
+    /// Whether there are files, by their paths.
+    is_there: HashMap<String, bool>,
+}
+
+/// A file that is being read.
+struct Source {
+    name: Rc<str>,
+    /// Where its lines begin.
+    lines: Vec<usize>,
+    /// Whether it is of Mitsuba 0, whose names are written in another way.
+    is_old: bool,
+    /// Folders that files are looked for in, seen from the scene's folder; the first that has one counts.
+    folders: Vec<String>,
+}
+
+impl Source {
+    fn line(&self, node: Node<'_, '_>) -> usize {
+        self.lines.partition_point(|line| *line <= node.range().start).max(1)
+    }
+
+    fn at(&self, node: Node<'_, '_>, fault: Fault) -> Refusal {
+        fault.in_line(&self.name, self.line(node))
+    }
+}
+
+impl Reader<'_> {
+    /// The root element of a file.
+    fn file(&mut self, text: &str, outer: &[String], depth: usize) -> Result<Element, Refusal> {
+        let name: Rc<str> = self.includes.current().into();
+        check(text).and_then(|()| self.budget.spend(text.len())).map_err(|fault| fault.of_file(&name))?;
+        let options = ParsingOptions { nodes_limit: 4 * MOST_ELEMENTS as u32, ..ParsingOptions::default() };
+        let document = Document::parse_with_options(text, options).map_err(|error| refusal(&name, &error))?;
+        let root = document.root_element();
+        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        let mut source = Source {
+            name,
+            lines: std::iter::once(0).chain(ends.map(|(at, _)| at + 1)).collect(),
+            is_old: root.attribute("version").is_some_and(is_old),
+            folders: std::iter::once(self.includes.beside(".")).chain(outer.iter().cloned()).collect(),
+        };
+        self.element(root, &mut source, depth)
+    }
+
+    fn element(&mut self, node: Node<'_, '_>, source: &mut Source, depth: usize) -> Result<Element, Refusal> {
+        if depth >= DEEPEST {
+            let fault =
+                Fault::new(format!("elements are in one another more than {DEEPEST} deep"), "take some out");
+            return Err(source.at(node, fault));
+        }
+        let attributes = self.attributes(node, source).map_err(|fault| source.at(node, fault))?;
+        let number = self.count(&attributes).map_err(|fault| source.at(node, fault))?;
+        let mut children = Vec::new();
+        for child in node.children().filter(Node::is_element) {
+            match child.tag_name().name() {
+                "default" => self.parameter(child, source).map_err(|fault| source.at(child, fault))?,
+                "path" => self.folder(child, source).map_err(|fault| source.at(child, fault))?,
+                "include" => {
+                    let included = self.include(child, source, depth + 1)?;
+                    match included.tag == "scene" {
+                        true => children.extend(included.children),
+                        false => children.push(included),
+                    }
+                }
+                _ => children.push(self.element(child, source, depth + 1)?),
+            }
+        }
+        Ok(Element {
+            tag: tag(node, source),
+            attributes,
+            children,
+            file: source.name.clone(),
+            line: source.line(node),
+            number,
+            is_met: Cell::new(false),
+        })
+    }
+
+    /// The attributes of an element: parameters filled in, names of Mitsuba 0 as they are now, files found.
+    fn attributes(&mut self, node: Node<'_, '_>, source: &Source) -> Result<Vec<(String, String)>, Fault> {
+        let is_file = node.attribute("name") == Some("filename");
+        let mut attributes = Vec::new();
+        for attribute in node.attributes() {
+            let mut value = self.parameters.fill(attribute.value())?.into_owned();
+            match attribute.name() {
+                "name" if source.is_old => value = snake(&value),
+                "value" if is_file => value = self.found(&value, source),
+                _ => {}
+            }
+            attributes.push((attribute.name().to_owned(), value));
+        }
+        Ok(attributes)
+    }
+
+    /// The number of a further element.
+    fn count(&mut self, attributes: &[(String, String)]) -> Result<usize, Fault> {
+        self.elements += 1;
+        self.characters += attributes.iter().map(|(name, value)| name.len() + value.len()).sum::<usize>();
+        if self.elements > MOST_ELEMENTS || self.characters > MOST_CHARACTERS {
+            return Err(Fault::new(
+                format!("more than {MOST_ELEMENTS} elements or {MOST_CHARACTERS} characters in them"),
+                "join shapes to meshes (type=\"ply\")",
+            ));
+        }
+        Ok(self.elements)
+    }
+
+    fn parameter(&mut self, node: Node<'_, '_>, source: &Source) -> Result<(), Fault> {
+        let plain =
+            Source { is_old: false, name: source.name.clone(), lines: Vec::new(), folders: Vec::new() };
+        let attributes = self.attributes(node, &plain)?;
+        let value = |wanted: &str| attributes.iter().find(|(name, _)| name == wanted).map(|(_, value)| value);
+        match (value("name"), value("value")) {
+            (Some(name), Some(value)) => self.parameters.add(name, value),
+            _ => Err(Fault::new(
+                "a <default> has no name or no value",
+                "write <default name=\"…\" value=\"…\"/>",
+            )),
+        }
+    }
+
+    /// A folder that files are looked for in before all others.
+    fn folder(&mut self, node: Node<'_, '_>, source: &mut Source) -> Result<(), Fault> {
+        let Some(value) = node.attribute("value") else {
+            return Err(Fault::new("a <path> has no value", "write <path value=\"…\"/>"));
+        };
+        if source.folders.len() > DEEPEST {
+            return Err(Fault::new(format!("more than {DEEPEST} folders"), "take a <path> out"));
+        }
+        let folder = self.includes.beside(&self.parameters.fill(value)?);
+        source.folders.insert(0, folder);
+        Ok(())
+    }
+
+    /// The path of a file seen from the scene's folder: in the first folder that has it, or in the first of all.
+    fn found(&mut self, name: &str, source: &Source) -> String {
+        let path =
+            |folder: &String| if folder.is_empty() { name.to_owned() } else { format!("{folder}/{name}") };
+        let mut paths: Vec<String> = source.folders.iter().map(path).collect();
+        if paths.len() == 1 {
+            return paths.remove(0);
+        }
+        let first = paths.iter().position(|path| match self.is_there.get(path) {
+            Some(is_there) => *is_there,
+            None => *self.is_there.entry(path.clone()).or_insert(self.includes.has(path)),
+        });
+        paths.swap_remove(first.unwrap_or(0))
+    }
+
+    fn include(&mut self, node: Node<'_, '_>, source: &Source, depth: usize) -> Result<Element, Refusal> {
+        let enter = |reader: &mut Self| {
+            let Some(name) = node.attribute("filename") else {
+                return Err(Fault::new("an <include> names no file", "write filename=\"…\" in it"));
+            };
+            reader.budget.spend_on_include()?;
+            let name = reader.parameters.fill(name)?.into_owned();
+            let path = reader.found(&name, source);
+            reader.includes.enter(&path)
+        };
+        let text = enter(self).map_err(|fault| source.at(node, fault))?;
+        let included = self.file(&text, &source.folders, depth)?;
+        self.includes.leave();
+        Ok(included)
+    }
+}
+
+/// Refuses what would take long to read.
+fn check(text: &str) -> Result<(), Fault> {
+    if text.len() > LONGEST {
+        return Err(Fault::new(
+            format!("the scene is longer than {LONGEST} bytes"),
+            "put its meshes into files of their own",
+        ));
+    }
+    let is_tag = |part: &&str| !part.starts_with(['!', '?']);
+    let quotes = |part: &str| part.bytes().filter(|byte| matches!(byte, b'"' | b'\'')).count();
+    if text.split('<').filter(is_tag).any(|part| quotes(part) > MOST_QUOTES) {
+        return Err(Fault::new(format!("an element has more than {MOST_QUOTES} quotes"), "take some out"));
+    }
+    if text.matches("xmlns:").count() > MOST_PREFIXES {
+        return Err(Fault::new(
+            format!("more than {MOST_PREFIXES} namespaces are declared"),
+            "take them out: Mitsuba has none",
+        ));
+    }
+    Ok(())
+}
+
+/// What is wrong with a text that is no XML.
+fn refusal(file: &str, error: &Error) -> Refusal {
+    let (cause, cure) = match error {
+        Error::DtdDetected => ("the file declares its own entities (<!DOCTYPE …>)".to_owned(), {
+            "write their texts in their places, or use <default> and $name"
+        }),
+        Error::NodesLimitReached | Error::AttributesLimitReached => {
+            ("the file has too many elements".to_owned(), "join shapes to meshes (type=\"ply\")")
+        }
+        _ => {
+            let message = error.to_string();
+            let message = message.rsplit_once(" at ").map_or(message.as_str(), |(message, _)| message);
+            let message: String = message.chars().take(LONGEST_MESSAGE).collect();
+            (format!("this is no XML: {message}"), "correct it, or name its format")
+        }
+    };
+    Fault::new(cause, cure).in_line(file, error.pos().row as usize)
+}
+
+/// Whether a version is below 2, of Mitsuba 0.
+fn is_old(version: &str) -> bool {
+    let major = version.trim().split('.').next().unwrap_or_default();
+    major.parse::<u32>().is_ok_and(|major| major < 2)
+}
+
+fn tag(node: Node<'_, '_>, source: &Source) -> String {
+    let tag = node.tag_name().name();
+    if source.is_old { tag.to_ascii_lowercase() } else { tag.to_owned() }
+}
+
+/// `toWorld` as it is written since Mitsuba 2: `to_world`.
+fn snake(name: &str) -> String {
+    let mut snake = String::with_capacity(name.len() + 4);
+    for c in name.chars() {
+        if c.is_ascii_uppercase() && snake.ends_with(|last: char| last.is_ascii_lowercase()) {
+            snake.push('_');
+        }
+        snake.push(c.to_ascii_lowercase());
+    }
+    snake
+}
+
+#[cfg(test)]
+mod tests {
+    use radiosity_photometry::place::Place;
+
+    use super::*;
+
+    #[test]
+    fn names_of_mitsuba_0_are_told_as_now() {
+        assert_eq!(
+            ["toWorld", "fovAxis", "radius", "uOffset"].map(snake),
+            ["to_world", "fov_axis", "radius", "u_offset"]
+        );
+        assert!(is_old("0.6.0") && is_old("1.0.0") && !is_old("2.0.0") && !is_old("3.5") && !is_old("x"));
+    }
+
+    #[test]
+    fn messages_of_short_words_name_what_is_wrong() {
+        let error = Document::parse("<a>\n<b></a>").expect_err("the tags are crossed");
+        let refusal = refusal("a.xml", &error);
+        assert!(refusal.cause.starts_with("this is no XML") && refusal.cause.contains("'b'"), "{refusal}");
+        assert_eq!(refusal.place, Some(Place::Line(2)));
+    }
+}

@@ -1,0 +1,183 @@
+//! A scene as another program holds it: named surfaces with shapes and diffuse materials per band.
+//!
+//! Readers promise: every number is finite, every material index is in range, every vertex list has at least three
+//! entries. They do not promise that outlines are sound or that reflectances are below 1: `repair` sees to that.
+
+use glam::DVec3;
+use radiosity_photometry::note::Note;
+use radiosity_photometry::place::Place;
+
+/// Most surfaces that a reader makes, faces of meshes counted before they are merged. Chosen: a model of so many holds half
+/// a gigabyte.
+pub const MOST_SURFACES: usize = 1_000_000;
+
+/// Most vertices of all surfaces. Chosen; not tuned.
+pub const MOST_VERTICES: usize = 10_000_000;
+
+/// Greatest coordinate, radius, reflectance or exitance, of any unit: its sixth power is still a number. Chosen; not tuned.
+pub const GREATEST: f64 = 1e50;
+
+/// A scene of another program.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Model {
+    /// What it is, for people.
+    pub title: Option<String>,
+    /// Names of the bands, at least one: `["grey"]` where no material has a colour, else `["r", "g", "b"]`.
+    pub bands: Vec<String>,
+    /// Unit of exitance, where the format states one.
+    pub unit: Option<String>,
+    /// Materials; their names are unique.
+    pub materials: Vec<Material>,
+    /// Surfaces; their names are unique.
+    pub surfaces: Vec<Surface>,
+    /// The first camera.
+    pub camera: Option<Camera>,
+    /// What was left out or changed by reading, each kind said once.
+    pub notes: Vec<Note>,
+}
+
+/// A diffuse material: the part of another program's material that radiosity carries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Its name.
+    pub name: String,
+    /// Diffuse reflectance of each band. Not yet below 1.
+    pub reflectance: Vec<f64>,
+    /// Exitance of each band (π × radiance), ≥ 0.
+    pub emission: Vec<f64>,
+}
+
+/// A surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// Its name, not blank.
+    pub name: String,
+    /// Index of its material; none in formats without materials.
+    pub material: Option<usize>,
+    /// Its shape.
+    pub shape: Shape,
+    /// Which sides reflect and emit.
+    pub sides: Sides,
+    /// Where in the file it stands.
+    pub place: Option<Place>,
+}
+
+/// Which sides of a surface reflect and emit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sides {
+    /// The front only.
+    Front,
+    /// Front and back.
+    Both,
+    /// The format leaves it open.
+    Open,
+}
+
+/// A shape with its front.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// A planar polygon. Front: seen from it the outline runs counter-clockwise. Holes run in any direction.
+    Polygon {
+        /// The outline, at least three points, the last not repeated.
+        outline: Vec<DVec3>,
+        /// Outlines of holes.
+        holes: Vec<Vec<DVec3>>,
+    },
+    /// A bilinear patch through four points not in a plane. Front: (v₁ − v₀) × (v₃ − v₀).
+    Quad([DVec3; 4]),
+    /// A disk, or a ring if `inner` > 0. Front: `normal`.
+    Disk {
+        /// Its middle.
+        center: DVec3,
+        /// Direction of its front, of any length.
+        normal: DVec3,
+        /// Outer radius.
+        radius: f64,
+        /// Inner radius, 0 for a disk.
+        inner: f64,
+    },
+    /// The mantle of a cylinder without its lids.
+    Cylinder {
+        /// Middle of one end.
+        base: DVec3,
+        /// From there to the middle of the other end.
+        axis: DVec3,
+        /// Its radius.
+        radius: f64,
+        /// Whether the front is the inside.
+        inward: bool,
+    },
+    /// The mantle of a cone or of a frustum without its lids.
+    Cone {
+        /// Middle of one end.
+        base: DVec3,
+        /// From there to the middle of the other end.
+        axis: DVec3,
+        /// Radii at `base` and at the other end, ≥ 0, one above 0.
+        radii: [f64; 2],
+        /// Whether the front is the inside.
+        inward: bool,
+    },
+    /// A whole sphere.
+    Sphere {
+        /// Its middle.
+        center: DVec3,
+        /// Its radius.
+        radius: f64,
+        /// Whether the front is the inside.
+        inward: bool,
+    },
+    /// A whole torus.
+    Torus {
+        /// Its middle.
+        center: DVec3,
+        /// Direction of the axis, of any length.
+        axis: DVec3,
+        /// Radius of the circle that the tube's middle runs along.
+        major: f64,
+        /// Radius of the tube.
+        minor: f64,
+        /// Whether the front is the inside.
+        inward: bool,
+    },
+}
+
+/// A pinhole camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Where it stands.
+    pub eye: DVec3,
+    /// A point in the middle of the picture.
+    pub target: DVec3,
+    /// Upwards in the picture.
+    pub up: DVec3,
+    /// Angle from the lower to the upper border, degrees.
+    pub fov: f64,
+    /// Pixels along and down, where the file states them.
+    pub size: Option<[u32; 2]>,
+}
+
+impl Shape {
+    /// Turns it over: its front becomes its back. The first corner stays the first.
+    pub fn turn_over(&mut self) {
+        match self {
+            Shape::Polygon { outline, .. } => {
+                outline.reverse();
+                outline.rotate_right(1);
+            }
+            Shape::Quad(corners) => corners.swap(1, 3),
+            Shape::Disk { normal, .. } => *normal = -*normal,
+            Shape::Cylinder { inward, .. }
+            | Shape::Cone { inward, .. }
+            | Shape::Sphere { inward, .. }
+            | Shape::Torus { inward, .. } => *inward = !*inward,
+        }
+    }
+}
+
+impl Model {
+    /// Notes something at `place`; what was noted before is only counted.
+    pub fn note(&mut self, text: impl Into<String>, place: Option<Place>) {
+        Note::add(&mut self.notes, text, place);
+    }
+}

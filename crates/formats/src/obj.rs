@@ -1,0 +1,133 @@
+//! Wavefront OBJ with MTL (Wavefront Technologies, *Advanced Visualizer*, appendices B1 *Object Files* and B2 *MTL
+//! Material Format*).
+//!
+//! Faces (`f`) keep all their corners; those of an object (`o`, `g`: the latest one names it) that are coplanar and of
+//! one material are [merged](crate::merge). Four corners off their plane make a bilinear patch. Fronts are the sides
+//! from which corners run counter-clockwise. Normals, texture coordinates and smoothing are ignored; points, lines and
+//! free-form curves and surfaces are left out and noted.
+//!
+//! Of materials `Kd` is the reflectance; without it a material is black. `Ke` is read as radiance, so the exitance is
+//! π Ke. Textures, specular reflection and transparency are left out and noted: the mean of `map_Kd` is taken for one
+//! half, what `map_Ke` makes shine is dark. A material that no MTL file describes, as where the file is missing, reflects
+//! one half, which is noted: a side file may say better.
+
+mod statements;
+mod mtl;
+mod faces;
+mod bridge;
+pub mod write;
+
+use std::collections::{HashMap, HashSet};
+use std::f64::consts::PI;
+use std::io;
+
+use radiosity_photometry::error::Refusal;
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::located::decoded;
+use radiosity_photometry::place::Place;
+use radiosity_photometry::text::short;
+
+use crate::colour::UNKNOWN;
+use crate::files::Files;
+use crate::mesh::Mesh;
+use crate::model::{Material, Model};
+use faces::{Faces, Library};
+use mtl::Mtl;
+use statements::statements;
+
+/// Most bytes of all material files. Chosen; not tuned.
+const MOST: usize = 1 << 28;
+
+/// Reads an OBJ of the name `file` and the material files that it names.
+///
+/// # Errors
+/// Statements that OBJ and MTL do not have, numbers that are none, corners that no vertex is listed for, no faces.
+pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
+    let text = decoded(bytes).map_err(|located| located.in_file(file))?;
+    let mut faces = Faces::default();
+    for (line, statement) in statements(&text) {
+        faces.statement(&statement, line).map_err(|fault| fault.in_line(file, line))?;
+    }
+    let mut mesh = Mesh::default();
+    mesh.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
+    let known = libraries(file, &faces.libraries, files, &mut mesh.model)?;
+    for (name, line) in &faces.materials {
+        add_material(&mut mesh.model, name, known.get(name), *line);
+    }
+    faces.add_to(&mut mesh).map_err(|located| located.in_file(file))?;
+    mesh.finish("faces (f)").map_err(|fault| fault.of_file(file))
+}
+
+/// The materials of all material files by name; of several of one name the first. Files that cannot be read are noted.
+fn libraries(
+    file: &str,
+    libraries: &[Library],
+    files: &dyn Files,
+    model: &mut Model,
+) -> Result<HashMap<String, Mtl>, Refusal> {
+    let (mut known, mut read) = (HashMap::new(), HashSet::new());
+    let mut size = 0;
+    let mut missing = Vec::new();
+    for Library { names, line } in libraries {
+        for (name, bytes) in bytes(names, &read, files) {
+            read.insert(name.clone());
+            let bytes = match bytes {
+                Ok(bytes) => bytes,
+                Err(error) => {
+                    missing.push((format!("'{}' cannot be read: {error}", short(&name)), *line));
+                    continue;
+                }
+            };
+            size += bytes.len();
+            if size > MOST {
+                let fault = Fault::new(
+                    format!("the material files are longer than {MOST} bytes"),
+                    "name only those that the model needs",
+                );
+                return Err(fault.in_line(file, *line));
+            }
+            let text = decoded(&bytes).map_err(|located| located.in_file(&name))?;
+            mtl::read(&text, &mut known).map_err(|located| located.in_file(&name))?;
+        }
+    }
+    if let Some((first, line)) = missing.first() {
+        let more = match missing.len() - 1 {
+            0 => String::new(),
+            more => format!(", nor can {more} more"),
+        };
+        model.note(format!("the material file {first}{more}"), Some(Place::Line(*line)));
+    }
+    Ok(known)
+}
+
+/// The files that a statement names and that are not yet read: one whose name has blanks, or several.
+fn bytes(names: &str, read: &HashSet<String>, files: &dyn Files) -> Vec<(String, io::Result<Vec<u8>>)> {
+    if read.contains(names) {
+        return Vec::new();
+    }
+    if let Ok(bytes) = files.bytes(names) {
+        return vec![(names.to_owned(), Ok(bytes))];
+    }
+    let each = names.split_whitespace().filter(|name| !read.contains(*name));
+    each.map(|name| (name.to_owned(), files.bytes(name))).collect()
+}
+
+/// Adds the material of a name, as a material file describes it or not.
+fn add_material(model: &mut Model, name: &str, mtl: Option<&Mtl>, line: usize) {
+    let place = Some(Place::Line(line));
+    let (reflectance, emission) = match mtl {
+        Some(mtl) => {
+            mtl.left_out.iter().for_each(|what| model.note(what.as_str(), None));
+            (mtl.reflectance(), mtl.radiance().map(|value| PI * value))
+        }
+        None => {
+            model.note(format!("materials that no file describes reflect {UNKNOWN}"), place);
+            ([UNKNOWN; 3], [0.0; 3])
+        }
+    };
+    model.materials.push(Material {
+        name: name.to_owned(),
+        reflectance: reflectance.to_vec(),
+        emission: emission.to_vec(),
+    });
+}

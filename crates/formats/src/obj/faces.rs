@@ -1,0 +1,182 @@
+//! Vertices and faces of an OBJ.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::located::Located;
+use radiosity_photometry::place::Place;
+use radiosity_photometry::text::{number, short};
+
+use super::statements::split;
+use crate::mesh::{Coat, Mesh};
+use crate::model::Sides;
+
+/// Most vertices. Chosen; not tuned.
+const MOST: usize = 10_000_000;
+
+/// What a statement names material files by.
+#[derive(Debug)]
+pub(super) struct Library {
+    pub(super) names: String,
+    pub(super) line: usize,
+}
+
+/// A face: where its corners begin, its object and its material.
+#[derive(Debug)]
+struct Face {
+    start: usize,
+    object: usize,
+    material: Option<usize>,
+    line: usize,
+}
+
+/// What the statements of a text list.
+#[derive(Debug, Default)]
+pub(super) struct Faces {
+    vertices: Vec<DVec3>,
+    /// Corners of all faces as numbers of vertices from 0 on. What they number may stand below them.
+    corners: Vec<usize>,
+    faces: Vec<Face>,
+    /// Names of objects, none for faces before the first; the current one.
+    objects: Names,
+    object: String,
+    /// Names of materials that faces have, each with the line of its first use; the current one.
+    pub(super) materials: Vec<(String, usize)>,
+    material_numbers: Names,
+    material: Option<(String, usize)>,
+    pub(super) libraries: Vec<Library>,
+    notes: Vec<(&'static str, usize)>,
+}
+
+/// Numbers of names, in the order of their first use.
+type Names = HashMap<String, usize>;
+
+impl Faces {
+    /// Takes a statement of a line.
+    pub(super) fn statement(&mut self, statement: &str, line: usize) -> Result<(), Fault> {
+        let (keyword, rest) = split(statement);
+        match keyword.to_ascii_lowercase().as_str() {
+            "v" => self.vertex(rest, line)?,
+            "f" | "fo" => self.face(rest, line)?,
+            "o" | "g" => self.object = rest.to_owned(),
+            "usemtl" => self.material = (!rest.is_empty()).then(|| (rest.to_owned(), line)),
+            "mtllib" => self.libraries.push(Library { names: rest.to_owned(), line }),
+            "p" => self.note("points are left out", line),
+            "l" => self.note("lines are left out", line),
+            "curv" | "curv2" | "surf" | "bzp" | "bsp" | "cdc" | "cdp" | "res" => {
+                self.note("free-form curves and surfaces are left out", line);
+            }
+            "call" | "csh" => self.note("calls of other files and commands are left out", line),
+            "vt" | "vn" | "vp" | "s" | "lod" | "mg" | "bevel" | "c_interp" | "d_interp" | "usemap"
+            | "maplib" | "shadow_obj" | "trace_obj" | "cstype" | "deg" | "bmat" | "step" | "parm"
+            | "trim" | "hole" | "scrv" | "sp" | "end" | "con" | "ctech" | "stech" => {}
+            _ => {
+                return Err(Fault::new(
+                    format!("'{}' is no statement of OBJ", short(keyword)),
+                    "take the line out, put '#' before it, or name the format that the file has",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    fn note(&mut self, what: &'static str, line: usize) {
+        self.notes.push((what, line));
+    }
+
+    fn vertex(&mut self, rest: &str, line: usize) -> Result<(), Fault> {
+        let words: Vec<&str> = rest.split_whitespace().collect();
+        let [x, y, z, more @ ..] = words.as_slice() else {
+            return Err(Fault::new(
+                format!("the vertex has {} coordinates, it takes 3", words.len()),
+                "give it x, y and z",
+            ));
+        };
+        if more.len() >= 3 {
+            self.note("colours of vertices are left out", line);
+        }
+        if self.vertices.len() >= MOST {
+            return Err(Fault::new(format!("more than {MOST} vertices"), "split the model"));
+        }
+        self.vertices.push(DVec3::new(number(x, "x")?, number(y, "y")?, number(z, "z")?));
+        Ok(())
+    }
+
+    fn face(&mut self, rest: &str, line: usize) -> Result<(), Fault> {
+        let start = self.corners.len();
+        for word in rest.split_whitespace() {
+            let corner = self.corner(word)?;
+            self.corners.push(corner);
+        }
+        let next = self.objects.len();
+        let object = match self.objects.get(&self.object) {
+            Some(object) => *object,
+            None => *self.objects.entry(self.object.clone()).or_insert(next),
+        };
+        let material = self.material_number();
+        self.faces.push(Face { start, object, material, line });
+        Ok(())
+    }
+
+    /// The number of a vertex that a corner `v`, `v/vt`, `v//vn` or `v/vt/vn` has: from 1 on, or below 0 backwards from
+    /// the last vertex.
+    fn corner(&self, word: &str) -> Result<usize, Fault> {
+        let first = word.split('/').next().unwrap_or(word);
+        let count = self.vertices.len();
+        match first.parse::<isize>() {
+            Ok(index @ 1..) => Ok(index.unsigned_abs() - 1),
+            Ok(index @ ..=-1) => count.checked_sub(index.unsigned_abs()).ok_or_else(|| {
+                Fault::new(
+                    format!("the face has the vertex {index}; {count} are listed above it"),
+                    "correct the number, or list the vertex",
+                )
+            }),
+            Ok(0) => Err(Fault::new("the face has the vertex 0", "count vertices from 1 on")),
+            Err(_) => Err(Fault::new(
+                format!("the corner '{}' has no number of a vertex", short(word)),
+                "write it as v, v/vt, v//vn or v/vt/vn",
+            )),
+        }
+    }
+
+    /// The number of the current material.
+    fn material_number(&mut self) -> Option<usize> {
+        let (name, line) = self.material.as_ref()?;
+        if let Some(number) = self.material_numbers.get(name) {
+            return Some(*number);
+        }
+        let next = self.materials.len();
+        self.materials.push((name.clone(), *line));
+        self.material_numbers.insert(name.clone(), next);
+        Some(next)
+    }
+
+    /// Adds all faces to a mesh that has the materials.
+    pub(super) fn add_to(&self, mesh: &mut Mesh) -> Result<(), Located> {
+        for (what, line) in &self.notes {
+            mesh.model.note(*what, Some(Place::Line(*line)));
+        }
+        let mut names: Vec<(&String, &usize)> = self.objects.iter().collect();
+        names.sort_by_key(|(_, number)| **number);
+        let objects: Vec<usize> = names.iter().map(|(name, _)| mesh.object(Some(name))).collect();
+        let ends = self.faces.iter().skip(1).map(|face| face.start).chain([self.corners.len()]);
+        for (face, end) in self.faces.iter().zip(ends) {
+            let place = Place::Line(face.line);
+            let corners: Result<Vec<DVec3>, Fault> =
+                self.corners[face.start..end].iter().map(|corner| self.point(*corner)).collect();
+            let coat = Coat { object: objects[face.object], material: face.material, sides: Sides::Open };
+            corners.and_then(|corners| mesh.face(corners, coat, place)).map_err(|fault| fault.at(place))?;
+        }
+        Ok(())
+    }
+
+    fn point(&self, corner: usize) -> Result<DVec3, Fault> {
+        self.vertices.get(corner).copied().ok_or_else(|| {
+            Fault::new(
+                format!("the face has the vertex {}; {} are listed", corner + 1, self.vertices.len()),
+                "correct the number, or list the vertex",
+            )
+        })
+    }
+}

@@ -1,0 +1,139 @@
+//! MTL: the diffuse part of materials.
+
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::located::Located;
+use radiosity_photometry::place::Place;
+use radiosity_photometry::text::{number, short};
+
+use super::statements::{split, statements};
+use crate::colour::{TEXTURED, TEXTURED_EMISSION, UNKNOWN};
+use crate::model::GREATEST;
+
+const TEXTURES: &str = "textures are left out";
+const SPECULAR: &str = "specular reflection is left out";
+const TRANSPARENCY: &str = "transparency is left out";
+
+/// A material.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Mtl {
+    /// `Kd` and `Ke`, red, green and blue.
+    diffuse: Option<[f64; 3]>,
+    radiance: [f64; 3],
+    /// What of it is left out, each kind once.
+    pub(super) left_out: Vec<String>,
+}
+
+/// Adds the materials of a text to those that are known.
+pub(super) fn read(text: &str, known: &mut HashMap<String, Mtl>) -> Result<(), Located> {
+    let mut current: Option<(String, Mtl)> = None;
+    for (line, statement) in statements(text) {
+        let (keyword, rest) = split(&statement);
+        if keyword.eq_ignore_ascii_case("newmtl") {
+            let next = (rest.to_owned(), Mtl::default());
+            add(current.replace(next), known);
+            continue;
+        }
+        let Some((_, mtl)) = &mut current else {
+            return Err(Located::new(
+                Place::Line(line),
+                format!("'{}' stands before the first material", short(keyword)),
+                "begin each material with 'newmtl NAME'",
+            ));
+        };
+        mtl.statement(keyword, rest).map_err(|fault| fault.at(Place::Line(line)))?;
+    }
+    add(current, known);
+    Ok(())
+}
+
+/// Adds a material, if none of its name is known.
+fn add(mtl: Option<(String, Mtl)>, known: &mut HashMap<String, Mtl>) {
+    let Some((name, mtl)) = mtl else { return };
+    match known.entry(name) {
+        Entry::Vacant(entry) => drop(entry.insert(mtl)),
+        Entry::Occupied(mut entry) => {
+            let again = format!(
+                "the material '{}' is described again with other values: the first ones are taken",
+                short(entry.key())
+            );
+            let first = entry.get_mut();
+            if [first.reflectance(), first.radiance()] != [mtl.reflectance(), mtl.radiance()] {
+                first.leave_out(&again);
+            }
+        }
+    }
+}
+
+impl Mtl {
+    /// Reflectance of red, green and blue: `Kd`, times the mean of what `map_Kd` names. Black without both.
+    pub(super) fn reflectance(&self) -> [f64; 3] {
+        match (self.diffuse, self.has(TEXTURED)) {
+            (stated, true) => stated.unwrap_or([1.0; 3]).map(|value| UNKNOWN * value),
+            (stated, false) => stated.unwrap_or_default(),
+        }
+    }
+
+    /// Radiance of red, green and blue: `Ke`, or 0 where a texture tells what shines.
+    pub(super) fn radiance(&self) -> [f64; 3] {
+        if self.has(TEXTURED_EMISSION) { [0.0; 3] } else { self.radiance }
+    }
+
+    fn statement(&mut self, keyword: &str, rest: &str) -> Result<(), Fault> {
+        match keyword.to_ascii_lowercase().as_str() {
+            "kd" => self.diffuse = Some(colour(rest, "Kd")?),
+            "ke" => self.radiance = colour(rest, "Ke")?,
+            "ks" if colour(rest, "Ks").is_ok_and(|colour| colour != [0.0; 3]) => self.leave_out(SPECULAR),
+            "d" if last(rest).is_some_and(|d| d < 1.0) => self.leave_out(TRANSPARENCY),
+            // Programs write 0 for opaque, as transparency, or 1, as its opposite.
+            "tr" if last(rest).is_some_and(|tr| tr > 0.0 && tr < 1.0) => self.leave_out(TRANSPARENCY),
+            "pm" if last(rest).is_some_and(|metallic| metallic > 0.0) => self.leave_out(SPECULAR),
+            "map_kd" => self.leave_out(TEXTURED),
+            "map_ke" => self.leave_out(TEXTURED_EMISSION),
+            "bump" | "disp" | "decal" | "refl" | "norm" => self.leave_out(TEXTURES),
+            map if map.starts_with("map_") => self.leave_out(TEXTURES),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn has(&self, what: &str) -> bool {
+        self.left_out.iter().any(|own| own == what)
+    }
+
+    fn leave_out(&mut self, what: &str) {
+        if !self.has(what) {
+            self.left_out.push(what.to_owned());
+        }
+    }
+}
+
+/// The last word, if it is a number: options stand before it.
+fn last(rest: &str) -> Option<f64> {
+    rest.split_whitespace().next_back()?.parse().ok()
+}
+
+/// Red, green and blue; one number stands for all three.
+fn colour(rest: &str, what: &str) -> Result<[f64; 3], Fault> {
+    let words: Vec<&str> = rest.split_whitespace().collect();
+    let values: [f64; 3] = match words.as_slice() {
+        [one] => [number(one, what)?; 3],
+        [kind @ ("spectral" | "xyz"), ..] => {
+            return Err(Fault::new(format!("{what} is given as '{kind}'"), "give it as red, green and blue"));
+        }
+        [r, g, b] => [number(r, what)?, number(g, what)?, number(b, what)?],
+        _ => {
+            return Err(Fault::new(
+                format!("{what} has {} numbers", words.len()),
+                "give it red, green and blue, or one number",
+            ));
+        }
+    };
+    match values.iter().find(|value| !(0.0..=GREATEST).contains(*value)) {
+        Some(value) if *value < 0.0 => Err(Fault::new(format!("{what} is {value}, below 0"), "correct it")),
+        Some(_) => Err(Fault::new(format!("{what} is beyond {GREATEST:e}"), "correct it")),
+        None => Ok(values),
+    }
+}

@@ -1,0 +1,55 @@
+//! Pictures: PNG and OpenEXR → linear numbers of texels.
+//!
+//! A picture is read row by row and, where it has more texels than asked for, averaged on the way: memory is that of the result, whatever the header says. What is done to it is told in its [`Picture::remarks`].
+//!
+//! Transparent texels are refused, since nothing says what is behind them. A picture that is opaque everywhere may have an alpha
+//! channel.
+
+mod coding;
+mod reduction;
+mod refusals;
+mod portable;
+mod open;
+
+use radiosity_photometry::fault::Fault;
+
+pub use coding::Coding;
+pub use reduction::Picture;
+pub use refusals::{LONGEST, MOST_READ};
+
+/// The beginnings of files of other kinds, by which they are named.
+const OTHERS: [(&[u8], &str); 9] = [
+    (b"\xff\xd8\xff", "a JPEG"),
+    (b"GIF8", "a GIF"),
+    (b"BM", "a BMP"),
+    (b"II*\0", "a TIFF"),
+    (b"MM\0*", "a TIFF"),
+    (b"RIFF", "a WebP"),
+    (b"#?", "a picture of Radiance"),
+    (b"8BPS", "a picture of Photoshop"),
+    (b"\0\0\0\x0cjP", "a JPEG 2000"),
+];
+
+/// Reads a PNG or an OpenEXR, averaged to at most `most` texels; `coding` goes before what the file says of a PNG.
+///
+/// # Errors
+/// Another kind of file, a damaged or cut one, more than [`MOST_READ`] texels or [`LONGEST`] along a side, transparent texels,
+/// numbers that are not finite, channels other than grey or red, green and blue.
+pub fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<Picture, Fault> {
+    if bytes.starts_with(b"\x89PNG") {
+        return portable::read(bytes, coding, most);
+    }
+    if bytes.starts_with(b"\x76\x2f\x31\x01") {
+        return match coding {
+            Some(Coding::Srgb) => {
+                Err(Fault::new("an OpenEXR picture is linear, not sRGB", "leave the encoding out"))
+            }
+            _ => open::read(bytes, most),
+        };
+    }
+    let kind = OTHERS.iter().find(|(start, _)| bytes.starts_with(start)).map(|(_, kind)| *kind);
+    Err(Fault::new(
+        format!("it is {}, not PNG or OpenEXR", kind.unwrap_or("no picture that is known")),
+        "convert it, e.g. with ImageMagick: magick wood.jpg wood.png",
+    ))
+}

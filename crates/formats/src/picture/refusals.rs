@@ -1,0 +1,52 @@
+//! What no picture may be.
+
+use std::fmt::Display;
+
+use radiosity_photometry::fault::Fault;
+
+use super::reduction::{Reduction, Refused};
+
+/// Most texels of a file in all: 8192 × 8192. Chosen; not tuned.
+pub const MOST_READ: u64 = 1 << 26;
+
+/// Most texels of a file along one side, so that a row has at most half a megabyte. Chosen; not tuned.
+pub const LONGEST: u64 = 1 << 16;
+
+/// Refuses more texels than are read, before anything is allocated for them.
+pub(super) fn check_size([columns, rows]: [u64; 2]) -> Result<(), Fault> {
+    if columns == 0 || rows == 0 {
+        return Err(Fault::new("it has no texels", "choose another picture"));
+    }
+    if columns > LONGEST || rows > LONGEST || columns * rows > MOST_READ {
+        return Err(Fault::new(
+            format!("it has {columns} × {rows} texels, more than 65536 along a side or 8192 × 8192 in all"),
+            "make it smaller, e.g. with ImageMagick: magick large.png -resize 4096x4096 small.png",
+        ));
+    }
+    Ok(())
+}
+
+/// A damaged or cut file; `problem` is what its reader says.
+pub(super) fn damaged(problem: impl Display) -> Fault {
+    Fault::new(format!("it is damaged or cut off: {problem}"), "write it again")
+}
+
+/// Refuses a picture with a texel that none may have, or one that lacks some.
+pub(super) fn check_texels(reduction: &Reduction) -> Result<(), Fault> {
+    match reduction.refused() {
+        Some(Refused::Transparent(place)) => Err(Fault::new(
+            format!("{} is transparent", title(place)),
+            "lay it on a colour, e.g. with ImageMagick: magick wood.png -background white -flatten flat.png",
+        )),
+        Some(Refused::NotFinite(place, value)) => Err(Fault::new(
+            format!("{} is {value}, no finite number", title(place)),
+            "write the picture with finite numbers",
+        )),
+        None if !reduction.is_full() => Err(damaged("texels are missing")),
+        None => Ok(()),
+    }
+}
+
+fn title([column, row]: [usize; 2]) -> String {
+    format!("the texel in column {}, row {} from the top", column + 1, row + 1)
+}

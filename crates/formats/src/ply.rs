@@ -1,0 +1,47 @@
+//! PLY, the polygon file format (G. Turk, *The PLY Polygon File Format*, 1994), as text and binary of both byte orders.
+//!
+//! Of `vertex` elements x, y and z are read, of `face` elements the list `vertex_indices` or `vertex_index`; corners run
+//! counter-clockwise seen from the front. Faces keep all their corners; coplanar ones are [merged](crate::merge). There
+//! are no materials and no units: colours are left out, other elements and properties are skipped.
+
+mod header;
+mod numbers;
+mod elements;
+
+use radiosity_photometry::error::Refusal;
+use radiosity_photometry::located::Located;
+
+use crate::files::Files;
+use crate::mesh::Mesh;
+use crate::model::Model;
+use elements::Elements;
+use header::{Encoding, Header};
+use numbers::{Bits, Words};
+
+/// Reads a PLY of the name `file`. It names no other files.
+///
+/// # Errors
+/// A header that is not understood, counts beyond what is there, corners that no vertex is listed for, no faces.
+pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refusal> {
+    let mesh = mesh(bytes).map_err(|located| located.in_file(file))?;
+    mesh.finish("faces with a list vertex_indices").map_err(|fault| fault.of_file(file))
+}
+
+fn mesh(bytes: &[u8]) -> Result<Mesh, Located> {
+    let header = Header::of(bytes)?;
+    let mut mesh = Mesh::default();
+    mesh.model.bands = vec!["grey".to_owned()];
+    let mut elements = Elements::default();
+    match header.encoding {
+        Encoding::Text => {
+            let text = String::from_utf8_lossy(&bytes[header.body..]);
+            elements.read(&header, &mut Words::of(&text, header.lines), &mut mesh)?;
+        }
+        Encoding::Little | Encoding::Big => {
+            let is_big = header.encoding == Encoding::Big;
+            elements.read(&header, &mut Bits::of(bytes, header.body, is_big), &mut mesh)?;
+        }
+    }
+    elements.add_faces(&mut mesh)?;
+    Ok(mesh)
+}

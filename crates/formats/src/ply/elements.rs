@@ -1,0 +1,222 @@
+//! Vertices and faces of a PLY.
+
+use glam::DVec3;
+use radiosity_photometry::located::Located;
+use radiosity_photometry::place::Place;
+
+use super::header::{Element, Header, Property};
+use super::numbers::Numbers;
+use crate::mesh::{Coat, Mesh};
+use crate::model::{Model, Sides};
+
+/// Names that lists of corners have.
+const LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
+
+/// Most corners of a file's vertices and faces. Chosen; not tuned.
+const MOST: usize = 40_000_000;
+
+/// Vertices, and faces as numbers of vertices.
+#[derive(Debug, Default)]
+pub(super) struct Elements {
+    vertices: Vec<DVec3>,
+    corners: Vec<f64>,
+    /// Where each face begins in `corners`, and its place in the file.
+    faces: Vec<(usize, Place)>,
+}
+
+impl Elements {
+    /// Reads all elements that the header announces.
+    pub(super) fn read(
+        &mut self,
+        header: &Header,
+        numbers: &mut dyn Numbers,
+        mesh: &mut Mesh,
+    ) -> Result<(), Located> {
+        for element in &header.elements {
+            note(element, &mut mesh.model);
+            if element.properties.is_empty() {
+                continue;
+            }
+            let bytes = element.properties.iter().map(Property::least).sum();
+            let most = numbers.most_rows(bytes, element.properties.len());
+            if element.count > most.min(MOST) {
+                return Err(Located::new(
+                    Place::Line(element.line),
+                    format!(
+                        "{} elements are announced, {} at the most are there",
+                        element.count,
+                        most.min(MOST)
+                    ),
+                    "export the file again, or correct the count",
+                ));
+            }
+            match element.name.as_str() {
+                "vertex" => self.read_vertices(element, numbers)?,
+                "face" => self.read_faces(element, numbers)?,
+                _ => {
+                    for _ in 0..element.count {
+                        row(&element.properties, numbers, &mut |_, _| Ok(Kept::No))?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn read_vertices(&mut self, element: &Element, numbers: &mut dyn Numbers) -> Result<(), Located> {
+        let axis = |name: &str| {
+            let is_axis = |property: &Property| property.name == name && property.count.is_none();
+            element.properties.iter().position(is_axis).ok_or_else(|| {
+                Located::new(
+                    Place::Line(element.line),
+                    format!("the vertices have no property {name}"),
+                    "give them x, y and z as numbers",
+                )
+            })
+        };
+        let axes = [axis("x")?, axis("y")?, axis("z")?];
+        for _ in 0..element.count {
+            let place = numbers.place();
+            let mut point = DVec3::ZERO;
+            row(&element.properties, numbers, &mut |property, value| {
+                let Some(axis) = axes.iter().position(|axis| *axis == property) else { return Ok(Kept::No) };
+                if let Some(value) = value {
+                    point[axis] = value;
+                }
+                Ok(Kept::Yes)
+            })?;
+            if !point.is_finite() {
+                return Err(Located::new(
+                    place,
+                    "a coordinate of this vertex is not finite",
+                    "correct it, or export the model again",
+                ));
+            }
+            self.vertices.push(point);
+        }
+        Ok(())
+    }
+
+    fn read_faces(&mut self, element: &Element, numbers: &mut dyn Numbers) -> Result<(), Located> {
+        let is_list =
+            |property: &Property| property.count.is_some() && LISTS.contains(&property.name.as_str());
+        let Some(list) = element.properties.iter().position(is_list) else {
+            return Err(Located::new(
+                Place::Line(element.line),
+                "the faces have no list vertex_indices",
+                "add 'property list uchar int vertex_indices', or export the model with faces",
+            ));
+        };
+        for _ in 0..element.count {
+            let place = numbers.place();
+            self.faces.push((self.corners.len(), place));
+            let corners = &mut self.corners;
+            row(&element.properties, numbers, &mut |property, value| {
+                if property != list {
+                    return Ok(Kept::No);
+                }
+                corners.extend(value);
+                match corners.len() <= MOST {
+                    true => Ok(Kept::Yes),
+                    false => Err(Located::new(
+                        place,
+                        format!("the faces have more than {MOST} corners"),
+                        "split the model",
+                    )),
+                }
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Adds the faces to a mesh.
+    pub(super) fn add_faces(&self, mesh: &mut Mesh) -> Result<(), Located> {
+        let object = mesh.object(None);
+        let ends = self.faces.iter().skip(1).map(|face| face.0).chain([self.corners.len()]);
+        for ((start, place), end) in self.faces.iter().zip(ends) {
+            let corners: Result<Vec<DVec3>, Located> =
+                self.corners[*start..end].iter().map(|number| self.vertex(*number, *place)).collect();
+            let coat = Coat { object, material: None, sides: Sides::Open };
+            mesh.face(corners?, coat, *place).map_err(|fault| fault.at(*place))?;
+        }
+        Ok(())
+    }
+
+    fn vertex(&self, number: f64, place: Place) -> Result<DVec3, Located> {
+        // The cast of what is below 0 or no number is 0, which then differs.
+        let index = number as usize;
+        match self.vertices.get(index).filter(|_| index as f64 == number) {
+            Some(vertex) => Ok(*vertex),
+            None => Err(Located::new(
+                place,
+                format!("the face has the vertex {number}; {} are listed, from 0 on", self.vertices.len()),
+                "correct the number, or list the vertex",
+            )),
+        }
+    }
+}
+
+/// Whether a property is wanted.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kept {
+    Yes,
+    No,
+}
+
+/// Reads one element. `take` is asked about each property by its index, without a value, and then given the values of
+/// those that it wants.
+fn row(
+    properties: &[Property],
+    numbers: &mut dyn Numbers,
+    take: &mut dyn FnMut(usize, Option<f64>) -> Result<Kept, Located>,
+) -> Result<(), Located> {
+    for (index, property) in properties.iter().enumerate() {
+        let count = match property.count {
+            Some(scalar) => {
+                let place = numbers.place();
+                let count = numbers.number(scalar)?;
+                length(count).ok_or_else(|| {
+                    Located::new(
+                        place,
+                        format!(
+                            "the list '{}' has the length {count}",
+                            radiosity_photometry::text::short(&property.name)
+                        ),
+                        "correct its length, or export the model again",
+                    )
+                })?
+            }
+            None => 1,
+        };
+        if take(index, None)? == Kept::No {
+            numbers.skip(property.item, count)?;
+            continue;
+        }
+        for _ in 0..count {
+            let value = numbers.number(property.item)?;
+            take(index, Some(value))?;
+        }
+    }
+    Ok(())
+}
+
+/// The length of a list.
+fn length(count: f64) -> Option<usize> {
+    let length = count as usize;
+    (length as f64 == count && length <= MOST).then_some(length)
+}
+
+/// Says what of an element is left out.
+fn note(element: &Element, model: &mut Model) {
+    let place = Some(Place::Line(element.line));
+    let is_colour = |property: &Property| property.name.ends_with("red") || property.name == "r";
+    if element.count > 0 && element.properties.iter().any(is_colour) {
+        model.note("colours are left out", place);
+    }
+    match element.name.as_str() {
+        "vertex" | "face" => {}
+        "edge" => model.note("edges are left out", place),
+        "tristrips" => model.note("strips of triangles are left out", place),
+        _ => model.note("elements other than vertices and faces are left out", place),
+    }
+}

@@ -1,0 +1,218 @@
+//! The header of a PLY: how what follows is encoded, and the elements with their properties.
+
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::located::Located;
+use radiosity_photometry::place::Place;
+use radiosity_photometry::text::short;
+
+/// How what follows the header is encoded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Encoding {
+    Text,
+    Little,
+    Big,
+}
+
+/// A type of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Scalar {
+    I8,
+    U8,
+    I16,
+    U16,
+    I32,
+    U32,
+    F32,
+    F64,
+}
+
+impl Scalar {
+    fn named(name: &str) -> Result<Scalar, Fault> {
+        Ok(match name.to_ascii_lowercase().as_str() {
+            "char" | "int8" => Scalar::I8,
+            "uchar" | "uint8" => Scalar::U8,
+            "short" | "int16" => Scalar::I16,
+            "ushort" | "uint16" => Scalar::U16,
+            "int" | "int32" => Scalar::I32,
+            "uint" | "uint32" => Scalar::U32,
+            "float" | "float32" => Scalar::F32,
+            "double" | "float64" => Scalar::F64,
+            _ => {
+                return Err(Fault::new(
+                    format!("'{}' is no type of numbers", short(name)),
+                    "write char, uchar, short, ushort, int, uint, float or double",
+                ));
+            }
+        })
+    }
+
+    /// Its bytes.
+    pub(super) fn size(self) -> usize {
+        match self {
+            Scalar::I8 | Scalar::U8 => 1,
+            Scalar::I16 | Scalar::U16 => 2,
+            Scalar::I32 | Scalar::U32 | Scalar::F32 => 4,
+            Scalar::F64 => 8,
+        }
+    }
+}
+
+/// A property: a number, or a list of numbers behind their count.
+#[derive(Clone, Debug)]
+pub(super) struct Property {
+    pub(super) name: String,
+    /// The type of a list's count.
+    pub(super) count: Option<Scalar>,
+    pub(super) item: Scalar,
+}
+
+impl Property {
+    /// The fewest bytes that it takes.
+    pub(super) fn least(&self) -> usize {
+        self.count.unwrap_or(self.item).size()
+    }
+}
+
+/// A table of elements of one kind.
+#[derive(Clone, Debug)]
+pub(super) struct Element {
+    pub(super) name: String,
+    pub(super) count: usize,
+    pub(super) properties: Vec<Property>,
+    /// The line of the header that announces it.
+    pub(super) line: usize,
+}
+
+/// A header.
+#[derive(Clone, Debug)]
+pub(super) struct Header {
+    pub(super) encoding: Encoding,
+    pub(super) elements: Vec<Element>,
+    /// Where the elements begin (bytes).
+    pub(super) body: usize,
+    /// Number of its lines.
+    pub(super) lines: usize,
+}
+
+impl Header {
+    /// The header that the bytes begin with.
+    pub(super) fn of(bytes: &[u8]) -> Result<Header, Located> {
+        let (mut encoding, mut elements) = (None, Vec::new());
+        let mut lines = Lines::of(bytes);
+        let mut number = 0;
+        while let Some(line) = lines.next() {
+            number += 1;
+            let line = String::from_utf8_lossy(line);
+            let words: Vec<&str> = line.split_whitespace().collect();
+            let is_end = words.first() == Some(&"end_header");
+            if is_end {
+                let Some(encoding) = encoding else {
+                    return Err(Located::new(
+                        Place::Line(number),
+                        "the header names no format",
+                        "add 'format ascii 1.0' below 'ply'",
+                    ));
+                };
+                return Ok(Header { encoding, elements, body: lines.at, lines: number });
+            }
+            let read = match number {
+                1 => magic(&words),
+                _ => statement(&words, number, &mut encoding, &mut elements),
+            };
+            read.map_err(|fault| fault.at(Place::Line(number)))?;
+        }
+        Err(Located::new(
+            Place::Line(number.max(1)),
+            "the header does not end",
+            "export the model again; a header ends with 'end_header'",
+        ))
+    }
+}
+
+fn magic(words: &[&str]) -> Result<(), Fault> {
+    match words {
+        ["ply"] => Ok(()),
+        _ => Err(Fault::new("the file does not begin with 'ply'", "name the format that the file has")),
+    }
+}
+
+fn statement(
+    words: &[&str],
+    line: usize,
+    encoding: &mut Option<Encoding>,
+    elements: &mut Vec<Element>,
+) -> Result<(), Fault> {
+    match words {
+        [] | ["comment" | "obj_info", ..] => Ok(()),
+        ["format", kind, version] => {
+            if *version != "1.0" {
+                return Err(Fault::new(
+                    format!("the version {} is not known", short(version)),
+                    "save the file as version 1.0",
+                ));
+            }
+            *encoding = Some(match *kind {
+                "ascii" => Encoding::Text,
+                "binary_little_endian" => Encoding::Little,
+                "binary_big_endian" => Encoding::Big,
+                _ => {
+                    return Err(Fault::new(
+                        format!("'{}' is no format of PLY", short(kind)),
+                        "write ascii, binary_little_endian or binary_big_endian",
+                    ));
+                }
+            });
+            Ok(())
+        }
+        ["element", name, count] => {
+            let count = count.parse().map_err(|_| {
+                Fault::new(
+                    format!("the number of '{}' is '{}'", short(name), short(count)),
+                    "write how many there are",
+                )
+            })?;
+            elements.push(Element { name: (*name).to_owned(), count, properties: Vec::new(), line });
+            Ok(())
+        }
+        ["property", "list", count, item, name] => {
+            let property = (Some(Scalar::named(count)?), Scalar::named(item)?);
+            add(elements, name, property)
+        }
+        ["property", item, name] => add(elements, name, (None, Scalar::named(item)?)),
+        [first, ..] => Err(Fault::new(
+            format!("'{}' is no statement of a header", short(first)),
+            "write 'element NAME COUNT', 'property TYPE NAME', 'property list TYPE TYPE NAME' or 'comment'",
+        )),
+    }
+}
+
+fn add(elements: &mut [Element], name: &str, kinds: (Option<Scalar>, Scalar)) -> Result<(), Fault> {
+    let Some(element) = elements.last_mut() else {
+        return Err(Fault::new("a property stands before all elements", "put it behind its 'element'"));
+    };
+    element.properties.push(Property { name: name.to_owned(), count: kinds.0, item: kinds.1 });
+    Ok(())
+}
+
+/// Lines that end as the first one does: with a line feed, a carriage return, or both.
+struct Lines<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    end: u8,
+}
+
+impl<'a> Lines<'a> {
+    fn of(bytes: &'a [u8]) -> Self {
+        let first = bytes.iter().position(|byte| matches!(byte, b'\r' | b'\n'));
+        let is_return = first.is_some_and(|at| bytes[at] == b'\r' && bytes.get(at + 1) != Some(&b'\n'));
+        let at = if bytes.starts_with(b"\xef\xbb\xbf") { 3 } else { 0 };
+        Lines { bytes, at, end: if is_return { b'\r' } else { b'\n' } }
+    }
+
+    fn next(&mut self) -> Option<&'a [u8]> {
+        let rest = self.bytes.get(self.at..).filter(|rest| !rest.is_empty())?;
+        let length = rest.iter().position(|byte| *byte == self.end).unwrap_or(rest.len());
+        self.at = (self.at + length + 1).min(self.bytes.len());
+        Some(&rest[..length])
+    }
+}

@@ -1,0 +1,151 @@
+//! The numbers behind the header of a PLY, as words or as bits.
+
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::located::Located;
+use radiosity_photometry::place::Place;
+use radiosity_photometry::text::short;
+
+use super::header::Scalar;
+
+/// Numbers one after another.
+pub(super) trait Numbers {
+    /// Where the next number is.
+    fn place(&mut self) -> Place;
+
+    /// The next number, finite or not.
+    ///
+    /// # Errors
+    /// The end of the file, a word that is no number.
+    fn number(&mut self, scalar: Scalar) -> Result<f64, Located>;
+
+    /// Leaves `count` numbers out.
+    ///
+    /// # Errors
+    /// The end of the file.
+    fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Located>;
+
+    /// How many rows of at least so many bytes and so many words there may still be.
+    fn most_rows(&self, bytes: usize, words: usize) -> usize;
+}
+
+/// What a file that ends early is refused with.
+fn end(place: Place) -> Located {
+    Fault::new("the file ends early", "export it again, or correct the counts in its header").at(place)
+}
+
+/// Numbers as words.
+pub(super) struct Words<'a> {
+    lines: std::iter::Enumerate<std::str::Lines<'a>>,
+    words: std::iter::Peekable<std::str::SplitWhitespace<'a>>,
+    /// Lines before the first, and the line of the next word.
+    before: usize,
+    line: usize,
+    /// Length of the text (bytes).
+    length: usize,
+}
+
+impl<'a> Words<'a> {
+    /// The words of a text behind so many lines.
+    pub(super) fn of(text: &'a str, before: usize) -> Self {
+        let words = "".split_whitespace().peekable();
+        Words { lines: text.lines().enumerate(), words, before, line: before, length: text.len() }
+    }
+
+    fn word(&mut self) -> Result<&'a str, Located> {
+        let place = self.place();
+        self.words.next().ok_or_else(|| end(place))
+    }
+}
+
+impl Numbers for Words<'_> {
+    fn place(&mut self) -> Place {
+        while self.words.peek().is_none() {
+            let Some((index, line)) = self.lines.next() else { break };
+            self.line = self.before + index + 1;
+            self.words = line.split_whitespace().peekable();
+        }
+        Place::Line(self.line)
+    }
+
+    fn number(&mut self, _scalar: Scalar) -> Result<f64, Located> {
+        let word = self.word()?;
+        word.parse().map_err(|_| {
+            Located::new(Place::Line(self.line), format!("'{}' is no number", short(word)), "write a number")
+        })
+    }
+
+    fn skip(&mut self, _scalar: Scalar, count: usize) -> Result<(), Located> {
+        for _ in 0..count {
+            self.word()?;
+        }
+        Ok(())
+    }
+
+    fn most_rows(&self, _bytes: usize, words: usize) -> usize {
+        // A word takes a blank before it.
+        (self.length + 1) / (2 * words.max(1))
+    }
+}
+
+/// Numbers as bits.
+pub(super) struct Bits<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    is_big: bool,
+}
+
+impl<'a> Bits<'a> {
+    /// The numbers from byte `at` on.
+    pub(super) fn of(bytes: &'a [u8], at: usize, is_big: bool) -> Self {
+        Bits { bytes, at, is_big }
+    }
+
+    /// The next bytes, the most significant one last.
+    fn word(&mut self, size: usize) -> Result<[u8; 8], Located> {
+        let found = self.bytes.get(self.at..).and_then(|rest| rest.get(..size));
+        let Some(found) = found else { return Err(end(Place::Byte(self.bytes.len()))) };
+        let mut word = [0; 8];
+        word[..size].copy_from_slice(found);
+        if self.is_big {
+            word[..size].reverse();
+        }
+        self.at += size;
+        Ok(word)
+    }
+}
+
+impl Numbers for Bits<'_> {
+    fn place(&mut self) -> Place {
+        Place::Byte(self.at)
+    }
+
+    fn number(&mut self, scalar: Scalar) -> Result<f64, Located> {
+        let word = self.word(scalar.size())?;
+        let [a, b, c, d, ..] = word;
+        Ok(match scalar {
+            Scalar::I8 => f64::from(i8::from_le_bytes([a])),
+            Scalar::U8 => f64::from(a),
+            Scalar::I16 => f64::from(i16::from_le_bytes([a, b])),
+            Scalar::U16 => f64::from(u16::from_le_bytes([a, b])),
+            Scalar::I32 => f64::from(i32::from_le_bytes([a, b, c, d])),
+            Scalar::U32 => f64::from(u32::from_le_bytes([a, b, c, d])),
+            Scalar::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
+            Scalar::F64 => f64::from_le_bytes(word),
+        })
+    }
+
+    fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Located> {
+        let end_at = scalar.size().checked_mul(count).and_then(|size| self.at.checked_add(size));
+        match end_at.filter(|end_at| *end_at <= self.bytes.len()) {
+            Some(end_at) => {
+                self.at = end_at;
+                Ok(())
+            }
+            None => Err(end(Place::Byte(self.bytes.len()))),
+        }
+    }
+
+    fn most_rows(&self, bytes: usize, _words: usize) -> usize {
+        (self.bytes.len() - self.at) / bytes.max(1)
+    }
+}

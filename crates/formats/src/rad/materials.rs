@@ -1,0 +1,181 @@
+//! What modifiers mean: the diffuse part of materials, and which materials hide behind patterns and aliases.
+//!
+//! Source: Radiance reference manual, "Materials", "Textures", "Patterns", "Mixtures".
+
+use std::collections::HashMap;
+use std::f64::consts::PI;
+use std::rc::Rc;
+
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::text::short;
+
+use crate::builder::Coat;
+use crate::model::Sides;
+use crate::rad::scanner::Primitive;
+
+/// What a modifier makes of a surface.
+#[derive(Clone, Debug)]
+pub(super) enum Meaning {
+    /// It has this material.
+    Coat(Rc<Coat>),
+    /// It is not there.
+    Absent(&'static str),
+}
+
+/// The modifiers that were defined.
+#[derive(Debug)]
+pub(super) struct Materials {
+    meanings: HashMap<String, Meaning>,
+}
+
+impl Default for Materials {
+    fn default() -> Self {
+        let void = Meaning::Absent("surfaces without a material (void) are left out");
+        Self { meanings: HashMap::from([("void".to_owned(), void)]) }
+    }
+}
+
+impl Materials {
+    /// What the modifier `name` means.
+    ///
+    /// # Errors
+    /// A name that was not defined.
+    pub(super) fn get(&self, name: &str) -> Result<&Meaning, Fault> {
+        self.meanings.get(name).ok_or_else(|| {
+            Fault::new(
+                format!("the modifier '{}' is not defined", short(name)),
+                "define it above, or join the file of the materials and this one: !xform materials.rad",
+            )
+        })
+    }
+
+    /// Defines the modifier that a primitive is. Returns what is left out of it, or none if it is no modifier.
+    ///
+    /// # Errors
+    /// Unknown modifiers, too few numbers, numbers below 0.
+    pub(super) fn define(&mut self, primitive: &Primitive) -> Result<Option<Vec<&'static str>>, Fault> {
+        let (meaning, notes) = match primitive.kind.as_str() {
+            "alias" => (self.named(primitive)?, Vec::new()),
+            "texfunc" | "texdata" | "colorfunc" | "brightfunc" | "colordata" | "brightdata" | "colorpict"
+            | "colortext" | "brighttext" | "spectrum" | "specfile" | "specfunc" | "specdata" | "specpict" => {
+                (self.get(&primitive.modifier)?.clone(), vec!["patterns and textures are left out"])
+            }
+            "mixfunc" | "mixdata" | "mixpict" | "mixtext" => {
+                (self.named(primitive)?, vec!["mixtures of materials are left out: the first of them counts"])
+            }
+            "antimatter" => (Meaning::Absent("antimatter is left out: what it cuts stays whole"), Vec::new()),
+            "mist" => (Meaning::Absent("mist is left out"), Vec::new()),
+            _ => match coat(primitive)? {
+                Some((coat, notes)) => (Meaning::Coat(Rc::new(coat)), notes),
+                None => return Ok(None),
+            },
+        };
+        self.meanings.insert(primitive.name.clone(), meaning);
+        Ok(Some(notes))
+    }
+
+    /// The meaning of the modifier that the first text names.
+    fn named(&self, primitive: &Primitive) -> Result<Meaning, Fault> {
+        match primitive.strings.first() {
+            Some(name) => self.get(name).cloned(),
+            None => Err(Fault::new(
+                format!("the {} '{}' names no material", primitive.kind, short(&primitive.name)),
+                "name one as its first text",
+            )),
+        }
+    }
+}
+
+/// The diffuse part of a material and what is left out of it; none if it is no material.
+fn coat(primitive: &Primitive) -> Result<Option<(Coat, Vec<&'static str>)>, Fault> {
+    let specular = "specular reflection is left out";
+    let coat = match primitive.kind.as_str() {
+        "light" | "illum" | "glow" => return Ok(Some((lamp(primitive)?, Vec::new()))),
+        "spotlight" => {
+            return Ok(Some((lamp(primitive)?, vec!["spotlights shine in all directions of their front"])));
+        }
+        "plastic" | "metal" | "plastic2" | "metal2" | "plasfunc" | "metfunc" | "plasdata" | "metdata" => {
+            let [.., part] = leading::<4>(primitive)?;
+            reflecting(primitive, 1.0 - part, vec![(part != 0.0, specular)])?
+        }
+        "trans" => translucent(primitive, leading::<6>(primitive)?)?,
+        "trans2" => {
+            let [r, g, b, part, _, _, transmitted, _] = leading::<8>(primitive)?;
+            translucent(primitive, [r, g, b, part, 0.0, transmitted])?
+        }
+        "transfunc" | "transdata" => {
+            let [r, g, b, part, transmitted, _] = leading::<6>(primitive)?;
+            translucent(primitive, [r, g, b, part, 0.0, transmitted])?
+        }
+        "BRTDfunc" | "ashik2" => reflecting(primitive, 1.0, vec![(true, specular)])?,
+        "glass" | "dielectric" | "interface" => {
+            black(primitive, "transmission through glass is left out: glass is black")
+        }
+        "mirror" | "prism1" | "prism2" => black(primitive, "mirrors and prisms are black"),
+        "BSDF" | "aBSDF" | "WGMDfunc" => {
+            black(primitive, "materials with measured reflection (BSDF) are black")
+        }
+        _ => return Ok(None),
+    };
+    Ok(Some(coat))
+}
+
+/// The first `N` numbers of a material, none below 0.
+fn leading<const N: usize>(primitive: &Primitive) -> Result<[f64; N], Fault> {
+    let Primitive { kind, name, reals, .. } = primitive;
+    let values: [f64; N] = reals.get(..N).and_then(|values| values.try_into().ok()).ok_or_else(|| {
+        Fault::new(
+            format!("the {kind} '{}' has {} numbers, {N} are the least", short(name), reals.len()),
+            "write them all, and their count before them",
+        )
+    })?;
+    match values.iter().find(|value| **value < 0.0) {
+        None => Ok(values),
+        Some(value) => {
+            Err(Fault::new(format!("the {kind} '{}' has {value}, below 0", short(name)), "write 0 or more"))
+        }
+    }
+}
+
+/// A material that reflects `part` of its colour diffusely.
+fn reflecting(
+    primitive: &Primitive,
+    part: f64,
+    notes: Vec<(bool, &'static str)>,
+) -> Result<(Coat, Vec<&'static str>), Fault> {
+    let coat = Coat {
+        name: primitive.name.clone(),
+        reflectance: leading::<3>(primitive)?.map(|band| band * part.max(0.0)),
+        emission: [0.0; 3],
+        sides: Sides::Both,
+    };
+    Ok((coat, notes.into_iter().filter(|(is_told, _)| *is_told).map(|(_, note)| note).collect()))
+}
+
+/// A material whose numbers are colour, specular part, roughness, transmitted part.
+fn translucent(
+    primitive: &Primitive,
+    [_, _, _, specular, _, transmitted]: [f64; 6],
+) -> Result<(Coat, Vec<&'static str>), Fault> {
+    let notes = vec![
+        (specular != 0.0, "specular reflection is left out"),
+        (transmitted != 0.0, "transmission of trans materials is left out"),
+    ];
+    reflecting(primitive, (1.0 - specular) * (1.0 - transmitted), notes)
+}
+
+fn black(primitive: &Primitive, note: &'static str) -> (Coat, Vec<&'static str>) {
+    let coat =
+        Coat { name: primitive.name.clone(), reflectance: [0.0; 3], emission: [0.0; 3], sides: Sides::Both };
+    (coat, vec![note])
+}
+
+/// A lamp: its exitance is π times its radiance, and its front alone emits.
+fn lamp(primitive: &Primitive) -> Result<Coat, Fault> {
+    Ok(Coat {
+        name: primitive.name.clone(),
+        reflectance: [0.0; 3],
+        emission: leading::<3>(primitive)?.map(|radiance| PI * radiance),
+        sides: Sides::Front,
+    })
+}

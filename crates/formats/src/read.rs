@@ -1,0 +1,26 @@
+//! Reads a scene in any of the formats.
+
+use radiosity_photometry::error::Refusal;
+
+use crate::files::Files;
+use crate::format::Format;
+use crate::model::Model;
+use crate::{gltf, mgf, mitsuba, obj, ply, rad, stl, vs3};
+
+/// Reads `bytes`, the contents of `file`, in a format; `files` finds the files that it names.
+///
+/// # Errors
+/// What the format does not allow, with line or byte, cause and cure.
+pub fn read(format: Format, file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
+    let reader = match format {
+        Format::Mgf => mgf::read,
+        Format::Obj => obj::read,
+        Format::Gltf => gltf::read,
+        Format::Stl => stl::read,
+        Format::Ply => ply::read,
+        Format::Mitsuba => mitsuba::read,
+        Format::Rad => rad::read,
+        Format::Vs3 => vs3::read,
+    };
+    reader(file, bytes, files)
+}

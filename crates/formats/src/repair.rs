@@ -1,0 +1,110 @@
+//! Repair of what readers find: geometry that a radiosity scene refuses, and reflectances of no material.
+//!
+//! Each repair touches only what is wrong, and says what it did in one line; a sound model comes out equal to the bit.
+//! Outlines are mended first, each by itself; then surfaces in the same place; then fronts, which decide what lies on
+//! what; then faces that lie partly on others.
+
+mod record;
+mod edit;
+mod vertices;
+mod slivers;
+mod outlines;
+mod planes;
+mod copies;
+mod sheets;
+mod coincident;
+mod curved;
+mod turned;
+mod overlaps;
+mod disks;
+mod mantles;
+mod reflectances;
+
+use glam::DVec3;
+use radiosity_photometry::error::Refusal;
+
+use crate::model::{Model, Shape, Sides};
+pub use record::{Kind, Repair, Repairs};
+
+/// The largest coordinate that is reckoned with: its fourth power is a number. `radiosity` refuses larger ones.
+const FARTHEST: f64 = 1e60;
+
+/// What the user asks for.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Options {
+    /// Length (the model's unit, ≥ 0) up to which points are one, where it is more than rounding leaves.
+    pub tolerance: Option<f64>,
+    /// Which sides count, for all surfaces, whatever the format says. Without it, surfaces whose format leaves it open
+    /// are one-sided.
+    pub sides: Option<Sides>,
+    /// Whether fronts that point the wrong way are turned; else they are only told.
+    pub fix_fronts: bool,
+}
+
+/// Repairs a model and says what was wrong with it. No surface has [`Sides::Open`] afterwards. Shapes are left as they are
+/// where a length is above 1e60.
+pub fn repair(model: &mut Model, options: &Options) -> Repairs {
+    let mut repairs = Repairs::default();
+    let asked = options.tolerance.filter(|length| length.is_finite());
+    settle_sides(model, options.sides);
+    reflectances::mend(model, &mut repairs);
+    if !model.surfaces.iter().all(|surface| is_within_reach(&surface.shape)) {
+        return repairs;
+    }
+    slivers::remove(model, &mut repairs);
+    vertices::mend(model, asked, &mut repairs);
+    slivers::remove(model, &mut repairs);
+    outlines::mend(model, asked, &mut repairs);
+    planes::mend(model, &mut repairs);
+    coincident::mend(model, &mut repairs);
+    curved::mend(model, asked, &mut repairs);
+    turned::mend(model, options.fix_fronts, &mut repairs);
+    overlaps::mend(model, asked, &mut repairs);
+    disks::mend(model, &mut repairs);
+    mantles::mend(model, &mut repairs);
+    repairs
+}
+
+/// Refuses, for those who want no repairs, a model read from `file` that needed some. None if it needed none: fronts that
+/// were left as they are changed nothing.
+pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
+    let made: Vec<&Repair> =
+        repairs.list.iter().filter(|repair| repair.kind != Kind::DoubtfulFronts).collect();
+    let first = made.first()?;
+    let cause = match made.len() {
+        1 => first.text.clone(),
+        count => format!("{count} repairs are needed; the first: {}", first.text),
+    };
+    let cure = "mend the file, or let it be repaired".to_owned();
+    Some(Refusal { file: file.to_owned(), place: first.place, cause, cure })
+}
+
+fn is_within_reach(shape: &Shape) -> bool {
+    let is_near = |points: &[DVec3]| points.iter().all(|x| x.abs().max_element() <= FARTHEST);
+    match shape {
+        Shape::Polygon { outline, holes } => is_near(outline) && holes.iter().all(|hole| is_near(hole)),
+        Shape::Quad(corners) => is_near(corners),
+        Shape::Disk { center, normal, radius, inner } => {
+            is_near(&[*center, *normal]) && radius.max(*inner) <= FARTHEST
+        }
+        Shape::Cylinder { base, axis, radius, .. } => is_near(&[*base, *axis]) && *radius <= FARTHEST,
+        Shape::Cone { base, axis, radii, .. } => {
+            is_near(&[*base, *axis]) && radii[0].max(radii[1]) <= FARTHEST
+        }
+        Shape::Sphere { center, radius, .. } => is_near(&[*center]) && *radius <= FARTHEST,
+        Shape::Torus { center, axis, major, minor, .. } => {
+            is_near(&[*center, *axis]) && major.max(*minor) <= FARTHEST
+        }
+    }
+}
+
+fn settle_sides(model: &mut Model, asked: Option<Sides>) {
+    let asked = asked.filter(|sides| *sides != Sides::Open);
+    for surface in &mut model.surfaces {
+        surface.sides = match (asked, surface.sides) {
+            (Some(sides), _) => sides,
+            (None, Sides::Open) => Sides::Front,
+            (None, sides) => sides,
+        };
+    }
+}

@@ -1,0 +1,143 @@
+//! Flat faces that lie partly on one another.
+//!
+//! Of two faces with the same front the smaller lies on the larger, and the covered part of the larger is cut out; of
+//! two that show each other their fronts the covered part of the smaller, which no light reaches. Emitters are not cut
+//! by what does not emit. `radiosity` itself sets apart pictures wholly on their walls, plates of which both sides
+//! count, and faces of bodies that stand on others: these stay.
+
+use std::collections::BTreeMap;
+
+use radiosity_fit::overlay::{Part, enclosed, without};
+
+use crate::model::{Model, Shape, Sides};
+use crate::repair::copies::{are_sides_of_one, emits};
+use crate::repair::edit::Edit;
+use crate::repair::record::{Kind, Repairs, spelt};
+use crate::repair::sheets::{Sheet, Sheets};
+
+/// Areas that differ by less than this part are equal within rounding. As in `radiosity_scene`.
+const SAME_AREA: f64 = 1e-6;
+
+/// Most rounds: what is left of a face that was cut may lie partly on others in turn. Chosen; not tuned.
+const ROUNDS: usize = 8;
+
+/// Cuts what lies on others out of flat faces.
+pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs) {
+    let mut changed: Option<Vec<bool>> = None;
+    for _ in 0..ROUNDS {
+        let indices = round(model, changed.as_deref(), asked, repairs);
+        if indices.is_empty() {
+            return;
+        }
+        let mut marks = vec![false; model.surfaces.len()];
+        indices.into_iter().for_each(|index| marks[index] = true);
+        changed = Some(marks);
+    }
+}
+
+/// Cuts every face once by all that lie on it; the indices of what is left of those that were cut.
+fn round(
+    model: &mut Model,
+    changed: Option<&[bool]>,
+    asked: Option<f64>,
+    repairs: &mut Repairs,
+) -> Vec<usize> {
+    let sheets = Sheets::of(model);
+    let mut cuts: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    let is_new = |index: usize| changed.is_none_or(|marks| marks[sheets.list()[index].surface]);
+    for index in (0..sheets.list().len()).filter(|index| is_new(*index)) {
+        // Of two new ones the earlier finds the later.
+        for other in sheets.beside(index).filter(|other| *other > index || !is_new(*other)) {
+            let pair = [index.min(other), index.max(other)];
+            if let Some([cut, by]) = (Pair { model, sheets: &sheets, pair }).cut() {
+                cuts.entry(cut).or_default().push(by);
+            }
+        }
+    }
+    let mut edit = Edit::default();
+    let mut told = Vec::new();
+    for (cut, by) in cuts {
+        let sheet = &sheets.list()[cut];
+        let surface = &model.surfaces[sheet.surface];
+        let others: Vec<String> =
+            by.iter().map(|other| model.surfaces[sheets.list()[*other].surface].name.clone()).collect();
+        told.push((sheet.surface, surface.name.clone(), surface.place, others));
+        edit.replace(sheet.surface, rest(sheet, by.iter().map(|other| &sheets.list()[*other]), asked));
+    }
+    let edited = edit.apply(model);
+    for (index, name, place, others) in told {
+        let made = match edited.names(index) {
+            [] => "nothing of it was left".to_owned(),
+            [_] => format!("that part of {name:?} was cut out"),
+            names => format!("that part of {name:?} was cut out, which left {}", spelt(names)),
+        };
+        let verb = if others.len() == 1 { "shares" } else { "share" };
+        let text = format!("{} {verb} a part of the place of {name:?}; {made}", spelt(&others));
+        let surfaces = std::iter::once(name).chain(others).collect();
+        repairs.say(Kind::Overlap, surfaces, place, text);
+    }
+    edited.changed
+}
+
+/// What is left of a face outside others.
+fn rest<'a>(sheet: &Sheet, others: impl Iterator<Item = &'a Sheet>, asked: Option<f64>) -> Vec<Shape> {
+    let parts = |sheet_of: &Sheet| -> Vec<Part> {
+        let outline = enclosed(sheet.plane(), &[sheet_of.outline()], asked);
+        let holes: Vec<Part> =
+            sheet_of.holes().iter().flat_map(|hole| enclosed(sheet.plane(), &[hole], asked)).collect();
+        if holes.is_empty() { outline } else { without(sheet.plane(), &outline, &holes, asked) }
+    };
+    let cut: Vec<Part> = others.flat_map(parts).collect();
+    let own = Part { outline: sheet.outline().to_vec(), holes: Vec::new() };
+    let left = match sheet.holes() {
+        [] => without(sheet.plane(), &[own], &cut, asked),
+        _ => without(sheet.plane(), &parts(sheet), &cut, asked),
+    };
+    left.into_iter().map(|part| Shape::Polygon { outline: part.outline, holes: part.holes }).collect()
+}
+
+/// Two faces in one plane.
+struct Pair<'a> {
+    model: &'a Model,
+    sheets: &'a Sheets,
+    pair: [usize; 2],
+}
+
+impl Pair<'_> {
+    /// The face that has to be cut, and the one that cuts it; None if nothing has to be.
+    fn cut(&self) -> Option<[usize; 2]> {
+        let [first, second] = self.pair.map(|index| &self.sheets.list()[index]);
+        let is_sheet = are_sides_of_one(self.model, [first.surface, second.surface]);
+        if first.is_round || second.is_round || is_sheet {
+            return None;
+        }
+        let common = first.common_area(second);
+        if common <= 0.0 {
+            return None;
+        }
+        // Of equal ones the later lies on the earlier.
+        let [small, large] = match second.area() <= (1.0 + SAME_AREA) * first.area() {
+            true => [self.pair[1], self.pair[0]],
+            false => self.pair,
+        };
+        let [sheet, on] = [small, large].map(|index| &self.sheets.list()[index]);
+        if self.is_two_sided(sheet) {
+            return None;
+        }
+        let is_within = common > (1.0 - SAME_AREA) * sheet.area();
+        let is_alike = sheet.is_alike(on) || self.is_two_sided(on);
+        if is_alike {
+            let is_lamp_covered = emits(self.model, on.surface) && !emits(self.model, sheet.surface);
+            let cut = if is_lamp_covered { [small, large] } else { [large, small] };
+            return (!is_within).then_some(cut);
+        }
+        // Back to back, or a body that stands there.
+        let is_body = self.sheets.body(sheet) != 0.0 || is_within && self.sheets.body(on) < 0.0;
+        let cut = if emits(self.model, sheet.surface) { [large, small] } else { [small, large] };
+        (!is_body).then_some(cut)
+    }
+
+    fn is_two_sided(&self, sheet: &Sheet) -> bool {
+        self.model.surfaces[sheet.surface].sides == Sides::Both
+    }
+}

@@ -1,0 +1,103 @@
+//! What was repaired: one entry, one line, for each repair.
+
+use radiosity_photometry::place::Place;
+
+/// Most names that a line spells out; the rest are counted. Chosen; not tuned.
+const SPELT: usize = 4;
+
+/// What kind of fault was repaired.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// Vertices that repeat their neighbours, and outlines that run somewhere and straight back.
+    Vertices,
+    /// Faces without area.
+    Sliver,
+    /// Outlines that touch or cross themselves, and holes that cross or leave them.
+    Outline,
+    /// Polygons whose vertices lie in no common plane.
+    Plane,
+    /// Surfaces that lie in the same place.
+    Coincident,
+    /// Surfaces that lie partly on one another.
+    Overlap,
+    /// Reflectances outside 0 ≤ ρ < 1.
+    Reflectance,
+    /// Faces whose fronts point the wrong way.
+    Fronts,
+    /// Faces whose fronts seem to point the wrong way, and were left as they are.
+    DoubtfulFronts,
+}
+
+/// One repair.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Repair {
+    /// What kind of fault.
+    pub kind: Kind,
+    /// Names of the surfaces that had it, as the file names them.
+    pub surfaces: Vec<String>,
+    /// The fault and its repair, without a full stop: `"desk-3" and "desk-7" coincide; "desk-7" was removed`.
+    pub text: String,
+    /// Where the first of the surfaces stands.
+    pub place: Option<Place>,
+}
+
+/// All repairs, in the order in which they were made.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Repairs {
+    /// The repairs.
+    pub list: Vec<Repair>,
+}
+
+impl Repairs {
+    /// Whether nothing was wrong.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// How many repairs are of a kind.
+    pub fn count(&self, kind: Kind) -> usize {
+        self.list.iter().filter(|repair| repair.kind == kind).count()
+    }
+
+    pub(super) fn say(
+        &mut self,
+        kind: Kind,
+        surfaces: Vec<String>,
+        place: Option<Place>,
+        text: impl Into<String>,
+    ) {
+        self.list.push(Repair { kind, surfaces, text: text.into(), place });
+    }
+}
+
+/// `"a"`, `"a" and "b"`, `"a", "b" and 17 others`.
+pub(super) fn spelt(names: &[String]) -> String {
+    let spelt = if names.len() > SPELT { SPELT - 1 } else { names.len() };
+    let mut parts: Vec<String> = names.iter().take(spelt).map(|name| format!("{name:?}")).collect();
+    if names.len() > spelt {
+        parts.push(format!("{} others", names.len() - spelt));
+    }
+    match parts.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => parts.concat(),
+    }
+}
+
+/// `1 spike`, `3 spikes`.
+pub(super) fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_lists_end_with_a_count() {
+        let names = |count: usize| (0..count).map(|k| k.to_string()).collect::<Vec<_>>();
+        assert_eq!(spelt(&names(1)), r#""0""#);
+        assert_eq!(spelt(&names(2)), r#""0" and "1""#);
+        assert_eq!(spelt(&names(4)), r#""0", "1", "2" and "3""#);
+        assert_eq!(spelt(&names(9)), r#""0", "1", "2" and 6 others"#);
+    }
+}

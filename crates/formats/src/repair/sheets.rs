@@ -1,0 +1,221 @@
+//! Flat faces that share a plane and some area.
+
+use std::cell::OnceCell;
+
+use glam::DVec3;
+use radiosity_fit::outline::{area_vector, extent};
+use radiosity_fit::plane::Plane;
+use radiosity_geom::{
+    Aabb, Bvh, COINCIDENT, LOOSE, PlanarRegion, coordinate_rounding, distance_to_segment, polygon_area,
+    polygon_width, sides, touching,
+};
+
+use crate::model::{Model, Shape};
+
+/// Sine of the angle between planes that are the same. As in `radiosity_scene`.
+const PARALLEL: f64 = 1e-6;
+
+/// Roundings by which heights over planes through rounded corners may miss. As in `radiosity_geom`.
+const ROUNDINGS: f64 = 8.0;
+
+/// Faces overlap if their common part is wider than this part of the smaller extent and than the part `OF_BREADTH` of
+/// the narrower breadth. As in `radiosity_scene`.
+const WIDTH: f64 = 1e-6;
+const OF_BREADTH: f64 = 1e-3;
+
+/// Corners of the polygon that stands for a circle. Chosen; not tuned.
+const CORNERS: usize = 64;
+
+/// A flat face.
+#[derive(Debug)]
+pub(super) struct Sheet {
+    /// Index of its surface.
+    pub(super) surface: usize,
+    /// Whether it is a disk or a ring, of which the region is only inscribed.
+    pub(super) is_round: bool,
+    outline: Vec<DVec3>,
+    holes: Vec<Vec<DVec3>>,
+    plane: Plane,
+    extent: f64,
+    area: f64,
+    bounds: Aabb,
+    region: OnceCell<Option<PlanarRegion>>,
+}
+
+impl Sheet {
+    fn new(surface: usize, shape: &Shape) -> Option<Sheet> {
+        let (outline, holes, is_round) = match shape {
+            Shape::Polygon { outline, holes } => (outline.clone(), holes.clone(), false),
+            Shape::Disk { center, normal, radius, inner } => {
+                let outline = circle(*center, *normal, *radius)?;
+                let holes = if *inner > 0.0 { vec![circle(*center, *normal, *inner)?] } else { vec![] };
+                (outline, holes, true)
+            }
+            _ => return None,
+        };
+        let plane = Plane::of(&outline)?;
+        let (extent, bounds) = (extent(&outline), Aabb::around(outline.iter().copied()));
+        let bounds = bounds.inflate(COINCIDENT * extent);
+        let hidden: f64 = holes.iter().map(|hole| area_vector(hole).length()).sum();
+        let area = area_vector(&outline).length() - hidden;
+        let region = OnceCell::new();
+        Some(Sheet { surface, is_round, outline, holes, plane, extent, area, bounds, region })
+    }
+
+    /// Unit vector of its front.
+    pub(super) fn normal(&self) -> DVec3 {
+        self.plane.normal()
+    }
+
+    /// Its size (length).
+    pub(super) fn extent(&self) -> f64 {
+        self.extent
+    }
+
+    /// Its area.
+    pub(super) fn area(&self) -> f64 {
+        self.area
+    }
+
+    /// The box around it.
+    pub(super) fn bounds(&self) -> &Aabb {
+        &self.bounds
+    }
+
+    pub(super) fn plane(&self) -> &Plane {
+        &self.plane
+    }
+
+    pub(super) fn outline(&self) -> &[DVec3] {
+        &self.outline
+    }
+
+    pub(super) fn holes(&self) -> &[Vec<DVec3>] {
+        &self.holes
+    }
+
+    fn region(&self) -> Option<&PlanarRegion> {
+        let made = || PlanarRegion::new(self.outline.clone(), self.holes.clone()).ok();
+        self.region.get_or_init(made).as_ref()
+    }
+
+    /// Whether it faces where another one does.
+    pub(super) fn is_alike(&self, other: &Sheet) -> bool {
+        self.normal().dot(other.normal()) > 0.0
+    }
+
+    /// Whether both lie in one plane, and no gap that was meant is between them.
+    fn shares_plane(&self, other: &Sheet) -> bool {
+        let (small, large) = if self.extent <= other.extent { (self, other) } else { (other, self) };
+        let rounding = || ROUNDINGS * coordinate_rounding(&small.outline, Some(large.normal()));
+        let first = large.plane.height(small.outline[0]).abs();
+        let near = touching(small.extent, large.extent).max(LOOSE * small.extent);
+        if first > near && first > rounding() {
+            return false;
+        }
+        let rounding = rounding();
+        if large.normal().cross(small.normal()).length() > PARALLEL.max(rounding / small.extent) {
+            return false;
+        }
+        let heights = || small.outline.iter().map(|x| large.plane.height(*x));
+        let [low, high] =
+            heights().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], h| [a.min(h), b.max(h)]);
+        let mean = heights().sum::<f64>() / small.outline.len() as f64;
+        let reach = large.outline.iter().map(|x| x.length()).fold(0.0, f64::max);
+        let is_apart = low * high > 0.0 && mean.abs() > touching(0.0, reach).max(rounding);
+        !is_apart && low.abs().max(high.abs()) <= near.max(rounding)
+    }
+
+    /// The area that both have in common; 0 if they only touch.
+    pub(super) fn common_area(&self, other: &Sheet) -> f64 {
+        let breadth = (self.area / self.extent).min(other.area / other.extent);
+        let least = (WIDTH * self.extent.min(other.extent)).min(OF_BREADTH * breadth);
+        let common = self.bounds.intersection(other.bounds);
+        let mut widths = (common.max - common.min).to_array();
+        widths.sort_by(f64::total_cmp);
+        // Something wide that lies in a plane is wide along two of the three axes, however the plane is tilted.
+        if widths[1] < 0.5 * least {
+            return 0.0;
+        }
+        let (Some(own), Some(others)) = (self.region(), other.region()) else { return 0.0 };
+        let parts: Vec<Vec<DVec3>> = own.common_parts(others).collect();
+        let is_wide = parts.iter().any(|part| polygon_width(part) > least);
+        if is_wide { parts.iter().map(|part| polygon_area(part)).sum() } else { 0.0 }
+    }
+}
+
+fn circle(center: DVec3, normal: DVec3, radius: f64) -> Option<Vec<DVec3>> {
+    let normal = normal.try_normalize()?;
+    let first = normal.any_orthonormal_vector();
+    let second = normal.cross(first);
+    let point = |k: usize| {
+        let (sine, cosine) = (std::f64::consts::TAU * k as f64 / CORNERS as f64).sin_cos();
+        center + radius * (cosine * first + sine * second)
+    };
+    Some((0..CORNERS).map(point).collect())
+}
+
+/// The flat faces of a model.
+pub(super) struct Sheets {
+    list: Vec<Sheet>,
+    tree: Bvh,
+}
+
+impl Sheets {
+    pub(super) fn of(model: &Model) -> Self {
+        let shapes = model.surfaces.iter().enumerate();
+        let list: Vec<Sheet> =
+            shapes.filter_map(|(index, surface)| Sheet::new(index, &surface.shape)).collect();
+        let boxes: Vec<Aabb> = list.iter().map(|sheet| sheet.bounds).collect();
+        Sheets { tree: Bvh::build(&boxes), list }
+    }
+
+    /// The faces in the order of their surfaces.
+    pub(super) fn list(&self) -> &[Sheet] {
+        &self.list
+    }
+
+    /// Faces after this one that share its plane and whose boxes overlap its own, in order.
+    pub(super) fn later(&self, own: usize) -> impl Iterator<Item = usize> {
+        self.beside(own).filter(move |other| *other > own)
+    }
+
+    /// All faces that share a face's plane and whose boxes overlap its own, in order.
+    pub(super) fn beside(&self, own: usize) -> impl Iterator<Item = usize> {
+        let sheet = &self.list[own];
+        let mut near = Vec::new();
+        self.tree.overlapping(&sheet.bounds, |other| near.push(other));
+        near.sort_unstable();
+        near.into_iter().filter(move |other| *other != own && sheet.shares_plane(&self.list[*other]))
+    }
+
+    /// Mean height over a face's front of the body that it belongs to: of faces in other planes with a side along one of
+    /// its own; 0 if it belongs to none. As in `radiosity_scene`.
+    pub(super) fn body(&self, own: &Sheet) -> f64 {
+        let tolerance = touching(own.extent, own.bounds.center().length());
+        let mut near = Vec::new();
+        self.tree.overlapping(&own.bounds, |other| near.push(other));
+        near.sort_unstable();
+        let (mut of_body, mut of_all) = (0.0, 0.0);
+        for other in near.into_iter().map(|other| &self.list[other]) {
+            if other.surface == own.surface || other.is_round {
+                continue;
+            }
+            let Some(runs) = run_along(&own.outline, &other.outline, tolerance) else { continue };
+            let corners = other.outline.len() as f64;
+            let height = other.outline.iter().map(|x| own.plane.height(*x)).sum::<f64>() / corners;
+            of_all += height;
+            of_body += if runs < 0.0 { height } else { 0.0 };
+        }
+        [of_body, of_all].into_iter().find(|height| height.abs() > tolerance).unwrap_or(0.0)
+    }
+}
+
+/// If a side of another ring lies on a side of this one: positive if both run in the same direction.
+fn run_along(own: &[DVec3], other: &[DVec3], tolerance: f64) -> Option<f64> {
+    sides(other).find_map(|[a, b]| {
+        let holds = |side: &[DVec3; 2]| [a, b].iter().all(|x| distance_to_segment(*x, *side) <= tolerance);
+        let [p, q] = sides(own).find(holds)?;
+        Some((q - p).dot(b - a))
+    })
+}

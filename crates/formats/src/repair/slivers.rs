@@ -1,0 +1,44 @@
+//! Faces without area.
+
+use radiosity_fit::outline::area_vector;
+use radiosity_fit::ring::{TOUCH, length_and_width};
+
+use crate::model::{Model, Shape};
+use crate::repair::edit::Edit;
+use crate::repair::record::{Kind, Repairs};
+
+/// Width over length of a face without area. Chosen; not tuned.
+const NARROW: f64 = 1e-7;
+
+/// Removes faces without area.
+pub(super) fn remove(model: &mut Model, repairs: &mut Repairs) {
+    let mut edit = Edit::default();
+    for (index, surface) in model.surfaces.iter().enumerate().filter(|(_, surface)| is_sliver(&surface.shape))
+    {
+        edit.replace(index, Vec::new());
+        let text = format!("{:?} has no area; it was removed", surface.name);
+        repairs.say(Kind::Sliver, vec![surface.name.clone()], surface.place, text);
+    }
+    edit.apply(model);
+}
+
+fn is_sliver(shape: &Shape) -> bool {
+    match shape {
+        Shape::Polygon { outline, .. } => outline.len() < 3 || is_narrow(outline),
+        Shape::Quad(corners) => is_narrow(corners),
+        Shape::Disk { radius, inner, normal, .. } => {
+            radius - inner <= NARROW * radius || normal.length_squared() == 0.0
+        }
+        Shape::Cylinder { axis, radius, .. } => *radius <= 0.0 || axis.length_squared() == 0.0,
+        Shape::Cone { axis, radii, .. } => radii[0].max(radii[1]) <= 0.0 || axis.length_squared() == 0.0,
+        Shape::Sphere { radius, .. } => *radius <= 0.0,
+        Shape::Torus { minor, axis, .. } => *minor <= 0.0 || axis.length_squared() == 0.0,
+    }
+}
+
+/// Whether a ring is a line but for rounding. The net area alone does not tell: that of a bow tie may be 0.
+fn is_narrow(ring: &[glam::DVec3]) -> bool {
+    let [length, width] = length_and_width(ring);
+    let is_triangle_of_no_area = ring.len() == 3 && area_vector(ring).length() <= TOUCH * length * length;
+    width <= NARROW * length || is_triangle_of_no_area
+}

@@ -1,0 +1,201 @@
+//! Reads View3D input, `.vs3` (manual of View3D 3.5, sections 3.1 and 4.1; where it differs from the program, the program).
+//!
+//! Each line begins with a letter, in upper or lower case; blanks and commas part words; `!` and `/` begin comments.
+//!
+//! * `T` title.
+//! * `C` control words: how factors are integrated and printed. Only `encl=1`, which adjusts factors to an enclosure, is
+//!   noted.
+//! * `F 3` or `F 3a` (`G 3`, `G 4` in old files): vertices by number, or each surface in a plane of its own. A surface's
+//!   own line tells which it is.
+//! * `V number x y z`
+//! * `S number v1 v2 v3 v4 base cmb emit name`: a surface, its vertices counter-clockwise seen from the front, which alone
+//!   radiates; v4 = 0 for a triangle. `emit` is the emittance ε, so that the reflectance is 1 − ε.
+//!   `base` > 0: it lies on the surface of this number, as a window lies in a wall, and the base gets a hole there.
+//!   `cmb` > 0: View3D adds its factors to those of the surface of this number; here it stays a surface of its own.
+//! * `S number R|Q|T base cmb emit name` and numbers in the lines behind: the form `3a`.
+//! * `M`, `N` …: a masking or null surface: it lies on its base and takes this part of it from the view. The base gets a
+//!   hole, which a black surface fills.
+//! * `O number v1 v2 v3 v4 name`: an obstruction: it only blocks the view. It is black.
+//! * `E` or `*` ends the data.
+
+mod convex;
+mod plane;
+mod statements;
+pub mod write;
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+use radiosity_photometry::error::Refusal;
+use radiosity_photometry::fault::Fault;
+use radiosity_photometry::place::Place;
+use radiosity_photometry::text::decode;
+
+use self::statements::{Corners, Input, Kind, OBSTRUCTION, Statement};
+use crate::files::Files;
+use crate::model::{GREATEST, Material, Model, Shape, Sides, Surface};
+use crate::names::UniqueNames;
+
+/// How far a surface may lie off the plane of its base, in multiples of the base's size: what View3D allows.
+const OFF_PLANE: f64 = 1e-5;
+
+/// Digits that emittances are rounded to, so that 1 − 0.9 is 0.1.
+const DIGITS: f64 = 1e12;
+
+/// Reads the View3D input `bytes` of `file`.
+///
+/// # Errors
+/// A statement that View3D does not have, numbers out of order or out of range, a base that cannot be one.
+pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refusal> {
+    let text = decode(bytes).map_err(|fault| fault.of_file(file))?;
+    let input = Input::of(file, &text)?;
+    if input.surfaces.is_empty() {
+        let fault = Fault::new("there are no surfaces", "add lines that begin with S, or name its format");
+        return Err(fault.of_file(file));
+    }
+    let located = |(statement, fault): (&Statement, Fault)| fault.in_line(file, statement.line);
+    let outlines = outlines(&input).map_err(located)?;
+    let holes = holes(&input, &outlines).map_err(located)?;
+    Ok(model(&input, outlines, holes))
+}
+
+type Faulty<'a> = (&'a Statement, Fault);
+
+/// The corners of each surface.
+fn outlines(input: &Input) -> Result<Vec<Vec<DVec3>>, Faulty<'_>> {
+    input.surfaces.iter().map(|surface| outline(input, surface).map_err(|fault| (surface, fault))).collect()
+}
+
+fn outline(input: &Input, surface: &Statement) -> Result<Vec<DVec3>, Fault> {
+    let points = match &surface.corners {
+        Corners::Points(points) => points.clone(),
+        Corners::Numbers(numbers) => {
+            numbers.iter().map(|number| vertex(&input.vertices, *number)).collect::<Result<_, _>>()?
+        }
+    };
+    match points.iter().all(|point| point.is_finite() && point.abs().max_element() <= GREATEST) {
+        true => Ok(points),
+        false => Err(Fault::new(format!("a coordinate is beyond {GREATEST:e}"), "write smaller coordinates")),
+    }
+}
+
+fn vertex(vertices: &[DVec3], number: usize) -> Result<DVec3, Fault> {
+    let found = number.checked_sub(1).and_then(|index| vertices.get(index));
+    found.copied().ok_or_else(|| {
+        Fault::new(
+            format!("there is no vertex {number}"),
+            format!("name one from 1 to {}; only the fourth may be 0, in a triangle", vertices.len()),
+        )
+    })
+}
+
+/// The surfaces that lie on each surface, as outlines of holes.
+fn holes<'a>(input: &'a Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DVec3>>>, Faulty<'a>> {
+    let mut holes = vec![Vec::new(); outlines.len()];
+    for (index, (surface, outline)) in input.surfaces.iter().zip(outlines).enumerate() {
+        if surface.kind == Kind::Obstruction {
+            continue;
+        }
+        let base = base(&input.surfaces, index, surface).map_err(|fault| (surface, fault))?;
+        let Some(base) = base else { continue };
+        if !lies_on(outline, &outlines[base]) {
+            let cause = format!("the surface does not lie in the plane of its base {}", base + 1);
+            let fault = Fault::new(cause, "correct its vertices, or write base 0");
+            return Err((surface, fault));
+        }
+        holes[base].push(outline.clone());
+    }
+    Ok(holes)
+}
+
+/// Index of the base of a surface, if it has one. A surface lies on one before it, or on an obstruction.
+fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Option<usize>, Fault> {
+    let Some(base) = surface.base.checked_sub(1) else {
+        return match surface.kind {
+            Kind::Masking | Kind::Null => Err(Fault::new(
+                "a masking or null surface has no base",
+                "write the number of the surface it lies on",
+            )),
+            _ => Ok(None),
+        };
+    };
+    match surfaces.get(base) {
+        Some(found) if base < index || (base > index && found.kind == Kind::Obstruction) => Ok(Some(base)),
+        _ => Err(Fault::new(
+            format!("the base {} is neither a surface before this one nor an obstruction", surface.base),
+            "write the surface behind its base, or write base 0",
+        )),
+    }
+}
+
+fn lies_on(outline: &[DVec3], base: &[DVec3]) -> bool {
+    let [first, second, third, ..] = base else { return false };
+    let last = base.last().unwrap_or(third);
+    let normal = (*third - *first).cross(*last - *second);
+    let normal = if base.len() == 3 { (*second - *first).cross(*third - *first) } else { normal };
+    let normal = normal.normalize_or_zero();
+    let size = base.iter().map(|point| point.distance(*first)).fold(0.0, f64::max);
+    outline.iter().all(|point| (*point - *first).dot(normal).abs() <= OFF_PLANE * size)
+}
+
+fn model(input: &Input, outlines: Vec<Vec<DVec3>>, holes: Vec<Vec<Vec<DVec3>>>) -> Model {
+    let mut model = Model { title: input.title.clone(), bands: vec!["grey".to_owned()], ..Model::default() };
+    let (mut names, mut materials) = (UniqueNames::default(), HashMap::new());
+    for (index, (surface, (outline, holes))) in
+        input.surfaces.iter().zip(outlines.into_iter().zip(holes)).enumerate()
+    {
+        let wanted = surface.name.clone().unwrap_or_else(|| format!("{}-{}", word(surface.kind), index + 1));
+        let place = Some(Place::Line(surface.line));
+        if surface.combined > 0 {
+            model.note("the combining of surfaces in the output is left out", place);
+        }
+        if matches!(surface.kind, Kind::Masking | Kind::Null) {
+            model.note("a black surface takes the place of a masking or null surface", place);
+        }
+        let material = material(surface);
+        let next = materials.len();
+        let known = *materials.entry(material.name.clone()).or_insert(next);
+        if known == next {
+            model.materials.push(material);
+        }
+        model.surfaces.push(Surface {
+            name: names.take(&wanted),
+            material: Some(known),
+            shape: Shape::Polygon { outline, holes },
+            sides: Sides::Front,
+            place,
+        });
+    }
+    note_the_rest(&mut model, input);
+    model
+}
+
+fn word(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Radiating => "surface",
+        Kind::Masking => "mask",
+        Kind::Null => "null",
+        Kind::Obstruction => "obstruction",
+    }
+}
+
+/// A material by its emittance; all that does not radiate is one black material.
+fn material(surface: &Statement) -> Material {
+    let (name, reflectance) = match surface.kind {
+        Kind::Radiating => {
+            (format!("emit-{}", surface.emittance), ((1.0 - surface.emittance) * DIGITS).round() / DIGITS)
+        }
+        _ => (OBSTRUCTION.to_owned(), 0.0),
+    };
+    Material { name, reflectance: vec![reflectance], emission: vec![0.0] }
+}
+
+fn note_the_rest(model: &mut Model, input: &Input) {
+    if let Some(line) = input.enclosure {
+        let text = "encl=1, which adjusts view factors to an enclosure, is left out";
+        model.note(text, Some(Place::Line(line)));
+    }
+    if let Some(line) = input.transformation {
+        model.note("coordinate transformations (X) are left out", Some(Place::Line(line)));
+    }
+}

@@ -1,0 +1,41 @@
+//! Writes a model in any of the formats that are written.
+
+use radiosity_photometry::error::Refusal;
+
+use crate::format::Format;
+use crate::model::Model;
+use crate::{mgf, obj, vs3};
+
+/// The formats that are written.
+pub const WRITTEN: [Format; 3] = [Format::Mgf, Format::Vs3, Format::Obj];
+
+/// The files of a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Written {
+    /// The text of the scene.
+    pub text: String,
+    /// The text of its materials, where they are a file of their own.
+    pub materials: Option<String>,
+}
+
+/// The texts of a model in a format; `materials` is the name of the file of materials, where the format has one.
+///
+/// # Errors
+/// A format that is only read, and what the format has no words for.
+pub fn write(format: Format, model: &Model, materials: &str) -> Result<Written, Refusal> {
+    let alone = |text: String| Written { text, materials: None };
+    match format {
+        Format::Mgf => mgf::write::write(model).map(alone),
+        Format::Vs3 => vs3::write::write(model).map(alone),
+        Format::Obj => {
+            let written = obj::write::write(model, materials)?;
+            Ok(Written { text: written.obj, materials: Some(written.mtl) })
+        }
+        Format::Gltf | Format::Stl | Format::Ply | Format::Mitsuba | Format::Rad => Err(Refusal {
+            file: format!("the {} file", format.name()),
+            place: None,
+            cause: "this format is only read".to_owned(),
+            cure: format!("write one of {}", WRITTEN.map(Format::name).join(", ")),
+        }),
+    }
+}

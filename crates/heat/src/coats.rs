@@ -1,0 +1,57 @@
+//! Scenes whose coatings are those of heat, in the single band `heat`.
+
+use radiosity_scene::{LightGroup, Material, Scene};
+
+use super::black_body::level;
+use super::roles::{Role, Roles};
+
+/// The scene with coatings for heat in a single band: e = ε σ T⁴ and ρ = 1 − ε, or e = q and ρ = 1. Each shield is a
+/// light group of the level 1.
+pub(super) fn radiant(scene: &Scene, roles: &Roles) -> Scene {
+    coated(scene, roles, |role| match *role {
+        Role::Temperature { emissivity, kelvin } => (1.0 - emissivity, emissivity * level(kelvin)),
+        Role::Flux { flux, .. } => (1.0, flux),
+        Role::Shield { emissivity, .. } => (1.0 - emissivity, emissivity),
+    })
+}
+
+/// The same where everything emits, so that no pair is left out.
+pub(super) fn all_emit(scene: &Scene, roles: &Roles) -> Scene {
+    let mut scene = radiant(scene, roles);
+    scene.surfaces.iter_mut().for_each(|surface| {
+        surface.material.emission = vec![1.0];
+        surface.group = None;
+    });
+    scene
+}
+
+/// The scene in the single band `heat`, without its luminaires and its sky, with this reflectance and emission for each role.
+pub(super) fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> (f64, f64)) -> Scene {
+    let mut scene = scene.clone();
+    scene.luminaires.clear();
+    scene.bands = vec!["heat".to_owned()];
+    "W/m²".clone_into(&mut scene.unit);
+    for (surface, role) in scene.surfaces.iter_mut().zip(&roles.list) {
+        let (reflectance, emission) = coat(role);
+        surface.material = Material::black(1);
+        surface.material.reflectance[0] = reflectance;
+        surface.material.emission[0] = emission;
+        surface.flux = None;
+        surface.radiance = None;
+        surface.group = match role {
+            Role::Shield { shield, .. } => Some(LightGroup::new(format!("shield-{shield}"))),
+            _ => None,
+        };
+    }
+    scene
+}
+
+/// The scene with its shields at these levels σ T⁴.
+pub(super) fn at_levels(mut scene: Scene, roles: &Roles, levels: &[f64]) -> Scene {
+    for (surface, role) in scene.surfaces.iter_mut().zip(&roles.list) {
+        if let (Role::Shield { shield, .. }, Some(group)) = (role, surface.group.as_mut()) {
+            group.factor = levels[*shield];
+        }
+    }
+    scene
+}

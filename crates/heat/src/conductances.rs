@@ -1,0 +1,100 @@
+//! Conductances between surfaces, for thermal networks.
+//!
+//! Where surface i alone emits, at the level σ T⁴ = 1 of a black surface, and all surfaces reflect 1 − ε, surface j
+//! absorbs C_ij (m²): directly, and after any number of reflections. C is symmetric, and Σ_j C_ij + C_i0 = ε_i A_i with the
+//! loss C_i0 to the surroundings. Between isothermal surfaces flows
+//!
+//! ```text
+//! Q_ij = C_ij σ (T_i⁴ − T_j⁴) .
+//! ```
+//!
+//! C_ij = A_i ε_i B_ij with Gebhart's factors B_ij (Gebhart 1961); σ C_ij is the radiative conductor of thermal networks.
+
+use radiosity_scene::{LightGroup, Scene};
+use radiosity_solve::{Model, Progress};
+use rayon::prelude::*;
+
+use super::coats::coated;
+use super::error::HeatError;
+use super::figures::{areas, received};
+use super::roles::{Role, Roles};
+
+/// The conductances C_ij (scene length²) of all pairs of surfaces.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct Conductances {
+    /// C_ij in row i, made symmetric.
+    pub rows: Vec<Vec<f64>>,
+    /// C_i0, what surface i loses to the surroundings.
+    pub lost: Vec<f64>,
+    /// Largest |C_ij − C_ji| over the larger of ε_i A_i and ε_j A_j, before C was made symmetric.
+    pub asymmetry: f64,
+}
+
+impl Conductances {
+    /// The conductances of `scene`, one solution of `model` for each surface.
+    pub(super) fn of(
+        scene: &Scene,
+        roles: &Roles,
+        model: &Model,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, HeatError> {
+        let grey = emissivities(scene, roles)?;
+        let lit = each_alone(scene, roles)?;
+        let outcome = model.solve(&lit, progress)?;
+        let elements = outcome.solution.elements();
+        let mut raw = vec![vec![0.0; grey.len()]; grey.len()];
+        let rows = outcome.solution.groups().par_iter().filter_map(|group| {
+            let from: usize = group.group.as_deref()?.parse().ok()?;
+            let light = received(elements, &group.bands[0].irradiance);
+            Some((from, light.iter().zip(&grey).map(|(light, emissivity)| emissivity * light).collect()))
+        });
+        for (from, row) in rows.collect::<Vec<(usize, Vec<f64>)>>() {
+            raw[from] = row;
+        }
+        let emitted: Vec<f64> = areas(elements).iter().zip(&grey).map(|(area, e)| area * e).collect();
+        Ok(Self::symmetric(&raw, &emitted))
+    }
+
+    fn symmetric(raw: &[Vec<f64>], emitted: &[f64]) -> Self {
+        let count = raw.len();
+        let mut rows = raw.to_vec();
+        let mut asymmetry: f64 = 0.0;
+        for i in 0..count {
+            for j in 0..i {
+                let (own, other) = (raw[i][j], raw[j][i]);
+                let scale = emitted[i].max(emitted[j]);
+                asymmetry = asymmetry.max(if scale > 0.0 { (own - other).abs() / scale } else { 0.0 });
+                (rows[i][j], rows[j][i]) = (0.5 * (own + other), 0.5 * (own + other));
+            }
+        }
+        let lost = rows.iter().zip(emitted).map(|(row, emitted)| emitted - row.iter().sum::<f64>()).collect();
+        Self { rows, lost, asymmetry }
+    }
+}
+
+/// The scene in which each surface emits at the level 1, as a light group of its own.
+pub(super) fn each_alone(scene: &Scene, roles: &Roles) -> Result<Scene, HeatError> {
+    let grey = emissivities(scene, roles)?;
+    let mut lit = coated(scene, roles, |_| (0.0, 0.0));
+    for (index, (surface, emissivity)) in lit.surfaces.iter_mut().zip(&grey).enumerate() {
+        surface.material.reflectance = vec![1.0 - emissivity];
+        surface.material.emission = vec![*emissivity];
+        surface.group = Some(LightGroup::new(format!("{index}")));
+    }
+    Ok(lit)
+}
+
+/// The emissivity of each surface.
+fn emissivities(scene: &Scene, roles: &Roles) -> Result<Vec<f64>, HeatError> {
+    let emissivity = |role: &Role| match *role {
+        Role::Temperature { emissivity, .. } | Role::Shield { emissivity, .. } => Some(emissivity),
+        Role::Flux { emissivity, .. } => emissivity,
+    };
+    let known: Vec<Option<f64>> = roles.list.iter().map(emissivity).collect();
+    let bare = scene.surfaces.iter().zip(&known).filter(|(_, known)| known.is_none());
+    let surfaces: Vec<String> = bare.map(|(surface, _)| surface.name.clone()).collect();
+    if surfaces.is_empty() {
+        return Ok(known.into_iter().flatten().collect());
+    }
+    Err(HeatError::NoEmissivity { surfaces })
+}

@@ -1,0 +1,103 @@
+//! Why the heat of a scene has no balance.
+
+use radiosity_solve::Failure;
+use radiosity_work::wording::{Wording, option, words};
+
+/// Most names that a message spells out. Chosen.
+const SPELT: usize = 5;
+
+/// Why the heat of a scene has no balance.
+#[derive(Debug, thiserror::Error)]
+pub enum HeatError {
+    /// Surfaces of which neither temperature nor flux is known.
+    #[error("neither a temperature nor a flux of heat is given for {}", listed(surfaces))]
+    NoCondition {
+        /// Their names.
+        surfaces: Vec<String>,
+    },
+    /// Surfaces that need an emissivity.
+    #[error("no emissivity is given for {}", listed(surfaces))]
+    NoEmissivity {
+        /// Their names.
+        surfaces: Vec<String>,
+    },
+    /// Surfaces that let heat through.
+    #[error("heat would pass through {}", listed(surfaces))]
+    Transmits {
+        /// Their names.
+        surfaces: Vec<String>,
+    },
+    /// Surfaces that exchange heat with one another alone, all of known flux.
+    #[error(
+        "no temperature sets the level of {}: nothing but fluxes of heat is given, and no more can leave than the transfers err by",
+        listed(surfaces)
+    )]
+    NoLevel {
+        /// Their names.
+        surfaces: Vec<String>,
+    },
+    /// Surfaces from which more heat is drawn than arrives.
+    #[error("more heat is drawn than arrives: no temperature is low enough for {}", listed(surfaces))]
+    TooCold {
+        /// Their names.
+        surfaces: Vec<String>,
+    },
+    /// Conductances for which memory does not suffice.
+    #[error(
+        "not enough memory: the conductances between {surfaces} surfaces need about {:.0} MB, {:.0} MB allowed",
+        *needed as f64 / 1e6, *allowed as f64 / 1e6
+    )]
+    Conductances {
+        /// Number of surfaces.
+        surfaces: usize,
+        /// Bytes needed, estimated.
+        needed: u64,
+        /// Bytes allowed.
+        allowed: u64,
+    },
+    /// The radiosity could not be computed.
+    #[error(transparent)]
+    Solve(#[from] Failure),
+}
+
+impl HeatError {
+    /// How to mend it; none where the message already says so.
+    pub fn cure(&self) -> Option<Wording> {
+        Some(match self {
+            Self::NoCondition { .. } => words(
+                "give the surface or its material temperature = …, in kelvin, heat_flux = …, in W/m², or adiabatic = true",
+            ),
+            Self::NoEmissivity { .. } => words("give the material emissivity = …, 0 < ε ≤ 1"),
+            Self::Transmits { .. } => {
+                words("leave the transmittance of the material out: the surfaces of radiant heat are opaque")
+            }
+            Self::NoLevel { .. } => {
+                words(
+                    "give one of them a temperature; heat that leaves by a small opening is found by a smaller ",
+                ) + option("eps")
+            }
+            Self::TooCold { .. } => {
+                words("draw less heat, a heat_flux nearer to 0, or give a temperature instead")
+            }
+            Self::Conductances { .. } => {
+                words("take a lower ")
+                    + option("order")
+                    + ", leave out "
+                    + option("conductances")
+                    + ", or allow more with "
+                    + option("memory")
+            }
+            Self::Solve(Failure::Solver { .. }) => words("take another ") + option("solver"),
+            Self::Solve(_) => return None,
+        })
+    }
+}
+
+/// Names in quotes, the first ones of many.
+fn listed(names: &[String]) -> String {
+    let spelt: Vec<String> = names.iter().take(SPELT).map(|name| format!("{name:?}")).collect();
+    let more = names.len().saturating_sub(SPELT);
+    let of = if names.len() == 1 { "surface" } else { "surfaces" };
+    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("{of} {}{rest}", spelt.join(", "))
+}

@@ -1,0 +1,138 @@
+//! The figures of each surface.
+
+use radiosity_core::dot;
+use radiosity_elements::Elements;
+use radiosity_scene::Scene;
+use radiosity_solve::Outcome;
+
+use super::black_body::{STEFAN_BOLTZMANN, kelvin};
+use super::error::HeatError;
+use super::roles::{Role, Roles};
+
+/// The heat of one surface. Fluxes and temperatures are means over it: T is that of the mean of σ T⁴.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct SurfaceHeat {
+    /// Its name.
+    pub name: String,
+    /// Area that exchanges heat (scene length², metres² for watts); where things touch they see each other.
+    pub area: f64,
+    /// Emissivity; None where none was given and none is needed.
+    pub emissivity: Option<f64>,
+    /// Temperature (K).
+    pub temperature: f64,
+    /// Whether that was given.
+    pub is_temperature_known: bool,
+    /// Whether the flux and the flow were given.
+    pub is_flow_known: bool,
+    /// Net flux q (W m⁻²) that leaves it: J − H.
+    pub flux: f64,
+    /// Net flow Q (W) that leaves it: q times the area.
+    pub flow: f64,
+    /// Radiosity J (W m⁻²).
+    pub radiosity: f64,
+    /// Irradiance H (W m⁻²).
+    pub irradiance: f64,
+    /// Estimated error of the temperature (K); 0 where it was given.
+    pub temperature_error: f64,
+    /// Estimated error of the flow (W); 0 where it was given.
+    pub flow_error: f64,
+}
+
+/// Power (W) that arrives on each surface, for the coefficients h of the irradiance.
+pub(super) fn received(elements: &Elements, irradiance: &[f64]) -> Vec<f64> {
+    let mut received = vec![0.0; elements.surfaces()];
+    let mut rest = irradiance;
+    for element in elements.list() {
+        let (own, others) = rest.split_at(element.constant.len());
+        received[element.surface] += dot(&element.constant, own);
+        rest = others;
+    }
+    received
+}
+
+/// Area of each surface that exchanges heat.
+pub(super) fn areas(elements: &Elements) -> Vec<f64> {
+    let mut areas = vec![0.0; elements.surfaces()];
+    elements.list().iter().for_each(|element| areas[element.surface] += element.area);
+    areas
+}
+
+/// The figures of all surfaces, without errors.
+///
+/// # Errors
+/// A surface from which more is drawn than arrives.
+pub(super) fn figures(
+    scene: &Scene,
+    roles: &Roles,
+    outcome: &Outcome,
+) -> Result<Vec<SurfaceHeat>, HeatError> {
+    let elements = outcome.solution.elements();
+    let band = &outcome.solution.bands()[0];
+    let (areas, received) = (areas(elements), received(elements, &band.coefficients.irradiance));
+    let figure = |surface: usize| {
+        let (area, power) = (areas[surface], received[surface]);
+        let irradiance = if area > 0.0 { power / area } else { 0.0 };
+        // All elements of a surface have the same coating; a surface without elements exchanges nothing.
+        let own = elements.of_surface(surface).next();
+        let radiosity = own.map_or(0.0, |element| band.coating.radiosity(element, [0.0; 2], irradiance, 0.0));
+        let flux = match roles.list[surface] {
+            Role::Flux { flux, .. } => flux,
+            _ => radiosity - irradiance,
+        };
+        let (emissivity, temperature) = match roles.list[surface] {
+            Role::Temperature { emissivity, kelvin } => (Some(emissivity), kelvin),
+            Role::Flux { emissivity, flux: 0.0 } => (emissivity, kelvin(irradiance)),
+            Role::Flux { emissivity, flux } => {
+                (emissivity, kelvin(irradiance + flux / emissivity.unwrap_or(1.0)))
+            }
+            Role::Shield { emissivity, .. } => (Some(emissivity), kelvin(irradiance + flux / emissivity)),
+        };
+        SurfaceHeat {
+            name: scene.surfaces[surface].name.clone(),
+            area,
+            emissivity,
+            temperature,
+            is_temperature_known: matches!(roles.list[surface], Role::Temperature { .. }),
+            is_flow_known: matches!(roles.list[surface], Role::Flux { .. }),
+            flux,
+            flow: flux * area,
+            radiosity,
+            irradiance,
+            temperature_error: 0.0,
+            flow_error: 0.0,
+        }
+    };
+    let all: Vec<SurfaceHeat> = (0..scene.surfaces.len()).map(figure).collect();
+    let cold = all.iter().filter(|surface| !surface.temperature.is_finite());
+    let surfaces: Vec<String> = cold.map(|surface| surface.name.clone()).collect();
+    if surfaces.is_empty() { Ok(all) } else { Err(HeatError::TooCold { surfaces }) }
+}
+
+/// Adds the errors that blocks of the accuracy `eps` leave in the irradiance of each surface.
+pub(super) fn add_errors_of_blocks(surfaces: &mut [SurfaceHeat], eps: f64) {
+    for own in surfaces {
+        add_error(own, eps * own.irradiance.abs());
+    }
+}
+
+/// Makes the errors as large as `share` of the differences from what another order found.
+pub(super) fn add_errors_of_order(surfaces: &mut [SurfaceHeat], other: &[SurfaceHeat], share: f64) {
+    for (own, other) in surfaces.iter_mut().zip(other) {
+        let flow = if own.is_flow_known { 0.0 } else { share * (own.flow - other.flow).abs() };
+        own.flow_error = own.flow_error.max(flow);
+        own.temperature_error =
+            own.temperature_error.max(share * (own.temperature - other.temperature).abs());
+    }
+}
+
+/// Adds the error of flow and temperature that follows from one of the irradiance (W m⁻²).
+fn add_error(own: &mut SurfaceHeat, irradiance: f64) {
+    if !own.is_flow_known {
+        own.flow_error += own.emissivity.unwrap_or(1.0) * irradiance * own.area;
+    }
+    if !own.is_temperature_known {
+        // From σ T⁴: dT = dH / (4 σ T³).
+        let slope = 4.0 * STEFAN_BOLTZMANN * own.temperature.powi(3);
+        own.temperature_error += if slope > 0.0 { irradiance / slope } else { kelvin(irradiance) };
+    }
+}

@@ -1,0 +1,51 @@
+//! What a balance of heat will need, before anything is computed.
+//!
+//! To the memory of a solution come, for the conductances of n surfaces, the light of each as a group and
+//!
+//! ```text
+//! 2 · 8 n²   bytes of C_ij, as found and symmetric.
+//! ```
+
+use radiosity_scene::Scene;
+use radiosity_solve::{Model, Options};
+
+use super::coats::all_emit;
+use super::conductances::each_alone;
+use super::error::HeatError;
+use super::roles::Roles;
+
+/// Bytes of C_ij for each pair of surfaces.
+const PAIR: u64 = 16;
+
+/// What the parts of a balance need.
+pub(super) struct Forecast<'a> {
+    scene: &'a Scene,
+    roles: &'a Roles,
+    options: &'a Options,
+}
+
+impl<'a> Forecast<'a> {
+    /// Of the balance of `scene`.
+    pub(super) fn of(scene: &'a Scene, roles: &'a Roles, options: &'a Options) -> Self {
+        Self { scene, roles, options }
+    }
+
+    /// Refuses conductances that need more memory than allowed.
+    pub(super) fn require_conductances(&self) -> Result<(), HeatError> {
+        let Some(allowed) = self.options.memory else { return Ok(()) };
+        let lit = each_alone(self.scene, self.roles)?;
+        let surfaces = self.scene.surfaces.len();
+        let needed = Model::peak_memory(&lit, self.options) + PAIR * (surfaces as u64).pow(2);
+        if needed <= allowed { Ok(()) } else { Err(HeatError::Conductances { surfaces, needed, allowed }) }
+    }
+
+    /// Those of the `orders` for which there is memory; a lower one needs no more than the balance itself.
+    pub(super) fn within_memory(&self, orders: &[usize]) -> Vec<usize> {
+        let emitting = all_emit(self.scene, self.roles);
+        let fits = |order: &usize| {
+            let needed = || Model::peak_memory(&emitting, &Options { order: *order, ..*self.options });
+            *order < self.options.order || self.options.memory.is_none_or(|allowed| needed() <= allowed)
+        };
+        orders.iter().copied().filter(fits).collect()
+    }
+}

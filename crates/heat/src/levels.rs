@@ -1,0 +1,80 @@
+//! Whether temperatures set the level of all parts of a scene.
+//!
+//! In a part of a scene whose surfaces exchange heat with one another alone, all of known flux, any constant may be
+//! added to σ T⁴: there is no balance, or there are many.
+
+use std::collections::BTreeMap;
+
+use radiosity_core::dot;
+use radiosity_elements::Element;
+use radiosity_scene::Scene;
+use radiosity_solve::{Model, Options};
+
+use super::error::HeatError;
+use super::roles::{Role, Roles};
+
+/// Share of its heat that a part has to lose to count as open, over the accuracy of the blocks. Chosen; not tuned.
+const OPEN: f64 = 10.0;
+
+/// Refuses a scene with a part that has neither a temperature nor an opening.
+pub(super) fn require(
+    scene: &Scene,
+    roles: &Roles,
+    model: &Model,
+    options: &Options,
+) -> Result<(), HeatError> {
+    let open = OPEN * options.eps.max(options.shadow_eps).max(model.blocks().accuracy_reached);
+    let list = model.elements().list();
+    let parts = parts(roles, model, scene.surfaces.len());
+    let ones = model.elements().constant();
+    let received = model.blocks().apply(&ones);
+    let starts = model.elements().starts();
+    let kept =
+        |index: usize, element: &Element| dot(&element.constant, &received[starts[index]..starts[index + 1]]);
+    let mut sums: BTreeMap<usize, Part> = BTreeMap::new();
+    for (index, element) in list.iter().enumerate() {
+        let part = sums.entry(parts[element.surface]).or_default();
+        part.area += element.area;
+        part.kept += kept(index, element);
+        part.has_temperature |= matches!(roles.list[element.surface], Role::Temperature { .. });
+    }
+    let floats = |part: &Part| !part.has_temperature && part.kept > (1.0 - open) * part.area;
+    match sums.iter().find(|(_, part)| floats(part)) {
+        None => Ok(()),
+        Some((floating, _)) => {
+            let names = scene.surfaces.iter().zip(&parts).filter(|(_, part)| *part == floating);
+            Err(HeatError::NoLevel { surfaces: names.map(|(surface, _)| surface.name.clone()).collect() })
+        }
+    }
+}
+
+/// Sums over the elements of a part.
+#[derive(Default)]
+struct Part {
+    area: f64,
+    /// Power that reaches other elements of the part where all emit 1.
+    kept: f64,
+    has_temperature: bool,
+}
+
+/// For each surface the first surface of its part: surfaces that exchange heat, and sides of one shield.
+fn parts(roles: &Roles, model: &Model, surfaces: usize) -> Vec<usize> {
+    let list = model.elements().list();
+    let stored = model.blocks().first_entries().into_iter();
+    let seen = stored.map(|first| [list[first.row].surface, list[first.column].surface]);
+    let pairs = seen.chain(roles.shields.iter().map(|shield| shield.sides));
+    let mut parents: Vec<usize> = (0..surfaces).collect();
+    for pair in pairs {
+        let [a, b] = pair.map(|surface| root(&mut parents, surface));
+        parents[a.max(b)] = a.min(b);
+    }
+    (0..surfaces).map(|surface| root(&mut parents, surface)).collect()
+}
+
+fn root(parents: &mut [usize], mut surface: usize) -> usize {
+    while parents[surface] != surface {
+        parents[surface] = parents[parents[surface]];
+        surface = parents[surface];
+    }
+    surface
+}

@@ -1,0 +1,228 @@
+//! Radiant heat: temperatures and net flows of grey diffuse surfaces.
+//!
+//! Of each surface the temperature T (K) is known, or the flux q (W m⁻²) that it is given and sends out. With the
+//! emissivity ε, the radiosity J, the irradiance H and σ T⁴ (Modest, Radiative Heat Transfer, chapter 5),
+//!
+//! ```text
+//! T known:   J = ε σ T⁴ + (1 − ε) H ,     q = J − H ;
+//! q known:   J = q + H ,                  σ T⁴ = H + q / ε .
+//! ```
+//!
+//! Both are rows of the one system b = e + ρ G b ([`radiosity_solve::system`]), with e = ε σ T⁴ and ρ = 1 − ε, or e = q and ρ = 1:
+//! a surface of known flux reflects all, and its emissivity only enters its temperature. The light of the second kind
+//! has no balance of its own, so some surface has to have a temperature, or some heat has to leave the scene.
+//!
+//! A two-sided surface of known flux is a *shield*: both sides have one temperature, unknown and even over the sheet.
+//! Its level σ T⁴ follows from the net flow of both sides together: the light of each shield is solved for at the level
+//! 1, and the levels are those at which all flows are as given (`heat/shields.rs`).
+//!
+//! What leaves the scene goes to surroundings at 0 K. Conduction, convection and heat that is stored have no part in it;
+//! where they are known, they are a `heat_flux`.
+
+mod error;
+mod black_body;
+mod roles;
+mod coats;
+mod closure;
+mod levels;
+mod figures;
+mod field;
+mod shields;
+mod conductances;
+mod forecast;
+mod stage;
+
+use radiosity_scene::Scene;
+use radiosity_solve::solution::Solution;
+use radiosity_solve::{Direct, Model, Options, Outcome, Progress, Transport, in_threads};
+
+pub use black_body::{STEFAN_BOLTZMANN, kelvin};
+use closure::{Closure, close};
+use coats::{all_emit, at_levels, radiant};
+pub use conductances::Conductances;
+pub use error::HeatError;
+pub use figures::SurfaceHeat;
+use figures::{add_errors_of_blocks, add_errors_of_order, figures};
+use forecast::Forecast;
+use roles::Roles;
+pub use stage::Stage;
+
+/// Largest share of the heat exchanged that may be lost in a scene that counts as closed. Chosen.
+const CLOSED: f64 = 1e-3;
+
+/// The balance of heat of a scene.
+#[derive(Debug)]
+pub struct Heat {
+    /// The figures of each surface, in the order of the scene.
+    pub surfaces: Vec<SurfaceHeat>,
+    /// Flow (W) that leaves the scene, Σ Q; in a closed scene how well the balance closes.
+    pub lost: f64,
+    /// By how much sums of view factors missed 1 before they were made to be 1; None where the scene is not known to be
+    /// closed.
+    pub moved: Option<f64>,
+    /// The orders that tell the error of this one; empty where there is no memory for them.
+    pub error_orders: Vec<usize>,
+    /// Conductances between all surfaces, if they were asked for.
+    pub conductances: Option<Conductances>,
+    /// Polynomials of irradiance and radiosity in the single band `heat`, with cost and self-checks.
+    pub outcome: Outcome,
+}
+
+/// What to compute of the heat of a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct HeatOptions {
+    /// How the radiosity is computed. Direct light is always projected.
+    pub options: Options,
+    /// Whether the conductances between all surfaces are wanted: one solution for each surface.
+    pub conductances: bool,
+}
+
+impl Default for HeatOptions {
+    /// Order 3, every pair to 1e-4 with its shadows, the system to 1e-12; no conductances.
+    fn default() -> Self {
+        let options = Options {
+            order: 3,
+            eps: 1e-4,
+            shadow_eps: 1e-4,
+            transport: Transport::Exact,
+            tolerance: 1e-12,
+            ..Options::default()
+        };
+        Self { options, conductances: false }
+    }
+}
+
+impl Heat {
+    /// Whether anything is known of the heat of `scene`: some surface has a temperature or a flux.
+    pub fn is_known(scene: &Scene) -> bool {
+        scene.surfaces.iter().any(|surface| surface.thermal.condition.is_some() && !surface.is_luminaire())
+    }
+
+    /// The temperatures and flows of `scene`, with errors from what lower orders find (two below, or the next above 0). In
+    /// closed scenes the transfers are made to close (`heat/closure.rs`).
+    ///
+    /// # Errors
+    /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature sets; more heat
+    /// drawn than arrives; too little memory; what [`radiosity_solve::driver()`] refuses.
+    pub fn of(
+        scene: &Scene,
+        wanted: &HeatOptions,
+        progress: &(dyn Fn(Stage) + Sync),
+    ) -> Result<Self, HeatError> {
+        let roles = Roles::of(scene)?;
+        let options = Options { direct: Direct::Projected, ..wanted.options };
+        let forecast = Forecast::of(scene, &roles, &options);
+        if wanted.conductances {
+            forecast.require_conductances()?;
+        }
+        let error_orders = forecast.within_memory(&error_orders(options.order));
+        let (surfaces, outcome, moved, conductances) = {
+            let show = |stage| progress(Stage::Solution(stage));
+            let Solved { model, mut outcome, closure } = solved(scene, &roles, &options, &show)?;
+            let mut surfaces = figures(scene, &roles, &outcome)?;
+            // What rules or rays missed does not matter where sums tell it.
+            outcome.miss = outcome.miss.filter(|_| !closure.is_exact);
+            let reached = options.eps.max(outcome.accuracy_reached);
+            add_errors_of_blocks(&mut surfaces, if closure.is_exact { options.tolerance } else { reached });
+            let conductances =
+                || in_threads(options.threads, || Conductances::of(scene, &roles, &model, &show))?;
+            let conductances = wanted.conductances.then(conductances).transpose()?;
+            (surfaces, outcome, closure.moved, conductances)
+        };
+        let mut heat = Self {
+            lost: surfaces.iter().map(|surface| surface.flow).sum(),
+            surfaces,
+            moved,
+            error_orders,
+            conductances,
+            outcome,
+        };
+        heat.add_errors_of_orders(scene, &roles, &options, &|stage| progress(Stage::Error(stage)))?;
+        Ok(heat)
+    }
+
+    /// Adds the errors that other orders tell.
+    fn add_errors_of_orders(
+        &mut self,
+        scene: &Scene,
+        roles: &Roles,
+        options: &Options,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<(), HeatError> {
+        for order in self.error_orders.clone() {
+            let coarse = at_order(scene, order);
+            let outcome = solved(&coarse, roles, &Options { order, ..*options }, progress)?.outcome;
+            let rough = figures(&coarse, roles, &outcome)?;
+            add_errors_of_order(&mut self.surfaces, &rough, share_left(options.order, order));
+        }
+        Ok(())
+    }
+
+    /// Whether hardly any heat leaves the scene: less than a thousandth of what its surfaces exchange.
+    pub fn is_closed(&self) -> bool {
+        let exchanged = |own: &SurfaceHeat| own.area * own.radiosity.max(own.irradiance);
+        self.lost.abs() <= CLOSED * self.surfaces.iter().map(exchanged).sum::<f64>()
+    }
+
+    /// σ T⁴ (W m⁻²) at all places, as the radiosity of a solution over the same elements: what a black surface of the
+    /// temperature there would emit. It varies over surfaces of known flux.
+    pub fn levels(&self) -> Solution {
+        field::levels(&self.outcome.solution, &self.surfaces)
+    }
+}
+
+/// The orders whose solutions tell the error of the one at `order`: the two below, or the next above 0.
+fn error_orders(order: usize) -> Vec<usize> {
+    match order {
+        0 => vec![1],
+        1 => vec![0],
+        _ => vec![order - 1, order - 2],
+    }
+}
+
+/// The error at `order` over its difference from the solution at another one. Irradiance has kinks and singular
+/// derivatives at edges, so that errors fall as a power of the number of polynomials along a side.
+fn share_left(order: usize, other: usize) -> f64 {
+    // Flows in an oven of seven faces at the orders 0 to 8 fall with the power 2.2 to 2.7.
+    const POWER: f64 = 2.5;
+    if other > order {
+        return 1.0;
+    }
+    let ratio = (order + 1) as f64 / (other + 1) as f64;
+    1.0 / (ratio.powf(POWER) - 1.0)
+}
+
+/// The scene with surfaces of an order of their own at this one.
+fn at_order(scene: &Scene, order: usize) -> Scene {
+    let mut scene = scene.clone();
+    scene.surfaces.iter_mut().for_each(|surface| surface.order = surface.order.map(|_| order));
+    scene
+}
+
+/// The model of a scene and its light.
+struct Solved {
+    model: Model,
+    outcome: Outcome,
+    closure: Closure,
+}
+
+/// The model of a scene, with rows that close, and its light with the shields at their levels.
+fn solved(
+    scene: &Scene,
+    roles: &Roles,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Solved, HeatError> {
+    let model = Model::assemble(&all_emit(scene, roles), options, progress)?;
+    levels::require(scene, roles, &model, options)?;
+    let (model, closure) = in_threads(options.threads, || close(scene, model, options))?;
+    let radiant = radiant(scene, roles);
+    let outcome = model.solve(&radiant, progress)?;
+    if roles.shields.is_empty() {
+        return Ok(Solved { model, outcome, closure });
+    }
+    let levels = shields::levels(roles, &outcome.solution);
+    let radiant = at_levels(radiant, roles, &levels);
+    let outcome = outcome.relit(&radiant).expect("each shield is a group");
+    Ok(Solved { model, outcome, closure })
+}

@@ -1,0 +1,119 @@
+//! The role of each surface in the balance of heat.
+
+use std::collections::HashMap;
+
+use radiosity_geom::DVec3;
+use radiosity_scene::{Condition, Scene, SceneSurface};
+
+use super::error::HeatError;
+
+/// What is known of a surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Role {
+    /// Its temperature (K).
+    Temperature { emissivity: f64, kelvin: f64 },
+    /// The flux (W m⁻²) that it sends out; without an emissivity its temperature is only known where that flux is 0.
+    Flux { emissivity: Option<f64>, flux: f64 },
+    /// The flow of both sides of a sheet together; its index among the shields.
+    Shield { emissivity: f64, shield: usize },
+}
+
+/// A sheet whose two sides have one unknown temperature.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shield {
+    /// Indices of front and back.
+    pub(super) sides: [usize; 2],
+    /// Flux (W m⁻²) per area of the sheet that both sides send out together.
+    pub(super) flux: f64,
+}
+
+/// The roles of all surfaces.
+#[derive(Debug)]
+pub(super) struct Roles {
+    /// One for each surface.
+    pub(super) list: Vec<Role>,
+    pub(super) shields: Vec<Shield>,
+}
+
+impl Roles {
+    /// The roles of the surfaces of `scene`.
+    ///
+    /// # Errors
+    /// Surfaces of which too little is known.
+    pub(super) fn of(scene: &Scene) -> Result<Self, HeatError> {
+        match named(scene, |_, surface| surface.material.transmits()) {
+            surfaces if surfaces.is_empty() => {}
+            surfaces => return Err(HeatError::Transmits { surfaces }),
+        }
+        let unknown = |surface: &SceneSurface| surface.thermal.condition.is_none();
+        match named(scene, |_, surface| unknown(surface)) {
+            surfaces if surfaces.is_empty() => {}
+            surfaces => return Err(HeatError::NoCondition { surfaces }),
+        }
+        let shields = shields(scene);
+        let of_surface: HashMap<usize, usize> =
+            shields.iter().enumerate().flat_map(|(k, shield)| shield.sides.map(|side| (side, k))).collect();
+        // The temperature of what neither gains nor loses heat does not depend on its emissivity.
+        let needs = |index: usize, surface: &SceneSurface| {
+            let is_adiabatic = surface.thermal.condition == Some(Condition::HeatFlux(0.0));
+            emissivity(scene, surface).is_none() && (!is_adiabatic || of_surface.contains_key(&index))
+        };
+        match named(scene, needs) {
+            surfaces if surfaces.is_empty() => {}
+            surfaces => return Err(HeatError::NoEmissivity { surfaces }),
+        }
+        let role = |(index, surface): (usize, &SceneSurface)| {
+            let emissivity = emissivity(scene, surface);
+            let known = || emissivity.expect("it was looked for above");
+            match (surface.thermal.condition.expect("it was looked for above"), of_surface.get(&index)) {
+                (Condition::Temperature(kelvin), _) => Role::Temperature { emissivity: known(), kelvin },
+                (Condition::HeatFlux(_), Some(shield)) => {
+                    Role::Shield { emissivity: known(), shield: *shield }
+                }
+                (Condition::HeatFlux(flux), None) => Role::Flux { emissivity, flux },
+            }
+        };
+        Ok(Self { list: scene.surfaces.iter().enumerate().map(role).collect(), shields })
+    }
+}
+
+/// The names of the surfaces of which `holds` is true.
+fn named(scene: &Scene, holds: impl Fn(usize, &SceneSurface) -> bool) -> Vec<String> {
+    let all = scene.surfaces.iter().enumerate().filter(|(index, surface)| holds(*index, surface));
+    all.map(|(_, surface)| surface.name.clone()).collect()
+}
+
+/// The emissivity that is given, else 1 − ρ in scenes of a single band where ρ is the same all over the surface.
+fn emissivity(scene: &Scene, surface: &SceneSurface) -> Option<f64> {
+    let is_grey = scene.bands.len() == 1 && surface.material.reflectance_pattern.is_none();
+    let grey = || is_grey.then(|| 1.0 - surface.material.reflectance[0]);
+    surface.thermal.emissivity.or_else(grey)
+}
+
+/// Whether two surfaces are sides of one sheet, to a millionth of its size.
+fn lie_together(a: &SceneSurface, b: &SceneSurface) -> bool {
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let place = |surface: &SceneSurface, [u, v]: [f64; 2]| surface.shape.jet(u, v).position;
+    // The sides may be charted from different corners.
+    let [a_middle, b_middle] = [a, b].map(|surface| {
+        corners.iter().map(|corner| place(surface, *corner)).sum::<DVec3>() / corners.len() as f64
+    });
+    let [a_area, b_area] = [a, b].map(|surface| surface.shape.area());
+    let near = 1e-6 * a_area.sqrt();
+    a_middle.distance(b_middle) <= near && (a_area - b_area).abs() <= 1e-6 * a_area
+}
+
+/// The two-sided surfaces of known flux: two fronts back to back, of one condition, which two materials may have.
+fn shields(scene: &Scene) -> Vec<Shield> {
+    let fronts: HashMap<&str, usize> =
+        scene.surfaces.iter().enumerate().map(|(index, own)| (own.name.as_str(), index)).collect();
+    let shield = |(back, surface): (usize, &SceneSurface)| {
+        let Some(Condition::HeatFlux(flux)) = surface.thermal.condition else { return None };
+        let front = *fronts.get(surface.name.strip_suffix(":back")?)?;
+        // A surface may be called so without being a back. Sides of other conditions are insulated from each other.
+        let other = &scene.surfaces[front];
+        let is_sheet = other.thermal.condition == surface.thermal.condition && lie_together(other, surface);
+        is_sheet.then_some(Shield { sides: [front, back], flux })
+    };
+    scene.surfaces.iter().enumerate().filter_map(shield).collect()
+}

@@ -1,0 +1,63 @@
+//! The levels of shields.
+//!
+//! With the level x = σ T⁴ of each shield, its area A on either side s, the power P_s that arrives there from all
+//! surfaces of known temperature or flux, and P_s^(l) from shield l at the level 1, the given flow is
+//!
+//! ```text
+//! q A = Σ_s ε (A x_k − P_s − Σ_l P_s^(l) x_l) .
+//! ```
+
+use radiosity_solve::solution::Solution;
+use radiosity_solvers::method::Method;
+use radiosity_solvers::{Dense, Partition, Settings};
+
+use super::figures::{areas, received};
+use super::roles::{Role, Roles};
+
+/// The level σ T⁴ (W m⁻²) of each shield, from the light of all of them at the level 1. Not a number where the flows have no
+/// balance.
+pub(super) fn levels(roles: &Roles, solution: &Solution) -> Vec<f64> {
+    let count = roles.shields.len();
+    if count == 0 {
+        return Vec::new();
+    }
+    let elements = solution.elements();
+    let areas = areas(elements);
+    let mut others = vec![0.0; elements.surfaces()];
+    let mut at_one = vec![vec![0.0; elements.surfaces()]; count];
+    for group in solution.groups() {
+        let light = received(elements, &group.bands[0].irradiance);
+        let shield =
+            group.group.as_deref().and_then(|name| name.strip_prefix("shield-")?.parse::<usize>().ok());
+        match shield {
+            Some(shield) => at_one[shield] = light,
+            None => others = light,
+        }
+    }
+    let emissivity = |side: usize| match roles.list[side] {
+        Role::Shield { emissivity, .. } => emissivity,
+        Role::Temperature { .. } | Role::Flux { .. } => 0.0,
+    };
+    let absorbed = |k: usize, light: &[f64]| -> f64 {
+        roles.shields[k].sides.iter().map(|side| emissivity(*side) * light[*side]).sum()
+    };
+    let emitted = |k: usize| absorbed(k, &areas);
+    let matrix = (0..count).flat_map(|l| {
+        let light = &at_one[l];
+        (0..count).map(move |k| (if k == l { emitted(k) } else { 0.0 }) - absorbed(k, light))
+    });
+    let given = |k: usize| roles.shields[k].flux * areas[roles.shields[k].sides[0]] + absorbed(k, &others);
+    solve(matrix.collect(), (0..count).map(given).collect())
+}
+
+/// The solution of a small dense system, entry (i, j) at `values[j·n + i]`; not numbers if it has none.
+fn solve(values: Vec<f64>, right: Vec<f64>) -> Vec<f64> {
+    let mut levels = vec![0.0; right.len()];
+    let solver = Method::LU.solver;
+    let solved = Dense::new(Partition::points(right.len()), values, false)
+        .and_then(|a| solver.solve(&a, &right, &mut levels, &Settings::default(), &mut |_| ()));
+    if solved.is_err() {
+        levels.fill(f64::NAN);
+    }
+    levels
+}

@@ -1,0 +1,476 @@
+//! The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
+//!
+//! Ranks share G by rows of elements: each holds the blocks of its own rows, and of its own columns where a block stands for its
+//! transpose too. A product is summed on the rank that holds its row, in the order of all blocks, and then completed by those of
+//! the others ([`Held`]).
+
+pub mod block;
+pub mod held;
+pub(crate) mod miss;
+pub(crate) mod pair_counts;
+pub(crate) mod reciprocity;
+pub(crate) mod remainder;
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::ops::Range;
+
+use radiosity_core::dot;
+use radiosity_work::interruption::heed;
+use radiosity_work::ranks;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::blocks::pair_counts::PairCounts;
+use block::Account;
+use held::Held;
+use miss::Miss;
+use reciprocity::Reciprocity;
+use remainder::Remainder;
+
+/// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their results.
+const CHUNKS: usize = 32;
+
+/// The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
+#[derive(Clone, Debug)]
+pub struct Blocks {
+    starts: Vec<usize>,
+    /// The part of this rank.
+    held: Held,
+    stored: List,
+    /// Blocks of which only the first line and the first column are not zero.
+    crosses: List,
+    symmetric: bool,
+    /// The values of the blocks that this rank holds, one after the other.
+    values: Vec<f64>,
+    /// Numbers that all ranks store, each block counted once.
+    numbers: usize,
+    /// Whether all blocks of an element's row were computed.
+    complete: Vec<bool>,
+    /// Numbers of pairs by contact and by reason of being skipped.
+    pub pairs: PairCounts,
+    /// Terms of all rules; logarithms for contour integrals. Blocks that are copies count like those they were copied
+    /// from.
+    pub samples: u64,
+    /// G c as integrated, c the coefficients of the constant 1, where G was corrected afterwards.
+    pub integrated: Option<Vec<f64>>,
+    /// Kernel evaluations or logarithms: fewer than the terms where kernel values repeat.
+    pub distinct: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+    /// Reciprocity, from a sample of pairs that were integrated both ways.
+    pub reciprocity: Reciprocity,
+    /// Estimate of the largest error of a block that rules or rays leave ([`Miss::error`]); zero if all were resolved.
+    pub accuracy_reached: f64,
+    /// The block whose error is the largest multiple of what was asked of it.
+    pub miss: Option<Miss>,
+    /// Of blocks that are known otherwise than by integrals.
+    pub remainders: Vec<Remainder>,
+}
+
+/// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is symmetric.
+#[derive(Clone, Copy, Debug)]
+struct Stored {
+    row: u32,
+    column: u32,
+    start: usize,
+    /// Its place among those of all ranks.
+    place: usize,
+}
+
+/// The entry of a block between constants.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct FirstEntry {
+    /// Index of the receiver.
+    pub row: usize,
+    /// Index of the emitter.
+    pub column: usize,
+    /// G of the two constants.
+    pub value: f64,
+}
+
+/// A block on its way to other ranks.
+#[derive(Serialize, Deserialize)]
+struct Row {
+    place: usize,
+    pair: [usize; 2],
+    values: Vec<f64>,
+}
+
+/// Blocks of all ranks by their places.
+fn in_order(parts: Vec<Vec<Row>>) -> Vec<Row> {
+    let mut all: Vec<Row> = parts.into_iter().flatten().collect();
+    all.sort_by_key(|row| row.place);
+    all
+}
+
+/// Blocks of one kind.
+#[derive(Clone, Debug, Default)]
+struct List {
+    /// Those that this rank holds, by places ascending.
+    own: Vec<Stored>,
+    /// Number of those of all ranks.
+    all: usize,
+}
+
+impl List {
+    /// The blocks of this rank in [`CHUNKS`] lists, cut where those of all ranks would be.
+    fn chunks(&self) -> Vec<&[Stored]> {
+        let length = self.all.div_ceil(CHUNKS).max(1);
+        let chunk = |stored: &Stored| stored.place / length;
+        self.own.chunk_by(|a, b| chunk(a) == chunk(b)).collect()
+    }
+}
+
+impl Blocks {
+    /// No blocks yet. `starts` are the first coefficients of the elements, and the dimension at the end. If G is
+    /// `symmetric`, each block also stands for its transpose.
+    pub fn empty(starts: Vec<usize>, symmetric: bool) -> Self {
+        Self {
+            complete: vec![true; starts.len() - 1],
+            held: Held::of(&ranks::current(), &starts),
+            starts,
+            stored: List::default(),
+            crosses: List::default(),
+            symmetric,
+            values: Vec::new(),
+            numbers: 0,
+            pairs: PairCounts::default(),
+            samples: 0,
+            distinct: 0,
+            integrated: None,
+            rays: 0,
+            reciprocity: Reciprocity::default(),
+            accuracy_reached: 0.0,
+            miss: None,
+            remainders: Vec::new(),
+        }
+    }
+
+    /// Appends a block, unless it is zero. All ranks append the same blocks; where one does not hold a block, it may know of its
+    /// values only whether they are zero ([`Blocks::pass`]).
+    pub fn push(&mut self, row: usize, column: usize, values: &[f64]) {
+        if values.iter().any(|value| *value != 0.0) {
+            match self.holds(row, column) {
+                true => self.keep(row, column, values),
+                false => self.pass(row, column),
+            }
+        }
+    }
+
+    /// Counts a block that differs from zero and is held by other ranks.
+    pub fn pass(&mut self, row: usize, column: usize) {
+        self.stored.all += 1;
+        self.numbers += self.range(row).len() * self.range(column).len();
+    }
+
+    fn keep(&mut self, row: usize, column: usize, values: &[f64]) {
+        let (place, start) = (self.stored.all, self.values.len());
+        self.stored.own.push(Stored { row: row as u32, column: column as u32, start, place });
+        self.values.extend_from_slice(values);
+        self.pass(row, column);
+    }
+
+    /// Whether this rank holds the block of a pair.
+    pub fn holds(&self, row: usize, column: usize) -> bool {
+        self.held.has(row) || (self.symmetric && self.held.has(column))
+    }
+
+    /// The rows of this rank, and those of all.
+    pub fn held(&self) -> &Held {
+        &self.held
+    }
+
+    /// Records that some blocks of an element's row were left out.
+    pub fn leave_open(&mut self, element: usize) {
+        self.complete[element] = false;
+    }
+
+    /// Whether all blocks of an element's row were computed.
+    pub fn is_complete(&self, element: usize) -> bool {
+        self.complete[element]
+    }
+
+    /// Whether G is symmetric; it is, except by the rules of 1993 (`published::zatz1993::transfers`).
+    pub fn symmetric(&self) -> bool {
+        self.symmetric
+    }
+
+    /// Takes the error of a block into account.
+    pub fn tell(&mut self, miss: Miss) {
+        self.accuracy_reached = self.accuracy_reached.max(miss.error);
+        if self.miss.is_none_or(|worst| miss.excess() > worst.excess()) {
+            self.miss = Some(miss);
+        }
+    }
+
+    /// Adds what it took to integrate a block.
+    pub fn take_costs(&mut self, block: &Account) {
+        self.samples += block.samples;
+        self.distinct += block.distinct;
+        self.rays += block.rays;
+    }
+
+    /// Numbers that are stored, by all ranks together, each block counted once.
+    pub fn stored_numbers(&self) -> usize {
+        self.numbers
+    }
+
+    /// Number of coefficients.
+    pub fn dim(&self) -> usize {
+        self.starts[self.starts.len() - 1]
+    }
+
+    /// The first coefficient of each element, and the dimension at the end.
+    pub fn starts(&self) -> &[usize] {
+        &self.starts
+    }
+
+    /// G c for the coefficients c of the constant 1, by G as it was integrated, before any correction.
+    pub fn integrated_constant(&self, ones: &[f64]) -> Vec<f64> {
+        self.integrated.clone().unwrap_or_else(|| self.apply(ones))
+    }
+
+    /// Whether rays carried the pairs, and G was corrected afterwards.
+    pub fn is_by_rays(&self) -> bool {
+        self.integrated.is_some()
+    }
+
+    /// Stores a block of a symmetric G of which only the first line and the first column differ from zero: first the
+    /// line, then the rest of the column.
+    pub fn push_cross(&mut self, row: usize, column: usize, values: &[f64]) {
+        if self.holds(row, column) {
+            let (place, start) = (self.crosses.all, self.values.len());
+            self.crosses.own.push(Stored { row: row as u32, column: column as u32, start, place });
+            self.values.extend_from_slice(values);
+        }
+        self.pass_cross(row, column);
+    }
+
+    /// Counts a block stored as a cross by other ranks.
+    pub fn pass_cross(&mut self, row: usize, column: usize) {
+        self.crosses.all += 1;
+        self.numbers += self.range(row).len() + self.range(column).len() - 1;
+    }
+
+    /// Appends all blocks of `others`, which are of the same elements.
+    pub fn append(&mut self, others: &Self) {
+        let copied = |Stored { row, column, start, place }: &Stored, list: &List, values: usize| Stored {
+            row: *row,
+            column: *column,
+            start: values + start,
+            place: list.all + place,
+        };
+        let values = self.values.len();
+        for (own, more) in [(&mut self.stored, &others.stored), (&mut self.crosses, &others.crosses)] {
+            let copies: Vec<Stored> = more.own.iter().map(|stored| copied(stored, own, values)).collect();
+            own.own.extend(copies);
+            own.all += more.all;
+        }
+        self.values.extend_from_slice(&others.values);
+        self.numbers += others.numbers;
+    }
+
+    /// All blocks, held by every rank.
+    pub fn gathered(&self) -> Cow<'_, Self> {
+        let ranks = self.held.ranks();
+        if ranks.are_alone() {
+            return Cow::Borrowed(self);
+        }
+        let stored = in_order(ranks.all(self.rows(&self.stored, Self::entries)));
+        let crosses = in_order(ranks.all(self.rows(&self.crosses, Self::line_and_rest)));
+        let alone = ranks::Ranks::alone().within(|| Self::empty(self.starts.clone(), self.symmetric));
+        let mut all = Self { complete: self.complete.clone(), ..alone };
+        stored.iter().for_each(|Row { pair: [row, column], values, .. }| all.keep(*row, *column, values));
+        crosses
+            .iter()
+            .for_each(|Row { pair: [row, column], values, .. }| all.push_cross(*row, *column, values));
+        (all.pairs, all.samples, all.distinct, all.rays) =
+            (self.pairs, self.samples, self.distinct, self.rays);
+        (all.reciprocity, all.accuracy_reached, all.miss) =
+            (self.reciprocity, self.accuracy_reached, self.miss);
+        all.integrated.clone_from(&self.integrated);
+        all.remainders.clone_from(&self.remainders);
+        Cow::Owned(all)
+    }
+
+    /// The blocks of a list in the rows of this rank.
+    fn rows<'a>(&'a self, list: &List, values: impl Fn(&'a Self, &Stored) -> &'a [f64]) -> Vec<Row> {
+        let own = list.own.iter().filter(|stored| self.held.has(stored.row as usize));
+        let row = |stored: &Stored| Row {
+            place: stored.place,
+            pair: [stored.row as usize, stored.column as usize],
+            values: values(self, stored).to_vec(),
+        };
+        own.map(row).collect()
+    }
+
+    /// y = G x.
+    pub fn apply(&self, x: &[f64]) -> Vec<f64> {
+        heed();
+        if self.crosses.all > 0 {
+            return self.apply_in_chunks(x);
+        }
+        let mut own = vec![0.0; self.held.coefficients().len()];
+        self.stored.own.iter().for_each(|block| self.add(block, x, &mut own));
+        self.completed(&own)
+    }
+
+    /// y = G x of a symmetric G, in parallel: sums over a fixed number of chunks of blocks, so that threads change no
+    /// bit.
+    pub fn apply_in_chunks(&self, x: &[f64]) -> Vec<f64> {
+        let mut own = vec![0.0; self.held.coefficients().len()];
+        self.add_chunks(&self.stored, &|block, y| self.add(block, x, y), &mut own);
+        self.add_chunks(&self.crosses, &|block, y| self.add_cross(block, x, y), &mut own);
+        self.completed(&own)
+    }
+
+    /// A product of which this rank has summed its `own` rows.
+    fn completed(&self, own: &[f64]) -> Vec<f64> {
+        let mut all = vec![0.0; self.dim()];
+        all[self.held.coefficients()].copy_from_slice(own);
+        self.held.complete(&mut all);
+        all
+    }
+
+    /// Adds to `sum`, the rows of this rank, what `add` makes of all blocks of a list, chunk by chunk in parallel.
+    fn add_chunks(&self, list: &List, add: &(dyn Fn(&Stored, &mut [f64]) + Sync), sum: &mut [f64]) {
+        let length = sum.len();
+        let parts = list.chunks().into_par_iter().map(|blocks| {
+            heed();
+            let mut y = vec![0.0; length];
+            blocks.iter().for_each(|block| add(block, &mut y));
+            y
+        });
+        for part in parts.collect::<Vec<_>>() {
+            sum.iter_mut().zip(part).for_each(|(sum, y)| *sum += y);
+        }
+    }
+
+    /// As [`Blocks::add`] for a block stored as a cross, whose row comes before its column.
+    fn add_cross(&self, stored: &Stored, x: &[f64], own: &mut [f64]) {
+        let (row, column) = (stored.row as usize, stored.column as usize);
+        let (rows, columns) = (self.range(row), self.range(column));
+        let (line, rest) = self.line_and_rest(stored).split_at(columns.len());
+        if self.held.has(row) {
+            let (x, y) = (&x[columns.clone()], &mut own[self.place(&rows)]);
+            y[0] += dot(line, x);
+            add_multiple(rest, x[0], &mut y[1..]);
+        }
+        if self.held.has(column) {
+            let (x, y) = (&x[rows], &mut own[self.place(&columns)]);
+            add_multiple(line, x[0], y);
+            y[0] += dot(rest, &x[1..]);
+        }
+    }
+
+    /// Adds G_ij x_j to y_i and, of a symmetric G, G_ijᵀ x_i to y_j, where these are among the rows of this rank, `own`.
+    fn add(&self, stored: &Stored, x: &[f64], own: &mut [f64]) {
+        let (row, column) = (stored.row as usize, stored.column as usize);
+        let (rows, columns) = (self.range(row), self.range(column));
+        let lines = self.entries(stored).chunks_exact(columns.len());
+        if self.held.has(row) {
+            let y = own[self.place(&rows)].iter_mut();
+            y.zip(lines.clone()).for_each(|(y, line)| *y += dot(line, &x[columns.clone()]));
+        }
+        if self.symmetric && row != column && self.held.has(column) {
+            let y = &mut own[self.place(&columns)];
+            lines.zip(&x[rows]).for_each(|(line, x)| add_multiple(line, *x, y));
+        }
+    }
+
+    /// Where the coefficients of an element of this rank stand among those of its rows.
+    fn place(&self, coefficients: &Range<usize>) -> Range<usize> {
+        let first = self.held.coefficients().start;
+        coefficients.start - first..coefficients.end - first
+    }
+
+    /// y = Gᵀ x.
+    pub fn apply_transposed(&self, x: &[f64]) -> Vec<f64> {
+        if self.symmetric {
+            return self.apply(x);
+        }
+        let mut y = vec![0.0; self.dim()];
+        for (row, column, values) in self.gathered().full() {
+            let columns = self.range(column);
+            let lines = values.chunks_exact(columns.len()).zip(&x[self.range(row)]);
+            lines.for_each(|(line, x)| add_multiple(line, *x, &mut y[columns.clone()]));
+        }
+        y
+    }
+
+    /// The nonzero blocks that this rank holds, as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and each
+    /// block stands for its transpose too.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, usize, Cow<'_, [f64]>)> {
+        let full = self.full().map(|(row, column, values)| (row, column, Cow::Borrowed(values)));
+        full.chain(
+            self.crosses
+                .own
+                .iter()
+                .map(|cross| (cross.row as usize, cross.column as usize, Cow::Owned(self.filled(cross)))),
+        )
+    }
+
+    /// The entries of a block that is stored as a cross, row-major.
+    fn filled(&self, stored: &Stored) -> Vec<f64> {
+        let [rows, columns] = [stored.row, stored.column].map(|element| self.range(element as usize).len());
+        let values = self.line_and_rest(stored);
+        let mut block = vec![0.0; rows * columns];
+        block[..columns].copy_from_slice(&values[..columns]);
+        for (k, value) in values[columns..].iter().enumerate() {
+            block[(k + 1) * columns] = *value;
+        }
+        block
+    }
+
+    /// The first entries of all blocks that differ from zero.
+    pub fn first_entries(&self) -> Vec<FirstEntry> {
+        let own = |list: &List| -> Vec<(usize, FirstEntry)> {
+            let own = list.own.iter().filter(|stored| self.held.has(stored.row as usize));
+            let first = |Stored { row, column, start, place }: &Stored| {
+                let (row, column) = (*row as usize, *column as usize);
+                (*place, FirstEntry { row, column, value: self.values[*start] })
+            };
+            own.map(first).collect()
+        };
+        let in_order = |list: &List| {
+            let mut all = self.held.ranks().all(own(list)).concat();
+            all.sort_by_key(|(place, _)| *place);
+            all
+        };
+        let [stored, crosses] = [&self.stored, &self.crosses].map(in_order);
+        stored.into_iter().chain(crosses).map(|(_, first)| first).collect()
+    }
+
+    /// The blocks G_ii of all elements that see themselves.
+    pub fn diagonal(&self) -> HashMap<usize, Vec<f64>> {
+        let own = self.iter().filter(|(row, column, _)| row == column);
+        let own: Vec<(usize, Vec<f64>)> = own.map(|(row, _, values)| (row, values.into_owned())).collect();
+        self.held.ranks().all(own).into_iter().flatten().collect()
+    }
+
+    /// The blocks that are stored whole, as [`Blocks::iter`].
+    fn full(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
+        let own = self.stored.own.iter();
+        own.map(|stored| (stored.row as usize, stored.column as usize, self.entries(stored)))
+    }
+
+    /// The entries of a block that is stored whole.
+    fn entries(&self, Stored { row, column, start, .. }: &Stored) -> &[f64] {
+        &self.values[*start..][..self.range(*row as usize).len() * self.range(*column as usize).len()]
+    }
+
+    /// The first line of a block that is stored as a cross, and the rest of its first column.
+    fn line_and_rest(&self, Stored { row, column, start, .. }: &Stored) -> &[f64] {
+        &self.values[*start..][..self.range(*row as usize).len() + self.range(*column as usize).len() - 1]
+    }
+
+    fn range(&self, element: usize) -> Range<usize> {
+        self.starts[element]..self.starts[element + 1]
+    }
+}
+
+/// y ← y + a x.
+fn add_multiple(a: &[f64], x: f64, y: &mut [f64]) {
+    y.iter_mut().zip(a).for_each(|(y, a)| *y += a * x);
+}

@@ -1,0 +1,61 @@
+//! Numbers of pairs by contact and by reason of being skipped.
+
+use serde::{Deserialize, Serialize};
+
+use crate::blocks::block::{Account, Kind};
+
+/// Numbers of pairs by contact and by reason of being skipped.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PairCounts {
+    /// Unordered pairs, curved elements with themselves included.
+    pub total: usize,
+    /// One lies behind the other.
+    pub skipped_facing: usize,
+    /// Both lie in one plane.
+    pub skipped_coplanar: usize,
+    /// One blocker hides one from the other.
+    pub skipped_hidden: usize,
+    /// Neither side ever sends light: both are black and do not emit.
+    pub skipped_black: usize,
+    /// Equal to an earlier pair up to similarity (also counted by contact).
+    pub repeated: usize,
+    /// Curved elements with themselves.
+    pub same: usize,
+    /// Hardest contact a common edge.
+    pub edge: usize,
+    /// Hardest contact a common corner.
+    pub vertex: usize,
+    /// Contacts that were cut into common edges and corners.
+    pub contact: usize,
+    /// Near, therefore split.
+    pub split: usize,
+    /// Far apart.
+    pub separated: usize,
+    /// Constants on flat elements: contour integrals, exact.
+    pub contour: usize,
+    /// Something hides a part (also counted by contact).
+    pub partly_hidden: usize,
+    /// A near part was left at the smallest size, with unknown accuracy (also counted by contact).
+    pub unresolved: usize,
+    /// Carried by rays from both sides, because no rule reached the accuracy (also counted by contact).
+    #[serde(default)]
+    pub by_rays: usize,
+}
+
+impl PairCounts {
+    /// Counts one more pair whose block was integrated or copied.
+    pub fn take(&mut self, block: &Account) {
+        let counter = match block.kind {
+            Kind::Contour => &mut self.contour,
+            Kind::Separated => &mut self.separated,
+            Kind::Split => &mut self.split,
+            Kind::Vertex => &mut self.vertex,
+            Kind::Edge => &mut self.edge,
+            Kind::Contact => &mut self.contact,
+            Kind::Same => &mut self.same,
+        };
+        *counter += 1;
+        self.partly_hidden += usize::from(block.partly_hidden);
+        self.unresolved += usize::from(block.unresolved);
+    }
+}

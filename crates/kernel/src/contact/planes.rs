@@ -1,0 +1,63 @@
+//! Relative position of the planes of two elements.
+
+use radiosity_elements::Element;
+use radiosity_elements::patch::{Node, Patch};
+use radiosity_geom::{DVec3, touching};
+
+/// Unit normals that differ by less are equal: rounding. Chosen; not tuned.
+const PARALLEL: f64 = 1e-12;
+
+/// A point of a plane, and its unit normal.
+pub type Plane = (DVec3, DVec3);
+
+/// The common plane of patches that all lie in one and face the same way.
+pub fn plane_of(patches: &[Patch]) -> Option<Plane> {
+    let places =
+        |patch: &Patch| if patch.is_flat() { vec![patch.node(0.0, 0.0)] } else { patch.cell_nodes(3) };
+    let mut all = patches.iter().flat_map(places);
+    let first = all.next()?;
+    let is_level = |x: Node| {
+        let d = x.position - first.position;
+        x.normal.distance(first.normal) <= PARALLEL && d.dot(first.normal).abs() <= touching(d.length(), 0.0)
+    };
+    all.all(is_level).then_some((first.position, first.normal))
+}
+
+/// What the planes of two elements show about their exchange.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Planes {
+    /// They may exchange light.
+    Exchanging,
+    /// One lies behind the other.
+    Facing,
+    /// Both lie in one plane.
+    Coplanar,
+}
+
+/// Elements of one planar surface count as coplanar, however their planes were rounded.
+pub fn of(receiver: &Element, emitter: &Element) -> Planes {
+    if receiver.surface == emitter.surface && receiver.plane.is_some() {
+        return Planes::Coplanar;
+    }
+    let extent = receiver.extent.min(emitter.extent);
+    for (plane, other) in [(&receiver.plane, emitter), (&emitter.plane, receiver)] {
+        let Some(plane) = plane else { continue };
+        let [low, high] = heights(*plane, other, extent);
+        if high <= 0.0 {
+            return if low >= 0.0 { Planes::Coplanar } else { Planes::Facing };
+        }
+    }
+    Planes::Exchanging
+}
+
+/// Least and largest height of an element over a plane (scene length). Heights within rounding are 0, for elements of
+/// which the smaller is `extent` wide.
+fn heights((point, normal): (DVec3, DVec3), element: &Element, extent: f64) -> [f64; 2] {
+    let height = |x: &DVec3| {
+        let offset = x - point;
+        let height = offset.dot(normal);
+        if height.abs() <= touching(extent, offset.length()) { 0.0 } else { height }
+    };
+    let range = |[low, high]: [f64; 2], h: f64| [low.min(h), high.max(h)];
+    element.hull.iter().map(height).fold([f64::INFINITY, f64::NEG_INFINITY], range)
+}

@@ -1,0 +1,25 @@
+//! The kernel of radiosity integrated over pairs of elements: the hot loops.
+//!
+//! In order: `irradiance` (closed forms at a point), `moments` (sums over pairs of points), `contact` (how two patches meet),
+//! `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
+//! contact) and `terms` (kernels that are sums of terms).
+//!
+//! Imports `work`, `visibility` and `elements`.
+
+pub mod irradiance;
+pub mod moments;
+pub mod contact;
+pub mod estimates;
+pub mod blocks;
+pub mod rules;
+pub mod terms;
+
+pub use blocks::Blocks;
+pub use blocks::block::Accuracy;
+pub use blocks::block::Kind;
+pub use blocks::miss::Miss;
+pub use blocks::pair_counts::PairCounts;
+pub use blocks::reciprocity::Reciprocity;
+pub use blocks::remainder::Remainder;
+pub use moments::integrand::kernel;
+pub use rules::contour::polygon_exchange;

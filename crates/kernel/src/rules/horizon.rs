@@ -1,0 +1,337 @@
+//! Disjoint patches with partial self-occlusion: integration over what lies above all tangent planes (horizons).
+//!
+//! The kernel is clipped where n_x·(y − x) or n_y·(x − y) changes sign, and a tensor rule converges only about like
+//! 1/n². Instead the integral is iterated: for every outer point x,
+//!
+//! ```text
+//! W_l(x) = ∫_q κ(x, y) φ_l(y) dA_y
+//! ```
+//!
+//! is integrated over exactly the part of q that x sees ([`part`]). A ball between the two is cut away in the same way
+//! ([`view`]).
+//!
+//! W is less smooth where a horizon starts to leave q: it has a kink of about second order. There the outer patch,
+//! without the parts that see nothing, is cut into cells ([`cell`]), the worst first ([`queue`]), until the sum of
+//! their errors is small enough. If q is planar its points share one horizon, which leaves all of q at once: W then has
+//! a kink of first order, and the outer patch is cut along it beforehand ([`front`]).
+
+mod cell;
+mod queue;
+mod view;
+mod line;
+mod front;
+mod part;
+
+use std::sync::Arc;
+
+use radiosity_elements::basis::AreaBasis;
+use radiosity_elements::patch::{Node, Patch};
+use radiosity_elements::rule::MOST_POINTS;
+use radiosity_work::interruption::heed;
+
+use crate::contact::orientation::{Facing, facing};
+use crate::contact::planes::plane_of;
+use crate::estimates::entry_norm::EntryNorm;
+use cell::{Cell, DIRECTIONS, Whole};
+pub use front::Front;
+use front::Nodes;
+pub use part::DEEPEST;
+use part::Part;
+use queue::Queue;
+pub use view::Ball;
+use view::View;
+
+/// Points of the rules tried on an outer patch, relative to those that the unclipped kernel needs. Chosen; not tuned.
+const RUNGS: [f64; 3] = [0.35, 0.55, 1.0];
+/// Fewest points of these rules, and how many each has at least more than the one before: W, clipped, may need many
+/// points where the kernel needs few, and no rule is compared with itself. Chosen; not tuned.
+const FEWEST: usize = 3;
+const STEP: usize = 2;
+/// Share of the tolerance within which two of these rules have to agree. Chosen; not tuned.
+const CLIMB_SHARE: f64 = 0.5;
+/// Error of the finer of two rules, relative to their difference: r/(1 − r) = 0.28 with r = (3/5)³ at a kink of second
+/// order.
+const FINER_RULE: f64 = 0.3;
+
+/// Share of the tolerance for settled cells, to each its share of the patch. Chosen; not tuned.
+const SETTLED: f64 = 0.25;
+/// Most numbers stored for open cells (64 MB), and about how many sets of moments each cell holds.
+const MOST_NUMBERS: usize = 8_000_000;
+const WHOLES: usize = 4;
+
+/// Error of a patch of which only corners see anything, relative to what it would carry if all points saw as much.
+/// Chosen; not tuned.
+const CORNER: f64 = 0.05;
+const CORNERS: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+
+/// Most halvings that remove what sees nothing. Chosen; not tuned.
+const MOST_TRIMS: usize = 16;
+
+/// The result for a pair of patches.
+#[derive(Debug)]
+pub struct Cut {
+    /// Moments in the raw polynomials, row-major, outer functions by inner functions.
+    pub moments: Vec<f64>,
+    /// Estimate of the largest error of the block's entries.
+    pub error: f64,
+    /// Evaluations of the kernel and of heights.
+    pub samples: u64,
+}
+
+/// An outer patch.
+pub struct Side<'a> {
+    /// The patch.
+    pub patch: &'a Patch,
+    /// The polynomials of its element.
+    pub basis: &'a AreaBasis,
+    /// Points along and across.
+    pub points: [usize; 2],
+    /// A ball between it and the inner patches, if any; all patches lie outside it.
+    pub ball: Option<Ball>,
+}
+
+/// The moments of an outer patch with inner ones apart from it, to `tolerance` in the block's entries, with about
+/// `budget` evaluations. Each inner patch comes with its points along and across by depth: of itself, of its quarters,
+/// and so on as deep as points are given.
+pub fn integrate(
+    outer: &Side,
+    basis: &AreaBasis,
+    inner: &[(Patch, Arc<[[usize; 2]]>)],
+    yardstick: &EntryNorm,
+    tolerance: f64,
+    budget: u64,
+) -> Cut {
+    let parts = inner.iter().map(|(patch, points)| Part::new(patch.clone(), basis, Arc::clone(points), 0));
+    let patches: Vec<Patch> = inner.iter().map(|(patch, _)| patch.clone()).collect();
+    let mut job = Job {
+        outer,
+        front: plane_of(&patches).map(Front::of),
+        columns: basis.len(),
+        inner: parts.collect(),
+        yardstick,
+        tolerance,
+        budget,
+        cut: Cut { moments: vec![0.0; outer.basis.len() * basis.len()], error: 0.0, samples: 0 },
+    };
+    if let Some(patch) = job.seeing() {
+        // Where a corner sees nothing W ends within the patch, and two rules may miss the same.
+        let (whole, agrees) = match job.has_dark_corner(&patch) {
+            true => (job.whole(patch, rungs(outer.points)[1]), false),
+            false => job.climb(patch),
+        };
+        if agrees {
+            job.cut.moments = whole.moments;
+        } else {
+            job.refine(whole);
+        }
+    }
+    job.cut
+}
+
+struct Job<'a> {
+    outer: &'a Side<'a>,
+    /// The plane of the inner patches, if they lie in one.
+    front: Option<Front>,
+    columns: usize,
+    inner: Vec<Part<'a>>,
+    yardstick: &'a EntryNorm,
+    tolerance: f64,
+    budget: u64,
+    cut: Cut,
+}
+
+impl Job<'_> {
+    /// The outer patch without halves that see nothing: if only a corner sees something, few points would miss it. None
+    /// if all is dark.
+    fn seeing(&self) -> Option<Patch> {
+        let mut patch = self.outer.patch.clone();
+        let inner = |half: &Patch| {
+            let faces = |part: &Part| facing(half, part.patch(), false, 0.0) != Facing::Away;
+            self.inner.iter().any(faces)
+        };
+        let (mut kept, mut trims) = (0, 0);
+        while kept < DIRECTIONS.len() && trims < MOST_TRIMS && self.has_dark_corner(&patch) {
+            let [first, second] = patch.halves(DIRECTIONS[trims % DIRECTIONS.len()]);
+            trims += 1;
+            match [inner(&first), inner(&second)] {
+                [true, true] => kept += 1,
+                [false, false] => return None,
+                [sees, _] => (patch, kept) = (if sees { first } else { second }, 0),
+            }
+        }
+        Some(patch)
+    }
+
+    fn has_dark_corner(&self, patch: &Patch) -> bool {
+        let corners = CORNERS.map(|(s, t)| patch.node(s, t));
+        // What lies behind the plane gets no points of a rule.
+        let mut views = corners
+            .into_iter()
+            .filter(|x| self.front.as_ref().is_none_or(|front| front.height(x) > 0.0))
+            .map(|node| View { node, ball: None });
+        views.any(|x| !self.inner.iter().any(|part| part.may_be_seen_from(&x)))
+    }
+
+    /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel. Returns the moments
+    /// by the first rule that agrees with the one before, and true; else those by the last, which has the full number
+    /// of points.
+    fn climb(&mut self, patch: Patch) -> (Whole, bool) {
+        let [first, others @ ..] = rungs(self.outer.points);
+        let mut whole = self.whole(patch, first);
+        for points in others {
+            let finer = self.whole(whole.patch.clone(), points);
+            let difference = self.yardstick.difference(&whole.moments, &finer.moments);
+            whole = finer;
+            if difference <= CLIMB_SHARE * self.tolerance {
+                self.cut.error += FINER_RULE * difference;
+                return (whole, true);
+            }
+        }
+        (whole, false)
+    }
+
+    /// Adds a part of the outer patch that needs more than one rule.
+    fn refine(&mut self, whole: Whole) {
+        let most_cells = MOST_NUMBERS / (WHOLES * whole.moments.len());
+        let mut cell = Cell::new(whole);
+        (0..DIRECTIONS.len()).for_each(|direction| self.look(&mut cell, direction));
+        let mut queue = Queue::default();
+        queue.push(cell);
+        loop {
+            self.halve(&mut queue, most_cells);
+            let is_spent = self.cut.samples > self.budget || queue.len() >= most_cells;
+            if is_spent || !self.look_again(&mut queue) || self.is_enough(&queue) {
+                break;
+            }
+        }
+        queue.into_cells().for_each(|cell| self.add(cell));
+    }
+
+    /// Halves the worst cells until the sum of errors, partly inherited from larger cells, is small enough.
+    fn halve(&mut self, queue: &mut Queue, most_cells: usize) {
+        while !self.is_enough(queue) && self.cut.samples <= self.budget && queue.len() < most_cells {
+            let Some(cell) = queue.pop() else { break };
+            let (direction, is_known) = cell.worse();
+            for mut cell in if is_known { cell.cut(direction) } else { vec![cell] } {
+                self.look(&mut cell, direction);
+                if self.is_settled(&cell)
+                    && let Some(other) = cell.told_by_larger()
+                {
+                    self.look(&mut cell, other);
+                }
+                if self.is_settled(&cell) {
+                    self.add(cell);
+                } else {
+                    queue.push(cell);
+                }
+            }
+        }
+    }
+
+    /// Computes the errors that cells inherited from larger ones; whether there were any.
+    fn look_again(&mut self, queue: &mut Queue) -> bool {
+        let mut any = false;
+        for mut cell in std::mem::take(queue).into_cells() {
+            if let Some(direction) = cell.told_by_larger() {
+                self.look(&mut cell, direction);
+                any = true;
+            }
+            queue.push(cell);
+        }
+        any
+    }
+
+    fn is_enough(&self, queue: &Queue) -> bool {
+        queue.error() <= (1.0 - SETTLED) * self.tolerance
+    }
+
+    fn is_settled(&self, cell: &Cell) -> bool {
+        cell.error() <= SETTLED * cell.share() * self.tolerance
+    }
+
+    fn add(&mut self, cell: Cell) {
+        self.cut.error += cell.error();
+        self.cut.moments.iter_mut().zip(cell.moments()).for_each(|(m, s)| *m += s);
+    }
+
+    /// Computes the halves of a cell in one direction.
+    fn look(&mut self, cell: &mut Cell, direction: usize) {
+        let halves = cell.halves(direction, FEWEST).map(|(patch, points)| self.whole(patch, points));
+        cell.look(direction, halves, self.yardstick);
+        if cell.is_dark() {
+            let missed = self.at_corners(cell.patch());
+            cell.miss(CORNER * missed);
+        }
+    }
+
+    /// The largest entry of a patch if all its points saw as much as its best corner.
+    fn at_corners(&mut self, patch: &Patch) -> f64 {
+        let zeros = vec![0.0; self.outer.basis.len() * self.columns];
+        let corner = |(s, t)| {
+            let x: Node = patch.node(s, t);
+            let moments = self.moments_of([(x, x.area)]).0;
+            self.yardstick.difference(&moments, &zeros)
+        };
+        CORNERS.map(corner).into_iter().fold(0.0, f64::max)
+    }
+
+    fn whole(&mut self, patch: Patch, points: [usize; 2]) -> Whole {
+        let nodes = self.nodes(&patch, points);
+        let (moments, is_dark) = self.moments_of(nodes);
+        Whole { patch, points, moments, is_dark }
+    }
+
+    /// Moments by a rule, given by points with weights in area; and whether no point sees anything.
+    fn moments_of(&mut self, nodes: impl IntoIterator<Item = (Node, f64)>) -> (Vec<f64>, bool) {
+        let mut is_dark = true;
+        let (rows, columns) = (self.outer.basis.len(), self.columns);
+        let mut moments = vec![0.0; rows * columns];
+        let (mut left, mut right) = (vec![0.0; rows], vec![0.0; columns]);
+        for (x, weight) in nodes {
+            heed();
+            right.fill(0.0);
+            let x = View { node: x, ball: self.outer.ball };
+            self.cut.samples += self.inner.iter_mut().map(|part| part.seen_from(&x, &mut right)).sum::<u64>();
+            is_dark &= right.iter().all(|w| *w == 0.0);
+            let x = x.node;
+            self.outer.basis.raw(self.outer.basis.frame().coordinates(&x), &mut left);
+            for (row, l) in moments.chunks_exact_mut(columns).zip(&left) {
+                row.iter_mut().zip(&right).for_each(|(m, r)| *m += weight * l * r);
+            }
+        }
+        (moments, is_dark)
+    }
+
+    /// Points with weights in area of a rule on a part of the outer patch: a tensor rule, or a rule on what lies before
+    /// the plane of the inner patches.
+    fn nodes(&mut self, part: &Patch, points: [usize; 2]) -> Vec<(Node, f64)> {
+        let Nodes { nodes, evaluations } = match &self.front {
+            Some(front) => front.nodes(part, points),
+            None => Nodes::of(part, points),
+        };
+        self.cut.samples += evaluations;
+        nodes
+    }
+}
+
+/// Points along and across of the rules tried, each with more than the one before.
+fn rungs(most: [usize; 2]) -> [[usize; 2]; RUNGS.len()] {
+    std::array::from_fn(|k| {
+        let points = |n: usize| ((RUNGS[k] * n as f64).ceil() as usize).max(FEWEST + STEP * k);
+        most.map(|n| points(n).min(MOST_POINTS))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_rule_is_compared_with_itself() {
+        for n in 1..=MOST_POINTS {
+            let [first, second, last] = rungs([n, 1]);
+            assert!((0..2).all(|k| first[k] < second[k] && second[k] < last[k]), "{n} points");
+            assert!(last[0] >= n);
+        }
+    }
+}

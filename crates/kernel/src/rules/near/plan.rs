@@ -1,0 +1,241 @@
+//! The outer rule of a near pair: cells of the receiver, planned before integration.
+//!
+//! In each direction of a cell the nearest singularities ([`emitter`](crate::rules::near::emitter)) choose
+//! the sinh map; where convergence stays slow the cell is cut. Before that the receiver is cut along the projections of
+//! near edges, so that the layers of width ≈ gap along these lie at sides of cells.
+
+use radiosity_elements::basis::AreaBasis;
+use radiosity_elements::patch::Patch;
+use radiosity_elements::rule::UnitRule;
+use radiosity_geom::{DVec3, clip_polygon};
+use radiosity_work::interruption::heed;
+
+use crate::contact::flat::gap;
+use crate::rules::far;
+use crate::rules::far::SMALLEST_RATIO;
+use crate::rules::near::emitter::Emitter;
+use crate::rules::near::line::{LineRule, Request};
+use crate::rules::near::polar::{Edge, Polar, edges, fraction};
+use crate::rules::near::stretch::Stretch;
+
+/// Distance, relative to the pair's size, below which nothing is resolved: 500 rounding errors; for touching patches it
+/// changes the result by as little. Chosen; not tuned.
+const SHARPEST: f64 = 1e-13;
+/// Smallest transfer that the accuracy is relative to. Chosen; not tuned.
+const LEAST_TRANSFER: f64 = 1e-3;
+/// Height of an edge over the receiver, relative to the receiver's size, up to which the receiver is cut along its
+/// projection. Chosen; not tuned.
+const HOT: f64 = 0.1;
+/// Cost of a sample of the polar rule, in samples of a tensor rule. Chosen; not tuned.
+const POLAR_COST: f64 = 5.0;
+/// Cells after which a plan is given up. Chosen; not tuned.
+const MOST_CELLS: usize = 2000;
+/// Most cuts of a cell, one inside the other. Chosen; not tuned.
+const DEEPEST: usize = 40;
+
+/// A cell with the rule chosen for it.
+#[derive(Debug)]
+pub(super) struct Leaf {
+    pub cell: Patch,
+    pub emitter: Patch,
+    pub rule: Rule,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Rule {
+    /// Points along and across, each with a polar integral over the emitter.
+    Polar([(Stretch, usize); 2]),
+    /// Far enough apart: a tensor rule, points of the cell, then of the emitter.
+    Tensor([usize; 4]),
+}
+
+/// The plan of one pair, while it is made.
+pub(super) struct Planner<'a> {
+    outer: &'a AreaBasis,
+    inner: &'a AreaBasis,
+    /// Accuracy of the inner integral; after [`Planner::pair`] relative to an irradiance of 1.
+    pub eps: f64,
+    /// Distances of singularities below this length count as this length.
+    floor: f64,
+    /// Cost beyond which the plan is given up.
+    limit: f64,
+    /// Cells that may still be made.
+    cells: usize,
+    pub leaves: Vec<Leaf>,
+    /// Cost, in samples of a tensor rule.
+    pub cost: f64,
+}
+
+impl<'a> Planner<'a> {
+    pub(super) fn new(outer: &'a AreaBasis, inner: &'a AreaBasis, eps: f64, limit: f64) -> Self {
+        Self { outer, inner, eps, floor: 0.0, limit, cells: MOST_CELLS, leaves: Vec::new(), cost: 0.0 }
+    }
+
+    pub(super) fn pair(&mut self, outer: &Patch, inner: &Patch) {
+        self.floor = SHARPEST * outer.longest().1.max(inner.longest().1);
+        let edges = edges(inner);
+        let parts = cut_along(outer, &edges);
+        // The inner integral's error counts relative to its mean, the transfer; where that is small the inner integral
+        // is small on part of the receiver. √ of the transfer was enough in all cases measured.
+        let transfer = mean_irradiance(&parts, &Polar::new(inner, self.inner, self.eps));
+        self.eps *= transfer.clamp(LEAST_TRANSFER, 1.0).sqrt();
+        let emitter = Emitter::new(inner, self.inner, self.eps);
+        parts.iter().for_each(|part| self.cell(part, &emitter, 0));
+    }
+
+    fn cell(&mut self, cell: &Patch, emitter: &Emitter, depth: usize) {
+        heed();
+        if self.cells == 0 || self.cost >= self.limit {
+            self.cost = f64::INFINITY;
+            return;
+        }
+        self.cells -= 1;
+        let tensor = self.tensor(cell, emitter);
+        let reached = emitter.reached(cell, self.inner, self.eps);
+        if tensor.is_none() && !reached {
+            let ((direction, extent), (inner, reach)) = (cell.longest(), emitter.patch.longest());
+            if extent >= reach {
+                cell.halves(direction).iter().for_each(|half| self.cell(half, emitter, depth + 1));
+            } else {
+                for half in emitter.patch.halves(inner) {
+                    self.cell(cell, &Emitter::new(&half, self.inner, self.eps), depth + 1);
+                }
+            }
+            return;
+        }
+        if let (Some(tensor), false) = (tensor, reached) {
+            return self.leaf(cell, emitter, tensor);
+        }
+        let request = Request {
+            fraction: fraction(cell, self.outer),
+            degree: self.outer.order() + usize::from(!cell.is_parallelogram()),
+            eps: self.eps,
+        };
+        let rules = emitter.places(cell, self.floor, self.eps).map(|roots| LineRule::of(&roots, &request));
+        let worst = usize::from(rules[1].gain() > rules[0].gain());
+        if let Some((place, _)) = rules[worst].cut
+            && depth < DEEPEST
+        {
+            cut(cell, worst, place).iter().for_each(|part| self.cell(part, emitter, depth + 1));
+            return;
+        }
+        let polar = self.polar(cell, emitter, rules.map(|rule| (rule.stretch, rule.points)));
+        match tensor {
+            Some(tensor) if tensor.0 < polar.0 => self.leaf(cell, emitter, tensor),
+            _ => self.leaf(cell, emitter, polar),
+        }
+    }
+
+    fn leaf(&mut self, cell: &Patch, emitter: &Emitter, (cost, rule): (f64, Rule)) {
+        self.cost += cost;
+        self.leaves.push(Leaf { cell: cell.clone(), emitter: emitter.patch.clone(), rule });
+    }
+
+    fn polar(&self, cell: &Patch, emitter: &Emitter, points: [(Stretch, usize); 2]) -> (f64, Rule) {
+        let places = [(0.1, 0.1), (0.9, 0.1), (0.9, 0.9), (0.1, 0.9), (0.5, 0.5)];
+        let inner: usize =
+            places.iter().map(|(s, t)| emitter.polar.count(&cell.node(*s, *t), self.eps)).sum();
+        let count = (points[0].1 * points[1].1 * inner) as f64 / places.len() as f64;
+        (POLAR_COST * count, Rule::Polar(points))
+    }
+
+    fn tensor(&self, cell: &Patch, emitter: &Emitter) -> Option<(f64, Rule)> {
+        let longest = [cell.extents(), emitter.patch.extents()].concat().into_iter().fold(0.0, f64::max);
+        let gap = gap(cell, &emitter.patch);
+        if gap < SMALLEST_RATIO * longest {
+            return None;
+        }
+        let degrees = [self.outer.order(), self.inner.order()];
+        let counts = far::counts(cell, &emitter.patch, degrees, gap, self.eps);
+        Some((counts.iter().map(|n| *n as f64).product(), Rule::Tensor(counts)))
+    }
+}
+
+/// Mean irradiance over coplanar parts from an emitter of radiosity 1, to some ten percent (3 × 3 points on each part).
+fn mean_irradiance(parts: &[Patch], emitter: &Polar) -> f64 {
+    let rule = UnitRule::of(3);
+    let (mut sum, mut area) = (0.0, 0.0);
+    for part in parts {
+        for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+            let node = part.node(s, t);
+            sum += ws * wt * node.area * emitter.irradiance(&node);
+            area += ws * wt * node.area;
+        }
+    }
+    sum / area
+}
+
+/// The two parts of a flat cell, cut at the parameter `place` of direction 0 (along) or 1 (across).
+fn cut(cell: &Patch, direction: usize, place: f64) -> [Patch; 2] {
+    let ([a, b, c, d], normal) = (cell.corners(), cell.node(0.5, 0.5).normal);
+    let flat = |corners| Patch::Flat { corners, normal };
+    if direction == 0 {
+        let (low, high) = (a.lerp(b, place), d.lerp(c, place));
+        [flat([a, low, high, d]), flat([low, b, c, high])]
+    } else {
+        let (left, right) = (a.lerp(d, place), b.lerp(c, place));
+        [flat([a, b, right, left]), flat([left, right, c, d])]
+    }
+}
+
+/// The parts of a flat patch, cut along the projections of near `edges`.
+fn cut_along(patch: &Patch, edges: &[Edge]) -> Vec<Patch> {
+    let normal = patch.node(0.5, 0.5).normal;
+    let extents = patch.extents();
+    let size = extents[0].max(extents[1]);
+    let mut parts = vec![patch.polygon()];
+    for edge in edges {
+        let steepness = edge.along.dot(normal);
+        let side = edge.along.cross(normal);
+        // An edge steeper than 30° is near in one point only. Chosen; not tuned.
+        if steepness.abs() > 0.5 {
+            continue;
+        }
+        parts = parts.into_iter().flat_map(|part| halves(part, edge, side, normal, size)).collect();
+    }
+    if parts.len() == 1 {
+        return vec![patch.clone()];
+    }
+    parts.iter().flat_map(|part| Patch::of_polygon(part, normal)).collect()
+}
+
+fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) -> Vec<Vec<DVec3>> {
+    let end = edge.start + edge.along * edge.length;
+    let [h0, h1] = [edge.start, end].map(|x| (x - part[0]).dot(normal).abs());
+    let near = h0.min(h1);
+    let reaches = |sign: f64| part.iter().map(|x| sign * (*x - edge.start).dot(side)).fold(0.0, f64::max);
+    // No cut nearer to the border than half the edge's height. Chosen; not tuned.
+    if near > HOT * size || reaches(1.0).min(reaches(-1.0)) < 0.5 * near.max(1e-9 * size) {
+        return vec![part];
+    }
+    [side, -side]
+        .map(|side| clip_polygon(&part, edge.start, side))
+        .into_iter()
+        .filter(|half| half.len() > 2)
+        .collect()
+}
+
+/// Tensor samples if the longest extent is halved until every part is far enough apart; infinite above `limit`.
+pub(super) fn split_cost(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, limit: f64) -> f64 {
+    let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
+    let gap = gap(p, q);
+    if gap == 0.0 {
+        return f64::INFINITY;
+    }
+    if gap >= SMALLEST_RATIO * extent_p.max(extent_q) {
+        return far::counts(p, q, degrees, gap, eps).iter().map(|n| *n as f64).product();
+    }
+    let pairs: Vec<(Patch, Patch)> = if extent_p >= extent_q {
+        p.halves(direction_p).into_iter().map(|half| (half, q.clone())).collect()
+    } else {
+        q.halves(direction_q).into_iter().map(|half| (p.clone(), half)).collect()
+    };
+    let mut cost = 0.0;
+    for (a, b) in &pairs {
+        cost += split_cost(a, b, degrees, eps, limit - cost);
+        if cost > limit {
+            return f64::INFINITY;
+        }
+    }
+    cost
+}

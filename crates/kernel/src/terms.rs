@@ -1,0 +1,93 @@
+//! The blocks of a kernel that is a sum of terms, such as a power series: one block per term, from the same samples.
+//!
+//! ```text
+//! κ = Σ_n p_n κ_n ,     G_n^kl = ∫∫ φ_k(x) φ_l(y) κ_n(x, y) dA_x dA_y
+//! ```
+//!
+//! Between flat patches that do not touch, by the rule of patches [far](crate::rules::far) apart; near pairs
+//! are halved first. The kernel may displace the emitter, which stays where it is for its functions.
+
+use radiosity_elements::Element;
+use radiosity_elements::patch::Patch;
+use radiosity_geom::DVec3;
+
+use crate::contact::flat::polygon_distance;
+use crate::moments::Moments;
+use crate::moments::tensor::Terms;
+use crate::rules::far::{SMALLEST_RATIO, counts};
+
+/// Most halvings of a near pair of patches, which then are 1/64 as long each. Chosen; not tuned.
+const MOST_HALVINGS: usize = 12;
+
+/// A patch of the receiver and one of the emitter, and the points along and across of either.
+#[derive(Debug)]
+pub struct PatchPair {
+    patches: [Patch; 2],
+    points: [usize; 4],
+}
+
+/// What the rules have to reach.
+#[derive(Clone, Copy, Debug)]
+pub struct Demand {
+    /// Displacement of the emitter (scene length).
+    pub shift: DVec3,
+    /// Total degrees of the receiver's and the emitter's functions.
+    pub degrees: [usize; 2],
+    /// The share of their distance that two patches may come to.
+    pub nearest: f64,
+    /// Error relative to the largest entry.
+    pub eps: f64,
+}
+
+impl Demand {
+    /// The pairs of parts of two flat patches that a rule covers; None where the patches touch or nearly do.
+    pub fn divided(&self, p: &Patch, q: &Patch) -> Option<Vec<PatchPair>> {
+        let mut pairs = Vec::new();
+        self.divide(p, q, MOST_HALVINGS, &mut pairs).then_some(pairs)
+    }
+
+    /// The distance of two flat patches, the second one displaced.
+    pub fn distance(&self, p: &Patch, q: &Patch) -> f64 {
+        displaced_distance(p, q, self.shift)
+    }
+
+    fn divide(&self, p: &Patch, q: &Patch, levels: usize, pairs: &mut Vec<PatchPair>) -> bool {
+        let nearest = self.nearest * self.distance(p, q);
+        let ((along_p, extent_p), (along_q, extent_q)) = (p.longest(), q.longest());
+        if nearest >= SMALLEST_RATIO * extent_p.max(extent_q) {
+            let points = counts(p, q, self.degrees, nearest, self.eps);
+            pairs.push(PatchPair { patches: [p.clone(), q.clone()], points });
+            return true;
+        }
+        if levels == 0 {
+            return false;
+        }
+        if extent_p >= extent_q {
+            p.halves(along_p).iter().all(|half| self.divide(half, q, levels - 1, pairs))
+        } else {
+            q.halves(along_q).iter().all(|half| self.divide(p, half, levels - 1, pairs))
+        }
+    }
+}
+
+/// The distance of two flat patches, the second one displaced by `shift`.
+pub fn displaced_distance(p: &Patch, q: &Patch, shift: DVec3) -> f64 {
+    let displaced: Vec<DVec3> = q.polygon().iter().map(|y| y + shift).collect();
+    polygon_distance(&p.polygon(), &displaced)
+}
+
+/// The block of every term of `kernel` between two elements, row-major, receiver's functions by emitter's, and the
+/// number of samples.
+pub fn blocks(
+    [receiver, emitter]: [&Element; 2],
+    pairs: &[PatchPair],
+    kernel: &mut impl Terms,
+) -> (Vec<Vec<f64>>, u64) {
+    let mut sums: Vec<Moments> =
+        (0..kernel.count()).map(|_| Moments::new(&receiver.basis, &emitter.basis)).collect();
+    for PatchPair { patches: [p, q], points } in pairs {
+        Moments::add_terms(&mut sums, [p, q], *points, kernel);
+    }
+    let samples = sums.first().map_or(0, |sum| sum.samples);
+    (sums.into_iter().map(Moments::into_block).collect(), samples)
+}

@@ -1,0 +1,85 @@
+//! The rows of a CSV text, each with its place.
+//!
+//! Fields are trimmed; blank lines and lines that start with `#` are left out. The CSV reader reports the position
+//! before such lines, so the start of a row is searched after them.
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+
+/// A row that is not blank.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Its fields, without the blanks around them and the quotes.
+    pub fields: Vec<String>,
+    /// Byte at which it starts.
+    pub start: usize,
+    /// Line on which it starts, counted from 1.
+    pub line: usize,
+}
+
+/// A row that is no text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unreadable {
+    /// What the reader said.
+    pub message: String,
+    /// Byte at which the row starts.
+    pub start: usize,
+    /// Line on which it starts, counted from 1.
+    pub line: usize,
+}
+
+/// The rows of `text`, in order.
+pub fn rows(text: &[u8]) -> impl Iterator<Item = Result<Row, Unreadable>> {
+    let reader = ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .comment(Some(b'#'))
+        .trim(Trim::All)
+        .from_reader(text);
+    let row = |record: Result<StringRecord, csv::Error>| {
+        let position = match &record {
+            Ok(record) => record.position(),
+            Err(error) => error.position(),
+        };
+        let [from, line] = position.map_or([0, 1], |at| [at.byte() as usize, at.line() as usize]);
+        let start = row_start(text, from);
+        let line = line + text[from..start].iter().filter(|byte| **byte == b'\n').count();
+        match record {
+            Ok(record) => Ok(Row { fields: record.iter().map(str::to_owned).collect(), start, line }),
+            Err(error) => Err(Unreadable { message: error.to_string(), start, line }),
+        }
+    };
+    let is_blank = |row: &Row| matches!(row.fields.as_slice(), [field] if field.is_empty());
+    reader.into_records().map(row).filter(move |row| !row.as_ref().is_ok_and(is_blank))
+}
+
+/// Where the row starts that is read from `from` on.
+fn row_start(text: &[u8], from: usize) -> usize {
+    let mut start = from.min(text.len());
+    loop {
+        match text.get(start) {
+            Some(b'\n' | b'\r') => start += 1,
+            Some(b'#') => {
+                start = text[start..].iter().position(|byte| *byte == b'\n').map_or(text.len(), |k| start + k)
+            }
+            _ => return start + text[start..].iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::csv_rows::rows;
+
+    #[test]
+    fn rows_start_after_comments_and_blank_lines() {
+        let text = b"# a\n\n  one, 1\n# b\r\n   \n\r\n# c\n\"two\nlines\",2\nthree,3";
+        let found: Vec<_> = rows(text).map(|row| row.unwrap()).map(|row| (row.start, row.line)).collect();
+        assert_eq!(found, [(7, 3), (29, 8), (43, 10)]);
+    }
+
+    #[test]
+    fn rows_that_are_no_text_have_a_place() {
+        let error = rows(b"# a\nx\n\n# b\n\xff\n").last().unwrap().unwrap_err();
+        assert_eq!((error.start, error.line), (11, 5));
+    }
+}

@@ -1,0 +1,42 @@
+//! Numbers of materials and surfaces that bands may share.
+
+use radiosity_scene::{
+    error::Located,
+    place::{At, Span},
+    tree::Node,
+};
+
+use crate::fields::number;
+
+/// One number for all bands, or a list with one per band.
+#[derive(Debug)]
+pub(crate) enum PerBand {
+    All(At<f64>),
+    Each(At<Vec<At<f64>>>),
+}
+
+impl PerBand {
+    /// Where it stands.
+    pub(crate) fn span(&self) -> &Span {
+        match self {
+            PerBand::All(number) => &number.span,
+            PerBand::Each(list) => &list.span,
+        }
+    }
+
+    /// Whether it is a single number.
+    pub(crate) fn is_one_number(&self) -> bool {
+        matches!(self, PerBand::All(_))
+    }
+}
+
+/// Reads either.
+pub(crate) fn per_band(node: &Node) -> Result<PerBand, Located> {
+    match node.items() {
+        Some(items) => {
+            let values = items.iter().map(number).collect::<Result<_, _>>()?;
+            Ok(PerBand::Each(At::new(values, &node.span)))
+        }
+        None => Ok(PerBand::All(number(node)?)),
+    }
+}

@@ -1,0 +1,157 @@
+//! Scenes of other programs → a model that was repaired → the text of a scene.
+//!
+//! Flow: bytes → [`formats::read`](radiosity_formats::read) → materials, units → [`repair`] → tree → JSON, one surface on
+//! a line. The text is that of any other scene from there on: solution files keep it, and need no other reader.
+
+use std::{fmt, io, path::Path};
+
+use radiosity_formats::{
+    colour,
+    files::{Beside, Files, NoFiles},
+    format::Format,
+    materials::{self, SideFile},
+    model::{Model, Sides},
+    read::read,
+    repair::{Options, refusal, repair},
+    unit::Unit,
+    up::Up,
+};
+use radiosity_photometry::{error::Refusal, note::Note, place::Place};
+use radiosity_scene::{Fault, Imported, Notation, SceneError, Source};
+
+use crate::{input, model_tree};
+
+/// How scenes of other programs are read.
+#[derive(Clone, Debug, Default)]
+pub struct Import {
+    /// The format, instead of that which the ending of the file's name tells.
+    pub format: Option<Format>,
+    /// Which sides of all surfaces count, whatever the format says.
+    pub sides: Option<Sides>,
+    /// Materials by name, instead of those of the file.
+    pub materials: Option<SideFile>,
+    /// Unit of the lengths in the file; they become metres.
+    pub unit: Option<Unit>,
+    /// The axis that points upwards in the file; z will. Without it, y in glTF, whose specification says so (section 3.4),
+    /// and z elsewhere.
+    pub up: Option<Up>,
+    /// Length up to which points are one, in metres if a unit is given.
+    pub tolerance: Option<f64>,
+    /// Whether a scene that needs repairs is refused.
+    pub strict: bool,
+    /// Whether fronts that seem to point the wrong way are turned.
+    pub fix_fronts: bool,
+    /// Whether red, green and blue become one band of their luminance.
+    pub grey: bool,
+}
+
+impl Import {
+    /// The format of `file`: that which was asked for, or that which its ending tells.
+    pub fn format_of(&self, file: &str) -> Option<Format> {
+        self.format.or_else(|| Format::of(file))
+    }
+
+    /// Reads and repairs the scene in `file`, or in standard input for `-`.
+    ///
+    /// # Errors
+    /// What cannot be read, or is against the rules of the format; with [`Import::strict`] what needs repairs.
+    pub fn model(&self, file: &str, format: Format) -> Result<(Model, Imported), SceneError> {
+        let unreadable = |error: io::Error| SceneError {
+            origin: file.to_owned(),
+            place: None,
+            owner: None,
+            fault: Fault::Unreadable { kind: error.kind(), reason: error.to_string() },
+        };
+        let bytes = input::bytes(file).map_err(unreadable)?;
+        let files: &dyn Files = if file == "-" { &NoFiles } else { &Beside::scene(Path::new(file)) };
+        let name = if file == "-" { "<stdin>" } else { file };
+        self.of_bytes(name, &bytes, format, files)
+    }
+
+    fn of_bytes(
+        &self,
+        file: &str,
+        bytes: &[u8],
+        format: Format,
+        files: &dyn Files,
+    ) -> Result<(Model, Imported), SceneError> {
+        let mut model = read(format, file, bytes, files).map_err(refused)?;
+        let replaced = match &self.materials {
+            Some(side) => materials::apply(side, &mut model).map_err(refused)?,
+            None => Vec::new(),
+        };
+        if let Some(unit) = self.unit {
+            unit.to_metres(&mut model);
+        }
+        self.upright(&mut model, format);
+        if self.grey {
+            colour::to_grey(&mut model);
+        }
+        let options = Options { tolerance: self.tolerance, sides: self.sides, fix_fronts: self.fix_fronts };
+        let repairs = repair(&mut model, &options);
+        if let Some(refusal) = refusal(&repairs, file).filter(|_| self.strict) {
+            let cause = refusal.cause.clone();
+            return Err(SceneError { fault: Fault::NeedsRepairs { cause }, ..refused(refusal) });
+        }
+        let at = |place: Option<Place>| Located { file, place };
+        let notes = std::mem::take(&mut model.notes);
+        let notes = notes.iter().map(|note| format!("{}: {}", at(note.place), counted(note))).collect();
+        let repairs = repairs.list.iter().map(|own| format!("{}: {}", at(own.place), own.text)).collect();
+        let imported = Imported { file: file.to_owned(), format: format.name(), replaced, notes, repairs };
+        Ok((model, imported))
+    }
+
+    fn upright(&self, model: &mut Model, format: Format) {
+        let up = self.up.unwrap_or(if format == Format::Gltf { Up::Y } else { Up::Z });
+        if self.up.is_none() && up == Up::Y {
+            model.note(
+                "y points upwards in glTF: the scene was turned so that z does (--up z leaves it)",
+                None,
+            );
+        }
+        up.to_z(model);
+    }
+
+    /// The text of the scene in `file`, or in standard input for `-`.
+    ///
+    /// # Errors
+    /// As [`Import::model`].
+    pub(super) fn source(&self, file: &str, format: Format) -> Result<Source, SceneError> {
+        let (model, imported) = self.model(file, format)?;
+        let text = Notation::Json.text(model_tree::tree(&model).top());
+        // Places in messages are those of this text, not of the file.
+        let origin = format!("{} (as read)", imported.file);
+        Ok(Source::new(&origin, &text).made_from(imported))
+    }
+}
+
+fn refused(refusal: Refusal) -> SceneError {
+    SceneError {
+        origin: Located { file: &refusal.file, place: refusal.place }.to_string(),
+        place: None,
+        owner: None,
+        fault: Fault::Foreign { cause: refusal.cause, cure: refusal.cure },
+    }
+}
+
+/// What was noted, and how often.
+fn counted(note: &Note) -> String {
+    let times = if note.count > 1 { format!(" ({} times)", note.count) } else { String::new() };
+    format!("{}{times}", note.text)
+}
+
+/// A file and a line or byte of it: `room.mgf:12`.
+struct Located<'a> {
+    file: &'a str,
+    place: Option<Place>,
+}
+
+impl fmt::Display for Located<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.place {
+            Some(Place::Line(line)) => write!(f, "{}:{line}", self.file),
+            Some(Place::Byte(byte)) => write!(f, "{}: byte {byte}", self.file),
+            None => write!(f, "{}", self.file),
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! Bytes of a file or of standard input, not more than a scene can need.
+
+use std::fs::File;
+use std::io::{self, Read};
+
+use radiosity_photometry::text::decode_western;
+use radiosity_work::ranks;
+
+/// Most bytes that are read: some million surfaces. An endless input ends here.
+const MOST: u64 = 1 << 30;
+
+/// The bytes of a file, or of standard input for `-`: that of the first rank, which shares it.
+///
+/// # Errors
+/// What cannot be opened or read, or is longer than 2³⁰ bytes.
+pub fn bytes(source: &str) -> io::Result<Vec<u8>> {
+    match source {
+        "-" => {
+            let ranks = ranks::current();
+            let own = if ranks.is_first() { all(io::stdin(), MOST)? } else { Vec::new() };
+            Ok(ranks.of_first(own))
+        }
+        path => all(File::open(path)?, MOST),
+    }
+}
+
+/// The same as text.
+///
+/// # Errors
+/// As [`bytes`], and what is not UTF-8.
+pub fn text(source: &str) -> io::Result<String> {
+    let no_text = |_| io::Error::new(io::ErrorKind::InvalidData, "stream did not contain valid UTF-8");
+    String::from_utf8(bytes(source)?).map_err(no_text)
+}
+
+/// The text of a file, whatever it is called.
+///
+/// # Errors
+/// As [`text`].
+pub(super) fn file(path: &str) -> io::Result<String> {
+    match path {
+        "-" => text("./-"),
+        path => text(path),
+    }
+}
+
+/// The same, where what is not UTF-8 is Latin-1.
+///
+/// # Errors
+/// As [`bytes`], and zero bytes.
+pub(super) fn western(path: &str) -> io::Result<String> {
+    let bytes = bytes(if path == "-" { "./-" } else { path })?;
+    decode_western(&bytes).map_err(|fault| io::Error::new(io::ErrorKind::InvalidData, fault.cause))
+}
+
+fn all(input: impl Read, most: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    input.take(most + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most {
+        let message = format!("it is longer than {most} bytes, the most that is read");
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+    }
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_endless_input_is_refused() {
+        assert_eq!(all(&b"abc"[..], 3).expect("it fits"), b"abc");
+        assert!(all(&b"abcd"[..], 3).is_err());
+        assert!(all(io::repeat(0), 1000).is_err());
+    }
+}

@@ -1,0 +1,210 @@
+//! Instances of parts → surfaces and luminaires, each with a name and a place of its own.
+//!
+//! The surface `seat` of the instance `chair` is `chair.seat`; in an array it is `chair[1,0].seat`.
+
+use std::{collections::BTreeMap, sync::Arc};
+
+use radiosity_geom::{DVec3, Motion};
+use radiosity_scene::{Fault, Source, error::Located, names::UniqueNames};
+
+use crate::file::{ContentFile, InstanceFile, LuminaireFile, PartFile, SurfaceFile};
+
+/// Parts within parts. Chosen; not tuned.
+const DEEPEST: usize = 32;
+
+/// Most entries of surfaces and luminaires, and most copies of parts: each takes about a kilobyte. Chosen; not tuned.
+const MOST: usize = 1_000_000;
+
+/// An entry of a file where it is put.
+#[derive(Debug)]
+pub(super) struct PlacedEntry<'a, T> {
+    pub file: &'a T,
+    pub name: String,
+    pub motion: Motion,
+    /// The instances that it is in, those of an array with and without the place in it.
+    pub instances: Arc<[String]>,
+}
+
+/// An entry of `[[surfaces]]`, moved as its instance and its own transform say.
+pub(super) type PlacedSurface<'a> = PlacedEntry<'a, SurfaceFile>;
+
+/// An entry of `[[luminaires]]`, moved as its instance says.
+pub(super) type PlacedLuminaire<'a> = PlacedEntry<'a, LuminaireFile>;
+
+/// What is put somewhere.
+#[derive(Debug, Default)]
+pub(super) struct Placed<'a> {
+    pub surfaces: Vec<PlacedSurface<'a>>,
+    pub luminaires: Vec<PlacedLuminaire<'a>>,
+}
+
+/// The content of the scene, then that of its instances.
+pub(super) fn placed<'a>(
+    content: &'a ContentFile,
+    parts: &'a [PartFile],
+    source: &Source,
+) -> Result<Placed<'a>, Located> {
+    let contents = parts.iter().map(|part| &part.content).chain([content]);
+    contents.into_iter().try_for_each(|content| check_names(&content.instances, source))?;
+    let parts: Parts<'_> = parts.iter().map(|part| (part.name.value.as_str(), part)).collect();
+    check_sizes(content, &parts)?;
+    let mut placed = Placed::default();
+    let scene = Within { prefix: String::new(), motion: Motion::IDENTITY, instances: Arc::default() };
+    place(content, &scene, &parts, &mut placed)?;
+    Ok(placed)
+}
+
+/// Parts by name.
+type Parts<'a> = BTreeMap<&'a str, &'a PartFile>;
+
+/// Refuses two instances of one name in one list.
+fn check_names(instances: &[InstanceFile], source: &Source) -> Result<(), Located> {
+    let mut names = UniqueNames::default();
+    instances.iter().try_for_each(|InstanceFile { name, .. }| {
+        let added = names.add(&name.value, source.line(name.span.start));
+        added.map_err(|fault| Located::at(&name.span, fault))
+    })
+}
+
+/// The instance that something is in, or the scene.
+struct Within {
+    /// What stands before names in it.
+    prefix: String,
+    motion: Motion,
+    /// See [`PlacedEntry::instances`].
+    instances: Arc<[String]>,
+}
+
+impl Within {
+    fn entry<'a, T>(&self, file: &'a T, name: &str, motion: Motion) -> PlacedEntry<'a, T> {
+        let name = format!("{}{name}", self.prefix);
+        PlacedEntry { file, name, motion, instances: Arc::clone(&self.instances) }
+    }
+
+    /// The copy at `index`, moved by `offset`, of an instance in it.
+    fn copy(&self, instance: &InstanceFile, index: &str, offset: &Motion) -> Self {
+        let plain = format!("{}{}", self.prefix, instance.name.value);
+        let own = format!("{plain}{index}");
+        let mut instances = self.instances.to_vec();
+        instances.extend((!index.is_empty()).then_some(plain));
+        instances.push(own.clone());
+        let motion = instance.motion.then(offset).then(&self.motion);
+        Self { prefix: own + ".", motion, instances: instances.into() }
+    }
+}
+
+/// Adds all surfaces and luminaires of `content` to `all`, where they are in what it is `within`.
+fn place<'a>(
+    content: &'a ContentFile,
+    within: &Within,
+    parts: &Parts<'a>,
+    all: &mut Placed<'a>,
+) -> Result<(), Located> {
+    for file in &content.surfaces {
+        all.surfaces.push(within.entry(file, &file.name.value, file.motion.then(&within.motion)));
+    }
+    for file in &content.luminaires {
+        all.luminaires.push(within.entry(file, &file.name.value, within.motion));
+    }
+    for instance in &content.instances {
+        let part = part_of(instance, parts)?;
+        for (index, offset) in copies(instance)? {
+            place(&part.content, &within.copy(instance, &index, &offset), parts, all)?;
+        }
+    }
+    Ok(())
+}
+
+fn part_of<'a>(instance: &InstanceFile, parts: &Parts<'a>) -> Result<&'a PartFile, Located> {
+    parts.get(instance.part.value.as_str()).copied().ok_or_else(|| {
+        let (name, known) =
+            (instance.part.value.clone(), parts.keys().map(|name| (*name).to_owned()).collect());
+        Located::at(&instance.part.span, Fault::UnknownPart { name, known })
+    })
+}
+
+/// The indices of all copies of an instance, as they stand behind its name, and how far each is moved.
+fn copies(instance: &InstanceFile) -> Result<Vec<(String, Motion)>, Located> {
+    let Some(array) = &instance.array else { return Ok(vec![(String::new(), Motion::IDENTITY)]) };
+    let mut copies = vec![(Vec::new(), DVec3::ZERO)];
+    for (count, step) in &array.rows {
+        let along = |(indices, offset): &(Vec<String>, DVec3)| {
+            let next = |k: usize| ([&indices[..], &[k.to_string()]].concat(), *offset + k as f64 * *step);
+            (0..*count).map(next).collect::<Vec<_>>()
+        };
+        copies = copies.iter().flat_map(along).collect();
+    }
+    let moved = |(indices, offset): (Vec<String>, DVec3)| {
+        let motion = Motion::new(offset, DVec3::ZERO, 0.0, 1.0);
+        let motion = motion.map_err(|error| Located::at(&array.span, Fault::Shape(error)))?;
+        Ok((format!("[{}]", indices.join(",")), motion))
+    };
+    copies.into_iter().map(moved).collect()
+}
+
+/// How much a part makes.
+#[derive(Clone, Copy)]
+struct Size {
+    /// Entries of surfaces and luminaires, and copies of parts.
+    count: usize,
+    /// Parts within it.
+    depth: usize,
+}
+
+/// Refuses parts that contain themselves, are nested too deep, or make too many surfaces.
+fn check_sizes(content: &ContentFile, parts: &Parts<'_>) -> Result<(), Located> {
+    let mut known = BTreeMap::new();
+    for part in parts.values() {
+        size(part, parts, &mut known, &mut Vec::new())?;
+    }
+    size_of(content, parts, &mut known, &mut Vec::new()).map(|_| ())
+}
+
+fn size<'a>(
+    part: &'a PartFile,
+    parts: &Parts<'a>,
+    known: &mut BTreeMap<&'a str, Size>,
+    path: &mut Vec<&'a str>,
+) -> Result<Size, Located> {
+    let name = part.name.value.as_str();
+    if let Some(size) = known.get(name) {
+        return Ok(*size);
+    }
+    path.push(name);
+    let size = size_of(&part.content, parts, known, path)?;
+    path.pop();
+    known.insert(name, size);
+    Ok(size)
+}
+
+fn size_of<'a>(
+    content: &ContentFile,
+    parts: &Parts<'a>,
+    known: &mut BTreeMap<&'a str, Size>,
+    path: &mut Vec<&'a str>,
+) -> Result<Size, Located> {
+    let mut all = Size { count: content.surfaces.len() + content.luminaires.len(), depth: 0 };
+    for instance in &content.instances {
+        let refused = |fault| Err(Located::at(&instance.part.span, fault));
+        let part = part_of(instance, parts)?;
+        if let Some(start) = path.iter().position(|name| *name == part.name.value) {
+            let names = path[start..].iter().chain([&path[start]]);
+            return refused(Fault::PartCycle { names: names.map(|name| (*name).to_owned()).collect() });
+        }
+        if path.len() >= DEEPEST {
+            return refused(Fault::TooDeep { what: "parts", most: DEEPEST });
+        }
+        let own = size(part, parts, known, path)?;
+        all.depth = all.depth.max(own.depth + 1);
+        if path.len() + all.depth > DEEPEST {
+            return refused(Fault::TooDeep { what: "parts", most: DEEPEST });
+        }
+        let rows = instance.array.iter().flat_map(|array| &array.rows);
+        let copies = rows.fold(1, |copies: usize, (count, _)| copies.saturating_mul(*count));
+        all.count = all.count.saturating_add(copies.saturating_mul(own.count.saturating_add(1)));
+        if all.count > MOST {
+            return refused(Fault::TooManySurfaces { most: MOST });
+        }
+    }
+    Ok(all)
+}

@@ -1,0 +1,43 @@
+//! The language of scenes: texts, trees and built-in scenes in, valid scenes out.
+//!
+//! In order: `csv_rows` and `input` (bytes of files), `builtin` (the scenes that need no file), `fields` (of a tree, with their
+//! types), `formula` and `variables`, `json_text`, `polygon_list`, `toml_text` and `language` (text → tree), `include` (trees of
+//! several files), `import` and `export` (scenes of other programs), `file` and `shape` (tree → as typed), `merging`, `instances`,
+//! `textures`, `validation`, `luminaires` and `motions` (as typed → parts of a scene), `reading` (all of that in its order), and
+//! `schema` (the same language for editors).
+//!
+//! Imports `work`, `photometry`, `formats`, `fit` and `scene`.
+
+pub mod csv_rows;
+pub mod input;
+mod builtin;
+mod fields;
+mod formula;
+mod variables;
+mod json_text;
+mod polygon_list;
+mod language;
+mod toml_text;
+mod include;
+mod model_tree;
+mod import;
+mod shape;
+mod file;
+mod merging;
+mod instances;
+mod export;
+mod textures;
+mod validation;
+mod luminaires;
+mod motions;
+mod reading;
+mod schema;
+
+pub use builtin::Builtin;
+pub use builtin::Parameter;
+pub use import::Import;
+pub use reading::{
+    builtin, builtin_names, builtin_with, builtins, from_csv, from_json, from_toml, load, load_with, model,
+    of_tree, parse, parse_with, text, text_by, text_of,
+};
+pub use schema::schema;

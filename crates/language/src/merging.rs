@@ -1,0 +1,73 @@
+//! The files of one scene → a single file: lists one after the other, tables with every name once.
+
+use radiosity_scene::{
+    Fault, Source,
+    error::{Located, material_title, part_title, plane_title},
+    names::UniqueNames,
+    place::At,
+};
+
+use crate::file::SceneFile;
+
+/// All files in one. Title and camera are those of the last, which includes the others; so is the
+/// sky, and so are frames and their rate, if it has them.
+pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile, Located> {
+    let mut files = files.into_iter().rev();
+    let mut whole = files.next().unwrap_or_default();
+    for file in files {
+        whole.bands = stated(whole.bands.take(), file.bands, "bands", names_of)?;
+        whole.unit = stated(whole.unit.take(), file.unit, "units", |unit| vec![unit.value.as_str()])?;
+        whole.sky = whole.sky.take().or(file.sky);
+        whole.frames.count = whole.frames.count.take().or(file.frames.count);
+        whole.frames.rate = whole.frames.rate.take().or(file.frames.rate);
+        put_before(&mut whole.motions, file.motions);
+        put_before(&mut whole.planes, file.planes);
+        put_before(&mut whole.materials, file.materials);
+        put_before(&mut whole.parts, file.parts);
+        put_before(&mut whole.content.surfaces, file.content.surfaces);
+        put_before(&mut whole.content.luminaires, file.content.luminaires);
+        put_before(&mut whole.content.instances, file.content.instances);
+    }
+    once(whole.planes.iter().map(|plane| &plane.name), plane_title, source)?;
+    once(whole.materials.iter().map(|material| &material.name), material_title, source)?;
+    once(whole.parts.iter().map(|part| &part.name), part_title, source)?;
+    Ok(whole)
+}
+
+fn names_of(bands: &At<Vec<At<String>>>) -> Vec<&str> {
+    bands.value.iter().map(|band| band.value.as_str()).collect()
+}
+
+/// What either of two files states; both have to state the same.
+fn stated<T>(
+    own: Option<At<T>>,
+    other: Option<At<T>>,
+    what: &'static str,
+    texts: fn(&At<T>) -> Vec<&str>,
+) -> Result<Option<At<T>>, Located> {
+    match (&own, &other) {
+        (Some(own), Some(other)) if texts(own) != texts(other) => {
+            Err(Located::at(&other.span, Fault::OtherThan { what }))
+        }
+        _ => Ok(own.or(other)),
+    }
+}
+
+fn put_before<T>(list: &mut Vec<T>, mut before: Vec<T>) {
+    before.append(list);
+    *list = before;
+}
+
+/// Refuses a name that is given twice.
+fn once<'a>(
+    names: impl Iterator<Item = &'a At<String>>,
+    title: fn(&str) -> String,
+    source: &Source,
+) -> Result<(), Located> {
+    let mut seen = UniqueNames::default();
+    for name in names {
+        let added = seen.add(&name.value, source.line(name.span.start));
+        added.map_err(|fault| Located::at(&name.span, fault).within(|| title(&name.value)))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,147 @@
+//! A model of another program → the tree of a scene.
+
+use radiosity_formats::model::{Camera, Model, Shape, Sides, Surface};
+use radiosity_geom::DVec3;
+use radiosity_scene::Tree;
+
+/// The tree of a model.
+pub(super) fn tree(model: &Model) -> Tree {
+    let mut entries = Vec::new();
+    entries.extend(model.title.as_ref().map(|title| ("title", Tree::text(title))));
+    entries.push(("bands", Tree::list(model.bands.iter().map(Tree::text))));
+    entries.extend(model.unit.as_ref().map(|unit| ("unit", Tree::text(unit))));
+    entries.extend(model.camera.as_ref().map(|camera| ("camera", camera_tree(camera))));
+    if !model.materials.is_empty() {
+        entries.push(("materials", materials(model)));
+    }
+    entries.push(("surfaces", Tree::list(model.surfaces.iter().map(|own| surface(own, model)))));
+    Tree::table(entries)
+}
+
+fn camera_tree(camera: &Camera) -> Tree {
+    let mut entries = vec![
+        ("eye", point(camera.eye)),
+        ("target", point(camera.target)),
+        ("up", point(camera.up)),
+        ("fov", Tree::number(camera.fov)),
+    ];
+    if let Some([width, height]) = camera.size {
+        entries.push(("width", Tree::number(f64::from(width))));
+        entries.push(("height", Tree::number(f64::from(height))));
+    }
+    Tree::table(entries)
+}
+
+fn materials(model: &Model) -> Tree {
+    let entries = model.materials.iter().map(|material| {
+        let mut own = vec![("reflectance", per_band(&material.reflectance))];
+        if material.emission.iter().any(|value| *value != 0.0) {
+            own.push(("emission", per_band(&material.emission)));
+        }
+        (material.name.as_str(), Tree::table(own))
+    });
+    Tree::table(entries)
+}
+
+/// One number where all bands have the same.
+fn per_band(values: &[f64]) -> Tree {
+    match values.iter().all(|value| *value == values[0]) {
+        true => Tree::number(values[0]),
+        false => Tree::list(values.iter().map(|value| Tree::number(*value))),
+    }
+}
+
+fn surface(surface: &Surface, model: &Model) -> Tree {
+    let mut entries = vec![("name", Tree::text(&surface.name))];
+    entries
+        .extend(surface.material.map(|material| ("material", Tree::text(&model.materials[material].name))));
+    let (key, shape, flip) = shape(&surface.shape);
+    if flip {
+        entries.push(("flip", Tree::flag(true)));
+    }
+    if surface.sides == Sides::Both {
+        entries.push(("two_sided", Tree::flag(true)));
+    }
+    entries.push((key, shape));
+    Tree::table(entries)
+}
+
+/// The key of a shape, its value, and whether it is to be flipped.
+fn shape(shape: &Shape) -> (&'static str, Tree, bool) {
+    match shape {
+        Shape::Polygon { outline, holes } => {
+            let mut entries = vec![("vertices", points(outline))];
+            if !holes.is_empty() {
+                entries.push(("holes", Tree::list(holes.iter().map(|hole| points(hole)))));
+            }
+            (polygon_key(outline, holes), Tree::table(entries), false)
+        }
+        Shape::Quad(corners) => ("quad", Tree::table(vec![("vertices", points(corners))]), false),
+        Shape::Disk { center, normal, radius, inner } => {
+            let mut entries = vec![
+                ("center", point(*center)),
+                ("normal", point(*normal)),
+                ("radius", Tree::number(*radius)),
+            ];
+            if *inner > 0.0 {
+                entries.push(("inner_radius", Tree::number(*inner)));
+            }
+            ("disk", Tree::table(entries), false)
+        }
+        Shape::Cylinder { base, axis, radius, inward } => {
+            let entries =
+                vec![("base", point(*base)), ("axis", point(*axis)), ("radius", Tree::number(*radius))];
+            ("cylinder", Tree::table(entries), *inward)
+        }
+        Shape::Cone { base, axis, radii, inward } => {
+            let radii = [("radius1", Tree::number(radii[0])), ("radius2", Tree::number(radii[1]))];
+            let entries = [("base", point(*base)), ("axis", point(*axis))].into_iter().chain(radii);
+            ("cone", Tree::table(entries), *inward)
+        }
+        Shape::Sphere { center, radius, inward } => (
+            "sphere",
+            Tree::table(vec![("center", point(*center)), ("radius", Tree::number(*radius))]),
+            *inward,
+        ),
+        Shape::Torus { center, axis, major, minor, inward } => {
+            let entries = vec![
+                ("center", point(*center)),
+                ("axis", point(*axis)),
+                ("major", Tree::number(*major)),
+                ("minor", Tree::number(*minor)),
+            ];
+            ("torus", Tree::table(entries), *inward)
+        }
+    }
+}
+
+/// Convex outlines of four corners are quads, whose parameters run along their sides.
+fn polygon_key(outline: &[DVec3], holes: &[Vec<DVec3>]) -> &'static str {
+    match outline {
+        [_, _, _] if holes.is_empty() => "triangle",
+        [a, b, c, d] if is_convex([*a, *b, *c, *d]) => "quad",
+        _ => "polygon",
+    }
+}
+
+/// Whether four corners turn one way at each of them, clearly.
+fn is_convex(corners: [DVec3; 4]) -> bool {
+    let turn = |k: usize| {
+        let [before, at, after] = [corners[(k + 3) % 4], corners[k], corners[(k + 1) % 4]];
+        (at - before).cross(after - at)
+    };
+    let normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]);
+    let least = LEAST_TURN * normal.length_squared();
+    (0..4).all(|k| turn(k).dot(normal) > least)
+}
+
+/// Least area of the triangle at a corner, as a part of the outline's: others stay polygons. Chosen; not tuned.
+const LEAST_TURN: f64 = 0.05;
+
+fn points(points: &[DVec3]) -> Tree {
+    Tree::points(points.to_vec())
+}
+
+fn point(point: DVec3) -> Tree {
+    Tree::list(point.to_array().map(Tree::number))
+}

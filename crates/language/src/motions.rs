@@ -1,0 +1,133 @@
+//! `[[motion]]`, `frames` and `fps` as typed → the movers of a scene.
+
+use std::sync::Arc;
+
+use radiosity_geom::DVec3;
+use radiosity_scene::{
+    Animation, Clock, Fault, MoverDraft, RigidPath, Source, Track, Turn,
+    error::{Located, motion_title},
+    movement::{Chosen, Handles, Movable, TypedMover, movers},
+    place::{At, Span},
+    surfaces::Maker,
+};
+
+use crate::{
+    file::{FramesFile, MotionFile, RotateFile, TranslateFile, TurnsFile},
+    instances::{PlacedLuminaire, PlacedSurface},
+};
+
+/// The animation of a scene file; none if nothing is said of one.
+pub(super) fn animation(
+    frames: &FramesFile,
+    motions: &[MotionFile],
+    movable: &Movable,
+    source: &Source,
+) -> Result<Option<Animation>, Located> {
+    let Some(count) = &frames.count else {
+        return match (motions.first(), &frames.rate) {
+            (Some(motion), _) => {
+                let missing = Located::at(&motion.span, Fault::MissingKey { key: "frames" });
+                Err(missing.within(|| motion_title(&motion.name.value)))
+            }
+            (None, Some(rate)) => Err(Located::at(&rate.span, Fault::MissingKey { key: "frames" })),
+            (None, None) => Ok(None),
+        };
+    };
+    if motions.is_empty() {
+        return Err(Located::at(&count.span, Fault::NothingMoves));
+    }
+    let rate = frames.rate.as_ref().map_or(1.0, |rate| rate.value);
+    let clock = Clock::new(count.value, rate).map_err(|fault| Located::at(&count.span, fault))?;
+    let drafts = motions.iter().map(|motion| {
+        draft(motion, clock, source).map_err(|error| error.within(|| motion_title(&motion.name.value)))
+    });
+    movers(drafts.collect::<Result<_, _>>()?, clock, movable).map(Some)
+}
+
+/// What can move, by the names of surfaces, of entries and of instances.
+pub(super) fn movable(
+    surfaces: &[PlacedSurface<'_>],
+    makers: &[Maker],
+    luminaires: &[PlacedLuminaire<'_>],
+    camera: bool,
+) -> Movable {
+    let of_luminaire =
+        |own: &PlacedLuminaire<'_>| Handles::named([own.name.clone()]).within(Arc::clone(&own.instances));
+    let luminaires: Vec<Handles> = luminaires.iter().map(of_luminaire).collect();
+    let of_surface = |Maker { draft, front }: &Maker| match surfaces.get(*draft) {
+        Some(PlacedSurface { name, instances, .. }) => {
+            Handles::named([front.clone(), name.clone()]).within(Arc::clone(instances))
+        }
+        None => Handles::of_area(front, &luminaires),
+    };
+    Movable { surfaces: makers.iter().map(of_surface).collect(), luminaires, camera }
+}
+
+fn draft(file: &MotionFile, clock: Clock, source: &Source) -> Result<MoverDraft, Located> {
+    let chosen = |names: &[At<String>]| -> Vec<Chosen> {
+        names.iter().map(|name| Chosen { name: name.value.clone(), span: Some(name.span.clone()) }).collect()
+    };
+    let draft = MoverDraft::new(&file.name.value, path(file, clock)?);
+    let typed = TypedMover {
+        place: source.place(&file.span),
+        span: file.span.clone(),
+        name: file.name.span.clone(),
+        name_line: source.line(file.name.span.start),
+    };
+    Ok(draft
+        .surfaces(chosen(&file.surfaces))
+        .instances(chosen(&file.instances))
+        .luminaires(chosen(&file.luminaires))
+        .camera_at(file.camera.clone())
+        .typed(typed))
+}
+
+fn path(file: &MotionFile, clock: Clock) -> Result<RigidPath, Located> {
+    let shift = file.translate.as_ref().map(|file| shift(file, clock)).transpose()?;
+    let turn = file.rotate.as_ref().map(|file| turn(file, clock)).transpose()?;
+    match (turn, shift) {
+        (Some(turn), Some(shift)) => Ok(RigidPath::turning_along(turn, shift)),
+        (Some(turn), None) => Ok(RigidPath::turning(turn)),
+        (None, Some(shift)) => Ok(RigidPath::along(shift)),
+        (None, None) => Err(Located::at(&file.span, Fault::NoPath)),
+    }
+}
+
+fn shift(file: &TranslateFile, clock: Clock) -> Result<Track<DVec3>, Located> {
+    let TranslateFile { points, times, curve } = file;
+    let track = Track::new("points", points.value.to_vec(), given(times, points.value.len(), clock), *curve);
+    track.map_err(|fault| located(fault, times, &points.span))
+}
+
+fn turn(file: &RotateFile, clock: Clock) -> Result<Turn, Located> {
+    let RotateFile { span, center, times, turns } = file;
+    match turns {
+        TurnsFile::Axis { axis, angles, curve } => {
+            let given = given(times, angles.value.len(), clock);
+            let track = Track::new("angles", angles.value.clone(), given, *curve);
+            let track = track.map_err(|fault| located(fault, times, &angles.span))?;
+            let turn = Turn::about_axis(*center, axis.value, track);
+            turn.map_err(|fault| located(fault, &None, &axis.span))
+        }
+        TurnsFile::Keys(keys) => {
+            let turns = keys.value.iter().map(|[x, y, z, degrees]| (DVec3::new(*x, *y, *z), *degrees));
+            let given = given(times, keys.value.len(), clock);
+            let turn = Turn::by_keys(*center, &turns.collect::<Vec<_>>(), given);
+            turn.map_err(|fault| located(fault, times, if keys.value.is_empty() { span } else { &keys.span }))
+        }
+    }
+}
+
+/// The times that are given, or else those of all frames spread evenly.
+fn given(times: &Option<At<Vec<f64>>>, count: usize, clock: Clock) -> Vec<f64> {
+    times.as_ref().map_or_else(|| clock.spread(count), |times| times.value.clone())
+}
+
+/// A fault of the times where they stand, else of the values.
+fn located(fault: Fault, times: &Option<At<Vec<f64>>>, values: &Span) -> Located {
+    let of_times = matches!(fault, Fault::TimesFall { .. } | Fault::WrongCount { what: "times", .. });
+    match times {
+        Some(times) if of_times => Located::at(&times.span, fault),
+        _ => Located::at(values, fault),
+    }
+}

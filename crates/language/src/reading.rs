@@ -1,0 +1,553 @@
+//! Reading and writing scenes: text → trees → trees with formulas evaluated → as typed → valid, and back.
+
+use std::{collections::BTreeSet, io, path::Path, sync::Arc};
+
+use radiosity_formats::model::Model;
+use radiosity_scene::{
+    Fault, Notation, Scene, SceneError, SceneSurface, Source, Tree,
+    error::Located,
+    surfaces::{Surfaces, fitted_surfaces},
+    tree::{Node, Value, entry},
+};
+
+use crate::builtin::{self, Builtin};
+use crate::export::Export;
+use crate::file::SceneFile;
+use crate::import::Import;
+use crate::include::{self, FileTree};
+use crate::language::Language;
+use crate::merging::merged;
+use crate::variables::{self, VARIABLES, Variables};
+use crate::{input, instances, luminaires, motions, validation};
+
+/// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
+///
+/// A file whose ending names a format of another program ([`Format`](radiosity_formats::format::Format)) is read in
+/// that and repaired. A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` is a list of
+/// polygons. Text of unknown name may also start as a list of polygons in JSON, `[[[`, or in CSV, `name,x,y,z`; everything
+/// else is TOML.
+///
+/// # Errors
+/// A file that cannot be read, an unknown name, or anything wrong in the text.
+pub fn load(source: &str) -> Result<Scene, SceneError> {
+    load_with(source, &[])
+}
+
+/// Loads a scene as [`load`] does, with parameters of a built-in one, or variables of any other, set by name.
+///
+/// # Errors
+/// As for [`load`] and [`builtin_with`]; [`Fault::NoVariables`], [`Fault::UnknownVariable`].
+pub fn load_with(source: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
+    parse(&text_of(source, settings)?)
+}
+
+/// The text that [`load_with`] reads; files that it includes are read with the scene.
+///
+/// # Errors
+/// A file that cannot be read, an unknown name of a scene or a parameter.
+pub fn text_of(source: &str, settings: &[(&str, f64)]) -> Result<Source, SceneError> {
+    text_by(source, settings, &Import::default())
+}
+
+/// The same; `import` says how a file of another program is read.
+///
+/// # Errors
+/// As [`text_of`], and what [`Import::model`] refuses.
+pub fn text_by(source: &str, settings: &[(&str, f64)], import: &Import) -> Result<Source, SceneError> {
+    if let Some(scene) = builtin::named(source) {
+        let text = scene.text(settings).map_err(|fault| whole_file(source, fault))?;
+        return Ok(Source::new(source, &text));
+    }
+    if let Some(format) = import.format_of(source) {
+        return Ok(import.source(source, format)?.set(settings.iter().copied()));
+    }
+    let (origin, text) = match source {
+        "-" => ("<stdin>", input::text(source)),
+        path => (path, input::text(path)),
+    };
+    let text = text.map_err(|error| unreadable(source, origin, &error))?;
+    Ok(Source::new(origin, &text).with_files().set(settings.iter().copied()))
+}
+
+/// Reads a scene in the language given by the ending of its origin, or else by its beginning; see [`load`].
+///
+/// # Errors
+/// The first fault in the text.
+pub fn parse(source: &Source) -> Result<Scene, SceneError> {
+    read(source, Language::of(source))
+}
+
+/// Reads a scene as [`parse`] does, with settings of its variables and of its light groups by name; see
+/// [`Scene::dimmed`].
+///
+/// # Errors
+/// The first fault in the text; [`Fault::UnknownSetting`], [`Fault::VariableAndGroup`] and what [`Scene::dimmed`]
+/// refuses.
+pub fn parse_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
+    let mut source = source.clone();
+    let language = Language::of(&source);
+    let files = include::trees(&mut source, language);
+    let files = files.map_err(|located| located.in_source(&source))?;
+    let names: BTreeSet<&str> = variable_names(&files).collect();
+    let (own, groups): (Vec<_>, Vec<_>) = settings.iter().partition(|(name, _)| names.contains(name));
+    let source = source.set(own.iter().copied());
+    let scene = built(files, &source).map_err(|located| located.in_source(&source))?;
+    let scene = scene.at_moment_of(&source)?;
+    let refused = |fault| Err(whole_file(&source.origin, fault));
+    let known: Vec<String> = scene.light_groups().iter().map(|group| group.name.clone()).collect();
+    let has = |name: &str| known.iter().any(|known| known == name);
+    if let Some((name, _)) = own.iter().find(|(name, _)| has(name)) {
+        return refused(Fault::VariableAndGroup { name: (*name).to_owned() });
+    }
+    match groups.iter().find(|(name, _)| !has(name)) {
+        Some((name, _)) if !scene.variables.is_empty() => {
+            let variables = scene.variables.iter().map(|(name, _)| name.clone()).collect();
+            refused(Fault::UnknownSetting { name: (*name).to_owned(), variables, groups: known.into() })
+        }
+        _ => scene.dimmed(&groups),
+    }
+}
+
+/// Reads TOML; `origin` is its name in messages.
+///
+/// # Errors
+/// The first fault in the text.
+pub fn from_toml(text: &str, origin: &str) -> Result<Scene, SceneError> {
+    read(&Source::new(origin, text), Language::Toml)
+}
+
+/// Reads JSON: the same tree as the TOML, or a list of polygons without materials, each a list of vertices;
+/// `origin` is its name in messages.
+///
+/// # Errors
+/// The first fault in the text.
+pub fn from_json(text: &str, origin: &str) -> Result<Scene, SceneError> {
+    read(&Source::new(origin, text), Language::Json)
+}
+
+/// Reads polygons without materials from CSV, a row `name,x,y,z` for each vertex; `origin` is its name in messages.
+///
+/// # Errors
+/// The first fault in the text.
+pub fn from_csv(text: &str, origin: &str) -> Result<Scene, SceneError> {
+    read(&Source::new(origin, text), Language::Csv)
+}
+
+/// Reads a scene made in code, as one from a text; `name` stands before messages, which lead to what they
+/// mean by names: `desk: surface "lamp", disk.radius: …`.
+///
+/// # Errors
+/// The first fault in the tree.
+pub fn of_tree(name: &str, tree: Tree) -> Result<Scene, SceneError> {
+    parse(&Source::of_tree(name, tree)?)
+}
+
+/// The scene in this language, with variables, parts, instances and formulas as they are, and without comments. Its
+/// text in the language of a scene of another program is that of [`load`].
+///
+/// # Errors
+/// [`Fault::Foreign`] for a scene of a [`SceneBuilder`](radiosity_scene::SceneBuilder).
+pub fn text(scene: &Scene, notation: Notation) -> Result<String, SceneError> {
+    let source = written(scene)?;
+    let tree = include::tree_of(source, Language::of(source));
+    let mut tree = tree.map_err(|located| located.in_source(source))?;
+    if source.settings.is_empty() {
+        return Ok(notation.text(&tree));
+    }
+    match variables::set(Arc::make_mut(&mut tree), &source.settings).first() {
+        None => Ok(notation.text(&tree)),
+        Some(name) => {
+            let cause = format!("the variable {name:?} stands in an included file");
+            let cure = "change it there".to_owned();
+            Err(whole_file(&scene.origin, Fault::Foreign { cause, cure }))
+        }
+    }
+}
+
+/// The text it was read from.
+fn written(scene: &Scene) -> Result<&Source, SceneError> {
+    let refused = |cause: &str, cure: &str| {
+        let (cause, cure) = (cause.to_owned(), cure.to_owned());
+        whole_file(&scene.origin, Fault::Foreign { cause, cure })
+    };
+    let source = scene.source.as_ref().ok_or_else(|| refused("a scene made in code has no text", ""))?;
+    match source.moment {
+        None => Ok(source),
+        Some(_) => Err(refused(
+            "a frame has no text of its own",
+            "write the whole scene, without a frame; `render -o frame.glb` writes what a frame shows",
+        )),
+    }
+}
+
+/// The scene as another program would hold it, shapes as they were typed.
+///
+/// # Errors
+/// [`Fault::Foreign`] for shapes that other programs do not have, and for a scene that was made in code.
+pub fn model(scene: &Scene) -> Result<Model, SceneError> {
+    let mut source = written(scene)?.clone();
+    let language = Language::of(&source);
+    let model = include::trees(&mut source, language).and_then(|files| exported(scene, files, &source));
+    model.map_err(|located| located.in_source(&source))
+}
+
+/// The model of the scene that was built of these trees.
+fn exported(scene: &Scene, files: Vec<FileTree>, source: &Source) -> Result<Model, Located> {
+    let (file, _) = as_typed(files, source)?;
+    let mut export = Export::new(&scene.surfaces, &scene.bands, &scene.unit);
+    if let Some(camera) = &scene.camera {
+        export.camera(camera, scene.middle);
+    }
+    let placed = instances::placed(&file.content, &file.parts, source)?;
+    placed.surfaces.iter().try_for_each(|placed| export.add(placed))?;
+    let mut model = export.finish()?;
+    model.title = scene.title.clone();
+    if scene.surfaces.iter().any(SceneSurface::is_opening) {
+        model.note("openings to the sky become diffuse emitters, and the sun is left out", None);
+    }
+    if !scene.luminaires.is_empty() {
+        model.note("luminaires are left out", None);
+    }
+    if scene.animation.is_some() {
+        model.note("motions are left out: everything is at rest", None);
+    }
+    if !scene.planes.is_empty() {
+        model.note("planes of sensors are left out", None);
+    }
+    Ok(model)
+}
+
+/// The built-in scene `name`, its parameters at their defaults.
+///
+/// # Errors
+/// [`Fault::UnknownScene`], which lists the names there are.
+pub fn builtin(name: &str) -> Result<Scene, SceneError> {
+    builtin_with(name, &[])
+}
+
+/// The built-in scene `name` with parameters set by name; of two settings of one parameter the last counts.
+///
+/// # Errors
+/// [`Fault::UnknownScene`], [`Fault::UnknownParameter`], [`Fault::ParameterRange`].
+pub fn builtin_with(name: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
+    if builtin::named(name).is_none() {
+        return Err(whole_file(name, unknown_scene(name)));
+    }
+    load_with(name, settings)
+}
+
+/// The built-in scenes with their parameters.
+pub fn builtins() -> &'static [Builtin] {
+    &builtin::ALL
+}
+
+/// The names of the built-in scenes.
+pub fn builtin_names() -> impl Iterator<Item = &'static str> {
+    builtin::ALL.iter().map(|scene| scene.name)
+}
+
+/// Text → trees → scene.
+fn read(source: &Source, language: Language) -> Result<Scene, SceneError> {
+    let mut source = source.clone();
+    let trees = include::trees(&mut source, language);
+    let scene =
+        trees.and_then(|trees| built(trees, &source)).map_err(|located| located.in_source(&source))?;
+    scene.at_moment_of(&source)
+}
+
+/// The tables of variables in all files.
+fn variable_tables(files: &[FileTree]) -> impl Iterator<Item = &Node> {
+    files.iter().filter_map(|file| match &file.tree.value {
+        Value::Table(entries) => entry(entries, VARIABLES),
+        _ => None,
+    })
+}
+
+/// The names in these tables, as far as they are right.
+fn variable_names(files: &[FileTree]) -> impl Iterator<Item = &str> {
+    let entries = variable_tables(files).filter_map(|node| match &node.value {
+        Value::Table(entries) => Some(entries),
+        _ => None,
+    });
+    entries.flatten().map(|(name, _)| name.value.as_str())
+}
+
+/// Trees → trees with formulas evaluated → as typed → valid.
+fn built(files: Vec<FileTree>, source: &Source) -> Result<Scene, Located> {
+    let (file, variables) = as_typed(files, source)?;
+    assemble(file, variables, source)
+}
+
+/// Trees → trees with formulas evaluated → as typed, with the values of the variables.
+fn as_typed(mut files: Vec<FileTree>, source: &Source) -> Result<(SceneFile, Vec<(String, f64)>), Located> {
+    let variables = Variables::read(variable_tables(&files), source)?;
+    files.iter_mut().for_each(|file| variables.fill(&mut file.tree));
+    let files = files.iter().map(|file| SceneFile::read(&file.tree, &file.prefix));
+    let file = merged(files.collect::<Result<_, _>>()?, source)?;
+    Ok((file, variables.list()))
+}
+
+/// As typed → valid.
+fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> Result<Scene, Located> {
+    let is_grey = file.is_grey();
+    let bands = validation::bands(file.bands, is_grey, source)?;
+    let unit = validation::unit(file.unit)?;
+    let planes = file.planes.into_iter().map(validation::plane).collect::<Result<_, _>>()?;
+    let materials = validation::materials(file.materials, bands.len(), source)?;
+    let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose();
+    let sky = sky.map_err(|error| error.within(|| "sky".into()))?;
+    let instances::Placed { surfaces, luminaires: lamps } =
+        instances::placed(&file.content, &file.parts, source)?;
+    let (luminaires, luminous) = luminaires::luminaires(&lamps, bands.len(), source)?;
+    let drafts = validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source);
+    let Surfaces { list, makers, middle, fitted } =
+        fitted_surfaces(drafts.chain(luminous.into_iter().map(Ok)), source.tolerance)?;
+    if let (Some(sky), false) = (&file.sky, list.iter().any(SceneSurface::is_opening)) {
+        return Err(Located::at(&sky.span, Fault::NoOpening).within(|| "sky".into()));
+    }
+    let movable = motions::movable(&surfaces, &makers, &lamps, file.camera.is_some());
+    let animation = motions::animation(&file.frames, &file.motions, &movable, source)?;
+    let camera = file.camera.map(validation::camera).transpose()?;
+    let mut scene = Scene::empty(stem(&source.origin), bands, unit);
+    scene.title = file.title;
+    scene.middle = middle;
+    scene.fitted = fitted;
+    scene.surfaces = list;
+    scene.luminaires = luminaires.into_iter().map(|own| own.about(middle)).collect();
+    scene.variables = variables;
+    scene.planes = planes;
+    scene.camera = camera.map(|camera| camera.about(middle));
+    scene.animation = animation.map(|animation| animation.about(middle));
+    scene.origin = source.origin.to_string();
+    scene.source = Some(source.clone());
+    Ok(scene)
+}
+
+/// `rooms/desk.toml` → `desk`, `<stdin>` → `stdin`.
+fn stem(origin: &str) -> String {
+    let plain = origin.trim_matches(['<', '>']);
+    Path::new(plain).file_stem().map_or_else(|| plain.to_owned(), |stem| stem.to_string_lossy().into_owned())
+}
+
+/// A name without ending or folder is taken for a built-in scene, not for a file.
+fn unreadable(source: &str, origin: &str, error: &io::Error) -> SceneError {
+    let meant_as_name = error.kind() == io::ErrorKind::NotFound && !source.contains(['.', '/', '\\']);
+    whole_file(
+        origin,
+        match meant_as_name {
+            true => unknown_scene(source),
+            false => Fault::Unreadable { kind: error.kind(), reason: error.to_string() },
+        },
+    )
+}
+
+/// A scene that is not built in.
+fn unknown_scene(name: &str) -> Fault {
+    Fault::UnknownScene { name: name.to_owned(), known: builtin_names().collect() }
+}
+
+fn whole_file(origin: &str, fault: Fault) -> SceneError {
+    SceneError { origin: origin.to_owned(), place: None, owner: None, fault }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use radiosity_geom::{DVec3, Ray};
+
+    use radiosity_scene::{Material, place::At};
+
+    use super::*;
+    use crate::{json_text, toml_text};
+
+    /// Areas of the bilinear patches in mm², of the data the scene is made from. Ceiling and floor without their holes.
+    const CORNELL_AREAS: [(&str, f64); 16] = [
+        ("floor", 308231.04 - 27633.0 - 27626.5),
+        ("ceiling", 310915.2 - 13650.0),
+        ("back_wall", 303376.64),
+        ("right_wall", 306888.96),
+        ("left_wall", 306902.807638),
+        ("light", 13650.0),
+        ("short_block_top", 27633.0),
+        ("short_block_side1", 27344.238881),
+        ("short_block_side2", 27610.273903),
+        ("short_block_side3", 27562.409184),
+        ("short_block_side4", 27198.987573),
+        ("tall_block_top", 27626.5),
+        ("tall_block_side1", 54905.098124),
+        ("tall_block_side2", 54688.477763),
+        ("tall_block_side3", 55220.547806),
+        ("tall_block_side4", 54589.82048),
+    ];
+
+    #[test]
+    fn cornell_faces_have_the_measured_areas() {
+        let scene = builtin("cornell-box").unwrap();
+        assert_eq!(scene.surfaces.len(), CORNELL_AREAS.len());
+        for (surface, (name, area)) in scene.surfaces.iter().zip(CORNELL_AREAS) {
+            assert_eq!(surface.name, name);
+            let found = surface.shape.area();
+            assert!((found - area).abs() < 1e-6, "{name}: {found} instead of {area}");
+        }
+    }
+
+    #[test]
+    fn cornell_light_is_pi_times_the_published_radiance() {
+        let scene = builtin("cornell-box").unwrap();
+        let light = scene.surfaces.iter().find(|surface| surface.material.emits()).unwrap();
+        assert_eq!(light.name, "light");
+        assert_eq!(light.material.emission, [16.16, 11.04, 4.8].map(|radiance| PI * radiance));
+        assert_eq!(scene.surfaces.iter().filter(|surface| surface.material.emits()).count(), 1);
+    }
+
+    #[test]
+    fn cornell_fronts_face_the_air() {
+        let scene = builtin("cornell-box").unwrap();
+        let inside = DVec3::new(278.0, 400.0, 100.0);
+        for surface in &scene.surfaces {
+            let center = surface.shape.jet(0.0, 0.0);
+            let block = ["short_block", "tall_block"].iter().find(|block| surface.name.starts_with(**block));
+            // Out of a block its fronts face away from the middle of its top, lowered; walls face a point of the room.
+            let outward = match block {
+                Some(block) => {
+                    let top =
+                        scene.surfaces.iter().find(|other| other.name == format!("{block}_top")).unwrap();
+                    center.position - (top.shape.jet(0.0, 0.0).position - 10.0 * DVec3::Y)
+                }
+                None => inside - center.position,
+            };
+            assert!(outward.dot(center.normal) > 0.0, "{}", surface.name);
+        }
+    }
+
+    #[test]
+    fn closed_rooms_are_closed_and_face_inward() {
+        for name in ["empty-box", "furnace-cube"] {
+            let scene = builtin(name).unwrap();
+            let names: Vec<&str> = scene.surfaces.iter().map(|surface| surface.name.as_str()).collect();
+            assert_eq!(names, ["floor", "ceiling", "wall-x0", "wall-x1", "wall-y0", "wall-y1"]);
+            assert_eq!(scene.bands, ["grey"]);
+            let middle = DVec3::splat(0.5);
+            for surface in &scene.surfaces {
+                let center = surface.shape.jet(0.0, 0.0);
+                assert!((middle - center.position).dot(center.normal) > 0.0);
+            }
+            let area: f64 = scene.surfaces.iter().map(|surface| surface.shape.area()).sum();
+            assert!((area - 6.0).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn cameras_of_the_built_in_scenes_see_a_front() {
+        for name in builtin_names() {
+            let scene = builtin(name).unwrap();
+            let camera = scene.camera.as_ref().unwrap();
+            let ray = Ray::new(camera.eye, camera.target - camera.eye);
+            let hits =
+                scene.surfaces.iter().filter_map(|surface| Some((surface, surface.shape.intersect(&ray)?)));
+            let (seen, hit) = hits.min_by(|a, b| a.1.t.total_cmp(&b.1.t)).unwrap();
+            assert!(seen.shape.jet(hit.u, hit.v).normal.dot(camera.target - camera.eye) < 0.0, "{name}");
+        }
+    }
+
+    const TOML: &str = r#"
+        bands = ["grey"]
+        [materials.wall]
+        reflectance = 0.25
+        emission = [2]
+        [[surfaces]]
+        material = "wall"
+        order = 6
+        subdivide = [2, 1]
+        two_sided = true
+        flip = true
+        transform = { scale = 2, rotate = [0, 0, 1, 90], translate = [0, 0, 1] }
+        triangle = { vertices = [[0,0,0],[1,0,0],[0,1,0]] }
+    "#;
+
+    const JSON: &str = r#"{
+        "bands": ["grey"],
+        "materials": {"wall": {"reflectance": 0.25, "emission": [2]}},
+        "surfaces": [{
+            "material": "wall", "order": 6, "subdivide": [2, 1], "two_sided": true, "flip": true,
+            "transform": {"scale": 2, "rotate": [0, 0, 1, 90], "translate": [0, 0, 1]},
+            "triangle": {"vertices": [[0,0,0],[1,0,0],[0,1,0]]}
+        }]
+    }"#;
+
+    #[test]
+    fn toml_and_json_say_the_same() {
+        for scene in [from_toml(TOML, "a/room.toml").unwrap(), from_json(JSON, "room").unwrap()] {
+            assert_eq!(scene.name, "room");
+            assert_eq!(scene.bands, ["grey"]);
+            let [front, back] = &scene.surfaces[..] else { panic!("a two-sided surface is two") };
+            assert_eq!((front.name.as_str(), back.name.as_str()), ("surface-1", "surface-1:back"));
+            assert_eq!((front.order, front.subdivide), (Some(6), Some([2, 1])));
+            assert_eq!(back.material, Material::new(vec![0.25], vec![2.0]).unwrap());
+            let (front, back) = (front.shape.jet(0.0, 0.0), back.shape.jet(0.0, 0.0));
+            assert!((front.normal + DVec3::Z).length() < 1e-15 && (back.normal - DVec3::Z).length() < 1e-15);
+            assert!((front.position.z - 1.0).abs() < 1e-15);
+            // Twice as long both ways, and a quarter turn takes +y to −x.
+            assert!((scene.surfaces[0].shape.area() - 2.0).abs() < 1e-14);
+            assert!(front.position.x < 0.0);
+        }
+    }
+
+    const PRINTED: &str = r#"
+        title = "a \"desk\" in a\troom"
+        bands = ["r", "g"]
+        empty = []
+        [variables]
+        width = "=2 * 3"
+        [camera]
+        eye = [0, -3e-9, 1.25]
+        [materials."white wall"]
+        reflectance = 0.1
+        [materials.lamp]
+        emission = [1e300, 3e15]
+        [[surfaces]]
+        name = "x"
+        two_sided = true
+        quad = { vertices = [[0, 0, 0], [1, 0, 0.1]] }
+        [[surfaces]]
+        box = { open = ["top"] }
+        [parts.chair]
+        surfaces = [{ name = "seat", order = 6 }]
+    "#;
+
+    /// The tree without places.
+    fn bare(node: &Node) -> Node {
+        let value = match &node.value {
+            Value::List(items) => Value::List(items.iter().map(bare).collect()),
+            Value::Table(entries) => {
+                let mut entries: Vec<_> = entries
+                    .iter()
+                    .map(|(key, own)| (At::new(key.value.clone(), &(0..0)), bare(own)))
+                    .collect();
+                entries.sort_by(|a, b| a.0.value.cmp(&b.0.value));
+                Value::Table(entries)
+            }
+            plain => plain.clone(),
+        };
+        At::new(value, &(0..0))
+    }
+
+    #[test]
+    fn what_is_printed_reads_as_the_same_tree() {
+        let tree = toml_text::parse(PRINTED).unwrap();
+        let from_toml = toml_text::parse(&Notation::Toml.text(&tree)).unwrap();
+        let from_json = json_text::parse(&Notation::Json.text(&tree)).unwrap();
+        assert_eq!(bare(&from_toml), bare(&tree));
+        assert_eq!(bare(&from_json), bare(&tree));
+    }
+
+    #[test]
+    fn each_surface_has_a_line_in_json() {
+        let text = Notation::Json.text(&toml_text::parse(PRINTED).unwrap());
+        assert!(
+            text.lines().any(|line| line.starts_with(r#"    {"name": "x", "two_sided": true"#)),
+            "{text}"
+        );
+    }
+}

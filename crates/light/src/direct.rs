@@ -1,0 +1,207 @@
+//! Direct light at a point, computed there instead of read from polynomials.
+//!
+//! ```text
+//! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y + Σ_l I_l cos θ V(x, p_l) / |p_l − x|²        W m⁻²
+//! ```
+//!
+//! from elements of the exitance E₀, times what openings to a sky and luminous areas send towards x over what a diffuse emitter would
+//! ([`radiosity_scene::Radiance`]), and from luminaires at p_l of the intensity I_l ([`super::point_lights`]).
+//! Polynomials smear shadow edges, D does not. D is exact for planar emitters behind planar blockers
+//! ([`radiosity_kernel::irradiance::visible_polygon`]). Where an emitter or a blocker is curved, the cells of [`crate`] are
+//! refined until D is accurate to about [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is
+//! taken as a whole (`area_light`).
+
+use radiosity_elements::Element;
+use radiosity_elements::patch::Node;
+use radiosity_geom::{Aabb, DVec3, Rect};
+use radiosity_visibility::Visibility;
+use rayon::prelude::*;
+use smallvec::{SmallVec, smallvec};
+
+use crate::area_light::AreaLight;
+use crate::emitters::Emitters;
+use crate::hierarchy::tree::Tree;
+use crate::occluders::{Occluders, Site};
+use crate::point_lights::PointLights;
+use crate::receiver_point::ReceiverPoint;
+use crate::traversal::Traversal;
+
+/// Accuracy of direct light that is not exact, over all emitters' light without blockers. Chosen; not tuned.
+pub const ACCURACY: f64 = 1e-3;
+
+/// Error that one cell may contribute, over the accuracy of the sum. Chosen; not tuned.
+const PER_CELL: f64 = 0.3;
+
+/// A site whose diagonal is below this part of its distance from an emitter is small: a rule of 2 × 2 points then has a
+/// relative error of about 0.02 · 0.25⁴ = 8e-5. Chosen; not tuned.
+const SMALL: f64 = 0.25;
+
+/// Most obstacles around a site for which testing each against every shaft pays. Chosen; not tuned.
+const FEW: usize = 40;
+
+/// The emitters of a scene, and the possible occluders between them and each element.
+#[derive(Debug)]
+pub struct DirectLight<'a> {
+    elements: &'a [Element],
+    points: &'a PointLights,
+    visibility: &'a Visibility,
+    emitters: Vec<Emitter>,
+    trees: Vec<Tree>,
+    /// For each emitter, its area light if it can be taken as a whole.
+    lamps: Vec<Option<AreaLight<'a>>>,
+    /// Occluders per receiving element.
+    surroundings: Vec<Occluders>,
+    bands: usize,
+    eps: f64,
+}
+
+/// An element that emits.
+#[derive(Debug)]
+struct Emitter {
+    element: usize,
+    /// Exitance per band (W m⁻²).
+    exitance: Vec<f64>,
+}
+
+impl<'a> DirectLight<'a> {
+    /// The direct light of `sources`, accurate to [`ACCURACY`] where it is not exact.
+    pub fn new(sources: &Emitters<'a>, visibility: &'a Visibility) -> Self {
+        Self::within(sources, visibility, ACCURACY)
+    }
+
+    /// As [`DirectLight::new`], accurate to `eps` where it is not exact.
+    pub fn within(sources: &Emitters<'a>, visibility: &'a Visibility, eps: f64) -> Self {
+        let Emitters { elements, ref coatings, radiances, points } = *sources;
+        let emitter = |element: usize| {
+            let exitance: Vec<f64> = coatings.iter().map(|coating| coating.exitance[element]).collect();
+            exitance.iter().any(|exitance| *exitance > 0.0).then_some(Emitter { element, exitance })
+        };
+        let emitters: Vec<Emitter> = (0..elements.len()).filter_map(emitter).collect();
+        let tree = |emitter: &Emitter| {
+            let element = &elements[emitter.element];
+            let radiance = radiances.of_surface(element.surface).cloned();
+            Tree::uniform(element, emitter.exitance.iter().sum()).spread(radiance)
+        };
+        let trees: Vec<Tree> = emitters.iter().map(tree).collect();
+        let bands = coatings.len();
+        let is_whole = |element: &Element| element.rect == Rect::FULL && element.contact.is_none();
+        let lamp = |Emitter { element, .. }: &Emitter| {
+            let element = Some(&elements[*element]).filter(|element| is_whole(element))?;
+            radiances.of_surface(element.surface).is_none().then_some(())?;
+            AreaLight::new(visibility, element.surface)
+        };
+        let lamps = emitters.iter().map(lamp).collect();
+        let surroundings = Vec::new();
+        let mut light =
+            Self { elements, points, visibility, emitters, trees, lamps, surroundings, bands, eps };
+        light.surroundings = elements.par_iter().map(|element| light.around(&Site::of(element))).collect();
+        light
+    }
+
+    /// Indices of the emitting elements.
+    pub fn emitters(&self) -> impl Iterator<Item = usize> {
+        self.emitters.iter().map(|emitter| emitter.element)
+    }
+
+    /// For each emitter, its index and the irradiance per unit of its exitance at `x` on element `receiver` with the
+    /// unit normal `n`.
+    pub fn factors(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
+        let vantage = ReceiverPoint::on(self.elements[receiver].surface, x, n);
+        let factors = self.from(&vantage, &self.surroundings[receiver], 0.0);
+        self.emitters().zip(factors).collect()
+    }
+
+    /// Irradiance (W m⁻²) per band at `x` on element `receiver` with unit normal `n`.
+    pub fn at(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<f64> {
+        self.at_beside(receiver, x, n, &[])
+    }
+
+    /// As [`DirectLight::at`], where `other` light (W m⁻² per band) arrives too: the tolerance is relative to both.
+    pub fn at_beside(&self, receiver: usize, x: DVec3, n: DVec3, other: &[f64]) -> Vec<f64> {
+        let vantage = ReceiverPoint::on(self.elements[receiver].surface, x, n);
+        self.irradiance_beside(&vantage, &self.surroundings[receiver], other)
+    }
+
+    /// Irradiance (W m⁻²) per band at a node of element `receiver`, from elements alone.
+    pub(crate) fn of_elements_at(&self, receiver: usize, node: &Node) -> Vec<f64> {
+        let vantage = ReceiverPoint::on(self.elements[receiver].surface, node.position, node.normal);
+        self.add_elements(&vantage, &self.surroundings[receiver], vec![0.0; self.bands], 0.0)
+    }
+
+    /// Possible occluders between the emitters and a site.
+    pub fn around(&self, site: &Site) -> Occluders {
+        let surroundings = Occluders::new(self.visibility, self.trees.iter().map(Tree::sender), site);
+        if surroundings.obstacles.len() > FEW {
+            return surroundings;
+        }
+        let hulls: Vec<&[DVec3]> =
+            self.emitters.iter().map(|emitter| &self.elements[emitter.element].hull[..]).collect();
+        surroundings.narrowed(self.visibility, &hulls, site)
+    }
+
+    /// Whether direct light at a site has no shadows and varies little more than linearly, since all emitters are far;
+    /// never said where luminaires shine.
+    pub fn is_smooth(&self, site: &Site, surroundings: &Occluders) -> bool {
+        let own = Aabb::around(site.points.iter().copied());
+        let gap = |tree: &Tree| {
+            let apart = (own.min - tree.bounds.max).max(tree.bounds.min - own.max);
+            apart.max(DVec3::ZERO).length()
+        };
+        self.points.is_empty()
+            && surroundings.is_clear()
+            && self.trees.iter().all(|tree| own.diagonal() < SMALL * gap(tree))
+    }
+
+    /// Irradiance (W m⁻²) per band straight from the emitters, at the point `vantage` of a site.
+    pub fn irradiance(&self, vantage: &ReceiverPoint, surroundings: &Occluders) -> Vec<f64> {
+        self.irradiance_beside(vantage, surroundings, &[])
+    }
+
+    fn irradiance_beside(
+        &self,
+        vantage: &ReceiverPoint,
+        surroundings: &Occluders,
+        other: &[f64],
+    ) -> Vec<f64> {
+        let mut sums = vec![0.0; self.bands];
+        self.points.add(vantage, self.visibility, &mut sums);
+        let other = other.iter().chain(&sums).map(|other| other.max(0.0)).sum();
+        self.add_elements(vantage, surroundings, sums, other)
+    }
+
+    /// `sums` and the irradiance from elements per band; `other` is known further irradiance, all bands together.
+    fn add_elements(
+        &self,
+        vantage: &ReceiverPoint,
+        surroundings: &Occluders,
+        mut sums: Vec<f64>,
+        other: f64,
+    ) -> Vec<f64> {
+        for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings, other)) {
+            sums.iter_mut().zip(&emitter.exitance).for_each(|(sum, exitance)| *sum += factor * exitance);
+        }
+        sums
+    }
+
+    /// Irradiance from each emitter per unit of its exitance; `other` is known further irradiance, all bands together.
+    fn from(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: f64) -> SmallVec<[f64; 4]> {
+        let mut walk = Traversal::new(vantage, self.visibility, surroundings);
+        let add = |walk: &mut Traversal, index: usize, tolerance: f64, factor: &mut [f64]| {
+            let tree = &self.trees[index];
+            let lamp = self.lamps[index].as_ref();
+            match lamp.and_then(|lamp| walk.lamp(index, lamp, 1.0 / tree.scale()[0], tolerance)) {
+                Some(whole) => factor[0] = whole,
+                None => walk.add(index, tree, tolerance, factor),
+            }
+        };
+        if self.trees.iter().all(|tree| tree.plane.is_some() && tree.radiance.is_none()) && walk.is_flat() {
+            let mut factors = smallvec![0.0; self.trees.len()];
+            let each = factors.chunks_exact_mut(1).enumerate();
+            each.for_each(|(index, factor)| add(&mut walk, index, 0.0, factor));
+            return factors;
+        }
+        let level =
+            |factors: &[f64]| factors.iter().zip(&self.trees).map(|(f, tree)| f / tree.scale()[0]).sum();
+        walk.within_share(&self.trees, PER_CELL * self.eps, other, add, level).into()
+    }
+}

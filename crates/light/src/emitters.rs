@@ -1,0 +1,49 @@
+//! What emits: elements, diffusely or by direction, by their exitance; luminaires without an area and the sun, by their intensity.
+
+use radiosity_elements::Element;
+use radiosity_elements::coating::Coating;
+use radiosity_geom::DVec3;
+use radiosity_scene::{Radiance, Scene};
+
+use crate::point_lights::PointLights;
+
+/// The sources of direct light among the elements of a scene.
+#[derive(Clone, Debug)]
+pub struct Emitters<'a> {
+    /// The elements.
+    pub elements: &'a [Element],
+    /// Their reflectance and exitance, a coating per band.
+    pub coatings: Vec<&'a Coating>,
+    /// How the light of openings and luminous areas is spread.
+    pub radiances: &'a Radiances,
+    /// The luminaires and the sun, with a strength per band.
+    pub points: &'a PointLights,
+}
+
+/// How surfaces spread their light over directions that are no diffuse emitters.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Radiances(Vec<Option<Radiance>>);
+
+impl Radiances {
+    /// Those of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        Self(scene.surfaces.iter().map(|surface| surface.radiance.clone()).collect())
+    }
+
+    /// That of a surface, if it is no diffuse emitter.
+    pub fn of_surface(&self, surface: usize) -> Option<&Radiance> {
+        self.0.get(surface)?.as_ref()
+    }
+
+    /// The radiance that a surface sends into a unit direction, over that of a diffuse emitter of its exitance.
+    pub fn relative(&self, surface: usize, into: DVec3) -> f64 {
+        self.of_surface(surface).map_or(1.0, |own| own.relative(into))
+    }
+}
+
+impl Emitters<'_> {
+    /// Whether any of them is no diffuse emitter.
+    pub fn are_directed(&self) -> bool {
+        self.radiances.0.iter().any(Option::is_some)
+    }
+}

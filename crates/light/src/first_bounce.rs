@@ -1,0 +1,313 @@
+//! The first bounce: direct light and the light that was reflected exactly once, with all shadows.
+//!
+//! ```text
+//! D(x) = ∫ κ V E₀ dA_y ,     g(x) = ∫ κ V ρ D dA_y        W m⁻²
+//! d_k = ∫ φ_k D dA ,         g_k = ∫ φ_k g dA             W m⁻² times length
+//! ```
+//!
+//! Where direct light is split off, g_k replaces G ρ d in the right-hand side: the shadow edges of D, which no
+//! polynomial follows, are then smoothed by one transport before anything is projected. Polynomials never transport D
+//! itself; d serves only to read the solution from polynomials.
+//!
+//! The integrals over x are Gauss rules on m × m cells of each patch: many cells for D with its edges, few for the
+//! smooth g, whose points are exact for φ_k times a linear function.
+
+use radiosity_core::dot;
+use radiosity_elements::coating::Coating;
+use radiosity_elements::patch::{Direction, Node, Patch};
+use radiosity_elements::rule::UnitRule;
+use radiosity_elements::{Element, starts};
+use radiosity_geom::DVec3;
+use radiosity_visibility::Visibility;
+use radiosity_work::interruption::heed;
+use radiosity_work::ranks;
+
+use crate::coats::Coats;
+use crate::direct::DirectLight;
+use crate::emitters::Emitters;
+use crate::occluders::Site;
+use crate::receiver_point::ReceiverPoint;
+use crate::reflected;
+use crate::reflected::{Lit, Reflection};
+
+/// Halvings of a patch in each direction for D, and for g unless it is small. Both are chosen, not tuned.
+const DIRECT_HALVINGS: usize = 2;
+const REFLECTED_HALVINGS: usize = 1;
+
+/// The former for the light of the sun, whose patches have sharp borders, and of luminaires beside it: a ray for each point. Chosen.
+const SUNNY_HALVINGS: usize = 6;
+
+/// A cell whose radius exceeds this part of its distance from a luminaire is quartered for D, so many times at most. Two
+/// points each way then err by about 0.02 (2 · 0.15)⁴ = 2e-4 of what the cell receives. Chosen; not tuned.
+const PEAKED: f64 = 0.15;
+const DEEPEST: usize = 14;
+
+/// A patch below this part of its element's area is small. Chosen; not tuned.
+const SMALL: f64 = 0.25;
+
+/// Loosest relative accuracy of g at a point: errors average out in the coefficients g_k. Chosen; not tuned.
+pub(crate) const LOOSEST: f64 = 2e-2;
+
+/// Coefficients of the first bounce in the orthonormal bases, element by element, per band.
+#[derive(Debug)]
+pub struct Bounce {
+    /// d, the coefficients of the direct irradiance (W m⁻² times scene length).
+    pub direct: Vec<Vec<f64>>,
+    /// g, the coefficients of the irradiance that was reflected exactly once (W m⁻² times scene length).
+    pub reflected: Vec<Vec<f64>>,
+}
+
+/// How direct light enters the linear system.
+#[derive(Debug)]
+pub enum Entry {
+    /// As exitance, which is carried like all other radiosity.
+    Carried,
+    /// The same, beside the light of luminaires: the coefficients of its irradiance, element by element, per band (W m⁻²
+    /// times scene length).
+    Lit(Vec<Vec<f64>>),
+    /// Split off.
+    Split(Bounce),
+}
+
+/// The coefficients of the irradiance from luminaires on `elements`, per band (W m⁻² times scene length).
+pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility) -> Vec<Vec<f64>> {
+    let Emitters { elements, ref coatings, points, .. } = *sources;
+    let peaks = Peaks {
+        lamps: &points.ends().collect::<Vec<_>>(),
+        halvings: if points.has_sun() { SUNNY_HALVINGS } else { DIRECT_HALVINGS },
+    };
+    let bands = coatings.len();
+    let of_element = |index: usize| {
+        let lit = |node: &Node| {
+            let mut lit = vec![0.0; bands];
+            let vantage = ReceiverPoint::on(elements[index].surface, node.position, node.normal);
+            points.add(&vantage, visibility, &mut lit);
+            lit
+        };
+        of_direct(&elements[index], &peaks, bands, &lit)
+    };
+    projected(elements.len(), bands, &of_element)
+}
+
+/// The coefficients of the irradiance `lit`, from elements, per band (W m⁻² times scene length).
+fn coefficients(sources: &Emitters<'_>, lit: Lit<'_>) -> Vec<Vec<f64>> {
+    let Emitters { elements, ref coatings, .. } = *sources;
+    let bands = coatings.len();
+    let peaks = Peaks { lamps: &[], halvings: DIRECT_HALVINGS };
+    let of_element = |index: usize| of_direct(&elements[index], &peaks, bands, &|node| lit(index, node));
+    projected(elements.len(), bands, &of_element)
+}
+
+/// Where direct light wants small cells.
+struct Peaks<'a> {
+    /// Ends of luminaires before which it peaks.
+    lamps: &'a [[DVec3; 2]],
+    /// Halvings of all patches in each direction.
+    halvings: usize,
+}
+
+/// For each channel the coefficients that `project` finds, element by element.
+fn projected(
+    elements: usize,
+    channels: usize,
+    project: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync),
+) -> Vec<Vec<f64>> {
+    let parts = ranks::current().map(&vec![1.0; elements], project);
+    let together = |channel: usize| parts.iter().flat_map(|part| &part[channel]).copied().collect();
+    (0..channels).map(together).collect()
+}
+
+/// The first bounce, apart by what reflected it.
+#[derive(Debug)]
+pub struct CoatedBounce {
+    /// d, as in [`Bounce`].
+    direct: Vec<Vec<f64>>,
+    coats: Coats,
+    /// The part of g from each coat, per band.
+    reflected: Vec<Vec<Vec<f64>>>,
+}
+
+impl CoatedBounce {
+    /// The first bounce of exact direct light from `sources`; its relative accuracy is about the smaller of `eps` and
+    /// [`LOOSEST`].
+    pub fn new(sources: &Emitters<'_>, visibility: &Visibility, eps: f64) -> Self {
+        let eps = eps.min(LOOSEST);
+        let direct = DirectLight::within(sources, visibility, eps);
+        let lit = |element: usize, node: &Node| direct.at(element, node.position, node.normal);
+        let of_elements = |element: usize, node: &Node| direct.of_elements_at(element, node);
+        let mut d = coefficients(sources, &of_elements);
+        if !sources.points.is_empty() {
+            let of_points = lit_by(sources, visibility);
+            let pairs = d.iter_mut().flatten().zip(of_points.iter().flatten());
+            pairs.for_each(|(sum, own)| *sum += own);
+        }
+        Self::reflected(sources, visibility, &lit, d, eps)
+    }
+
+    /// The first bounce of any direct light `lit`, from elements alone.
+    pub fn of(sources: &Emitters<'_>, visibility: &Visibility, lit: Lit<'_>, eps: f64) -> Self {
+        Self::reflected(sources, visibility, lit, coefficients(sources, lit), eps)
+    }
+
+    /// The first bounce of the direct light `lit` with the coefficients d.
+    fn reflected(
+        sources: &Emitters<'_>,
+        visibility: &Visibility,
+        lit: Lit<'_>,
+        d: Vec<Vec<f64>>,
+        eps: f64,
+    ) -> Self {
+        let Emitters { elements, ref coatings, .. } = *sources;
+        let bands = coatings.len();
+        let scale = scales(elements, coatings, &d);
+        let reflection = Reflection::new(elements, coatings, visibility, lit, scale, eps);
+        let coats = Coats::of(coatings);
+        let light = Light { lit, reflection, coats: &coats };
+        let of_element = |index: usize| of_reflected(&elements[index], index, &light);
+        let mut channels = projected(elements.len(), coats.count() * bands, &of_element).into_iter();
+        let reflected = (0..coats.count()).map(|_| channels.by_ref().take(bands).collect()).collect();
+        Self { direct: d, coats, reflected }
+    }
+
+    /// The bounce by `new` coatings of the same exitance as the `old` ones it was computed for. None where it has to be
+    /// computed anew.
+    pub fn repainted(&self, old: &[&Coating], new: &[&Coating]) -> Option<Bounce> {
+        let factors = self.coats.change(old, new)?;
+        let of_band = |band: usize| {
+            let mut sum = vec![0.0; self.direct[band].len()];
+            for (part, factor) in self.reflected.iter().zip(&factors) {
+                let scaled = part[band].iter().map(|g| factor[band] * g);
+                sum.iter_mut().zip(scaled).for_each(|(sum, g)| *sum += g);
+            }
+            sum
+        };
+        Some(Bounce { direct: self.direct.clone(), reflected: (0..old.len()).map(of_band).collect() })
+    }
+}
+
+/// Mean reflected radiosity ρ D (W m⁻²) of each band over the scene.
+fn scales(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> Vec<f64> {
+    let starts = starts(elements);
+    let mean = |(coating, direct): (&&Coating, &Vec<f64>)| {
+        reflected::scale(elements, coating.reflected(&starts, direct).into_iter())
+    };
+    coatings.iter().zip(direct).map(mean).collect()
+}
+
+/// The coefficients d of an element, per band.
+fn of_direct(
+    element: &Element,
+    peaks: &Peaks<'_>,
+    bands: usize,
+    lit: &dyn Fn(&Node) -> Vec<f64>,
+) -> Vec<Vec<f64>> {
+    let mut sums = Sums::new(element, bands);
+    let points = (element.basis.order() >> peaks.halvings) + 2;
+    let whole = element.patches.iter().flat_map(|patch| cells(patch, peaks.halvings));
+    let mut open: Vec<(Patch, usize)> = whole.map(|cell| (cell, 0)).collect();
+    while let Some((cell, depth)) = open.pop() {
+        if depth < DEEPEST && is_peaked(&cell, peaks.lamps) {
+            open.extend(cells(&cell, 1).into_iter().map(|quarter| (quarter, depth + 1)));
+        } else {
+            sums.add(&cell, points, lit);
+        }
+    }
+    sums.finish()
+}
+
+/// Whether a luminaire with one of these pairs of ends is so near before a cell that its light peaks within it.
+fn is_peaked(cell: &Patch, lamps: &[[DVec3; 2]]) -> bool {
+    let middle = cell.node(0.5, 0.5);
+    let corners = cell.corners();
+    let radius = corners.iter().map(|corner| corner.distance(middle.position)).fold(0.0, f64::max);
+    lamps.iter().any(|ends| {
+        let step = nearest(ends, middle.position) - middle.position;
+        step.dot(middle.normal) > -radius && radius > PEAKED * step.length()
+    })
+}
+
+/// The point between two ends that is nearest to a point.
+fn nearest([start, end]: &[DVec3; 2], point: DVec3) -> DVec3 {
+    let along = *end - *start;
+    let square = along.length_squared();
+    let part = if square > 0.0 { ((point - *start).dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
+    *start + part * along
+}
+
+/// Direct light, and what of it is reflected by which coat.
+struct Light<'a> {
+    lit: Lit<'a>,
+    reflection: Reflection<'a>,
+    coats: &'a Coats,
+}
+
+/// The coefficients g of an element, per coat and band.
+fn of_reflected(element: &Element, index: usize, light: &Light<'_>) -> Vec<Vec<f64>> {
+    let Light { lit, reflection, coats } = light;
+    let mut sums = Sums::new(element, coats.count() * reflection.bands());
+    for patch in &element.patches {
+        let halvings = if area(patch) < SMALL * element.area { 0 } else { REFLECTED_HALVINGS };
+        let points = element.basis.order().div_ceil(1 << halvings) + 1;
+        for cell in cells(patch, halvings) {
+            let site = Site { points: &cell.hull(), ..Site::of(element) };
+            let around = reflection.around(&site);
+            sums.add(&cell, points, |node| {
+                let vantage = ReceiverPoint::on(element.surface, node.position, node.normal);
+                reflection.irradiance_by_coat(&vantage, &around, &lit(index, node), coats)
+            });
+        }
+    }
+    sums.finish()
+}
+
+/// The 2^halvings × 2^halvings cells of a patch.
+fn cells(patch: &Patch, halvings: usize) -> Vec<Patch> {
+    let mut cells = vec![patch.clone()];
+    for _ in 0..halvings {
+        let columns = cells.iter().flat_map(|cell| cell.halves(Direction::Along));
+        cells = columns.flat_map(|half| half.halves(Direction::Across)).collect();
+    }
+    cells
+}
+
+/// Area of a patch by one point at its middle.
+fn area(patch: &Patch) -> f64 {
+    patch.node(0.5, 0.5).area
+}
+
+/// ∫ R_k f dA in the raw polynomials R_k of an element, per band.
+struct Sums<'a> {
+    element: &'a Element,
+    raw: Vec<f64>,
+    sums: Vec<Vec<f64>>,
+}
+
+impl<'a> Sums<'a> {
+    fn new(element: &'a Element, bands: usize) -> Self {
+        let zero = vec![0.0; element.basis.len()];
+        Self { element, sums: vec![zero.clone(); bands], raw: zero }
+    }
+
+    /// Adds the integral over a cell by the Gauss rule of `points` × `points` points.
+    fn add(&mut self, cell: &Patch, points: usize, value: impl Fn(&Node) -> Vec<f64>) {
+        let basis = &self.element.basis;
+        let rule = UnitRule::of(points);
+        for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+            heed();
+            let node = cell.node(s, t);
+            basis.raw(basis.frame().coordinates(&node), &mut self.raw);
+            for (sums, value) in self.sums.iter_mut().zip(value(&node)) {
+                let weighted = ws * wt * node.area * value;
+                sums.iter_mut().zip(&self.raw).for_each(|(sum, raw)| *sum += weighted * raw);
+            }
+        }
+    }
+
+    /// ∫ φ_k f dA with φ_k = Σ_l T_kl R_l.
+    fn finish(self) -> Vec<Vec<f64>> {
+        let basis = &self.element.basis;
+        let rows = || basis.transform().chunks_exact(basis.len());
+        let orthonormal = |sums: &Vec<f64>| rows().map(|row| dot(row, sums)).collect();
+        self.sums.iter().map(orthonormal).collect()
+    }
+}

@@ -1,0 +1,352 @@
+//! A cell: a patch with the values of a field at its 2 × 2 Gauss points.
+//!
+//! The field has one or more channels (a band each, or the constant 1). Brightness, variation and detail of a cell
+//! decide about its division; each is the largest over the channels, in multiples of the channel's scale. Quarters
+//! without a field of their own take the bilinear function through the four points, which is continued to the border of
+//! the cell: receivers at an edge that two surfaces share see nothing but that border. Only where the field is known to
+//! jump, continued values keep within the range of the four. Quarters are made when first needed, and kept near the root,
+//! where many points need them.
+
+use std::ops::Deref;
+use std::sync::OnceLock;
+
+use radiosity_elements::patch::{Direction, Node, Patch};
+use radiosity_elements::rule::UnitRule;
+use radiosity_geom::DVec3;
+use radiosity_scene::Radiance;
+use radiosity_visibility::shadow_volume::Quad;
+use smallvec::SmallVec;
+
+/// A curved cell longer than this multiple of its breadth is cut across its length only. Chosen; not tuned.
+const LONG: f64 = 2.0;
+
+/// Number of Gauss points, index 2 a + b for the a-th along s and the b-th along t.
+pub(crate) const POINTS: usize = 4;
+
+/// Levels below the root down to which quarters are kept. Chosen; not tuned.
+const KEPT: u8 = 5;
+
+/// Error of the rule over the second difference, at least, where the field bends at once: of |s| over −1 ≤ s ≤ 1 the two-point rule
+/// makes 0.577 for ½, with the second difference 0.577.
+const BENT: f64 = 0.13;
+
+/// A cell with straight sides whose normals have at least this cosine to each other counts as flat. Chosen; not tuned.
+const LEVEL: f64 = 0.999;
+
+/// A patch with the values of a field at its Gauss points.
+#[derive(Clone, Debug)]
+pub(crate) struct Cell {
+    patch: Patch,
+    /// Number of quarterings that made it.
+    level: u8,
+    quarters: OnceLock<Box<[Cell; 4]>>,
+    /// Points whose convex hull contains the cell: its corners if it is flat.
+    pub(crate) hull: SmallVec<[DVec3; 4]>,
+    /// The Gauss points; the area of each is its share of the cell's.
+    pub(crate) nodes: [Node; POINTS],
+    /// The positions of the Gauss points, component by component.
+    pub(crate) lanes: [[f64; POINTS]; 3],
+    /// Values of the field, point after point, channels fastest.
+    values: SmallVec<[f64; 12]>,
+    /// Mean of each channel over the cell's area, by its finest parts.
+    means: SmallVec<[f64; 3]>,
+    /// Positions and normals at the corners and the Gauss points of a curved cell.
+    pub(crate) facets: Vec<(DVec3, DVec3)>,
+    /// Mean of the points of the hull.
+    pub(crate) center: DVec3,
+    /// Radius of the ball about the centre that contains the hull.
+    pub(crate) radius: f64,
+    /// The corners, and the radius about their mean, where the cell counts as a flat quadrilateral.
+    pub(crate) quad: Option<(Quad, f64)>,
+    /// Largest mean of a channel over its scale.
+    pub(crate) brightness: f64,
+    /// Largest difference of a value from the mean, over the channel's scale.
+    pub(crate) spread: f64,
+    /// Largest difference between the mean by the cell's points and that by its finest parts, over the channel's scale.
+    pub(crate) detail: f64,
+    /// Whether the bilinear function of the four values may be continued beyond their range.
+    is_smooth: bool,
+    /// Smallest cosine between two normals.
+    pub(crate) bend: f64,
+    /// Whether its border is the polygon of its hull, which Lambert's formula follows.
+    pub(crate) is_straight: bool,
+    /// Sagitta over radius: about how far a curved cell lies off the quadrilateral of its corners.
+    pub(crate) warp: f64,
+}
+
+impl Cell {
+    /// A cell without a field.
+    pub(crate) fn bare(patch: Patch) -> Self {
+        Self::at_level(patch, 0)
+    }
+
+    fn at_level(patch: Patch, level: u8) -> Self {
+        let hull = SmallVec::from_vec(patch.hull());
+        let center = hull.iter().sum::<DVec3>() / hull.len() as f64;
+        let radius = hull.iter().map(|x| x.distance_squared(center)).fold(0.0, f64::max).sqrt();
+        let (places, weights) = UnitRule::of(2).line();
+        let node = |k: usize| {
+            let node = patch.node(places[k / 2], places[k % 2]);
+            Node { area: node.area * weights[k / 2] * weights[k % 2], ..node }
+        };
+        let nodes: [Node; POINTS] = std::array::from_fn(node);
+        let lanes = [0, 1, 2].map(|axis| nodes.map(|node| node.position[axis]));
+        let mut facets = Vec::new();
+        if !patch.is_flat() {
+            facets.extend(nodes.iter().map(|node| (node.position, node.normal)));
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| patch.node(s, t));
+            facets.extend(corners.iter().map(|node| (node.position, node.normal)));
+        }
+        let pairs =
+            facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
+        let bend = pairs.fold(1.0, f64::min);
+        let is_straight = patch.is_flat() || (bend > LEVEL && hull[..] == patch.corners());
+        let quad = is_straight.then(|| Quad::new(patch.corners())).map(|quad| (quad, quad.radius()));
+        let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
+        Self {
+            patch,
+            level,
+            quarters: OnceLock::new(),
+            hull,
+            nodes,
+            lanes,
+            facets,
+            values: SmallVec::new(),
+            means: SmallVec::new(),
+            center,
+            radius,
+            quad,
+            brightness: 0.0,
+            spread: 0.0,
+            detail: 0.0,
+            is_smooth: true,
+            bend,
+            is_straight,
+            warp,
+        }
+    }
+
+    /// The cell with `values` of a field at its points; `scale` has one positive number per channel.
+    pub(crate) fn with_values(mut self, values: SmallVec<[f64; 12]>, scale: &[f64]) -> Self {
+        self.values = values;
+        self.means = (0..scale.len()).map(|channel| self.mean(channel)).collect();
+        for (channel, scale) in scale.iter().enumerate() {
+            let mean = self.means[channel];
+            let difference = |k: usize| (self.value(k, channel) - mean).abs();
+            let spread = (0..POINTS).map(difference).fold(0.0, f64::max);
+            self.brightness = self.brightness.max(mean.abs() / scale);
+            self.spread = self.spread.max(spread / scale);
+        }
+        self
+    }
+
+    /// The cell of an emitter of the exitance 1 that spreads its light so, in one channel of this scale, as a point sees it.
+    pub(crate) fn seen(&self, radiance: &Radiance, point: DVec3, scale: f64) -> Self {
+        let towards = |y: DVec3| radiance.relative((point - y).normalize_or_zero());
+        let values = self.nodes.iter().map(|node| towards(node.position)).collect();
+        let bare = Self {
+            patch: self.patch.clone(),
+            quarters: OnceLock::new(),
+            hull: self.hull.clone(),
+            facets: self.facets.clone(),
+            values: SmallVec::new(),
+            means: SmallVec::new(),
+            brightness: 0.0,
+            spread: 0.0,
+            detail: 0.0,
+            ..*self
+        };
+        let mut cell = bare.with_values(values, &[scale]);
+        let mean = cell.mean(0);
+        // Second differences: the rule errs by about their square where the field is smooth.
+        let bend = (towards(self.center) - mean).abs();
+        let least = if radiance.bends() { BENT } else { 0.0 };
+        cell.detail = bend * (bend / mean.max(f64::MIN_POSITIVE)).clamp(least, 1.0) / scale;
+        let into: SmallVec<[DVec3; 8]> = self.hull.iter().map(|y| point - y).collect();
+        let left_out = radiance.left_out(&into, scale * cell.spread) / scale;
+        cell.detail += left_out;
+        cell.brightness = cell.brightness.max(left_out);
+        cell
+    }
+
+    /// Value of a channel at a Gauss point.
+    pub(crate) fn value(&self, point: usize, channel: usize) -> f64 {
+        self.values[point * (self.values.len() / POINTS) + channel]
+    }
+
+    /// Mean of a channel over the cell's area, by its points.
+    fn mean(&self, channel: usize) -> f64 {
+        let area = self.area();
+        let sum: f64 = (0..POINTS).map(|k| self.nodes[k].area * self.value(k, channel)).sum();
+        if area > 0.0 { sum / area } else { 0.0 }
+    }
+
+    /// Area by the Gauss rule (scene length²).
+    pub(crate) fn area(&self) -> f64 {
+        self.nodes.iter().map(|node| node.area).sum()
+    }
+
+    /// The corners in order, without repetitions (to 1e-9 of the radius).
+    pub(crate) fn outline(&self) -> Vec<DVec3> {
+        let mut corners = self.patch.corners().to_vec();
+        let same = |a: &DVec3, b: &DVec3| a.distance(*b) <= 1e-9 * self.radius;
+        corners.dedup_by(|a, b| same(a, b));
+        if corners.len() > 1 && same(&corners[0], &corners[corners.len() - 1]) {
+            corners.pop();
+        }
+        corners
+    }
+
+    /// Whether the cell lies in a plane.
+    pub(crate) fn is_flat(&self) -> bool {
+        self.patch.is_flat()
+    }
+
+    /// Whether the field is constant over the cell.
+    pub(crate) fn is_uniform(&self) -> bool {
+        self.spread == 0.0 && self.detail == 0.0
+    }
+
+    /// Whether the cell is a flat parallelogram.
+    pub(crate) fn is_parallelogram(&self) -> bool {
+        self.patch.is_parallelogram()
+    }
+
+    /// Largest difference of the values of `quarters` from the bilinear function of this cell, over the channel's scale.
+    pub(crate) fn misfit(&self, quarters: &[Cell; 4], scale: &[f64]) -> f64 {
+        let continued = self.continued(scale.len());
+        let differences = quarters.iter().zip(&continued).flat_map(|(quarter, continued)| {
+            let channels = scale.iter().cycle();
+            quarter
+                .values
+                .iter()
+                .zip(continued)
+                .zip(channels)
+                .map(|((own, other), scale)| (own - other).abs() / scale)
+        });
+        differences.fold(0.0, f64::max)
+    }
+
+    /// Marks the field as one that may jump.
+    pub(crate) fn mark_rough(&mut self) {
+        self.is_smooth = false;
+    }
+
+    /// Stores its quarters, which carry the same field and have their own, and updates spread, detail and brightness from them:
+    /// a cell whose points all miss a peak knows it so. Its values are shifted to have their mean, so that a cell that is taken
+    /// undivided errs alike in both directions.
+    pub(crate) fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
+        let whole: f64 = quarters.iter().map(Cell::area).sum();
+        let channels = scale.len();
+        for (channel, scale) in scale.iter().enumerate() {
+            let mean = self.mean(channel);
+            let parts = quarters.iter().map(|quarter| quarter.area() * quarter.means[channel]).sum::<f64>();
+            let points = quarters.iter().flat_map(|quarter| (0..POINTS).map(|k| quarter.value(k, channel)));
+            let spread = points.map(|value| (value - mean).abs()).fold(0.0, f64::max);
+            self.spread = self.spread.max(spread / scale);
+            if whole > 0.0 {
+                self.means[channel] = parts / whole;
+                for k in 0..POINTS {
+                    self.values[k * channels + channel] += parts / whole - mean;
+                }
+                self.detail = self.detail.max((self.means[channel] - mean).abs() / scale);
+                self.brightness = self.brightness.max(self.means[channel].abs() / scale);
+            }
+        }
+        self.quarters = OnceLock::from(Box::new(quarters));
+    }
+
+    /// The four quarters, index 2 a + b as for the points.
+    pub(crate) fn quarters(&self, scale: &[f64]) -> Quarters<'_> {
+        if self.level < KEPT || self.quarters.get().is_some() {
+            Quarters::Kept(self.quarters.get_or_init(|| Box::new(self.interpolated(scale))))
+        } else {
+            Quarters::Passing(Box::new(self.interpolated(scale)))
+        }
+    }
+
+    /// The directions of the two halvings. A long curved cell, as at a pole, is halved twice along its length.
+    pub(super) fn directions(&self) -> [Direction; 2] {
+        let apart = |i: usize, j: usize| self.nodes[i].position.distance(self.nodes[j].position);
+        let (along, across) = (apart(0, 2).max(apart(1, 3)), apart(0, 1).max(apart(2, 3)));
+        match self.is_flat() {
+            false if along > LONG * across => [Direction::Along; 2],
+            false if across > LONG * along => [Direction::Across; 2],
+            _ => [Direction::Along, Direction::Across],
+        }
+    }
+
+    /// The four quarters without a field, index 2 a + b, a for the first halving and b for the second.
+    pub(crate) fn bare_quarters(&self) -> [Cell; 4] {
+        let [first, second] = self.directions();
+        let halves = self.patch.halves(first).map(|half| half.halves(second));
+        let [[a, b], [c, d]] = halves;
+        [a, b, c, d].map(|patch| Self::at_level(patch, self.level + 1))
+    }
+
+    /// The four quarters with the bilinear function of the field. Nothing shines less than 0; what may jump keeps within the
+    /// range of the four values.
+    fn interpolated(&self, scale: &[f64]) -> [Cell; 4] {
+        let channels = scale.len();
+        let range = |channel: usize| {
+            let known = || (0..POINTS).map(|k| self.value(k, channel));
+            let (low, high) = (known().fold(f64::MAX, f64::min), known().fold(f64::MIN, f64::max));
+            if self.is_smooth { (low.min(0.0), f64::INFINITY) } else { (low, high) }
+        };
+        let ranges: SmallVec<[(f64, f64); 3]> = (0..channels).map(range).collect();
+        let mut continued = self.continued(channels).into_iter();
+        self.bare_quarters().map(|quarter| {
+            let mut values = continued.next().expect("there are four");
+            for (value, (low, high)) in values.iter_mut().zip(ranges.iter().cycle()) {
+                *value = value.clamp(*low, *high);
+            }
+            Self { is_smooth: self.is_smooth, ..quarter.with_values(values, scale) }
+        })
+    }
+
+    /// The bilinear function through the four points at the points of the four quarters.
+    fn continued(&self, channels: usize) -> [SmallVec<[f64; 12]>; 4] {
+        let places = &UnitRule::of(2).nodes;
+        let directions = self.directions();
+        // Weight of the far side in a direction, at the c-th point of a quarter.
+        let share = |direction: Direction, [a, b]: [usize; 2], c: usize| {
+            let place = match directions.map(|halved| halved == direction) {
+                [true, true] => 0.25 * ((2 * a + b) as f64 + places[c]),
+                [true, false] => 0.5 * (a as f64 + places[c]),
+                [false, true] => 0.5 * (b as f64 + places[c]),
+                [false, false] => places[c],
+            };
+            (place - places[0]) / (places[1] - places[0])
+        };
+        std::array::from_fn(|index| {
+            let part = [index / 2, index % 2];
+            let value = |place: usize| {
+                let (point, channel) = (place / channels, place % channels);
+                let (s, t) =
+                    (share(Direction::Along, part, point / 2), share(Direction::Across, part, point % 2));
+                let side = |k: usize| (1.0 - t) * self.value(k, channel) + t * self.value(k + 1, channel);
+                (1.0 - s) * side(0) + s * side(2)
+            };
+            (0..POINTS * channels).map(value).collect()
+        })
+    }
+}
+
+/// The quarters of a cell.
+pub(crate) enum Quarters<'a> {
+    /// Kept by the cell.
+    Kept(&'a [Cell; 4]),
+    /// Made for this call.
+    Passing(Box<[Cell; 4]>),
+}
+
+impl Deref for Quarters<'_> {
+    type Target = [Cell; 4];
+
+    fn deref(&self) -> &[Cell; 4] {
+        match self {
+            Self::Kept(quarters) => quarters,
+            Self::Passing(quarters) => quarters,
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Emitters as targets of rays from a point.
+//!
+//! Of the rays from x to emitters, emitter l gets the share p_l, about in proportion to the light that it would send
+//! without shadows,
+//!
+//! ```text
+//! p_l ∝ E₀ min(1, A c c' / (π d²)) ,     c ≤ 1, c' ≤ 1: bounds of the cosines at x and at l ,
+//! ```
+//!
+//! and its points y, spread evenly, have the density p_l / A_l. An emitter of share 0 sends nothing to x.
+
+use std::f64::consts::PI;
+
+use radiosity_elements::Element;
+use radiosity_elements::coating::Coating;
+use radiosity_elements::patch::Patch;
+use radiosity_elements::sampling::spread::{Place, Spread};
+use radiosity_geom::{Aabb, DVec3};
+
+use crate::receiver_point::ReceiverPoint;
+
+/// The emitters of a scene.
+#[derive(Debug)]
+pub struct Lamps {
+    list: Vec<Lamp>,
+    /// For each element its place in the list, if it emits.
+    places: Vec<Option<u32>>,
+}
+
+/// An element that emits.
+#[derive(Debug)]
+pub(crate) struct Lamp {
+    /// The element.
+    pub element: usize,
+    /// Mean over the bands of the exitance over the band's scale.
+    pub brightness: f64,
+    /// Area (scene length²).
+    pub area: f64,
+    /// Points on it.
+    pub spread: Spread,
+    center: DVec3,
+    radius: f64,
+    plane: Option<(DVec3, DVec3)>,
+}
+
+/// Shares of the emitters in the rays from one point.
+#[derive(Debug)]
+pub struct Shares<'a> {
+    lamps: &'a Lamps,
+    /// p_l.
+    shares: Vec<f64>,
+    /// Sums of the shares up to and with each emitter.
+    ends: Vec<f64>,
+}
+
+/// A point of an emitter that a ray is sent to.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// Element that emits.
+    pub element: usize,
+    /// The point.
+    pub place: Place,
+    /// Density of such points, p_l / A_l (1 / scene length²).
+    pub density: f64,
+}
+
+impl Lamps {
+    /// The open elements that emit, with one coating and the mean radiosity `scale` per band.
+    pub fn new(elements: &[Element], coatings: &[&Coating], scale: &[f64]) -> Self {
+        let lamp = |element: usize| Lamp::of(elements, element, brightness(coatings, scale, element));
+        let list: Vec<Lamp> = (0..elements.len()).filter_map(lamp).collect();
+        let mut places = vec![None; elements.len()];
+        list.iter().enumerate().for_each(|(place, lamp)| places[lamp.element] = Some(place as u32));
+        Self { list, places }
+    }
+
+    /// Whether an emitter that may send light to a point is within so many of its radii.
+    pub fn is_near(&self, vantage: &ReceiverPoint, radii: f64) -> bool {
+        let near = |lamp: &Lamp| lamp.distance(vantage.position) < radii * lamp.radius;
+        self.list.iter().any(|lamp| near(lamp) && lamp.bound(vantage) > 0.0)
+    }
+
+    /// The shares of all emitters in the rays from a point.
+    pub fn seen_from(&self, vantage: &ReceiverPoint) -> Shares<'_> {
+        let mut shares: Vec<f64> = self.list.iter().map(|lamp| lamp.bound(vantage)).collect();
+        let all: f64 = shares.iter().sum();
+        if all > 0.0 {
+            shares.iter_mut().for_each(|share| *share /= all);
+        }
+        let mut end = 0.0;
+        let ends = shares.iter().map(|share| {
+            end += share;
+            end
+        });
+        Shares { lamps: self, ends: ends.collect(), shares }
+    }
+}
+
+/// Mean over the bands of the exitance of an element over the band's scale.
+pub(crate) fn brightness(coatings: &[&Coating], scale: &[f64], element: usize) -> f64 {
+    let relative = coatings.iter().zip(scale).map(|(coating, scale)| coating.exitance[element] / scale);
+    relative.sum::<f64>() / scale.len() as f64
+}
+
+impl Lamp {
+    /// An open element of this brightness; None where it is dark or covered.
+    pub(crate) fn of(elements: &[Element], element: usize, brightness: f64) -> Option<Self> {
+        let own = &elements[element];
+        let bounds = Aabb::around(own.hull.iter().copied());
+        (own.contact.is_none() && brightness > 0.0).then(|| Self {
+            element,
+            center: bounds.center(),
+            radius: 0.5 * bounds.diagonal(),
+            area: own.area,
+            plane: own.plane,
+            brightness,
+            spread: Spread::over(own),
+        })
+    }
+
+    /// The whole of a surface of which this is an element, with all that emits there, in `plane` if it is flat.
+    pub(crate) fn whole(self, elements: &[&Element], plane: Option<(DVec3, DVec3)>) -> Self {
+        let bounds = Aabb::around(elements.iter().flat_map(|element| element.hull.iter().copied()));
+        let patches: Vec<Patch> =
+            elements.iter().flat_map(|element| element.patches.iter().cloned()).collect();
+        Self {
+            center: bounds.center(),
+            radius: 0.5 * bounds.diagonal(),
+            area: elements.iter().map(|element| element.area).sum(),
+            plane,
+            spread: Spread::of(&patches),
+            ..self
+        }
+    }
+
+    /// Distance of a point from its middle (scene length).
+    pub(crate) fn distance(&self, point: DVec3) -> f64 {
+        self.center.distance(point)
+    }
+
+    /// A point of its plane and the unit normal, if it is flat.
+    pub(crate) fn plane(&self) -> Option<(DVec3, DVec3)> {
+        self.plane
+    }
+
+    /// Radius of a ball around its middle that contains it (scene length).
+    pub(crate) fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// About the light that it sends to a point without shadows; 0 only where it sends none.
+    pub(crate) fn bound(&self, vantage: &ReceiverPoint) -> f64 {
+        let step = self.center - vantage.position;
+        let distance = step.length();
+        let above = |normal: DVec3| (step.dot(normal) + self.radius) / (distance + self.radius);
+        let cosine = above(vantage.normal).min(vantage.ground.map_or(1.0, above));
+        let own = self.plane.map_or(1.0, |(point, normal)| {
+            let height = (vantage.position - point).dot(normal);
+            if height > 0.0 { (height / distance.max(height)).max(f64::EPSILON) } else { 0.0 }
+        });
+        if cosine <= 0.0 || own <= 0.0 {
+            return 0.0;
+        }
+        self.brightness * (self.area * cosine * own / (PI * distance * distance)).min(1.0)
+    }
+}
+
+impl Shares<'_> {
+    /// Whether no emitter sends light to the point.
+    pub fn is_empty(&self) -> bool {
+        self.ends.last().is_none_or(|end| *end <= 0.0)
+    }
+
+    /// Density of the targets on an element (1 / scene length²); 0 where it is no target.
+    pub fn density(&self, element: usize) -> f64 {
+        let place = self.lamps.places[element].map(|place| place as usize);
+        place.map_or(0.0, |place| self.shares[place] / self.lamps.list[place].area)
+    }
+
+    /// The target that three numbers in [0, 1) choose; there is an emitter.
+    pub fn target(&self, [choice, s, t]: [f64; 3]) -> Target {
+        let most = self.ends[self.ends.len() - 1];
+        let found = self.ends.partition_point(|end| *end <= choice * most);
+        // Rounding may lead beyond the last one that has a share.
+        let place = (0..=found.min(self.ends.len() - 1)).rev().find(|place| self.shares[*place] > 0.0);
+        let place = place.or_else(|| self.shares.iter().position(|share| *share > 0.0)).unwrap_or(0);
+        let lamp = &self.lamps.list[place];
+        Target {
+            element: lamp.element,
+            place: lamp.spread.point([s, t]),
+            density: self.shares[place] / lamp.area,
+        }
+    }
+}

@@ -1,0 +1,312 @@
+//! Hidden spans: the parts of the scan lines of a projection plane that blockers hide.
+//!
+//! A planar blocker hides an interval of a line. Each quad of a curved blocker's silhouette mesh meets the plane
+//! through the eye and the line in a segment, which hides an interval. These intervals are joined, and only the ends of
+//! the union are corrected from the mesh to the true surface ([`crate::lines::silhouette`]). The accuracy of the
+//! result is that of the correction; the mesh only has to find the outline.
+
+use std::borrow::Cow;
+
+use radiosity_geom::{Aabb, COINCIDENT, DVec3};
+use radiosity_visibility::shadow_volume::Pyramid;
+use radiosity_visibility::silhouette_mesh::{Quad, Region, SilhouetteMesh};
+use smallvec::{SmallVec, smallvec};
+
+use crate::lines::projection::ProjectionPlane;
+use crate::lines::silhouette::{Crossing, outline};
+
+/// Two ends nearer than this part of the screen's side are both corrected; the farther counts. Chosen; not tuned.
+const CLOSE: f64 = 0.02;
+
+/// Ends so far outside a line, over its length, are corrected too: the surface may exceed its mesh. Chosen; not tuned.
+const OUTSIDE: f64 = 0.1;
+
+/// How much farther normals may turn inside a quad than between its corners. Chosen; not tuned.
+const STEEPER: f64 = 1.5;
+
+/// Largest correction that is accepted, over the projected size of the quad. Chosen; not tuned.
+const BELIEVED: f64 = 1.0;
+
+/// Between two ends in one mesh without an outline a gap up to this part of a quad's projected breadth is a crack
+/// between quads of different sizes. Chosen; not tuned.
+const CRACK: f64 = 0.25;
+
+/// The blockers before a projection plane.
+#[derive(Debug)]
+pub(crate) struct HiddenSpans<'a> {
+    screen: ProjectionPlane,
+    quads: Vec<Facet<'a>>,
+    /// Range of t that each quad covers.
+    heights: Vec<[f64; 2]>,
+    pyramids: Vec<&'a Pyramid>,
+    /// Sides, in no order, of the outline of the part that shines; None if the whole polygon does.
+    lit: Option<Vec<[[f64; 2]; 2]>>,
+}
+
+/// A quad in projection.
+#[derive(Debug)]
+struct Facet<'a> {
+    net: &'a SilhouetteMesh,
+    quad: Cow<'a, Quad>,
+    /// (S, T, λ) of its corners.
+    seen: [DVec3; 4],
+}
+
+/// A hidden interval of a line.
+#[derive(Clone, Copy, Debug)]
+struct Hidden {
+    low: End,
+    high: End,
+}
+
+/// An end of a hidden interval, with the edges of quads that it lies on.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    s: f64,
+    causes: [Option<(usize, Crossing)>; 2],
+}
+
+/// An end of a hidden interval, corrected to the surface.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    s: f64,
+    /// The mesh that contains the end, with the projected breadth of its quad, where no outline was found.
+    within: Option<(&'a SilhouetteMesh, f64)>,
+}
+
+/// The region before a screen, for a surface that the eye may lie on.
+struct Ahead<'a> {
+    screen: &'a ProjectionPlane,
+    /// If the eye lies on the surface: its unit normal there and the least sine of the screen's elevation.
+    ground: Option<(DVec3, f64)>,
+}
+
+impl Region for Ahead<'_> {
+    fn eye(&self) -> DVec3 {
+        self.screen.eye
+    }
+
+    fn reaches(&self, bounds: &Aabb) -> bool {
+        self.screen.reaches(bounds)
+    }
+
+    fn ground(&self) -> Option<(DVec3, f64)> {
+        self.ground.map(|(normal, rise)| (normal, rise / STEEPER))
+    }
+}
+
+impl<'a> HiddenSpans<'a> {
+    /// No blockers before `screen` yet.
+    pub(crate) fn new(screen: ProjectionPlane) -> Self {
+        Self { screen, quads: Vec::new(), heights: Vec::new(), pyramids: Vec::new(), lit: None }
+    }
+
+    /// No blockers yet; only the inside of an outline, given by its sides in (s, t), shines.
+    pub(crate) fn before_lamp(screen: ProjectionPlane, sides: Vec<[[f64; 2]; 2]>) -> Self {
+        Self { lit: Some(sides), ..Self::new(screen) }
+    }
+
+    /// Adds a planar blocker.
+    pub(crate) fn add_flat(&mut self, pyramid: &'a Pyramid) {
+        self.pyramids.push(pyramid);
+    }
+
+    /// Adds a curved blocker; `ground` is its unit normal at the eye if the eye lies on it. `is_own`: the screen stands
+    /// for a piece of the blocker itself, and only quads well before it count.
+    pub(crate) fn add_curved(&mut self, net: &'a SilhouetteMesh, ground: Option<DVec3>, is_own: bool) {
+        let far = if is_own { 1.0 - self.screen.width() } else { f64::INFINITY };
+        let ground = ground.map(|normal| (normal, self.screen.rise(normal)));
+        let ahead = Ahead { screen: &self.screen, ground };
+        let (quads, heights) = (&mut self.quads, &mut self.heights);
+        net.visit(&ahead, &mut |quad| {
+            let seen = quad.knots.map(|knot| self.screen.see(knot.position));
+            if seen.iter().all(|p| p.z <= far) {
+                heights.push(height(&seen));
+                quads.push(Facet { net, quad, seen });
+            }
+        });
+    }
+
+    /// Whether there is no blocker.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.quads.is_empty() && self.pyramids.is_empty()
+    }
+
+    /// The same spans with s and t exchanged: lines run in the other direction.
+    pub(crate) fn transposed(&self) -> Self {
+        let quads: Vec<_> = self.quads.iter().map(Facet::transposed).collect();
+        let heights = quads.iter().map(|facet| height(&facet.seen)).collect();
+        let turned =
+            |sides: &Vec<[[f64; 2]; 2]>| sides.iter().map(|side| side.map(|[s, t]| [t, s])).collect();
+        let lit = self.lit.as_ref().map(turned);
+        Self { screen: self.screen.transposed(), quads, heights, pyramids: self.pyramids.clone(), lit }
+    }
+
+    /// The screen.
+    pub(crate) fn screen(&self) -> &ProjectionPlane {
+        &self.screen
+    }
+
+    /// The parts of line `t` between `low` and `high` that shine, ascending.
+    pub(crate) fn lit(&self, t: f64, [low, high]: [f64; 2]) -> SmallVec<[[f64; 2]; 2]> {
+        let Some(sides) = &self.lit else { return smallvec![[low, high]] };
+        let crossed = sides.iter().filter(|[a, b]| (a[1] > t) != (b[1] > t));
+        let mut places: SmallVec<[f64; 4]> =
+            crossed.map(|[a, b]| a[0] + (b[0] - a[0]) * (t - a[1]) / (b[1] - a[1])).collect();
+        places.sort_unstable_by(f64::total_cmp);
+        let parts = places.chunks_exact(2).map(|ends| [ends[0].max(low), ends[1].min(high)]);
+        parts.filter(|[start, end]| start < end).collect()
+    }
+
+    /// Writes the visible parts of line `t` between `low` and `high` to `out`, ascending.
+    pub(crate) fn visible(&self, t: f64, [low, high]: [f64; 2], out: &mut Vec<[f64; 2]>) {
+        out.clear();
+        let outside = OUTSIDE * (high - low);
+        let mut last = Place { s: low, within: None };
+        for hidden in self.hidden(t, [low - outside, high + outside]) {
+            let from = self.corrected(t, hidden.low, -1.0);
+            if from.s > last.s + COINCIDENT && !last.is_crack(&from) {
+                out.push([last.s, from.s.min(high)]);
+            }
+            let end = self.corrected(t, hidden.high, 1.0);
+            if end.s > last.s {
+                last = end;
+            }
+            if last.s >= high {
+                return;
+            }
+        }
+        out.push([last.s, high]);
+    }
+
+    /// The hidden intervals of line `t` by the meshes, ascending and disjoint.
+    fn hidden(&self, t: f64, [low, high]: [f64; 2]) -> Vec<Hidden> {
+        let mut parts = Vec::new();
+        for (index, [bottom, top]) in self.heights.iter().enumerate() {
+            if *bottom <= t && t <= *top {
+                self.quads[index].hide(index, t, &mut parts);
+            }
+        }
+        let (start, along) = (self.screen.at(0.0, t), self.screen.along);
+        let flat = self.pyramids.iter().filter_map(|pyramid| pyramid.shadow_on(start, along));
+        parts.extend(flat.map(|ends| Hidden::between(ends.map(|s| End { s, causes: [None; 2] }))));
+        parts.retain(|part| part.high.s > low && part.low.s < high);
+        parts.sort_unstable_by(|a, b| a.low.s.total_cmp(&b.low.s));
+        let mut apart: Vec<Hidden> = Vec::new();
+        for part in parts {
+            match apart.last_mut() {
+                Some(last) if part.low.s <= last.high.s + COINCIDENT => last.join(&part),
+                _ => apart.push(part),
+            }
+        }
+        apart
+    }
+
+    /// An end of a hidden interval, corrected to the surface; `side` is +1 for the high end, −1 for the low one.
+    fn corrected(&self, t: f64, end: End, side: f64) -> Place<'_> {
+        let size = |seen: &[DVec3; 4]| seen.iter().map(|p| (p.x / p.z - end.s).abs()).fold(0.0, f64::max);
+        let found = end.causes.iter().flatten().filter_map(|(index, crossing)| {
+            let Facet { net, quad, seen } = &self.quads[*index];
+            let s = outline(&self.screen, t, net.shape(), quad, *crossing, side)?;
+            let is_believed = seen.iter().all(|p| p.z > 0.0) && (s - end.s).abs() <= BELIEVED * size(seen);
+            is_believed.then_some(s)
+        });
+        let farther = |a: f64, b: f64| if side > 0.0 { a.max(b) } else { a.min(b) };
+        if let Some(s) = found.reduce(farther) {
+            return Place { s, within: None };
+        }
+        let inner =
+            end.causes[0].filter(|(index, crossing)| !self.quads[*index].quad.is_border(crossing.edge));
+        let within = inner.map(|(index, _)| (self.quads[index].net, size(&self.quads[index].seen)));
+        Place { s: end.s, within }
+    }
+}
+
+impl Place<'_> {
+    /// Whether the gap between two ends is a crack between quads of different sizes.
+    fn is_crack(&self, next: &Self) -> bool {
+        match (self.within, next.within) {
+            (Some((net, size)), Some((other, width))) => {
+                std::ptr::eq(net, other) && next.s - self.s <= CRACK * size.max(width)
+            }
+            _ => false,
+        }
+    }
+}
+
+impl Facet<'_> {
+    fn transposed(&self) -> Self {
+        Self { net: self.net, quad: self.quad.clone(), seen: self.seen.map(|p| DVec3::new(p.y, p.x, p.z)) }
+    }
+
+    /// The intervals of line `t` that the quad hides: between pairs of edges that the line crosses.
+    fn hide(&self, index: usize, t: f64, out: &mut Vec<Hidden>) {
+        let height = self.seen.map(|p| p.y - t * p.z);
+        let above = height.map(|h| h > 0.0);
+        if above == [above[0]; 4] {
+            return;
+        }
+        let mut last: Option<(DVec3, Crossing)> = None;
+        for edge in 0..4 {
+            let next = (edge + 1) % 4;
+            if above[edge] == above[next] {
+                continue;
+            }
+            let place = height[edge] / (height[edge] - height[next]);
+            let point = self.seen[edge].lerp(self.seen[next], place);
+            let crossing = Crossing { edge, place };
+            match last.take() {
+                None => last = Some((point, crossing)),
+                Some((start, other)) => out.extend(between((start, other), (point, crossing), index)),
+            }
+        }
+    }
+}
+
+/// Range of t that a quad covers.
+fn height(seen: &[DVec3; 4]) -> [f64; 2] {
+    if seen.iter().any(|p| p.z <= COINCIDENT) {
+        return [f64::NEG_INFINITY, f64::INFINITY];
+    }
+    let t = seen.map(|p| p.y / p.z);
+    [t.into_iter().fold(f64::INFINITY, f64::min), t.into_iter().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// The interval of its line that a segment before the screen hides.
+fn between(a: (DVec3, Crossing), b: (DVec3, Crossing), index: usize) -> Option<Hidden> {
+    let (near, far) = (COINCIDENT, 1.0 - COINCIDENT);
+    let (low, high) = (a.0.z.min(b.0.z), a.0.z.max(b.0.z));
+    if high <= near || low >= far {
+        return None;
+    }
+    let end = |(point, crossing): (DVec3, Crossing), other: DVec3| {
+        let depth = point.z.clamp(near, far);
+        if depth == point.z {
+            return End { s: point.x / depth, causes: [Some((index, crossing)), None] };
+        }
+        let x = point.x + (other.x - point.x) * (depth - point.z) / (other.z - point.z);
+        End { s: x / depth, causes: [None; 2] }
+    };
+    Some(Hidden::between([end(a, b.0), end(b, a.0)]))
+}
+
+impl Hidden {
+    fn between([a, b]: [End; 2]) -> Self {
+        if a.s <= b.s { Self { low: a, high: b } } else { Self { low: b, high: a } }
+    }
+
+    /// Joins an interval that begins at or after the beginning of this one.
+    fn join(&mut self, other: &Self) {
+        if other.low.s <= self.low.s + CLOSE {
+            self.low.causes[1] = self.low.causes[1].or(other.low.causes[0]);
+        }
+        let (far, near) = match other.high.s > self.high.s + COINCIDENT {
+            true => (other.high, self.high),
+            false => (self.high, other.high),
+        };
+        self.high = far;
+        if near.s >= far.s - CLOSE {
+            self.high.causes[1] = far.causes[1].or(near.causes[0]);
+        }
+    }
+}

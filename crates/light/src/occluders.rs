@@ -1,0 +1,137 @@
+//! Occluder lists: the surfaces that may stand between a site (a point or a piece of surface) and each element.
+//!
+//! An obstacle hides no part of an element from the site if it lies outside the box around both, wholly below the
+//! site's horizon, or wholly behind the element's plane. What remains is tested cell by cell.
+
+use radiosity_elements::Element;
+use radiosity_geom::{Aabb, COINCIDENT, DVec3};
+use radiosity_visibility::Visibility;
+
+/// A point or a small piece of surface that receives light.
+#[derive(Clone, Copy, Debug)]
+pub struct Site<'a> {
+    /// Points whose convex hull contains it.
+    pub points: &'a [DVec3],
+    /// Unit normal of a plane above which all points of the site receive light, if there is one.
+    pub horizon: Option<DVec3>,
+    /// Index of the surface it lies on, if any.
+    pub surface: Option<usize>,
+}
+
+impl<'a> Site<'a> {
+    /// An element as a receiver.
+    pub fn of(element: &'a Element) -> Self {
+        let horizon = element.plane.map(|(_, normal)| normal);
+        Self { points: &element.hull, horizon, surface: Some(element.surface) }
+    }
+}
+
+/// What sends light to a site: an element, or a whole surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Sender {
+    /// Index of its surface.
+    pub surface: usize,
+    /// A point of its plane and the unit normal, if it is flat.
+    pub plane: Option<(DVec3, DVec3)>,
+    /// Its bounding box.
+    pub bounds: Aabb,
+}
+
+/// The obstacles between a site and each of several elements.
+#[derive(Clone, Debug)]
+pub struct Occluders {
+    /// Indices of all surfaces that may hide any of the elements, ascending.
+    pub obstacles: Vec<usize>,
+    /// Indices into `obstacles`, element after element.
+    places: Vec<usize>,
+    /// The range in `places` of each element; None where the element is out of sight.
+    ranges: Vec<Option<(usize, usize)>>,
+}
+
+impl Occluders {
+    /// The occluders between a site and each of `senders`.
+    pub fn new(visibility: &Visibility, senders: impl Iterator<Item = Sender> + Clone, site: &Site) -> Self {
+        let Site { points: site, horizon, surface } = *site;
+        let around = Aabb::around(site.iter().copied());
+        let everywhere = senders.clone().fold(around, |bounds, sender| bounds.union(sender.bounds));
+        let ground = horizon.map(|normal| (normal, lowest(site, normal)));
+        let rises = |hull: &[DVec3]| {
+            ground.is_none_or(|(normal, point)| hull.iter().any(|x| is_over(*x, point, normal)))
+        };
+        let is_before = |points: &[DVec3], sender: &Sender| {
+            sender.plane.is_none_or(|(point, normal)| points.iter().any(|x| is_over(*x, point, normal)))
+        };
+        let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
+        let own = |other: usize, surface: usize| other == surface && !visibility.hides_itself(surface);
+        let within =
+            |sender: &Sender| surface == Some(sender.surface) && visibility.is_hollow(sender.surface);
+        let is_of_body = |other: usize, surface: usize| visibility.are_of_one_body(other, surface);
+        let is_ground =
+            |other: usize| surface.is_some_and(|surface| own(other, surface) || is_of_body(other, surface));
+        obstacles.retain(|other| !is_ground(*other) && rises(visibility.hull(*other)));
+        let mut places = Vec::new();
+        let ranges = senders.map(|sender| {
+            if !rises(&sender.bounds.corners()) || !is_before(site, &sender) {
+                return None;
+            }
+            let shaft = around.union(sender.bounds);
+            let stands = |place: &usize| {
+                let hull = visibility.hull(obstacles[*place]);
+                let reaches = visibility.bounds_of(obstacles[*place]).overlaps(&shaft);
+                let itself = obstacles[*place] == sender.surface && within(&sender);
+                let touches = || is_of_body(obstacles[*place], sender.surface);
+                reaches
+                    && is_before(hull, &sender)
+                    && !itself
+                    && !own(obstacles[*place], sender.surface)
+                    && !touches()
+            };
+            let start = places.len();
+            places.extend((0..obstacles.len()).filter(stands));
+            Some((start, places.len()))
+        });
+        let ranges = ranges.collect();
+        Self { obstacles, places, ranges }
+    }
+
+    /// The occluders without those that certainly miss the shaft between the site and an element; `hulls` has the hull
+    /// points of each element.
+    pub fn narrowed(self, visibility: &Visibility, hulls: &[&[DVec3]], site: &Site) -> Self {
+        let mut kept = Vec::with_capacity(self.places.len());
+        let ranges = self.ranges.iter().zip(hulls).map(|(range, hull)| {
+            let (first, last) = (*range)?;
+            let start = kept.len();
+            let reaches = |obstacle: &usize| visibility.reaches(*obstacle, site.points, hull);
+            kept.extend(self.places[first..last].iter().map(|place| self.obstacles[*place]).filter(reaches));
+            Some((start, kept.len()))
+        });
+        let ranges = ranges.collect();
+        let mut obstacles = kept.clone();
+        obstacles.sort_unstable();
+        obstacles.dedup();
+        let place = |obstacle: &usize| obstacles.partition_point(|other| other < obstacle);
+        Self { places: kept.iter().map(place).collect(), ranges, obstacles }
+    }
+
+    /// Whether nothing stands between the site and any element in sight.
+    pub fn is_clear(&self) -> bool {
+        self.places.is_empty()
+    }
+
+    /// Indices into `obstacles` of the occluders of an element; None where the element is out of sight.
+    pub fn before(&self, element: usize) -> Option<&[usize]> {
+        self.ranges[element].map(|(start, end)| &self.places[start..end])
+    }
+}
+
+/// The first of the points that are lowest along `direction`.
+fn lowest(points: &[DVec3], direction: DVec3) -> DVec3 {
+    let lower = |a: &&DVec3, b: &&DVec3| a.dot(direction).total_cmp(&b.dot(direction));
+    points.iter().min_by(lower).copied().expect("a site has points")
+}
+
+/// Whether `x` is above the plane through `point` by more than [`FLAT`] times its distance.
+fn is_over(x: DVec3, point: DVec3, normal: DVec3) -> bool {
+    let offset = x - point;
+    offset.dot(normal) > COINCIDENT * offset.length()
+}

@@ -1,0 +1,239 @@
+//! Luminaires without an area and the sun as sources of direct light: points and lines that send an intensity in each direction, near
+//! or at infinity.
+//!
+//! ```text
+//! D(x) = Σ_l s_l d_l(ω) cos θ V(x, p_l) / |p_l − x|²        W m⁻²
+//! ```
+//!
+//! with the position p, the strength s of a band (W/sr) and the relative intensity d of each luminaire
+//! ([`radiosity_scene::Distribution`]), the direction ω from it to x, and V by one ray to the true surfaces: D is exact.
+//! That of a line is the mean over its points (`luminous_line`). The sun
+//! gives s cos θ where the first thing before it is an opening to the sky, with the strength s (W m⁻²) behind that; without
+//! shadows the first opening before it gives so, whatever else stands there.
+
+use std::collections::BTreeMap;
+
+use radiosity_elements::sampling::shift::shift;
+use radiosity_geom::{DVec3, Encounter};
+use radiosity_scene::{Luminaire, Radiance, Scene, SceneSurface};
+use radiosity_visibility::Visibility;
+
+use crate::luminous_line::LuminousLine;
+use crate::receiver_point::ReceiverPoint;
+
+/// The luminaires that shine and are no areas, and the sun.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PointLights {
+    list: Vec<PointLight>,
+    /// The sun, once for each sky that openings see.
+    suns: Vec<SunBeam>,
+}
+
+/// The sun as it shines through openings.
+#[derive(Clone, Debug, PartialEq)]
+struct SunBeam {
+    /// Unit vector to it.
+    direction: DVec3,
+    /// Irradiance per band (W m⁻²) across the beam behind openings, by their surfaces; 0 behind those that are dark.
+    strengths: BTreeMap<usize, Vec<f64>>,
+    /// Flux per band (W) through all of them.
+    flux: Vec<f64>,
+}
+
+impl SunBeam {
+    /// Those of a scene that are not dark, through the surfaces with these factors.
+    fn through<'a>(surfaces: impl Iterator<Item = (usize, &'a SceneSurface, f64)>) -> Vec<Self> {
+        let mut beams: Vec<Self> = Vec::new();
+        for (index, surface, factor) in surfaces {
+            let beam = surface
+                .radiance
+                .as_ref()
+                .and_then(Radiance::outlook)
+                .and_then(|own| Some((own, own.beam()?)));
+            let Some((outlook, (direction, strength))) = beam else { continue };
+            let strength: Vec<f64> = strength.into_iter().map(|strength| factor * strength).collect();
+            let area = surface.shape.area() * outlook.incidence(direction);
+            let place = beams.iter().position(|beam| beam.direction == direction).unwrap_or(beams.len());
+            if place == beams.len() {
+                beams.push(Self { direction, strengths: BTreeMap::new(), flux: vec![0.0; strength.len()] });
+            }
+            let beam = &mut beams[place];
+            beam.flux.iter_mut().zip(&strength).for_each(|(flux, strength)| *flux += area * strength);
+            beam.strengths.insert(index, strength);
+        }
+        beams.retain(|beam| beam.flux.iter().any(|flux| *flux > 0.0));
+        beams
+    }
+
+    /// Adds `scale` times its irradiance at a point.
+    fn add(&self, vantage: &ReceiverPoint, visibility: &Visibility, scale: f64, sums: &mut [f64]) {
+        let cosine = vantage.normal.dot(self.direction);
+        if cosine <= 0.0 || vantage.ground.is_some_and(|ground| ground.dot(self.direction) <= 0.0) {
+            return;
+        }
+        if let Some(strength) = self.arriving(vantage, visibility) {
+            let factor = scale * cosine;
+            sums.iter_mut().zip(strength).for_each(|(sum, strength)| *sum += factor * strength);
+        }
+    }
+
+    /// Irradiance per band (W m⁻²) across it at a point: what the first surface before the sun lets through, or the first opening
+    /// where there are no shadows.
+    fn arriving(&self, vantage: &ReceiverPoint, visibility: &Visibility) -> Option<&Vec<f64>> {
+        let mut met = visibility.met_along(vantage.surface, vantage.position, self.direction);
+        let behind = |met: Encounter| self.strengths.get(&met.surface).filter(|_| met.front);
+        if visibility.casts() { behind(met.next()?) } else { met.find_map(behind) }
+    }
+}
+
+/// A luminaire at its factor.
+#[derive(Clone, Debug)]
+struct PointLight {
+    luminaire: Luminaire,
+    /// From its middle to an end, of a line.
+    half: DVec3,
+    /// Strength per band (W/sr), dimmed.
+    strength: Vec<f64>,
+}
+
+impl PartialEq for PointLight {
+    /// Whether both send the same light, whatever they are called.
+    fn eq(&self, other: &Self) -> bool {
+        let [own, others] = [self, other].map(|light| &light.luminaire);
+        let is_there = own.position == others.position && own.extent == others.extent;
+        is_there && own.is_aimed_as(others) && self.strength == other.strength
+    }
+}
+
+impl PointLight {
+    /// Irradiance at a point over its strength.
+    fn irradiance(&self, vantage: &ReceiverPoint, visibility: &Visibility) -> f64 {
+        if self.half != DVec3::ZERO {
+            return LuminousLine::new(&self.luminaire, self.half, vantage).irradiance(visibility);
+        }
+        let factor = self.factor(vantage, 0.5);
+        factor.filter(|_| self.is_seen(vantage, 0.5, visibility)).unwrap_or(0.0)
+    }
+
+    /// Its point at a part of its length.
+    fn at(&self, part: f64) -> DVec3 {
+        self.luminaire.position + (2.0 * part - 1.0) * self.half
+    }
+
+    /// Irradiance at a point without shadows over its strength, if all its light came from its point at a `part` of its length; None
+    /// where it is 0.
+    fn factor(&self, vantage: &ReceiverPoint, part: f64) -> Option<f64> {
+        let step = self.at(part) - vantage.position;
+        let square = step.length_squared();
+        let direction = step / square.sqrt();
+        let cosine = vantage.normal.dot(direction);
+        let is_below = vantage.ground.is_some_and(|ground| ground.dot(direction) <= 0.0);
+        if is_below || !(cosine > 0.0 && square > 0.0) {
+            return None;
+        }
+        let factor = self.luminaire.relative(-direction) * cosine / square;
+        (factor > 0.0).then_some(factor)
+    }
+
+    /// Whether nothing stands between its point at a `part` of its length and a point.
+    fn is_seen(&self, vantage: &ReceiverPoint, part: f64, visibility: &Visibility) -> bool {
+        !visibility.casts() || visibility.is_free(vantage.surface, vantage.position, self.at(part))
+    }
+
+    /// Strength, summed over the bands.
+    fn brightness(&self) -> f64 {
+        self.strength.iter().sum()
+    }
+
+    fn add(&self, factor: f64, sums: &mut [f64]) {
+        sums.iter_mut().zip(&self.strength).for_each(|(sum, strength)| *sum += factor * strength);
+    }
+}
+
+impl PointLights {
+    /// The luminaires of a scene, and the sun behind its openings, at the factors of their groups.
+    pub fn of(scene: &Scene) -> Self {
+        let surfaces = scene.surfaces.iter().enumerate().map(|(index, own)| (index, own, own.factor()));
+        Self::some(scene.luminaires.iter().map(|own| (own, own.factor())), SunBeam::through(surfaces))
+    }
+
+    /// The members of a light group, or of no group for None, not dimmed.
+    pub fn of_group(scene: &Scene, group: Option<&str>) -> Self {
+        let factor = |own: &SceneSurface| f64::from(own.is_in(group));
+        let suns =
+            SunBeam::through(scene.surfaces.iter().enumerate().map(|(index, own)| (index, own, factor(own))));
+        Self::some(scene.luminaires.iter().filter(|own| own.is_in(group)).map(|own| (own, 1.0)), suns)
+    }
+
+    fn some<'a>(luminaires: impl Iterator<Item = (&'a Luminaire, f64)>, suns: Vec<SunBeam>) -> Self {
+        let light = |(own, factor): (&Luminaire, f64)| PointLight {
+            luminaire: own.clone(),
+            half: own.half_line(),
+            strength: own.strength.iter().map(|strength| factor * strength).collect(),
+        };
+        let shines =
+            |(own, factor): &(&Luminaire, f64)| own.emits() && *factor > 0.0 && !own.extent.is_area();
+        let list = luminaires.filter(shines).map(light).collect();
+        Self { list, suns }
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty() && self.suns.is_empty()
+    }
+
+    /// Whether the sun is among them.
+    pub(crate) fn has_sun(&self) -> bool {
+        !self.suns.is_empty()
+    }
+
+    /// Where the luminaires are: the ends of each, which are one of a point.
+    pub fn ends(&self) -> impl Iterator<Item = [DVec3; 2]> {
+        self.list.iter().map(|light| [light.at(0.0), light.at(1.0)])
+    }
+
+    /// Their flux in a band (W).
+    pub fn flux(&self, band: usize) -> f64 {
+        let factor = |light: &PointLight| light.luminaire.distribution.flux_factor();
+        let luminaires: f64 = self.list.iter().map(|light| factor(light) * light.strength[band]).sum();
+        luminaires + self.suns.iter().map(|sun| sun.flux[band]).sum::<f64>()
+    }
+
+    /// Adds their irradiance (W m⁻²) per band at a point to `sums`.
+    pub fn add(&self, vantage: &ReceiverPoint, visibility: &Visibility, sums: &mut [f64]) {
+        for light in &self.list {
+            let factor = light.irradiance(vantage, visibility);
+            light.add(factor, sums);
+        }
+        self.suns.iter().for_each(|sun| sun.add(vantage, visibility, 1.0, sums));
+    }
+
+    /// Adds an estimate of `scale` times the same by a ray to the sun, and one to a luminaire and a part of its length that `chance`
+    /// chooses, in proportion to the light without shadows.
+    pub fn add_one(
+        &self,
+        vantage: &ReceiverPoint,
+        visibility: &Visibility,
+        scale: f64,
+        chance: u64,
+        sums: &mut [f64],
+    ) {
+        self.suns.iter().for_each(|sun| sun.add(vantage, visibility, scale, sums));
+        let [choice, part] = shift(chance);
+        let factors = || self.list.iter().filter_map(|light| Some((light, light.factor(vantage, part)?)));
+        let all: f64 = factors().map(|(light, factor)| factor * light.brightness()).sum();
+        let mut rest = choice * all;
+        let mut chosen = None;
+        for (light, factor) in factors() {
+            let own = factor * light.brightness();
+            chosen = Some((light, factor * all / own));
+            if rest < own {
+                break;
+            }
+            rest -= own;
+        }
+        if let Some((light, factor)) = chosen.filter(|(light, _)| light.is_seen(vantage, part, visibility)) {
+            light.add(scale * factor, sums);
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Emitters as a point sees them one by one, and what each sends without shadows where that has a closed form.
+//!
+//! ```text
+//! U(x) = ∫ κ(x, y) dA_y        W m⁻² for the exitance 1
+//! ```
+//!
+//! A flat element sends what Lambert's formula says. A curved surface that shines evenly and hides nothing of itself is one
+//! source, however many elements it has: a disk is a polygon of many corners, a ball has a formula, and of other bent surfaces
+//! only the outline counts ([`super::area_light`]). Of openings to a sky, surfaces that hide a part of themselves, and what is
+//! near or reaches below the horizon, rays have to tell U.
+
+use radiosity_elements::Element;
+use radiosity_geom::{Aabb, DVec3};
+use radiosity_kernel::irradiance::ball::ball;
+use radiosity_visibility::Visibility;
+
+use crate::area_light::{AreaLight, flat_outline, irradiance};
+use crate::blockers::Extent;
+use crate::emitters::Emitters;
+use crate::lamps::{Lamp, brightness};
+use crate::occluders::Sender;
+use crate::receiver_point::ReceiverPoint;
+
+/// Least distance, in radii, from which the outline of a bent surface is fine enough. Chosen.
+const CLOSE: f64 = 2.0;
+
+/// Part of a surface's parameters that its elements may leave out by rounding.
+const COVERED: f64 = 1e-9;
+
+/// An emitter.
+#[derive(Debug)]
+pub(super) struct Source<'a> {
+    /// Points on it for rays. Its element stands for all that belong to the source.
+    pub(super) lamp: Lamp,
+    /// Index of its surface.
+    pub(super) surface: usize,
+    hull: Vec<DVec3>,
+    bounds: Aabb,
+    form: Form<'a>,
+}
+
+/// How it is seen.
+#[derive(Debug)]
+enum Form<'a> {
+    /// As flat convex polygons.
+    Polygons(Vec<Vec<DVec3>>),
+    /// As a ball.
+    Ball { center: DVec3, radius: f64 },
+    /// By its outline.
+    Outline(AreaLight<'a>),
+    /// By rays alone.
+    Points,
+}
+
+impl<'a> Source<'a> {
+    /// The sources of a scene, elements of one surface beside each other.
+    pub(super) fn all(sources: &Emitters<'a>, visibility: &'a Visibility) -> Vec<Self> {
+        let scale = vec![1.0; sources.coatings.len()];
+        let lamp =
+            |element| Lamp::of(sources.elements, element, brightness(&sources.coatings, &scale, element));
+        let lamps: Vec<Lamp> = (0..sources.elements.len()).filter_map(lamp).collect();
+        let surface = |lamp: &Lamp| sources.elements[lamp.element].surface;
+        let mut all = Vec::new();
+        let mut left = lamps.into_iter().peekable();
+        while let Some(first) = left.next() {
+            let own = surface(&first);
+            let mut group = vec![first];
+            while let Some(next) = left.next_if(|next| surface(next) == own) {
+                group.push(next);
+            }
+            Self::add(group, sources, visibility, &mut all);
+        }
+        all
+    }
+
+    /// Adds the emitting elements of one surface, as one if they are seen as one.
+    fn add(group: Vec<Lamp>, sources: &Emitters<'a>, visibility: &'a Visibility, all: &mut Vec<Self>) {
+        let elements: Vec<&Element> = group.iter().map(|lamp| &sources.elements[lamp.element]).collect();
+        let surface = elements[0].surface;
+        let is_diffuse = sources.radiances.of_surface(surface).is_none();
+        let first = group[0].element;
+        let shines_as_first = |lamp: &Lamp| {
+            sources.coatings.iter().all(|own| own.exitance[lamp.element] == own.exitance[first])
+        };
+        let is_even = group.iter().all(shines_as_first);
+        let is_one = is_diffuse && is_even && is_whole(&elements);
+        let whole = if is_one { whole_form(&elements, visibility) } else { None };
+        if let Some((form, plane)) = whole {
+            let whole = group.into_iter().next().map(|lamp| lamp.whole(&elements, plane));
+            return all.extend(whole.map(|lamp| Self::new(lamp, &elements, form)));
+        }
+        for (lamp, element) in group.into_iter().zip(elements) {
+            let form = match element.plane {
+                Some(_) if is_diffuse => {
+                    Form::Polygons(element.patches.iter().map(|patch| patch.polygon()).collect())
+                }
+                _ => Form::Points,
+            };
+            all.push(Self::new(lamp, &[element], form));
+        }
+    }
+
+    fn new(lamp: Lamp, elements: &[&Element], form: Form<'a>) -> Self {
+        let hull: Vec<DVec3> = match &form {
+            Form::Polygons(polygons) => polygons.concat(),
+            _ => elements.iter().flat_map(|element| element.hull.iter().copied()).collect(),
+        };
+        let bounds = Aabb::around(hull.iter().copied());
+        Self { lamp, surface: elements[0].surface, hull, bounds, form }
+    }
+
+    /// What it is to those who look for occluders.
+    pub(super) fn sender(&self) -> Sender {
+        Sender { surface: self.surface, plane: self.lamp.plane(), bounds: self.bounds }
+    }
+
+    /// What may be hidden of it.
+    pub(super) fn extent(&self) -> Extent<'_> {
+        Extent { hull: &self.hull, center: self.bounds.center(), radius: 0.5 * self.bounds.diagonal() }
+    }
+
+    /// Its bounding box.
+    pub(super) fn bounds(&self) -> &Aabb {
+        &self.bounds
+    }
+
+    /// The convex polygons that it consists of, if it is flat and diffuse.
+    pub(super) fn polygons(&self) -> Option<&[Vec<DVec3>]> {
+        match &self.form {
+            Form::Polygons(polygons) => Some(polygons),
+            _ => None,
+        }
+    }
+
+    /// Whether all `surfaces` only close it, and hide nothing of it from anywhere.
+    pub(super) fn is_closed_by(&self, surfaces: &[usize]) -> bool {
+        matches!(&self.form, Form::Outline(light) if light.is_closed_by(surfaces))
+    }
+
+    /// U(x); None where rays have to tell.
+    pub(super) fn whole(&self, vantage: &ReceiverPoint) -> Option<f64> {
+        match &self.form {
+            Form::Points => None,
+            Form::Polygons(polygons) => {
+                Some(polygons.iter().map(|polygon| vantage.factor(polygon, [].iter())).sum())
+            }
+            Form::Ball { center, radius } => {
+                let under =
+                    vantage.ground.is_some_and(|ground| (center - vantage.position).dot(ground) < *radius);
+                if under { None } else { ball(vantage.position, vantage.normal, *center, *radius) }
+            }
+            Form::Outline(light) => {
+                let eye = vantage.position;
+                if light.center.distance(eye) < CLOSE * light.radius {
+                    return None;
+                }
+                let sides = light.outline(eye);
+                let corners: Vec<DVec3> = sides.iter().flatten().copied().collect();
+                if corners.is_empty() || vantage.is_above(&corners) {
+                    return Some(0.0);
+                }
+                vantage.overlooks(&corners).then(|| irradiance(eye, vantage.normal, &sides))
+            }
+        }
+    }
+}
+
+/// How the whole of a curved surface, of which these are all elements, is seen at once, if it can be; and its plane, if it is flat.
+fn whole_form<'a>(
+    elements: &[&Element],
+    visibility: &'a Visibility,
+) -> Option<(Form<'a>, Option<(DVec3, DVec3)>)> {
+    let surface = elements[0].surface;
+    let area = elements.iter().map(|element| element.area).sum();
+    if let Some((center, radius)) =
+        visibility.only_ball(&[surface]).filter(|_| !visibility.hides_itself(surface))
+    {
+        return Some((Form::Ball { center, radius }, None));
+    }
+    match flat_outline(visibility, surface, area) {
+        Some((corners, normal)) => {
+            let plane = (corners[0], normal);
+            Some((Form::Polygons(vec![corners]), Some(plane)))
+        }
+        None => Some((Form::Outline(AreaLight::new(visibility, surface)?), None)),
+    }
+}
+
+/// Whether elements of one surface cover all of a curved one.
+fn is_whole(elements: &[&Element]) -> bool {
+    let covered: f64 =
+        elements.iter().map(|Element { rect, .. }| (rect.u[1] - rect.u[0]) * (rect.v[1] - rect.v[0])).sum();
+    elements[0].plane.is_none() && covered >= 4.0 * (1.0 - COVERED)
+}

@@ -1,0 +1,248 @@
+//! Hierarchy traversal: visits the trees of cells for a point, and divides a cell only where its rule is too coarse.
+//!
+//! A cell may err by a share ε of the irradiance E of the point, other known light included. E is not known beforehand:
+//! the first pass takes an upper bound b in its place. If E turns out below 0.4 b, the trees with too coarse cells are
+//! visited again.
+
+mod cell_rule;
+
+use std::f64::consts::PI;
+
+use radiosity_geom::DVec3;
+use radiosity_visibility::Visibility;
+use radiosity_work::interruption::heed;
+use smallvec::SmallVec;
+
+use crate::area_light::{AreaLight, irradiance};
+use crate::blockers::Before;
+use crate::blockers::Shadows;
+use crate::hierarchy::cell::{Cell, POINTS};
+use crate::hierarchy::tree::Tree;
+use crate::lines::hidden_spans::HiddenSpans;
+use crate::lines::line_quadrature::LineQuadrature;
+use crate::occluders::Occluders;
+use crate::receiver_point::ReceiverPoint;
+
+/// Most quarterings of a cell, of a curved one, whose quarters at a pole stay as near as it was ([`CURVED_DEPTH`]), and
+/// of one on the receiver's own surface ([`OWN_DEPTH`]). All are chosen, not tuned.
+const DEPTH: usize = 24;
+const CURVED_DEPTH: usize = 12;
+const OWN_DEPTH: usize = 8;
+
+/// Most cells per sum; further cells are taken undivided, with errors up to all they contribute. Chosen; not tuned.
+const MOST_CELLS: usize = 20_000;
+
+/// A receiver within this part of the radius of a ball's inside, in position and normal, lies on it. Chosen; not tuned.
+const ON_DOME: f64 = 1e-9;
+
+/// Irradiance over its bound below which the sum is repeated, and its lower limit. Both are chosen, not tuned.
+const DARK: f64 = 0.4;
+const LEAST: f64 = 0.05;
+
+/// Least distance, in radii, from which an area light is taken as a whole. Chosen; not tuned.
+const CLOSE: f64 = 2.0;
+
+/// The traversal for one receiver point.
+pub(crate) struct Traversal<'a> {
+    vantage: &'a ReceiverPoint,
+    visibility: &'a Visibility,
+    surroundings: &'a Occluders,
+    shadows: Shadows<'a>,
+    /// Largest error of a cell so far, in multiples of the scales.
+    coarsest: f64,
+    /// Cells visited in this sum.
+    visited: usize,
+}
+
+/// The visit of one tree.
+struct Pass<'a> {
+    tree: &'a Tree,
+    /// Error allowed per cell, in multiples of the channels' scales.
+    tolerance: f64,
+    deepest: usize,
+    /// Whether the point lies on the element's surface.
+    own: bool,
+    /// The constant kernel 1/(4πR²), if the surface is the inside of a ball that the point lies on.
+    dome: Option<f64>,
+    out: &'a mut [f64],
+}
+
+impl<'a> Traversal<'a> {
+    /// For a receiver point `vantage` of the site that the occluders `surroundings` were listed for.
+    pub(crate) fn new(
+        vantage: &'a ReceiverPoint,
+        visibility: &'a Visibility,
+        surroundings: &'a Occluders,
+    ) -> Self {
+        Self {
+            vantage,
+            visibility,
+            surroundings,
+            shadows: Shadows::new(vantage, visibility, surroundings),
+            coarsest: 0.0,
+            visited: 0,
+        }
+    }
+
+    /// Whether all obstacles are planar; then flat cells of even radiosity are exact.
+    pub(crate) fn is_flat(&self) -> bool {
+        self.shadows.all_flat()
+    }
+
+    /// The irradiance from each of `trees`, channel after channel; each cell may err by `share` times the irradiance of
+    /// the point, with the known further irradiance `other` included, all in multiples of the scales. `add` adds the
+    /// irradiance from one tree with a given tolerance, `level` converts irradiance to multiples of the scales.
+    pub(crate) fn within_share(
+        &mut self,
+        trees: &[Tree],
+        share: f64,
+        other: f64,
+        add: impl Fn(&mut Self, usize, f64, &mut [f64]),
+        level: impl Fn(&[f64]) -> f64,
+    ) -> Vec<f64> {
+        let bound: f64 = trees.iter().enumerate().map(|(index, tree)| self.bound(index, tree)).sum();
+        let channels = trees.first().map_or(1, |tree| tree.scale().len());
+        let mut parts = vec![0.0; trees.len() * channels];
+        let mut coarsest: SmallVec<[f64; 64]> = SmallVec::new();
+        for (index, part) in parts.chunks_exact_mut(channels).enumerate() {
+            self.coarsest = 0.0;
+            add(self, index, share * (other + bound), part);
+            coarsest.push(self.coarsest);
+        }
+        let level = (other + level(&parts)).max(LEAST * bound);
+        if level < DARK * (other + bound) {
+            self.visited = 0;
+            for (index, part) in parts.chunks_exact_mut(channels).enumerate() {
+                if coarsest[index] > share * level {
+                    part.fill(0.0);
+                    add(self, index, share * level, part);
+                }
+            }
+        }
+        parts
+    }
+
+    /// Approximate upper bound of the irradiance from element `index`, in multiples of the scales.
+    fn bound(&self, index: usize, tree: &Tree) -> f64 {
+        if self.is_out_of_sight(index, tree) {
+            return 0.0;
+        }
+        let bound = |cell: &Cell| {
+            let is_far = 2.0 * cell.radius < self.distance(cell);
+            let is_told = is_far || self.is_like_flat(cell);
+            let factor = if is_told { self.weights(cell).iter().sum::<f64>().min(1.0) } else { 1.0 };
+            cell.brightness * factor
+        };
+        tree.roots().iter().map(bound).sum()
+    }
+
+    /// Adds the irradiance from element `index` to `out`, per channel; a cell may err by `tolerance` times the scale.
+    pub(crate) fn add(&mut self, index: usize, tree: &Tree, tolerance: f64, out: &mut [f64]) {
+        let Some(places) = self.surroundings.before(index) else { return };
+        if self.is_out_of_sight(index, tree) {
+            return;
+        }
+        let before = self.shadows.ask(places, &tree.bounds);
+        let own = self.vantage.surface == Some(tree.surface);
+        let deepest = match (own, tree.plane) {
+            (true, _) => OWN_DEPTH,
+            (false, None) => CURVED_DEPTH,
+            (false, Some(_)) => DEPTH,
+        };
+        let dome = if own { self.dome(tree.surface) } else { None };
+        let mut pass = Pass { tree, tolerance, deepest, own, dome, out };
+        for root in tree.roots() {
+            self.visit(&mut pass, root, before, 0);
+        }
+    }
+
+    /// Irradiance from element `index`, an area light of exitance 1, with the error `tolerance` over its brightness
+    /// `brightness`; None where it is too near to be taken as a whole.
+    pub(crate) fn lamp(
+        &mut self,
+        index: usize,
+        lamp: &AreaLight,
+        brightness: f64,
+        tolerance: f64,
+    ) -> Option<f64> {
+        let Some(places) = self.surroundings.before(index) else { return Some(0.0) };
+        let (eye, normal) = (self.vantage.position, self.vantage.normal);
+        if lamp.center.distance(eye) < CLOSE * lamp.radius {
+            return None;
+        }
+        let sides = lamp.outline(eye);
+        let corners: Vec<DVec3> = sides.iter().map(|side| side[0]).collect();
+        if corners.is_empty() || self.vantage.is_above(&corners) {
+            return Some(0.0);
+        }
+        let is_whole = self.vantage.overlooks(&corners);
+        let whole = if is_whole { irradiance(eye, normal, &sides) } else { lamp.most_from(eye) };
+        let error = tolerance / (brightness * whole);
+        if error >= 1.0 {
+            self.coarsest = self.coarsest.max(brightness * whole);
+            return Some(if self.shadows.hide_lamp(lamp, places) { 0.0 } else { whole });
+        }
+        let (screen, lit) = lamp.screen(eye, &sides)?;
+        let Some((flat, curved)) = self.shadows.before_lamp(lamp, &screen, places) else { return Some(0.0) };
+        let mut facets = HiddenSpans::before_lamp(screen, lit);
+        flat.iter().for_each(|pyramid| facets.add_flat(pyramid));
+        curved.iter().for_each(|surface| self.shadows.add_curved(&mut facets, *surface, false));
+        if facets.is_empty() && is_whole {
+            return Some(whole);
+        }
+        self.coarsest = self.coarsest.max(tolerance);
+        let [seen, all] = LineQuadrature::of_lamp(self.vantage, &facets).irradiances(error);
+        Some(if is_whole && all > 0.0 { whole * seen / all } else { seen })
+    }
+
+    fn is_out_of_sight(&self, index: usize, tree: &Tree) -> bool {
+        let behind = |(point, normal): (DVec3, DVec3)| (self.vantage.position - point).dot(normal) <= 0.0;
+        self.surroundings.before(index).is_none() || tree.plane.is_some_and(behind)
+    }
+
+    fn visit(&mut self, pass: &mut Pass, cell: &Cell, above: Before, depth: usize) {
+        if !self.vantage.clears(cell.center, cell.radius) && self.vantage.is_above(&cell.hull) {
+            return;
+        }
+        let Some(before) = self.shadows.narrow(above, cell) else { return };
+        let whole = cell;
+        let position = self.vantage.position;
+        let radiance = pass.tree.radiance.as_ref();
+        let seen = radiance.map(|radiance| cell.seen(radiance, position, pass.tree.scale()[0]));
+        let cell = seen.as_ref().unwrap_or(cell);
+        let estimate = self.estimate(pass, cell, before);
+        self.visited += 1;
+        heed();
+        if estimate.error <= pass.tolerance || depth == pass.deepest || self.visited > MOST_CELLS {
+            // Line quadrature is only as accurate as the tolerance.
+            let by_points = before.is_nothing() || (cell.is_flat() && self.shadows.are_flat(before));
+            let error = if by_points { estimate.error.min(pass.tolerance) } else { pass.tolerance };
+            self.coarsest = self.coarsest.max(error);
+            let weights = match estimate.error.is_finite() {
+                true => estimate.weights,
+                false => self.seen(pass, cell, estimate.weights, before),
+            };
+            pass.take(cell, &weights);
+            return;
+        }
+        for quarter in whole.quarters(pass.tree.scale()).iter() {
+            self.visit(pass, quarter, before, depth + 1);
+        }
+    }
+
+    /// The constant kernel of the inside of a ball, if `surface` is a whole one and the point lies on it.
+    fn dome(&self, surface: usize) -> Option<f64> {
+        let (center, radius) = self.visibility.whole_dome(surface)?;
+        let ReceiverPoint { position, normal, ground, .. } = *self.vantage;
+        let is_inward = (center - position).distance(radius * normal) <= ON_DOME * radius;
+        (ground.is_none() && is_inward).then_some(1.0 / (4.0 * PI * radius * radius))
+    }
+}
+
+impl Pass<'_> {
+    fn take(&mut self, cell: &Cell, weights: &[f64; POINTS]) {
+        for (channel, out) in self.out.iter_mut().enumerate() {
+            *out += (0..POINTS).map(|k| weights[k] * cell.value(k, channel)).sum::<f64>();
+        }
+    }
+}

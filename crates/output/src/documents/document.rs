@@ -1,0 +1,121 @@
+//! Documents for people: headings, texts, tables and pictures in their order. [`html`](super::html) and
+//! [`markdown`](super::markdown) write them.
+
+use crate::drawings::picture::Picture;
+
+/// A document.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// Its title.
+    pub title: String,
+    /// The line below the title.
+    pub subtitle: String,
+    /// What it says, in order.
+    pub blocks: Vec<Block>,
+}
+
+/// A part of a document. Texts are plain: nothing in them is markup.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// The heading of what follows up to the next one.
+    Heading(String),
+    /// The heading of a part of that.
+    Subheading(String),
+    /// A paragraph.
+    Text(String),
+    /// Figures to be seen at a glance.
+    Highlights(Vec<Highlight>),
+    /// Items that want to be heeded.
+    Warnings(Vec<String>),
+    /// Items.
+    List(Vec<String>),
+    /// A table.
+    Table(Table),
+    /// A picture.
+    Figure(Figure),
+    /// A command as it is typed.
+    Command(String),
+}
+
+/// A figure to be seen at a glance.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Highlight {
+    /// What it is.
+    pub label: String,
+    /// The number with its unit.
+    pub value: String,
+    /// What belongs to it, small.
+    pub note: String,
+}
+
+/// A column of a table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// What stands in it.
+    pub head: String,
+    /// The unit of its numbers; empty where they have none.
+    pub unit: String,
+    /// Whether it holds numbers, which are set to the right.
+    pub is_numeric: bool,
+}
+
+impl Column {
+    /// A column of texts.
+    pub fn text(head: &str) -> Self {
+        Self { head: head.to_owned(), unit: String::new(), is_numeric: false }
+    }
+
+    /// A column of numbers in `unit`.
+    pub fn numbers(head: &str, unit: &str) -> Self {
+        Self { head: head.to_owned(), unit: unit.to_owned(), is_numeric: true }
+    }
+
+    /// Head and unit in a line.
+    pub fn line(&self) -> String {
+        match self.unit.as_str() {
+            "" => self.head.clone(),
+            unit => format!("{} {unit}", self.head),
+        }
+    }
+}
+
+/// A table. Every row has a cell for each column.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Table {
+    /// Its columns.
+    pub columns: Vec<Column>,
+    /// Its rows.
+    pub rows: Vec<Vec<String>>,
+    /// A row that sums up the others.
+    pub total: Option<Vec<String>>,
+}
+
+impl Table {
+    /// A table without rows.
+    pub fn new(columns: impl Into<Vec<Column>>) -> Self {
+        Self { columns: columns.into(), rows: Vec::new(), total: None }
+    }
+
+    /// Adds a row at the end.
+    ///
+    /// # Panics
+    /// If it has not a cell for each column.
+    pub fn row(&mut self, cells: impl Into<Vec<String>>) {
+        let cells = cells.into();
+        assert_eq!(cells.len(), self.columns.len(), "a cell for each column");
+        self.rows.push(cells);
+    }
+}
+
+/// A picture with its caption.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// A word for the name of its file, unique in the document: letters, digits and hyphens.
+    pub name: String,
+    /// The picture.
+    pub picture: Picture,
+    /// What it shows, for those who do not see it.
+    pub alternative: String,
+    /// The text below it.
+    pub caption: String,
+}

@@ -1,0 +1,145 @@
+//! The balance of heat as CSV or JSON, and its conductances as CSV, JSON, NPY or NPZ.
+
+use std::io::{self, Write};
+
+use radiosity_heat::{Conductances, Heat, SurfaceHeat};
+use serde::Serialize;
+
+use crate::documents::document::{Column, Table};
+use crate::drawings::round::significant;
+use crate::files::npy;
+use crate::files::npz::Archive;
+
+/// CSV with a row for each surface; an emissivity that is not known is left empty.
+///
+/// # Errors
+/// What `out` reports.
+pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(["surface", "area", "emissivity", "T", "T_error", "q", "Q", "Q_error", "J", "H"])?;
+    for own in surfaces {
+        let numbers = [
+            own.temperature,
+            own.temperature_error,
+            own.flux,
+            own.flow,
+            own.flow_error,
+            own.radiosity,
+            own.irradiance,
+        ];
+        let emissivity = own.emissivity.map(|emissivity| emissivity.to_string()).unwrap_or_default();
+        let head = [own.name.clone(), own.area.to_string(), emissivity];
+        writer.write_record(head.into_iter().chain(numbers.map(|number| number.to_string())))?;
+    }
+    writer.flush()
+}
+
+/// Digits of what is given. Chosen.
+const GIVEN: usize = 6;
+
+/// The figures for people: given ones as they are, others to so many digits with their errors.
+pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table {
+    let columns = [("area", "m²"), ("ε", ""), ("T", "K"), ("±", "K"), ("q", "W/m²"), ("Q", "W"), ("±", "W")];
+    let columns = columns.map(|(head, unit)| Column::numbers(head, unit));
+    let mut table = Table::new([vec![Column::text("surface")], columns.to_vec()].concat());
+    let figure = |is_given: bool, value: f64| significant(value, if is_given { GIVEN } else { digits });
+    for own in surfaces {
+        let error =
+            |is_given: bool, error: f64| if is_given { "given".to_owned() } else { significant(error, 2) };
+        table.row([
+            own.name.clone(),
+            significant(own.area, GIVEN),
+            own.emissivity.map_or_else(|| "–".to_owned(), |emissivity| significant(emissivity, GIVEN)),
+            figure(own.is_temperature_known, own.temperature),
+            error(own.is_temperature_known, own.temperature_error),
+            figure(own.is_flow_known, own.flux),
+            figure(own.is_flow_known, own.flow),
+            error(own.is_flow_known, own.flow_error),
+        ]);
+    }
+    table
+}
+
+/// JSON with the figures of each surface, the balance and how good it is.
+///
+/// # Errors
+/// What `out` reports.
+pub fn json(heat: &Heat, mut out: impl Write) -> io::Result<()> {
+    let document = Document {
+        surfaces: &heat.surfaces,
+        lost: heat.lost,
+        residual: heat.outcome.residual,
+        solver: heat.outcome.solver,
+        iterations: heat.outcome.iterations,
+        closure_max: heat.outcome.checks.closure_max,
+        reciprocity_max: heat.outcome.checks.reciprocity_max,
+        accuracy_reached: heat.outcome.accuracy_reached,
+    };
+    serde_json::to_writer_pretty(&mut out, &document)?;
+    writeln!(out)
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    surfaces: &'a [SurfaceHeat],
+    lost: f64,
+    residual: f64,
+    solver: &'a str,
+    iterations: usize,
+    closure_max: f64,
+    reciprocity_max: f64,
+    accuracy_reached: f64,
+}
+
+/// CSV with the names as header and as first column; the last column is what goes to the surroundings.
+///
+/// # Errors
+/// What `out` reports.
+pub fn conductances_csv(names: &[&str], conductances: &Conductances, out: impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(["surface"].iter().chain(names).chain(&["(surroundings)"]))?;
+    for ((name, row), lost) in names.iter().zip(&conductances.rows).zip(&conductances.lost) {
+        let numbers = row.iter().chain([lost]).map(f64::to_string);
+        writer.write_record([(*name).to_owned()].into_iter().chain(numbers))?;
+    }
+    writer.flush()
+}
+
+/// JSON with the names, the matrix, what goes to the surroundings and the largest asymmetry.
+///
+/// # Errors
+/// What `out` reports.
+pub fn conductances_json(names: &[&str], conductances: &Conductances, mut out: impl Write) -> io::Result<()> {
+    let Conductances { rows, lost, asymmetry } = conductances;
+    let document = serde_json::json!({
+        "surfaces": names, "conductances": rows, "surroundings": lost, "asymmetry_max": asymmetry,
+    });
+    serde_json::to_writer(&mut out, &document)?;
+    writeln!(out)
+}
+
+/// NPY, an array of shape (N, N).
+///
+/// # Errors
+/// What `out` reports.
+pub fn conductances_npy(conductances: &Conductances, out: impl Write) -> io::Result<()> {
+    npy::square(conductances.rows.len(), conductances.rows.iter(), out)
+}
+
+/// NPZ with `C` of shape (N, N), and `surroundings`, `names`, `areas` of shape (N,).
+///
+/// # Errors
+/// What `out` reports.
+pub fn conductances_npz(
+    surfaces: &[SurfaceHeat],
+    conductances: &Conductances,
+    out: impl Write,
+) -> io::Result<()> {
+    let count = surfaces.len();
+    let mut archive = Archive::new(out);
+    archive.square("C", count, conductances.rows.iter())?;
+    archive.numbers("surroundings", count, conductances.lost.iter().copied())?;
+    archive.texts("names", surfaces.iter().map(|surface| surface.name.as_str()))?;
+    archive.numbers("areas", count, surfaces.iter().map(|surface| surface.area))?;
+    archive.finish()
+}

@@ -1,0 +1,59 @@
+//! Self-checks: what is found, and what it would be without errors.
+
+use radiosity_scene::Scene;
+
+use super::light_part::LightPart;
+use crate::documents::document::{Block, Column, Table};
+use crate::drawings::round::{decimals, error, significant};
+use crate::readings::shown::power_unit;
+
+pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
+    let mut table =
+        Table::new([Column::text("check"), Column::numbers("found", ""), Column::text("without errors")]);
+    for [check, found, ideal] in rows(scene, light) {
+        table.row([check, found, ideal]);
+    }
+    vec![Block::Heading("Checks".to_owned()), Block::Table(table)]
+}
+
+fn rows(scene: &Scene, light: &LightPart) -> Vec<[String; 3]> {
+    let report = light.report;
+    let checks = &report.checks;
+    let power = |power: f64| format!("{} {}", significant(power, 4), power_unit(&scene.unit));
+    let percent = |part: f64| match checks.energy_in {
+        0.0 => "–".to_owned(),
+        whole => format!("{} %", decimals(100.0 * part / whole, 3)),
+    };
+    let row = |check: &str, found: String, ideal: &str| [check.to_owned(), found, ideal.to_owned()];
+    let absorbed: f64 = light.surfaces.iter().flat_map(|own| &own.absorbed).sum();
+    let mut rows = vec![
+        row("emitted power, where lengths are metres", power(checks.energy_in), "as the scene states"),
+        row("absorbed power", percent(checks.energy_absorbed), "100 % in a closed scene"),
+        row("lost power", percent(checks.energy_lost), "0 % in a closed scene"),
+        row("absorbed power as the surfaces were read", percent(absorbed), "the absorbed power"),
+        row("least row sum Σ F", decimals(checks.row_sum_min, 5), "1 in a closed scene"),
+        row("greatest row sum Σ F", decimals(checks.row_sum_max, 5), "1 at most"),
+        row("closure ‖c − G c‖, greatest", error(checks.closure_max), "0 in a closed scene"),
+        row("reciprocity |A F − A F′|, greatest", error(checks.reciprocity_max), "0"),
+        row("residual of the solver", error(report.residual), "0"),
+        row("spectral radius, estimate", decimals(checks.spectral_bound, 4), "below 1"),
+        row("jump of radiosity at seams, greatest", error(checks.seam_jump_max), "0 where light is smooth"),
+    ];
+    rows.extend(
+        report
+            .transport
+            .error
+            .map(|found| row("error that rays leave in means of elements", error(found), "0")),
+    );
+    let missed = Some(report.accuracy_reached).filter(|found| *found > 0.0);
+    rows.extend(missed.map(|found| row("error of transfers left unresolved", error(found), "0")));
+    rows.extend(report.accuracy_estimate.map(|found| row("estimated relative error", error(found), "0")));
+    rows.extend(report.read_error.map(|found| {
+        row(
+            "standard deviation of light gathered by rays",
+            format!("{} %", decimals(100.0 * found.rms, 2)),
+            "0",
+        )
+    }));
+    rows
+}

@@ -1,0 +1,50 @@
+//! What a report says of light, ready to be set.
+
+use radiosity_scene::SensorPlane;
+use radiosity_solve::Options;
+
+use crate::drawings::picture::Picture;
+use crate::readings::quality::Reading;
+use crate::readings::report::Report;
+use crate::readings::surface_light::SurfaceLight;
+use crate::readings::uniformity::Uniformity;
+
+/// The name of the figure of the camera's picture.
+pub const PICTURE: &str = "picture";
+
+/// The name of the figure of a plane, counted from 0.
+pub fn plan_name(plane: usize) -> String {
+    format!("plane-{}", plane + 1)
+}
+
+/// The light of a scene as it was read.
+#[derive(Clone, Debug)]
+pub struct LightPart<'a> {
+    /// Counts and self-checks, with the figures of the planes.
+    pub report: &'a Report,
+    /// How it was solved.
+    pub options: &'a Options,
+    /// How it was read.
+    pub reading: Reading,
+    /// What the camera sees, if there is one.
+    pub picture: Option<Picture>,
+    /// The planes, in the order of the report's.
+    pub plans: Vec<ReportedPlane<'a>>,
+    /// Cells along u and v of each surface.
+    pub cells: [usize; 2],
+    /// The light of the surfaces.
+    pub surfaces: Vec<SurfaceLight>,
+}
+
+/// A plane with its plan.
+#[derive(Clone, Debug)]
+pub struct ReportedPlane<'a> {
+    /// The plane.
+    pub plane: &'a SensorPlane,
+    /// The figures of what the plan shows: of the only band, of the one chosen, or of the mean of all.
+    pub shown: Uniformity,
+    /// The name of that, where there are several bands.
+    pub band: Option<String>,
+    /// The plan.
+    pub picture: Picture,
+}

@@ -1,0 +1,168 @@
+//! Surfaces: their irradiance and powers.
+
+use radiosity_scene::{Scene, SceneSurface};
+
+use super::light_part::LightPart;
+use crate::documents::document::{Block, Column, Table};
+use crate::drawings::round::{column, significant};
+use crate::readings::shown::{Shown, of_bands, power_unit};
+use crate::readings::surface_light::SurfaceLight;
+
+/// Most rows of a table. Chosen: some ten pages.
+const MOST: usize = 400;
+
+/// Most bands that have columns of their own. Chosen: what fits across a page.
+const FEW: usize = 4;
+
+pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
+    let listed = listed(&light.surfaces);
+    let [n, m] = light.cells;
+    let quantity = Shown::Irradiance.name(&scene.unit);
+    let several = if scene.bands.len() > 1 {
+        " Irradiance is the mean of the bands, powers are their sum."
+    } else {
+        ""
+    };
+    let unit = power_unit(&scene.unit);
+    let mut blocks = vec![
+        Block::Heading("Surfaces".to_owned()),
+        Block::Text(format!(
+            "Means of the {quantity} over each surface, the least and the greatest mean over one of its {n} × {m} cells, and \
+             powers that arrive, are absorbed and are emitted.{several} Areas and powers are in m² and {unit} where lengths \
+             are metres."
+        )),
+    ];
+    if listed.len() < light.surfaces.len() {
+        blocks.push(Block::Text(format!(
+            "The {} surfaces that receive most of {} are listed; `radiosity grid` has all.",
+            listed.len(),
+            light.surfaces.len()
+        )));
+    }
+    blocks.push(Block::Table(powers(scene, &light.surfaces, &listed)));
+    if (2..=FEW).contains(&scene.bands.len()) {
+        blocks.extend([
+            Block::Subheading("By band".to_owned()),
+            Block::Text(format!("Reflectance ρ and mean {quantity} E of each band.")),
+            Block::Table(by_band(scene, &listed)),
+        ]);
+    }
+    blocks
+}
+
+/// The surfaces with rows of their own, in the scene's order: all, or those that receive most.
+fn listed(surfaces: &[SurfaceLight]) -> Vec<&SurfaceLight> {
+    let mut listed: Vec<&SurfaceLight> = surfaces.iter().collect();
+    listed.sort_by(|a, b| sum(&b.received).total_cmp(&sum(&a.received)));
+    listed.truncate(MOST);
+    listed.sort_by_key(|own| own.surface);
+    listed
+}
+
+fn sum(values: &[f64]) -> f64 {
+    values.iter().sum()
+}
+
+/// A column with its cells and what stands below them.
+struct Filled {
+    column: Column,
+    cells: Vec<String>,
+    total: String,
+}
+
+impl Filled {
+    fn new(column: Column, cells: Vec<String>) -> Self {
+        Self { column, cells, total: String::new() }
+    }
+}
+
+/// The columns side by side.
+fn table(columns: Vec<Filled>) -> Table {
+    let rows = columns.first().map_or(0, |first| first.cells.len());
+    let mut table = Table::new(columns.iter().map(|own| own.column.clone()).collect::<Vec<_>>());
+    for row in 0..rows {
+        table.row(columns.iter().map(|own| own.cells[row].clone()).collect::<Vec<_>>());
+    }
+    let has_total = columns.iter().any(|own| !own.total.is_empty());
+    table.total = has_total.then(|| columns.into_iter().map(|own| own.total).collect());
+    table
+}
+
+fn powers(scene: &Scene, all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Table {
+    let [mut names, materials] = names(scene, listed);
+    names.total = "all surfaces".to_owned();
+    let mut columns = vec![names, materials];
+    if scene.bands.len() == 1 {
+        columns.push(reflectance(scene, listed, 0, "ρ"));
+    }
+    columns.push(areas(all, listed));
+    columns.extend(irradiances(scene, listed));
+    let unit = power_unit(&scene.unit);
+    let power = |head: &str, of: Powers| power(Column::numbers(head, &unit), of, all, listed);
+    columns.extend([
+        power("received", |own| &own.received),
+        power("absorbed", |own| &own.absorbed),
+        power("emitted", |own| &own.emitted),
+    ]);
+    table(columns)
+}
+
+fn by_band(scene: &Scene, listed: &[&SurfaceLight]) -> Table {
+    let bands = scene.bands.iter().enumerate();
+    let reflectances =
+        bands.clone().map(|(band, name)| reflectance(scene, listed, band, &format!("ρ {name}")));
+    let values: Vec<f64> = listed.iter().flat_map(|own| own.irradiance.clone()).collect();
+    let texts = column(&values);
+    let irradiances = bands.map(|(band, name)| {
+        let cells = texts.iter().skip(band).step_by(scene.bands.len()).cloned().collect();
+        Filled::new(Column::numbers(&format!("E {name}"), &scene.unit), cells)
+    });
+    table(names(scene, listed).into_iter().chain(reflectances).chain(irradiances).collect())
+}
+
+/// Names of surfaces and of their materials.
+fn names(scene: &Scene, listed: &[&SurfaceLight]) -> [Filled; 2] {
+    let of = |head: &str, text: fn(&SceneSurface) -> String| {
+        let cells = listed.iter().map(|own| text(&scene.surfaces[own.surface])).collect();
+        Filled::new(Column::text(head), cells)
+    };
+    let material = |surface: &SceneSurface| surface.material_name.clone().unwrap_or_else(|| "–".to_owned());
+    [of("surface", |surface| surface.name.clone()), of("material", material)]
+}
+
+fn reflectance(scene: &Scene, listed: &[&SurfaceLight], band: usize, head: &str) -> Filled {
+    let rho = |own: &&SurfaceLight| significant(scene.surfaces[own.surface].material.reflectance[band], 3);
+    Filled::new(Column::numbers(head, ""), listed.iter().map(rho).collect())
+}
+
+fn areas(all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Filled {
+    let cells = listed.iter().map(|own| significant(own.area, 4)).collect();
+    let total = significant(all.iter().map(|own| own.area).sum(), 4);
+    Filled { column: Column::numbers("area", "m²"), cells, total }
+}
+
+/// Mean, least and greatest irradiance, all with the same decimals.
+fn irradiances(scene: &Scene, listed: &[&SurfaceLight]) -> impl Iterator<Item = Filled> {
+    let three = |own: &&SurfaceLight| [of_bands(&own.irradiance, None), own.extremes[0], own.extremes[1]];
+    let texts = column(&listed.iter().flat_map(three).collect::<Vec<_>>());
+    ["E mean", "E min", "E max"].into_iter().enumerate().map(move |(index, head)| {
+        let cells = texts.iter().skip(index).step_by(3).cloned().collect();
+        Filled::new(Column::numbers(head, &scene.unit), cells)
+    })
+}
+
+/// A power of a surface in each band.
+type Powers = fn(&SurfaceLight) -> &Vec<f64>;
+
+/// The sum of the bands, a dash for none, and the sum over all surfaces.
+fn power(column_head: Column, of: Powers, all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Filled {
+    let whole = all.iter().map(|own| sum(of(own))).sum();
+    let values: Vec<f64> = listed.iter().map(|own| sum(of(own))).chain([whole]).collect();
+    let mut cells: Vec<String> = column(&values)
+        .into_iter()
+        .zip(&values)
+        .map(|(text, value)| if *value == 0.0 { "–".to_owned() } else { text })
+        .collect();
+    let total = cells.pop().unwrap_or_default();
+    Filled { column: column_head, cells, total }
+}

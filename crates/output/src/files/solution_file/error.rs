@@ -1,0 +1,77 @@
+//! What can be wrong with a solution file.
+
+use radiosity_elements::ElementError;
+use radiosity_scene::SceneError;
+use thiserror::Error;
+
+use super::version::VERSION;
+
+/// A solution file that cannot be used. Displays as `file: message`; the cure is separate, see [`SolutionError::cure`].
+#[derive(Debug, Error)]
+#[error("{origin}: {fault}")]
+pub struct SolutionError {
+    /// File name, or `<stdin>`.
+    pub origin: String,
+    /// What is wrong.
+    #[source]
+    pub fault: SolutionFault,
+}
+
+/// What is wrong, without the file.
+#[derive(Debug, Error)]
+pub enum SolutionFault {
+    /// Not the JSON of a solution file.
+    #[error("damaged at line {line}, column {column}: {message}")]
+    Syntax {
+        /// Line, counted from 1.
+        line: usize,
+        /// Column, counted from 1.
+        column: usize,
+        /// The parser's message.
+        message: String,
+    },
+    /// A version that this program does not read.
+    #[error("the format's version is {found}, this program reads version {VERSION}")]
+    Version {
+        /// What the file says.
+        found: u32,
+    },
+    /// A solution of a scene that was built in code.
+    #[error("it does not hold the text of its scene")]
+    NoScene,
+    /// The scene in it is wrong.
+    #[error("the scene in it: {0}")]
+    Scene(Box<SceneError>),
+    /// The scene in it cannot be cut as it says.
+    #[error("the scene in it: {0}")]
+    Cut(#[from] ElementError),
+    /// Something does not fit the scene in it.
+    #[error("{0} is not that of its scene")]
+    Whole(Mismatch),
+    /// An element does not fit the scene in it.
+    #[error("element {index}: {what} is not that of its scene")]
+    Element {
+        /// Which, counted from 0.
+        index: usize,
+        /// What differs.
+        what: Mismatch,
+    },
+}
+
+/// The part of a file that does not fit the scene in it, e.g. `the rectangle`.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[error("{0}")]
+pub struct Mismatch(pub(super) &'static str);
+
+impl SolutionError {
+    /// How to mend it.
+    pub fn cure(&self) -> &'static str {
+        match self.fault {
+            SolutionFault::Version { .. } => {
+                "solve the scene again with this program, or read the file with the one that wrote it"
+            }
+            SolutionFault::NoScene => "a scene built in code is solved where it is built",
+            _ => "the file is damaged or was changed: solve the scene again",
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! From the file back to the solved scene.
+//!
+//! The scene is read and cut again, and every element of the file is compared with it, so that a damaged or changed
+//! file is refused. The coefficients are taken as they are.
+
+use std::sync::Arc;
+
+use base64::{Engine, prelude::BASE64_STANDARD as STANDARD};
+use radiosity_elements::coating::Coating;
+use radiosity_elements::{Discretization, Elements, Subdivide};
+use radiosity_published::zatz1993::masked_light::MaskedLight;
+use radiosity_scene::{MAX_PARTS, Scene, Source};
+use radiosity_solve::solution::Solution;
+use radiosity_solve::solution::group_light::{GroupLight, Incident};
+use radiosity_solve::solved::Solved;
+use radiosity_solve::{Options, driver::masked_light};
+use radiosity_visibility::Visibility;
+use serde::Deserialize;
+
+use super::element::{SavedElement, same};
+use super::error::{Mismatch, SolutionError, SolutionFault};
+use super::group::SavedGroup;
+use super::tree::{SavedScene, SolutionFile};
+use super::version::{FORMAT, VERSION};
+
+/// The keys that identify a solution file of any version.
+#[derive(Deserialize)]
+struct Header {
+    #[serde(default)]
+    format: serde_json::Value,
+    #[serde(default)]
+    format_version: u32,
+}
+
+/// Whether a text is meant as a solution file rather than a scene.
+pub fn is_solution(text: &str) -> bool {
+    let quoted = format!("\"{FORMAT}\"");
+    let likely = text.trim_start().starts_with('{') && text.contains(&quoted);
+    // Text that contains the word but is not valid JSON is reported as a damaged solution.
+    likely && serde_json::from_str(text).map_or(true, |header: Header| header.format == FORMAT)
+}
+
+/// Reads a solution file: the scene, the options and the solution that it was written from, bit by bit.
+///
+/// # Errors
+/// A text that is damaged, of another version, or does not fit the scene in it.
+pub fn read(source: &Source) -> Result<Solved, SolutionError> {
+    parse(&source.text())
+        .and_then(SolutionFile::solved)
+        .map_err(|fault| SolutionError { origin: source.origin.to_string(), fault })
+}
+
+fn parse(text: &str) -> Result<SolutionFile, SolutionFault> {
+    let header: Header = serde_json::from_str(text).map_err(|error| syntax(&error))?;
+    if header.format_version != VERSION {
+        return Err(SolutionFault::Version { found: header.format_version });
+    }
+    serde_json::from_str(text).map_err(|error| syntax(&error))
+}
+
+/// The parser's message without the place at its end.
+fn syntax(error: &serde_json::Error) -> SolutionFault {
+    let (line, column) = (error.line(), error.column());
+    let message = error.to_string();
+    let place = format!(" at line {line} column {column}");
+    SolutionFault::Syntax { line, column, message: message.trim_end_matches(&place).to_owned() }
+}
+
+impl SolutionFile {
+    fn solved(self) -> Result<Solved, SolutionFault> {
+        let scene = self.scene.read()?;
+        if self.bands != scene.bands || self.figures.residuals.len() != scene.bands.len() {
+            return Err(SolutionFault::Whole(Mismatch("the list of bands")));
+        }
+        if self.mesh.as_ref().is_some_and(|mesh| !mesh.is_valid(scene.surfaces.len())) {
+            return Err(SolutionFault::Whole(Mismatch("the mesh")));
+        }
+        let how = checked(&self.discretization)?;
+        let elements = self.options.elements(&scene, how, self.mesh.as_ref())?;
+        check_elements(&self.elements, &scene, &elements)?;
+        let groups = self.group_lights(&scene, &elements)?;
+        let solution = Solution::of_groups(elements, &scene, groups);
+        for (index, own) in self.elements.iter().enumerate() {
+            own.check_coating(&solution, index).map_err(|what| SolutionFault::Element { index, what })?;
+        }
+        self.check_sums(&solution)?;
+        let achieved = self.figures.achieved;
+        let outcome = self.figures.outcome(solution);
+        let outcome = outcome.ok_or(SolutionFault::Whole(Mismatch("the solver's name")))?;
+        Ok(Solved::of(scene, self.options, outcome, achieved))
+    }
+}
+
+impl SolutionFile {
+    /// The light of each group; all light as that of no group where there are none.
+    fn group_lights(&self, scene: &Scene, elements: &Elements) -> Result<Vec<GroupLight>, SolutionFault> {
+        let mismatch = || SolutionFault::Whole(Mismatch("the list of light groups"));
+        let is_there = |name: &str| self.groups.iter().any(|group| group.name.as_deref() == Some(name));
+        if !scene.light_groups().iter().all(|group| is_there(&group.name)) {
+            return Err(mismatch());
+        }
+        let bands = scene.bands.len();
+        let masks = Masks::of(scene, elements, &self.options);
+        if self.groups.is_empty() {
+            let band = |band: usize| Incident {
+                irradiance: together(&self.elements, |own| &own.orthonormal.irradiance[band]),
+                direct: together(&self.elements, |own| &own.orthonormal.direct[band]),
+                residual: self.figures.residuals[band],
+            };
+            let powers = self.figures.powers();
+            let bands = (0..bands).map(band).collect();
+            return Ok(vec![GroupLight { group: None, bands, powers, masked: masks.light(None) }]);
+        }
+        let count = self.groups.len();
+        let fits = |own: &SavedElement| own.orthonormal.groups.len() == count;
+        if !self.elements.iter().all(fits) || self.groups.iter().any(|own| own.residuals.len() != bands) {
+            return Err(mismatch());
+        }
+        let light = |(index, SavedGroup { name, residuals, powers }): (usize, &SavedGroup)| {
+            let band = |band: usize| Incident {
+                irradiance: together(&self.elements, |own| &own.orthonormal.groups[index].irradiance[band]),
+                direct: together(&self.elements, |own| &own.orthonormal.groups[index].direct[band]),
+                residual: residuals[band],
+            };
+            let bands = (0..bands).map(band).collect();
+            GroupLight { group: name.clone(), bands, powers: *powers, masked: masks.light(name.as_deref()) }
+        };
+        Ok(self.groups.iter().enumerate().map(light).collect())
+    }
+
+    /// Compares the light of all groups, at their factors, with the irradiance in the file.
+    fn check_sums(&self, solution: &Solution) -> Result<(), SolutionFault> {
+        let starts = solution.elements().starts();
+        for (index, saved) in self.elements.iter().enumerate() {
+            let own = starts[index]..starts[index + 1];
+            let sums = solution.bands().iter().map(|band| &band.coefficients.irradiance[own.clone()]);
+            if !sums.zip(&saved.orthonormal.irradiance).all(|(sum, own)| same(sum, own)) {
+                let what = Mismatch("the light of its groups");
+                return Err(SolutionFault::Element { index, what });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Coefficients of all elements, one after the other.
+fn together<'a>(saved: &'a [SavedElement], own: impl Fn(&'a SavedElement) -> &'a [f64]) -> Vec<f64> {
+    saved.iter().flat_map(|element| own(element).iter().copied()).collect()
+}
+
+/// What shadow masks are made again from.
+struct Masks<'a> {
+    scene: &'a Scene,
+    elements: &'a Elements,
+    options: &'a Options,
+    /// None where there are no masks.
+    visibility: Option<Visibility>,
+}
+
+impl<'a> Masks<'a> {
+    fn of(scene: &'a Scene, elements: &'a Elements, options: &'a Options) -> Self {
+        let visibility = options.masks.map(|_| Visibility::new(scene, options.into()));
+        Self { scene, elements, options, visibility }
+    }
+
+    /// The masked light of a group, if there are masks.
+    fn light(&self, group: Option<&str>) -> Option<Arc<MaskedLight>> {
+        let visibility = self.visibility.as_ref()?;
+        let list = self.elements.list();
+        let coatings: Vec<Coating> = (0..self.scene.bands.len())
+            .map(|band| Coating::of_group(self.scene, list, band, group))
+            .collect();
+        let coatings: Vec<&Coating> = coatings.iter().collect();
+        masked_light(self.scene, self.elements, &coatings, visibility, self.options).map(Arc::new)
+    }
+}
+
+impl SavedScene {
+    fn read(&self) -> Result<Scene, SolutionFault> {
+        let text = self.text.as_ref().ok_or(SolutionFault::NoScene)?;
+        let settings = self.settings.iter().map(|(name, value)| (name.as_str(), *value));
+        let source = Source::new(&self.origin, text).within(self.tolerance).set(settings);
+        let source =
+            self.included.iter().fold(source, |source, own| source.including(&own.origin, &own.text));
+        let source = self.pictures.iter().try_fold(source, |source, own| {
+            let bytes = STANDARD.decode(&own.base64);
+            let bytes = bytes.map_err(|_| SolutionFault::Whole(Mismatch("a picture")))?;
+            Ok::<_, SolutionFault>(source.with_picture(&own.origin, bytes))
+        })?;
+        let source = match self.moment {
+            Some(moment) => source.at(moment),
+            None => source,
+        };
+        let scene =
+            radiosity_language::parse(&source).map_err(|error| SolutionFault::Scene(Box::new(error)))?;
+        if scene.name != self.name {
+            return Err(SolutionFault::Whole(Mismatch("the scene's name")));
+        }
+        let factors: Vec<(&str, f64)> =
+            self.factors.iter().map(|(name, factor)| (name.as_str(), *factor)).collect();
+        scene.dimmed(&factors).map_err(|error| SolutionFault::Scene(Box::new(error)))
+    }
+}
+
+fn checked(how: &Discretization) -> Result<&Discretization, SolutionFault> {
+    match how.subdivide {
+        Subdivide::Uniform(parts) if !(1..=MAX_PARTS).contains(&parts) => {
+            Err(SolutionFault::Whole(Mismatch("the subdivision")))
+        }
+        _ => Ok(how),
+    }
+}
+
+fn check_elements(saved: &[SavedElement], scene: &Scene, elements: &Elements) -> Result<(), SolutionFault> {
+    if saved.len() != elements.list().len() {
+        return Err(SolutionFault::Whole(Mismatch("the number of elements")));
+    }
+    for (index, (saved, element)) in saved.iter().zip(elements.list()).enumerate() {
+        saved.check(scene, element).map_err(|what| SolutionFault::Element { index, what })?;
+    }
+    Ok(())
+}

@@ -1,0 +1,210 @@
+//! View factors as CSV, JSON, NPY or NPZ, or as View3D writes them.
+//!
+//! The matrix is written row by row, N × N, F_ij in row i and column j; sparse, without its zeros.
+
+use std::io::{self, Write};
+
+use radiosity_solve::view_factors::ViewFactors;
+use serde::Serialize;
+use serde::ser::{SerializeSeq, Serializer};
+
+use crate::files::npy;
+use crate::files::npz::Archive;
+
+/// CSV with the names as header and as first column.
+///
+/// # Errors
+/// What `out` reports.
+pub fn csv(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    let header = ["surface"].into_iter().chain(factors.names.iter().map(String::as_str));
+    writer.write_record(header)?;
+    for (i, name) in factors.names.iter().enumerate() {
+        let numbers = factors.row(i).into_iter().map(|factor| factor.to_string());
+        writer.write_record([name.clone()].into_iter().chain(numbers))?;
+    }
+    writer.flush()
+}
+
+/// NPY, an array of shape (N, N).
+///
+/// # Errors
+/// What `out` reports.
+pub fn npy(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
+    let count = factors.names.len();
+    npy::square(count, (0..count).map(|i| factors.row(i)), out)
+}
+
+/// How a matrix without its zeros is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+pub enum Sparse {
+    /// Row by row: columns and factors, and where each row begins.
+    Csr,
+    /// Triples of row, column and factor.
+    Coo,
+}
+
+/// NPZ with `F` of shape (N, N), `names` and `areas` of shape (N,).
+///
+/// # Errors
+/// What `out` reports.
+pub fn npz(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
+    let count = factors.names.len();
+    let mut archive = Archive::new(out);
+    archive.square("F", count, (0..count).map(|i| factors.row(i)))?;
+    named(factors, archive)
+}
+
+/// NPZ with the factors that are not zero, which `scipy.sparse.load_npz` reads, and `names` and `areas` beside them.
+///
+/// # Errors
+/// What `out` reports.
+pub fn sparse_npz(factors: &ViewFactors, sparse: Sparse, out: impl Write) -> io::Result<()> {
+    let rows = factors.names.len();
+    let entries = || (0..rows).flat_map(|i| factors.nonzeros(i).map(move |(j, factor)| (i, j, factor)));
+    let count = entries().count();
+    let mut archive = Archive::new(out);
+    match sparse {
+        Sparse::Csr => {
+            let ends = (0..rows).scan(0, |end, i| {
+                *end += factors.nonzeros(i).count();
+                Some(*end)
+            });
+            archive.word("format", "csr")?;
+            archive.indices("indices", count, entries().map(|(_, j, _)| j))?;
+            archive.counts("indptr", rows + 1, [0].into_iter().chain(ends))?;
+        }
+        Sparse::Coo => {
+            archive.word("format", "coo")?;
+            archive.indices("row", count, entries().map(|(i, ..)| i))?;
+            archive.indices("col", count, entries().map(|(_, j, _)| j))?;
+        }
+    }
+    archive.counts("shape", 2, [rows; 2].into_iter())?;
+    archive.numbers("data", count, entries().map(|(.., factor)| factor))?;
+    named(factors, archive)
+}
+
+/// Adds what the rows and columns of a matrix are, and ends the archive.
+fn named<W: Write>(factors: &ViewFactors, mut archive: Archive<W>) -> io::Result<()> {
+    archive.texts("names", factors.names.iter().map(String::as_str))?;
+    archive.numbers("areas", factors.areas.len(), factors.areas.iter().copied())?;
+    archive.finish()
+}
+
+/// The pairs (i, j) whose factor is not zero, row by row.
+pub fn nonzero_pairs(factors: &ViewFactors) -> Vec<[usize; 2]> {
+    (0..factors.names.len()).flat_map(|i| factors.nonzeros(i).map(move |(j, _)| [i, j])).collect()
+}
+
+/// Characters of the first line that View3D writes, and reads back by their number.
+const VIEW3D_LINE: usize = 30;
+
+/// Text in the form that View3D 3.5 writes (its format 0): a line with program, version, format, whether factors are adjusted to
+/// an enclosure and whether they hold emittances (0, 0), and the number of surfaces; the areas; a row of factors for each
+/// surface; and the `emittances` ε, one for each surface. Numbers have all their digits.
+///
+/// # Errors
+/// What `out` reports.
+pub fn view3d(factors: &ViewFactors, emittances: &[f64], mut out: impl Write) -> io::Result<()> {
+    let count = factors.names.len();
+    let first = format!("radiosity {} 0 0 0 {count}", env!("CARGO_PKG_VERSION"));
+    writeln!(out, "{first:<VIEW3D_LINE$}")?;
+    line(&factors.areas, &mut out)?;
+    (0..count).try_for_each(|i| line(&factors.row(i), &mut out))?;
+    line(emittances, &mut out)
+}
+
+/// Numbers with blanks between.
+fn line(numbers: &[f64], out: &mut impl Write) -> io::Result<()> {
+    let words: Vec<String> = numbers.iter().map(f64::to_string).collect();
+    writeln!(out, "{}", words.join(" "))
+}
+
+/// JSON with names, areas, the matrix, its row sums and how good it is.
+///
+/// # Errors
+/// What `out` reports.
+pub fn json(factors: &ViewFactors, mut out: impl Write) -> io::Result<()> {
+    serde_json::to_writer(&mut out, &Document::of(factors))?;
+    writeln!(out)
+}
+
+/// The pairs (i, j) only, as CSV with 17 digits.
+///
+/// # Errors
+/// What `out` reports.
+pub fn pairs_csv(factors: &ViewFactors, pairs: &[[usize; 2]], out: impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(["from", "to", "F"])?;
+    for [i, j] in pairs {
+        let factor = format!("{:.16e}", factors.factor(*i, *j));
+        writer.write_record([&factors.names[*i], &factors.names[*j], &factor])?;
+    }
+    writer.flush()
+}
+
+/// The pairs (i, j) only, as JSON.
+///
+/// # Errors
+/// What `out` reports.
+pub fn pairs_json(factors: &ViewFactors, pairs: &[[usize; 2]], mut out: impl Write) -> io::Result<()> {
+    let pair = |[i, j]: &[usize; 2]| Pair {
+        from: &factors.names[*i],
+        to: &factors.names[*j],
+        factor: factors.factor(*i, *j),
+    };
+    serde_json::to_writer(&mut out, &pairs.iter().map(pair).collect::<Vec<_>>())?;
+    writeln!(out)
+}
+
+#[derive(Serialize)]
+struct Pair<'a> {
+    from: &'a str,
+    to: &'a str,
+    factor: f64,
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    surfaces: &'a [String],
+    areas: &'a [f64],
+    factors: Rows<'a>,
+    row_sums: Vec<f64>,
+    reciprocity_max: f64,
+    reciprocity_pairs: usize,
+    accuracy_reached: f64,
+    kernel_samples: u64,
+    shadow_rays: u64,
+    seconds: f64,
+}
+
+impl<'a> Document<'a> {
+    fn of(factors: &'a ViewFactors) -> Self {
+        Self {
+            surfaces: &factors.names,
+            areas: &factors.areas,
+            factors: Rows(factors),
+            row_sums: factors.row_sums(),
+            reciprocity_max: factors.reciprocity.largest,
+            reciprocity_pairs: factors.reciprocity.pairs,
+            accuracy_reached: factors.accuracy_reached,
+            kernel_samples: factors.samples,
+            shadow_rays: factors.rays,
+            seconds: factors.elapsed.as_secs_f64(),
+        }
+    }
+}
+
+/// The rows of the matrix, each made when it is written.
+struct Rows<'a>(&'a ViewFactors);
+
+impl Serialize for Rows<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let count = self.0.names.len();
+        let mut rows = serializer.serialize_seq(Some(count))?;
+        (0..count).try_for_each(|i| rows.serialize_element(&self.0.row(i)))?;
+        rows.end()
+    }
+}

@@ -1,0 +1,53 @@
+//! Direct light at the middles of pixels: by few rays first, and by more where pixels beside each other see other emitters.
+
+use radiosity_light::penumbra::{Care, Shade};
+use radiosity_work::ranks;
+use rayon::prelude::*;
+
+use super::frame::Frame;
+use super::picture_light::{Lit, PictureLight};
+use super::tally::Tally;
+
+/// Pixels that are compared with one, to each side. Chosen: with first rays that miss a shadow in four of five pixels, one of so
+/// many still finds it.
+const BESIDE: isize = 2;
+
+/// Pixels that one thread looks at after each other. Chosen: they take some microseconds each.
+const TOGETHER: usize = 64;
+
+/// The direct irradiance of all pixels; nothing where nothing is seen. `tell` gets (done, all) of the pixels, twice.
+pub(crate) fn lit(
+    frame: &Frame,
+    light: &PictureLight,
+    tell: &(dyn Fn(usize, usize) + Sync),
+) -> Vec<Vec<f64>> {
+    let look = |pixel: usize, sure: bool, tally: &Tally| {
+        let care = Care { rough: 1.0, sure };
+        let lit = frame.seen(pixel).map_or_else(Lit::default, |seen| light.direct(seen, care));
+        tally.add();
+        lit
+    };
+    let tally = Tally::new(frame.len(), tell);
+    let ranks = ranks::current();
+    let first: Vec<Lit> = ranks.map_even(frame.len(), TOGETHER, |pixel| look(pixel, false, &tally));
+    let unsure: Vec<usize> =
+        (0..frame.len()).into_par_iter().filter(|pixel| is_unsure(frame, &first, *pixel)).collect();
+    let tally = Tally::new(unsure.len(), tell);
+    let again: Vec<Lit> = ranks.map_even(unsure.len(), TOGETHER, |place| look(unsure[place], true, &tally));
+    let mut all: Vec<Vec<f64>> = first.into_iter().map(|lit| lit.bands).collect();
+    unsure.into_iter().zip(again).for_each(|(pixel, lit)| all[pixel] = lit.bands);
+    all
+}
+
+/// Whether a pixel sees some emitters wholly and the others not at all, but one beside it on the same surface does not see the same.
+fn is_unsure(frame: &Frame, all: &[Lit], pixel: usize) -> bool {
+    let (Some(seen), Some(shade @ Shade::Sees(_))) = (frame.seen(pixel), all[pixel].shade) else {
+        return false;
+    };
+    let [column, row] = frame.place(pixel).map(|at| at as isize);
+    let beside = (-BESIDE..=BESIDE).flat_map(|j| (-BESIDE..=BESIDE).map(move |i| [column + i, row + j]));
+    beside.filter_map(|at| frame.pixel(at)).any(|other| {
+        all[other].shade.is_some_and(|other| other != shade)
+            && frame.seen(other).is_some_and(|other| seen.goes_with(other))
+    })
+}

@@ -1,0 +1,63 @@
+//! What camera rays see.
+
+use radiosity_elements::Elements;
+use radiosity_geom::{DVec3, Encounter, Ray};
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_solve::gather::spot::Spot;
+use radiosity_solve::solution::Place;
+use radiosity_visibility::Visibility;
+use radiosity_work::ranks::vector;
+use serde::{Deserialize, Serialize};
+
+/// Least cosine between the normals of places that belong together; most height of one over the plane of the other, over
+/// their distance, on one surface and on two. Chosen: leaves of a book apart, patches of a teapot together.
+const ALIKE: f64 = 0.9;
+const BENT: f64 = 0.3;
+const LEVEL: f64 = 0.1;
+
+/// A place on the front of a surface.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(crate) struct Seen {
+    /// Index of the element.
+    pub element: usize,
+    /// The place.
+    pub place: Place,
+    /// Unit normal there.
+    #[serde(with = "vector")]
+    pub normal: DVec3,
+}
+
+impl Seen {
+    /// The place as a receiver.
+    pub(crate) fn vantage(&self) -> ReceiverPoint {
+        ReceiverPoint::on(self.place.surface, self.place.position, self.normal)
+    }
+
+    /// Whether light may be interpolated between this place and another: on about one smooth surface.
+    pub(crate) fn goes_with(&self, other: &Self) -> bool {
+        let step = other.place.position - self.place.position;
+        let most = if self.place.surface == other.place.surface { BENT } else { LEVEL } * step.length();
+        self.normal.dot(other.normal) > ALIKE
+            && step.dot(self.normal).abs() <= most
+            && step.dot(other.normal).abs() <= most
+    }
+}
+
+/// What meets camera rays.
+#[derive(Debug)]
+pub(crate) struct Eye<'a> {
+    pub elements: &'a Elements,
+    pub visibility: &'a Visibility,
+    /// Diagonal of the scene's bounding box.
+    pub diagonal: f64,
+}
+
+impl Eye<'_> {
+    /// The front that a ray meets first, if it is a front.
+    pub(crate) fn along(&self, ray: &Ray) -> Option<Seen> {
+        let Encounter { surface, hit, front } = self.visibility.nearest(ray)?;
+        // Where two surfaces meet, light is the limit from within the visible one.
+        let spot = front.then(|| Spot::at(self.elements, surface, [hit.u, hit.v], self.diagonal))??;
+        Some(Seen { element: spot.element, place: spot.place, normal: spot.normal })
+    }
+}

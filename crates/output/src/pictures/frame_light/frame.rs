@@ -1,0 +1,59 @@
+//! Places in rows: what the middles of the pixels see, in some rows of a picture, or the texels of a surface.
+
+use std::ops::Range;
+
+use radiosity_work::ranks;
+
+use crate::pictures::pinhole::Pinhole;
+
+use super::eye::{Eye, Seen};
+
+/// Pixels that one thread looks through after each other. Chosen: they take about a microsecond each.
+const TOGETHER: usize = 256;
+
+/// The places seen, row by row.
+#[derive(Debug)]
+pub(crate) struct Frame {
+    width: usize,
+    rows: Range<usize>,
+    seen: Vec<Option<Seen>>,
+}
+
+impl Frame {
+    /// The rows `rows` of a picture of so many columns.
+    pub(crate) fn new(eye: &Eye, view: &Pinhole, width: usize, rows: Range<usize>) -> Self {
+        let first = rows.start * width;
+        let seen = ranks::current().map_even(rows.len() * width, TOGETHER, |index| {
+            let (row, column) = ((first + index) / width, (first + index) % width);
+            eye.along(&view.ray(column as f64 + 0.5, row as f64 + 0.5))
+        });
+        Self { width, rows, seen }
+    }
+
+    /// These places, row by row of so many columns.
+    pub(crate) fn of(width: usize, seen: Vec<Option<Seen>>) -> Self {
+        Self { width, rows: 0..seen.len() / width, seen }
+    }
+
+    /// Number of pixels.
+    pub(crate) fn len(&self) -> usize {
+        self.seen.len()
+    }
+
+    /// Column and row, counted from the first of these rows, of a pixel.
+    pub(crate) fn place(&self, pixel: usize) -> [usize; 2] {
+        [pixel % self.width, pixel / self.width]
+    }
+
+    /// The pixel at a column and a row, counted from the first of these, if it is one of them.
+    pub(crate) fn pixel(&self, [column, row]: [isize; 2]) -> Option<usize> {
+        let is_within =
+            (0..self.width as isize).contains(&column) && (0..self.rows.len() as isize).contains(&row);
+        is_within.then(|| row as usize * self.width + column as usize)
+    }
+
+    /// What a pixel sees.
+    pub(crate) fn seen(&self, pixel: usize) -> Option<&Seen> {
+        self.seen[pixel].as_ref()
+    }
+}

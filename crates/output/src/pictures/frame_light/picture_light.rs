@@ -1,0 +1,210 @@
+//! The light of a picture, in two parts: direct light, which has edges, and the rest, which is smooth.
+
+use radiosity_geom::DVec3;
+use radiosity_light::direct::DirectLight;
+use radiosity_light::penumbra::{Care, Factor, Penumbra, Shade};
+use radiosity_solve::gather::Gather;
+use radiosity_solve::gather::by_rays::{Estimate, RayGather};
+use radiosity_solve::gather::choice::By;
+use radiosity_solve::solution::Solution;
+use radiosity_visibility::Visibility;
+use serde::{Deserialize, Serialize};
+
+use crate::readings::reader::Read;
+use crate::readings::shown::{Here, Shown};
+
+use super::eye::Seen;
+use super::smooth::Known;
+
+/// Pairs of an emitter and something that may stand before it, at most, for which direct light is computed without rays.
+/// Chosen.
+const FEW: usize = 2000;
+
+/// Error of gathered light by rays, over the accuracy asked for: ten or so values are averaged where light is
+/// interpolated. Chosen.
+pub(crate) const AVERAGED: f64 = 2.0;
+
+/// Error of direct light in penumbrae, over the accuracy asked for. Chosen: the eye finds no steps there.
+const IN_PENUMBRA: f64 = 2.0;
+
+/// How direct light is looked for on the other side of what lets light through: there is no frame to compare it with.
+const BEHIND: Care = Care { rough: 1.0, sure: true };
+
+/// Direct irradiance at a place.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(crate) struct Lit {
+    /// Per band (W m⁻²).
+    pub bands: Vec<f64>,
+    /// Which emitters were seen, where rays looked for them.
+    pub shade: Option<Shade>,
+}
+
+/// Direct light and the rest.
+#[derive(Debug)]
+pub(crate) struct PictureLight<'a> {
+    solution: &'a Solution,
+    shown: Shown,
+    /// Where it is seen from, in a picture.
+    eye: Option<DVec3>,
+    direct: Direct<'a>,
+    rest: Rest<'a>,
+}
+
+#[derive(Debug)]
+enum Direct<'a> {
+    /// Polynomials have it.
+    None,
+    Exact(DirectLight<'a>),
+    Rays(Penumbra<'a>),
+}
+
+#[derive(Debug)]
+enum Rest<'a> {
+    Polynomials,
+    Cells(Gather<'a>),
+    Rays(RayGather<'a>),
+}
+
+impl<'a> PictureLight<'a> {
+    /// The light of `solution`, as it is read to about the relative accuracy `eps`.
+    pub(crate) fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
+        let twice = read == Read::GatherTwice;
+        let rest = match read {
+            Read::Basis | Read::Direct => Rest::Polynomials,
+            _ if By::Auto.rays(solution, visibility, AVERAGED * eps, twice) => {
+                Rest::Rays(RayGather::new(solution, visibility, AVERAGED * eps, twice))
+            }
+            _ if twice => Rest::Cells(Gather::twice(solution, visibility, eps)),
+            _ => Rest::Cells(Gather::new(solution, visibility, eps)),
+        };
+        let emitters = solution.emitters();
+        let direct = match read {
+            Read::Basis => Direct::None,
+            _ if is_exact(solution, visibility) => {
+                Direct::Exact(DirectLight::within(&emitters, visibility, eps))
+            }
+            _ => Direct::Rays(Penumbra::new(&emitters, visibility, IN_PENUMBRA * eps)),
+        };
+        Self { solution, shown: Shown::default(), eye: None, direct, rest }
+    }
+
+    /// The same light, of which a picture shows this, as seen from the point `eye`.
+    pub(crate) fn showing(self, shown: Shown, eye: DVec3) -> Self {
+        Self { shown, eye: Some(eye), ..self }
+    }
+
+    /// Whether the rest is gathered: then it is dear, and smooth across elements.
+    pub(crate) fn gathers(&self) -> bool {
+        !matches!(self.rest, Rest::Polynomials)
+    }
+
+    /// Direct light at a place.
+    pub(crate) fn direct(&self, seen: &Seen, care: Care) -> Lit {
+        let mut bands = vec![0.0; self.solution.bands().len()];
+        let mut shade = None;
+        match &self.direct {
+            Direct::None => {}
+            Direct::Exact(light) => {
+                let rest = self.polynomials(seen);
+                bands = light.at_beside(seen.element, seen.place.position, seen.normal, &rest);
+            }
+            Direct::Rays(light) => {
+                let rest = self.polynomials(seen);
+                let beside = rest.iter().sum::<f64>() / rest.len() as f64;
+                let sight = light.sight(&seen.vantage(), beside, care);
+                bands = sight.points;
+                for Factor { element, value } in sight.factors {
+                    for (sum, band) in bands.iter_mut().zip(self.solution.bands()) {
+                        *sum += value * band.coating.exitance[element];
+                    }
+                }
+                shade = Some(sight.shade);
+            }
+        }
+        Lit { bands, shade }
+    }
+
+    /// The rest of the light beside the direct light `lit` (W m⁻² per band).
+    pub(crate) fn rest(&self, seen: &Seen, lit: &[f64]) -> Known {
+        match &self.rest {
+            Rest::Polynomials => Known { bands: self.polynomials(seen), error: 0.0 },
+            Rest::Cells(gather) => {
+                let vantage = seen.vantage();
+                let around = gather.reflection().around(&vantage.site());
+                Known { bands: gather.reflection().irradiance(&vantage, &around, lit), error: 0.0 }
+            }
+            Rest::Rays(gather) => {
+                let Estimate { irradiance, deviation } = gather.reflected(&seen.vantage(), lit);
+                let all: f64 = irradiance.iter().chain(lit).sum();
+                Known { bands: irradiance, error: deviation.relative * all }
+            }
+        }
+    }
+
+    /// What polynomials know: all light, or what was reflected at least once, which is not negative.
+    fn polynomials(&self, seen: &Seen) -> Vec<f64> {
+        let bands = 0..self.solution.bands().len();
+        match self.direct {
+            Direct::None => {
+                bands.map(|band| self.solution.irradiance(band, seen.element, &seen.place)).collect()
+            }
+            _ => {
+                let mut rest = vec![0.0; bands.len()];
+                self.solution.indirect_bands(seen.element, &seen.place, &mut rest);
+                rest.into_iter().map(|value| value.max(0.0)).collect()
+            }
+        }
+    }
+
+    /// What is shown per band under this irradiance.
+    pub(crate) fn shown(&self, seen: &Seen, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
+        let bands = self.solution.bands().iter();
+        let (directed, behind) = (self.directed(seen), self.behind(seen));
+        let light = bands.zip(irradiance).zip(behind);
+        let (element, parameters) = (seen.element, seen.place.parameters);
+        light
+            .map(|((band, irradiance), behind)| {
+                let here = Here { element, parameters, irradiance, behind, directed };
+                self.shown.of(&band.coating, &here)
+            })
+            .collect()
+    }
+
+    /// Irradiance per band (W m⁻²) on the other side of a place that lets light through: direct light, and polynomials for the
+    /// rest; else 0.
+    fn behind(&self, seen: &Seen) -> Vec<f64> {
+        let shows = self.shown == Shown::Radiosity;
+        let behind = if shows { self.solution.behind(seen.element, &seen.place) } else { None };
+        let Some((element, place)) = behind else { return vec![0.0; self.solution.bands().len()] };
+        let other_side = Seen { element, place, normal: -seen.normal };
+        let direct = self.direct(&other_side, BEHIND).bands;
+        direct.iter().zip(self.polynomials(&other_side)).map(|(d, s)| d + s).collect()
+    }
+
+    /// Radiance of the own light of a place towards the eye, over that of a diffuse emitter.
+    fn directed(&self, seen: &Seen) -> f64 {
+        self.eye.map_or(1.0, |eye| {
+            let into = (eye - seen.place.position).normalize_or_zero();
+            self.solution.emitters().radiances.relative(seen.place.surface, into)
+        })
+    }
+
+    /// The solution that is seen.
+    pub(crate) fn solution(&self) -> &'a Solution {
+        self.solution
+    }
+}
+
+/// Whether direct light has closed forms at little cost: flat emitters behind few things, all flat. So it is without
+/// shadows too.
+fn is_exact(solution: &Solution, visibility: &Visibility) -> bool {
+    let (list, coatings) = (solution.elements().list(), solution.coatings());
+    let emits = |element: &usize| coatings.iter().any(|coating| coating.exitance[*element] > 0.0);
+    let emitters: Vec<usize> = (0..list.len()).filter(emits).collect();
+    let standing: Vec<usize> =
+        (0..solution.elements().surfaces()).filter(|surface| visibility.stands(*surface)).collect();
+    !visibility.casts()
+        || (emitters.iter().all(|emitter| list[*emitter].plane.is_some())
+            && visibility.are_planar(&standing)
+            && emitters.len() * standing.len() <= FEW)
+}

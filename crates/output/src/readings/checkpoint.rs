@@ -1,0 +1,87 @@
+//! What a run took from its checkpoint, and what it added.
+
+use std::fmt;
+
+use radiosity_work::ranks;
+use radiosity_work::ranks::journal::{Journal, Tally};
+use serde::Serialize;
+
+use crate::readings::warning::Warning;
+
+/// What all ranks of a run took from its checkpoint, and what they added.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Checkpoint {
+    /// Pieces of work that were there, and were not done again.
+    pub recalled: u64,
+    /// Pieces that were done, and written.
+    pub recorded: u64,
+    /// Bytes of the latter.
+    pub bytes: u64,
+    /// Why some that were done were not written, if so.
+    pub incomplete: Option<String>,
+}
+
+impl Checkpoint {
+    /// That of the current ranks so far; None where they record nothing. All ranks ask together.
+    pub fn so_far() -> Option<Self> {
+        let ranks = ranks::current();
+        let own = ranks.journal().map(Journal::tally)?;
+        let all = ranks.all(own);
+        let sum = |count: fn(&Tally) -> u64| all.iter().map(count).sum();
+        Some(Self {
+            recalled: sum(|rank| rank.recalled),
+            recorded: sum(|rank| rank.recorded),
+            bytes: sum(|rank| rank.bytes),
+            incomplete: all.iter().find_map(|rank| rank.failed.clone()),
+        })
+    }
+
+    /// A warning where it is incomplete.
+    pub fn warning(&self) -> Option<Warning> {
+        let why = self.incomplete.as_ref()?;
+        let message = format!(
+            "the checkpoint is incomplete, and a run that resumes would do again what is missing: {why}; make room, or record in \
+             another folder"
+        );
+        Some(Warning::general("checkpoint-incomplete", message))
+    }
+}
+
+/// One line.
+impl fmt::Display for Checkpoint {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        let Self { recalled, recorded, bytes, .. } = self;
+        let megabytes = *bytes as f64 / 1e6;
+        write!(to, "checkpoint: {recalled} pieces recalled, {recorded} recorded ({megabytes:.3} MB)")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use radiosity_work::ranks::current;
+    use radiosity_work::ranks::journal::Begin;
+    use radiosity_work::ranks::threads::on_ranks;
+
+    use super::*;
+
+    #[test]
+    fn it_sums_up_what_ranks_took_and_added() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let told = |begin| {
+            on_ranks(3, || {
+                let recording = current().recording(folder.path(), 1, begin).expect("a folder");
+                recording.within(|| {
+                    current().map(&[1.0; 8], |piece| piece);
+                    Checkpoint::so_far().expect("it is recorded")
+                })
+            })
+        };
+        for (begin, [recalled, recorded]) in [(Begin::Anew, [0, 8]), (Begin::Resume, [8, 0])] {
+            for rank in told(begin) {
+                assert_eq!([rank.recalled, rank.recorded], [recalled, recorded]);
+                assert_eq!((rank.bytes > 0, rank.incomplete), (recorded > 0, None));
+            }
+        }
+        assert_eq!(Checkpoint::so_far(), None);
+    }
+}

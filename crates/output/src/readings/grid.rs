@@ -1,0 +1,302 @@
+//! Means of irradiance and radiosity over cells of equal parameter size.
+//!
+//! For each surface and each cell of an m × n cut of [−1, 1]²,
+//!
+//! ```text
+//! mean E = 1/A_cell ∫_{cell ∩ element} E dA ,
+//! ```
+//!
+//! with A_cell the area of the cell within the surface's outer outline, holes included: the mean counts a hole, where
+//! something else stands, as dark. Integrals of polynomials are exact on flat surfaces. Recomputed light is integrated
+//! by Gauss rules over the pieces of the cell; direct light, cheap but with shadow edges, gets more points than
+//! gathered light.
+
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use radiosity_elements::cells::cells_of;
+use radiosity_elements::clip_to_cell;
+use radiosity_elements::coating::Means;
+use radiosity_elements::patch::{Node, Patch};
+use radiosity_elements::rule::UnitRule;
+use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_area};
+use radiosity_light::direct::DirectLight;
+use radiosity_light::occluders::Site;
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_light::reflected::Reflection;
+use radiosity_solve::gather::by_rays::{Deviation, Receiver};
+use radiosity_solve::solution::Place;
+use radiosity_work::ranks;
+use radiosity_work::ranks::vector;
+use serde::{Deserialize, Serialize};
+
+use crate::readings::reader::{Light, Reader, Value};
+
+/// Means over one cell of one surface.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cell {
+    /// Index of the surface.
+    pub surface: usize,
+    /// Place of the cell along u and v.
+    pub index: [usize; 2],
+    /// Mean irradiance per band (W m⁻²).
+    pub irradiance: Vec<f64>,
+    /// Mean radiosity per band (W m⁻²).
+    pub radiosity: Vec<f64>,
+    /// Mean absorbed flux per band (W m⁻²): (1 − ρ − τ) E.
+    pub absorbed: Vec<f64>,
+    /// Standard deviation of an irradiance by rays.
+    pub deviation: Option<Deviation>,
+    /// Area of the cell within the outer outline (scene length²).
+    pub area: f64,
+    /// Area of its elements: without holes, and without footprints that are cut out of them (scene length²).
+    pub exposed: f64,
+    /// The point in the middle of the cell's parameters, in the coordinates that the scene is computed in: less
+    /// [`Scene::middle`](radiosity_scene::Scene::middle).
+    #[serde(with = "vector")]
+    pub position: DVec3,
+}
+
+/// Points along each side of a cell for recomputed light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rates {
+    /// Direct light.
+    pub direct: usize,
+    /// Gathered light.
+    pub indirect: usize,
+}
+
+impl Default for Rates {
+    /// 4 and 2: on the Cornell box more points change little.
+    fn default() -> Self {
+        Self { direct: 4, indirect: 2 }
+    }
+}
+
+/// Most cells that a thread gets at once: cells in shadow take many times as long as others. Chosen; not tuned.
+const AT_ONCE: usize = 8;
+
+/// The means over `cells` = [along u, along v] of every surface, v fastest; `progress` gets (done, all) from any
+/// thread.
+///
+/// Cells without area are left out.
+pub fn grid(
+    reader: &Reader,
+    cells: [usize; 2],
+    rates: Rates,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Vec<Cell> {
+    let surfaces = reader.solution().elements().surfaces();
+    let outlines: Vec<Option<Vec<Vec<DVec3>>>> =
+        (0..surfaces).map(|surface| outline(reader.solution().elements().shape(surface))).collect();
+    let rects: Vec<Rect> = cells_of(cells).collect();
+    let (total, done) = (surfaces * rects.len(), AtomicUsize::new(0));
+    let all = ranks::current().map_even(total, AT_ONCE, |place| {
+        let (surface, k) = (place / rects.len(), place % rects.len());
+        let integrals = Integrals::over(reader, surface, &rects[k], rates);
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+        let shape = reader.solution().elements().shape(surface);
+        let area = outlines[surface]
+            .as_ref()
+            .map(|pieces| clip_to_cell(shape, pieces, &rects[k]).iter().map(|part| polygon_area(part)).sum());
+        let [u, v] = rects[k].center();
+        integrals.cell(surface, [k / cells[1], k % cells[1]], shape.jet(u, v).position, area)
+    });
+    all.into_iter().filter(|cell| cell.area > 0.0).collect()
+}
+
+/// Convex pieces of the outer outline of a planar surface; None for curved ones.
+fn outline(shape: &dyn Surface) -> Option<Vec<Vec<DVec3>>> {
+    let region = shape.region()?;
+    if region.holes().is_empty() {
+        return Some(region.convex_pieces().to_vec());
+    }
+    PlanarRegion::new(region.outer().to_vec(), Vec::new()).ok().map(|whole| whole.convex_pieces().to_vec())
+}
+
+/// ∫ E dA, ∫ B dA and ∫ (1 − ρ − τ) E dA per band, and ∫ dA, over the part of a surface in a rectangle of its parameters.
+struct Integrals {
+    irradiance: Vec<f64>,
+    radiosity: Vec<f64>,
+    absorbed: Vec<f64>,
+    covered: f64,
+    /// Standard deviations of what rays gathered.
+    deviations: Deviations,
+}
+
+/// Standard deviations of integrals that are added, all bands together.
+#[derive(Default)]
+struct Deviations {
+    /// Sum of the squares of their sizes (W).
+    squares: f64,
+    is_dark: bool,
+    are_rays: bool,
+}
+
+impl Deviations {
+    /// Adds that of the integral `size` (W).
+    fn add(&mut self, deviation: Deviation, size: f64) {
+        self.squares += (deviation.relative * size).powi(2);
+        self.is_dark |= deviation.is_dark;
+        self.are_rays = true;
+    }
+
+    /// That of all, where all integrals together are `size` (W).
+    fn over(&self, size: f64) -> Option<Deviation> {
+        let relative = if size > 0.0 { self.squares.sqrt() / size } else { 0.0 };
+        self.are_rays.then_some(Deviation { relative, is_dark: self.is_dark })
+    }
+}
+
+impl Integrals {
+    fn over(reader: &Reader, surface: usize, rect: &Rect, rates: Rates) -> Self {
+        let bands = reader.solution().bands();
+        let mut sums = Self {
+            irradiance: vec![0.0; bands.len()],
+            radiosity: vec![0.0; bands.len()],
+            absorbed: vec![0.0; bands.len()],
+            covered: 0.0,
+            deviations: Deviations::default(),
+        };
+        // Elements of the other side whose light comes through.
+        let mut behind = BTreeSet::new();
+        for element in reader.solution().elements().of_surface(surface) {
+            for patch in reader.solution().elements().patches_over(element, rect) {
+                let area = area(&patch);
+                let Value { irradiance, deviation } = over_patch(reader, element, &patch, rates);
+                let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
+                sums.covered += area;
+                if let Some(deviation) = deviation {
+                    sums.deviations.add(deviation, irradiance.iter().sum());
+                }
+                for (index, band) in bands.iter().enumerate() {
+                    let Means { exitance, reflectance } = band.coating.means_over(element, &patch, rect);
+                    let kept = 1.0 - reflectance - band.coating.transmittance(element);
+                    sums.irradiance[index] += irradiance[index];
+                    sums.radiosity[index] += exitance * area + reflectance * irradiance[index];
+                    sums.absorbed[index] += kept * irradiance[index];
+                }
+            }
+            behind.extend(bands.iter().flat_map(|band| band.coating.all_behind(element)));
+        }
+        for element in behind {
+            for patch in reader.solution().elements().patches_over(element, rect) {
+                let area = area(&patch);
+                let arriving = over_patch(reader, element, &patch, rates).irradiance;
+                for (index, band) in bands.iter().enumerate() {
+                    sums.radiosity[index] += band.coating.transmittance(element) * area * arriving[index];
+                }
+            }
+        }
+        sums
+    }
+
+    /// The means; `area` is that of the cell if the surface has an outline, else the integrated area is taken.
+    fn cell(self, surface: usize, index: [usize; 2], position: DVec3, area: Option<f64>) -> Cell {
+        let exposed = self.covered;
+        let area = area.unwrap_or(exposed);
+        let mean =
+            |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
+        let deviation = self.deviations.over(self.irradiance.iter().sum());
+        let [irradiance, radiosity, absorbed] = [self.irradiance, self.radiosity, self.absorbed].map(mean);
+        Cell { surface, index, irradiance, radiosity, absorbed, deviation, area, exposed, position }
+    }
+}
+
+/// Gauss points along each direction for the area of a curved patch. Chosen; not tuned.
+const AREA_POINTS: usize = 16;
+
+/// Mean of E per band over a patch of an element.
+fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> Value {
+    let owner = &reader.solution().elements().list()[element];
+    let degree = owner.basis.total_degree();
+    let exact = if patch.is_flat() { degree / 2 + 2 } else { degree + 4 };
+    let place = |node: &Node| Place {
+        surface: owner.surface,
+        parameters: node.parameters.to_array(),
+        position: node.position,
+    };
+    let horizon = owner.plane.map(|(_, normal)| normal);
+    let polynomials = |node: &Node| reader.polynomials(element, &place(node));
+    let indirect = |node: &Node| reader.indirect_polynomials(element, &place(node));
+    match reader.light() {
+        // Masks have edges, like direct light.
+        Light::Basis if reader.solution().masked().is_some() => {
+            mean(patch, exact.max(rates.direct), polynomials).into()
+        }
+        Light::Basis => mean(patch, exact, polynomials).into(),
+        Light::Direct(direct) => {
+            sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))
+                .into()
+        }
+        Light::Rays(gather) => gather.read(&Receiver::Patch { surface: owner.surface, patch }).into(),
+        Light::Gather(gather) => {
+            let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
+            let gathered = gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);
+            sum(lit, &gathered).into()
+        }
+    }
+}
+
+/// Area of a patch, to rounding if it is flat.
+fn area(patch: &Patch) -> f64 {
+    let rule = UnitRule::of(if patch.is_flat() { 2 } else { AREA_POINTS });
+    let weights = rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t)));
+    weights.map(|((s, ws), (t, wt))| ws * wt * patch.node(s, t).area).sum()
+}
+
+/// Gauss points per direction where direct light is smooth: 2 × 2 then err by about 8e-5 ([`DirectLight::is_smooth`]).
+const SMOOTH: usize = 2;
+
+/// Mean of D per band over a patch.
+fn lit(
+    direct: &DirectLight,
+    surface: usize,
+    patch: &Patch,
+    horizon: Option<DVec3>,
+    points: usize,
+) -> Vec<f64> {
+    let hull = patch.hull();
+    let site = Site { points: &hull, horizon, surface: Some(surface) };
+    let surroundings = direct.around(&site);
+    let points = if direct.is_smooth(&site, &surroundings) { points.min(SMOOTH) } else { points };
+    let value = |node: &Node| {
+        direct.irradiance(&ReceiverPoint::on(surface, node.position, node.normal), &surroundings)
+    };
+    mean(patch, points, value)
+}
+
+/// Mean of E − D per band over a patch, where the mean of D is `lit`.
+fn gathered(
+    reflection: &Reflection,
+    surface: usize,
+    patch: &Patch,
+    horizon: Option<DVec3>,
+    points: usize,
+    lit: &[f64],
+) -> Vec<f64> {
+    let surroundings = reflection.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
+    mean(patch, points, |node| {
+        reflection.irradiance(&ReceiverPoint::on(surface, node.position, node.normal), &surroundings, lit)
+    })
+}
+
+/// ∫ value dA / ∫ dA over a patch, both by the same Gauss rule, which is exact for constants with any number of points.
+fn mean(patch: &Patch, points: usize, value: impl Fn(&Node) -> Vec<f64>) -> Vec<f64> {
+    let rule = UnitRule::of(points);
+    let (mut total, mut area) = (Vec::new(), 0.0);
+    for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+        let node = patch.node(s, t);
+        let weight = ws * wt * node.area;
+        area += weight;
+        let values = value(&node);
+        total.resize(values.len(), 0.0);
+        total.iter_mut().zip(values).for_each(|(total, value)| *total += weight * value);
+    }
+    total.into_iter().map(|total| if area > 0.0 { total / area } else { 0.0 }).collect()
+}
+
+fn sum(mut a: Vec<f64>, b: &[f64]) -> Vec<f64> {
+    a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+    a
+}

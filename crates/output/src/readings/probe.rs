@@ -1,0 +1,158 @@
+//! Irradiance at single points, and radiosity where they lie on a surface.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use radiosity_geom::DVec3;
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_scene::SensorPlane;
+use radiosity_solve::gather::by_rays::Deviation;
+use radiosity_solve::gather::spot::Spot;
+use radiosity_solve::solution::Place;
+use radiosity_work::ranks;
+use serde::{Deserialize, Serialize};
+
+use crate::readings::reader::{Light, Reader, Value};
+
+/// Least cosine between a probe's normal and its surface's for which they count as equal: where only polynomials are
+/// known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not tuned.
+const SAME_NORMAL: f64 = 0.9999;
+const EQUAL_NORMAL: f64 = 1.0 - 1e-14;
+
+/// A point with the direction it receives along.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Probe {
+    /// The point, in the coordinates that the scene was given in.
+    pub position: DVec3,
+    /// Unit normal.
+    pub normal: DVec3,
+}
+
+impl Probe {
+    /// A probe that receives along a direction of any length; None for one of length 0, or not finite.
+    pub fn along(position: DVec3, direction: DVec3) -> Option<Self> {
+        // Scaled by the largest component first: squares of very long or short directions leave the range of numbers.
+        let largest = direction.abs().max_element();
+        let is_some = direction.is_finite() && largest > 0.0;
+        is_some.then(|| Self { position, normal: (direction / largest).normalize() })
+    }
+
+    /// The sensors of a plane, in order.
+    pub fn of_plane(plane: &SensorPlane) -> impl Iterator<Item = Self> {
+        let normal = plane.normal();
+        plane.sensors().map(move |position| Self { position, normal })
+    }
+}
+
+/// The result of a probe.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The probe itself.
+    pub probe: Probe,
+    /// Irradiance per band (W m⁻²).
+    pub irradiance: Vec<f64>,
+    /// Standard deviation of what was gathered by rays; None otherwise.
+    pub deviation: Option<Deviation>,
+    /// The surface the probe lies on, if any.
+    pub on: Option<OnSurface>,
+}
+
+/// The surface under a probe.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct OnSurface {
+    /// Index of the surface.
+    pub surface: usize,
+    /// Its parameters there, in [−1, 1]².
+    pub parameters: [f64; 2],
+    /// Radiosity per band (W m⁻²), from the irradiance along the surface's own normal.
+    pub radiosity: Vec<f64>,
+}
+
+/// Why a probe cannot be read: polynomials exist on surfaces only, for their own normals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error, Serialize, Deserialize)]
+pub enum ProbeFault {
+    /// The probe lies on no surface.
+    #[error("the point lies on no surface that its normal leaves")]
+    OffSurface,
+    /// The probe's normal differs from its surface's.
+    #[error("the normal is not that of the surface under the point")]
+    Tilted,
+}
+
+/// Probes that one thread reads after each other. Chosen: they take up to some milliseconds each.
+const TOGETHER: usize = 4;
+
+/// Reads every probe; `middle` was subtracted from the scene's coordinates
+/// ([`Scene::middle`](radiosity_scene::Scene::middle)), and `progress` gets (probes done, probes in all), from any thread.
+///
+/// # Errors
+/// The index of the first probe that polynomials cannot answer, unless all light is gathered.
+pub fn probe(
+    reader: &Reader,
+    probes: &[Probe],
+    middle: DVec3,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<Reading>, (usize, ProbeFault)> {
+    let done = AtomicUsize::new(0);
+    let found = ranks::current().map_even(probes.len(), TOGETHER, |number| {
+        let found = read(reader, &probes[number], middle);
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
+        found
+    });
+    let reading = |(number, found): (usize, Result<Found, ProbeFault>)| {
+        let Found { irradiance, deviation, on } = found.map_err(|fault| (number, fault))?;
+        Ok(Reading { probe: probes[number], irradiance, deviation, on })
+    };
+    found.into_iter().enumerate().map(reading).collect()
+}
+
+/// What was read at a probe.
+#[derive(Serialize, Deserialize)]
+struct Found {
+    irradiance: Vec<f64>,
+    deviation: Option<Deviation>,
+    on: Option<OnSurface>,
+}
+
+fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Found, ProbeFault> {
+    let (position, normal) = (probe.position - middle, probe.normal);
+    let elements = reader.solution().elements();
+    let spot = Spot::find(elements, reader.visibility(), position, normal);
+    let along_surface = |spot: &Spot| reader.irradiance(spot.element, &place(reader, spot), spot.normal);
+    let (value, on) = match spot {
+        None => {
+            let free = ReceiverPoint::free(position, normal);
+            (reader.gathered(&free).ok_or(ProbeFault::OffSurface)?, None)
+        }
+        Some(spot) if reader.gathers() && spot.normal.dot(normal) < EQUAL_NORMAL => {
+            let on = on(reader, &spot, &along_surface(&spot).irradiance);
+            (reader.gathered(&spot.vantage(normal)).ok_or(ProbeFault::Tilted)?, Some(on))
+        }
+        Some(spot) if spot.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),
+        Some(spot) => {
+            let value = along_surface(&spot);
+            let on = on(reader, &spot, &value.irradiance);
+            (value, Some(on))
+        }
+    };
+    let Value { irradiance, deviation } = value;
+    Ok(Found { irradiance, deviation, on })
+}
+
+/// Where a spot is read: polynomials have a value at the foot itself, recomputed light near it.
+fn place(reader: &Reader, spot: &Spot) -> Place {
+    if !matches!(reader.light(), Light::Basis) {
+        return spot.place;
+    }
+    let Place { surface, .. } = spot.place;
+    let position = reader.solution().elements().shape(surface).jet(spot.foot[0], spot.foot[1]).position;
+    Place { surface, parameters: spot.foot, position }
+}
+
+fn on(reader: &Reader, spot: &Spot, irradiance: &[f64]) -> OnSurface {
+    let behind = reader.behind(spot.element, &place(reader, spot), spot.normal);
+    let bands = reader.solution().bands().iter().zip(irradiance).zip(behind);
+    let radiosity = bands.map(|((band, irradiance), behind)| {
+        band.coating.radiosity(spot.element, spot.place.parameters, *irradiance, behind)
+    });
+    OnSurface { surface: spot.place.surface, parameters: spot.foot, radiosity: radiosity.collect() }
+}

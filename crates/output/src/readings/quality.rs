@@ -1,0 +1,72 @@
+//! Presets: how finely a scene is solved and read, from a draft to the last useful digit.
+//!
+//! | quality | order | transfers | their shadows | gathered light | points a cell side, direct and gathered |
+//! | --- | --- | --- | --- | --- | --- |
+//! | quick | 2 | 5e-2 | 0.2 | 2e-3 | 3, 1 |
+//! | default | 3 | 1e-3 | 3e-3 | 1.25e-3 | 4, 2 |
+//! | fine | 4 | 1e-3 | 3e-3 | 7e-4 | 4, 2 |
+//! | finest | 4 | 1e-3 | 3e-3 | 4e-4, twice | 4, 3 |
+//!
+//! Chosen on the Cornell box (`cargo run --release --example read_off`) so that the errors of all stages are similar.
+//! Shadows of the draft's transfers may be rough: cells and points are gathered with exact shadows, and in pictures
+//! read from polynomials the error of the basis dominates.
+
+use radiosity_solve::Options;
+use radiosity_solve::gather::choice::{By, USUAL_EPS};
+use serde::Deserialize;
+
+use crate::readings::grid::Rates;
+use crate::readings::reader::Read;
+
+/// A preset.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
+pub enum Quality {
+    /// A draft.
+    Quick,
+    /// For most purposes.
+    #[default]
+    Default,
+    /// A higher order, gathered more accurately.
+    Fine,
+    /// Light gathered twice.
+    Finest,
+}
+
+/// How light is read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// The source of light at cells and points.
+    pub read: Read,
+    /// By what it is gathered.
+    pub by: By,
+    /// Relative accuracy of gathered light.
+    pub eps: f64,
+    /// Points along each side of a cell.
+    pub rates: Rates,
+}
+
+impl Quality {
+    /// Options to solve with; all others are as in [`Options::default`].
+    pub fn options(self) -> Options {
+        let (order, eps, shadow_eps) = match self {
+            Self::Quick => (2, 5e-2, 0.2),
+            Self::Default => return Options::default(),
+            Self::Fine => (4, 1e-3, 3e-3),
+            Self::Finest => (4, 1e-3, 3e-3),
+        };
+        Options { order, eps, shadow_eps, ..Options::default() }
+    }
+
+    /// How to read a scene that was solved with [`Quality::options`].
+    pub fn reading(self) -> Reading {
+        let (read, eps, direct, indirect) = match self {
+            Self::Quick => (Read::Gather, 2e-3, 3, 1),
+            Self::Default => (Read::Gather, USUAL_EPS, 4, 2),
+            Self::Fine => (Read::Gather, 7e-4, 4, 2),
+            Self::Finest => (Read::GatherTwice, 4e-4, 4, 3),
+        };
+        Reading { read, by: By::Auto, eps, rates: Rates { direct, indirect } }
+    }
+}

@@ -1,0 +1,107 @@
+//! What each rank of a run has done and sent.
+
+use std::fmt;
+
+use radiosity_work::ranks;
+use radiosity_work::ranks::Traffic;
+use serde::{Deserialize, Serialize};
+
+use crate::readings::peak_memory::peak_bytes;
+
+/// What one rank has done and sent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RankWork {
+    /// Its threads.
+    pub threads: usize,
+    /// Terms of the kernel's quadrature rules.
+    pub kernel_samples: u64,
+    /// Rays that carried pairs of elements, and segments tested for visibility.
+    pub rays: u64,
+    /// Bytes sent to others: pieces of work, and numbers that products with distributed matrices complete.
+    pub bytes_sent: u64,
+    /// Bytes of the latter alone.
+    pub bytes_of_products: u64,
+    /// Those products.
+    pub products: u64,
+    /// Peak memory, where the system reports it.
+    pub peak_bytes: Option<u64>,
+}
+
+/// What all ranks of a run have done and sent, in their order; two at the least.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct RanksWork(Vec<RankWork>);
+
+impl RankWork {
+    /// That of this rank so far, which works with so many threads.
+    fn so_far(threads: usize) -> Self {
+        let Traffic { samples, rays, pieces, numbers, products } = ranks::current().traffic();
+        Self {
+            threads,
+            kernel_samples: samples,
+            rays,
+            bytes_sent: pieces + numbers,
+            bytes_of_products: numbers,
+            products,
+            peak_bytes: peak_bytes(),
+        }
+    }
+}
+
+impl RanksWork {
+    /// That of the current ranks so far, of which this one works with so many threads; None where it is alone. All ranks ask
+    /// together.
+    pub fn so_far(threads: usize) -> Option<Self> {
+        let ranks = ranks::current();
+        (!ranks.are_alone()).then(|| Self(ranks.all(RankWork::so_far(threads))))
+    }
+
+    /// By how much the rank that is farthest from it is off the mean, relative to that; None where nothing was counted.
+    fn imbalance(&self, count: impl Fn(&RankWork) -> u64) -> Option<f64> {
+        let counts: Vec<f64> = self.0.iter().map(|rank| count(rank) as f64).collect();
+        let mean = counts.iter().sum::<f64>() / counts.len() as f64;
+        let off = counts.iter().map(|count| (count - mean).abs()).fold(0.0, f64::max);
+        (mean > 0.0).then(|| off / mean)
+    }
+}
+
+/// A figure of a rank.
+type Count = fn(&RankWork) -> u64;
+
+/// One line: how many ranks, how evenly they worked, and what they sent.
+impl fmt::Display for RanksWork {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        let threads: usize = self.0.iter().map(|rank| rank.threads).sum();
+        write!(to, "{} ranks with {threads} threads in all", self.0.len())?;
+        let counts: [(&str, Count); 2] =
+            [("kernel samples", |rank| rank.kernel_samples), ("rays", |rank| rank.rays)];
+        for (what, count) in counts {
+            if let Some(off) = self.imbalance(count) {
+                write!(to, ", {what} within {:.1} % of the mean", 100.0 * off)?;
+            }
+        }
+        let sent: u64 = self.0.iter().map(|rank| rank.bytes_sent).sum();
+        write!(to, "; {:.3} MB sent", sent as f64 / 1e6)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use radiosity_work::ranks::current;
+    use radiosity_work::ranks::threads::on_ranks;
+
+    use super::*;
+
+    #[test]
+    fn a_rank_alone_tells_nothing_and_several_tell_how_even_they_are() {
+        assert_eq!(RanksWork::so_far(2), None);
+        let told = on_ranks(3, || {
+            // 1, 2 and 3 thousand samples: the mean is 2, and a half of it is missed.
+            current().count_work(1000 * (current().number() as u64 + 1), 0);
+            RanksWork::so_far(2).expect("there are three").to_string()
+        });
+        for line in told {
+            let expected = "3 ranks with 6 threads in all, kernel samples within 50.0 % of the mean; ";
+            assert!(line.starts_with(expected), "{line}");
+        }
+    }
+}

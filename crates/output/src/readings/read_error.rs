@@ -1,0 +1,61 @@
+//! What light gathered by rays is in error by, over all points or cells.
+
+use std::fmt;
+
+use radiosity_solve::gather::by_rays::Deviation;
+use radiosity_work::wording::{option, words};
+use serde::Serialize;
+
+use crate::drawings::round::decimals;
+use crate::readings::warning::Warning;
+
+/// Errors of readings, over those asked for, that are worth a warning. Chosen.
+const MISSED: f64 = 1.5;
+
+/// Standard deviations of readings by rays, relative to each.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ReadError {
+    /// Root of the mean square.
+    pub rms: f64,
+    /// The largest.
+    pub largest: f64,
+    /// Number of readings of less than 2 % of the scene's mean radiosity in a band; theirs are relative to these 2 %.
+    pub dark: usize,
+}
+
+impl ReadError {
+    /// Of these readings; None where light was not gathered by rays.
+    pub fn of(readings: impl Iterator<Item = Option<Deviation>>) -> Option<Self> {
+        let deviations: Vec<Deviation> = readings.flatten().collect();
+        let squares: f64 = deviations.iter().map(|deviation| deviation.relative.powi(2)).sum();
+        let largest = deviations.iter().map(|deviation| deviation.relative).reduce(f64::max)?;
+        let dark = deviations.iter().filter(|deviation| deviation.is_dark).count();
+        Some(Self { rms: (squares / deviations.len() as f64).sqrt(), largest, dark })
+    }
+}
+
+impl ReadError {
+    /// A warning where readings that were to err by `asked` err by much more.
+    pub fn warning(&self, asked: f64) -> Option<Warning> {
+        let message = || {
+            let told = format!(
+                "rays leave errors of {:.1e} in what is read, {:.1e} at most, where {asked:.1e} was asked for: some points \
+                 see small bright things or the edges of many; ask for a smaller ",
+                self.rms, self.largest
+            );
+            words(told) + option("read-eps") + " there"
+        };
+        (self.rms > MISSED * asked).then(|| Warning::general("reading-error", message()))
+    }
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [rms, largest] = [self.rms, self.largest].map(|error| decimals(100.0 * error, 2));
+        write!(f, "light gathered by rays: standard deviation {rms} % of what is read, {largest} % at most")?;
+        match self.dark {
+            0 => Ok(()),
+            dark => write!(f, "; of {dark} dark readings in % of 2 % of the scene's mean radiosity"),
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! Readers: the sources of values at points and means over cells.
+
+use radiosity_geom::DVec3;
+use radiosity_light::direct::DirectLight;
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_solve::gather::Gather;
+use radiosity_solve::gather::by_rays::{Deviation, Estimate, RayGather, Receiver};
+use radiosity_solve::gather::choice::By;
+use radiosity_solve::solution::{Place, Solution};
+use radiosity_visibility::Visibility;
+use serde::Deserialize;
+
+/// The source of irradiance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
+pub enum Read {
+    /// The polynomials of the elements alone.
+    Basis,
+    /// Direct light and its shadows recomputed at every point, the rest from the polynomials.
+    Direct,
+    /// Direct light, and the light that all surfaces reflect, gathered anew at every point, with shadows.
+    Gather,
+    /// The same, with the light of those surfaces gathered as well: slower, for the last digit.
+    GatherTwice,
+}
+
+/// A solution with the light that is recomputed from it.
+#[derive(Debug)]
+pub struct Reader<'a> {
+    solution: &'a Solution,
+    visibility: &'a Visibility,
+    light: Light<'a>,
+}
+
+/// The light that a [`Reader`] recomputes.
+#[derive(Debug)]
+pub enum Light<'a> {
+    /// Nothing.
+    Basis,
+    /// Direct light.
+    Direct(DirectLight<'a>),
+    /// All light, by cells.
+    Gather(Gather<'a>),
+    /// All light, by rays.
+    Rays(RayGather<'a>),
+}
+
+/// Irradiance as it was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Value {
+    /// Irradiance per band (W m⁻²).
+    pub irradiance: Vec<f64>,
+    /// Standard deviation of what was gathered by rays; None otherwise.
+    pub deviation: Option<Deviation>,
+}
+
+impl From<Vec<f64>> for Value {
+    fn from(irradiance: Vec<f64>) -> Self {
+        Self { irradiance, deviation: None }
+    }
+}
+
+impl From<Estimate> for Value {
+    fn from(Estimate { irradiance, deviation }: Estimate) -> Self {
+        Self { irradiance, deviation: Some(deviation) }
+    }
+}
+
+impl<'a> Reader<'a> {
+    /// Prepares to read `solution`; recomputed light has about the relative accuracy `eps`.
+    pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
+        Self::by(By::Auto, solution, visibility, read, eps)
+    }
+
+    /// As [`Reader::new`], with gathered light by cells or by rays.
+    pub fn by(by: By, solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
+        let light = match read {
+            Read::Gather | Read::GatherTwice
+                if by.rays(solution, visibility, eps, read == Read::GatherTwice) =>
+            {
+                Light::Rays(RayGather::new(solution, visibility, eps, read == Read::GatherTwice))
+            }
+            Read::Basis => Light::Basis,
+            Read::Direct => Light::Direct(DirectLight::within(&solution.emitters(), visibility, eps)),
+            Read::Gather => Light::Gather(Gather::new(solution, visibility, eps)),
+            Read::GatherTwice => Light::Gather(Gather::twice(solution, visibility, eps)),
+        };
+        Self { solution, visibility, light }
+    }
+
+    /// The solution that is read.
+    pub fn solution(&self) -> &'a Solution {
+        self.solution
+    }
+
+    /// The obstacles of the scene.
+    pub fn visibility(&self) -> &'a Visibility {
+        self.visibility
+    }
+
+    /// Whether all light is gathered.
+    pub fn gathers(&self) -> bool {
+        matches!(self.light, Light::Gather(_) | Light::Rays(_))
+    }
+
+    /// The light that is recomputed.
+    pub fn light(&self) -> &Light<'a> {
+        &self.light
+    }
+
+    /// The polynomials of irradiance (W m⁻²) per band at a place of an element.
+    pub fn polynomials(&self, element: usize, place: &Place) -> Vec<f64> {
+        let bands = 0..self.solution.bands().len();
+        bands.map(|band| self.solution.irradiance(band, element, place)).collect()
+    }
+
+    /// The polynomials of the irradiance (W m⁻²) that was reflected at least once, per band.
+    pub fn indirect_polynomials(&self, element: usize, place: &Place) -> Vec<f64> {
+        let bands = 0..self.solution.bands().len();
+        bands.map(|band| self.solution.indirect(band, element, place)).collect()
+    }
+
+    /// Irradiance per band at a place of an element with unit normal `normal`, on its front.
+    pub fn irradiance(&self, element: usize, place: &Place, normal: DVec3) -> Value {
+        match &self.light {
+            Light::Basis => self.polynomials(element, place).into(),
+            Light::Direct(direct) => {
+                let rest = self.indirect_polynomials(element, place);
+                let lit = direct.at_beside(element, place.position, normal, &rest);
+                lit.iter().zip(rest).map(|(d, s)| d + s).collect::<Vec<f64>>().into()
+            }
+            Light::Gather(_) | Light::Rays(_) => {
+                let vantage = ReceiverPoint::on(place.surface, place.position, normal);
+                self.gathered(&vantage).expect("light is gathered")
+            }
+        }
+    }
+
+    /// Irradiance per band (W m⁻²) on the other side of a place of an element that lets light through; 0 elsewhere. `normal` is
+    /// that of the element.
+    pub fn behind(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
+        match self.solution.behind(element, place) {
+            Some((behind, place)) => self.irradiance(behind, &place, -normal).irradiance,
+            None => vec![0.0; self.solution.bands().len()],
+        }
+    }
+
+    /// Irradiance per band at any point; None where light is not gathered.
+    pub fn gathered(&self, vantage: &ReceiverPoint) -> Option<Value> {
+        match &self.light {
+            Light::Basis | Light::Direct(_) => None,
+            Light::Gather(gather) => Some(gather.at(vantage).into()),
+            Light::Rays(gather) => Some(gather.read(&Receiver::Point(*vantage)).into()),
+        }
+    }
+}

@@ -1,0 +1,237 @@
+//! The report of a run: JSON with stable keys.
+
+mod warnings;
+
+use radiosity_elements::Elements;
+use radiosity_kernel::PairCounts;
+use radiosity_published::hierarchy::Counts;
+use radiosity_scene::{Fitted, Imported, LightGroup};
+use radiosity_solve::checks::Checks;
+use radiosity_solve::solved::Solved;
+use radiosity_solve::{Functional, Outcome};
+use serde::Serialize;
+
+use crate::readings::checkpoint::Checkpoint;
+use crate::readings::peak_memory::peak_bytes;
+use crate::readings::plane_figures::PlaneFigures;
+use crate::readings::rank_work::RanksWork;
+use crate::readings::read_error::ReadError;
+pub use crate::readings::warning::Warning;
+use warnings::warnings;
+
+/// The report of a run: what was done, its cost, and self-checks.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// Name of the scene.
+    pub scene: String,
+    /// Names of its bands.
+    pub bands: Vec<String>,
+    /// Unit of exitance, irradiance and radiosity.
+    pub unit: String,
+    /// Number of surfaces.
+    pub surfaces: usize,
+    /// What was done to the file of another program that it was read from; none for other scenes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub imported: Option<Imported>,
+    /// How their shapes were changed to fit together when the scene was read.
+    pub fitted: Fitted,
+    /// Its light groups with their factors.
+    pub light_groups: Vec<LightGroup>,
+    /// Number of elements.
+    pub elements: usize,
+    /// Number of coefficients per band.
+    pub unknowns: usize,
+    /// The functions that are summed.
+    pub basis: &'static str,
+    /// The variational functional at the solution, for each band and light group; empty where nothing was solved for, or a file was read.
+    pub functionals: Vec<Functional>,
+    /// Total degree where a surface does not state its own.
+    pub order: usize,
+    /// Lowest and highest degree of any element.
+    pub orders: [usize; 2],
+    /// Name of the solver that was used.
+    pub solver: String,
+    /// Threads used.
+    pub threads: usize,
+    /// What each rank has done and sent, where several share the work.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ranks: Option<RanksWork>,
+    /// What came from a checkpoint, and what was added to it, where work is recorded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub checkpoint: Option<Checkpoint>,
+    /// Version of the program.
+    pub version: &'static str,
+    /// Wall time per stage.
+    pub seconds: Seconds,
+    /// Peak memory, where the system reports it.
+    pub peak_bytes: Option<u64>,
+    /// What carried the pairs of elements, why, and how well.
+    pub transport: Transport,
+    /// Numbers of pairs of elements by how they were treated.
+    pub pairs: PairCounts,
+    /// Terms of the kernel's quadrature rules.
+    pub kernel_samples: u64,
+    /// Kernel evaluations; fewer than the terms where kernel values repeat.
+    pub kernel_samples_distinct: u64,
+    /// Segments tested for visibility.
+    pub shadow_rays: u64,
+    /// Largest error that unresolved parts leave in a block, relative to the larger of its largest entry and a
+    /// hundredth of its row's; zero where every part was resolved.
+    pub accuracy_reached: f64,
+    /// Estimated relative error of the radiosity, where an accuracy was wanted.
+    pub accuracy_estimate: Option<f64>,
+    /// How direct light entered: `split` or `projected`.
+    pub direct: &'static str,
+    /// Iterations of the solver, largest over the bands.
+    pub iterations: usize,
+    /// ‖b − e − ρ h‖₂ / ‖e‖₂, largest over the bands.
+    pub residual: f64,
+    /// Whether the solver reached its tolerance.
+    pub converged: bool,
+    /// Self-checks.
+    pub checks: Checks,
+    /// What the sensors of planes read.
+    pub planes: Vec<PlaneFigures>,
+    /// Errors of light that rays gathered at points.
+    pub read_error: Option<ReadError>,
+    /// Warnings to the user.
+    pub warnings: Vec<Warning>,
+}
+
+/// What carried the pairs of elements.
+#[derive(Clone, Debug, Serialize)]
+pub struct Transport {
+    /// `exact`, `sampled` or `hierarchical`.
+    pub kind: &'static str,
+    /// Why it was chosen.
+    pub why: String,
+    /// Rays sent; 0 if exact.
+    pub rays: u64,
+    /// Pairs of elements that were carried exactly beside the rays.
+    pub exact_pairs: usize,
+    /// Estimate of the relative error that rays leave in the mean irradiances of the elements (L2, largest of the
+    /// bands); none if exact.
+    pub error: Option<f64>,
+    /// What was linked, if hierarchical.
+    pub links: Option<Counts>,
+}
+
+impl Transport {
+    fn of(outcome: &Outcome) -> Self {
+        let kind = match outcome.links {
+            Some(_) => "hierarchical",
+            None if outcome.choice.sampled => "sampled",
+            None => "exact",
+        };
+        let rays = outcome.sampling.map_or(0, |sampling| sampling.rays);
+        let error = outcome.sampling.and_then(|sampling| sampling.error);
+        let exact_pairs = outcome.sampling.map_or(0, |sampling| sampling.exact_pairs);
+        Self { kind, why: outcome.choice.why.clone(), rays, exact_pairs, error, links: outcome.links }
+    }
+}
+
+/// Wall time per stage, s.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Seconds {
+    /// Reading the scene.
+    pub load: f64,
+    /// Cutting it into elements.
+    pub elements: f64,
+    /// Blocks of G, visibility within them included.
+    pub blocks: f64,
+    /// Finding surfaces that can cast a shadow.
+    pub visibility: f64,
+    /// Direct light and its first bounce, where they are split off.
+    pub direct: f64,
+    /// The linear systems.
+    pub solve: f64,
+    /// Estimation of the error from gathered light, where an accuracy is wanted.
+    pub estimate: f64,
+    /// Pictures, grids and files.
+    pub output: f64,
+    /// Everything.
+    pub total: f64,
+}
+
+impl Report {
+    /// The report of a solved scene; the caller sets the times of loading and output, the total, and what planes
+    /// read.
+    pub fn new(solved: &Solved) -> Self {
+        let Solved { scene, options, outcome, achieved, .. } = solved;
+        let elements = outcome.solution.elements();
+        Self {
+            scene: scene.name.clone(),
+            bands: scene.bands.clone(),
+            unit: scene.unit.clone(),
+            surfaces: scene.surfaces.len(),
+            imported: scene.imported().cloned(),
+            fitted: scene.fitted.clone(),
+            light_groups: scene.light_groups().into_iter().cloned().collect(),
+            elements: elements.list().len(),
+            unknowns: outcome.unknowns,
+            basis: options.basis.name(),
+            functionals: outcome.functionals.clone(),
+            order: options.order,
+            orders: orders(elements),
+            solver: outcome.solver.to_owned(),
+            threads: options.threads,
+            ranks: None,
+            checkpoint: None,
+            version: env!("CARGO_PKG_VERSION"),
+            seconds: seconds(outcome),
+            peak_bytes: peak_bytes(),
+            transport: Transport::of(outcome),
+            pairs: outcome.pairs,
+            kernel_samples: outcome.samples,
+            kernel_samples_distinct: outcome.distinct,
+            shadow_rays: outcome.rays,
+            accuracy_reached: outcome.accuracy_reached,
+            accuracy_estimate: achieved.and_then(|achieved| achieved.estimate),
+            direct: if outcome.split { "split" } else { "projected" },
+            iterations: outcome.iterations,
+            residual: outcome.residual,
+            converged: outcome.converged,
+            checks: outcome.checks,
+            planes: Vec::new(),
+            read_error: None,
+            warnings: warnings(solved),
+        }
+    }
+
+    /// Adds the errors of readings by rays that were to err by `asked`, with a warning where they err by much more.
+    pub fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
+        self.warnings.extend(error.and_then(|error| error.warning(asked)));
+        self.read_error = error;
+    }
+
+    /// Adds what came from a checkpoint and was added to it, with a warning where that is incomplete.
+    pub fn add_checkpoint(&mut self, checkpoint: Option<Checkpoint>) {
+        self.warnings.extend(checkpoint.as_ref().and_then(Checkpoint::warning));
+        self.checkpoint = checkpoint;
+    }
+
+    /// Adds what planes read, with warnings of sensors without light.
+    pub fn add_planes(&mut self, planes: Vec<PlaneFigures>) {
+        self.warnings.extend(planes.iter().filter_map(PlaneFigures::warning));
+        self.planes.extend(planes);
+    }
+}
+
+/// Lowest and highest degree of the elements; zeros if there are none.
+fn orders(elements: &Elements) -> [usize; 2] {
+    let orders = || elements.list().iter().map(|element| element.basis.order());
+    [orders().min().unwrap_or(0), orders().max().unwrap_or(0)]
+}
+
+fn seconds(outcome: &Outcome) -> Seconds {
+    let stages = outcome.seconds;
+    Seconds {
+        elements: stages.elements.as_secs_f64(),
+        blocks: stages.blocks.as_secs_f64(),
+        visibility: stages.visibility.as_secs_f64(),
+        direct: stages.direct.as_secs_f64(),
+        solve: stages.solve.as_secs_f64(),
+        estimate: stages.estimate.as_secs_f64(),
+        ..Seconds::default()
+    }
+}

@@ -1,0 +1,248 @@
+//! What a report warns of.
+
+use radiosity_core::dot;
+use radiosity_kernel::Miss;
+use radiosity_scene::Scene;
+use radiosity_solve::solution::Band;
+use radiosity_solve::solved::Solved;
+use radiosity_solve::studies::adaptation::{Achieved, End};
+use radiosity_solve::{Options, Outcome};
+use radiosity_visibility::inspection::Inspection;
+use radiosity_work::wording::{Wording, option, set, words};
+
+use crate::readings::missed::missed;
+
+use crate::readings::warning::Warning;
+
+/// The warnings of a solved scene.
+pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
+    let Solved { scene, options, outcome, achieved, .. } = solved;
+    let unconverged = (!outcome.converged).then(|| unconverged(outcome));
+    let adapted = achieved.iter().flat_map(|achieved| adaptation(scene, achieved));
+    let transfers = discretization(scene, options, outcome);
+    unconverged
+        .into_iter()
+        .chain(adapted)
+        .chain(transfers)
+        .chain(power(solved))
+        .chain(geometry(scene, outcome))
+        .collect()
+}
+
+/// What an inspection finds wrong with a scene that loses power, or elements of which send more than they have. Scenes
+/// of many surfaces are left to `radiosity check`.
+fn geometry(scene: &Scene, outcome: &Outcome) -> Vec<Warning> {
+    let checks = &outcome.checks;
+    let is_odd = checks.energy_lost.abs() > ODD * checks.energy_in || checks.row_sum_max > 1.0 + ODD;
+    if !is_odd || scene.surfaces.len() > FEW {
+        return Vec::new();
+    }
+    let found = Inspection::of(scene).warnings.into_iter().filter(|found| !found.is_of_something_missing());
+    found
+        .map(|found| Warning { surface: found.surface, ..Warning::general(found.code, found.message) })
+        .collect()
+}
+
+/// A warning where power appears, or is lost though no element sends light past all others by more than their transfers
+/// may miss.
+fn power(solved: &Solved) -> Option<Warning> {
+    let Solved { options, outcome, .. } = solved;
+    let checks = &outcome.checks;
+    let lost = checks.energy_lost / checks.energy_in;
+    let error = options.accuracy().eps.max(outcome.accuracy_reached);
+    let looks_closed = checks.row_sum_min > 1.0 - CLOSED * error;
+    let message = match lost {
+        _ if lost < -ODD => format!("{:.0} % more power is absorbed than emitted", -100.0 * lost),
+        _ if lost > ODD && looks_closed => {
+            format!("{:.0} % of the power is lost in a scene that looks closed", 100.0 * lost)
+        }
+        _ => return None,
+    };
+    Some(Warning::general("power-balance", words(message) + "; " + cure_of_power(outcome)))
+}
+
+/// Why power is lost or found, and what helps. Transfers lose of the radiosity B that they carry what their row sums miss 1 by,
+///
+/// ```text
+/// |⟨B, c − G c⟩| ≲ max_i |1 − Σ_j F_ij| ∫ B dA ,
+/// ```
+///
+/// and nothing where rays made these sums agree. What is much more than that is direct light, which enters otherwise.
+fn cure_of_power(outcome: &Outcome) -> Wording {
+    let Outcome { checks, solution, .. } = outcome;
+    let has_points = !solution.emitters().points.is_empty();
+    let missed = match outcome.sampling {
+        Some(_) => 0.0,
+        None => (1.0 - checks.row_sum_min).max(checks.row_sum_max - 1.0).max(0.0),
+    };
+    let ones = solution.elements().constant();
+    let of_band = |band: &Band| dot(&band.coefficients.radiosity, &ones);
+    let carried: f64 = solution.bands().iter().map(of_band).sum();
+    let is_direct = checks.energy_lost.abs() > BEYOND * missed * carried;
+    match (is_direct, has_points, outcome.split) {
+        (true, true, _) => words(
+            "narrow beams and patches of luminaires or the sun fall between the points at which elements take their light, and \
+                 what they reflect is off by as much: give the surfaces that they fall on a finer subdivide = [n, n] of their own",
+        ),
+        (true, false, true) => {
+            words(
+                "direct light, which is split off, falls on elements with borders that they do not resolve: give the surfaces that \
+                 it falls on a finer subdivide = [n, n] of their own, or take ",
+            ) + set("direct", "projected")
+        }
+        _ => {
+            words(
+                "where surfaces reflect nearly all light, the error of the transfers counts once for every reflection: lower ",
+            ) + option("eps")
+                + ", or send more "
+                + option("rays")
+        }
+    }
+}
+
+fn unconverged(outcome: &Outcome) -> Warning {
+    let told = format!(
+        "the solver did not converge, the relative residual is {:.1e}: the light is incomplete; raise ",
+        outcome.residual
+    );
+    let message = words(told) + option("max-iterations") + " or take another " + option("solver");
+    Warning::general("not-converged", message)
+}
+
+/// Warnings if a wanted accuracy was not reached.
+fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    if let Some(why) = why(achieved.end) {
+        let estimate = match achieved.estimate {
+            Some(estimate) => format!("the estimated error is {estimate:.1e}, more than asked for"),
+            None => "there is no estimate of the error".to_owned(),
+        };
+        warnings.push(Warning::general("accuracy-not-reached", words(estimate) + ", and " + why));
+    }
+    if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
+        let message = "some surfaces state their own order or subdivide and keep it: no run is finer there, and what \
+                       they miss stays in the estimated error";
+        warnings.push(Warning::general("accuracy-fixed", message));
+    }
+    warnings
+}
+
+/// Why no finer run followed and what to do; None if none was needed.
+fn why(end: End) -> Option<Wording> {
+    Some(match end {
+        End::Reached => return None,
+        End::Finest => {
+            words("there is no finer run to try: begin with a higher ")
+                + option("order")
+                + ", or ask for less"
+        }
+        End::Unknowns => words(
+            "the next finer elements would be too many: give surfaces with shadows or small details a subdivide of their \
+             own, or ask for less",
+        ),
+        End::Memory => {
+            words("the next finer run does not fit into memory: allow more with ")
+                + option("memory")
+                + ", or ask for less"
+        }
+        End::NotConverged => {
+            words("the solver did not converge in a finer run: raise ")
+                + option("max-iterations")
+                + ", or take another "
+                + option("solver")
+        }
+        End::Time => {
+            words("the next finer run would have taken longer than allowed: allow more with ")
+                + option("time-limit")
+                + ", or ask for less"
+        }
+        End::Stopped => words("the run was stopped: let it go on, or ask for less"),
+    })
+}
+
+/// Share of the power that is lost, and of what an element sends too much, from which the geometry is inspected; and the
+/// number of surfaces up to which that takes about a second at most. Chosen.
+const ODD: f64 = 0.01;
+const FEW: usize = 300;
+
+/// Power that is lost, over the most that transfers lose, from which direct light loses it. Chosen.
+const BEYOND: f64 = 2.0;
+
+/// Errors of the transfers within which row sums count as 1.
+const CLOSED: f64 = 3.0;
+
+/// Error of the mean irradiances of elements above which more rays are advised. Chosen: light gathered from such
+/// elements at points was
+/// 3 % off in a classroom.
+const ROUGH: f64 = 0.15;
+
+/// A warning where rays leave a large error.
+fn rays(error: Option<f64>) -> Option<Warning> {
+    let message = || match error {
+        None => {
+            words("rays leave an unknown error: half of them are too few for a solution; send more with ")
+                + option("rays")
+        }
+        Some(error) => {
+            let told = format!(
+                "rays leave an error of about {:.0} % in the mean irradiances of the elements, less in gathered light: send more \
+                 with ",
+                100.0 * error
+            );
+            words(told) + option("rays") + ", or ask for an " + option("accuracy")
+        }
+    };
+    error.is_none_or(|error| error > ROUGH).then(|| Warning::general("sampling-error", message()))
+}
+
+/// Warnings about what elements and transfers miss.
+fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Warning> {
+    if let Some(sampling) = outcome.sampling {
+        // What exact pairs miss is a part of it.
+        return rays(sampling.error).into_iter().collect();
+    }
+    let mut warnings: Vec<Warning> = outcome
+        .miss
+        .filter(Miss::is_real)
+        .map(|miss| inaccurate(scene, outcome, &miss))
+        .into_iter()
+        .collect();
+    let mut warn = |code: &str, message: Wording| warnings.push(Warning::general(code, message));
+    if outcome.pairs.unresolved > 0 {
+        warn(
+            "near-floor",
+            words(format!(
+                "{} pairs come so near each other, or touch in such a way, that splitting stopped: their blocks may \
+                 miss the accuracy asked; subdivide the surfaces there",
+                outcome.pairs.unresolved
+            )),
+        );
+    }
+    // The rules of 1993 have no accuracy.
+    let cure = |usual| if options.kernel.is_some() { words("choose the default kernel") } else { usual };
+    let excess = outcome.checks.row_sum_max - 1.0;
+    if excess > 10.0 * options.eps.max(if outcome.rays > 0 { options.shadow_eps } else { 0.0 }) {
+        let message = format!(
+            "an element sends {:.2} % more than it has: its transfers miss the accuracy asked; ",
+            100.0 * excess
+        );
+        let usual = words("lower ") + option("eps") + ", or subdivide surfaces that meet at small angles";
+        warn("row-sum", words(message) + cure(usual));
+    }
+    if outcome.checks.spectral_bound >= 1.0 {
+        let message = format!(
+            "the spectral radius is about {:.6}: quadrature is too coarse for so little loss; ",
+            outcome.checks.spectral_bound
+        );
+        warn("spectral-bound", words(message) + cure(words("lower ") + option("eps")));
+    }
+    warnings
+}
+
+/// A warning about transfers that miss what was asked.
+fn inaccurate(scene: &Scene, outcome: &Outcome, miss: &Miss) -> Warning {
+    let list = outcome.solution.elements().list();
+    let [surface, other] = miss.pair.map(|element| &scene.surfaces[list[element].surface].name);
+    let told = Warning::general("accuracy-reached", missed(miss, [surface, other]));
+    Warning { surface: Some(surface.clone()), other: Some(other.clone()), size: Some(miss.error), ..told }
+}

@@ -1,0 +1,87 @@
+//! What the row sums Σ_j F_ij of view factors tell: whether a scene is closed, and whether a surface sends more than it has.
+
+use radiosity_kernel::Accuracy;
+use radiosity_solve::view_factors::ViewFactors;
+use radiosity_work::wording::{command, option, words};
+
+use crate::drawings::round::decimals;
+use crate::readings::warning::Warning;
+
+/// Error of row sums from which they tell nothing of a scene. Chosen.
+const VAGUE: f64 = 0.1;
+
+/// Errors of a factor by which row sums may miss 1 in a closed scene. Chosen.
+const FROM_ONE: f64 = 3.0;
+
+/// The row sums of the view factors of a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowSums {
+    /// Number of surfaces.
+    pub surfaces: usize,
+    /// Name and sum of the surface with the least one.
+    pub least: (String, f64),
+    /// Name and sum of the surface with the largest one.
+    pub most: (String, f64),
+    /// Surfaces that lose part of what leaves them.
+    pub losing: usize,
+    /// By how much sums may miss 1.
+    pub tolerance: f64,
+}
+
+impl RowSums {
+    /// Those of factors that were to be found to this accuracy.
+    pub fn of(factors: &ViewFactors, accuracy: Accuracy) -> Self {
+        let sums = factors.row_sums();
+        let by_sum = |a: &usize, b: &usize| sums[*a].total_cmp(&sums[*b]);
+        let named = |surface: usize| (factors.names[surface].clone(), sums[surface]);
+        let shadows = if factors.rays > 0 { accuracy.shadow_eps } else { 0.0 };
+        let tolerance = FROM_ONE * accuracy.eps.max(shadows).max(factors.accuracy_reached);
+        Self {
+            surfaces: sums.len(),
+            least: named((0..sums.len()).min_by(by_sum).expect("a scene has surfaces")),
+            most: named((0..sums.len()).max_by(by_sum).expect("a scene has surfaces")),
+            losing: sums.iter().filter(|sum| **sum < 1.0 - tolerance).count(),
+            tolerance,
+        }
+    }
+
+    /// Whether all that leaves a surface reaches another; None where the sums are known too badly to tell.
+    pub fn is_closed(&self) -> Option<bool> {
+        (self.tolerance <= VAGUE).then_some(self.losing == 0)
+    }
+
+    /// The sums in words, and what they say of the scene.
+    pub fn lines(&self) -> [String; 2] {
+        let [(least, lowest), (most, highest)] = [&self.least, &self.most];
+        let [lowest, highest] = [lowest, highest].map(|sum| decimals(*sum, 9));
+        let range = format!("row sums {lowest} (surface '{least}') to {highest} (surface '{most}')");
+        let closed = match self.is_closed() {
+            None => "row sums are known too badly to tell whether the scene is closed".to_owned(),
+            Some(true) => "the scene is closed: all that leaves a surface reaches another".to_owned(),
+            Some(false) => format!(
+                "the scene is open: {} of {} surfaces lose part of what leaves them",
+                self.losing, self.surfaces
+            ),
+        };
+        [range, closed]
+    }
+
+    /// A warning where a surface sends more than it has.
+    pub fn warning(&self) -> Option<Warning> {
+        let (surface, sum) = &self.most;
+        let message = || {
+            words(format!("surface '{surface}' sends {:.2} % more than it has: lower ", 100.0 * (sum - 1.0)))
+                + option("eps")
+                + " or "
+                + option("shadow-eps")
+                + ", or look for surfaces that pass through each other with "
+                + command("check")
+        };
+        let warning = || Warning {
+            surface: Some(surface.clone()),
+            size: Some(*sum),
+            ..Warning::general("row-sum", message())
+        };
+        (*sum > 1.0 + self.tolerance).then(warning)
+    }
+}

@@ -1,0 +1,13 @@
+//! Methods of four papers, beside the Galerkin method of the house.
+//!
+//! In order: `zatz1993` (Zatz 1993: Legendre transfers and shadow masks), `hierarchy` (hierarchical radiosity with links), `bases`
+//! (Szirmay-Kalos 1996: variational forms in any functions), `series` and `expansions` (Arquès, Biri and Michelin 2001: transfers
+//! between displaced elements as power series).
+//!
+//! Imports everything up to direct light: `work`, `scene`, `visibility`, `elements`, `kernel`, `transport`, `light`.
+
+pub mod zatz1993;
+pub mod hierarchy;
+pub mod bases;
+pub mod series;
+pub mod expansions;

@@ -1,0 +1,118 @@
+//! All blocks by the rules of 1993, each ordered pair integrated by itself.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use radiosity_elements::Elements;
+use radiosity_kernel::Blocks;
+use radiosity_kernel::contact::planes;
+use radiosity_kernel::contact::planes::Planes;
+use radiosity_kernel::{Kind, blocks::block::Block};
+use radiosity_visibility::Visibility;
+use radiosity_work::interruption::heed;
+use rayon::prelude::*;
+
+use crate::zatz1993::transfers::chart::{Chart, NoChart};
+use crate::zatz1993::transfers::sum::Sees;
+use crate::zatz1993::transfers::transfer::{Rules, transfer};
+
+/// What became of an ordered pair.
+enum Outcome {
+    Facing,
+    Coplanar,
+    Hidden,
+    Integrated(Block),
+}
+
+/// Integrates each ordered pair with `extra` points per direction above the order, and converts the paper's K to G,
+/// which is then not symmetric. `progress` gets (ordered pairs done, in all), from any thread; pairs count unordered.
+///
+/// # Errors
+/// [`NoChart`]: a surface that is neither a parallelogram nor curved.
+pub fn assemble(
+    elements: &Elements,
+    visibility: &Visibility,
+    rules: Rules,
+    extra: usize,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Blocks, NoChart> {
+    let list = elements.list();
+    let charts = list.iter().map(Chart::of).collect::<Result<Vec<_>, _>>()?;
+    let pairs: Vec<(usize, usize)> =
+        (0..list.len()).flat_map(|i| (0..list.len()).map(move |j| (i, j))).collect();
+    let (done, total) = (AtomicUsize::new(0), pairs.len());
+    let outcomes: Vec<Outcome> = pairs
+        .par_iter()
+        .map(|(i, j)| {
+            heed();
+            let outcome = integrate(&charts[*i], &charts[*j], i == j, visibility, rules, extra);
+            progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+            outcome
+        })
+        .collect();
+    let mut blocks = Blocks::empty(elements.starts(), false);
+    for ((row, column), outcome) in pairs.into_iter().zip(outcomes) {
+        if row <= column {
+            count(&mut blocks, row == column, &outcome);
+        }
+        if let Outcome::Integrated(block) = outcome {
+            blocks.samples += block.samples;
+            blocks.distinct += block.distinct;
+            blocks.rays += block.rays;
+            blocks.push(row, column, &block.values);
+        }
+    }
+    Ok(blocks)
+}
+
+fn count(blocks: &mut Blocks, same: bool, outcome: &Outcome) {
+    let pairs = &mut blocks.pairs;
+    pairs.total += usize::from(!same || matches!(outcome, Outcome::Integrated(_)));
+    match outcome {
+        Outcome::Coplanar => pairs.skipped_coplanar += usize::from(!same),
+        Outcome::Facing => pairs.skipped_facing += 1,
+        Outcome::Hidden => pairs.skipped_hidden += 1,
+        Outcome::Integrated(block) => pairs.take(&block.account()),
+    }
+}
+
+fn integrate(
+    receiver: &Chart,
+    emitter: &Chart,
+    same: bool,
+    visibility: &Visibility,
+    rules: Rules,
+    extra: usize,
+) -> Outcome {
+    let (x, y) = (receiver.element, emitter.element);
+    match planes::of(x, y) {
+        Planes::Exchanging => {}
+        Planes::Facing => return Outcome::Facing,
+        Planes::Coplanar => return Outcome::Coplanar,
+    }
+    let blockers =
+        if same { Vec::new() } else { visibility.candidates(&x.hull, &y.hull, [x.surface, y.surface]) };
+    if visibility.hidden(&blockers, &x.hull, &y.hull) {
+        return Outcome::Hidden;
+    }
+    let free = |x, y| visibility.free(&blockers, x, y);
+    let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+    // One point more on one side, so that the points of an element with itself never coincide, where κ is 0/0.
+    let emitting = emitter.party(extra + usize::from(same));
+    let transfer = transfer(receiver.party(extra), emitting, rules, sees);
+    let kind = match (same, transfer.edge) {
+        (true, _) => Kind::Same,
+        (false, true) => Kind::Edge,
+        (false, false) => Kind::Separated,
+    };
+    Outcome::Integrated(Block {
+        values: receiver.block(emitter, &transfer.values),
+        kind,
+        partly_hidden: !blockers.is_empty(),
+        unresolved: false,
+        untried: false,
+        error: 0.0,
+        samples: transfer.samples,
+        distinct: transfer.samples,
+        rays: transfer.rays,
+    })
+}

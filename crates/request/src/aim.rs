@@ -1,0 +1,55 @@
+//! Of what an accuracy is wanted.
+
+use radiosity_geom::DVec3;
+use radiosity_output::pictures::pinhole::Pinhole;
+use radiosity_output::readings::probe::Probe;
+use radiosity_scene::{Camera, Scene};
+use radiosity_solve::studies::adaptation::Goal;
+use radiosity_visibility::{Shadows, Visibility};
+use radiosity_work::wording::{set, words};
+
+use super::refusal::Refusal;
+
+/// Points of a picture along each of its sides. Chosen: about as many as errors are estimated at.
+const ACROSS: u32 = 16;
+
+/// The goal of this accuracy at these sensors.
+pub fn at_probes(accuracy: f64, probes: &[Probe], scene: &Scene) -> Goal {
+    let at = |probe: &Probe| [probe.position - scene.middle, probe.normal];
+    Goal::at(accuracy, probes.iter().map(at).collect())
+}
+
+/// The goal of this accuracy of what the scene's camera sees.
+///
+/// # Errors
+/// A scene without a camera, or with one that sees no front.
+pub fn of_picture(accuracy: f64, scene: &Scene) -> Result<Goal, Refusal> {
+    let Some(camera) = &scene.camera else {
+        return Err(Refusal::new(
+            format!("{}: there is no camera, so nothing says what the picture shows", scene.origin),
+            words("add [camera] with eye and target, or take ") + set("for", "gathered"),
+        ));
+    };
+    match seen(scene, camera) {
+        points if points.is_empty() => Err(Refusal::new(
+            format!("{}: the camera sees no front of any surface", scene.origin),
+            words("turn the camera, or take ") + set("for", "gathered"),
+        )),
+        points => Ok(Goal::seen(accuracy, points)),
+    }
+}
+
+/// Points, with normals, of surfaces that a camera sees, evenly over its picture.
+fn seen(scene: &Scene, camera: &Camera) -> Vec<[DVec3; 2]> {
+    let visibility = Visibility::new(scene, Shadows::Off);
+    let pinhole = Pinhole::new(camera);
+    let place = |k: u32, size: u32| (f64::from(k) + 0.5) * f64::from(size) / f64::from(ACROSS);
+    let rays = (0..ACROSS * ACROSS)
+        .map(|k| pinhole.ray(place(k % ACROSS, camera.width), place(k / ACROSS, camera.height)));
+    let point = |ray| {
+        let met = visibility.nearest(&ray)?;
+        let jet = scene.surfaces[met.surface].shape.jet(met.hit.u, met.hit.v);
+        met.front.then_some([jet.position, jet.normal])
+    };
+    rays.filter_map(point).collect()
+}

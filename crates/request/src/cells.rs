@@ -1,0 +1,22 @@
+//! Means over cells: the memory that they need.
+
+use radiosity_scene::Scene;
+use radiosity_work::wording::{option, words};
+
+use super::memory;
+use super::refusal::Refusal;
+
+/// Bytes of a cell beside its bands, and of each band, with the text that is written of them. Measured: 395 for three
+/// bands.
+const CELL: u64 = 140;
+const BAND: u64 = 85;
+
+/// Refuses so many cells along u and v of every surface for which there is no room in the memory that is `allowed`, or usable.
+///
+/// # Errors
+/// Where there is no room.
+pub fn require_cells(sides: [usize; 2], scene: &Scene, allowed: Option<u64>) -> Result<(), Refusal> {
+    let cells = (sides[0] * sides[1] * scene.surfaces.len()) as u64;
+    let needed = cells * (CELL + BAND * scene.bands.len() as u64);
+    memory::require(needed, allowed, "the cells", words("ask for fewer with ") + option("cells"))
+}

@@ -1,0 +1,230 @@
+//! Options of a method that do not go with each other.
+
+use radiosity_elements::cells::Layers;
+use radiosity_published::bases::Basis;
+use radiosity_published::zatz1993::masked_light::Masking;
+use radiosity_solve::studies::convergence::Way;
+use radiosity_solve::{Algorithm, Direct, Preconditioning, Transport};
+use radiosity_work::wording::{Wording, option, set, value, words};
+
+use super::method::MethodRequest;
+use super::modes::{Order, Shadows};
+use super::refusal::Refusal;
+
+impl MethodRequest {
+    /// Refuses options that do not go with each other, or do nothing beside others.
+    ///
+    /// # Errors
+    /// The first such options.
+    pub fn check(&self) -> Result<(), Refusal> {
+        check_time_limit(self)?;
+        check_idle(self)?;
+        check_algorithm(self)?;
+        check_rays(self)?;
+        check_basis(self)?;
+        check_bounces(self)?;
+        check_preconditioner(self)
+    }
+}
+
+/// Refuses a time limit without a wanted accuracy.
+fn check_time_limit(method: &MethodRequest) -> Result<(), Refusal> {
+    match method.time_limit {
+        Some(_) if method.wanted_accuracy().is_none() => Err(Refusal::new(
+            option("time-limit") + " does nothing without an accuracy that is wanted",
+            words("add ")
+                + option("accuracy")
+                + ", such as "
+                + set("accuracy", "1e-2")
+                + ", or leave "
+                + option("time-limit")
+                + " out",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses numbers that say how something is done that is not asked for.
+fn check_idle(method: &MethodRequest) -> Result<(), Refusal> {
+    let has_ratio = method.layers.ratio != Layers::NONE.ratio;
+    let usual = Masking::default();
+    let idle = [
+        (has_ratio && method.layers.count == 0, "ratio", option("layers")),
+        (
+            method.masks.cells != usual.cells && method.shadows != Shadows::Mask,
+            "mask-cells",
+            set("shadows", "mask"),
+        ),
+        (
+            method.masks.average != usual.average && method.shadows != Shadows::Mask,
+            "mask-average",
+            set("shadows", "mask"),
+        ),
+    ];
+    match idle.into_iter().find(|(is_idle, ..)| *is_idle) {
+        Some((_, name, needed)) => Err(Refusal::new(
+            option(name) + " does nothing without " + needed.clone(),
+            words("add ") + needed + ", or leave " + option(name) + " out",
+        )),
+        None => Ok(()),
+    }
+}
+
+/// Refuses options that hierarchical radiosity does not know.
+fn check_algorithm(method: &MethodRequest) -> Result<(), Refusal> {
+    let is_higher = matches!(method.order, Some(Order::Degree(1..)));
+    let unknown = [
+        (is_higher, option("order") + " above 0"),
+        (method.tensor, option("tensor")),
+        (method.subdivide.is_some(), option("subdivide")),
+        (method.layers.count > 0, option("layers")),
+        (method.kernel.rules().is_some(), option("kernel")),
+        (method.transport != Transport::Auto, option("transport")),
+        (method.rays.is_some(), option("rays")),
+        (method.shadows != Shadows::Auto, option("shadows")),
+        (method.shadow_eps.is_some(), option("shadow-eps")),
+        (method.direct != Direct::Auto, option("direct")),
+    ];
+    match unknown.into_iter().find(|(is_typed, _)| *is_typed) {
+        Some((_, name)) if method.algorithm == Algorithm::Hierarchical => Err(Refusal::new(
+            set("method", "hierarchical") + " knows no " + name.clone() + ": it links constants",
+            words("leave ") + name + " out, or leave " + option("method") + " out",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses rays together with the methods of 1993, which know none.
+fn check_rays(method: &MethodRequest) -> Result<(), Refusal> {
+    let rays = match (method.transport, method.rays) {
+        (Transport::Sampled, _) => set("transport", "sampled"),
+        (_, Some(_)) => option("rays"),
+        _ => return Ok(()),
+    };
+    let others = [
+        (method.kernel.rules().is_some(), option("kernel")),
+        (method.shadows == Shadows::Mask, set("shadows", "mask")),
+        (method.shadows == Shadows::Off, set("shadows", "off")),
+        (method.transport == Transport::Exact, set("transport", "exact")),
+    ];
+    refuse(rays, others)
+}
+
+/// Refuses a preconditioner for a solver that takes none.
+fn check_preconditioner(method: &MethodRequest) -> Result<(), Refusal> {
+    let iterates = ["auto", "cg", "gmres"].contains(&method.solver.name);
+    if method.preconditioner == Preconditioning::None && !iterates {
+        return Err(Refusal::new(
+            option("preconditioner") + " does nothing with " + set("solver", method.solver.name),
+            words("take ")
+                + set("solver", "cg")
+                + " or "
+                + value("gmres")
+                + ", or leave "
+                + option("preconditioner")
+                + " out",
+        ));
+    }
+    Ok(())
+}
+
+fn check_basis(method: &MethodRequest) -> Result<(), Refusal> {
+    let basis = method.basis;
+    let name = basis.name();
+    if basis == Basis::Legendre {
+        return Ok(());
+    }
+    refuse(set("basis", name), others(method))?;
+    let order = match method.order {
+        Some(Order::Degree(order)) => order,
+        _ => return Ok(()),
+    };
+    let own = match basis {
+        Basis::Constant => 0,
+        Basis::Linear => 1,
+        Basis::Legendre | Basis::Harmonic => return Ok(()),
+    };
+    if order == own {
+        return Ok(());
+    }
+    Err(Refusal::new(
+        set("basis", name)
+            + " has no "
+            + set("order", order)
+            + format!(": its functions are of degree {own} on each cell"),
+        words("leave ") + option("order") + " out, and take finer cells: " + set("subdivide", 8),
+    ))
+}
+
+fn check_bounces(method: &MethodRequest) -> Result<(), Refusal> {
+    if method.bounces.is_none() {
+        return Ok(());
+    }
+    let unknown = [
+        (method.algorithm == Algorithm::Hierarchical, set("method", "hierarchical")),
+        (method.wanted_accuracy().is_some(), option("accuracy")),
+    ];
+    refuse(option("bounces"), unknown)
+}
+
+/// Refuses ways of a convergence study that do not go with what is asked of all.
+///
+/// # Errors
+/// The first such option.
+pub fn check_ways(method: &MethodRequest, ways: &[Way]) -> Result<(), Refusal> {
+    for way in ways {
+        let name = set("with", way.name());
+        match way {
+            Way::Uniform => {}
+            Way::Constant | Way::Linear | Way::Harmonic => refuse(name, others(method))?,
+            Way::Hierarchical | Way::Hp | Way::Sampled => refuse(
+                name,
+                [
+                    (method.basis != Basis::Legendre, option("basis")),
+                    (method.bounces.is_some() && *way != Way::Sampled, option("bounces")),
+                ],
+            )?,
+        }
+    }
+    Ok(())
+}
+
+/// Options that know polynomials on elements only, and whether they are typed.
+fn others(method: &MethodRequest) -> [(bool, Wording); 8] {
+    let has_no_degree = matches!(method.basis, Basis::Constant | Basis::Linear);
+    [
+        (method.algorithm == Algorithm::Hierarchical, set("method", "hierarchical")),
+        (method.wanted_accuracy().is_some(), option("accuracy")),
+        (method.aim.is_some(), option("for")),
+        (method.kernel.rules().is_some(), option("kernel")),
+        (method.shadows == Shadows::Mask, set("shadows", "mask")),
+        (method.transport == Transport::Sampled, set("transport", "sampled")),
+        (method.rays.is_some(), option("rays")),
+        (method.tensor && has_no_degree, option("tensor")),
+    ]
+}
+
+fn refuse(what: Wording, others: impl IntoIterator<Item = (bool, Wording)>) -> Result<(), Refusal> {
+    match others.into_iter().find(|(is_typed, _)| *is_typed) {
+        Some((_, other)) => Err(Refusal::new(what + " does not go with " + other, "leave one of them out")),
+        None => Ok(()),
+    }
+}
+
+/// Why a solution is not kept whose reflections are limited.
+pub const KEPT: &str = "a solution is kept for readers, who would gather from it as if it were all light";
+
+/// Refuses to keep light of the first reflections alone, which others would gather from as if it were all.
+///
+/// # Errors
+/// Where reflections are limited.
+pub fn require_all_bounces(
+    method: &MethodRequest,
+    verb: &str,
+    cure: impl Into<Wording>,
+) -> Result<(), Refusal> {
+    match method.bounces {
+        None => Ok(()),
+        Some(bounces) => Err(Refusal::new(set("bounces", bounces) + format!(": {verb}"), cure)),
+    }
+}

@@ -1,0 +1,25 @@
+//! What a user asks for, as the command line and the package of Python have it in common: the options of a method with their
+//! presets, ranges and checks, and what they are to the library.
+//!
+//! Either front end turns what it is given into a request. Refusals hold options as data ([`Wording`](radiosity_work::wording::Wording)).
+
+mod refusal;
+mod modes;
+pub mod ranges;
+pub mod memory;
+pub mod aim;
+mod method;
+mod conflicts;
+mod reading;
+mod transfers;
+mod scene;
+pub mod picture;
+pub mod cells;
+
+pub use conflicts::{KEPT, check_ways, require_all_bounces};
+pub use method::MethodRequest;
+pub use modes::{Kernel, Order, Shadows};
+pub use reading::{ReadRequest, check_aim};
+pub use refusal::Refusal;
+pub use scene::{ImportRequest, LoadError, SceneRequest};
+pub use transfers::{HeatRequest, TransferRequest};

@@ -1,0 +1,134 @@
+//! How a solution is to be read: what is asked for, and what the solution is worth being read to.
+
+use radiosity_output::readings::grid::Rates;
+use radiosity_output::readings::quality::Reading;
+use radiosity_output::readings::reader::Read;
+use radiosity_solve::Options;
+use radiosity_solve::gather::choice::By;
+use radiosity_solve::solved::Solved;
+use radiosity_solve::studies::adaptation::{Aim, Goal};
+use radiosity_visibility::Hiding;
+use radiosity_work::wording::{Wording, option, set, value, words};
+
+use super::method::MethodRequest;
+use super::refusal::Refusal;
+
+/// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which this adds little.
+const BY_RAYS: f64 = 1e-2;
+
+/// How a solution is to be read; None where nothing was said.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ReadRequest {
+    /// What is read.
+    pub read: Option<Read>,
+    /// By what light is gathered.
+    pub by: Option<By>,
+    /// Relative accuracy of recomputed light.
+    pub eps: Option<f64>,
+    /// Points along each side of a cell; light is then gathered by cells.
+    pub samples: Option<Rates>,
+}
+
+impl ReadRequest {
+    /// Refuses what would have no effect on the reading of a solution with these options, or an accuracy of what is not read.
+    ///
+    /// # Errors
+    /// The first such option.
+    pub fn check(&self, options: &Options, method: &MethodRequest) -> Result<(), Refusal> {
+        check_aim(self.read, method)?;
+        let refuse = |message: Wording, cure: Wording| Err(Refusal::new(message, cure));
+        match self.read {
+            Some(Read::Basis) if self.eps.is_some() => refuse(
+                option("read-eps")
+                    + " is the accuracy of recomputed light, and "
+                    + set("read", "basis")
+                    + " recomputes none",
+                words("leave one of them out"),
+            ),
+            Some(Read::Basis | Read::Direct) if self.by.is_some() => refuse(
+                option("read-by")
+                    + " says by what light is gathered, and "
+                    + set("read", "basis")
+                    + " and "
+                    + value("direct")
+                    + " gather none",
+                words("leave one of them out, or take ") + set("read", "gather"),
+            ),
+            _ if self.by == Some(By::Rays) && (options.masks.is_some() || options.shadows == Hiding::Off) => {
+                refuse(
+                    set("read-by", "rays")
+                        + " always sees exact shadows, and the solution has others: "
+                        + set("shadows", "mask")
+                        + " or "
+                        + value("off"),
+                    words("take ") + set("read-by", "cells") + ", or solve with other shadows",
+                )
+            }
+            _ if self.by == Some(By::Rays) && self.samples.is_some() => refuse(
+                option("read-samples")
+                    + " counts points, and "
+                    + set("read-by", "rays")
+                    + " sends rays until their error is small",
+                words("leave one of them out; ") + option("read-eps") + " says how small",
+            ),
+            _ => Ok(()),
+        }
+    }
+
+    /// As asked, the rest as the quality says.
+    pub fn plain(&self, method: &MethodRequest) -> Reading {
+        let usual = method.quality.reading();
+        self.asked(usual, method.eps.unwrap_or(usual.eps))
+    }
+
+    /// As asked; `eps` where no accuracy was, and the rest as usual.
+    fn asked(&self, usual: Reading, eps: f64) -> Reading {
+        Reading {
+            read: self.read.unwrap_or(usual.read),
+            // Rays count no points.
+            by: if self.samples.is_some() { By::Cells } else { self.by.unwrap_or_default() },
+            eps: self.eps.unwrap_or(eps),
+            rates: self.samples.unwrap_or(usual.rates),
+        }
+    }
+
+    /// As asked, the rest as the quality and the solution say; no coarser than the accuracy of the solution, where one was
+    /// asked for. `is_saved`: the solution was read from a file.
+    pub fn reading(&self, method: &MethodRequest, solved: &Solved, is_saved: bool) -> Reading {
+        let usual = method.quality.reading();
+        let is_sampled = solved.outcome.sampling.is_some();
+        let of_solution = if is_sampled { usual.eps.max(BY_RAYS) } else { usual.eps };
+        let saved = if is_saved { saved_accuracy(solved) } else { None };
+        let asked = [method.eps, method.wanted_accuracy().map(Goal::reading), saved].into_iter().flatten();
+        self.asked(usual, asked.fold(of_solution, f64::min))
+    }
+}
+
+/// Relative accuracy that a solution read from a file is worth being read to, where that is finer than usual.
+fn saved_accuracy(solved: &Solved) -> Option<f64> {
+    let Solved { options, achieved, .. } = solved;
+    match achieved {
+        Some(achieved) => achieved.wanted.or(achieved.estimate).map(Goal::reading),
+        None => Some(options.eps).filter(|eps| *eps < Options::default().eps),
+    }
+}
+
+/// Refuses an accuracy of gathered light where polynomials are read.
+///
+/// # Errors
+/// If that is what was asked for.
+pub fn check_aim(read: Option<Read>, method: &MethodRequest) -> Result<(), Refusal> {
+    let is_of_gathered = method.wanted_accuracy().is_some() && method.aim != Some(Aim::Solution);
+    match read {
+        Some(Read::Basis | Read::Direct) if is_of_gathered => Err(Refusal::new(
+            option("accuracy")
+                + " is that of gathered light, and "
+                + set("read", "basis")
+                + " and "
+                + value("direct")
+                + " read polynomials",
+            words("add ") + set("for", "solution") + ", or take " + set("read", "gather"),
+        )),
+        _ => Ok(()),
+    }
+}

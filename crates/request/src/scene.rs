@@ -1,0 +1,208 @@
+//! Which scene is to be read, and how.
+
+use std::path::{Path, PathBuf};
+
+use radiosity_formats::{format::Format, materials::SideFile, model::Sides, unit::Unit, up::Up};
+use radiosity_language::{Import, input};
+use radiosity_output::files::solution_file::is_solution;
+use radiosity_scene::{Scene, SceneError, Source};
+use radiosity_work::ranks;
+use radiosity_work::ranks::journal::fingerprint;
+use radiosity_work::wording::{option, set, words};
+
+use super::refusal::Refusal;
+
+/// How a scene of another program is to be read.
+#[derive(Clone, Debug, Default)]
+pub struct ImportRequest {
+    /// The format, instead of that of the file's ending.
+    pub format: Option<Format>,
+    /// Which sides of all surfaces count, whatever the file says.
+    pub sides: Option<Sides>,
+    /// A file of materials by name.
+    pub materials: Option<PathBuf>,
+    /// Unit of the lengths in the file.
+    pub unit: Option<Unit>,
+    /// The axis that points upwards in the file.
+    pub up: Option<Up>,
+    /// Whether fronts that seem to point the wrong way are turned.
+    pub fix_fronts: bool,
+    /// Whether red, green and blue become one band.
+    pub grey: bool,
+}
+
+/// Which scene is to be read, and how.
+#[derive(Clone, Debug, Default)]
+pub struct SceneRequest {
+    /// Path of a file, name of a built-in scene, or `-` for standard input.
+    pub source: String,
+    /// Parameters, variables and light groups by name.
+    pub settings: Vec<(String, f64)>,
+    /// The frame of a scene in which something moves.
+    pub frame: Option<f64>,
+    /// Length within which corners and planes are made to agree.
+    pub tolerance: Option<f64>,
+    /// Whether a scene of another program that needs repairs is refused.
+    pub strict: bool,
+    /// How a scene of another program is read.
+    pub import: ImportRequest,
+}
+
+/// Why a scene was not read.
+#[derive(Debug, thiserror::Error)]
+pub enum LoadError {
+    /// Something is wrong with it.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// It is a solution already.
+    #[error("{origin}: this is a solution already")]
+    Solved {
+        /// The file as typed.
+        origin: String,
+    },
+    /// Options that do not go with it.
+    #[error(transparent)]
+    Refused(#[from] Refusal),
+}
+
+impl SceneRequest {
+    /// Whether the scene is built in.
+    pub fn is_builtin(&self) -> bool {
+        radiosity_language::builtins().iter().any(|builtin| builtin.name == self.source)
+    }
+
+    /// The scene for those who need no light; settings are parameters or variables.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn load(&self) -> Result<Scene, LoadError> {
+        self.agreed(radiosity_language::parse(&unsolved(self.text_with(&self.settings, self.strict)?)?)?)
+    }
+
+    /// The same, even if it needs repairs.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn load_repaired(&self) -> Result<Scene, LoadError> {
+        self.agreed(radiosity_language::parse(&unsolved(self.text_with(&self.settings, false)?)?)?)
+    }
+
+    /// The scene with its light groups at the factors that were set.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn load_lit(&self) -> Result<Scene, LoadError> {
+        self.parse(&unsolved(self.text()?)?)
+    }
+
+    /// The scene of a text that [`SceneRequest::text`] gave, with its variables and light groups as they were set.
+    ///
+    /// # Errors
+    /// What is wrong with it.
+    pub fn parse(&self, text: &Source) -> Result<Scene, LoadError> {
+        self.agreed(radiosity_language::parse_with(text, &self.later())?)
+    }
+
+    /// The scene, if all ranks have read the same one: they would do different things, and wait for each other.
+    fn agreed(&self, scene: Scene) -> Result<Scene, LoadError> {
+        let ranks = ranks::current();
+        let differing = if ranks.are_alone() { None } else { ranks.differing(fingerprint(&scene)) };
+        let Some(other) = differing else { return Ok(scene) };
+        Err(Refusal::new(
+            words(format!("{}: rank {other} reads another scene here than rank 0", self.source)),
+            "let all ranks read the same files: from a folder that their machines share, or from equal copies",
+        )
+        .into())
+    }
+
+    /// The text of the scene, or of a solution; settings are those of parameters where the scene is built in.
+    ///
+    /// # Errors
+    /// What cannot be read.
+    pub fn text(&self) -> Result<Source, LoadError> {
+        self.text_with(if self.is_builtin() { &self.settings } else { &[] }, self.strict)
+    }
+
+    /// The settings of variables and light groups, which a scene has that is not built in.
+    pub fn later(&self) -> Vec<(&str, f64)> {
+        if self.is_builtin() { Vec::new() } else { borrowed(&self.settings) }
+    }
+
+    fn text_with(&self, settings: &[(String, f64)], strict: bool) -> Result<Source, LoadError> {
+        let import = self.import(strict)?;
+        let text = radiosity_language::text_by(&self.source, &borrowed(settings), &import)?;
+        let text = text.within(self.tolerance);
+        Ok(match self.frame {
+            Some(frame) => text.at(frame),
+            None => text,
+        })
+    }
+
+    /// How the file is read, if it is of another program; refuses options for one that is not.
+    fn import(&self, strict: bool) -> Result<Import, Refusal> {
+        let own = &self.import;
+        let import = Import {
+            format: own.format,
+            sides: own.sides,
+            materials: own.materials.as_deref().map(side_file).transpose()?,
+            unit: own.unit,
+            up: own.up,
+            tolerance: self.tolerance,
+            strict,
+            fix_fronts: own.fix_fronts,
+            grey: own.grey,
+        };
+        match own.first().filter(|_| import.format_of(&self.source).is_none()) {
+            None => Ok(import),
+            Some(name) => Err(Refusal::new(
+                option(name) + format!(": {} is not known for a scene of another program", self.source),
+                words("name its format with ")
+                    + option("from")
+                    + ", or leave the option out: a scene of radiosity says this itself",
+            )),
+        }
+    }
+}
+
+impl ImportRequest {
+    /// The first option that was given.
+    fn first(&self) -> Option<&'static str> {
+        let given = [
+            (self.format.is_some(), "from"),
+            (self.sides == Some(Sides::Front), "one-sided"),
+            (self.sides == Some(Sides::Both), "two-sided"),
+            (self.materials.is_some(), "materials"),
+            (self.unit.is_some(), "unit"),
+            (self.up.is_some(), "up"),
+            (self.fix_fronts, "fix-fronts"),
+            (self.grey, "grey"),
+        ];
+        given.into_iter().find_map(|(is_given, name)| is_given.then_some(name))
+    }
+}
+
+/// Settings as scenes take them.
+pub(super) fn borrowed(settings: &[(String, f64)]) -> Vec<(&str, f64)> {
+    settings.iter().map(|(name, value)| (name.as_str(), *value)).collect()
+}
+
+/// The text of a scene; refuses a solution.
+fn unsolved(text: Source) -> Result<Source, LoadError> {
+    match is_solution(&text.text()) {
+        true => Err(LoadError::Solved { origin: text.origin.to_string() }),
+        false => Ok(text),
+    }
+}
+
+fn side_file(path: &Path) -> Result<SideFile, Refusal> {
+    let name = path.display().to_string();
+    // A file called `-` is one, too: standard input is for the scene.
+    let source = if name == "-" { "./-" } else { &name };
+    match input::text(source) {
+        Ok(text) => Ok(SideFile { name, text }),
+        Err(error) => Err(Refusal::new(
+            set("materials", name) + format!(": cannot be read: {error}"),
+            "check the path and its permissions",
+        )),
+    }
+}

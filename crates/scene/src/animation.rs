@@ -1,0 +1,145 @@
+//! What moves in a scene, and when: frames, and movers that each follow a path.
+//!
+//! Frame k, counted from 0, shows the time k over the frames in a unit of time. A moment is a real number of frames, from 0 to the
+//! last frame: also what is between two frames has a pose.
+
+use radiosity_geom::DVec3;
+
+use crate::{error::Fault, path::RigidPath, place::Place, pose::Pose, ranges::check_range};
+
+/// Most frames. Chosen; not tuned.
+pub const MOST_FRAMES: usize = 1_000_000;
+
+/// The frames of a scene and what moves in them.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Animation {
+    /// Number of frames, at least 1.
+    pub frames: usize,
+    /// Frames in a unit of time, > 0; 1 where times count frames.
+    pub rate: f64,
+    /// What moves, each along its own path, in the order of the file.
+    pub movers: Vec<Mover>,
+}
+
+/// What moves together along one path.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Mover {
+    /// Unique among the movers of the scene.
+    pub name: String,
+    /// Indices of its surfaces, ascending; no surface belongs to two movers.
+    pub surfaces: Vec<usize>,
+    /// Indices of its luminaires, ascending; no luminaire belongs to two movers.
+    pub luminaires: Vec<usize>,
+    /// Whether the camera moves along; at most one mover has it.
+    pub camera: bool,
+    /// Where it is by time, in the coordinates that the scene is computed in.
+    pub path: RigidPath,
+    /// Where it stands in the file; none if it was made in code.
+    pub place: Option<Place>,
+}
+
+/// How many frames there are, and how long each lasts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock {
+    frames: usize,
+    rate: f64,
+}
+
+impl Clock {
+    /// `frames` of which `rate` show a unit of time.
+    ///
+    /// # Errors
+    /// [`Fault::OutOfRange`] or [`Fault::NotFinite`].
+    pub fn new(frames: usize, rate: f64) -> Result<Self, Fault> {
+        check_frames(frames)?;
+        check_rate(rate)?;
+        Ok(Self { frames, rate })
+    }
+
+    /// So many times from the first frame to the last, at equal distances.
+    pub fn spread(&self, count: usize) -> Vec<f64> {
+        // A single frame is as long as one of two: paths need times that ascend.
+        let last = (self.frames - 1).max(1) as f64 / self.rate;
+        let steps = count.saturating_sub(1).max(1);
+        (0..count).map(|k| if k == steps { last } else { last * (k as f64 / steps as f64) }).collect()
+    }
+}
+
+impl Animation {
+    pub(super) fn new(clock: Clock, movers: Vec<Mover>) -> Self {
+        Self { frames: clock.frames, rate: clock.rate, movers }
+    }
+
+    /// The same after `middle` was subtracted from all coordinates.
+    pub fn about(mut self, middle: DVec3) -> Self {
+        self.movers.iter_mut().for_each(|mover| mover.path = mover.path.clone().about(middle));
+        self
+    }
+
+    /// The moments at which a path may bend, ascending, in frames.
+    pub fn bends(&self) -> Vec<f64> {
+        let times = self.movers.iter().flat_map(|mover| mover.path.times());
+        let mut moments: Vec<f64> = times.map(|time| time * self.rate).collect();
+        moments.sort_by(f64::total_cmp);
+        moments.dedup();
+        moments
+    }
+
+    /// The poses of all movers at a moment.
+    ///
+    /// # Errors
+    /// [`Fault::NoSuchFrame`] for a moment that is not from 0 to the last frame.
+    pub fn poses(&self, moment: f64) -> Result<Vec<Pose>, Fault> {
+        let last = self.frames - 1;
+        if !(0.0..=last as f64).contains(&moment) {
+            return Err(Fault::NoSuchFrame { moment, last });
+        }
+        Ok(self.movers.iter().map(|mover| mover.path.pose(moment / self.rate)).collect())
+    }
+}
+
+/// Number of frames.
+pub fn check_frames(frames: usize) -> Result<(), Fault> {
+    let inside = (1..=MOST_FRAMES).contains(&frames);
+    check_range(frames as f64, inside, "the number of frames", "1 ≤ frames ≤ 1000000")
+}
+
+/// Frames in a unit of time.
+pub fn check_rate(rate: f64) -> Result<(), Fault> {
+    check_range(rate, (1e-6..=1e6).contains(&rate), "the rate of frames", "1e-6 ≤ fps ≤ 1e6")
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::track::{Curve, Track};
+
+    use super::*;
+
+    #[test]
+    fn the_last_frame_shows_the_last_of_spread_times() {
+        for (frames, rate) in [(2, 25.0), (7, 0.3), (100, 24.0), (13, 1.0)] {
+            let clock = Clock::new(frames, rate).unwrap();
+            let times = clock.spread(4);
+            let values = [0.0, 1.0, -2.0, 3.0].map(|x| x * DVec3::X).to_vec();
+            let path = RigidPath::along(Track::new("points", values, times, Curve::Line).unwrap());
+            let mover = Mover {
+                name: "a".into(),
+                surfaces: vec![0],
+                luminaires: Vec::new(),
+                camera: false,
+                path,
+                place: None,
+            };
+            let animation = Animation::new(clock, vec![mover]);
+            assert!(animation.poses(0.0).unwrap()[0].is_rest());
+            assert_eq!(animation.poses((frames - 1) as f64).unwrap()[0].point(DVec3::ZERO), 3.0 * DVec3::X);
+            assert!(matches!(animation.poses(-1.0), Err(Fault::NoSuchFrame { .. })));
+            assert!(matches!(animation.poses(f64::NAN), Err(Fault::NoSuchFrame { .. })));
+            assert!(
+                matches!(animation.poses(frames as f64), Err(Fault::NoSuchFrame { last, .. }) if last == frames - 1)
+            );
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! From where a picture is taken.
+
+use radiosity_geom::DVec3;
+
+use crate::{
+    error::Fault,
+    ranges::{check_fov, check_pixels},
+};
+
+/// A pinhole camera. A scene's camera has a view direction, and its up vector is not along it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Camera {
+    /// The pinhole.
+    pub eye: DVec3,
+    /// A point in the middle of the picture.
+    pub target: DVec3,
+    /// The direction that is up in the picture; any length, not along the view.
+    pub up: DVec3,
+    /// Vertical angle of view in degrees, 0 < fov < 180.
+    pub fov: f64,
+    /// Pixels across, 1 to 16384.
+    pub width: u32,
+    /// Pixels down, 1 to 16384.
+    pub height: u32,
+}
+
+impl Camera {
+    /// Looks from `eye` to `target`; up is +z, the angle of view 40 degrees, the picture 512 × 512 pixels.
+    ///
+    /// Change the rest: `Camera { fov: 60.0, ..Camera::new(eye, target) }`. A scene checks its camera.
+    pub fn new(eye: DVec3, target: DVec3) -> Self {
+        Self { eye, target, up: DVec3::Z, fov: 40.0, width: 512, height: 512 }
+    }
+
+    /// The camera after `middle` was subtracted from all coordinates.
+    pub fn about(self, middle: DVec3) -> Self {
+        Self { eye: self.eye - middle, target: self.target - middle, ..self }
+    }
+
+    /// Checks that the camera has a view.
+    ///
+    /// # Errors
+    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number; [`Fault::BadCamera`] if eye and target coincide or
+    /// `up` lies along the view.
+    pub fn checked(self) -> Result<Self, Fault> {
+        let numbers = [self.eye, self.target, self.up].into_iter().flat_map(|point| point.to_array());
+        if let Some(value) = numbers.chain([self.fov]).find(|value| !value.is_finite()) {
+            return Err(Fault::NotFinite { value });
+        }
+        check_fov(self.fov)?;
+        [self.width, self.height].into_iter().try_for_each(|pixels| check_pixels(pixels as usize))?;
+        let view = (self.target - self.eye).try_normalize();
+        let up = self.up.try_normalize();
+        let problem = match (view, up) {
+            (None, _) => "eye and target are the same point",
+            (_, None) => "the up vector has no length",
+            (Some(view), Some(up)) if view.cross(up).length() < 1e-9 => "the up vector lies along the view",
+            _ => return Ok(self),
+        };
+        Err(Fault::BadCamera { problem })
+    }
+}

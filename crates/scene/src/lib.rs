@@ -1,0 +1,214 @@
+//! Scenes: surfaces, their materials, luminaires, a sky, what moves, and a camera.
+//!
+//! A [`Scene`] is made by a [`SceneBuilder`], or by the crate `language` from a text, and is valid by construction: every number
+//! finite, every reflectance below 1, every surface with an area and a front, no two surfaces in one another, every name given
+//! once. A fault is a [`SceneError`] with name, cure, and, where there is a text, line and column.
+//!
+//! In order: errors with their places and cures; patterns, materials, luminaires, skies; poses, paths and animations; surfaces as
+//! drafts and as fitted; the [`Source`] that a scene was read from; the builder; what is made of a scene: other factors
+//! (`dimming`), other materials (`painting`), another moment (`still`).
+//!
+//! Imports `work`, `photometry` and `fit`.
+
+mod nearest;
+mod imported;
+pub mod place;
+pub mod error;
+mod cure;
+pub mod ranges;
+pub mod pattern;
+pub mod material;
+mod named_material;
+pub mod names;
+pub mod bands;
+pub mod unit;
+mod sensor_plane;
+mod camera;
+mod pose;
+mod track;
+mod path;
+pub mod animation;
+pub mod movement;
+mod light_group;
+mod distribution;
+mod extent;
+pub mod luminaire;
+pub mod sky;
+mod glass;
+mod outlook;
+mod luminous_area;
+mod radiance;
+pub mod thermal;
+mod surface;
+pub mod covering;
+pub mod draft;
+pub mod luminous_surface;
+pub mod tree;
+mod numbering;
+mod print;
+mod source;
+mod fitted;
+pub mod surfaces;
+mod builder;
+mod dimming;
+mod painting;
+mod still;
+
+use radiosity_geom::DVec3;
+
+pub use animation::{Animation, Clock, Mover};
+pub use builder::SceneBuilder;
+pub use camera::Camera;
+pub use distribution::Distribution;
+pub use draft::SurfaceDraft;
+pub use error::{Fault, SceneError};
+pub use extent::Extent;
+pub use fitted::{Fitted, Lying};
+pub use glass::Glass;
+pub use imported::Imported;
+pub use light_group::LightGroup;
+pub use luminaire::{Luminaire, Strength};
+pub use luminous_area::LuminousArea;
+pub use material::Material;
+pub use movement::MoverDraft;
+pub use named_material::NamedMaterial;
+pub use outlook::{Opening, Outlook};
+pub use path::{RigidPath, Turn};
+pub use pattern::{Pattern, PictureFile, Placement, Polynomial, Term, Wrap};
+pub use place::{Line, Place};
+pub use pose::Pose;
+pub use print::Notation;
+pub use radiance::Radiance;
+pub use ranges::{MAX_ORDER, MAX_PARTS};
+pub use sensor_plane::SensorPlane;
+pub use sky::{Sky, SkyModel, Sun};
+pub use source::Source;
+pub use still::Stills;
+pub use surface::SceneSurface;
+pub use thermal::{Condition, Thermal};
+pub use track::{Curve, Mixed, Track};
+pub use tree::Tree;
+
+use error::surface_title;
+
+/// A valid scene.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Scene {
+    /// The name given in code, the built-in name, or the file's name without folder and ending; `stdin` for standard
+    /// input.
+    pub name: String,
+    /// The title the file gives.
+    pub title: Option<String>,
+    /// Names of the bands, at least one.
+    pub bands: Vec<String>,
+    /// Unit of exitance, irradiance and radiosity, `W/m²` unless the file says another; printed, never computed with.
+    pub unit: String,
+    /// The vector subtracted from all coordinates, of surfaces and camera: zero except for scenes far from the origin.
+    pub middle: DVec3,
+    /// How the shapes were changed to fit together.
+    pub fitted: Fitted,
+    /// The surfaces in the order they are given; the back of a two-sided one follows its front.
+    pub surfaces: Vec<SceneSurface>,
+    /// The luminaires in the order they are given.
+    pub luminaires: Vec<Luminaire>,
+    /// The camera, if one is given.
+    pub camera: Option<Camera>,
+    /// What moves, and in how many frames, if anything does; the rest is as it is at rest.
+    pub animation: Option<Animation>,
+    /// Variables of the text with their values, in its order.
+    pub variables: Vec<(String, f64)>,
+    /// Planes of sensors, in the coordinates that the scene was given in.
+    pub planes: Vec<SensorPlane>,
+    /// The name shown in messages: a path, `<stdin>`, or the name of a scene that is built in or made in code.
+    pub origin: String,
+    /// What it was read from, a text or a tree; none for a scene that a [`SceneBuilder`] made.
+    pub source: Option<Source>,
+}
+
+impl Scene {
+    /// A scene with nothing in it yet, in which nothing stands far from the origin.
+    pub fn empty(name: String, bands: Vec<String>, unit: String) -> Self {
+        Self {
+            origin: name.clone(),
+            name,
+            bands,
+            unit,
+            title: None,
+            middle: DVec3::ZERO,
+            fitted: Fitted::default(),
+            surfaces: Vec::new(),
+            luminaires: Vec::new(),
+            camera: None,
+            animation: None,
+            variables: Vec::new(),
+            planes: Vec::new(),
+            source: None,
+        }
+    }
+
+    /// What was done to the file of another program that it was read from.
+    pub fn imported(&self) -> Option<&Imported> {
+        self.source.as_ref()?.imported.as_deref()
+    }
+
+    /// The index of the surface of that name.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownSurface`], which lists the names there are.
+    pub fn surface_named(&self, name: &str) -> Result<usize, SceneError> {
+        let unknown = || {
+            let known = self.surfaces.iter().map(|surface| surface.name.clone()).collect();
+            whole_file(&self.origin, Fault::UnknownSurface { name: name.to_owned(), known })
+        };
+        self.surfaces.iter().position(|surface| surface.name == name).ok_or_else(unknown)
+    }
+
+    /// The plane of sensors of that name.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownPlane`], which lists the names there are.
+    pub fn plane_named(&self, name: &str) -> Result<&SensorPlane, SceneError> {
+        let unknown = || {
+            let known = self.planes.iter().map(|plane| plane.name().to_owned()).collect();
+            whole_file(&self.origin, Fault::UnknownPlane { name: name.to_owned(), known })
+        };
+        self.planes.iter().find(|plane| plane.name() == name).ok_or_else(unknown)
+    }
+
+    /// Whether anything in it sends light of its own: a surface or a luminaire.
+    pub fn emits(&self) -> bool {
+        self.surfaces.iter().any(|surface| surface.material.emits())
+            || self.luminaires.iter().any(Luminaire::emits)
+    }
+
+    /// Checks what only light needs: a material on every surface, and something that emits.
+    ///
+    /// # Errors
+    /// [`Fault::MissingKey`] for a surface without material, [`Fault::NoMaterials`] if there cannot be any,
+    /// [`Fault::NoEmitter`].
+    pub fn require_light(&self) -> Result<(), SceneError> {
+        if self.source.as_ref().is_some_and(Source::is_polygon_list) {
+            return Err(whole_file(&self.origin, Fault::NoMaterials));
+        }
+        if self.imported().is_some() && self.surfaces.iter().all(|surface| surface.material_name.is_none()) {
+            return Err(whole_file(&self.origin, Fault::Bare));
+        }
+        if let Some(bare) = self.surfaces.iter().find(|surface| surface.material_name.is_none()) {
+            return Err(SceneError {
+                origin: self.origin.clone(),
+                place: bare.place.clone().map(Box::new),
+                owner: Some(surface_title(&bare.name)),
+                fault: Fault::MissingKey { key: "material" },
+            });
+        }
+        match self.emits() {
+            true => Ok(()),
+            false => Err(whole_file(&self.origin, Fault::NoEmitter)),
+        }
+    }
+}
+
+fn whole_file(origin: &str, fault: Fault) -> SceneError {
+    SceneError { origin: origin.to_owned(), place: None, owner: None, fault }
+}

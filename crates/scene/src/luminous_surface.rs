@@ -1,0 +1,85 @@
+//! Luminaires of an extent → the surfaces that send their light: black ones, one for each side that shines.
+
+use std::sync::Arc;
+
+use radiosity_geom::shapes::{Disk, FULL_TURN, Parallelogram};
+use radiosity_geom::{ShapeError, Surface};
+
+use crate::{
+    covering::Covering,
+    draft::{SurfaceDraft, Typed},
+    error::{Fault, Located, luminaire_title},
+    extent::Extent,
+    luminaire::Luminaire,
+    luminous_area::LuminousArea,
+    material::Material,
+    radiance::Radiance,
+    thermal::{Condition, Thermal},
+};
+
+/// The material and the kind of surfaces that are luminaires.
+const LUMINAIRE: &str = "luminaire";
+
+/// The surfaces of a luminaire, which stands there in a file; none of a point or a line.
+pub fn luminous_surfaces(
+    own: &Luminaire,
+    typed: impl Fn() -> Option<Typed>,
+) -> Result<Vec<SurfaceDraft>, Located> {
+    let shape = shape(own).map_err(|error| {
+        let fault = Fault::Shape(error);
+        let located = match typed() {
+            Some(typed) => Located::at(&typed.shape, fault),
+            None => Located::nowhere(fault),
+        };
+        located.within(|| luminaire_title(&own.name))
+    })?;
+    let Some(shape) = shape else { return Ok(Vec::new()) };
+    let [front, back] = LuminousArea::sides(own);
+    let sides = [(front, own.name.clone(), false), (back, format!("{}:back", own.name), true)];
+    let lit = sides.into_iter().filter_map(|(area, name, flip)| Some((area?, name, flip)));
+    Ok(lit.map(|(area, name, flip)| draft(own, area, (name, Arc::clone(&shape), flip), typed())).collect())
+}
+
+/// Its luminous area, which faces along its aim.
+fn shape(own: &Luminaire) -> Result<Option<Arc<dyn Surface>>, ShapeError> {
+    let [x, y] = own.axes();
+    Ok(match own.extent {
+        Extent::Point | Extent::Line { .. } => None,
+        Extent::Rectangle { sides } => {
+            let (x, y) = (sides[0] * x, sides[1] * y);
+            // y × x is along the aim.
+            Some(Arc::new(Parallelogram::new(own.position - 0.5 * (x + y), y, x)?))
+        }
+        Extent::Disk { diameter } => {
+            Some(Arc::new(Disk::new(own.position, own.aim, 0.5 * diameter, 0.0, FULL_TURN)?))
+        }
+    })
+}
+
+fn draft(
+    own: &Luminaire,
+    area: LuminousArea,
+    (name, shape, flip): (String, Arc<dyn Surface>, bool),
+    typed: Option<Typed>,
+) -> SurfaceDraft {
+    let size = shape.area();
+    let emission = area.flux().into_iter().map(|flux| flux / size).collect();
+    SurfaceDraft {
+        kind: LUMINAIRE,
+        shapes: vec![(name.clone(), shape)],
+        name,
+        front: Covering::new(LUMINAIRE, Material { emission, ..Material::black(own.strength.len()) }),
+        back: None,
+        group: own.group.as_ref().map(|group| group.name.clone()),
+        flux: None,
+        opening: None,
+        radiance: Some(Radiance::Luminaire(Arc::new(area))),
+        // Of heat it reflects as much as it absorbs.
+        thermal: Thermal { emissivity: Some(1.0), condition: Some(Condition::HeatFlux(0.0)) },
+        order: None,
+        subdivide: None,
+        two_sided: false,
+        flip,
+        typed,
+    }
+}

@@ -1,0 +1,297 @@
+//! Movers as they are given, by the names of what they move → movers of a scene, by indices.
+
+use std::{borrow::Borrow, collections::BTreeMap, sync::Arc};
+
+use crate::{
+    animation::{Animation, Clock, Mover},
+    error::{Fault, Located, luminaire_title, motion_title, surface_title},
+    names::UniqueNames,
+    path::RigidPath,
+    place::{Line, Place, Span},
+};
+
+/// The mark behind which a name may end in any way.
+const ANY_ENDING: char = '*';
+
+/// What moves along one path, by name; see [`SceneBuilder::moves`](crate::SceneBuilder::moves).
+#[derive(Debug)]
+pub struct MoverDraft {
+    name: String,
+    surfaces: Vec<Chosen>,
+    instances: Vec<Chosen>,
+    luminaires: Vec<Chosen>,
+    camera: Option<Option<Span>>,
+    path: RigidPath,
+    typed: Option<TypedMover>,
+}
+
+/// A name of what moves, with its place in a file.
+#[derive(Clone, Debug)]
+pub struct Chosen {
+    /// The name.
+    pub name: String,
+    /// Where it stands in a file.
+    pub span: Option<Span>,
+}
+
+/// The place of a mover in a file or a tree.
+#[derive(Debug)]
+pub struct TypedMover {
+    /// The place of the whole mover.
+    pub place: Option<Place>,
+    /// All of it.
+    pub span: Span,
+    /// Its name.
+    pub name: Span,
+    /// The line of its name.
+    pub name_line: Option<Line>,
+}
+
+impl MoverDraft {
+    /// A mover along `path` that moves nothing yet.
+    pub fn new(name: impl Into<String>, path: RigidPath) -> Self {
+        Self {
+            name: name.into(),
+            surfaces: Vec::new(),
+            instances: Vec::new(),
+            luminaires: Vec::new(),
+            camera: None,
+            path,
+            typed: None,
+        }
+    }
+
+    /// Moves the surfaces of that name, both sides; a `*` at its end stands for any ending.
+    #[must_use]
+    pub fn surface(self, name: impl Into<String>) -> Self {
+        self.surfaces([Chosen { name: name.into(), span: None }])
+    }
+
+    /// Moves the luminaires of that name; a `*` at its end stands for any ending.
+    #[must_use]
+    pub fn luminaire(self, name: impl Into<String>) -> Self {
+        self.luminaires([Chosen { name: name.into(), span: None }])
+    }
+
+    /// Moves the camera.
+    #[must_use]
+    pub fn camera(self) -> Self {
+        Self { camera: Some(None), ..self }
+    }
+
+    /// Moves surfaces by their names.
+    pub fn surfaces(mut self, chosen: impl IntoIterator<Item = Chosen>) -> Self {
+        self.surfaces.extend(chosen);
+        self
+    }
+
+    /// Moves instances by their names.
+    pub fn instances(mut self, chosen: impl IntoIterator<Item = Chosen>) -> Self {
+        self.instances.extend(chosen);
+        self
+    }
+
+    /// Moves luminaires by their names.
+    pub fn luminaires(mut self, chosen: impl IntoIterator<Item = Chosen>) -> Self {
+        self.luminaires.extend(chosen);
+        self
+    }
+
+    /// Moves the camera if it is named at a place.
+    pub fn camera_at(self, span: Option<Span>) -> Self {
+        Self { camera: span.map(Some), ..self }
+    }
+
+    /// Keeps where it stands in a file.
+    pub fn typed(self, typed: TypedMover) -> Self {
+        Self { typed: Some(typed), ..self }
+    }
+
+    /// A fault at `span` if there is one, else of the whole mover.
+    fn located(&self, span: Option<&Span>, fault: Fault) -> Located {
+        let span = span.or(self.typed.as_ref().map(|typed| &typed.span));
+        let located =
+            span.map_or_else(|| Located::nowhere(fault.clone()), |span| Located::at(span, fault.clone()));
+        located.within(|| motion_title(&self.name))
+    }
+}
+
+/// The names by which a surface or a luminaire can be moved.
+#[derive(Debug, Default)]
+pub struct Handles {
+    /// Its own name, and that of the entry that made it.
+    pub(super) names: Vec<String>,
+    /// The instances that it is in.
+    pub(super) instances: Arc<[String]>,
+    /// Index of the luminaire whose area it is, if it is one.
+    luminaire: Option<usize>,
+}
+
+impl Handles {
+    /// Those of what has these names and is in no instance.
+    pub fn named(names: impl Into<Vec<String>>) -> Self {
+        Self { names: names.into(), ..Self::default() }
+    }
+
+    /// The same in these instances.
+    pub fn within(self, instances: Arc<[String]>) -> Self {
+        Self { instances, ..self }
+    }
+
+    /// Those of the surface `name`, a side of the area of one of these luminaires.
+    pub fn of_area(name: &str, luminaires: &[Self]) -> Self {
+        let called = |name: &str| luminaires.iter().position(|own| own.names[0] == name);
+        let luminaire = called(name).or_else(|| called(name.strip_suffix(":back")?));
+        let instances = luminaire.map(|index| Arc::clone(&luminaires[index].instances));
+        let named = Self { luminaire, ..Self::named([name.to_owned()]) };
+        named.within(instances.unwrap_or_default())
+    }
+}
+
+/// What there is to be moved, in the order of the scene.
+#[derive(Debug)]
+pub struct Movable {
+    /// Names of each surface.
+    pub surfaces: Vec<Handles>,
+    /// Names of each luminaire.
+    pub luminaires: Vec<Handles>,
+    /// Whether there is a camera.
+    pub camera: bool,
+}
+
+/// The movers of a scene: every name is known, and nothing moves twice.
+pub fn movers(drafts: Vec<MoverDraft>, clock: Clock, movable: &Movable) -> Result<Animation, Located> {
+    let mut names = UniqueNames::default();
+    let mut taken = Taken::default();
+    let mut mover = |draft: MoverDraft| {
+        let typed = draft.typed.as_ref();
+        let added = names.add(&draft.name, typed.and_then(|typed| typed.name_line.clone()));
+        added.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
+        let mover = draft.resolved(movable)?;
+        taken.take(&mover, movable).map_err(|fault| draft.located(None, fault))?;
+        Ok(mover)
+    };
+    let movers = drafts.into_iter().map(&mut mover).collect::<Result<Vec<_>, _>>()?;
+    match movers.is_empty() {
+        true => Err(Located::nowhere(Fault::NothingMoves)),
+        false => Ok(Animation::new(clock, movers)),
+    }
+}
+
+impl MoverDraft {
+    fn resolved(&self, movable: &Movable) -> Result<Mover, Located> {
+        let surfaces = self.found(
+            &self.surfaces,
+            &movable.surfaces,
+            |own| &own.names,
+            |name, known| Fault::UnknownSurface { name, known },
+        )?;
+        let luminaires = self.found(
+            &self.luminaires,
+            &movable.luminaires,
+            |own| &own.names,
+            |name, known| Fault::UnknownLuminaire { name, known },
+        )?;
+        let all: Vec<&Handles> = movable.surfaces.iter().chain(&movable.luminaires).collect();
+        let in_instances = self.found(
+            &self.instances,
+            &all,
+            |own| &own.instances,
+            |name, known| Fault::UnknownInstance { name, known },
+        )?;
+        let count = movable.surfaces.len();
+        let (own, lamps): (Vec<_>, Vec<_>) = in_instances.into_iter().partition(|index| *index < count);
+        // A luminaire goes with its area, and the area with the luminaire.
+        let surfaces = united(surfaces, own);
+        let of_areas = surfaces.iter().filter_map(|index| movable.surfaces[*index].luminaire);
+        let lamps = lamps.into_iter().map(|index| index - count).chain(of_areas).collect();
+        let luminaires = united(luminaires, lamps);
+        let areas = |index: &usize| {
+            movable.surfaces[*index].luminaire.is_some_and(|own| luminaires.binary_search(&own).is_ok())
+        };
+        let areas = (0..count).filter(areas).collect();
+        let mover = Mover {
+            name: self.name.clone(),
+            surfaces: united(surfaces, areas),
+            luminaires,
+            camera: self.camera.is_some(),
+            path: self.path.clone(),
+            place: self.typed.as_ref().and_then(|typed| typed.place.clone()),
+        };
+        match &self.camera {
+            Some(span) if !movable.camera => Err(self.located(span.as_ref(), Fault::NoCamera)),
+            None if mover.surfaces.is_empty() && mover.luminaires.is_empty() => {
+                Err(self.located(None, Fault::NothingMoves))
+            }
+            _ => Ok(mover),
+        }
+    }
+
+    /// The indices of all that one of the `chosen` names means.
+    fn found<H: Borrow<Handles>>(
+        &self,
+        chosen: &[Chosen],
+        all: &[H],
+        names: fn(&Handles) -> &[String],
+        unknown: fn(String, Vec<String>) -> Fault,
+    ) -> Result<Vec<usize>, Located> {
+        let mut found = Vec::new();
+        for Chosen { name, span } in chosen {
+            let means = |own: &String| match name.strip_suffix(ANY_ENDING) {
+                Some(stem) => own.starts_with(stem),
+                None => own == name,
+            };
+            let before = found.len();
+            let meant = all.iter().enumerate().filter(|(_, own)| names((*own).borrow()).iter().any(means));
+            found.extend(meant.map(|(index, _)| index));
+            if found.len() == before {
+                let mut known: Vec<String> =
+                    all.iter().flat_map(|own| names(own.borrow()).to_vec()).collect();
+                known.sort_unstable();
+                known.dedup();
+                return Err(self.located(span.as_ref(), unknown(name.clone(), known)));
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Both lists in one, ascending, each index once.
+fn united(mut list: Vec<usize>, other: Vec<usize>) -> Vec<usize> {
+    list.extend(other);
+    list.sort_unstable();
+    list.dedup();
+    list
+}
+
+/// What moves already, each with the name of its mover.
+#[derive(Default)]
+struct Taken {
+    surfaces: BTreeMap<usize, String>,
+    luminaires: BTreeMap<usize, String>,
+    camera: Option<String>,
+}
+
+impl Taken {
+    /// Takes in a mover that moves nothing of another one.
+    fn take(&mut self, mover: &Mover, movable: &Movable) -> Result<(), Fault> {
+        let twice = |what: String, first: String| Fault::MovesTwice { what, first };
+        for index in &mover.surfaces {
+            if let Some(first) = self.surfaces.insert(*index, mover.name.clone()) {
+                return Err(twice(surface_title(&movable.surfaces[*index].names[0]), first));
+            }
+        }
+        for index in &mover.luminaires {
+            if let Some(first) = self.luminaires.insert(*index, mover.name.clone()) {
+                return Err(twice(luminaire_title(&movable.luminaires[*index].names[0]), first));
+            }
+        }
+        match self.camera.take() {
+            Some(first) if mover.camera => Err(twice("the camera".to_owned(), first)),
+            first => {
+                self.camera = first.or_else(|| mover.camera.then(|| mover.name.clone()));
+                Ok(())
+            }
+        }
+    }
+}

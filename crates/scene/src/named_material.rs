@@ -1,0 +1,28 @@
+//! Materials with their names, of scenes in the making.
+
+use std::sync::Arc;
+
+use crate::material::Material;
+
+/// A material of a scene in the making, given to its surfaces.
+#[derive(Clone, Debug)]
+pub struct NamedMaterial(Arc<(String, Material)>);
+
+impl NamedMaterial {
+    pub(super) fn new(name: String, material: Material) -> Self {
+        Self(Arc::new((name, material)))
+    }
+
+    pub(super) fn name(&self) -> &str {
+        &self.0.0
+    }
+
+    pub(super) fn material(&self) -> &Material {
+        &self.0.1
+    }
+
+    /// Whether both are one, and not only alike.
+    pub(super) fn is(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}

@@ -1,0 +1,25 @@
+//! Names of bands, materials, planes and surfaces: each says something and is given once.
+
+use std::collections::BTreeMap;
+
+use crate::{error::Fault, place::Line};
+
+/// Refuses a name without a letter.
+pub fn check_text(text: &str) -> Result<(), Fault> {
+    if text.trim().is_empty() { Err(Fault::EmptyText) } else { Ok(()) }
+}
+
+/// Names seen so far, each with its line where it stands in a file.
+#[derive(Default)]
+pub struct UniqueNames(BTreeMap<String, Option<Line>>);
+
+impl UniqueNames {
+    /// Takes in a name that no other has.
+    pub fn add(&mut self, name: &str, line: Option<Line>) -> Result<(), Fault> {
+        check_text(name)?;
+        match self.0.insert(name.to_owned(), line) {
+            None => Ok(()),
+            Some(first) => Err(Fault::DuplicateName { name: name.to_owned(), first }),
+        }
+    }
+}

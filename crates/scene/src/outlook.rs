@@ -1,0 +1,118 @@
+//! Openings to the sky: surfaces that send the radiance of a sky, through glass or without.
+//!
+//! A flat opening with the unit normal n, which points into the room, sends into the direction ω the radiance
+//! L(−ω) τ(n·ω) of the sky. Its exitance is M = ∫ L τ cos θ dω; over that it sends
+//!
+//! ```text
+//! a(ω) = π L(−ω) τ(n·ω) / M ,     ∫ a cos θ dω = π ,
+//! ```
+//!
+//! 1 for a diffuse emitter. What stands outside is not seen.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use radiosity_geom::{DVec3, ROUNDING};
+
+use crate::{
+    glass::Glass,
+    sky::{Sky, over_hemisphere},
+};
+
+/// What an opening lets in.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Opening {
+    /// The sky outside.
+    pub sky: Arc<Sky>,
+    /// What is in the opening, if anything.
+    pub glass: Option<Glass>,
+}
+
+/// What a flat opening sees: its light by direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outlook {
+    opening: Opening,
+    normal: DVec3,
+    /// M over the irradiance of level ground.
+    share: f64,
+}
+
+impl Outlook {
+    /// That of an opening with this unit normal, which points into the room.
+    pub(super) fn new(opening: Opening, normal: DVec3) -> Self {
+        let Opening { sky, glass } = &opening;
+        let share =
+            over_hemisphere(normal, |into, cosine| sky.radiance(-into) * through(glass.as_ref(), cosine));
+        Self { share, opening, normal }
+    }
+
+    /// That of the same opening with its normal turned.
+    pub(super) fn turned(&self, turn: impl FnOnce(DVec3) -> DVec3) -> Self {
+        let normal = turn(self.normal);
+        match normal.distance(self.normal) <= ROUNDING {
+            true => self.clone(),
+            false => Self::new(self.opening.clone(), normal),
+        }
+    }
+
+    /// M of each band (W m⁻²).
+    pub fn exitance(&self) -> Vec<f64> {
+        self.opening.sky.irradiance().iter().map(|own| own * self.share).collect()
+    }
+
+    /// a in the unit direction `into` the room.
+    pub fn relative(&self, into: DVec3) -> f64 {
+        let Opening { sky, glass } = &self.opening;
+        match self.share {
+            0.0 => 0.0,
+            share => PI * sky.radiance(-into) * through(glass.as_ref(), into.dot(self.normal)) / share,
+        }
+    }
+
+    /// Height of a point over another along the zenith: directions between them change from ground to sky where it is 0.
+    pub(crate) fn height(&self, step: DVec3) -> f64 {
+        self.opening.sky.height(step)
+    }
+
+    /// The direction to the sun, and the irradiance per band (W m⁻²) across its beam behind the opening; None without a sun that
+    /// shines in.
+    pub fn beam(&self) -> Option<(DVec3, Vec<f64>)> {
+        let Opening { sky, glass } = &self.opening;
+        let sun = sky.sun()?;
+        let through = through(glass.as_ref(), -sun.direction.dot(self.normal));
+        let irradiance: Vec<f64> = sun.irradiance.iter().map(|own| through * own).collect();
+        irradiance.iter().any(|own| *own > 0.0).then_some((sun.direction, irradiance))
+    }
+
+    /// The cosine of a direction to the sun at the opening; 0 from behind.
+    pub fn incidence(&self, to_sun: DVec3) -> f64 {
+        (-to_sun.dot(self.normal)).max(0.0)
+    }
+}
+
+/// What the openings of a scene see, computed once for all that look alike.
+#[derive(Debug, Default)]
+pub(super) struct KnownOutlooks(Vec<Arc<Outlook>>);
+
+impl KnownOutlooks {
+    /// That of an opening with this unit normal, which points into the room.
+    pub(super) fn of(&mut self, opening: &Opening, normal: DVec3) -> Arc<Outlook> {
+        let is_alike =
+            |own: &&Arc<Outlook>| own.opening == *opening && own.normal.distance(normal) <= ROUNDING;
+        if let Some(known) = self.0.iter().find(is_alike) {
+            return Arc::clone(known);
+        }
+        let outlook = Arc::new(Outlook::new(opening.clone(), normal));
+        self.0.push(Arc::clone(&outlook));
+        outlook
+    }
+}
+
+/// What glass lets through at a cosine; all where there is none, nothing from behind.
+fn through(glass: Option<&Glass>, cosine: f64) -> f64 {
+    match glass {
+        _ if cosine <= 0.0 => 0.0,
+        None => 1.0,
+        Some(glass) => glass.transmittance(cosine),
+    }
+}

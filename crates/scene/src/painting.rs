@@ -1,0 +1,62 @@
+//! Painting: the same scene with another material.
+
+use crate::{
+    Scene,
+    error::{Fault, Located, SceneError, material_title, surface_title},
+    material::{Material, check_sheet},
+    surface::SceneSurface,
+};
+
+impl Scene {
+    /// The same scene where the material `name` is `material`, with a number for each band. Surfaces of a given flux keep
+    /// it, and openings the light of their sky. It no longer has the text it was read from.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range; [`Fault::OneSided`] and
+    /// [`Fault::OtherTransmittance`] where a surface cannot let through what the material does.
+    pub fn with_material(&self, name: &str, material: Material) -> Result<Self, SceneError> {
+        self.painted(name, &material).map_err(|located| located.in_code(&self.origin))
+    }
+
+    fn painted(&self, name: &str, material: &Material) -> Result<Self, Located> {
+        material
+            .check(self.bands.len())
+            .map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))?;
+        let mut painted = Self { source: None, ..self.clone() };
+        let own = painted.surfaces.iter_mut().filter(|own| own.material_name.as_deref() == Some(name));
+        if own.map(|own| paint(own, material)).count() == 0 {
+            return Err(Located::nowhere(self.unknown_material(name)));
+        }
+        painted.check_sides(name)?;
+        Ok(painted)
+    }
+
+    /// Refuses the material where a surface has no other side to let light through, or one that lets through otherwise.
+    fn check_sides(&self, material: &str) -> Result<(), Located> {
+        self.surfaces.iter().filter(|own| own.material_name.as_deref() == Some(material)).try_for_each(
+            |own| {
+                let other = own.other_side.map(|index| &self.surfaces[index].material);
+                check_sheet(&own.material, other)
+                    .map_err(|fault| Located::nowhere(fault).within(|| surface_title(&own.name)))
+            },
+        )
+    }
+
+    fn unknown_material(&self, name: &str) -> Fault {
+        let mut known: Vec<String> =
+            self.surfaces.iter().filter_map(|surface| surface.material_name.clone()).collect();
+        known.sort_unstable();
+        known.dedup();
+        Fault::UnknownMaterial { name: name.to_owned(), known }
+    }
+}
+
+/// Gives a surface the material; one of a given flux, or an opening to a sky, goes on emitting that.
+fn paint(surface: &mut SceneSurface, material: &Material) {
+    let keeps = surface.flux.is_some() || surface.radiance.is_some();
+    let own = std::mem::replace(&mut surface.material, material.clone());
+    if keeps {
+        surface.material.emission = own.emission;
+        surface.material.emission_pattern = own.emission_pattern;
+    }
+}

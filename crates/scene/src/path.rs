@@ -1,0 +1,129 @@
+//! Rigid paths: how far a thing is moved and turned from where it rests, by time.
+
+use radiosity_geom::{DQuat, DVec3};
+
+use crate::{
+    error::Fault,
+    pose::Pose,
+    ranges::check_number,
+    track::{Times, Track},
+};
+
+/// A rigid path: first a rotation about a point, then a translation, each from the pose at rest, whatever came before.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidPath {
+    shift: Option<Track<DVec3>>,
+    turn: Option<Turn>,
+}
+
+/// Rotations about a point by time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Turn {
+    center: DVec3,
+    kind: Kind,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Kind {
+    /// About one unit axis, by degrees.
+    Axis(DVec3, Track<f64>),
+    /// Rotations, and between them the shorter way about one axis at constant speed.
+    Keys(Times, Vec<DQuat>),
+}
+
+impl RigidPath {
+    /// Moved along a track (scene length).
+    pub fn along(shift: Track<DVec3>) -> Self {
+        Self { shift: Some(shift), turn: None }
+    }
+
+    /// Turned.
+    pub fn turning(turn: Turn) -> Self {
+        Self { shift: None, turn: Some(turn) }
+    }
+
+    /// Turned, then moved along a track (scene length).
+    pub fn turning_along(turn: Turn, shift: Track<DVec3>) -> Self {
+        Self { shift: Some(shift), turn: Some(turn) }
+    }
+
+    /// The times at which the path may bend: it is smooth between them, and rests before the first and after the last.
+    pub fn times(&self) -> Vec<f64> {
+        let shift = self.shift.iter().flat_map(Track::times).copied();
+        let turn = self.turn.iter().flat_map(|turn| match &turn.kind {
+            Kind::Axis(_, degrees) => degrees.times(),
+            Kind::Keys(times, _) => times.all(),
+        });
+        shift.chain(turn.copied()).collect()
+    }
+
+    /// The pose at a time, the same one for the same time.
+    pub fn pose(&self, time: f64) -> Pose {
+        let shift = self.shift.as_ref().map_or(DVec3::ZERO, |shift| shift.at(time));
+        match &self.turn {
+            None => Pose::about(DVec3::ZERO, DQuat::IDENTITY, shift),
+            Some(turn) => Pose::about(turn.center, turn.rotation(time), shift),
+        }
+    }
+
+    /// The same path after `middle` was subtracted from all coordinates.
+    pub(super) fn about(self, middle: DVec3) -> Self {
+        let turn = self.turn.map(|turn| Turn { center: turn.center - middle, ..turn });
+        Self { turn, ..self }
+    }
+}
+
+impl Turn {
+    /// About the axis through `center` along `axis` of any length, by the degrees of a track, right-handed.
+    ///
+    /// # Errors
+    /// [`Fault::NoDirection`] for an axis without a length; a number that is not finite or out of range.
+    pub fn about_axis(center: DVec3, axis: DVec3, degrees: Track<f64>) -> Result<Self, Fault> {
+        [center, axis].into_iter().try_for_each(check_point)?;
+        let axis = axis.try_normalize().ok_or(Fault::NoDirection { what: "axis" })?;
+        Ok(Self { center, kind: Kind::Axis(axis, degrees) })
+    }
+
+    /// About `center`: at each of the `times`, which ascend, by so many degrees about an axis of any length, and between them
+    /// the shorter way about one axis at constant speed.
+    ///
+    /// # Errors
+    /// [`Fault::NoDirection`] for degrees about an axis without a length; a number that is not finite or out of range;
+    /// what [`Track::new`] refuses.
+    pub fn by_keys(center: DVec3, turns: &[(DVec3, f64)], times: Vec<f64>) -> Result<Self, Fault> {
+        let times = Times::new(times, "turns", turns.len())?;
+        check_point(center)?;
+        let key = |(axis, degrees): &(DVec3, f64)| {
+            check_point(*axis)?;
+            check_number(*degrees)?;
+            match axis.try_normalize() {
+                Some(axis) => Ok(rotation(axis, *degrees)),
+                None if *degrees == 0.0 => Ok(DQuat::IDENTITY),
+                None => Err(Fault::NoDirection { what: "axis" }),
+            }
+        };
+        let keys = turns.iter().map(key).collect::<Result<_, _>>()?;
+        Ok(Self { center, kind: Kind::Keys(times, keys) })
+    }
+
+    fn rotation(&self, time: f64) -> DQuat {
+        match &self.kind {
+            Kind::Axis(axis, degrees) => rotation(*axis, degrees.at(time)),
+            Kind::Keys(times, keys) => match times.place(time) {
+                // Keys are met to the bit.
+                (before, 0.0) => keys[before],
+                (before, 1.0) => keys[before + 1],
+                (before, s) => keys[before].slerp(keys[before + 1], s).normalize(),
+            },
+        }
+    }
+}
+
+/// Degrees about a unit axis; whole turns are none, to the bit.
+fn rotation(axis: DVec3, degrees: f64) -> DQuat {
+    DQuat::from_axis_angle(axis, (degrees % 360.0).to_radians())
+}
+
+fn check_point(x: DVec3) -> Result<(), Fault> {
+    x.to_array().into_iter().try_for_each(check_number)
+}

@@ -1,0 +1,84 @@
+//! Ranges of numbers in files and code; those of materials are in [`Material`](crate::Material).
+
+use crate::error::Fault;
+
+/// The highest order of a basis. Chosen; not tuned.
+pub const MAX_ORDER: usize = 20;
+
+/// The finest `subdivide`, elements along one parameter. Chosen; not tuned.
+pub const MAX_PARTS: usize = 256;
+
+/// Largest width and height of a picture. Chosen; not tuned.
+pub const MAX_PIXELS: usize = 16384;
+
+/// Most copies along one step of an array. Chosen; not tuned.
+pub const MAX_COPIES: usize = 1_000_000;
+
+/// Largest number: areas and fourth powers of distances stay below the largest f64, since (1e30)⁴ = 1e120.
+const LARGEST: f64 = 1e30;
+
+/// A finite number that is `inside` the range of what it gives.
+pub(super) fn check_range(
+    value: f64,
+    inside: bool,
+    what: &'static str,
+    range: &'static str,
+) -> Result<(), Fault> {
+    match (value.is_finite(), inside) {
+        (false, _) => Err(Fault::NotFinite { value }),
+        (true, false) => Err(Fault::OutOfRange { what, value, range }),
+        (true, true) => Ok(()),
+    }
+}
+
+/// A finite number of a size that can be computed with.
+pub fn check_number(value: f64) -> Result<(), Fault> {
+    match value {
+        _ if !value.is_finite() => Err(Fault::NotFinite { value }),
+        _ if value.abs() > LARGEST => {
+            Err(Fault::OutOfRange { what: "the number", value, range: "−1e30 ≤ x ≤ 1e30" })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// 0 ≤ order ≤ [`MAX_ORDER`].
+pub fn check_order(order: usize) -> Result<(), Fault> {
+    counted(order, 0, MAX_ORDER, "the order", "0 ≤ order ≤ 20")
+}
+
+/// Elements along one parameter.
+pub fn check_parts(parts: usize) -> Result<(), Fault> {
+    counted(parts, 1, MAX_PARTS, "the number of elements", "1 ≤ subdivide ≤ 256")
+}
+
+/// Copies along one step of an array.
+pub fn check_copies(copies: usize) -> Result<(), Fault> {
+    counted(copies, 1, MAX_COPIES, "the number of copies", "1 ≤ count ≤ 1000000")
+}
+
+/// Width or height of a picture.
+pub fn check_pixels(pixels: usize) -> Result<(), Fault> {
+    counted(pixels, 1, MAX_PIXELS, "the picture's size", "1 ≤ pixels ≤ 16384")
+}
+
+/// Vertical angle of view in degrees.
+pub fn check_fov(fov: f64) -> Result<(), Fault> {
+    if fov > 0.0 && fov < 180.0 {
+        return Ok(());
+    }
+    Err(Fault::OutOfRange { what: "the angle of view", value: fov, range: "0 < fov < 180 degrees" })
+}
+
+fn counted(
+    count: usize,
+    least: usize,
+    most: usize,
+    what: &'static str,
+    range: &'static str,
+) -> Result<(), Fault> {
+    match (least..=most).contains(&count) {
+        true => Ok(()),
+        false => Err(Fault::OutOfRange { what, value: count as f64, range }),
+    }
+}

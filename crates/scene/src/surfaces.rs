@@ -1,0 +1,140 @@
+//! Drafts → the surfaces of one scene: shapes fitted together, names unique, no surface in another.
+
+use radiosity_fit::{coincident::Occupied, middle};
+use radiosity_geom::{Aabb, Bvh, DVec3};
+use radiosity_work::interruption::heed;
+
+use crate::{
+    draft::SurfaceDraft,
+    error::{Fault, Located, surface_title},
+    fitted::{self, Fitted},
+    names::UniqueNames,
+    outlook::KnownOutlooks,
+    place::Span,
+    surface::SceneSurface,
+};
+
+/// The surfaces of a scene, and how their shapes were changed.
+pub struct Surfaces {
+    /// The surfaces, in order.
+    pub list: Vec<SceneSurface>,
+    /// What each is made by.
+    pub makers: Vec<Maker>,
+    /// The vector subtracted from all coordinates.
+    pub middle: DVec3,
+    /// How their shapes were changed to fit together.
+    pub fitted: Fitted,
+}
+
+/// What a surface is made by.
+pub struct Maker {
+    /// Index of the draft.
+    pub draft: usize,
+    /// The name of its front.
+    pub front: String,
+}
+
+/// The surfaces of all drafts, in order, with unique names and none in another. Their shapes are fitted together within
+/// `tolerance` (scene length), or within that of the input.
+pub fn fitted_surfaces(
+    drafts: impl IntoIterator<Item = Result<SurfaceDraft, Located>>,
+    tolerance: Option<f64>,
+) -> Result<Surfaces, Located> {
+    let drafts = drafts.into_iter().collect::<Result<Vec<_>, _>>()?;
+    drafts.iter().try_for_each(SurfaceDraft::check_extents)?;
+    let mut drafts = drafts.into_iter().map(SurfaceDraft::lit).collect::<Result<Vec<_>, _>>()?;
+    tolerance.map_or(Ok(()), check_tolerance)?;
+    let middle = middle::of(drafts.iter().flat_map(|draft| &draft.shapes).map(|(_, shape)| shape));
+    let fitted = fitted::fit(&mut drafts, middle, tolerance);
+    let (list, makers) = named(&drafts)?;
+    if list.is_empty() {
+        Err(Located::nowhere(Fault::EmptyScene))
+    } else {
+        Ok(Surfaces { list, makers, middle, fitted })
+    }
+}
+
+/// The surfaces of all drafts, with unique names and none in another, and their makers.
+fn named(drafts: &[SurfaceDraft]) -> Result<(Vec<SceneSurface>, Vec<Maker>), Located> {
+    let mut names = UniqueNames::default();
+    let mut claims = Vec::new();
+    let mut surfaces = Vec::new();
+    let mut outlooks = KnownOutlooks::default();
+    let mut makers = Vec::new();
+    for (index, draft) in drafts.iter().enumerate() {
+        heed();
+        let typed = draft.typed.as_ref();
+        let shapes = draft.shapes.iter().map(|shape| draft.sides(shape, &mut outlooks));
+        let shapes: Vec<Vec<SceneSurface>> = shapes.collect();
+        for side in shapes.iter().flatten() {
+            let name = names.add(&side.name, typed.and_then(|typed| typed.name_line.clone()));
+            name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
+        }
+        for sides in shapes {
+            claims.push(Claim {
+                name: sides[0].name.clone(),
+                occupied: Occupied::new(&sides[0].shape),
+                span: typed.map(|typed| typed.shape.clone()),
+            });
+            let maker = || Maker { draft: index, front: sides[0].name.clone() };
+            makers.extend(sides.iter().map(|_| maker()));
+            let (first, count) = (surfaces.len(), sides.len());
+            surfaces.extend(sides.into_iter().enumerate().map(|(side, own)| SceneSurface {
+                other_side: (count == 2).then_some(first + 1 - side),
+                ..own
+            }));
+        }
+    }
+    check_apart(&claims)?;
+    Ok((surfaces, makers))
+}
+
+/// Refuses a tolerance that is no length.
+fn check_tolerance(value: f64) -> Result<(), Located> {
+    match value.is_finite() && value >= 0.0 {
+        true => Ok(()),
+        false => {
+            let fault = Fault::OutOfRange { what: "the tolerance length", value, range: "0 ≤ length" };
+            Err(Located::nowhere(fault))
+        }
+    }
+}
+
+/// The space that a surface occupies, with its name and the place of its shape in a file.
+struct Claim {
+    name: String,
+    occupied: Occupied,
+    span: Option<Span>,
+}
+
+impl Claim {
+    /// Whether one is the back of the other: named so, and facing away.
+    fn is_back_of(&self, front: &Claim) -> bool {
+        self.name.strip_suffix(":back") == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
+    }
+}
+
+/// Refuses the first surface that lies in an earlier one, except backs.
+fn check_apart(claims: &[Claim]) -> Result<(), Located> {
+    let boxes: Vec<Aabb> = claims.iter().map(|claim| *claim.occupied.bounds()).collect();
+    let tree = Bvh::build(&boxes);
+    let mut near = Vec::new();
+    for (index, own) in claims.iter().enumerate() {
+        near.clear();
+        tree.overlapping(own.occupied.bounds(), |other| near.push(other));
+        near.retain(|other| *other < index);
+        near.sort_unstable();
+        let clashes = |other: &&Claim| {
+            other.occupied.coincides(&own.occupied) && !own.is_back_of(other) && !other.is_back_of(own)
+        };
+        if let Some(other) = near.iter().map(|other| &claims[*other]).find(clashes) {
+            let fault = Fault::Coincident { other: other.name.clone() };
+            let located = match &own.span {
+                Some(span) => Located::at(span, fault),
+                None => Located::nowhere(fault),
+            };
+            return Err(located.within(|| surface_title(&own.name)));
+        }
+    }
+    Ok(())
+}

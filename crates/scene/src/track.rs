@@ -1,0 +1,215 @@
+//! Values at given times, and between them by straight lines or a natural cubic spline.
+//!
+//! Between the times t₀ and t₁ with the values a and b, s = (t − t₀)/(t₁ − t₀) and h = t₁ − t₀,
+//!
+//! ```text
+//! line     (1 − s) a + s b
+//! spline   (1 − s) a + s b + h²/6 ((1 − s)³ − (1 − s)) M₀ + h²/6 (s³ − s) M₁
+//! ```
+//!
+//! with the second derivatives M at the times, 0 at both ends, such that the first derivatives agree (C. de Boor, *A
+//! practical guide to splines*, 1978, chapter IV). Before the first time and after the last the value stays.
+
+use std::ops::{Add, Mul, Sub};
+
+use crate::{error::Fault, ranges::check_number};
+
+/// What is between two given values.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Curve {
+    /// A straight line, at constant speed.
+    #[default]
+    Line,
+    /// A natural cubic spline, of continuous speed and acceleration.
+    Spline,
+}
+
+/// A value that can be mixed with others: a number or a vector.
+pub trait Mixed: Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
+
+impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Mixed for T {}
+
+/// Values by time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Track<T> {
+    times: Times,
+    values: Vec<T>,
+    /// Second derivatives by time; none of straight lines.
+    bends: Vec<T>,
+}
+
+/// At least two times, each after the one before.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Times(Vec<f64>);
+
+impl Times {
+    /// These times, for `count` values called `what`.
+    pub(super) fn new(times: Vec<f64>, what: &'static str, count: usize) -> Result<Self, Fault> {
+        if count < 2 {
+            return Err(Fault::WrongCount { what, expected: "at least two".to_owned(), found: count });
+        }
+        if times.len() != count {
+            let expected = format!("one number for each of the {count} {what}");
+            return Err(Fault::WrongCount { what: "times", expected, found: times.len() });
+        }
+        times.iter().try_for_each(|time| check_number(*time))?;
+        match times.windows(2).find(|pair| pair[0] >= pair[1]) {
+            Some(pair) => Err(Fault::TimesFall { before: pair[0], after: pair[1] }),
+            None => Ok(Self(times)),
+        }
+    }
+
+    /// All of them.
+    pub(super) fn all(&self) -> &[f64] {
+        &self.0
+    }
+
+    /// The index of the last time before `time`, not that of the very last, and the part of the way to the next, 0 to 1.
+    pub(super) fn place(&self, time: f64) -> (usize, f64) {
+        let last = self.0.len() - 2;
+        let before = self.0.partition_point(|own| *own <= time).saturating_sub(1).min(last);
+        (before, ((time - self.0[before]) / self.step(before)).clamp(0.0, 1.0))
+    }
+
+    /// From the time at `index` to the next.
+    fn step(&self, index: usize) -> f64 {
+        self.0[index + 1] - self.0[index]
+    }
+}
+
+impl<T: Mixed> Track<T> {
+    /// The `values` at these `times`, which ascend; `what` names the values in messages.
+    ///
+    /// # Errors
+    /// [`Fault::WrongCount`] for fewer than two values, or another number of times; [`Fault::TimesFall`];
+    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a time.
+    pub fn new(what: &'static str, values: Vec<T>, times: Vec<f64>, curve: Curve) -> Result<Self, Fault> {
+        let times = Times::new(times, what, values.len())?;
+        let bends = match curve {
+            Curve::Line => Vec::new(),
+            Curve::Spline => bends(&values, &times),
+        };
+        Ok(Self { times, values, bends })
+    }
+
+    /// The times of the values.
+    pub fn times(&self) -> &[f64] {
+        self.times.all()
+    }
+
+    /// The value at a time; those given are met to the bit.
+    pub fn at(&self, time: f64) -> T {
+        let (before, s) = self.times.place(time);
+        let r = 1.0 - s;
+        let line = self.values[before] * r + self.values[before + 1] * s;
+        match &self.bends[..] {
+            [] => line,
+            bends => {
+                let scale = self.times.step(before).powi(2) / 6.0;
+                let [low, high] = [r, s].map(|x| scale * x * (x * x - 1.0));
+                line + bends[before] * low + bends[before + 1] * high
+            }
+        }
+    }
+}
+
+/// The second derivatives of the natural spline, by elimination in the tridiagonal system
+///
+/// ```text
+/// h₀ M₀ + 2 (h₀ + h₁) M₁ + h₁ M₂ = 6 ((x₂ − x₁)/h₁ − (x₁ − x₀)/h₀) .
+/// ```
+fn bends<T: Mixed>(values: &[T], times: &Times) -> Vec<T> {
+    let count = values.len();
+    let slope = |k: usize| (values[k + 1] - values[k]) * (1.0 / times.step(k));
+    // M_k = rest_k − factor_k M_{k+1}.
+    let (mut rest, mut factor) = (vec![T::default(); count], vec![0.0; count]);
+    for k in 1..count - 1 {
+        let (low, high) = (times.step(k - 1), times.step(k));
+        let pivot = 2.0 * (low + high) - low * factor[k - 1];
+        factor[k] = high / pivot;
+        rest[k] = ((slope(k) - slope(k - 1)) * 6.0 - rest[k - 1] * low) * (1.0 / pivot);
+    }
+    for k in (1..count - 1).rev() {
+        rest[k] = rest[k] - rest[k + 1] * factor[k];
+    }
+    rest
+}
+
+#[cfg(test)]
+mod tests {
+    use radiosity_geom::DVec3;
+
+    use super::*;
+
+    fn track(values: &[f64], times: &[f64], curve: Curve) -> Track<f64> {
+        Track::new("values", values.to_vec(), times.to_vec(), curve).expect("a track")
+    }
+
+    #[test]
+    fn given_values_are_met_to_the_bit_and_kept_beyond_the_ends() {
+        let (values, times) = ([0.1, -0.7, 0.3, 1e-9], [0.3, 0.7, 1.9, 2.0]);
+        for curve in [Curve::Line, Curve::Spline] {
+            let track = track(&values, &times, curve);
+            for (value, time) in values.iter().zip(times) {
+                assert_eq!(track.at(time), *value);
+            }
+            assert_eq!([track.at(-1.0), track.at(9.0)], [0.1, 1e-9]);
+        }
+    }
+
+    #[test]
+    fn a_line_runs_at_constant_speed_and_a_spline_through_its_points_is_that_line() {
+        let (values, times) = ([1.0, 2.0, 5.0], [0.0, 1.0, 4.0]);
+        for curve in [Curve::Line, Curve::Spline] {
+            let track = track(&values, &times, curve);
+            for k in 0..=40 {
+                let time = 0.1 * f64::from(k);
+                assert!((track.at(time) - (1.0 + time)).abs() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
+    fn a_spline_is_the_cubic_that_is_natural() {
+        // On [−1, 1] with a knot at 0, where its first two derivatives are continuous; the second is 0 at both ends.
+        let natural = |x: f64| 3.0 * x * x - x.abs().powi(3);
+        let track = track(&[2.0, 0.0, 2.0], &[-1.0, 0.0, 1.0], Curve::Spline);
+        for k in -10..=10 {
+            let x = 0.1 * f64::from(k);
+            assert!((track.at(x) - natural(x)).abs() < 1e-14, "{x}");
+        }
+    }
+
+    #[test]
+    fn speed_and_acceleration_of_a_spline_are_continuous() {
+        let values = [[0.0, 1.0, 0.0], [0.4, 0.2, 0.1], [-0.3, 0.0, 2.0], [1.0, 1.0, 1.0]];
+        let times = vec![0.0, 1.0, 1.5, 3.0];
+        let values = values.map(DVec3::from_array).to_vec();
+        let track = Track::new("points", values, times, Curve::Spline).expect("a track");
+        let step = 1e-4;
+        let speed = |time: f64| (track.at(time + step) - track.at(time - step)) / (2.0 * step);
+        let bend =
+            |time: f64| (track.at(time + step) + track.at(time - step) - 2.0 * track.at(time)) / step.powi(2);
+        for knot in [1.0, 1.5] {
+            // Differences over 2e-4 see third derivatives, about 10, times 2e-4.
+            let away = 1.5 * step;
+            assert!(speed(knot - away).distance(speed(knot + away)) < 1e-2);
+            assert!(bend(knot - away).distance(bend(knot + away)) < 2e-2);
+        }
+        for end in [0.0 + 1.5 * step, 3.0 - 1.5 * step] {
+            assert!(bend(end).length() < 2e-2, "{}", bend(end));
+        }
+    }
+
+    #[test]
+    fn what_makes_no_track_is_told() {
+        let new = |values: &[f64], times: &[f64]| {
+            Track::new("points", values.to_vec(), times.to_vec(), Curve::Line)
+        };
+        assert!(matches!(new(&[1.0], &[0.0]), Err(Fault::WrongCount { what: "points", found: 1, .. })));
+        assert!(matches!(new(&[1.0, 2.0], &[0.0]), Err(Fault::WrongCount { what: "times", found: 1, .. })));
+        assert_eq!(new(&[1.0, 2.0], &[3.0, 2.0]), Err(Fault::TimesFall { before: 3.0, after: 2.0 }));
+        assert_eq!(new(&[1.0, 2.0], &[3.0, 3.0]), Err(Fault::TimesFall { before: 3.0, after: 3.0 }));
+        assert!(matches!(new(&[1.0, 2.0], &[3.0, f64::NAN]), Err(Fault::NotFinite { .. })));
+    }
+}

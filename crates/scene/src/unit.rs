@@ -1,0 +1,36 @@
+//! The unit of exitance, irradiance and radiosity: a text that is printed and never computed with.
+
+use crate::{error::Fault, names::check_text};
+
+/// The unit of scenes that state none.
+pub const USUAL: &str = "W/m²";
+
+/// Most characters of a unit, so that it stands in a legend. Chosen.
+const LONGEST: usize = 16;
+
+/// Refuses what cannot stand in a legend or a line.
+pub fn check_unit(text: &str) -> Result<(), Fault> {
+    check_text(text)?;
+    if text.chars().any(char::is_control) {
+        return Err(Fault::BadUnit { problem: "the unit is more than one line" });
+    }
+    match text.chars().count() {
+        0..=LONGEST => Ok(()),
+        _ => Err(Fault::BadUnit { problem: "the unit is longer than 16 characters" }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_short_and_stand_on_a_line() {
+        for unit in [USUAL, "lx", "µW cm⁻² nm⁻¹", "1234567890123456"] {
+            assert!(check_unit(unit).is_ok(), "{unit}");
+        }
+        for unit in ["", " ", "l\nx", "12345678901234567"] {
+            assert!(check_unit(unit).is_err(), "{unit}");
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! Why a frame could not be solved.
+
+use radiosity_scene::SceneError;
+
+use crate::driver::Failure;
+
+/// Why a frame could not be solved.
+#[derive(Debug, thiserror::Error)]
+pub enum AnimationError {
+    /// The scene of the frame cannot be.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// Series where rays carry the pairs.
+    #[error("rays carry the pairs of this scene: series are for exact blocks")]
+    ByRays,
+    /// Direct light through masks, which are no polynomials.
+    #[error(
+        "light that goes through shadow masks cannot be interpolated along a path: follow it frame by frame"
+    )]
+    Masked,
+    /// Its light was not found.
+    #[error("frame {moment}: {failure}")]
+    Unsolved {
+        /// The moment, in frames.
+        moment: f64,
+        /// Why.
+        failure: Box<Failure>,
+    },
+}
+
+impl AnimationError {
+    /// For a moment, in frames.
+    pub(super) fn of(moment: f64, failure: Failure) -> Self {
+        Self::Unsolved { moment, failure: Box::new(failure) }
+    }
+}

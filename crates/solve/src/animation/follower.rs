@@ -1,0 +1,132 @@
+//! The light of frames, in one of several ways.
+
+use radiosity_scene::Scene;
+
+use crate::driver::{Options, Progress};
+
+use super::account::Account;
+use super::course::Course;
+use super::error::AnimationError;
+use super::frame::Frame;
+use super::ledger::Ledger;
+use super::sequence::Sequence;
+
+/// How the light of one frame follows from that of others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// Not at all: each is solved by itself.
+    Fresh,
+    /// What has not changed since the frame before is kept ([`super::sequence`]).
+    Selective,
+    /// It is interpolated along the path ([`super::course`]).
+    Path {
+        /// Relative error that interpolation may have.
+        tolerance: f64,
+    },
+    /// As [`Way::Selective`]; blocks of what is translated are sums of series ([`radiosity_published::series`]) as far as that pays, where exact
+    /// blocks carry the pairs. Curved and rotated things, and pairs with something between, are integrated.
+    Series {
+        /// Error that a block may have, relative to its largest entry.
+        tolerance: f64,
+    },
+}
+
+/// The light of the frames of a scene.
+#[derive(Debug)]
+pub struct Follower<'a> {
+    kind: Kind<'a>,
+    ledger: Ledger,
+    /// Largest error told of series so far.
+    error: Option<f64>,
+}
+
+#[derive(Debug)]
+enum Kind<'a> {
+    /// By a sequence that keeps what has not changed, or nothing.
+    Frames(Sequence<'a>),
+    Path(Course<'a>),
+}
+
+impl<'a> Follower<'a> {
+    /// For the frames `first` to `last` of `scene`, solved with `options`; nothing is solved yet.
+    pub fn new(scene: &'a Scene, options: &Options, way: Way, frames: [usize; 2]) -> Self {
+        let kind = match way {
+            Way::Fresh => Kind::Frames(Sequence::fresh(scene, options)),
+            Way::Selective => Kind::Frames(Sequence::new(scene, options)),
+            Way::Series { tolerance } => Kind::Frames(Sequence::by_series(scene, options, tolerance)),
+            Way::Path { tolerance } => {
+                Kind::Path(Course::new(Sequence::new(scene, options), frames, tolerance))
+            }
+        };
+        Self { kind, ledger: Ledger::default(), error: None }
+    }
+
+    /// The light of a frame, one of those that were asked for; `progress` may be called from any thread.
+    ///
+    /// # Errors
+    /// As [`Sequence::at`].
+    pub fn frame(
+        &mut self,
+        frame: usize,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Frame, AnimationError> {
+        let (now, spent) = match &mut self.kind {
+            Kind::Frames(sequence) => {
+                let now = sequence.at(frame as f64, progress)?;
+                self.error = larger(self.error, now.interpolated);
+                (now, sequence.spent())
+            }
+            Kind::Path(course) => (course.frame(frame, progress)?, course.spent()),
+        };
+        self.ledger.take(spent);
+        Ok(now)
+    }
+
+    /// What the moments that were solved so far cost, and what they miss.
+    pub fn account(&self) -> &Account {
+        match &self.kind {
+            Kind::Frames(sequence) => sequence.account(),
+            Kind::Path(course) => course.account(),
+        }
+    }
+
+    /// The number of frames after which the set-up was repaid, as far as frames were asked for: from then on all cost less, in
+    /// blocks that were integrated or rays that were traced, than if each had been solved alone. None if they do not.
+    pub fn repaid(&self) -> Option<usize> {
+        self.ledger.repaid()
+    }
+
+    /// Number of moments that were solved so far.
+    pub fn solved(&self) -> usize {
+        self.account().moments
+    }
+
+    /// Whether something is set up that later frames repay: points of a path, or expansions.
+    pub fn has_set_up(&self) -> bool {
+        match &self.kind {
+            Kind::Frames(sequence) => sequence.has_series(),
+            Kind::Path(_) => true,
+        }
+    }
+
+    /// Number of segments of the path so far, where light is interpolated.
+    pub fn segments(&self) -> Option<usize> {
+        match &self.kind {
+            Kind::Path(course) => Some(course.segments()),
+            _ => None,
+        }
+    }
+
+    /// Largest relative error told of light that was interpolated so far, or that follows from series.
+    pub fn error(&self) -> Option<f64> {
+        match &self.kind {
+            Kind::Path(course) => course.error(),
+            _ => self.error,
+        }
+    }
+}
+
+/// The larger one of two errors that are known.
+fn larger(own: Option<f64>, other: Option<f64>) -> Option<f64> {
+    own.into_iter().chain(other).reduce(f64::max)
+}

@@ -1,0 +1,31 @@
+//! The light of one frame.
+
+use radiosity_scene::Scene;
+use radiosity_visibility::Visibility;
+
+use crate::driver::Outcome;
+use crate::solution::Solution;
+
+/// The light of a frame.
+#[derive(Debug)]
+pub struct Frame {
+    /// The still scene.
+    pub scene: Scene,
+    /// The same as obstacles, with the shadows it is solved with.
+    pub visibility: Visibility,
+    /// The polynomials of its light.
+    pub solution: Solution,
+    /// Estimated relative error of what was interpolated, or its bound where blocks are sums of series; None where the frame itself
+    /// was solved, by integrals.
+    pub interpolated: Option<f64>,
+    /// Estimated relative error that rays left in it, where they carried the pairs; else 0.
+    pub rays: f64,
+}
+
+impl Frame {
+    /// That of a frame that was solved itself.
+    pub(super) fn of(scene: Scene, visibility: Visibility, outcome: Outcome) -> Self {
+        let rays = outcome.noise();
+        Self { scene, visibility, solution: outcome.solution, interpolated: None, rays }
+    }
+}

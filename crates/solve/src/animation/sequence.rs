@@ -1,0 +1,188 @@
+//! Frames solved one after the other, each as it would be alone.
+//!
+//! Nothing is known of the path: any frame may follow any other. What has not moved keeps its blocks, and rays that nothing has
+//! come into the way of meet what they met (`crates/transport/src/memory.rs`); what has is integrated and traced again, and so are the
+//! pairs between which it came or went. The solution of a frame does not depend on the frames before it, not in a bit, so nothing
+//! can drift. Whether rays or exact blocks carry the pairs, and how surfaces are cut, is decided once, for the scene at rest.
+
+use std::mem;
+use std::sync::Arc;
+
+use radiosity_published::expansions::{Expansions, ORDERS, SeriesCounts, known};
+use radiosity_scene::{Scene, Stills};
+use radiosity_transport::{Memory, RayCounts};
+
+use crate::driver::{Failure, Layout, Model, Options, Progress};
+
+use super::account::Account;
+use super::error::AnimationError;
+use super::frame::Frame;
+use crate::animation::told::carried;
+
+/// The frames of a scene that moves.
+#[derive(Debug)]
+pub struct Sequence<'a> {
+    stills: Stills<'a>,
+    options: Options,
+    layout: Layout,
+    kept: Kept,
+    account: Account,
+    /// What they did for the last frame.
+    counts: SeriesCounts,
+    /// What was solved so far, in solutions of a frame alone.
+    spent: f64,
+    /// Bound of the relative difference that series made in the last frame.
+    error: Option<f64>,
+}
+
+/// What is kept of the frame before.
+#[derive(Debug, Default)]
+struct Kept {
+    /// None where nothing is.
+    memory: Option<Memory>,
+    /// Series of what is translated, where blocks may be sums of them.
+    expansions: Option<Arc<Expansions>>,
+}
+
+impl Kept {
+    /// Blocks and rays, but nothing yet.
+    fn blocks_and_rays() -> Self {
+        Self { memory: Some(Memory::default()), expansions: None }
+    }
+
+    /// The same with series.
+    fn with_series(expansions: Expansions) -> Self {
+        let expansions = Arc::new(expansions);
+        Self { memory: Some(Memory::beside(known(&expansions))), expansions: Some(expansions) }
+    }
+
+    /// As it was before any frame.
+    fn anew(&self) -> Self {
+        match (&self.memory, &self.expansions) {
+            (None, _) => Self::default(),
+            (Some(_), None) => Self::blocks_and_rays(),
+            (Some(_), Some(expansions)) => Self::with_series(expansions.anew()),
+        }
+    }
+}
+
+impl<'a> Sequence<'a> {
+    /// The frames of `scene`, all solved with the same options.
+    pub fn new(scene: &'a Scene, options: &Options) -> Self {
+        Self { kept: Kept::blocks_and_rays(), ..Self::fresh(scene, options) }
+    }
+
+    /// The same to the bit, with nothing kept between frames.
+    pub fn fresh(scene: &'a Scene, options: &Options) -> Self {
+        Self {
+            stills: Stills::of(scene),
+            options: *options,
+            layout: Layout::of(scene, options),
+            kept: Kept::default(),
+            account: Account::default(),
+            counts: SeriesCounts::default(),
+            spent: 0.0,
+            error: None,
+        }
+    }
+
+    /// As [`Sequence::new`], but blocks between flat elements that are translated, with nothing between them, are sums of series as
+    /// far as that pays; they may be off by `tolerance` times their largest entries.
+    pub fn by_series(scene: &'a Scene, options: &Options, tolerance: f64) -> Self {
+        let kept = Kept::with_series(Expansions::new(tolerance, options.eps));
+        Self { kept, ..Self::fresh(scene, options) }
+    }
+
+    /// Whether blocks may be sums of series.
+    pub fn has_series(&self) -> bool {
+        self.kept.expansions.is_some()
+    }
+
+    /// The scene with its motions.
+    pub fn scene(&self) -> &'a Scene {
+        self.stills.scene()
+    }
+
+    /// The options that every frame is solved with.
+    pub fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// The light at a moment, a real number of frames; `progress` may be called from any thread.
+    ///
+    /// # Errors
+    /// As [`Scene::at_moment`] and [`solve`](crate::driver::solve); series where rays carry the pairs.
+    pub fn at(&mut self, moment: f64, progress: &(dyn Fn(Progress) + Sync)) -> Result<Frame, AnimationError> {
+        if self.has_series() && self.layout.is_by_rays() {
+            return Err(AnimationError::ByRays);
+        }
+        let still = self.stills.at(moment)?;
+        // It is put back once the frame is solved: what fails or is interrupted leaves nothing that belongs to half a frame.
+        let anew = self.kept.anew();
+        let mut kept = mem::replace(&mut self.kept, anew);
+        kept.expansions.iter().for_each(|expansions| expansions.begin());
+        let failed = |failure: Failure| AnimationError::of(moment, failure);
+        let memory = kept.memory.as_mut();
+        let model =
+            Model::assemble_again(&still, &self.options, &self.layout, memory, progress).map_err(failed)?;
+        let outcome = model.solve(&still, progress).map_err(failed)?;
+        self.kept = kept;
+        self.counts = self.kept.expansions.as_ref().map(|expansions| expansions.counts()).unwrap_or_default();
+        let traced =
+            || RayCounts { traced: outcome.sampling.map_or(0, |sampling| sampling.rays), recalled: 0 };
+        let rays = self.kept.memory.as_ref().map_or_else(traced, Memory::rays);
+        self.spent += self.share(&rays);
+        self.error = carried(&model.blocks().remainders, &outcome.solution);
+        self.account.take(&still, &outcome, rays);
+        let frame = Frame::of(still, model.into_visibility(), outcome);
+        Ok(Frame { interpolated: self.error, ..frame })
+    }
+
+    /// What all moments so far cost, and what they miss.
+    pub fn account(&self) -> &Account {
+        &self.account
+    }
+
+    /// What was solved so far, in solutions of a frame alone: by the numbers of blocks that were integrated, of which an expansion
+    /// counts for one a term, or of rays that were traced.
+    pub fn spent(&self) -> f64 {
+        self.spent
+    }
+
+    /// Bound of the relative difference between the light of the last frame and that of the frame alone, L2 of its coefficients,
+    /// that series make; None where there were none.
+    pub fn error(&self) -> Option<f64> {
+        self.error
+    }
+
+    /// The last frame, for which these rays were sent, in solutions of a frame alone.
+    fn share(&self, RayCounts { traced, recalled }: &RayCounts) -> f64 {
+        let integrals = self.integrated() + self.expanded() * (ORDERS + 1);
+        let blocks = self.integrated() + self.summed() + self.recalled();
+        let (made, all) = match self.layout.is_by_rays() {
+            true => (*traced, traced + recalled),
+            false => (integrals as u64, blocks as u64),
+        };
+        if all == 0 { 1.0 } else { made as f64 / all as f64 }
+    }
+
+    /// Blocks that were integrated for the last frame.
+    pub fn integrated(&self) -> usize {
+        self.kept.memory.as_ref().map_or(0, Memory::integrated) - self.summed()
+    }
+
+    /// Blocks of the last frame that are sums of series.
+    pub fn summed(&self) -> usize {
+        self.counts.summed
+    }
+
+    /// Blocks that were expanded for the last frame.
+    pub fn expanded(&self) -> usize {
+        self.counts.expanded
+    }
+
+    /// Blocks that the last frame has in common with the one before.
+    pub fn recalled(&self) -> usize {
+        self.kept.memory.as_ref().map_or(0, Memory::recalled)
+    }
+}

@@ -1,0 +1,104 @@
+//! The driver: scene → elements → blocks → system per band → solution, timed.
+//!
+//! A [`Model`] holds what does not depend on materials, the elements and their blocks; it is solved for any materials
+//! of the same surfaces.
+//!
+//! It heeds interruptions ([`radiosity_work::interruption`]):
+//!
+//! ```
+//! use radiosity_work::interruption::{Interrupted, Interruption};
+//! use radiosity_solve::{Options, solve};
+//! use std::thread;
+//! use std::time::Duration;
+//!
+//! let scene = radiosity_language::builtin("cornell-box")?;
+//! let options = Options { order: 7, eps: 1e-9, ..Options::default() };
+//! let interruption = Interruption::new();
+//! let found = thread::scope(|scope| {
+//!     // Any thread may raise it: one that waits for a key or a deadline, or a handler of signals.
+//!     scope.spawn(|| {
+//!         thread::sleep(Duration::from_millis(50));
+//!         interruption.raise();
+//!     });
+//!     interruption.within(|| solve(&scene, &options, &|_progress| {}))
+//! });
+//! assert!(matches!(found, Err(Interrupted)));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod direct;
+mod preconditioning;
+mod outline;
+pub mod memory;
+mod fit;
+mod failure;
+mod pool;
+mod stopwatch;
+mod algorithm;
+mod choice;
+mod stop;
+mod options;
+mod decision;
+mod progress;
+mod allowance;
+mod emission;
+mod band;
+mod sampling;
+mod assembly;
+mod layout;
+mod first_light;
+mod outcome;
+mod bands;
+mod model;
+mod by_links;
+
+use radiosity_elements::mesh::Mesh;
+use radiosity_scene::Scene;
+
+pub use algorithm::Algorithm;
+use by_links::solve_by_links;
+pub use choice::{Choice, MOST_RAYS, Transport};
+pub use direct::Direct;
+pub use failure::Failure;
+pub use first_light::masked_light;
+pub use fit::Fit;
+pub(crate) use layout::Layout;
+pub use model::Model;
+pub use options::Options;
+pub use outcome::{Functional, Outcome, Stages};
+pub use pool::in_threads;
+pub use preconditioning::Preconditioning;
+pub use progress::Progress;
+pub use sampling::Sampling;
+pub use stop::Stop;
+pub(crate) use stopwatch::timed;
+
+/// Solves `scene`; `progress` may be called from any thread.
+///
+/// # Errors
+/// A scene that cannot be cut into elements, a linear solver that fails or does not converge, or threads
+/// that cannot be started.
+pub fn solve(
+    scene: &Scene,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Outcome, Failure> {
+    match options.algorithm {
+        Algorithm::Galerkin => Model::assemble(scene, options, progress)?.solve(scene, progress),
+        Algorithm::Hierarchical => solve_by_links(scene, options, progress),
+    }
+}
+
+/// The same by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
+///
+/// # Errors
+/// As [`solve`].
+pub(crate) fn solve_exactly(
+    scene: &Scene,
+    options: &Options,
+    why: &str,
+    mesh: Option<&Mesh>,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Outcome, Failure> {
+    Model::assemble_exactly(scene, options, why, mesh, progress)?.solve(scene, progress)
+}

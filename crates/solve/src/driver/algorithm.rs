@@ -1,0 +1,16 @@
+//! Which algorithm finds the light.
+
+use serde::{Deserialize, Serialize};
+
+/// Which algorithm finds the light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[serde(rename_all = "lowercase")]
+pub enum Algorithm {
+    /// Polynomials on elements, with transfers between all of them
+    #[default]
+    Galerkin,
+    /// Constants on elements that the light asks for, with links between groups of them: hierarchical radiosity, for
+    /// those who compare; --eps is the greatest power of a link
+    Hierarchical,
+}

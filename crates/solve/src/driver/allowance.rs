@@ -1,0 +1,104 @@
+//! Runs that need more memory than allowed are refused, with what would fit.
+
+use radiosity_elements::cells::Layers;
+use radiosity_elements::mesh::Mesh;
+use radiosity_elements::{Discretization, Subdivide, mesh_sizes};
+use radiosity_scene::Scene;
+use radiosity_solvers::method::Method;
+
+use super::failure::Failure;
+use super::fit::Fit;
+use super::memory::Footprint;
+use super::options::Options;
+
+/// A run as far as its memory goes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Need<'a> {
+    pub scene: &'a Scene,
+    pub how: Discretization,
+    pub options: &'a Options,
+    /// Rays that carry its pairs, if any.
+    pub rays: Option<u64>,
+    /// Whether a memory of it is kept for the next scene.
+    pub is_kept: bool,
+}
+
+impl Need<'_> {
+    /// Bytes that it takes at the most.
+    pub(super) fn peak(&self) -> u64 {
+        let Self { scene, how, options, .. } = self;
+        let footprint = match self.rays {
+            Some(rays) => Footprint::of_rays(scene, how, options.method, rays),
+            None if options.kernel.is_some() => Footprint::of_1993(scene, how, options.method),
+            None => Footprint::of(scene, how, options.method),
+        };
+        if self.is_kept { footprint.peak_with_memory() } else { footprint.peak() }
+    }
+
+    /// Refuses a run that needs more memory than allowed.
+    pub(super) fn require(&self) -> Result<(), Failure> {
+        let Some(allowed) = self.options.memory else { return Ok(()) };
+        let needed = self.peak();
+        if needed <= allowed {
+            return Ok(());
+        }
+        let mut fits = Vec::new();
+        if self.is_kept && (Self { is_kept: false, ..*self }).peak() <= allowed {
+            fits.push(Fit::FreshFrames);
+        }
+        match self.rays {
+            Some(rays) => fits.extend(self.fewer_rays(rays, allowed)),
+            None => fits.extend(self.less(allowed)),
+        }
+        Err(Failure::Memory { needed, allowed, fits })
+    }
+
+    /// What would fit of exact blocks.
+    fn less(&self, allowed: u64) -> Vec<Fit> {
+        let Self { how, options, .. } = *self;
+        let fits =
+            |how, method| (Need { how, options: &Options { method, ..*options }, ..*self }).peak() <= allowed;
+        let mut less = Vec::new();
+        if fits(how, &Method::CG) {
+            less.push(Fit::ConjugateGradients);
+        }
+        let lower =
+            (0..how.order).rev().find(|order| fits(Discretization { order: *order, ..how }, options.method));
+        less.extend(lower.map(Fit::Order));
+        let whole = Discretization { subdivide: Subdivide::Uniform(1), layers: Layers::NONE, ..how };
+        if fits(whole, options.method) {
+            less.push(Fit::WholeSurfaces);
+        }
+        less
+    }
+
+    /// The half, quarter, … of the rays that would fit; elements follow from their number where nothing else is asked for.
+    fn fewer_rays(&self, rays: u64, allowed: u64) -> Option<Fit> {
+        let peak = |rays: u64| {
+            let subdivide = match self.how.subdivide {
+                Subdivide::Graded { .. } => Subdivide::Graded { rays },
+                given => given,
+            };
+            (Self { rays: Some(rays), how: Discretization { subdivide, ..self.how }, ..*self }).peak()
+        };
+        let mut fewer = (1..u64::BITS).map(|halvings| rays >> halvings).take_while(|rays| *rays > 0);
+        fewer.find(|rays| peak(*rays) <= allowed).map(Fit::Rays)
+    }
+}
+
+/// Bytes that a run on elements of such a mesh takes at the most.
+pub(super) fn peak_of_mesh(scene: &Scene, how: &Discretization, mesh: &Mesh, options: &Options) -> u64 {
+    Footprint::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.method).peak()
+}
+
+/// Refuses a run on elements of a refined mesh that needs more memory than allowed.
+pub(super) fn require_memory_of_mesh(
+    scene: &Scene,
+    how: &Discretization,
+    mesh: &Mesh,
+    options: &Options,
+) -> Result<(), Failure> {
+    let Some(allowed) = options.memory else { return Ok(()) };
+    let needed = peak_of_mesh(scene, how, mesh, options);
+    if needed <= allowed { Ok(()) } else { Err(Failure::Memory { needed, allowed, fits: Vec::new() }) }
+}

@@ -1,0 +1,63 @@
+//! How a scene is cut into elements, and the blocks between them.
+
+use radiosity_elements::{Discretization, Subdivide};
+use radiosity_kernel::Blocks;
+use radiosity_published::bases::basis::Ground;
+use radiosity_published::zatz1993::transfers;
+use radiosity_scene::Scene;
+use radiosity_transport as transport;
+use radiosity_transport::Memory;
+use radiosity_visibility::Visibility;
+
+use super::failure::Failure;
+use super::options::Options;
+use super::progress::Progress;
+use super::sampling::{Sampling, Subject};
+
+/// How the scene is cut, given the rays that carry its pairs, if any: into elements that hold the functions of the basis.
+pub(super) fn ground(scene: &Scene, visibility: &Visibility, options: &Options, rays: Option<u64>) -> Ground {
+    let auto = || match rays {
+        Some(rays) => Subdivide::Graded { rays },
+        None => Subdivide::Auto { occluded: visibility.any_shadow() },
+    };
+    let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
+    let Options { basis, order, space, layers, eps, .. } = *options;
+    basis.ground(scene, &Discretization { order, space, subdivide, layers }, eps)
+}
+
+/// The blocks, by that many rays or exactly; from `memory`, as far as it holds them.
+pub(super) fn carried(
+    scene: &Scene,
+    subject: &Subject,
+    rays: Option<u64>,
+    memory: Option<&mut Memory>,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<(Blocks, Option<Sampling>), Failure> {
+    if let Some(rays) = rays {
+        let (blocks, sampling) = subject.sample(rays, memory, progress);
+        return Ok((blocks, Some(sampling)));
+    }
+    let report = |done, total| progress(Progress::Blocks(done, total));
+    Ok((blocks(scene, subject, memory, &report)?, None))
+}
+
+fn blocks(
+    scene: &Scene,
+    subject: &Subject,
+    memory: Option<&mut Memory>,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Blocks, Failure> {
+    let Subject { elements, visibility, options, .. } = *subject;
+    let Some(rules) = options.kernel else {
+        let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
+        let accuracy = options.accuracy();
+        return Ok(match memory {
+            Some(memory) => {
+                transport::assemble_again(elements, &sends, visibility, accuracy, memory, progress)
+            }
+            None => transport::assemble_senders(elements, &sends, visibility, accuracy, progress),
+        });
+    };
+    transfers::assemble(elements, visibility, rules, transfers::EXTRA_POINTS, progress)
+        .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
+}

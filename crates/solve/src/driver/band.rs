@@ -1,0 +1,80 @@
+//! The linear systems of one band: one matrix, a right-hand side for each light group.
+
+use radiosity_solvers::method::Access;
+use radiosity_solvers::{Report, Settings, SolveError, Step};
+use radiosity_work::interruption::{self, Interruption, heed};
+
+use crate::system::ritz::{Found, Ritz};
+
+use super::options::Options;
+
+/// The cost of a band's linear system.
+pub(super) struct Effort {
+    pub method: &'static str,
+    pub iterations: usize,
+    pub converged: bool,
+}
+
+/// The cost of a finished solver; with `keep_partial` the best iterate of one that did not converge counts too, if it has
+/// one: a factorisation that ran out of time has none.
+fn effort(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<Option<Effort>, SolveError> {
+    match ended {
+        Ok(reports) => Ok(reports
+            .into_iter()
+            .max_by_key(|report| report.iterations)
+            .map(|Report { method, iterations, .. }| Effort { method, iterations, converged: true })),
+        Err(SolveError::NotConverged { method, iterations, residual, .. })
+            if keep_partial && residual.is_finite() =>
+        {
+            Ok(Some(Effort { method, iterations, converged: false }))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// Solves the systems of one band, which differ in their emission alone. Without light there is nothing to solve, and
+/// no effort.
+///
+/// # Errors
+/// Those of the solver.
+pub(super) fn solve_band(
+    systems: &[Ritz<'_>],
+    options: &Options,
+    observe: &mut dyn FnMut(&Step<'_>),
+) -> Result<(Vec<Found>, Option<Effort>), SolveError> {
+    let rights: Vec<Vec<f64>> = systems.iter().map(Ritz::right_hand_side).collect();
+    let is_lit = |right: &[f64]| right.iter().any(|value| *value != 0.0);
+    let lit: Vec<f64> = rights.iter().filter(|right| is_lit(right)).flatten().copied().collect();
+    let mut unknowns = vec![0.0; lit.len()];
+    let mut needed = None;
+    if let Some(first) = systems.first().filter(|_| !lit.is_empty()) {
+        let (operator, preconditioner) =
+            first.operator(options.method, options.preconditioner.into(), options.threads)?;
+        let method = first.method(options.method, operator.symmetric());
+        // Only shooting needs it, and it costs as much as a basis.
+        let measure = (method.access == Access::Columns).then(|| first.shooting_measure());
+        let interruption = interruption::current();
+        let mut settings = Settings::default()
+            .with_tolerance(options.tolerance)
+            .with_max_iterations(options.max_iterations)
+            .with_threads(options.threads)
+            .with_preconditioner(preconditioner)
+            .with_cancel(interruption.as_ref().map(Interruption::flag))
+            .with_time_budget(options.solving_time());
+        settings.measure = measure.as_deref();
+        let mut observe = |step: &Step<'_>| {
+            heed();
+            observe(step);
+        };
+        let ended = method.solver.solve_many(&*operator, &lit, &mut unknowns, &settings, &mut observe);
+        // Where it was cancelled.
+        heed();
+        needed = effort(ended, options.keep_partial)?;
+    }
+    let mut columns = unknowns.chunks_exact(rights.first().map_or(1, |right| right.len().max(1)));
+    let solved = |(system, right): (&Ritz<'_>, &Vec<f64>)| {
+        let own = if is_lit(right) { columns.next() } else { None };
+        own.map_or_else(|| system.found(&vec![0.0; right.len()]), |own| system.found(own))
+    };
+    Ok((systems.iter().zip(&rights).map(solved).collect(), needed))
+}

@@ -1,0 +1,98 @@
+//! The light of all bands: solved for, or summed over the first reflections.
+
+use radiosity_elements::Element;
+use radiosity_kernel::Blocks;
+use radiosity_published::bases::Subspace;
+use radiosity_solvers::Step;
+use radiosity_solvers::method::Method;
+
+use crate::system::ritz::{Found, Ritz};
+use crate::system::{Coefficients, System};
+
+use super::band::{Effort, solve_band};
+use super::emission::Emission;
+use super::failure::Failure;
+use super::first_light::Reflected;
+use super::options::Options;
+use super::outcome::Functional;
+use super::progress::Progress;
+
+/// What the light of all bands follows from.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bands<'a> {
+    pub names: &'a [String],
+    pub elements: &'a [Element],
+    pub blocks: &'a Blocks,
+    /// What the functions of the basis span; None where they are those of the elements.
+    pub subspace: Option<&'a Subspace>,
+    pub options: &'a Options,
+}
+
+/// The light of all bands.
+pub(super) struct Light {
+    /// For each emission its coefficients, band by band.
+    pub light: Vec<Vec<Coefficients>>,
+    /// The same with one reflection less, where the number of reflections is limited to more than none.
+    pub before: Option<Vec<Vec<Coefficients>>>,
+    pub efforts: Vec<Effort>,
+    pub functionals: Vec<Functional>,
+}
+
+impl Bands<'_> {
+    /// All light of each emission.
+    ///
+    /// # Errors
+    /// A linear solver that fails or does not converge.
+    pub(super) fn solved(
+        &self,
+        emissions: &[Emission],
+        first: &[Reflected],
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Light, Failure> {
+        let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
+        let (mut efforts, mut functionals) = (Vec::new(), Vec::new());
+        for (band, name) in self.names.iter().enumerate() {
+            let systems = self.systems(band, emissions, first);
+            let mut observe =
+                |step: &Step<'_>| progress(Progress::Solve(band, step.iteration, step.residual));
+            let (solved, effort) = solve_band(&systems, self.options, &mut observe)
+                .map_err(|source| Failure::Solver { band: name.clone(), source })?;
+            for ((light, emission), found) in light.iter_mut().zip(emissions).zip(solved) {
+                let Found { coefficients, functional } = found;
+                light.push(coefficients);
+                // Where the system is not symmetric, the solution is no minimum.
+                let is_symmetric = self.blocks.symmetric() && !emission.coatings[band].transmits();
+                let (band, group) = (name.clone(), emission.group.clone());
+                let own = Functional { band, group, value: functional };
+                functionals.extend(is_symmetric.then_some(own));
+            }
+            efforts.extend(effort);
+        }
+        Ok(Light { light, before: None, efforts, functionals })
+    }
+
+    /// The light of each emission that was reflected so many times at the most.
+    pub(super) fn bounced(&self, emissions: &[Emission], first: &[Reflected], bounces: usize) -> Light {
+        let dark = || emissions.iter().map(|_| Vec::new()).collect::<Vec<Vec<Coefficients>>>();
+        let (mut light, mut before) = (dark(), (bounces > 0).then(dark));
+        for band in 0..self.names.len() {
+            for (k, system) in self.systems(band, emissions, first).iter().enumerate() {
+                let bounced = system.bounced(bounces);
+                light[k].push(bounced.coefficients);
+                before.iter_mut().for_each(|own| own[k].extend(bounced.before.clone()));
+            }
+        }
+        let method = Method::RICHARDSON.name;
+        let efforts = vec![Effort { method, iterations: bounces, converged: true }];
+        Light { light, before, efforts, functionals: Vec::new() }
+    }
+
+    /// The systems of a band, one for each emission.
+    fn systems<'a>(&'a self, band: usize, emissions: &'a [Emission], first: &[Reflected]) -> Vec<Ritz<'a>> {
+        let system = |(emission, first): (&'a Emission, &Reflected)| {
+            let coating = (band, &emission.coatings[band]);
+            Ritz::new(System::entered(self.elements, self.blocks, coating, &first.entry), self.subspace)
+        };
+        emissions.iter().zip(first).map(system).collect()
+    }
+}

@@ -1,0 +1,167 @@
+//! Hierarchical radiosity as a run: refined by the light of the whole scene, then solved for each light group.
+
+use std::sync::Arc;
+
+use radiosity_elements::Elements;
+use radiosity_elements::coating::Coating;
+use radiosity_kernel::PairCounts;
+use radiosity_light::first_bounce::Entry;
+use radiosity_published::hierarchy::{
+    BandSystem, Hierarchy, HierarchyOptions, LinkedElements, Round, leaf_elements, solve_hierarchically,
+};
+use radiosity_scene::Scene;
+use radiosity_solvers::Settings;
+use radiosity_solvers::method::{Access, Method};
+
+use super::choice::Choice;
+use super::emission::Emission;
+use super::failure::Failure;
+use super::options::Options;
+use super::outcome::{Outcome, Stages};
+use super::pool::in_threads;
+use super::progress::Progress;
+use super::stopwatch::timed;
+use crate::checks::{Balance, Checks, Lit};
+use crate::solution::Solution;
+use crate::solution::group_light::GroupLight;
+use crate::system::Coefficients;
+
+/// Faces up to this part of the area of all surfaces are not cut. Chosen.
+const LEAST_AREA: f64 = 1e-6;
+
+/// The greatest power of a link at which clusters are linked from 1½ sums of their radii on, and how this distance grows
+/// with smaller powers. Chosen: the error of clusters falls with it, and not with the power.
+const USUAL: f64 = 1e-3;
+const FARTHER: f64 = 0.3;
+
+/// Solves `scene` by links.
+///
+/// # Errors
+/// As for [`super::solve`].
+pub(super) fn solve_by_links(
+    scene: &Scene,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Outcome, Failure> {
+    in_threads(options.threads, || by_links(scene, options, progress))?
+}
+
+fn by_links(
+    scene: &Scene,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Outcome, Failure> {
+    let (mut seconds, how) = (Stages::default(), linking(options));
+    let told = |round: Round| progress(Progress::Blocks(round.number, how.rounds));
+    let found = timed(&mut seconds.blocks, || solve_hierarchically(scene, &how, &told))?;
+    progress(Progress::Finished("blocks", seconds.blocks));
+    let hierarchy = found.hierarchy();
+    let elements = Arc::new(timed(&mut seconds.elements, || leaf_elements(scene, hierarchy))?);
+    let links = LinkedElements::new(hierarchy, &elements);
+    let run = Run { scene, options, method: how.method, hierarchy, links: &links, elements: &elements };
+    let (groups, efforts) = timed(&mut seconds.solve, || run.groups())?;
+    progress(Progress::Finished("solve", seconds.solve));
+    let solution = Solution::of_groups(Arc::clone(&elements), scene, groups);
+    let checks = Checks::with_powers(&solution, &links, solution.powers().unwrap_or_default());
+    let slowest = efforts.into_iter().max_by_key(|(_, iterations)| *iterations);
+    let (solver, iterations) = slowest.unwrap_or((how.method.name, 0));
+    let counts = found.counts();
+    Ok(Outcome {
+        residual: solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max),
+        checks,
+        solution,
+        pairs: PairCounts::default(),
+        samples: counts.links as u64,
+        distinct: counts.links as u64,
+        rays: (counts.links * how.rays_per_link) as u64,
+        unknowns: elements.coefficients(),
+        functionals: Vec::new(),
+        accuracy_reached: 0.0,
+        miss: None,
+        solver,
+        iterations,
+        split: false,
+        converged: true,
+        choice: Choice { sampled: false, why: "hierarchical radiosity was asked for".to_owned() },
+        sampling: None,
+        links: Some(counts),
+        seconds,
+    })
+}
+
+/// How finely these options link.
+fn linking(options: &Options) -> HierarchyOptions {
+    let usual = HierarchyOptions::default();
+    let method = if options.method.access == Access::BySize { usual.method } else { options.method };
+    let farther = (USUAL / options.eps).max(1.0).powf(FARTHER);
+    HierarchyOptions {
+        eps: options.eps,
+        least_area: LEAST_AREA,
+        separation: usual.separation * farther,
+        method,
+        tolerance: options.tolerance,
+        ..usual
+    }
+}
+
+/// A linked scene that is solved.
+struct Run<'a> {
+    scene: &'a Scene,
+    options: &'a Options,
+    method: &'static Method,
+    hierarchy: &'a Hierarchy,
+    links: &'a LinkedElements<'a>,
+    elements: &'a Elements,
+}
+
+/// Name of a solver and its iterations.
+type Effort = (&'static str, usize);
+
+impl Run<'_> {
+    /// The light of each group, with the effort of each of its bands.
+    fn groups(&self) -> Result<(Vec<GroupLight>, Vec<Effort>), Failure> {
+        let balance = Balance::of(self.elements, self.links);
+        let (mut groups, mut efforts) = (Vec::new(), Vec::new());
+        for Emission { group, coatings, .. } in Emission::all(self.scene, self.elements.list()) {
+            let mut light = Vec::with_capacity(coatings.len());
+            for (band, coating) in coatings.iter().enumerate() {
+                let (coefficients, effort) = self.band(band, coating)?;
+                light.push(coefficients);
+                efforts.push(effort);
+            }
+            let lit: Vec<Lit<'_>> = coatings
+                .iter()
+                .zip(&light)
+                .map(|(coating, coefficients)| Lit { coating, flux: 0.0, coefficients })
+                .collect();
+            let powers = balance.powers(&lit, &Entry::Carried);
+            let bands = light.into_iter().map(Coefficients::into).collect();
+            groups.push(GroupLight { group, bands, powers, masked: None });
+        }
+        Ok((groups, efforts))
+    }
+
+    /// The light of one band.
+    fn band(&self, band: usize, coating: &Coating) -> Result<(Coefficients, Effort), Failure> {
+        let surfaces = self.scene.surfaces.len();
+        let (mut reflectance, mut exitance) = (vec![0.0; surfaces], vec![0.0; surfaces]);
+        for (index, element) in self.elements.list().iter().enumerate() {
+            reflectance[element.surface] = coating.reflectance[index];
+            exitance[element.surface] = coating.exitance[index];
+        }
+        let system = BandSystem::new(self.hierarchy, &reflectance, &exitance);
+        let settings = Settings::default()
+            .with_tolerance(self.options.tolerance)
+            .with_max_iterations(self.options.max_iterations)
+            .with_threads(self.options.threads);
+        let solved = system.solve(self.method, &settings);
+        let failed = |source| Failure::Solver { band: self.scene.bands[band].clone(), source };
+        let (radiosity, report) = solved.map_err(failed)?;
+        let carried = |radiosity: &[f64]| self.links.irradiance(&self.hierarchy.exchange(radiosity));
+        let (irradiance, direct) = (carried(&radiosity), carried(system.exitance()));
+        let residual = system.residual(&radiosity);
+        let list = self.elements.list();
+        let coefficients = Coefficients::of_irradiance(list, coating, irradiance, direct, residual);
+        Ok((coefficients, (report.method, report.iterations)))
+    }
+}

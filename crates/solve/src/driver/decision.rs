@@ -1,0 +1,123 @@
+//! Whether rays or exact blocks carry the pairs of a scene.
+//!
+//! Exact blocks cost about the square of the number of elements, and most where things are curved or hide each other;
+//! rays cost about that number, whatever stands between. Rooms of a few flat things are done exactly in a fraction of a
+//! second, to an error that rays would take seconds for. An office of 430 polygons took 94 s of CPU exactly, 33 000 of
+//! its 37 000 pairs partly hidden, and 1 s by rays with a smaller error of the light gathered at points; a teapot of 40
+//! curved surfaces takes 27 s, and 0.5 s with a smaller error.
+//!
+//! What exact blocks would cost is told beforehand by some of the pairs of surfaces: whether their planes let them see
+//! each other, whether they are flat, and how many surfaces reach into the hull of both.
+
+use radiosity_elements::cut_sizes;
+use radiosity_elements::{Discretization, Subdivide};
+use radiosity_scene::Scene;
+use radiosity_transport::price::{Couple, LEAST, price};
+use radiosity_visibility::{Hiding, Visibility};
+
+use super::choice::{Choice, Transport, USUAL_ACCURACY, usual_rays};
+use super::options::Options;
+use super::outline::Outline;
+
+/// Exact blocks are made where they cost no more than the usual rays this often at the default accuracy: to
+/// their error, so many would be needed. Measured in the temple (10), the teapot (1) and the Cornell box
+/// (60), whose exact blocks cost half the usual rays. Proportionally more at finer accuracies.
+const AS_GOOD: f64 = 10.0;
+
+/// Share of the pairs of elements that can see each other, at least, in scenes too large to be looked at.
+const SEEING: f64 = 0.25;
+
+/// Pairs of surfaces that are looked at.
+const LOOKED_AT: usize = 2_000;
+
+impl Choice {
+    /// What carries the pairs of `scene` by these options.
+    pub fn of(scene: &Scene, options: &Options) -> Self {
+        let exact = |why: &str| Self { sampled: false, why: why.to_owned() };
+        let sampled = |why: &str| Self { sampled: true, why: why.to_owned() };
+        match options.transport {
+            _ if options.kernel.is_some() || options.masks.is_some() => {
+                exact("the methods of 1993 know no rays")
+            }
+            _ if !options.basis.is_polynomial() => {
+                exact("the functions of this basis are held by polynomials that rays would not tell apart")
+            }
+            _ if options.shadows == Hiding::Off => exact("rays always meet what stands in their way"),
+            Transport::Exact => exact("asked for"),
+            Transport::Sampled => sampled("asked for"),
+            Transport::Auto if options.rays.is_some() => sampled("a number of rays is given"),
+            Transport::Auto => Self::by_price(scene, options),
+        }
+    }
+
+    fn by_price(scene: &Scene, options: &Options) -> Self {
+        let usual = usual_rays(scene.surfaces.len(), USUAL_ACCURACY) as f64;
+        let finer = (USUAL_ACCURACY / options.accuracy().shadow_eps).max(1.0);
+        let limit = AS_GOOD * finer * usual;
+        let (price, about) = match exact_price_at_least(scene) {
+            price if price > limit => (price, "more than"),
+            _ => (exact_price(scene, options), "about"),
+        };
+        let why = format!("exact blocks take as long as {about} {price:.0e} rays, the limit is {limit:.0e}");
+        Self { sampled: price > limit, why }
+    }
+}
+
+/// A lower bound of the price of exact blocks, in rays, from the number of surfaces alone.
+fn exact_price_at_least(scene: &Scene) -> f64 {
+    SEEING * LEAST * 0.5 * (scene.surfaces.len() as f64).powi(2)
+}
+
+/// The price of exact blocks, in rays, from some of the pairs of surfaces.
+fn exact_price(scene: &Scene, options: &Options) -> f64 {
+    let visibility = Visibility::new(scene, options.into());
+    let subdivide = match options.subdivide {
+        Some(cuts) => Subdivide::Uniform(cuts),
+        None => Subdivide::Auto { occluded: visibility.any_shadow() },
+    };
+    let Options { order, space, layers, .. } = *options;
+    let sizes = cut_sizes(scene, &Discretization { order, space, subdivide, layers });
+    let outlines: Vec<Outline> = scene.surfaces.iter().map(Outline::of).collect();
+    let pairs = scene.surfaces.len() * (scene.surfaces.len() - 1) / 2;
+    let looked_at = pairs.min(LOOKED_AT);
+    let of_pair = |k: usize| {
+        let [i, j] = pair(k * pairs / looked_at);
+        let [a, b] = [&outlines[i], &outlines[j]];
+        if !a.exchanges_with(b) {
+            return 0.0;
+        }
+        let couple =
+            Couple { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat: a.is_flat() && b.is_flat() };
+        (sizes[i].elements * sizes[j].elements) as f64 * price(&couple, &visibility)
+    };
+    (0..looked_at).map(of_pair).fold(0.0, |sum, price| sum + price) * pairs as f64 / looked_at.max(1) as f64
+}
+
+/// The pair j < i that is number i (i − 1)/2 + j.
+fn pair(number: usize) -> [usize; 2] {
+    let i = (0.5 + (0.25 + 2.0 * number as f64).sqrt()) as usize;
+    let i = if i * (i - 1) / 2 > number {
+        i - 1
+    } else if i * (i + 1) / 2 <= number {
+        i + 1
+    } else {
+        i
+    };
+    [i, number - i * (i - 1) / 2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_are_counted_row_by_row() {
+        let mut number = 0;
+        for i in 1..200 {
+            for j in 0..i {
+                assert_eq!(pair(number), [i, j]);
+                number += 1;
+            }
+        }
+    }
+}

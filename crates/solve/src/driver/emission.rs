@@ -1,0 +1,70 @@
+//! Emission: what surfaces and luminaires of a scene emit, one light group after the other.
+
+use radiosity_elements::Element;
+use radiosity_elements::coating::Coating;
+use radiosity_light::emitters::{Emitters, Radiances};
+use radiosity_light::point_lights::PointLights;
+use radiosity_scene::Scene;
+
+/// The emission of one light group, not dimmed.
+#[derive(Debug)]
+pub(super) struct Emission {
+    /// Its name; None for what has no group.
+    pub group: Option<String>,
+    /// Reflectance of all elements and exitance of those of the group, per band.
+    pub coatings: Vec<Coating>,
+    /// The luminaires of the group.
+    pub points: PointLights,
+    /// What openings see, of all groups.
+    pub radiances: Radiances,
+}
+
+impl Emission {
+    /// Every group of `scene` that emits, and what emits without a group; at least one, which may be dark.
+    pub(super) fn all(scene: &Scene, elements: &[Element]) -> Vec<Self> {
+        let mut groups: Vec<Option<&str>> =
+            scene.light_groups().iter().map(|group| Some(group.name.as_str())).collect();
+        let surfaces = || scene.surfaces.iter().any(|own| own.is_in(None) && own.material.emits());
+        let luminaires = || scene.luminaires.iter().any(|own| own.is_in(None) && own.emits());
+        if groups.is_empty() || surfaces() || luminaires() {
+            groups.push(None);
+        }
+        let reflecting: Vec<Coating> =
+            (0..scene.bands.len()).map(|band| Coating::reflecting(scene, elements, band)).collect();
+        let of = |group: Option<&str>| Self {
+            group: group.map(str::to_owned),
+            coatings: reflecting
+                .iter()
+                .enumerate()
+                .map(|(band, own)| own.with_group(scene, elements, band, group))
+                .collect(),
+            points: PointLights::of_group(scene, group),
+            radiances: Radiances::of(scene),
+        };
+        groups.into_iter().map(of).collect()
+    }
+
+    /// The coatings, band by band.
+    pub(super) fn list(&self) -> Vec<&Coating> {
+        self.coatings.iter().collect()
+    }
+
+    /// What emits, of which `elements` are.
+    pub(super) fn emitters<'a>(&'a self, elements: &'a [Element]) -> Emitters<'a> {
+        Emitters { elements, coatings: self.list(), radiances: &self.radiances, points: &self.points }
+    }
+
+    /// Whether the same elements and luminaires emit as much in `other`.
+    pub(super) fn emits_as(&self, other: &Self) -> bool {
+        let mut coatings = self.coatings.iter().zip(&other.coatings);
+        let is_same =
+            self.group == other.group && self.points == other.points && self.radiances == other.radiances;
+        is_same && coatings.all(|(own, other)| own.emits_as(other))
+    }
+
+    /// For each band the coatings of all `emissions`.
+    pub(super) fn by_band(emissions: &[Self]) -> Vec<Vec<&Coating>> {
+        let bands = emissions.first().map_or(0, |emission| emission.coatings.len());
+        (0..bands).map(|band| emissions.iter().map(|emission| &emission.coatings[band]).collect()).collect()
+    }
+}

@@ -1,0 +1,166 @@
+//! Why a scene could not be solved.
+
+use radiosity_elements::ElementError;
+use radiosity_published::hierarchy::HierarchyError;
+use radiosity_solvers::{SolveError, Stop};
+use radiosity_work::wording::{Wording, option, set, value, words};
+use rayon::ThreadPoolBuildError;
+
+use super::fit;
+use super::fit::Fit;
+
+/// Why a scene could not be solved.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The scene could not be cut into elements.
+    #[error(transparent)]
+    Elements(#[from] ElementError),
+    /// The rules of 1993 were asked for, but they do not know the shape of a surface.
+    #[error(
+        "surface '{surface}': the rules of 1993 know parallelograms and curved surfaces only, without holes: \
+         choose the default kernel, or cut the surface into parallelograms"
+    )]
+    NoChart {
+        /// Name of the surface.
+        surface: String,
+    },
+    /// The light of a sky or a luminous area was to be carried as diffuse light is.
+    #[error("{}", self.message())]
+    NotDiffuse {
+        /// Name of the first of them.
+        surface: String,
+        /// What it is.
+        light: &'static str,
+        /// What was asked for.
+        what: Wording,
+    },
+    /// A basis was asked for whose functions reach over elements, where reflectance varies or light comes through.
+    #[error("{}", self.message())]
+    NotEven {
+        /// Name of the first of them.
+        surface: String,
+        /// The basis.
+        basis: &'static str,
+    },
+    /// Shadow masks were asked for, but they know no light of luminaires.
+    #[error("{}", self.message())]
+    Unmasked {
+        /// Name of the first luminaire that shines.
+        luminaire: String,
+    },
+    /// The linear solver failed.
+    #[error("band '{band}': {source}")]
+    Solver {
+        /// Name of the band.
+        band: String,
+        /// What the solver says.
+        source: SolveError,
+    },
+    /// Hierarchical radiosity failed.
+    #[error(transparent)]
+    Hierarchy(#[from] HierarchyError),
+    /// A model was asked to solve a scene of other surfaces.
+    #[error(
+        "surface '{surface}': the model has another one, or other bands: assemble a model of this scene, or change \
+         materials of the scene it was assembled from"
+    )]
+    OtherSurface {
+        /// Name of the first surface that differs.
+        surface: String,
+    },
+    /// Light leaves a surface that was black and dark when a model was assembled, so that its blocks were left out.
+    #[error(
+        "surface '{surface}' sends light now, but did not when the model was assembled: assemble the model with a \
+         reflectance above 0 there"
+    )]
+    Unlit {
+        /// Name of the surface.
+        surface: String,
+    },
+    /// More memory is needed than allowed.
+    #[error("{}", self.message())]
+    Memory {
+        /// Bytes needed, estimated.
+        needed: u64,
+        /// Bytes allowed.
+        allowed: u64,
+        /// Changes that would fit, if any.
+        fits: Vec<Fit>,
+    },
+    /// No threads could be started.
+    #[error("{}", self.message())]
+    Threads {
+        /// How many were asked for.
+        threads: usize,
+        /// What the system says.
+        source: ThreadPoolBuildError,
+    },
+}
+
+impl Failure {
+    /// What is wrong.
+    pub fn message(&self) -> Wording {
+        match self {
+            Self::Hierarchy(error) => error.message(),
+            Self::NotDiffuse { surface, light, what } => {
+                words(format!("surface '{surface}' is {light}: "))
+                    + what.clone()
+                    + " takes all emitted light for diffuse: leave it out, such light is then integrated at every point"
+            }
+            Self::NotEven { surface, basis } => {
+                words(format!("surface '{surface}': its reflectance varies, or light comes through it, "))
+                    + "which the functions of "
+                    + set("basis", basis)
+                    + " do not follow: take "
+                    + set("basis", "legendre")
+                    + " or "
+                    + value("constant")
+            }
+            Self::Unmasked { luminaire } => {
+                words(format!(
+                    "luminaire '{luminaire}': shadow masks are made for the light of surfaces only: "
+                )) + "choose another kind of "
+                    + option("shadows")
+                    + ", direct light is then exact at every point"
+            }
+            Self::Memory { needed, allowed, fits } => {
+                let [needed, allowed] = [needed, allowed].map(|bytes| *bytes as f64 / 1e6);
+                words(format!(
+                    "not enough memory: about {needed:.1} MB are needed, {allowed:.1} MB allowed; "
+                )) + fit::list(fits)
+            }
+            Self::Threads { threads, source } => {
+                words(format!("cannot start {threads} threads: {source}; ask for fewer with "))
+                    + option("threads")
+            }
+            _ => words(self.to_string()),
+        }
+    }
+
+    /// How to mend it, where that is known and the message does not say it.
+    pub fn cure(&self) -> Option<Wording> {
+        let more = || words("allow more with ") + option("memory");
+        Some(match self {
+            Self::Memory { fits, .. } if fits.is_empty() => more() + ", or leave it out",
+            Self::Memory { .. } => words("ask for one of these, or ") + more(),
+            Self::Elements(ElementError::Layers { .. }) => {
+                words("take fewer ") + option("layers") + " or a larger " + option("ratio")
+            }
+            Self::Solver { source: SolveError::NotConverged { stop: Stop::Time, .. }, .. } => {
+                words("raise ") + option("time-limit") + ", or take " + set("solver", "cg")
+            }
+            Self::Solver { source: SolveError::NotConverged { .. }, .. } => {
+                words("raise ")
+                    + option("tolerance")
+                    + " or "
+                    + option("max-iterations")
+                    + ", or take another "
+                    + option("solver")
+                    + "; solve "
+                    + option("keep-partial")
+                    + " writes what there is"
+            }
+            _ => return None,
+        })
+    }
+}

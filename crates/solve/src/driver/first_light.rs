@@ -1,0 +1,162 @@
+//! The light that comes straight from emitters, and its first bounce, where they are masked or split off.
+
+use std::sync::Arc;
+
+use radiosity_elements::Elements;
+use radiosity_elements::coating::Coating;
+use radiosity_elements::patch::Node;
+use radiosity_light::emitters::Emitters;
+use radiosity_light::first_bounce::{Bounce, CoatedBounce, Entry, lit_by};
+use radiosity_published::bases::Subspace;
+use radiosity_published::zatz1993::masked_light::{MaskedLight, Setting};
+use radiosity_scene::Scene;
+use radiosity_visibility::{Shadows, Visibility};
+
+use super::emission::Emission;
+use super::options::Options;
+
+/// Tolerance of gathered light at a point over that of shadows in a block, a mean of many. Chosen; not tuned.
+const AT_A_POINT: f64 = 3.0;
+
+/// What direct light is computed from.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stage<'a> {
+    pub scene: &'a Scene,
+    pub elements: &'a Elements,
+    pub visibility: &'a Visibility,
+    pub options: &'a Options,
+}
+
+/// The first light of all emissions of a scene.
+#[derive(Debug)]
+pub(super) struct FirstLight {
+    /// Whether direct light is masked or split off.
+    pub is_split: bool,
+    emissions: Vec<Emission>,
+    sources: Vec<Source>,
+}
+
+/// The first light of one emission.
+#[derive(Debug)]
+struct Source {
+    masked: Option<Arc<MaskedLight>>,
+    direct: Direct,
+}
+
+/// How its direct light enters the system, whatever reflects it.
+#[derive(Debug)]
+enum Direct {
+    Carried,
+    /// As in [`Entry::Lit`].
+    Lit(Vec<Vec<f64>>),
+    Split(CoatedBounce),
+}
+
+/// The first light of one emission for certain reflectances.
+#[derive(Debug)]
+pub(super) struct Reflected {
+    pub masked: Option<Arc<MaskedLight>>,
+    pub entry: Entry,
+}
+
+impl Reflected {
+    /// The same light by the functions of a subspace.
+    pub(super) fn within(self, subspace: &Subspace) -> Self {
+        let projected = |bands: Vec<Vec<f64>>| bands.iter().map(|own| subspace.projected(own)).collect();
+        let entry = match self.entry {
+            Entry::Carried => Entry::Carried,
+            Entry::Lit(lit) => Entry::Lit(projected(lit)),
+            Entry::Split(Bounce { direct, reflected }) => {
+                Entry::Split(Bounce { direct: projected(direct), reflected: projected(reflected) })
+            }
+        };
+        Self { entry, ..self }
+    }
+}
+
+impl FirstLight {
+    /// The emissions.
+    pub(super) fn emissions(&self) -> &[Emission] {
+        &self.emissions
+    }
+
+    /// That of `emissions`; `by_rules` says whether the transfers are those of the default kernel without changes.
+    pub(super) fn of(stage: &Stage<'_>, emissions: Vec<Emission>, by_rules: bool) -> Self {
+        let Stage { elements, visibility, options, .. } = *stage;
+        let all: Vec<Emitters<'_>> = emissions.iter().map(|own| own.emitters(elements.list())).collect();
+        let is_split = options.masks.is_some() || options.direct.splits(&all, visibility, by_rules);
+        Self::as_split(stage, emissions, is_split)
+    }
+
+    /// The same where it is known whether direct light is masked or split off.
+    pub(super) fn as_split(stage: &Stage<'_>, emissions: Vec<Emission>, is_split: bool) -> Self {
+        let sources = emissions.iter().map(|emission| Source::of(stage, emission, is_split)).collect();
+        Self { is_split, emissions, sources }
+    }
+
+    /// The same light on surfaces of other reflectances, for each of `emissions`. None where it has to be computed
+    /// anew.
+    pub(super) fn reflected(&self, emissions: &[Emission]) -> Option<Vec<Reflected>> {
+        if self.emissions.len() != emissions.len() {
+            return None;
+        }
+        let own = self.emissions.iter().zip(&self.sources).zip(emissions);
+        own.map(|((old, source), new)| source.reflected(old, new)).collect()
+    }
+}
+
+impl Source {
+    /// That of an emission; `is_split` says whether direct light is masked or split off.
+    fn of(stage: &Stage<'_>, emission: &Emission, is_split: bool) -> Self {
+        let Stage { scene, elements, visibility, options } = *stage;
+        let sources = emission.emitters(elements.list());
+        let masked = masked_light(scene, elements, &sources.coatings, visibility, options);
+        let direct = match &masked {
+            Some(masked) => Direct::Split(through_masks(stage, &sources, masked)),
+            None if is_split => {
+                let eps = AT_A_POINT * options.shadow_eps;
+                Direct::Split(CoatedBounce::new(&sources, visibility, eps))
+            }
+            None if sources.points.is_empty() => Direct::Carried,
+            None => Direct::Lit(lit_by(&sources, visibility)),
+        };
+        Self { masked: masked.map(Arc::new), direct }
+    }
+
+    /// For the reflectances of the emission `new`, where it is that of `old` in all else.
+    fn reflected(&self, old: &Emission, new: &Emission) -> Option<Reflected> {
+        if !old.emits_as(new) {
+            return None;
+        }
+        let entry = match &self.direct {
+            Direct::Carried => Entry::Carried,
+            Direct::Lit(lit) => Entry::Lit(lit.clone()),
+            Direct::Split(bounce) => Entry::Split(bounce.repainted(&old.list(), &new.list())?),
+        };
+        Some(Reflected { masked: self.masked.clone(), entry })
+    }
+}
+
+fn through_masks(stage: &Stage<'_>, sources: &Emitters<'_>, masked: &MaskedLight) -> CoatedBounce {
+    let list = sources.elements;
+    let lit = |element: usize, node: &Node| {
+        let parameters = node.parameters.to_array();
+        let at = |band| masked.at(band, list, element, node.position, parameters);
+        (0..sources.coatings.len()).map(at).collect()
+    };
+    CoatedBounce::of(sources, stage.visibility, &lit, stage.options.shadow_eps)
+}
+
+/// The masked direct light, where masks are asked for.
+pub fn masked_light(
+    scene: &Scene,
+    elements: &Elements,
+    coatings: &[&Coating],
+    visibility: &Visibility,
+    options: &Options,
+) -> Option<MaskedLight> {
+    let how = options.masks?;
+    let open = Visibility::new(scene, Shadows::Off);
+    let setting = Setting { elements, coatings, visibility, open: &open, accuracy: options.accuracy() };
+    Some(MaskedLight::new(&setting, how))
+}

@@ -1,0 +1,421 @@
+//! A model: the elements of a scene and the blocks between them, to be solved for any materials.
+//!
+//! G is geometry only. Reflectance and emission enter the system that is made of it, so that a change of materials
+//! needs no new blocks. Light that was reflected once is linear in the reflectance of what reflected it: where direct
+//! light is split off, a change of reflectance does not gather it anew. What depends on the materials of the scene from which a
+//! model was assembled are choices: which pairs are left out because neither side ever sends light, and where rays were sent from.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use radiosity_elements::mesh::Mesh;
+use radiosity_elements::{Discretization, Elements};
+use radiosity_kernel::Blocks;
+use radiosity_published::bases::Subspace;
+use radiosity_published::bases::basis::Ground;
+use radiosity_scene::{Scene, SceneSurface};
+use radiosity_transport::Memory;
+use radiosity_visibility::Visibility;
+use radiosity_work::ranks;
+use radiosity_work::wording::{option, set};
+
+use crate::checks::{Balance, Checks, Lit};
+use crate::solution::Solution;
+use crate::solution::group_light::GroupLight;
+use crate::system::Coefficients;
+
+use super::allowance::{Need, peak_of_mesh, require_memory_of_mesh};
+use super::assembly::{carried, ground};
+use super::bands::{Bands, Light};
+use super::choice::Choice;
+use super::direct::Direct;
+use super::emission::Emission;
+use super::failure::Failure;
+use super::first_light::{FirstLight, Reflected, Stage};
+use super::layout::Layout;
+use super::options::Options;
+use super::outcome::{Outcome, Stages};
+use super::pool::in_threads;
+use super::progress::Progress;
+use super::sampling::{Sampling, Subject};
+use super::stopwatch::timed;
+
+/// The elements of a scene and the blocks between them.
+///
+/// ```
+/// use radiosity_scene::{Material, Scene};
+/// use radiosity_solve::{Model, Options};
+///
+/// let scene = radiosity_language::builtin("furnace-cube")?;
+/// let model = Model::assemble(&scene, &Options::default(), &|_progress| {})?;
+/// // A closed room of reflectance ρ that emits 1 everywhere: 1 / (1 − ρ) arrives.
+/// for reflectance in [0.25, 0.5, 0.75] {
+///     let painted = scene.with_material("wall", Material::new(vec![reflectance], vec![1.0])?)?;
+///     let outcome = model.solve(&painted, &|_progress| {})?;
+///     assert!((outcome.solution.mean_irradiance(0, 0) - 1.0 / (1.0 - reflectance)).abs() < 1e-2);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Model {
+    /// The scene from which it was assembled.
+    scene: Scene,
+    options: Options,
+    elements: Arc<Elements>,
+    visibility: Visibility,
+    blocks: Blocks,
+    /// What the functions of the basis span; None where they are those of the elements.
+    subspace: Option<Subspace>,
+    choice: Choice,
+    sampling: Option<Sampling>,
+    /// Direct light and its first bounce, for the emission of the scene.
+    first: FirstLight,
+    seconds: Stages,
+}
+
+impl Model {
+    /// Cuts `scene` into elements and computes the blocks between them; `progress` may be called from any thread.
+    ///
+    /// # Errors
+    /// A scene that cannot be cut into elements, memory that does not suffice, or threads that cannot be started.
+    pub fn assemble(
+        scene: &Scene,
+        options: &Options,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
+        let choice = Choice::of(scene, options);
+        in_threads(options.threads, || Self::assembled(scene, options, Plan::of(choice), None, progress))?
+    }
+
+    /// One of this layout; what `memory` knows of earlier scenes, which differ in the places of some surfaces, is not found again.
+    ///
+    /// # Errors
+    /// As [`Model::assemble`].
+    pub(crate) fn assemble_again(
+        scene: &Scene,
+        options: &Options,
+        layout: &Layout,
+        memory: Option<&mut Memory>,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
+        let plan = Plan { choice: layout.choice.clone(), how: Some(layout.how), mesh: Some(&layout.mesh) };
+        in_threads(options.threads, || Self::assembled(scene, options, plan, memory, progress))?
+    }
+
+    /// Bytes that the model of `scene` and its solution take at the most, estimated.
+    pub fn peak_memory(scene: &Scene, options: &Options) -> u64 {
+        let rays = Choice::of(scene, options).sampled.then(|| options.ray_budget(scene));
+        let Ground { how, mesh } = ground(scene, &Visibility::new(scene, options.into()), options, rays);
+        match mesh {
+            Some(mesh) => peak_of_mesh(scene, &how, &mesh, options),
+            None => (Need { scene, how, options, rays, is_kept: false }).peak(),
+        }
+    }
+
+    /// The same by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
+    pub(super) fn assemble_exactly(
+        scene: &Scene,
+        options: &Options,
+        why: &str,
+        mesh: Option<&Mesh>,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
+        let plan = Plan { mesh, ..Plan::of(Choice { sampled: false, why: why.to_owned() }) };
+        in_threads(options.threads, || Self::assembled(scene, options, plan, None, progress))?
+    }
+
+    fn assembled(
+        scene: &Scene,
+        options: &Options,
+        Plan { choice, how, mesh }: Plan<'_>,
+        mut memory: Option<&mut Memory>,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
+        require_diffuse(scene, options)?;
+        // What is solved next may hang on time or memory.
+        ranks::current().note_choice(&(options.neutral(), choice.sampled));
+        let mut seconds = Stages::default();
+        let rays = choice.sampled.then(|| options.ray_budget(scene));
+        let is_known = how.is_some();
+        let (visibility, Ground { how, mesh: own }) = timed(&mut seconds.visibility, || {
+            let visibility = Visibility::new(scene, options.into());
+            let known = how.map(|how| Ground { how, mesh: None });
+            let ground = known.unwrap_or_else(|| ground(scene, &visibility, options, rays));
+            (visibility, ground)
+        });
+        let is_refined = (mesh.is_some() && !is_known) || own.is_some();
+        let mesh = mesh.or(own.as_ref());
+        progress(Progress::Finished("visibility", seconds.visibility));
+        match mesh {
+            Some(mesh) if is_refined => require_memory_of_mesh(scene, &how, mesh, options)?,
+            _ => (Need { scene, how, options, rays, is_kept: memory.is_some() }).require()?,
+        }
+        let before =
+            memory.as_ref().and_then(|memory| memory.elements()).filter(|_| options.kernel.is_none());
+        let elements = timed(&mut seconds.elements, || match before {
+            Some(before) => before.moved(scene),
+            None => options.elements(scene, &how, mesh),
+        })?;
+        let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
+        let elements = Arc::new(elements);
+        progress(Progress::Finished("elements", seconds.elements));
+        let emissions = Emission::all(scene, elements.list());
+        let stage = Stage { scene, elements: &elements, visibility: &visibility, options };
+        let by_rules = options.kernel.is_none() && !choice.sampled;
+        let first = timed(&mut seconds.direct, || FirstLight::of(&stage, emissions, by_rules));
+        if first.is_split {
+            progress(Progress::Finished("direct", seconds.direct));
+        }
+        let bands = &Emission::by_band(first.emissions());
+        let entries = first.reflected(first.emissions()).expect("the emission is the same");
+        let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
+        let subject = Subject { elements: &elements, bands, entries, visibility: &visibility, options };
+        if let Some(memory) = &mut memory {
+            memory.turn_to(scene, &elements, &visibility);
+        }
+        let (blocks, sampling) =
+            timed(&mut seconds.blocks, || carried(scene, &subject, rays, memory, progress))?;
+        progress(Progress::Finished("blocks", seconds.blocks));
+        Ok(Self {
+            scene: scene.clone(),
+            options: *options,
+            elements,
+            visibility,
+            blocks,
+            subspace,
+            choice,
+            sampling,
+            first,
+            seconds,
+        })
+    }
+
+    /// Solves for the materials of `scene`, and the factors of its light groups; `progress` may be called from any
+    /// thread. Its surfaces are those of the scene from which the model was assembled, such as
+    /// [`Scene::with_material`] and [`Scene::dimmed`] keep them.
+    ///
+    /// # Errors
+    /// [`Failure::OtherSurface`] and [`Failure::Unlit`] for a scene that the model is not made for; a linear solver that
+    /// fails or does not converge, or threads that cannot be started.
+    pub fn solve(&self, scene: &Scene, progress: &(dyn Fn(Progress) + Sync)) -> Result<Outcome, Failure> {
+        self.check(scene)?;
+        in_threads(self.options.threads, || self.solved(scene, progress))?
+    }
+
+    /// The elements.
+    pub fn elements(&self) -> &Elements {
+        &self.elements
+    }
+
+    /// The blocks between them.
+    pub fn blocks(&self) -> &Blocks {
+        &self.blocks
+    }
+
+    /// What stands between them.
+    pub fn visibility(&self) -> &Visibility {
+        &self.visibility
+    }
+
+    /// The same, when nothing else of the model is needed any more.
+    pub(crate) fn into_visibility(self) -> Visibility {
+        self.visibility
+    }
+
+    /// The same model with blocks that were corrected.
+    pub fn with_blocks(self, blocks: Blocks) -> Self {
+        Self { blocks, ..self }
+    }
+
+    /// Refuses a scene of other surfaces, and light from surfaces whose blocks were left out.
+    fn check(&self, scene: &Scene) -> Result<(), Failure> {
+        require_diffuse(scene, &self.options)?;
+        let (own, given) = (&self.scene.surfaces, &scene.surfaces);
+        let names = || given.iter().chain(own).map(|surface| surface.name.clone());
+        if own.len() != given.len() || self.scene.bands != scene.bands {
+            return Err(Failure::OtherSurface { surface: names().next_back().unwrap_or_default() });
+        }
+        for (own, given) in own.iter().zip(given) {
+            if !Arc::ptr_eq(&own.shape, &given.shape) {
+                return Err(Failure::OtherSurface { surface: given.name.clone() });
+            }
+            if given.material.sends() && !own.material.sends() {
+                return Err(Failure::Unlit { surface: given.name.clone() });
+            }
+        }
+        Ok(())
+    }
+
+    fn solved(&self, scene: &Scene, progress: &(dyn Fn(Progress) + Sync)) -> Result<Outcome, Failure> {
+        let mut seconds = self.seconds;
+        let emissions = Emission::all(scene, self.elements.list());
+        let mut again = Duration::ZERO;
+        let first = timed(&mut again, || self.first_light(scene, &emissions));
+        seconds.direct += again;
+        let bands = self.bands(scene);
+        let lit = timed(&mut seconds.solve, || match self.options.bounces {
+            None => bands.solved(&emissions, &first, progress),
+            Some(bounces) => Ok(bands.bounced(&emissions, &first, bounces)),
+        })?;
+        progress(Progress::Finished("solve", seconds.solve));
+        let Light { light, before, efforts, functionals } = lit;
+        let slowest = efforts.iter().max_by_key(|effort| effort.iterations);
+        let (solver, iterations) =
+            slowest.map_or((self.options.method.name, 0), |effort| (effort.method, effort.iterations));
+        let groups = self.groups(emissions, first, light);
+        let before = before.map(|light| lit_before(&groups, light));
+        let before = before.map(|groups| Solution::of_groups(Arc::clone(&self.elements), scene, groups));
+        let solution = Solution::of_groups(Arc::clone(&self.elements), scene, groups);
+        let solution = match self.options.bounces {
+            Some(_) => solution.truncated(before),
+            None => solution,
+        };
+        let powers = solution.powers().unwrap_or_default();
+        let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
+        let checks = Checks::with_powers(&solution, &self.blocks, powers);
+        let Blocks { pairs, samples, distinct, rays, accuracy_reached, miss, .. } = self.blocks;
+        Ok(Outcome {
+            solution,
+            checks,
+            pairs,
+            samples,
+            distinct,
+            rays,
+            accuracy_reached,
+            miss,
+            solver,
+            iterations,
+            residual,
+            split: self.first.is_split,
+            converged: efforts.iter().all(|effort| effort.converged),
+            choice: self.choice.clone(),
+            unknowns: self.unknowns(),
+            functionals,
+            sampling: self.sampling,
+            links: None,
+            seconds,
+        })
+    }
+
+    /// Number of coefficients per band.
+    fn unknowns(&self) -> usize {
+        self.subspace.as_ref().map_or_else(|| self.elements.coefficients(), Subspace::dim)
+    }
+
+    /// The first light of each emission: that of the scene it was assembled from, if it emits as much. In a subspace what enters
+    /// apart lies in it.
+    fn first_light(&self, scene: &Scene, emissions: &[Emission]) -> Vec<Reflected> {
+        let first = self.first.reflected(emissions).unwrap_or_else(|| {
+            let stage = Stage {
+                scene,
+                elements: &self.elements,
+                visibility: &self.visibility,
+                options: &self.options,
+            };
+            let anew = Emission::all(scene, self.elements.list());
+            let first = FirstLight::as_split(&stage, anew, self.first.is_split);
+            first.reflected(emissions).expect("the emission is the same")
+        });
+        match &self.subspace {
+            None => first,
+            Some(subspace) => first.into_iter().map(|own| own.within(subspace)).collect(),
+        }
+    }
+
+    fn bands<'a>(&'a self, scene: &'a Scene) -> Bands<'a> {
+        let (elements, subspace) = (self.elements.list(), self.subspace.as_ref());
+        Bands { names: &scene.bands, elements, blocks: &self.blocks, subspace, options: &self.options }
+    }
+
+    /// The light of each emission with its balance of power.
+    fn groups(
+        &self,
+        emissions: Vec<Emission>,
+        first: Vec<Reflected>,
+        light: Vec<Vec<Coefficients>>,
+    ) -> Vec<GroupLight> {
+        let balance = Balance::of(&self.elements, &self.blocks);
+        let lit = emissions.into_iter().zip(first).zip(light);
+        let group = |((emission, first), light): ((Emission, Reflected), Vec<_>)| {
+            let Emission { group, coatings, points, .. } = emission;
+            let own: Vec<Lit<'_>> = coatings
+                .iter()
+                .zip(&light)
+                .enumerate()
+                .map(|(band, (coating, coefficients))| Lit { coating, flux: points.flux(band), coefficients })
+                .collect();
+            let powers = balance.powers(&own, &first.entry);
+            let bands = light.into_iter().map(Coefficients::into).collect();
+            GroupLight { group, bands, powers, masked: first.masked }
+        };
+        lit.map(group).collect()
+    }
+}
+
+/// What is decided before a model is assembled.
+struct Plan<'a> {
+    choice: Choice,
+    /// How surfaces are cut, if not as the scene needs.
+    how: Option<Discretization>,
+    /// Their cells, if not those that follow from it.
+    mesh: Option<&'a Mesh>,
+}
+
+impl Plan<'_> {
+    /// That of a scene of which nothing else is decided.
+    fn of(choice: Choice) -> Self {
+        Self { choice, how: None, mesh: None }
+    }
+}
+
+/// Refuses what cannot carry the light of luminaires or of a sky.
+fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
+    require_even(scene, options)?;
+    let shines = scene.luminaires.iter().find(|own| own.emits()).filter(|_| options.masks.is_some());
+    if let Some(own) = shines {
+        return Err(Failure::Unmasked { luminaire: own.name.clone() });
+    }
+    let what = match options {
+        Options { masks: Some(_), .. } => set("shadows", "mask"),
+        Options { direct: Direct::Projected, .. } => set("direct", "projected"),
+        Options { kernel: Some(_), .. } => option("kernel") + " with the rules of 1993",
+        _ => return Ok(()),
+    };
+    match scene.surfaces.iter().find(|own| own.radiance.is_some()) {
+        Some(own) => {
+            let light = if own.is_opening() { "an opening to a sky" } else { "a luminaire" };
+            Err(Failure::NotDiffuse { surface: own.name.clone(), light, what })
+        }
+        None => Ok(()),
+    }
+}
+
+/// Refuses functions over several elements where S does not commute with their projection: power would be lost.
+fn require_even(scene: &Scene, options: &Options) -> Result<(), Failure> {
+    let basis = options.basis;
+    if basis.is_elementwise() {
+        return Ok(());
+    }
+    let varies = |own: &&SceneSurface| own.material.reflectance_pattern.is_some() || own.material.transmits();
+    match scene.surfaces.iter().find(varies) {
+        Some(own) => Err(Failure::NotEven { surface: own.name.clone(), basis: basis.name() }),
+        None => Ok(()),
+    }
+}
+
+/// What the functions of the basis span on `elements`.
+fn subspace(scene: &Scene, options: &Options, elements: &Elements) -> Option<Subspace> {
+    let degree = |surface: usize| scene.surfaces[surface].order.unwrap_or(options.order);
+    Subspace::new(options.basis, elements, &degree, options.space)
+}
+
+/// Other light of the same groups.
+fn lit_before(groups: &[GroupLight], light: Vec<Vec<Coefficients>>) -> Vec<GroupLight> {
+    let other = |(own, bands): (&GroupLight, Vec<Coefficients>)| GroupLight {
+        group: own.group.clone(),
+        bands: bands.into_iter().map(Coefficients::into).collect(),
+        powers: own.powers,
+        masked: own.masked.clone(),
+    };
+    groups.iter().zip(light).map(other).collect()
+}

@@ -1,0 +1,209 @@
+//! What to solve and how well.
+
+use std::time::{Duration, Instant};
+
+use radiosity_elements::cells::Layers;
+use radiosity_elements::mesh::Mesh;
+use radiosity_elements::space::Space;
+use radiosity_elements::{Discretization, ElementError, Elements};
+use radiosity_kernel::Accuracy;
+use radiosity_published::bases::Basis;
+use radiosity_published::zatz1993::masked_light::Masking;
+use radiosity_published::zatz1993::transfers;
+use radiosity_scene::Scene;
+use radiosity_solvers::method::Method;
+use radiosity_visibility::{Hiding, Shadows};
+use radiosity_work::ranks;
+use serde::{Deserialize, Serialize};
+
+use super::algorithm::Algorithm;
+use super::choice::{MOST_RAYS, Transport, usual_rays};
+use super::direct::Direct;
+use super::preconditioning::Preconditioning;
+use super::stop::Stop;
+
+/// Least time of a linear system, after a deadline too. Chosen: a person waits as long without noticing.
+const LEAST_SOLVING: Duration = Duration::from_secs(1);
+
+/// What to solve and how well.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Options {
+    /// Which algorithm finds the light. The hierarchical one takes of all others `eps`, the solver and the threads.
+    #[serde(default)]
+    pub algorithm: Algorithm,
+    /// Which functions are summed: polynomials, or one of the bases of the variational source.
+    #[serde(default)]
+    pub basis: Basis,
+    /// Order of the basis where a surface does not state its own.
+    pub order: usize,
+    /// Which polynomials of that order: of total degree, or of that degree in each coordinate.
+    pub space: Space,
+    /// Cuts along u and v of surfaces that do not state their own; None chooses.
+    pub subdivide: Option<usize>,
+    /// Further cuts of the outermost cells of every surface, towards its sides.
+    pub layers: Layers,
+    /// Accuracy of the kernel blocks.
+    pub eps: f64,
+    /// The rules of 1993 instead of those that keep `eps`.
+    pub kernel: Option<transfers::Rules>,
+    /// How pairs of elements are carried.
+    pub transport: Transport,
+    /// Rays of the sampled transport; None: as many as the scene and the accuracy of shadows need.
+    pub rays: Option<u64>,
+    /// Accuracy of visibility within a block.
+    pub shadow_eps: f64,
+    /// How surfaces hide each other.
+    pub shadows: Hiding,
+    /// How direct light is masked, as polynomials times shadow masks; None treats it as `direct` says.
+    pub masks: Option<Masking>,
+    /// How direct light enters.
+    pub direct: Direct,
+    /// The solver.
+    #[serde(with = "method_name")]
+    pub method: &'static Method,
+    /// How cg and gmres precondition.
+    #[serde(default)]
+    pub preconditioner: Preconditioning,
+    /// Light that was reflected so many times at the most before it arrives, by the Galerkin algorithm to no wanted accuracy; None
+    /// for all. Solution files hold all light.
+    #[serde(skip)]
+    pub bounces: Option<usize>,
+    /// Relative residual ‖r‖₂/‖b‖₂ of the linear solve.
+    pub tolerance: f64,
+    /// Most iterations of the linear solve.
+    pub max_iterations: usize,
+    /// Whether the best iterate counts as a solution if the solver does not converge.
+    pub keep_partial: bool,
+    /// Most bytes to use ([`Footprint`](crate::driver::memory::Footprint)); a run that needs more is refused before it
+    /// begins.
+    #[serde(skip)]
+    pub memory: Option<u64>,
+    /// Raised by another thread to end the sending of rays; what was sent counts.
+    #[serde(skip)]
+    pub stop: Option<&'static Stop>,
+    /// When the sending of rays ends; what was sent counts. A solver gives up there, or a second after it has begun. An
+    /// adaptation begins no run that would end later.
+    #[serde(skip)]
+    pub deadline: Option<Instant>,
+    /// Threads; the result does not depend on it.
+    #[serde(skip, default = "all_threads")]
+    pub threads: usize,
+}
+
+impl Default for Options {
+    /// Order 3, blocks to 1e-3, shadows to 3e-3, direct light and solver as the scene needs, all threads.
+    fn default() -> Self {
+        Self {
+            algorithm: Algorithm::Galerkin,
+            basis: Basis::Legendre,
+            order: 3,
+            space: Space::Total,
+            subdivide: None,
+            layers: Layers::NONE,
+            eps: 1e-3,
+            kernel: None,
+            transport: Transport::Auto,
+            rays: None,
+            shadow_eps: 3e-3,
+            shadows: Hiding::Auto,
+            masks: None,
+            direct: Direct::Auto,
+            method: &Method::AUTO,
+            preconditioner: Preconditioning::Block,
+            bounces: None,
+            tolerance: 1e-8,
+            max_iterations: 1000,
+            keep_partial: false,
+            memory: None,
+            stop: None,
+            deadline: None,
+            threads: all_threads(),
+        }
+    }
+}
+
+impl Options {
+    /// Accuracy of the blocks.
+    pub fn accuracy(&self) -> Accuracy {
+        Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
+    }
+
+    /// The elements of `scene`, cut as `how` says or into the cells of `mesh`; for the rules of 1993, which know no footings, with
+    /// whole surfaces.
+    ///
+    /// # Errors
+    /// As for [`Elements::new`].
+    pub fn elements(
+        &self,
+        scene: &Scene,
+        how: &Discretization,
+        mesh: Option<&Mesh>,
+    ) -> Result<Elements, ElementError> {
+        match mesh {
+            _ if self.kernel.is_some() => Elements::of_whole_surfaces(scene, how, mesh.cloned()),
+            Some(mesh) => Elements::of_mesh(scene, how, mesh.clone()),
+            None => Elements::new(scene, how),
+        }
+    }
+}
+
+impl Options {
+    /// The same for all that changes no bit of a result: threads, memory, and when to end early.
+    pub fn neutral(&self) -> Self {
+        Self { threads: 0, memory: None, stop: None, deadline: None, keep_partial: false, ..*self }
+    }
+
+    /// Whether rays are no longer wanted, on any rank.
+    pub(super) fn is_stopped(&self) -> bool {
+        let is_raised = self.stop.is_some_and(|stop| ranks::current().any(stop.is_raised()));
+        is_raised || self.is_late()
+    }
+
+    /// Whether the deadline has passed on any rank.
+    pub(crate) fn is_late(&self) -> bool {
+        self.deadline.is_some() && ranks::current().any(self.is_late_here())
+    }
+
+    /// Whether the deadline has passed, by the clock of this rank.
+    pub(crate) fn is_late_here(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
+    }
+
+    /// The time that a linear system may take; None for any. It is at least [`LEAST_SOLVING`], so that a small scene has
+    /// a result after the deadline too. Several ranks, whose clocks differ, go on to the end.
+    pub(super) fn solving_time(&self) -> Option<Duration> {
+        let deadline = self.deadline.filter(|_| ranks::current().count() == 1)?;
+        Some(deadline.saturating_duration_since(Instant::now()).max(LEAST_SOLVING))
+    }
+
+    /// Rays of the sampled transport of `scene`.
+    pub fn ray_budget(&self, scene: &Scene) -> u64 {
+        let usual = || usual_rays(scene.surfaces.len(), self.accuracy().shadow_eps);
+        self.rays.unwrap_or_else(usual).min(MOST_RAYS)
+    }
+}
+
+impl From<&Options> for Shadows {
+    /// The shadows with which a scene is solved by these options, and read.
+    fn from(options: &Options) -> Self {
+        options.shadows.shadows(options.accuracy().shadow_eps)
+    }
+}
+
+fn all_threads() -> usize {
+    ranks::current().place().threads
+}
+
+/// A solver, (de)serialised by its name.
+mod method_name {
+    use radiosity_solvers::method::Method;
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    pub(super) fn serialize<S: Serializer>(method: &Method, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_str(method.name)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<&'static Method, D::Error> {
+        Method::named(&String::deserialize(from)?).map_err(D::Error::custom)
+    }
+}

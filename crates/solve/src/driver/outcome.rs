@@ -1,0 +1,110 @@
+//! The solution with its cost and self-checks.
+
+use std::time::Duration;
+
+use radiosity_kernel::{Miss, PairCounts};
+use radiosity_published::hierarchy::Counts;
+use radiosity_scene::Scene;
+use serde::Serialize;
+
+use crate::checks::Checks;
+use crate::solution::Solution;
+
+use super::choice::Choice;
+use super::sampling::Sampling;
+
+/// The solution with its cost and self-checks.
+#[derive(Debug)]
+pub struct Outcome {
+    /// Polynomials of irradiance and radiosity.
+    pub solution: Solution,
+    /// Self-checks.
+    pub checks: Checks,
+    /// Numbers of pairs by how they were treated.
+    pub pairs: PairCounts,
+    /// Terms of the kernel's quadrature rules.
+    pub samples: u64,
+    /// Kernel evaluations; fewer than the terms where kernel values repeat.
+    pub distinct: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+    /// Largest error that unresolved parts leave in a block, relative to its scale
+    /// ([`Blocks::accuracy_reached`](radiosity_kernel::Blocks)).
+    pub accuracy_reached: f64,
+    /// The block whose error is the largest multiple of what was asked of it.
+    pub miss: Option<Miss>,
+    /// Name of the solver that was used, also where the choice was left open.
+    pub solver: &'static str,
+    /// Iterations, largest over the bands.
+    pub iterations: usize,
+    /// Relative residual of the original system, largest over the bands.
+    pub residual: f64,
+    /// Whether direct light was split off.
+    pub split: bool,
+    /// Whether the solver converged in every band; if not, the solution is its best iterate.
+    pub converged: bool,
+    /// Number of coefficients per band.
+    pub unknowns: usize,
+    /// The variational functional at the solution, band by band and in each of all light groups; empty where nothing was solved
+    /// for.
+    pub functionals: Vec<Functional>,
+    /// What carried the pairs of elements, and why.
+    pub choice: Choice,
+    /// Cost and error of the rays, where they carried the pairs.
+    pub sampling: Option<Sampling>,
+    /// What was linked, where hierarchical radiosity found the light.
+    pub links: Option<Counts>,
+    /// Wall time of each stage.
+    pub seconds: Stages,
+}
+
+impl Outcome {
+    /// Estimated relative error that rays left, where they carried the pairs; else 0.
+    pub(crate) fn noise(&self) -> f64 {
+        self.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0)
+    }
+
+    /// The same light at the factors of the groups of `scene`, which is the scene of this solution; None if the light of
+    /// its groups is not kept apart.
+    pub fn relit(&self, scene: &Scene) -> Option<Self> {
+        let solution = self.solution.relit(scene)?;
+        let residuals = solution.bands().iter().map(|band| band.coefficients.residual);
+        Some(Self {
+            checks: self.checks.relit(&solution),
+            residual: residuals.fold(0.0, f64::max),
+            choice: self.choice.clone(),
+            functionals: self.functionals.clone(),
+            solution,
+            ..*self
+        })
+    }
+}
+
+/// The variational functional I(y) = ½ ⟨(I − √ρ G √ρ) y, y⟩ − ⟨f, y⟩ at a solution ([`crate::system::ritz`]): lower in a larger
+/// space, by half the square of the error of energy.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Functional {
+    /// Name of the band.
+    pub band: String,
+    /// The light group whose emission, not dimmed, is the only one; None for what has no group.
+    pub group: Option<String>,
+    /// I(y), in the square of the unit of exitance times scene length².
+    pub value: f64,
+}
+
+/// Wall time per stage.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Stages {
+    /// Cutting into elements, with their bases.
+    pub elements: Duration,
+    /// Finding out whether anything can cast a shadow.
+    pub visibility: Duration,
+    /// Blocks of G, visibility within them included.
+    pub blocks: Duration,
+    /// Direct light and its first bounce, where they are split off.
+    pub direct: Duration,
+    /// The linear systems.
+    pub solve: Duration,
+    /// Estimation of the error from gathered light, where an accuracy is wanted.
+    pub estimate: Duration,
+}

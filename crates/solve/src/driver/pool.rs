@@ -1,0 +1,48 @@
+//! Work with a number of threads.
+
+use radiosity_work::interruption;
+use radiosity_work::ranks;
+
+use super::failure::Failure;
+
+/// Runs `work` with that many threads, within the current ranks; all of them hear the current
+/// [interruption](radiosity_work::interruption).
+///
+/// # Errors
+/// Threads that cannot be started.
+pub fn in_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+    let heard = interruption::current();
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .start_handler(move |_| interruption::hear(heard.clone()))
+        .build();
+    let pool = pool.map_err(|source| Failure::Threads { threads, source })?;
+    let ranks = ranks::current();
+    Ok(pool.install(|| ranks.within(work)))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::thread::yield_now;
+
+    use radiosity_work::interruption::{Interrupted, Interruption, heed};
+    use rayon::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn all_threads_of_a_pool_hear_an_interruption() {
+        let interruption = Interruption::new();
+        let endless = |_: usize| -> usize {
+            interruption.raise();
+            loop {
+                heed();
+                yield_now();
+            }
+        };
+        let work = || in_threads(3, || (0..64).into_par_iter().map(endless).sum::<usize>());
+        assert!(matches!(interruption.within(work), Err(Interrupted)));
+        let other = Interruption::new().within(|| in_threads(3, || rayon::join(heed, heed)));
+        assert!(matches!(other, Ok(Ok(_))));
+    }
+}

@@ -1,0 +1,120 @@
+//! Gathering: the irradiance of a point, integrated over all surfaces with all shadows (Sloan's iterate).
+//!
+//! ```text
+//! E(x) = D(x) + ∫ κ(x, y) V(x, y) ρ(y) (D(y) + S_h(y)) dA_y        W m⁻²
+//! ```
+//!
+//! D is the direct light ([`radiosity_light::direct`]); S_h ≥ 0 is the polynomial of the light that was reflected at least
+//! once, cut off at zero. The integral (`light::reflected`) smooths, so E shows shadows and dark corners that
+//! polynomials cannot. x may be any point, on a surface or not. Near the foot of an obstacle E still shows errors of
+//! S_h; gathering twice, with S_h(y) replaced by the reflected light gathered at y, removes them.
+//!
+//! Reference: I. H. Sloan, *Improvement by iteration for compact operator equations*, Math. Comp. 30 (1976).
+
+pub mod spot;
+mod scale;
+pub mod by_rays;
+pub mod choice;
+pub(crate) mod walks;
+
+use radiosity_elements::patch::Node;
+use radiosity_light::direct::DirectLight;
+use radiosity_light::occluders::{Occluders, Site};
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_light::reflected::Reflection;
+use radiosity_visibility::Visibility;
+
+use crate::solution::{Place, Solution};
+use scale::scales;
+
+/// Tolerance of the first gathering over that of the second, which smooths its errors. Chosen; not tuned.
+const BEFORE: f64 = 5.0;
+
+/// A solution prepared for gathering.
+#[derive(Debug)]
+pub struct Gather<'a> {
+    direct: DirectLight<'a>,
+    reflection: Reflection<'a>,
+}
+
+/// Possible occluders between a site and the elements that send light to it.
+#[derive(Clone, Debug)]
+pub struct Company {
+    /// Occluders of the emitters.
+    pub direct: Occluders,
+    /// Occluders of the reflecting elements.
+    pub indirect: Occluders,
+}
+
+impl<'a> Gather<'a> {
+    /// The light of `solution`, gathered to about the relative accuracy `eps`.
+    pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
+        let sent = solution.sent();
+        let (list, coatings) = (solution.elements().list(), sent.coatings());
+        let direct = DirectLight::within(&solution.emitters(), visibility, eps);
+        let lit = |element: usize, node: &Node| {
+            let mut lit = direct.at(element, node.position, node.normal);
+            add_indirect(sent, element, node, &mut lit);
+            lit
+        };
+        let scale = scales(solution);
+        let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
+        Self { direct, reflection }
+    }
+
+    /// As [`Gather::new`], but the light that surfaces reflect is itself gathered, unless the number of reflections is limited.
+    pub fn twice(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
+        if solution.is_truncated() {
+            return Self::new(solution, visibility, eps);
+        }
+        let Self { direct, reflection } = Self::new(solution, visibility, BEFORE * eps);
+        let (list, coatings) = (solution.elements().list(), solution.coatings());
+        let around: Vec<Occluders> =
+            list.iter().map(|element| reflection.around(&Site::of(element))).collect();
+        let lit = |element: usize, node: &Node| {
+            let vantage = ReceiverPoint::on(list[element].surface, node.position, node.normal);
+            let lit = direct.at(element, node.position, node.normal);
+            let indirect = reflection.irradiance(&vantage, &around[element], &lit);
+            lit.iter().zip(indirect).map(|(d, s)| d + s).collect()
+        };
+        let scale = scales(solution);
+        let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
+        Self { direct, reflection }
+    }
+
+    /// Possible occluders around a site.
+    pub fn around(&self, site: &Site) -> Company {
+        Company { direct: self.direct.around(site), indirect: self.reflection.around(site) }
+    }
+
+    /// Direct light.
+    pub fn direct(&self) -> &DirectLight<'a> {
+        &self.direct
+    }
+
+    /// Light that was reflected at least once.
+    pub fn reflection(&self) -> &Reflection<'a> {
+        &self.reflection
+    }
+
+    /// Irradiance (W m⁻²) per band at the point `vantage` of the site that `company` was made for.
+    pub fn irradiance(&self, vantage: &ReceiverPoint, company: &Company) -> Vec<f64> {
+        let direct = self.direct.irradiance(vantage, &company.direct);
+        let indirect = self.reflection.irradiance(vantage, &company.indirect, &direct);
+        direct.iter().zip(indirect).map(|(d, s)| d + s).collect()
+    }
+
+    /// Irradiance (W m⁻²) per band at a single point.
+    pub fn at(&self, vantage: &ReceiverPoint) -> Vec<f64> {
+        self.irradiance(vantage, &self.around(&vantage.site()))
+    }
+}
+
+/// Adds max(S_h, 0) per band at a node of an element to `sums`.
+fn add_indirect(solution: &Solution, element: usize, node: &Node, sums: &mut [f64]) {
+    let surface = solution.elements().list()[element].surface;
+    let place = Place { surface, parameters: node.parameters.to_array(), position: node.position };
+    let mut indirect = vec![0.0; sums.len()];
+    solution.indirect_bands(element, &place, &mut indirect);
+    sums.iter_mut().zip(indirect).for_each(|(sum, indirect)| *sum += indirect.max(0.0));
+}

@@ -1,0 +1,540 @@
+//! Light at a point by rays, with an error that is known.
+//!
+//! Of N cosine-distributed rays from x each first meets the front of a surface at y; M = N/2 further ones go to points y
+//! of the emitters, of density q(y) (`light::lamps`). With the density κ(x, y) of the former and both combined
+//! by the balance heuristic,
+//!
+//! ```text
+//! E(x) ≈ 1/N Σ_cosine ( ρ E₁(y) + E₀(y) κ/(κ + q M/N) )  +  1/N Σ_emitters E₀(y) V κ/(κ + q M/N)     W m⁻² .
+//! ```
+//!
+//! E₁(y) = S_h(y) + E₀(z) V κ(y, z)/q(z) is the irradiance of y: S_h ≥ 0, the polynomials of the light that was reflected
+//! at least once, and the direct light by one ray to a point z of an emitter, so that shadow edges are sharp there too.
+//! The polynomials E_h of all light take its place near an emitter, where one ray says little, and on elements that are
+//! small as seen from x: these are right in the mean. Where only reflected light is gathered, for pictures, they are left
+//! only on elements that x nearly touches. The estimate has no bias beside that of these polynomials; emitters may be near
+//! or far, curved, partly hidden. Over a patch x is spread over it. Eight sequences, shifted independently, tell the
+//! standard deviation s of their mean; rays are doubled until s is below the accuracy asked for, or many times the usual
+//! number are sent.
+//!
+//! The light of luminaires at x is exact ([`radiosity_light::point_lights`]); E₁(y) has that of one of them, by a ray.
+//!
+//! Gathered twice, E₁(y) is itself estimated so, by one ray of either kind.
+//!
+//! References: P. Shirley, C. Wang, K. Zimmerman, *Monte Carlo techniques for direct lighting calculations*, ACM TOG 15
+//! (1996); E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance heuristic).
+
+use std::f64::consts::PI;
+use std::ops::Range;
+
+use radiosity_elements::Element;
+use radiosity_elements::patch::Patch;
+use radiosity_elements::sampling::kronecker;
+use radiosity_elements::sampling::lambert::lambert;
+use radiosity_elements::sampling::shift::{number_of, shift, shifted};
+use radiosity_elements::sampling::spread::{Place as Spot, Spread};
+use radiosity_geom::{DVec3, Encounter, Ray};
+use radiosity_light::emitters::Radiances;
+use radiosity_light::lamps::{Lamps, Shares, Target};
+use radiosity_light::point_lights::PointLights;
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_visibility::Visibility;
+use radiosity_work::interruption::heed_at;
+use serde::{Deserialize, Serialize};
+
+use crate::gather::scale::scales;
+use crate::solution::{Place, Solution};
+
+/// Independent sequences. Chosen.
+const BATCHES: usize = 8;
+
+/// Cosine-distributed rays of each sequence before the error is first looked at; in pictures, where readings beside each other
+/// are averaged. Half of the former took errors of 2 % for 1 % at bright points of a classroom.
+const FIRST: u64 = 64;
+const FIRST_OF_MANY: u64 = 32;
+
+/// Factor on the standard deviation of so few sequences where it decides that rays are enough: those whose sequences agree by
+/// chance stop first. Measured in a classroom.
+const CAUTION: f64 = 1.25;
+
+/// Rays to emitters for each cosine-distributed one, M/N.
+const TO_LAMPS: f64 = 0.5;
+
+/// Distance of an emitter, in its radii, within which polynomials say more of its light than one ray. Measured in a shop with
+/// tubes: with 2 and 1 the readings took more rays, and erred more.
+const NEAR: f64 = 4.0;
+
+/// Square root of the area of an element, over its distance, up to which its polynomials are right in the mean. Measured in a
+/// shop, a classroom and a temple: with 0.25 and 2 for 1 the error was the same, the time up to twice as long and the same.
+const SMALL: f64 = 1.0;
+
+/// The same where only reflected light is gathered, for pictures: there polynomials are left only where things nearly
+/// touch, and shadows matter most. Measured at the teapot: errors of 0.55, 0.50, 0.41 and 0.36 % in 14, 17, 23 and 28 s with
+/// polynomials everywhere, 10, 4 and 1.
+const SMALL_BEHIND_PIXELS: f64 = 10.0;
+
+/// Relative standard deviation times the number of rays to the power ¾: up to this in rooms. Measured in the Cornell box.
+const ROUGHNESS: f64 = 1.5;
+
+/// As many times the expected number of rays are sent at the most, and never more than [`MOST`]: some ten seconds. Both are
+/// chosen.
+const PATIENCE: f64 = 16.0;
+const MOST: f64 = 1.6e7;
+
+/// Distance of surfaces that cover each other, over the diagonal of the scene's box. Chosen.
+const COVERED: f64 = 1e-9;
+
+/// Irradiance over the mean radiosity of the scene below which the error counts relative to the latter. Chosen.
+const DARK: f64 = 0.02;
+
+/// Where light is read.
+#[derive(Debug)]
+pub enum Receiver<'a> {
+    /// At a point.
+    Point(ReceiverPoint),
+    /// The mean over a patch of a surface.
+    Patch {
+        /// Index of the surface.
+        surface: usize,
+        /// The patch.
+        patch: &'a Patch,
+    },
+}
+
+/// Irradiance by rays.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// Irradiance per band (W m⁻²).
+    pub irradiance: Vec<f64>,
+    /// Its standard deviation.
+    pub deviation: Deviation,
+}
+
+/// Standard deviation of an irradiance by rays.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Deviation {
+    /// Over the irradiance, root mean square over the bands.
+    pub relative: f64,
+    /// Whether a band has less than 2 % of the scene's mean radiosity, and it is relative to these 2 %.
+    pub is_dark: bool,
+}
+
+/// A solution whose light is gathered by rays.
+#[derive(Debug)]
+pub struct RayGather<'a> {
+    solution: &'a Solution,
+    visibility: &'a Visibility,
+    lamps: Lamps,
+    radiances: &'a Radiances,
+    points: &'a PointLights,
+    /// Mean radiosity per band (W m⁻²).
+    scale: Vec<f64>,
+    eps: f64,
+    /// Distance of surfaces that cover each other (scene length).
+    touching: f64,
+    /// Whether the light that surfaces reflect is itself gathered.
+    twice: bool,
+}
+
+/// What is known of the irradiance where a ray ends.
+#[derive(Clone, Copy)]
+enum Far {
+    /// The polynomials.
+    Polynomials,
+    /// Direct light by a ray that `chance` chooses, the rest by the polynomials; all by the polynomials on elements whose
+    /// area is below the square of `small` times the distance.
+    Direct { chance: u64, small: f64 },
+    /// All by rays that this number chooses.
+    Gathered(u64),
+}
+
+/// Rays of either kind that the balance heuristic combines, per cosine-distributed ray.
+#[derive(Clone, Copy)]
+struct Balance {
+    cosine: f64,
+    to_lamps: f64,
+}
+
+/// Where the rays of a receiver start.
+enum Start {
+    Point(ReceiverPoint),
+    Patch(usize, Spread),
+}
+
+/// Cosine-distributed rays that an error of `eps` takes.
+pub(super) fn usual_rays(eps: f64) -> f64 {
+    (ROUGHNESS / eps).powf(4.0 / 3.0)
+}
+
+/// Most cosine-distributed rays for an error of `eps`.
+fn most_rays(eps: f64) -> u64 {
+    (PATIENCE * usual_rays(eps)).min(MOST) as u64
+}
+
+impl<'a> RayGather<'a> {
+    /// The light of `solution`, gathered once or twice, to about the relative accuracy `eps`; once where the number of reflections
+    /// is limited.
+    pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
+        let scale = scales(solution);
+        let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
+        let touching = COVERED * visibility.bounds().diagonal();
+        let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);
+        let (twice, solution) = (twice && !solution.is_truncated(), solution.sent());
+        Self { solution, visibility, lamps, radiances, points, scale, eps, touching, twice }
+    }
+
+    /// All light of a receiver. It depends on nothing but the receiver.
+    pub fn read(&self, receiver: &Receiver) -> Estimate {
+        let start = Start::of(receiver);
+        let shares = self.lamps.seen_from(&start.middle());
+        self.gathered(&start, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
+    }
+
+    /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W m⁻² per band).
+    pub fn reflected(&self, vantage: &ReceiverPoint, other: &[f64]) -> Estimate {
+        self.gathered(&Start::Point(*vantage), None, FIRST_OF_MANY, other)
+    }
+
+    /// What readings from `distance` away lack, per band (W m⁻²), at a place of an element, because they take its polynomials:
+    /// S_g − S_h, S_g gathered by one ray; where they take all light from polynomials, all that these miss. `chance` chooses
+    /// the rays.
+    pub(crate) fn missed(
+        &self,
+        (element, place): (usize, &Place),
+        there: &ReceiverPoint,
+        distance: f64,
+        chance: u64,
+    ) -> Vec<f64> {
+        let mut missed = vec![0.0; self.scale.len()];
+        if self.is_rough(element, there, SMALL * distance) {
+            self.add_held(element, place, &mut missed);
+            missed.iter_mut().for_each(|held| *held = -*held);
+            self.add_estimate(there, chance, &mut missed);
+        } else {
+            self.add_reflected(element, place, -1.0, &mut missed);
+            let direction = lambert(there.normal, shift(chance));
+            let far = Far::Direct { chance: number_of([f64::from_bits(chance)]), small: SMALL };
+            self.add_met(there, direction, None, far, &mut missed);
+        }
+        missed
+    }
+
+    /// Reflected light, and direct light where there are `shares`, from `first` rays of each sequence on; `other` light
+    /// (W m⁻² per band) arrives too.
+    fn gathered(&self, start: &Start, shares: Option<&Shares>, first: u64, other: &[f64]) -> Estimate {
+        let middle = start.middle();
+        let [position, normal] = [middle.position, middle.normal].map(|vector| vector.to_array());
+        let number = number_of(position.into_iter().chain(normal));
+        let bands = self.scale.len();
+        let mut sums = vec![0.0; BATCHES * bands];
+        let lit = shares.and(self.lit(start));
+        let (mut sent, mut now) = (0, first);
+        loop {
+            for (batch, sums) in sums.chunks_exact_mut(bands).enumerate() {
+                let own = number.wrapping_add(batch as u64);
+                self.send_around(start, shares, own, sent..sent + now, sums);
+                if shares.is_some() {
+                    self.add_points(start, lit.as_deref(), own, sent..sent + now, sums);
+                }
+                if let Some(shares) = shares.filter(|shares| !shares.is_empty()) {
+                    let [first, end] = [sent, sent + now].map(|count| (count as f64 * TO_LAMPS) as u64);
+                    self.send_to_lamps(start, shares, own, first..end, sums);
+                }
+            }
+            sent += now;
+            let estimate = self.estimate(&sums, sent, other);
+            if CAUTION * estimate.deviation.relative <= self.eps
+                || BATCHES as u64 * 2 * sent > most_rays(self.eps)
+            {
+                return estimate;
+            }
+            now = sent;
+        }
+    }
+
+    /// Sends the cosine-distributed rays of these numbers.
+    fn send_around(
+        &self,
+        start: &Start,
+        shares: Option<&Shares>,
+        number: u64,
+        rays: Range<u64>,
+        sums: &mut [f64],
+    ) {
+        let offset: [f64; 4] = shift(number);
+        let mut radiosity = vec![0.0; sums.len()];
+        for index in rays {
+            let (place, direction) = match start {
+                Start::Point(_) => {
+                    let [a, b, ..] = offset;
+                    ([0.5; 2], shifted(kronecker::point(index), &[a, b]))
+                }
+                Start::Patch(..) => {
+                    let [s, t, polar, turn] = shifted(kronecker::point(index), &offset);
+                    ([s, t], [polar, turn])
+                }
+            };
+            let (vantage, weight) = start.at(place);
+            radiosity.fill(0.0);
+            heed_at(index);
+            let chance = number_of([f64::from_bits(number), index as f64]);
+            let far = match shares {
+                _ if self.twice => Far::Gathered(chance),
+                Some(_) => Far::Direct { chance, small: SMALL },
+                None => Far::Direct { chance, small: SMALL_BEHIND_PIXELS },
+            };
+            let direction = lambert(vantage.normal, direction);
+            let to_lamps = shares.map(|shares| (shares, TO_LAMPS));
+            self.add_met(&vantage, direction, to_lamps, far, &mut radiosity);
+            sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
+        }
+    }
+
+    /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that rays `to_lamps` leave, of
+    /// these shares and as many for each cosine-distributed one; without exitance where these are none.
+    fn add_met(
+        &self,
+        vantage: &ReceiverPoint,
+        direction: DVec3,
+        to_lamps: Option<(&Shares, f64)>,
+        far: Far,
+        radiosity: &mut [f64],
+    ) {
+        if vantage.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
+            return;
+        }
+        let x = vantage.position;
+        let met = match vantage.surface {
+            Some(surface) => self.visibility.nearest_from(surface, x, direction),
+            None => self.visibility.nearest(&Ray::new(x, direction)),
+        };
+        let Some(Encounter { surface, hit, front: true }) = met else { return };
+        let elements = self.solution.elements();
+        let Some(element) = elements.at(surface, [hit.u, hit.v]) else { return };
+        let own = &elements.list()[element];
+        // What is covered shines only on what covers it.
+        if own.contact.is_some() && hit.t > self.touching {
+            return;
+        }
+        let position = x + hit.t * direction;
+        let place = Place { surface, parameters: [hit.u, hit.v], position };
+        let normal = || {
+            own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |(_, normal)| normal)
+        };
+        let weight = to_lamps.map_or(0.0, |(shares, ratio)| match ratio * shares.density(element) {
+            0.0 => 1.0,
+            density => {
+                let kernel = vantage.normal.dot(direction) * -normal().dot(direction) / (PI * hit.t * hit.t);
+                kernel / (kernel + density)
+            }
+        });
+        let there = || ReceiverPoint::on(surface, position, normal());
+        let irradiance = self.arriving((element, &place), &there, hit.t, far);
+        let beyond = self.solution.behind(element, &place).map(|(element, place)| {
+            let there = || ReceiverPoint::on(place.surface, position, -normal());
+            self.arriving((element, &place), &there, hit.t, far)
+        });
+        let weight = weight * self.radiances.relative(surface, -direction);
+        for (index, (out, band)) in radiosity.iter_mut().zip(self.solution.bands()).enumerate() {
+            let coating = &band.coating;
+            let reflected = coating.reflectance_at(element, place.parameters) * irradiance[index];
+            *out += reflected + weight * coating.exitance[element];
+            if let Some(beyond) = &beyond {
+                *out += coating.transmittance(element) * beyond[index];
+            }
+        }
+    }
+
+    /// An estimate of the irradiance (W m⁻²) per band where a ray ends, so far from where it began.
+    fn arriving(
+        &self,
+        (element, place): (usize, &Place),
+        there: &dyn Fn() -> ReceiverPoint,
+        distance: f64,
+        far: Far,
+    ) -> Vec<f64> {
+        let mut irradiance = vec![0.0; self.solution.bands().len()];
+        match far {
+            Far::Polynomials => self.add_held(element, place, &mut irradiance),
+            Far::Direct { chance, small } => {
+                if self.is_rough(element, &there(), small * distance) {
+                    self.add_held(element, place, &mut irradiance);
+                } else {
+                    self.add_reflected(element, place, 1.0, &mut irradiance);
+                    self.add_direct(&there(), chance, &mut irradiance);
+                }
+            }
+            Far::Gathered(chance) => self.add_estimate(&there(), chance, &mut irradiance),
+        }
+        irradiance
+    }
+
+    /// Whether readings take all light at a point of an element from its polynomials, because it is near an emitter or smaller
+    /// than a square of this width. Never among luminaires: before one of them light peaks, which no polynomial follows.
+    fn is_rough(&self, element: usize, there: &ReceiverPoint, width: f64) -> bool {
+        let is_held =
+            is_small(&self.solution.elements().list()[element], width) || self.lamps.is_near(there, NEAR);
+        is_held && self.points.is_empty()
+    }
+
+    /// Adds the polynomials E_h ≥ 0 of all light.
+    fn add_held(&self, element: usize, place: &Place, irradiance: &mut [f64]) {
+        let mut held = vec![0.0; irradiance.len()];
+        self.solution.irradiance_bands(element, place, &mut held);
+        irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += held.max(0.0));
+    }
+
+    /// Adds `factor` times the polynomials S_h ≥ 0 of reflected light.
+    fn add_reflected(&self, element: usize, place: &Place, factor: f64, irradiance: &mut [f64]) {
+        let mut held = vec![0.0; irradiance.len()];
+        self.solution.indirect_bands(element, place, &mut held);
+        irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += factor * held.max(0.0));
+    }
+
+    /// Adds an estimate of the direct light by one ray to an emitter, and one to a luminaire.
+    fn add_direct(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+        self.add_point(vantage, chance, irradiance);
+        let shares = self.lamps.seen_from(vantage);
+        if !shares.is_empty() {
+            let target = shares.target(shift(chance));
+            self.add_lamp(vantage, &target, Balance { cosine: 0.0, to_lamps: 1.0 }, 1.0, irradiance);
+        }
+    }
+
+    /// Adds an estimate of the irradiance by one ray of each kind.
+    fn add_estimate(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+        self.add_point(vantage, chance, irradiance);
+        let shares = self.lamps.seen_from(vantage);
+        let [polar, turn, choice, s] = shift(chance);
+        let [t] = shift(number_of([f64::from_bits(chance)]));
+        let direction = lambert(vantage.normal, [polar, turn]);
+        self.add_met(vantage, direction, Some((&shares, 1.0)), Far::Polynomials, irradiance);
+        if !shares.is_empty() {
+            let balance = Balance { cosine: 1.0, to_lamps: 1.0 };
+            self.add_lamp(vantage, &shares.target([choice, s, t]), balance, 1.0, irradiance);
+        }
+    }
+
+    /// Adds an estimate of the light of the luminaires by one ray, to one of them.
+    fn add_point(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+        let own = number_of([f64::from_bits(chance), 1.0]);
+        self.points.add_one(vantage, self.visibility, 1.0, own, irradiance);
+    }
+
+    /// The light of the luminaires at a receiver that is a point.
+    fn lit(&self, start: &Start) -> Option<Vec<f64>> {
+        let Start::Point(vantage) = start else { return None };
+        let mut lit = vec![0.0; self.scale.len()];
+        self.points.add(vantage, self.visibility, &mut lit);
+        Some(lit)
+    }
+
+    /// Adds the light of the luminaires for the cosine-distributed rays of these numbers: `lit` at a point; over a patch that
+    /// of a ray from each point where one of those starts.
+    fn add_points(
+        &self,
+        start: &Start,
+        lit: Option<&[f64]>,
+        number: u64,
+        rays: Range<u64>,
+        sums: &mut [f64],
+    ) {
+        if let Some(lit) = lit {
+            let count = (rays.end - rays.start) as f64;
+            sums.iter_mut().zip(lit).for_each(|(sum, lit)| *sum += count * lit);
+            return;
+        }
+        let [s, t] = shift(number);
+        for index in rays {
+            let (vantage, weight) = start.at(shifted(kronecker::point(index), &[s, t]));
+            let chance = number_of([f64::from_bits(number), index as f64, 1.0]);
+            self.points.add_one(&vantage, self.visibility, weight, chance, sums);
+        }
+    }
+
+    /// Sends rays to the emitters, those that belong to the cosine-distributed ones of these numbers.
+    fn send_to_lamps(&self, start: &Start, shares: &Shares, number: u64, rays: Range<u64>, sums: &mut [f64]) {
+        let [a, b, c, d] = shift(number_of([f64::from_bits(number)]));
+        let [s] = shift(number_of([f64::from_bits(number), 1.0]));
+        for index in rays {
+            let (vantage, weight) = start.at(shifted(kronecker::point(index), &[d, s]));
+            let target = shares.target(shifted(kronecker::point(index), &[a, b, c]));
+            self.add_lamp(&vantage, &target, Balance { cosine: 1.0, to_lamps: TO_LAMPS }, weight, sums);
+        }
+    }
+
+    /// Adds `scale` times the light of one ray to an emitter.
+    fn add_lamp(
+        &self,
+        vantage: &ReceiverPoint,
+        target: &Target,
+        balance: Balance,
+        scale: f64,
+        sums: &mut [f64],
+    ) {
+        let Spot { node, weight } = target.place;
+        let Some(kernel) = vantage.kernel_to(&node) else { return };
+        if !self.visibility.is_free(vantage.surface, vantage.position, node.position) {
+            return;
+        }
+        let share = scale * weight * kernel / (balance.cosine * kernel + balance.to_lamps * target.density);
+        let surface = self.solution.elements().list()[target.element].surface;
+        let into = (vantage.position - node.position).normalize_or_zero();
+        let share = share * self.radiances.relative(surface, into);
+        for (sum, band) in sums.iter_mut().zip(self.solution.bands()) {
+            *sum += share * band.coating.exitance[target.element];
+        }
+    }
+
+    /// What the sums of the batches say.
+    fn estimate(&self, sums: &[f64], sent: u64, other: &[f64]) -> Estimate {
+        let bands = self.scale.len();
+        let (n, rays) = (BATCHES as f64, sent as f64);
+        let (mut irradiance, mut squares, mut is_dark) = (Vec::with_capacity(bands), 0.0, false);
+        for (band, other) in other.iter().enumerate() {
+            let batches = || sums.iter().skip(band).step_by(bands).map(|sum| sum / rays);
+            let mean = batches().sum::<f64>() / n;
+            let square = batches().map(|batch| (batch - mean).powi(2)).sum::<f64>();
+            // What one ray is worth, of something a quarter as bright as the scene on the whole.
+            let one = 0.25 * self.scale[band] / (n * rays);
+            let error = (square / (n * (n - 1.0))).sqrt() + one;
+            let least = DARK * self.scale[band];
+            is_dark |= mean + other < least;
+            squares += (error / (mean + other).max(least)).powi(2);
+            irradiance.push(mean);
+        }
+        let relative = (squares / bands as f64).sqrt();
+        Estimate { irradiance, deviation: Deviation { relative, is_dark } }
+    }
+}
+
+/// Whether an element is smaller than a square of this width.
+fn is_small(element: &Element, width: f64) -> bool {
+    element.area < width * width
+}
+
+impl Start {
+    fn of(receiver: &Receiver) -> Self {
+        match receiver {
+            Receiver::Point(vantage) => Self::Point(*vantage),
+            Receiver::Patch { surface, patch } => {
+                Self::Patch(*surface, Spread::of(std::slice::from_ref(*patch)))
+            }
+        }
+    }
+
+    fn middle(&self) -> ReceiverPoint {
+        self.at([0.5; 2]).0
+    }
+
+    /// The point that two numbers in [0, 1] choose, and its weight.
+    fn at(&self, place: [f64; 2]) -> (ReceiverPoint, f64) {
+        match self {
+            Self::Point(vantage) => (*vantage, 1.0),
+            Self::Patch(surface, spread) => {
+                let Spot { node, weight } = spread.point(place);
+                (ReceiverPoint::on(*surface, node.position, node.normal), weight)
+            }
+        }
+    }
+}

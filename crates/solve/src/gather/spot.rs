@@ -1,0 +1,120 @@
+//! The surface that a point lies on, and where on it.
+//!
+//! A point within a tolerance of a surface whose front its normal faces lies on that surface. The coordinates that
+//! users type are rounded, so it may lie slightly behind the surface or beyond its edge. It is therefore moved onto the
+//! surface and slightly away from surfaces that touch there, or inwards at an edge, so that its light is the limit from
+//! the open side.
+
+use radiosity_elements::Elements;
+use radiosity_geom::{Aabb, DVec3, Rect, Surface, overhang};
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_visibility::Visibility;
+
+use crate::solution::Place;
+
+/// A point lies on a surface if it is nearer than this part of the scene's diagonal and than `OF_ITS_OWN` of the
+/// surface's diagonal. Coordinates are rounded relative to the scene's size, but small things may stand before a sky.
+/// Both are chosen, not tuned.
+pub const ON_SURFACE: f64 = 1e-6;
+const OF_ITS_OWN: f64 = 1e-4;
+
+/// How far points are moved: this part of the scene's diagonal, at most the part [`AT_MOST`] of the way to the middle
+/// of the piece. A tenth of [`ON_SURFACE`]; chosen, not tuned.
+const INWARDS: f64 = 1e-7;
+const AT_MOST: f64 = 1e-3;
+
+/// A point of a surface, prepared as a receiver.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot {
+    /// The point for which light is computed: the foot of the given point, moved as the module says.
+    pub place: Place,
+    /// Parameters of the foot before it was moved, in [−1, 1]².
+    pub foot: [f64; 2],
+    /// Index of the element that holds the foot.
+    pub element: usize,
+    /// Unit normal of the surface at the moved point.
+    pub normal: DVec3,
+}
+
+/// If the unit directions away from touching surfaces sum up to less than this length, they cancel and the point is
+/// moved inwards instead. Chosen; not tuned.
+const ASIDE: f64 = 0.1;
+
+impl Spot {
+    /// The spot for the point `x` with the unit normal `n`: on the surface within tolerance whose normal is nearest to
+    /// n. None where no such surface faces n.
+    pub fn find(elements: &Elements, visibility: &Visibility, x: DVec3, n: DVec3) -> Option<Self> {
+        let diagonal = visibility.bounds().diagonal();
+        let tolerance = ON_SURFACE * diagonal;
+        let around = Aabb { min: x, max: x }.inflate(tolerance);
+        let touched = |surface: usize| {
+            let shape = elements.shape(surface);
+            let tolerance = tolerance.min(OF_ITS_OWN * extent(shape));
+            let foot = shape.project(x);
+            let jet = shape.jet(foot.u, foot.v);
+            let inside = shape.region().is_none_or(|region| region.contains(jet.position));
+            (foot.distance <= tolerance && inside).then_some((surface, foot, jet.normal))
+        };
+        let touched: Vec<_> = visibility.near(&around).into_iter().filter_map(touched).collect();
+        let faced = touched.iter().filter(|(_, _, normal)| normal.dot(n) > 0.0);
+        let spots = faced.filter_map(|(surface, foot, normal)| {
+            let others = touched.iter().filter(|(other, ..)| other != surface);
+            let away: DVec3 =
+                others.map(|(_, _, other)| other.reject_from(*normal).normalize_or_zero()).sum();
+            Self::within(elements, *surface, [foot.u, foot.v], INWARDS * diagonal, away)
+        });
+        spots.fold(None, |best: Option<Self>, spot| match best {
+            Some(best) if best.normal.dot(n) >= spot.normal.dot(n) => Some(best),
+            _ => Some(spot),
+        })
+    }
+
+    /// The spot at these parameters of a surface in a scene of this diagonal. None inside a hole that fills a cell.
+    pub fn at(elements: &Elements, surface: usize, parameters: [f64; 2], diagonal: f64) -> Option<Self> {
+        Self::within(elements, surface, parameters, INWARDS * diagonal, DVec3::ZERO)
+    }
+
+    /// The receiver point here with the unit normal `n`.
+    pub fn vantage(&self, n: DVec3) -> ReceiverPoint {
+        let ground = (n != self.normal).then_some(self.normal);
+        ReceiverPoint { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }
+    }
+
+    /// The spot at the parameters `at`, moved by the length `step` along `away`, or inwards if `away` nearly vanishes.
+    fn within(elements: &Elements, surface: usize, at: [f64; 2], step: f64, away: DVec3) -> Option<Self> {
+        let shape = elements.shape(surface);
+        let step = step.min(INWARDS / ON_SURFACE * OF_ITS_OWN * extent(shape));
+        let start = shape.jet(at[0], at[1]).position;
+        let aside = start + step * away.normalize_or_zero();
+        let is_free = shape.region().is_some_and(|region| region.contains(aside));
+        let parameters = match middle_of_piece(shape, start) {
+            Some(_) if away.length() > ASIDE && is_free => {
+                let foot = shape.project(aside);
+                [foot.u, foot.v]
+            }
+            Some(middle) => {
+                let share = (step / middle.distance(start)).min(AT_MOST);
+                let foot = shape.project(start.lerp(middle, share));
+                [foot.u, foot.v]
+            }
+            None => at.map(|x| x * (1.0 - (step / extent(shape)).min(AT_MOST))),
+        };
+        let jet = shape.jet(parameters[0], parameters[1]);
+        let element = elements.at(surface, parameters)?;
+        let place = Place { surface, parameters, position: jet.position };
+        Some(Self { place, foot: at, element, normal: jet.normal })
+    }
+}
+
+/// Diagonal of the bounding box of a surface (scene length).
+fn extent(shape: &dyn Surface) -> f64 {
+    shape.bounds(&Rect::FULL).diagonal()
+}
+
+/// Middle of the convex piece of a planar surface that contains `x` or is nearest to it.
+fn middle_of_piece(shape: &dyn Surface, x: DVec3) -> Option<DVec3> {
+    let region = shape.region()?;
+    let outside = |piece: &[DVec3]| overhang(piece, region.normal(), x);
+    let piece = region.convex_pieces().iter().min_by(|a, b| outside(a).total_cmp(&outside(b)))?;
+    Some(piece.iter().sum::<DVec3>() / piece.len() as f64)
+}

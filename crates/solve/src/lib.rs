@@ -1,0 +1,22 @@
+//! Solving: elements and blocks → systems → solutions, and what is asked of them.
+//!
+//! In order: `system` (one per band), `solution` (what it was solved to), `gather` (light at points), `checks` (of energy),
+//! `driver` (scene → solution, timed), `studies` (accuracy that is asked for, convergence), `solved` (a scene with its solution),
+//! `animation` (light that follows moving things) and `view_factors`.
+//!
+//! Imports everything up to `published`.
+
+pub mod system;
+pub mod solution;
+pub mod gather;
+pub mod checks;
+pub mod driver;
+pub mod studies;
+pub mod solved;
+pub mod animation;
+pub mod view_factors;
+
+pub use driver::{
+    Algorithm, Choice, Direct, Failure, Fit, Functional, MOST_RAYS, Model, Options, Outcome, Preconditioning,
+    Progress, Sampling, Stages, Stop, Transport, in_threads, solve,
+};

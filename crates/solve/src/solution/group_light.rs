@@ -1,0 +1,79 @@
+//! The light of one group, apart from that of all others.
+//!
+//! Light is linear in emission: with h_g the irradiance of group g alone, not dimmed, and f_g its factor, the scene's
+//! irradiance is h = Σ_g f_g h_g. So are its direct part, the shadow masks and the powers of its balance.
+
+use std::sync::Arc;
+
+use radiosity_published::zatz1993::masked_light::MaskedLight;
+
+use crate::system::Coefficients;
+
+use super::powers::Powers;
+
+/// The light of one group, not dimmed.
+#[derive(Clone, Debug)]
+pub struct GroupLight {
+    /// Its name; None for the light of surfaces without a group, which cannot be dimmed.
+    pub group: Option<String>,
+    /// Its light in each band.
+    pub bands: Vec<Incident>,
+    /// Its balance of power.
+    pub powers: Powers,
+    /// Its direct light with shadow masks, where there are any.
+    pub masked: Option<Arc<MaskedLight>>,
+}
+
+impl GroupLight {
+    /// Σ f x over the `parts` x with their `factors` f, all of one group and over the same functions, without masks.
+    pub(crate) fn together<'a>(factors: &[f64], parts: impl Iterator<Item = &'a Self> + Clone) -> Self {
+        let first = parts.clone().next();
+        let bands = 0..first.map_or(0, |part| part.bands.len());
+        let powers = factors.iter().zip(parts.clone()).map(|(factor, part)| *factor * part.powers);
+        Self {
+            group: first.and_then(|part| part.group.clone()),
+            bands: bands
+                .map(|band| Incident::together(factors, parts.clone().map(|part| &part.bands[band])))
+                .collect(),
+            powers: powers.fold(Powers::default(), |sum, part| sum + part),
+            masked: None,
+        }
+    }
+}
+
+/// Irradiance of one band, by coefficients in the orthonormal bases, element by element, in W m⁻² times scene length.
+#[derive(Clone, Debug)]
+pub struct Incident {
+    /// h of the irradiance.
+    pub irradiance: Vec<f64>,
+    /// The part of h that comes straight from the emitters.
+    pub direct: Vec<f64>,
+    /// Relative residual of the linear system ([`Coefficients::residual`]).
+    pub residual: f64,
+}
+
+impl From<Coefficients> for Incident {
+    fn from(Coefficients { irradiance, direct, residual, .. }: Coefficients) -> Self {
+        Self { irradiance, direct, residual }
+    }
+}
+
+impl Incident {
+    /// Σ f x over the `parts` x with their `factors` f; the residual is the largest of any part that is not dark.
+    pub(super) fn together<'a>(factors: &[f64], parts: impl Iterator<Item = &'a Self> + Clone) -> Self {
+        let sum = |of: fn(&Self) -> &Vec<f64>| {
+            let mut sum: Vec<f64> = Vec::new();
+            for (factor, part) in factors.iter().zip(parts.clone()) {
+                sum.resize(of(part).len(), 0.0);
+                sum.iter_mut().zip(of(part)).for_each(|(sum, x)| *sum += factor * x);
+            }
+            sum
+        };
+        let lit = factors.iter().zip(parts.clone()).filter(|(factor, _)| **factor != 0.0);
+        Self {
+            irradiance: sum(|part| &part.irradiance),
+            direct: sum(|part| &part.direct),
+            residual: lit.map(|(_, part)| part.residual).fold(0.0, f64::max),
+        }
+    }
+}

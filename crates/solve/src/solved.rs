@@ -1,0 +1,130 @@
+//! A scene with its solution, from which pictures, probes and grids are read.
+
+use std::sync::{Arc, OnceLock};
+
+use radiosity_geom::DVec3;
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_scene::{Scene, SceneError};
+use radiosity_visibility::Visibility;
+
+use crate::driver::{Failure, Options, Outcome, Progress, solve};
+use crate::gather::Gather;
+use crate::solution::Place;
+use crate::studies::adaptation::{Achieved, Adapted, Goal, adapt};
+
+/// Relative accuracy of light gathered at a point. Chosen; not tuned.
+const AT_A_POINT: f64 = 1e-3;
+
+/// Why the groups of a solution could not be dimmed.
+#[derive(Debug, thiserror::Error)]
+pub enum RelightError {
+    /// The scene has no such groups, or cannot have such factors.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The solution was made of bands in code, without the light of each group.
+    #[error("the solution does not keep the light of its groups apart: solve the scene again")]
+    NotApart,
+}
+
+/// A solved scene: just solved, or read from a file.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Solved {
+    /// The scene.
+    pub scene: Scene,
+    /// How it was solved.
+    pub options: Options,
+    /// The solution with its cost and self-checks.
+    pub outcome: Outcome,
+    /// The accuracy that was reached, where one was wanted.
+    pub achieved: Option<Achieved>,
+    /// Made when first needed; the same at all factors of light groups.
+    visibility: Arc<OnceLock<Visibility>>,
+}
+
+impl Solved {
+    /// A scene with a solution that was computed, or read, before.
+    pub fn of(scene: Scene, options: Options, outcome: Outcome, achieved: Option<Achieved>) -> Self {
+        Self { scene, options, outcome, achieved, visibility: Arc::default() }
+    }
+
+    /// Solves `scene`; see [`solve`].
+    ///
+    /// # Errors
+    /// As for [`solve`].
+    pub fn new(
+        scene: Scene,
+        options: Options,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
+        let outcome = solve(&scene, &options, progress)?;
+        Ok(Self::of(scene, options, outcome, None))
+    }
+
+    /// Solves `scene` to a wanted accuracy; see [`adapt`].
+    ///
+    /// # Errors
+    /// As for [`adapt`].
+    pub fn to_accuracy(
+        scene: Scene,
+        options: &Options,
+        goal: &Goal,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
+        let Adapted { outcome, options, achieved } = adapt(&scene, options, goal, progress)?;
+        Ok(Self::of(scene, options, outcome, Some(achieved)))
+    }
+
+    /// The same scene with light groups at other factors (≥ 0) of the emission that its materials state, from the light
+    /// that each group was solved with: nothing is solved again. Groups that are not named keep their factors.
+    ///
+    /// ```
+    /// use radiosity_solve::{Options, solved::Solved};
+    /// use radiosity_scene::Scene;
+    ///
+    /// let room = r#"
+    ///     bands = ["lm"]
+    ///     materials.floor = { reflectance = 0.3 }
+    ///     materials.lamp = { reflectance = 0, emission = 500, group = "lamps" }
+    ///     surfaces = [
+    ///         { material = "floor", disk = { center = [0, 0, 0], normal = [0, 0, 1], radius = 2 } },
+    ///         { material = "lamp", disk = { center = [0, 0, 1], normal = [0, 0, -1], radius = 0.2 } },
+    ///     ]"#;
+    /// let solved = Solved::new(radiosity_language::from_toml(room, "room")?, Options::default(), &|_progress| {})?;
+    /// let evening = solved.relight(&[("lamps", 0.25)])?;
+    /// let [day, dim] = [&solved, &evening].map(|light| light.outcome.solution.mean_irradiance(0, 0));
+    /// assert!((dim - 0.25 * day).abs() < 1e-12 * day);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RelightError::Scene`] for a group that is unknown or set twice, and a factor that is negative or not finite.
+    pub fn relight(&self, settings: &[(&str, f64)]) -> Result<Self, RelightError> {
+        let scene = self.scene.dimmed(settings)?;
+        let outcome = self.outcome.relit(&scene).ok_or(RelightError::NotApart)?;
+        let visibility = Arc::clone(&self.visibility);
+        Ok(Self { scene, options: self.options, outcome, achieved: self.achieved, visibility })
+    }
+
+    /// The scene as obstacles, with the shadows it was solved with.
+    pub fn visibility(&self) -> &Visibility {
+        self.visibility.get_or_init(|| Visibility::new(&self.scene, (&self.options).into()))
+    }
+
+    /// Irradiance per band at a point in the open, for the unit normal `normal`: in W m⁻² where exitance is in W m⁻²,
+    /// in lux where it is in lm m⁻². Direct light and its shadows are computed there, the rest is gathered from all
+    /// surfaces. For many points make one [`Gather`].
+    pub fn irradiance_at(&self, position: DVec3, normal: DVec3) -> Vec<f64> {
+        let gather = Gather::new(&self.outcome.solution, self.visibility(), AT_A_POINT);
+        gather.at(&ReceiverPoint::free(position, normal))
+    }
+
+    /// Radiosity per band (unit of exitance) of the polynomials at (u, v) on a surface; None inside its holes.
+    pub fn radiosity_at(&self, surface: usize, [u, v]: [f64; 2]) -> Option<Vec<f64>> {
+        let solution = &self.outcome.solution;
+        let element = solution.elements().at(surface, [u, v])?;
+        let position = solution.elements().shape(surface).jet(u, v).position;
+        let place = Place { surface, parameters: [u, v], position };
+        Some((0..solution.bands().len()).map(|band| solution.radiosity(band, element, &place)).collect())
+    }
+}

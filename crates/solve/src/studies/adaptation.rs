@@ -1,0 +1,81 @@
+//! Adaptation: solves on finer and finer discretisations until a wanted accuracy is reached.
+//!
+//! Each run has more polynomials or elements than the one before, and more accurate transfers. Its error is estimated
+//! from light gathered at points, plus what transfers and shadows may miss: that of the polynomials by what is gathered
+//! beside them (`estimate`), that of gathered light by walks (`gathered`).
+//! Against exact answers and much finer runs the estimate of polynomials is within a factor of three of the error
+//! (`cargo test --release --test stress -- --ignored`), that of gathered light within two
+//! (`cargo run --release --example estimates`).
+//!
+//! Where the goal is gathered light, elements are refined where they are responsible for its error (`local`); where
+//! rays carry the pairs, by more of them (`rays`); for polynomials all alike (`rungs`); for hierarchical radiosity by weaker
+//! links (`links`).
+
+mod goal;
+mod achieved;
+mod points;
+mod sensor;
+mod gathered;
+mod importance;
+mod estimate;
+mod run;
+mod rungs;
+mod rays;
+mod links;
+mod smoothness;
+mod local;
+
+use radiosity_scene::Scene;
+
+use crate::driver::{Algorithm, Choice, Failure, Options, Progress, Transport, in_threads};
+
+pub use achieved::{Achieved, Adapted, End};
+pub use goal::{Aim, Goal};
+pub use importance::importance;
+
+use links::by_links;
+use local::locally;
+use rays::by_rays;
+use rungs::by_rungs;
+
+/// Most surfaces of a small scene. Chosen.
+const FEW: usize = 300;
+
+/// Why small scenes are solved by exact blocks.
+const NO_ERROR_OF_ELEMENTS: &str =
+    "an accuracy of the polynomials is asked for, and rays do not tell the error of elements";
+
+/// Solves `scene` on finer and finer discretisations until the estimated error is small enough, or the next run would
+/// be too large or end too late. A finer run that does not fit into memory, or whose solver does not converge, also ends the sequence.
+///
+/// Order and layers in `options` are lower bounds, `eps` and `shadow_eps` upper bounds; given cuts stay. `progress` is
+/// called for every run from its beginning.
+///
+/// # Errors
+/// Any error of the first run; of later runs those that do not end the sequence.
+pub fn adapt(
+    scene: &Scene,
+    options: &Options,
+    goal: &Goal,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Adapted, Failure> {
+    if options.algorithm == Algorithm::Hierarchical {
+        return by_links(scene, options, goal, progress);
+    }
+    let choice = in_threads(options.threads, || Choice::of(scene, options))?;
+    if is_by_rays(scene, options, goal, &choice) {
+        return by_rays(scene, options, goal, progress);
+    }
+    let why = if choice.sampled { NO_ERROR_OF_ELEMENTS } else { &choice.why };
+    match goal.of {
+        Aim::Solution => by_rungs(scene, options, goal, why, progress),
+        Aim::Gathered | Aim::Points | Aim::Seen => locally(scene, options, goal, why, progress),
+    }
+}
+
+/// Whether rays carry the pairs: where polynomials are the goal, in small scenes only if they are asked for, because their
+/// own error tells nothing of that of elements.
+fn is_by_rays(scene: &Scene, options: &Options, goal: &Goal, choice: &Choice) -> bool {
+    let is_asked_for = options.transport == Transport::Sampled || options.rays.is_some();
+    choice.sampled && (goal.of != Aim::Solution || is_asked_for || scene.surfaces.len() > FEW)
+}

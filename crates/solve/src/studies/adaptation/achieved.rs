@@ -1,0 +1,65 @@
+//! The run that an adaptation ends with, and its accuracy.
+
+use serde::{Deserialize, Serialize};
+
+use crate::driver::{Options, Outcome};
+
+use super::goal::{Aim, Goal};
+
+/// The finest run and its accuracy.
+#[derive(Debug)]
+pub struct Adapted {
+    /// The finest possible run.
+    pub outcome: Outcome,
+    /// Its options.
+    pub options: Options,
+    /// The accuracy that it reached.
+    pub achieved: Achieved,
+}
+
+/// The accuracy that an adaptation reached.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Achieved {
+    /// Estimated relative error of the finest run; None where its solver did not converge.
+    pub estimate: Option<f64>,
+    /// What was wanted; None in files of older versions.
+    #[serde(default)]
+    pub wanted: Option<f64>,
+    /// Of what.
+    #[serde(default)]
+    pub of: Aim,
+    /// Why no finer run followed.
+    pub end: End,
+}
+
+impl Achieved {
+    /// What a sequence for `goal` ended with.
+    pub(super) fn new(goal: &Goal, estimate: Option<f64>, end: End) -> Self {
+        Self { estimate, wanted: Some(goal.accuracy), of: goal.of, end }
+    }
+
+    /// Whether the estimate is as small as wanted.
+    pub fn reached(&self) -> bool {
+        self.end == End::Reached
+    }
+}
+
+/// Why an adaptation ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum End {
+    /// The estimate is as small as wanted.
+    Reached,
+    /// The sequence has no finer run.
+    Finest,
+    /// The next run would have more unknowns than allowed.
+    Unknowns,
+    /// The next run would need more memory than allowed.
+    Memory,
+    /// The solver did not converge in the next run, or in the first.
+    NotConverged,
+    /// The next run would have ended after [`Options::deadline`], or its rays or its solver were stopped there.
+    Time,
+    /// The caller raised [`Options::stop`].
+    Stopped,
+}

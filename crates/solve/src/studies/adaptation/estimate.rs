@@ -1,0 +1,134 @@
+//! Error estimate of a run, from light gathered at points.
+//!
+//! The polynomials B_h of a run send light; its [gathered](crate::gather) irradiance at a point x is
+//!
+//! ```text
+//! E_g(x) = D(x) + ∫ κ(x, y) V(x, y) ρ(y) (D(y) + S_h(y)) dA_y ,
+//! ```
+//!
+//! D the direct light and S_h the polynomial of the rest. The error of polynomials is orthogonal to them: it
+//! oscillates, and the integral removes nearly all of it, so that E₀ + ρ E_g is much nearer to B than B_h is. Therefore
+//!
+//! ```text
+//! ‖B − B_h‖² ≈ ∫ ρ² (E_g − E_h)² dA ≈ Σ_patches 1/n Σ_k (ρ (E_g − E_h))²(x_k) J(x_k) ,
+//! ```
+//!
+//! at [points](super::points) x_k; J is the area element. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks, shadow edges and corners count wherever they lie, as
+//! no rate of convergence is assumed; a detail between the points is missed.
+//!
+//! An error of the transfers does not oscillate. E_g shows its first effect, but not its effect after further
+//! reflections; and many blocks have such errors at random. A tenth of the largest is added as a sum of squares: a
+//! guess, too small where nearly everything reflects nearly all.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use radiosity_light::occluders::Site;
+use radiosity_scene::Scene;
+use radiosity_visibility::Visibility;
+use radiosity_work::ranks;
+
+use crate::driver::{Failure, Options, Outcome, Progress, in_threads};
+use crate::gather::Gather;
+use crate::solution::Solution;
+
+use super::gathered::{Estimate, missed as missed_at};
+use super::goal::{Aim, Goal};
+use super::points::{Point, points};
+use super::sensor::Sensor;
+
+/// Accuracy of gathering: the first, and the factor by which it falls ([`SHARPER`]) until it is below the part
+/// [`OF_FOUND`] of the estimated error or [`OF_WANTED`] of the wanted one. All are chosen, not tuned.
+const LOOSEST: f64 = 3e-2;
+const SHARPER: f64 = 0.2;
+const OF_FOUND: f64 = 0.3;
+const OF_WANTED: f64 = 0.1;
+
+/// Part of the transfers' error that reaches the radiosity unseen by E_g: a guess, see the header.
+const TRANSFERRED: f64 = 0.1;
+
+/// Estimated ‖B − B_h‖/‖B − E₀‖ of the run `outcome`, all bands pooled, accurate enough to compare with the goal; B_h are
+/// the polynomials, or E₀ + ρ E_g where gathered light is the goal ([`gathered`]).
+///
+/// # Errors
+/// Threads that cannot be started.
+pub(super) fn estimate(
+    scene: &Scene,
+    outcome: &Outcome,
+    options: &Options,
+    (goal, expected): (&Goal, f64),
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Estimate, Failure> {
+    let visibility = Visibility::new(scene, options.into());
+    let solution = &outcome.solution;
+    let goes_on = |done, all| {
+        progress(Progress::Estimate(done, all));
+        !options.is_late_here()
+    };
+    let at = |sensors: &[Sensor]| missed_at(outcome, &visibility, sensors, (goal, expected), &goes_on);
+    match goal.of {
+        Aim::Gathered => return in_threads(options.threads, || at(&Sensor::of_surfaces(solution))),
+        Aim::Points | Aim::Seen => {
+            let sensors = Sensor::at(goal, solution, &visibility);
+            return in_threads(options.threads, || at(&sensors));
+        }
+        Aim::Solution => {}
+    }
+    let wanted = goal.accuracy;
+    let error = in_threads(options.threads, || {
+        let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST, progress));
+        while error > 0.0 && eps > OF_FOUND * error && eps > OF_WANTED * wanted {
+            eps = (SHARPER * eps).max(OF_WANTED * wanted);
+            error = unresolved(&outcome.solution, &visibility, eps, progress);
+        }
+        error
+    })?;
+    Ok(Estimate { error: error.hypot(TRANSFERRED * missed(outcome, options)), shares: Vec::new() })
+}
+
+/// Error of the polynomials, by light gathered to `eps`.
+fn unresolved(
+    solution: &Solution,
+    visibility: &Visibility,
+    eps: f64,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> f64 {
+    let gather = Gather::new(solution, visibility, eps);
+    let points = points(solution.elements().list());
+    let done = AtomicUsize::new(0);
+    let of = |element: usize| {
+        let squares = squares(element, &points[element], solution, &gather);
+        progress(Progress::Estimate(done.fetch_add(1, Ordering::Relaxed) + 1, points.len()));
+        squares
+    };
+    let counts: Vec<f64> = points.iter().map(|own| own.len() as f64).collect();
+    let squares = ranks::current().map(&counts, of);
+    let [missed, size] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
+    if size > 0.0 { (missed / size).sqrt() } else { 0.0 }
+}
+
+/// ∫ (ρ² + τ²) (E_g − E_h)² dA and ∫ (ρ² + τ²) E_g² dA over an element, by its points.
+fn squares(element: usize, points: &[Point], solution: &Solution, gather: &Gather) -> [f64; 2] {
+    let weights: Vec<f64> = solution.bands().iter().map(|band| band.coating.squared(element)).collect();
+    let mut sums = [0.0; 2];
+    if weights.iter().all(|weight| *weight == 0.0) {
+        return sums;
+    }
+    let company = gather.around(&Site::of(&solution.elements().list()[element]));
+    for point in points {
+        let gathered = gather.irradiance(&point.vantage(), &company);
+        for (band, (weight, gathered)) in weights.iter().zip(gathered).enumerate() {
+            let held = solution.irradiance(band, element, &point.place);
+            let weight = point.area * weight;
+            sums[0] += weight * (gathered - held).powi(2);
+            sums[1] += weight * gathered.powi(2);
+        }
+    }
+    sums
+}
+
+/// Largest relative error that a transfer may have.
+fn missed(outcome: &Outcome, options: &Options) -> f64 {
+    let accuracy = options.accuracy();
+    let shadows = if outcome.pairs.partly_hidden > 0 { accuracy.shadow_eps } else { 0.0 };
+    accuracy.eps.max(shadows).max(outcome.accuracy_reached)
+}

@@ -1,0 +1,452 @@
+//! Error of gathered light.
+//!
+//! Light that is gathered from a solution with the polynomials S_h of its reflected light,
+//!
+//! ```text
+//! E_g = D + G ρ (D + S_h) ,     (G f)(x) = ∫ κ(x, y) V(x, y) f(y) dA_y ,
+//! ```
+//!
+//! D the direct light, misses the light E that would be right by e = E − E_g. Since E = D + Gρ E, and S_g = E_g − D is
+//! gathered reflected light,
+//!
+//! ```text
+//! e = d + G ρ e ,     d = G ρ r ,     r = S_g − S_h ,     so     e = G ρ r + G ρ G ρ r + … .
+//! ```
+//!
+//! e is estimated at sensors by walks: cosine-distributed rays from the sensor and on from where they end, with the
+//! probability of the largest reflectance there. Each end y adds r(y) times the reflectances so far over these probabilities.
+//! r is gathered by cells ([`CellEnds`]), or where rays are what light is read by ([`Goal::by`]) by one further ray
+//! ([`RayGather::missed`]). Two halves of the walks give e′ and e″, independent of each other: the mean of their product is e²,
+//! that of a square would have the noise of the walks as well. With weights w_k of the sensors,
+//!
+//! ```text
+//! ‖e‖² ≈ Σ_k w_k e′e″ + s ,     s² = Σ_k (w_k e′e″)² ,
+//! ```
+//!
+//! s so that few sensors do not promise too much. Walks are doubled while their noise is much of the sum, or could be why it is
+//! larger than wanted. The part e_j of e that comes from ends on element j makes it responsible for ½ Σ_k w_k (e′e″_j + e′_j e″)
+//! of ‖e‖²: this is the importance that light from j has for the sensors, all reflections included.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use radiosity_elements::sampling::kronecker;
+use radiosity_elements::sampling::shift::{number_of, shift, shifted};
+use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_visibility::Visibility;
+use radiosity_work::ranks;
+use radiosity_work::ranks::shares;
+use serde::{Deserialize, Serialize};
+
+use crate::driver::Outcome;
+use crate::gather::Gather;
+use crate::gather::by_rays::{RayGather, Receiver};
+use crate::gather::choice::USUAL_EPS;
+use crate::gather::walks::{End, Lit, Walks};
+use crate::solution::{Band, Solution};
+
+use super::goal::Goal;
+use super::sensor::Sensor;
+
+/// Numbers of walks, and the fewest per half and sensor. Chosen: with four times the first number of rays whose ends gather by
+/// cells the estimates of boxes changed by 5 %; in small scenes a finer run costs less than many of these.
+const BY_CELLS: Numbers = Numbers { first: 1 << 12, noisy: 1 << 14, doubtful: 1 << 12, most: 1 << 16 };
+const BY_RAYS: Numbers = Numbers { first: 1 << 16, noisy: 1 << 18, doubtful: 1 << 18, most: 1 << 22 };
+const FEWEST: u64 = 2;
+
+/// Walks for each ray that carried the pairs where an estimate is doubtful: a finer run would send at least as many. Chosen.
+const PER_RAY: u64 = 2;
+
+/// Part of the estimate that the noise of walks may be. Chosen.
+const NOISE: f64 = 0.5;
+
+/// Standard deviations beyond which noise is no reason to refine. Chosen; in a classroom read at 200 points the noise of the
+/// first walks is three times the error.
+const SURELY: f64 = 2.0;
+
+/// Accuracy of gathering by cells: this part of the expected error, or [`LOOSEST`]. With 9e-3 estimates were a third of the errors.
+const OF_EXPECTED: f64 = 0.3;
+const LOOSEST: f64 = 3e-3;
+
+/// One end in so many gathers to an accuracy that is finer by the part of light that the surfaces absorb, since walks sum up their
+/// ends, and the others to a coarser one than was asked for. Chosen: with 1 and 4 the Cornell box to 3e-3 took 1.8 times as long.
+const ONE_IN: f64 = 8.0;
+const COARSER: f64 = 3.0;
+const LEAST_ABSORBED: f64 = 0.05;
+
+/// Accuracy of light that errors are relative to. Chosen.
+const OF_SIZE: f64 = 0.1;
+
+/// Numbers of walks in all.
+struct Numbers {
+    /// Made first.
+    first: u64,
+    /// At the most, where the estimate is noisy.
+    noisy: u64,
+    /// Where it is larger than wanted, and noise may be the cause.
+    doubtful: u64,
+    /// Where it is noisy, and larger than wanted.
+    most: u64,
+}
+
+impl Numbers {
+    /// Walks at the most for what is known so far.
+    fn allowed(&self, sums: &Sums, wanted: f64) -> u64 {
+        let is_above = sums.error() > wanted;
+        match sums.is_noisy() {
+            true if is_above => self.most,
+            true => self.noisy,
+            false if is_above && !sums.is_surely_above(wanted) => self.doubtful,
+            false => 0,
+        }
+    }
+}
+
+/// An estimated error of gathered light.
+#[derive(Debug)]
+pub(super) struct Estimate {
+    /// ‖e‖ / ‖E_g‖ over the sensors, all bands pooled; 0 without sensors, infinite where light is
+    /// missed and none is gathered.
+    pub error: f64,
+    /// Part of the square of `error` that each element is responsible for; noise makes some negative.
+    pub shares: Vec<f64>,
+}
+
+/// What walks from one sensor found.
+struct Found<'a> {
+    sensor: &'a Sensor,
+    number: u64,
+    light: Light,
+}
+
+/// The light that was found at a sensor.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct Light {
+    /// Irradiance that was gathered at the sensor (W m⁻²), per band.
+    gathered: Vec<f64>,
+    /// For each element, by each half of the walks, the sum of what they found there, per band (W m⁻²).
+    parts: BTreeMap<usize, [Vec<f64>; 2]>,
+}
+
+/// Light gathered by cells where rays end: coarsely, and at one end in [`ONE_IN`] finely as well, whose difference counts so many
+/// times. The mean is that of the fine values (Heinrich, Giles: multilevel Monte Carlo).
+struct CellEnds<'a> {
+    gather: Gather<'a>,
+    coarse: f64,
+}
+
+impl<'a> CellEnds<'a> {
+    /// For sums over walks to about the relative accuracy `eps`.
+    fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
+        let absorbed = (1.0 - mean_reflectance(solution)).max(LEAST_ABSORBED);
+        Self { gather: Gather::new(solution, visibility, absorbed * eps), coarse: COARSER * eps }
+    }
+
+    /// Reflected light per band where a walk ends, beside `other` light.
+    fn reflected(&self, there: &ReceiverPoint, other: &[f64], chance: u64) -> Vec<f64> {
+        let reflection = self.gather.reflection();
+        let around = reflection.around(&there.site());
+        let mut light = reflection.irradiance_within(self.coarse, there, &around, other);
+        let [dice]: [f64; 1] = shift(number_of([f64::from_bits(chance), 3.0]));
+        if dice * ONE_IN < 1.0 {
+            let fine = reflection.irradiance(there, &around, other);
+            light.iter_mut().zip(fine).for_each(|(light, fine)| *light += ONE_IN * (fine - *light));
+        }
+        light
+    }
+}
+
+/// Mean over the surfaces, by area, of the largest reflectance of the bands.
+fn mean_reflectance(solution: &Solution) -> f64 {
+    let elements = solution.elements().list().iter();
+    let largest = |index: usize| {
+        let sent = |band: &Band| band.coating.reflectance[index] + band.coating.transmittance(index);
+        solution.bands().iter().map(sent).fold(0.0, f64::max)
+    };
+    let [reflected, area] = elements.enumerate().fold([0.0; 2], |[reflected, area], (index, element)| {
+        [reflected + largest(index) * element.area, area + element.area]
+    });
+    reflected / area
+}
+
+/// How light is gathered where rays end.
+enum Ends<'a> {
+    Cells(CellEnds<'a>),
+    Rays(RayGather<'a>),
+}
+
+/// What misses light, and how it is gathered.
+struct Missing<'a> {
+    solution: &'a Solution,
+    walks: Walks<'a>,
+    ends: Ends<'a>,
+    /// Rays that carried the pairs.
+    rays: u64,
+}
+
+/// The estimated error of what `sensors` read; no better than tells whether it is below `wanted`, and not much worse.
+/// Light is gathered as an error of about `expected` needs it. `goes_on` is told the sensors done and to be done, and may end the
+/// work.
+pub(super) fn missed(
+    outcome: &Outcome,
+    visibility: &Visibility,
+    sensors: &[Sensor],
+    (goal, expected): (&Goal, f64),
+    goes_on: &(dyn Fn(usize, usize) -> bool + Sync),
+) -> Estimate {
+    let solution = &outcome.solution;
+    let unknowns = solution.elements().coefficients();
+    let missing = Missing::of(outcome, visibility, goal, (OF_EXPECTED * expected).min(LOOSEST));
+    let ranks = ranks::current();
+    let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
+    let gathered = ranks.map_by(&makers, |place| missing.gathered(&sensors[place]));
+    let begin = |(number, (sensor, gathered))| {
+        Found::new(sensor, number_of([number as f64, unknowns as f64]), gathered)
+    };
+    let mut found: Vec<Found> = sensors.iter().zip(gathered).enumerate().map(begin).collect();
+    let numbers = missing.numbers();
+    let per_half = |walks: u64| walks.div_ceil(2 * sensors.len().max(1) as u64);
+    let (mut made, mut now) = (0, per_half(numbers.first).max(FEWEST));
+    loop {
+        let (done, is_late) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let light = ranks.map_by(&makers, |place| {
+            let light = missing.walked(&found[place], made..made + now);
+            if !goes_on(done.fetch_add(1, Ordering::Relaxed) + 1, sensors.len()) {
+                is_late.store(true, Ordering::Relaxed);
+            }
+            light
+        });
+        found.iter_mut().zip(light).for_each(|(found, light)| found.light = light);
+        let finishes = !ranks.any(is_late.into_inner());
+        made += now;
+        let sums = Sums::of(&found, made, solution);
+        if !finishes || 2 * made > per_half(numbers.allowed(&sums, goal.accuracy)) {
+            return Estimate { error: sums.error(), shares: sums.shares(&found, made) };
+        }
+        now = made;
+    }
+}
+
+impl<'a> Missing<'a> {
+    fn of(outcome: &'a Outcome, visibility: &'a Visibility, goal: &Goal, eps: f64) -> Self {
+        let solution = &outcome.solution;
+        let rays = outcome.sampling.map_or(0, |sampling| sampling.rays);
+        let ends =
+            match goal.by.rays(solution, visibility, Goal::reading(goal.accuracy).min(USUAL_EPS), false) {
+                true => Ends::Rays(RayGather::new(solution, visibility, OF_SIZE, false)),
+                false => Ends::Cells(CellEnds::new(solution, visibility, eps)),
+            };
+        Self { solution, walks: Walks::new(solution, visibility), ends, rays }
+    }
+
+    fn numbers(&self) -> Numbers {
+        match self.ends {
+            Ends::Cells(_) => BY_CELLS,
+            Ends::Rays(_) => {
+                let doubtful = BY_RAYS.doubtful.max((PER_RAY * self.rays).min(BY_RAYS.most));
+                Numbers { doubtful, ..BY_RAYS }
+            }
+        }
+    }
+
+    /// Irradiance gathered at a sensor, per band.
+    fn gathered(&self, sensor: &Sensor) -> Vec<f64> {
+        match &self.ends {
+            Ends::Cells(ends) => ends.gather.at(&sensor.point),
+            Ends::Rays(gather) => gather.read(&Receiver::Point(sensor.point)).irradiance,
+        }
+    }
+
+    /// The light that was found at a sensor, and that of the walks of these numbers of each half.
+    fn walked(&self, found: &Found, walks: Range<u64>) -> Light {
+        let mut light = found.light.clone();
+        for half in 0..2 {
+            let number = found.number.wrapping_add(half);
+            let offset: [f64; 2] = shift(number);
+            for walk in walks.clone() {
+                let direction = shifted(kronecker::point(walk), &offset);
+                let chance = number_of([f64::from_bits(number), walk as f64]);
+                self.walk_once(found.sensor, (&mut light, half as usize), direction, chance);
+            }
+        }
+        light
+    }
+
+    fn walk_once(
+        &self,
+        sensor: &Sensor,
+        (light, half): (&mut Light, usize),
+        direction: [f64; 2],
+        chance: u64,
+    ) {
+        self.walks.walk(sensor.point, direction, chance, &mut |end, weights| {
+            if end.lit.brightest() == 0.0 {
+                return;
+            }
+            let missed = self.missed(end);
+            let none = || [vec![0.0; weights.len()], vec![0.0; weights.len()]];
+            let sums = &mut light.parts.entry(end.lit.element).or_insert_with(none)[half];
+            let reflected = weights.iter().zip(&end.lit.factors);
+            sums.iter_mut()
+                .zip(reflected)
+                .zip(missed)
+                .for_each(|((sum, (weight, factor)), missed)| *sum += weight * factor * missed);
+        });
+    }
+
+    /// r per band of the light that is sent on where a walk ends.
+    fn missed(&self, end: &End) -> Vec<f64> {
+        let End { lit: Lit { element, ref place, ref there, .. }, distance, chance, .. } = *end;
+        let gather = match &self.ends {
+            Ends::Rays(gather) => return gather.missed((element, place), there, distance, chance),
+            Ends::Cells(ends) => ends,
+        };
+        let mut held = vec![0.0; self.solution.bands().len()];
+        self.solution.irradiance_bands(element, place, &mut held);
+        let mut missed = gather.reflected(there, &held, chance);
+        self.solution.indirect_bands(element, place, &mut held);
+        missed.iter_mut().zip(held).for_each(|(missed, held)| *missed -= held.max(0.0));
+        missed
+    }
+}
+
+impl<'a> Found<'a> {
+    /// What is known of a sensor before walks.
+    fn new(sensor: &'a Sensor, number: u64, gathered: Vec<f64>) -> Self {
+        Self { sensor, number, light: Light { gathered, parts: BTreeMap::new() } }
+    }
+
+    /// e by each half of so many walks, per band.
+    fn halves(&self, walks: u64) -> [Vec<f64>; 2] {
+        [0, 1].map(|half| {
+            let mut sums = vec![0.0; self.light.gathered.len()];
+            for part in self.light.parts.values() {
+                sums.iter_mut().zip(&part[half]).for_each(|(sum, own)| *sum += own / walks as f64);
+            }
+            sums
+        })
+    }
+}
+
+/// Sums over sensors and bands.
+struct Sums {
+    /// Σ w e′e″, and s.
+    product: f64,
+    deviation: f64,
+    /// About the standard deviation of the former that is due to the walks.
+    noise: f64,
+    /// Σ w E_g².
+    size: f64,
+    elements: usize,
+}
+
+impl Sums {
+    fn of(found: &[Found], walks: u64, solution: &Solution) -> Self {
+        let mut sums = Self {
+            product: 0.0,
+            deviation: 0.0,
+            noise: 0.0,
+            size: 0.0,
+            elements: solution.elements().list().len(),
+        };
+        for found in found {
+            let [first, second] = found.halves(walks);
+            let bands = first.iter().zip(&second).zip(&found.sensor.weights);
+            let product: f64 = bands.clone().map(|((a, b), weight)| weight * a * b).sum();
+            let noise: f64 = bands.map(|((a, b), weight)| 0.5 * weight * (a - b).powi(2)).sum();
+            let light = found.light.gathered.iter().zip(&found.sensor.weights);
+            sums.product += product;
+            sums.deviation += product.powi(2);
+            sums.noise += noise.powi(2);
+            sums.size += light.map(|(light, weight)| weight * light.powi(2)).sum::<f64>();
+        }
+        Self { deviation: sums.deviation.sqrt(), noise: sums.noise.sqrt(), ..sums }
+    }
+
+    fn missed(&self) -> f64 {
+        self.product.max(0.0) + self.deviation
+    }
+
+    fn error(&self) -> f64 {
+        match self.size {
+            size if size > 0.0 => (self.missed() / size).sqrt(),
+            _ if self.missed() > 0.0 => f64::INFINITY,
+            _ => 0.0,
+        }
+    }
+
+    fn is_noisy(&self) -> bool {
+        self.noise > NOISE * self.missed()
+    }
+
+    /// Whether the error is above `wanted` even if it is less than it seems by [`SURELY`] times the noise of the walks.
+    fn is_surely_above(&self, wanted: f64) -> bool {
+        self.product - SURELY * self.noise > wanted.powi(2) * self.size
+    }
+
+    /// Part of the square of the error that each element is responsible for.
+    fn shares(&self, found: &[Found], walks: u64) -> Vec<f64> {
+        let mut shares = vec![0.0; self.elements];
+        for found in found {
+            let halves = found.halves(walks);
+            for (element, parts) in &found.light.parts {
+                for half in 0..2 {
+                    let bands = halves[half].iter().zip(&parts[1 - half]).zip(&found.sensor.weights);
+                    let own: f64 = bands.map(|((e, part), weight)| weight * e * part).sum();
+                    shares[*element] += 0.5 * own / walks as f64 / self.size.max(f64::MIN_POSITIVE);
+                }
+            }
+        }
+        shares
+    }
+}
+
+#[cfg(test)]
+mod tests {
+
+    use rayon::prelude::*;
+
+    use super::*;
+    use crate::driver::{Options, Transport, solve};
+
+    /// Σ w e / Σ w E_g of the first band, by so many walks of each half.
+    fn mean(missing: &Missing, sensors: &[Sensor], walks: u64) -> f64 {
+        let each = sensors.par_iter().enumerate().map(|(number, sensor)| {
+            let mut found = Found::new(sensor, number_of([number as f64]), missing.gathered(sensor));
+            found.light = missing.walked(&found, 0..walks);
+            let [first, second] = found.halves(walks);
+            [0.5 * (first[0] + second[0]), found.light.gathered[0]].map(|light| sensor.weights[0] * light)
+        });
+        let [missed, light] = each.reduce(|| [0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
+        missed / light
+    }
+
+    #[test]
+    fn walks_find_as_much_missed_by_rays_as_by_cells() {
+        let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
+        let options =
+            Options { transport: Transport::Sampled, rays: Some(400_000), order: 2, ..Options::default() };
+        let solution = solve(&scene, &options, &|_| {}).expect("a solution").solution;
+        let visibility = Visibility::new(&scene, (&options).into());
+        let sensors = Sensor::of_surfaces(&solution);
+        let ends = [
+            Ends::Cells(CellEnds::new(&solution, &visibility, 1e-2)),
+            Ends::Rays(RayGather::new(&solution, &visibility, OF_SIZE, false)),
+        ];
+        let [by_cells, by_rays] = ends
+            .map(|ends| Missing {
+                solution: &solution,
+                walks: Walks::new(&solution, &visibility),
+                ends,
+                rays: 0,
+            })
+            .map(|missing| match missing.ends {
+                Ends::Cells(_) => mean(&missing, &sensors, 2),
+                Ends::Rays(_) => mean(&missing, &sensors, 64),
+            });
+        // By rays one walk finds about as much as there is light.
+        let noise = 2.0 / (128.0 * sensors.len() as f64).sqrt();
+        assert!((by_rays - by_cells).abs() < 2.0 * noise, "{by_rays} {by_cells} {noise}");
+    }
+}

@@ -1,0 +1,63 @@
+//! Runs of an adaptation: whether another fits, what ended it, and what its error is.
+
+use std::time::{Duration, Instant};
+
+use radiosity_scene::Scene;
+use radiosity_solvers::{SolveError, Stop};
+use radiosity_work::ranks;
+
+use crate::driver::{Failure, Fit, Options, Outcome, Progress, timed};
+
+use super::achieved::End;
+use super::estimate::estimate;
+use super::gathered::Estimate;
+use super::goal::Goal;
+
+/// Order of the first rungs. Chosen; not tuned.
+pub(super) const FIRST_ORDER: usize = 2;
+
+/// The estimated error of a run that is expected to have about the error `expected`, timed.
+pub(super) fn estimated(
+    scene: &Scene,
+    outcome: &mut Outcome,
+    options: &Options,
+    (goal, expected): (&Goal, f64),
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Estimate, Failure> {
+    let mut taken = Duration::ZERO;
+    let estimate = timed(&mut taken, || estimate(scene, outcome, options, (goal, expected), progress))?;
+    outcome.seconds.estimate = taken;
+    progress(Progress::Finished("estimate", taken));
+    Ok(estimate)
+}
+
+/// Whether a run that would take so long ends in time on all ranks.
+pub(super) fn fits(deadline: Option<Instant>, run: Duration) -> bool {
+    let is_late = |deadline: Instant| deadline.saturating_duration_since(Instant::now()) < run;
+    deadline.is_none_or(|deadline| !ranks::current().any(is_late(deadline)))
+}
+
+/// A run after the first, or the reason why it ends the sequence.
+pub(super) fn finer(run: Result<Outcome, Failure>) -> Result<Result<Outcome, End>, Failure> {
+    match run {
+        Ok(outcome) if outcome.converged => Ok(Ok(outcome)),
+        Err(Failure::Solver { source: SolveError::NotConverged { stop: Stop::Time, .. }, .. }) => {
+            Ok(Err(End::Time))
+        }
+        Ok(_) | Err(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
+            Ok(Err(End::NotConverged))
+        }
+        Err(Failure::Memory { .. }) => Ok(Err(End::Memory)),
+        Err(failure) => Err(failure),
+    }
+}
+
+/// Adds that lower orders than that of the first run are possible only without a wanted accuracy.
+pub(super) fn advise(failure: Failure) -> Failure {
+    let Failure::Memory { needed, allowed, fits } = failure else { return failure };
+    let fit = |fit| match fit {
+        Fit::Order(order) if order < FIRST_ORDER => Fit::OrderAlone(order),
+        fit => fit,
+    };
+    Failure::Memory { needed, allowed, fits: fits.into_iter().map(fit).collect() }
+}

@@ -1,0 +1,273 @@
+//! Convergence: one scene solved at rising orders, on meshes with more and more layers, and in other [ways](Way); how its
+//! error falls.
+//!
+//! The error of a run is its [distance](crate::studies::error_norm) from a reference. Without one this is the finest
+//! of the uniform runs, whose own unknown error then adds to that of every other run. Between two runs of n and n′ unknowns of
+//! one way, on the same number of layers, the rate is
+//!
+//! ```text
+//! log(error / error′) / log(n′ / n) .
+//! ```
+//!
+//! The error of energy of a run is the distance of its variational functional I ([`crate::system::ritz`]) from that of the finest
+//! uniform run, I*,
+//!
+//! ```text
+//! √((I − I*) / |I*|) ,     I − I* = ½ ‖y − y*‖² in the norm of the system where the spaces are nested.
+//! ```
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+use radiosity_elements::cells::Layers;
+use radiosity_published::bases::Basis;
+use radiosity_scene::Scene;
+
+use crate::driver::{Algorithm, Failure, Options, Outcome, Progress, Transport, solve};
+use crate::solution::Solution;
+use crate::studies::adaptation::{Aim, Goal, adapt};
+use crate::studies::error_norm::distance;
+
+/// Powers of the strongest links of the hierarchical runs, in parts of the largest. Chosen: from a tenth of a second to
+/// some seconds in the Cornell box.
+const LINKS: [f64; 4] = [1e-2, 2.5e-3, 6e-4, 1.5e-4];
+
+/// Accuracies of gathered light that elements are refined for. Chosen.
+const WANTED: [f64; 4] = [3e-2, 1e-2, 3e-3, 1e-3];
+
+/// Cells of a surface along u and v of the runs by constants and by tents. Chosen: about as many unknowns as polynomials of the
+/// usual orders.
+const CELLS: [usize; 5] = [1, 2, 4, 8, 16];
+
+/// Rays of the sampled runs: from 2¹⁷ by factors of four. Chosen.
+const RAYS: [u64; 4] = [1 << 17, 1 << 19, 1 << 21, 1 << 23];
+
+/// A way in which a sequence of runs gets finer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+pub enum Way {
+    /// Higher orders, and more layers, on all surfaces alike.
+    Uniform,
+    /// Hierarchical radiosity on constants, by weaker and weaker links.
+    Hierarchical,
+    /// Elements cut, or of higher order, where they bear the error of gathered light.
+    Hp,
+    /// More and more rays at the highest order.
+    Sampled,
+    /// Constants on finer and finer cells.
+    Constant,
+    /// Tents on finer and finer cells.
+    Linear,
+    /// Cosines of higher and higher degree over whole surfaces.
+    Harmonic,
+}
+
+impl Way {
+    /// The ways in the bases of the variational source other than polynomials.
+    pub const BASES: [Self; 3] = [Self::Constant, Self::Linear, Self::Harmonic];
+
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Way::Uniform => "uniform",
+            Way::Hierarchical => "hierarchical",
+            Way::Hp => "hp",
+            Way::Sampled => "sampled",
+            Way::Constant => "constant",
+            Way::Linear => "linear",
+            Way::Harmonic => "harmonic",
+        }
+    }
+}
+
+/// One solved discretisation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The way that it is a step of.
+    pub way: Way,
+    /// Highest order of the bases.
+    pub order: usize,
+    /// Layers of graded elements.
+    pub layers: usize,
+    /// Number of elements.
+    pub elements: usize,
+    /// Number of coefficients per band.
+    pub unknowns: usize,
+    /// Terms of the kernel's quadrature rules.
+    pub samples: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+    /// Wall time from elements to coefficients (s); of refined elements with all runs before and their estimates.
+    pub seconds: f64,
+    /// Relative error; None for the run that is itself the reference.
+    pub error: Option<f64>,
+    /// Order of convergence in the unknowns from the run before; None without one, or with equal unknowns.
+    pub rate: Option<f64>,
+    /// Relative error of energy against the finest uniform run; None for that run, and where the two are minima of different
+    /// functionals or rounding and the accuracy of the transfers exceed it.
+    pub energy: Option<f64>,
+}
+
+/// The reference that errors are measured against.
+pub enum Reference<'a> {
+    /// The last and finest uniform run.
+    FinestRun,
+    /// A function that gives the error of a solution.
+    Given(&'a dyn Fn(&Solution) -> f64),
+}
+
+/// A run to be made.
+struct Trial {
+    way: Way,
+    options: Options,
+    /// The accuracy that elements are refined for.
+    wanted: Option<f64>,
+}
+
+/// A run that was made.
+struct Made {
+    outcome: Outcome,
+    seconds: f64,
+}
+
+/// Solves `scene` at orders 0 to `options.order` on 0 to `options.layers.count` layers, layers slowest, and then in the
+/// `other` ways.
+///
+/// `progress` gets the finished part of the work, from 0 to 1; from any thread.
+///
+/// # Errors
+/// The first run that fails.
+pub fn convergence(
+    scene: &Scene,
+    options: &Options,
+    other: &[Way],
+    reference: &Reference,
+    progress: &(dyn Fn(f64) + Sync),
+) -> Result<Vec<Run>, Failure> {
+    let plan = plan(options, other);
+    let work: Vec<f64> = plan.iter().map(Trial::work).collect();
+    let all: f64 = work.iter().sum();
+    let mut made = Vec::with_capacity(plan.len());
+    let mut before = 0.0;
+    for (trial, work) in plan.iter().zip(work) {
+        let furthest = AtomicUsize::new(0);
+        let hear = |stage| {
+            if let Progress::Blocks(done, total) = stage {
+                let done = furthest.fetch_max(done, Ordering::Relaxed).max(done);
+                progress((before + work * (done as f64 / total.max(1) as f64).min(1.0)) / all);
+            }
+        };
+        made.push(trial.solve(scene, &hear)?);
+        before += work;
+    }
+    Ok(runs(&plan, &made, reference))
+}
+
+fn plan(options: &Options, other: &[Way]) -> Vec<Trial> {
+    let layers = |count| Layers { count, ..options.layers };
+    let uniform = |options| Trial { way: Way::Uniform, options, wanted: None };
+    let of_layers = |count| {
+        (0..=options.order).map(move |order| uniform(Options { order, layers: layers(count), ..*options }))
+    };
+    let mut plan: Vec<Trial> = (0..=options.layers.count).flat_map(of_layers).collect();
+    let plain = Options { layers: layers(0), ..*options };
+    let of_way = |way: Way| -> Vec<Trial> {
+        let trial = |options, wanted| Trial { way, options, wanted };
+        let by_links = |eps| Options { algorithm: Algorithm::Hierarchical, order: 0, eps, ..plain };
+        let on_cells = |basis, order, cells| Options { basis, order, subdivide: Some(cells), ..plain };
+        let by_cosines = |order| Options { basis: Basis::Harmonic, order, ..plain };
+        let by_rays = |rays| Options { transport: Transport::Sampled, rays: Some(rays), ..plain };
+        match way {
+            Way::Uniform => Vec::new(),
+            Way::Hierarchical => LINKS.map(|eps| trial(by_links(eps), None)).into(),
+            Way::Hp => WANTED.map(|wanted| trial(Options { order: 0, ..plain }, Some(wanted))).into(),
+            Way::Sampled => RAYS.map(|rays| trial(by_rays(rays), None)).into(),
+            Way::Constant => CELLS.map(|cells| trial(on_cells(Basis::Constant, 0, cells), None)).into(),
+            Way::Linear => CELLS.map(|cells| trial(on_cells(Basis::Linear, 1, cells), None)).into(),
+            Way::Harmonic => (0..=options.order).map(|order| trial(by_cosines(order), None)).collect(),
+        }
+    };
+    plan.extend(other.iter().flat_map(|way| of_way(*way)));
+    plan
+}
+
+impl Trial {
+    /// Work of the run: about the number of pairs of basis functions, for uniform runs.
+    fn work(&self) -> f64 {
+        let cells = (self.options.subdivide.unwrap_or(1) + 2 * self.options.layers.count).pow(2);
+        ((cells * self.options.space.count(self.options.order)) as f64).powi(2)
+    }
+
+    fn solve(&self, scene: &Scene, progress: &(dyn Fn(Progress) + Sync)) -> Result<Made, Failure> {
+        let begun = Instant::now();
+        let Some(wanted) = self.wanted else {
+            let outcome = solve(scene, &self.options, progress)?;
+            let stages = outcome.seconds;
+            let seconds = stages.elements + stages.visibility + stages.blocks + stages.direct + stages.solve;
+            return Ok(Made { outcome, seconds: seconds.as_secs_f64() });
+        };
+        let goal = Goal::new(wanted, Aim::Gathered);
+        let outcome = adapt(scene, &self.options, &goal, progress)?.outcome;
+        Ok(Made { outcome, seconds: begun.elapsed().as_secs_f64() })
+    }
+}
+
+fn runs(plan: &[Trial], made: &[Made], reference: &Reference) -> Vec<Run> {
+    let last = plan.iter().rposition(|trial| trial.way == Way::Uniform).unwrap_or(0);
+    let error = |k: usize| match reference {
+        Reference::Given(error) => Some(error(&made[k].outcome.solution)),
+        Reference::FinestRun if k == last => None,
+        Reference::FinestRun => {
+            let finest = &made[last].outcome.solution;
+            Some(distance(&made[k].outcome.solution, finest).expect("the runs are of one scene"))
+        }
+    };
+    let finest = &made[last].outcome;
+    let mut runs: Vec<Run> = Vec::with_capacity(plan.len());
+    for (k, (trial, made)) in plan.iter().zip(made).enumerate() {
+        let run = run(trial, made, error(k));
+        let rate = runs.last().and_then(|before| rate(before, &run));
+        let energy = (k != last).then(|| energy(&made.outcome, finest)).flatten();
+        runs.push(Run { rate, energy, ..run });
+    }
+    runs
+}
+
+fn run(trial: &Trial, made: &Made, error: Option<f64>) -> Run {
+    let elements = made.outcome.solution.elements();
+    let orders = elements.list().iter().map(|element| element.basis.order());
+    let order = match trial.way {
+        Way::Uniform | Way::Constant | Way::Linear | Way::Harmonic => trial.options.order,
+        _ => orders.max().unwrap_or(0),
+    };
+    Run {
+        way: trial.way,
+        order,
+        layers: trial.options.layers.count,
+        elements: elements.list().len(),
+        unknowns: made.outcome.unknowns,
+        samples: made.outcome.samples,
+        rays: made.outcome.rays,
+        seconds: made.seconds,
+        error,
+        rate: None,
+        energy: None,
+    }
+}
+
+/// The relative error of energy of an outcome against a finer one.
+fn energy(outcome: &Outcome, finest: &Outcome) -> Option<f64> {
+    let sum = |own: &Outcome| own.functionals.iter().map(|functional| functional.value).sum::<f64>();
+    let is_of_one = |own: &Outcome| !own.choice.sampled && own.functionals.len() == finest.functionals.len();
+    let comparable = outcome.split == finest.split && is_of_one(outcome) && is_of_one(finest);
+    let (own, least) = (sum(outcome), sum(finest));
+    (comparable && own > least && least < 0.0).then(|| ((own - least) / -least).sqrt())
+}
+
+fn rate(before: &Run, run: &Run) -> Option<f64> {
+    let (old, new) = (before.error?, run.error?);
+    let is_one_way = before.way == run.way && before.layers == run.layers;
+    // Surfaces that state their own order may leave the unknowns as they are.
+    let comparable = is_one_way && before.unknowns != run.unknowns && old > 0.0 && new > 0.0;
+    comparable.then(|| (old / new).ln() / (run.unknowns as f64 / before.unknowns as f64).ln())
+}

@@ -1,0 +1,452 @@
+//! The linear system of one band.
+//!
+//! With the coefficients e of the emitted exitance and a reflectance ρ per element, b = e + ρ G b. All coefficients are
+//! in W m⁻² times length, G has no unit. Written with b = e + √ρ y,
+//!
+//! ```text
+//! (I − √ρ G √ρ) y = √ρ G e
+//! ```
+//!
+//! is symmetric, and positive definite with lowest eigenvalue ≥ 1 − ρ_max because ‖G‖ ≤ 1 (Szirmay-Kalos 1996 in
+//! another notation). With the rules of 1993, for comparison, neither G nor the system is symmetric. Nothing is divided
+//! by ρ. Elements with ρ = 0 have no unknowns: they only enter the right-hand side. The irradiance is h = G b
+//! everywhere.
+//!
+//! Where the reflectance varies over elements, the matrix S takes the place of ρ ([`radiosity_elements::coating`]), its
+//! symmetric root that of √ρ, and all of this holds: S^½ G S^½ is symmetric, and its norm is below the largest ρ. Where
+//! surfaces let light through, S couples both of their sides, and has negative eigenvalues as soon as τ² > ρ ρ'. Then the
+//! unknown is the radiosity that is not known itself, and
+//!
+//! ```text
+//! (I − S G) r = S G e ,     b = e + r
+//! ```
+//!
+//! is not symmetric, but ‖S G‖ ≤ max (ρ + τ) < 1: Richardson's iteration and GMRES converge as fast as before.
+//!
+//! Where direct light is split off (`light::first_bounce`), the coefficients d of direct irradiance and g of irradiance
+//! that was reflected exactly once are known; s of the irradiance that was reflected at least once is unknown. With s =
+//! g + G √ρ z,
+//!
+//! ```text
+//! (I − √ρ G √ρ) z = √ρ g ,     h = d + s ,     b = e + ρ h .
+//! ```
+//!
+//! Where luminaires shine and nothing is split off, the coefficients l of their irradiance are known, and
+//!
+//! ```text
+//! (I − √ρ G √ρ) y = √ρ G (e + ρ l) ,     b = e + ρ l + √ρ y ,     h = l + G b .
+//! ```
+//!
+//! All are one system: the radiosity is a known part, e (or e + ρ l, or e + ρ d), plus the unknown √ρ y (or √ρ z); the
+//! irradiance is a known part, 0 (or l, or d), plus that of the first transport, G e (or G (e + ρ l), or g), plus G times
+//! the unknown radiosity.
+
+mod vector;
+mod series;
+mod reduction;
+mod projected;
+pub mod ritz;
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::ops::Range;
+
+use radiosity_core::norm;
+use radiosity_elements::coating::{Coating, Root};
+use radiosity_elements::columns::transposed;
+use radiosity_elements::{Element, starts};
+use radiosity_kernel::Blocks;
+use radiosity_light::first_bounce::{Bounce, Entry};
+use radiosity_solvers::auto::{DENSE, DIRECT};
+use radiosity_solvers::method::Method;
+use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
+
+use vector::{distance, per_element, sum};
+
+/// Share of the entries of a matrix above which it is held entry by entry, if it is small: a product by blocks takes
+/// some four times as long for each entry. Chosen.
+const THIN: f64 = 0.125;
+
+/// The system of one band.
+#[derive(Debug)]
+pub struct System<'a> {
+    elements: &'a [Element],
+    blocks: &'a Blocks,
+    coating: &'a Coating,
+    /// Elements with ρ > 0, ascending: the blocks of unknowns.
+    reflecting: Vec<usize>,
+    emitted: Vec<f64>,
+    /// Known radiosity: e, e + ρ l, or e + ρ d.
+    known: Vec<f64>,
+    /// Irradiance that G does not carry: l of luminaires, or d if direct light is split off.
+    apart: Option<Vec<f64>>,
+    /// Irradiance that comes straight from emitters: G e, l + G e, or d.
+    direct: Vec<f64>,
+    /// Irradiance of the first transport: G e, G (e + ρ l), or g.
+    first: Vec<f64>,
+    /// Whether direct light is split off, so that the first transport carries what was reflected once.
+    is_split: bool,
+}
+
+/// Coefficients of one band's solution, element by element, all in W m⁻² times scene length.
+#[derive(Clone, Debug)]
+pub struct Coefficients {
+    /// h of the irradiance.
+    pub irradiance: Vec<f64>,
+    /// The part of h that comes straight from the emitters: G e, l + G e where luminaires shine, or d where direct light
+    /// was split off.
+    pub direct: Vec<f64>,
+    /// b of the radiosity, b = e + ρ h.
+    pub radiosity: Vec<f64>,
+    /// ‖b − e − ρ h‖₂ / ‖e‖₂ with the solver's b before that substitution, black elements included; over the known
+    /// radiosity ‖e + ρ d‖₂ where direct light d enters apart and that is more; 0 if nothing shines.
+    pub residual: f64,
+}
+
+impl Coefficients {
+    /// The coefficients for a known irradiance h and its direct part, both element by element.
+    pub fn of_irradiance(
+        elements: &[Element],
+        coating: &Coating,
+        irradiance: Vec<f64>,
+        direct: Vec<f64>,
+        residual: f64,
+    ) -> Self {
+        let radiosity = radiosity(elements, coating, &irradiance);
+        Self { irradiance, direct, radiosity, residual }
+    }
+}
+
+impl<'a> System<'a> {
+    /// The system of `coating` over `elements`: G, given by `blocks`, transports all light.
+    pub fn new(elements: &'a [Element], blocks: &'a Blocks, coating: &'a Coating) -> Self {
+        let emitted = emitted(elements, coating);
+        let (known, first) = (emitted.clone(), blocks.apply(&emitted));
+        let reflecting = reflecting(coating);
+        let direct = first.clone();
+        let (apart, is_split) = (None, false);
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split }
+    }
+
+    /// The system of band number `band`, into which direct light enters in this way.
+    pub fn entered(
+        elements: &'a [Element],
+        blocks: &'a Blocks,
+        (band, coating): (usize, &'a Coating),
+        entry: &Entry,
+    ) -> Self {
+        match entry {
+            Entry::Carried => Self::new(elements, blocks, coating),
+            Entry::Lit(lit) => Self::lit(elements, blocks, coating, lit[band].clone()),
+            Entry::Split(Bounce { direct, reflected }) => {
+                Self::split(elements, blocks, coating, direct[band].clone(), reflected[band].clone())
+            }
+        }
+    }
+
+    /// The system with luminaires, whose irradiance has the coefficients `lit`.
+    fn lit(elements: &'a [Element], blocks: &'a Blocks, coating: &'a Coating, lit: Vec<f64>) -> Self {
+        let emitted = emitted(elements, coating);
+        let known = radiosity(elements, coating, &lit);
+        let (direct, first) = (sum(&lit, &blocks.apply(&emitted)), blocks.apply(&known));
+        let (reflecting, apart, is_split) = (reflecting(coating), Some(lit), false);
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split }
+    }
+
+    /// The system with direct light split off; `direct` are the coefficients d, `once` the coefficients g.
+    fn split(
+        elements: &'a [Element],
+        blocks: &'a Blocks,
+        coating: &'a Coating,
+        direct: Vec<f64>,
+        once: Vec<f64>,
+    ) -> Self {
+        let emitted = emitted(elements, coating);
+        let known = radiosity(elements, coating, &direct);
+        let (reflecting, apart, first) = (reflecting(coating), Some(direct.clone()), once);
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split: true }
+    }
+
+    /// I − √ρ G √ρ on the reflecting elements.
+    ///
+    /// # Errors
+    /// Values that are not finite.
+    pub fn matrix(&self) -> Result<Dense, SolveError> {
+        let sizes: Vec<usize> = self.reflecting.iter().map(|i| self.elements[*i].basis.len()).collect();
+        let partition = Partition::new(&sizes);
+        let dim = partition.dim();
+        let mut values = vec![0.0; dim * dim];
+        values.iter_mut().step_by(dim + 1).for_each(|diagonal| *diagonal = 1.0);
+        let place =
+            |element: usize| self.reflecting.binary_search(&element).ok().map(|b| partition.range(b).start);
+        let mut subtract = |row: usize, column: usize, block: &[f64], both: bool| {
+            let (Some(i), Some(j)) = (place(row), place(column)) else { return };
+            let columns = self.elements[column].basis.len();
+            for (index, g) in block.iter().enumerate() {
+                let (k, l) = (i + index / columns, j + index % columns);
+                values[k + l * dim] -= g;
+                if both {
+                    values[l + k * dim] -= g;
+                }
+            }
+        };
+        for (row, column, block) in self.blocks.gathered().iter() {
+            let both = self.blocks.symmetric() && row != column;
+            if !self.coating.transmits() {
+                subtract(row, column, &self.halved([row, column], &block), both);
+                continue;
+            }
+            self.scattered([row, column], &block, &mut |row, own| subtract(row, column, own, false));
+            if both {
+                let block = transposed(&block, self.elements[column].basis.len());
+                self.scattered([column, row], &block, &mut |column, own| subtract(column, row, own, false));
+            }
+        }
+        Dense::new(partition, values, self.is_symmetric())
+    }
+
+    /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small and not thin;
+    /// elsewhere by its blocks, which solvers that only multiply take from G as it is.
+    ///
+    /// # Errors
+    /// Values that are not finite.
+    pub fn operator(&self, method: &Method, threads: usize) -> Result<Box<dyn Operator + '_>, SolveError> {
+        let unknowns = self.unknown_count();
+        let only_multiplies = method.only_multiplies();
+        let is_thin = (self.blocks.stored_numbers() as f64) < THIN * (unknowns as f64).powi(2);
+        let most = if only_multiplies && is_thin { DIRECT } else { DENSE };
+        if unknowns <= most || !self.blocks.symmetric() || (self.coating.transmits() && !only_multiplies) {
+            return Ok(Box::new(self.matrix()?));
+        }
+        if only_multiplies {
+            return Ok(Box::new(Product::new(self)));
+        }
+        Ok(Box::new(self.block_sparse()?.with_threads(threads)))
+    }
+
+    fn unknown_count(&self) -> usize {
+        self.reflecting.iter().map(|i| self.elements[*i].basis.len()).sum()
+    }
+
+    /// The same by those of its blocks that differ from zero.
+    fn block_sparse(&self) -> Result<BlockSparse, SolveError> {
+        let sizes: Vec<usize> = self.reflecting.iter().map(|i| self.elements[*i].basis.len()).collect();
+        let place = |element: usize| self.reflecting.binary_search(&element).ok();
+        let mut blocks: Vec<(usize, usize, Vec<f64>)> = Vec::new();
+        for (block, size) in sizes.iter().enumerate() {
+            let mut identity = vec![0.0; size * size];
+            identity.iter_mut().step_by(size + 1).for_each(|diagonal| *diagonal = 1.0);
+            blocks.push((block, block, identity));
+        }
+        for (row, column, values) in self.blocks.gathered().iter() {
+            let (Some(i), Some(j)) = (place(row), place(column)) else { continue };
+            let halved = self.halved([row, column], &values);
+            blocks.push((i, j, halved.iter().map(|g| -g).collect()));
+        }
+        let borrowed: Vec<SparseBlock<'_>> =
+            blocks.iter().map(|(i, j, values)| (*i, *j, &values[..])).collect();
+        BlockSparse::symmetric(Partition::new(&sizes), &borrowed)
+    }
+
+    /// √ρ times the irradiance of the first transport, on the reflecting elements; S times it where surfaces transmit.
+    pub fn right_hand_side(&self) -> Vec<f64> {
+        let halved = self.halved_light(&self.first);
+        self.unknowns(|_, offset| halved[offset])
+    }
+
+    /// Shooting measure of the unknowns, √ρ ∬ |φ_k| dA: times |y_k| it is the power that an unknown has yet to shoot
+    /// (Zatz 1993, eq. 25, corrected).
+    pub fn shooting_measure(&self) -> Vec<f64> {
+        let absolute = per_element(self.elements, |i, out| out.extend(self.elements[i].absolute_integrals()));
+        let root = |i: usize| if self.coating.transmits() { 1.0 } else { self.coating.reflectance[i].sqrt() };
+        self.unknowns(|i, offset| root(i) * absolute[offset])
+    }
+
+    /// Radiosity and irradiance from the unknowns: what G does not carry, the first transport, and G times the unknown
+    /// radiosity; then b = e + ρ h.
+    pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
+        let unknown = self.unknown_radiosity(0..self.reflecting.len(), unknowns);
+        self.with_irradiance(&unknown, self.irradiance(&unknown), self.direct.clone())
+    }
+
+    /// h for the unknown radiosity √ρ y.
+    fn irradiance(&self, unknown: &[f64]) -> Vec<f64> {
+        match &self.apart {
+            None => self.blocks.apply(&sum(&self.known, unknown)),
+            Some(apart) => {
+                let carried = sum(&self.first, &self.blocks.apply(unknown));
+                sum(apart, &carried)
+            }
+        }
+    }
+
+    /// The coefficients for an unknown radiosity √ρ y and the irradiance, with its direct part, that follows from it.
+    fn with_irradiance(&self, unknown: &[f64], irradiance: Vec<f64>, direct: Vec<f64>) -> Coefficients {
+        let solved = sum(&self.known, unknown);
+        let radiosity = radiosity(self.elements, self.coating, &irradiance);
+        let residual = self.relative(distance(&solved, &radiosity));
+        Coefficients { irradiance, direct, radiosity, residual }
+    }
+
+    /// The size of a radiosity over that of the known one.
+    fn relative(&self, size: f64) -> f64 {
+        // Of what luminaires light, surfaces reflect a part first.
+        let scale = norm(&self.emitted).max(if self.apart.is_some() { norm(&self.known) } else { 0.0 });
+        if scale > 0.0 { size / scale } else { 0.0 }
+    }
+
+    /// Coefficients e of the emitted exitance.
+    pub fn emitted(&self) -> &[f64] {
+        &self.emitted
+    }
+
+    /// Whether I − √ρ G √ρ is symmetric.
+    fn is_symmetric(&self) -> bool {
+        self.blocks.symmetric() && !self.coating.transmits()
+    }
+
+    /// √ρ_i G_ij √ρ_j for a block G_ij, row-major.
+    fn halved<'b>(&self, [row, column]: [usize; 2], block: &'b [f64]) -> Cow<'b, [f64]> {
+        if let (Root::Number(_), Root::Number(_)) = (self.coating.root(row), self.coating.root(column)) {
+            let root = (self.coating.reflectance[row] * self.coating.reflectance[column]).sqrt();
+            return block.iter().map(|g| root * g).collect();
+        }
+        let columns = self.elements[column].basis.len();
+        let left = multiplied(self.coating.root(row), block, columns);
+        let turned = transposed(&left, columns);
+        let both = multiplied(self.coating.root(column), &turned, block.len() / columns);
+        transposed(&both, block.len() / columns).into()
+    }
+
+    /// Calls `visit` with the rows of S G that a block of G makes, for each element that reflects or transmits what arrives
+    /// on the element of the block's rows.
+    fn scattered(&self, [row, column]: [usize; 2], block: &[f64], visit: &mut dyn FnMut(usize, &[f64])) {
+        let columns = self.elements[column].basis.len();
+        for element in self.coating.all_behind(row).chain([row]) {
+            let mut rows = vec![0.0; self.elements[element].basis.len() * columns];
+            self.coating.add_reflected_rows([element, row], block, columns, &mut rows);
+            visit(element, &rows);
+        }
+    }
+
+    /// √ρ times coefficients of irradiance, element by element; S times them where surfaces transmit.
+    fn halved_light(&self, irradiance: &[f64]) -> Vec<f64> {
+        if self.coating.transmits() {
+            return self.coating.reflected(self.blocks.starts(), irradiance);
+        }
+        self.coating.halved(self.blocks.starts(), irradiance)
+    }
+
+    /// Coefficients of the radiosity that unknowns of the reflecting elements number `blocks` stand for, element by element: √ρ
+    /// times them, or themselves where surfaces transmit.
+    fn unknown_radiosity(&self, blocks: Range<usize>, unknowns: &[f64]) -> Vec<f64> {
+        let mut radiosity = vec![0.0; self.known.len()];
+        let mut rest = unknowns;
+        for i in &self.reflecting[blocks] {
+            let range = self.range(*i);
+            let (own, others) = rest.split_at(range.len());
+            rest = others;
+            let root = if self.coating.transmits() { Root::Number(1.0) } else { self.coating.root(*i) };
+            root.multiply(own, &mut radiosity[range]);
+        }
+        radiosity
+    }
+
+    fn range(&self, element: usize) -> Range<usize> {
+        let starts = self.blocks.starts();
+        starts[element]..starts[element + 1]
+    }
+
+    fn unknowns(&self, value: impl Fn(usize, usize) -> f64) -> Vec<f64> {
+        self.reflecting
+            .iter()
+            .flat_map(|i| self.range(*i).map(|k| value(*i, k)).collect::<Vec<_>>())
+            .collect()
+    }
+}
+
+/// I − √ρ G √ρ on the reflecting elements, or I − S G, multiplied by the blocks of G as they are stored.
+struct Product<'a> {
+    system: &'a System<'a>,
+    partition: Partition,
+    /// Blocks G_ii of the elements that see themselves.
+    own: HashMap<usize, Vec<f64>>,
+}
+
+impl<'a> Product<'a> {
+    fn new(system: &'a System<'a>) -> Self {
+        let sizes: Vec<usize> = system.reflecting.iter().map(|i| system.elements[*i].basis.len()).collect();
+        let own = system.blocks.diagonal();
+        Self { system, partition: Partition::new(&sizes), own }
+    }
+
+    /// √ρ G √ρ x on the unknowns, for the unknowns x of the reflecting elements number `blocks`.
+    fn reflected(&self, blocks: Range<usize>, x: &[f64]) -> Vec<f64> {
+        let sent = self.system.unknown_radiosity(blocks, x);
+        let received = self.system.halved_light(&self.system.blocks.apply_in_chunks(&sent));
+        self.system.unknowns(|_, k| received[k])
+    }
+}
+
+impl Operator for Product<'_> {
+    fn partition(&self) -> &Partition {
+        &self.partition
+    }
+
+    fn apply(&self, x: &[f64], y: &mut [f64]) {
+        let reflected = self.reflected(0..self.partition.len(), x);
+        y.iter_mut().zip(x).zip(reflected).for_each(|((y, x), r)| *y = x - r);
+    }
+
+    fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
+        let reflected = self.reflected(column..column + 1, x);
+        y.iter_mut().zip(reflected).for_each(|(y, r)| *y -= r);
+        y[self.partition.range(column)].iter_mut().zip(x).for_each(|(y, x)| *y += x);
+    }
+
+    fn diagonal(&self, block: usize, out: &mut [f64]) {
+        let (system, element) = (self.system, self.system.reflecting[block]);
+        let size = self.partition.size(block);
+        let mut reflected = vec![0.0; size * size];
+        if let Some(values) = self.own.get(&element) {
+            match system.coating.transmits() {
+                true => system.coating.add_reflected_rows([element; 2], values, size, &mut reflected),
+                false => reflected.copy_from_slice(&system.halved([element; 2], values)),
+            }
+        }
+        for (k, out) in out.iter_mut().enumerate() {
+            *out = f64::from(u8::from(k % size == k / size)) - reflected[k % size * size + k / size];
+        }
+    }
+
+    fn symmetric(&self) -> bool {
+        !self.system.coating.transmits()
+    }
+}
+
+/// Elements that reflect or transmit, ascending.
+fn reflecting(coating: &Coating) -> Vec<usize> {
+    (0..coating.reflectance.len()).filter(|i| coating.scatters(*i)).collect()
+}
+
+/// e, the coefficients of the emitted exitance.
+fn emitted(elements: &[Element], coating: &Coating) -> Vec<f64> {
+    let ones: Vec<f64> = elements.iter().flat_map(|element| &element.constant).copied().collect();
+    coating.emitted(&starts(elements), &ones)
+}
+
+/// b = e + S h.
+fn radiosity(elements: &[Element], coating: &Coating, irradiance: &[f64]) -> Vec<f64> {
+    sum(&emitted(elements, coating), &coating.reflected(&starts(elements), irradiance))
+}
+
+/// √ρ M for a row-major matrix M of so many columns.
+fn multiplied(root: Root<'_>, matrix: &[f64], columns: usize) -> Vec<f64> {
+    let turned = transposed(matrix, columns);
+    let mut out = vec![0.0; matrix.len()];
+    let rows = matrix.len() / columns;
+    for (out, column) in out.chunks_exact_mut(rows).zip(turned.chunks_exact(rows)) {
+        root.multiply(column, out);
+    }
+    transposed(&out, rows)
+}

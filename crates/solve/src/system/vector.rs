@@ -1,0 +1,20 @@
+//! Sums and norms of coefficients.
+
+use radiosity_elements::Element;
+
+/// x + y.
+pub(super) fn sum(x: &[f64], y: &[f64]) -> Vec<f64> {
+    x.iter().zip(y).map(|(x, y)| x + y).collect()
+}
+
+/// ‖x − y‖₂.
+pub(super) fn distance(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
+}
+
+/// What `write` appends for each element, one after the other.
+pub(super) fn per_element(elements: &[Element], write: impl Fn(usize, &mut Vec<f64>)) -> Vec<f64> {
+    let mut all = Vec::new();
+    (0..elements.len()).for_each(|i| write(i, &mut all));
+    all
+}

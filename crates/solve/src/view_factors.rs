@@ -1,0 +1,223 @@
+//! View factors between the surfaces of a scene.
+//!
+//! ```text
+//! F_ij = 1/A_i ∫∫ κ(x, y) V(x, y) dA_x dA_y ,     A_i F_ij = A_j F_ji ,     Σ_j F_ij ≤ 1 ,
+//! ```
+//!
+//! the share of the diffuse power leaving surface i that reaches surface j, without unit. F follows from G if each
+//! element carries a constant, φ = 1/√A: with elements a of surface i and b of surface j,
+//!
+//! ```text
+//! A_i F_ij = Σ_a Σ_b √(A_a A_b) G_ab .
+//! ```
+//!
+//! In a closed scene each row sums to 1. Neither materials nor emitters matter.
+
+use std::time::{Duration, Instant};
+
+use radiosity_elements::cells::Layers;
+use radiosity_elements::space::Space;
+use radiosity_elements::{Discretization, Elements, Subdivide};
+use radiosity_kernel::{Accuracy, Blocks, Miss, PairCounts, Reciprocity};
+use radiosity_scene::Scene;
+use radiosity_transport as transport;
+use radiosity_visibility::{Hiding, Visibility};
+
+use crate::driver::{Failure, in_threads};
+
+/// How well view factors are computed.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Cuts along u and v of surfaces that do not state their own; None chooses. The factors are those of whole
+    /// surfaces; cuts make shadows more accurate.
+    pub subdivide: Option<usize>,
+    /// Accuracy of the exchange of two elements.
+    pub accuracy: Accuracy,
+    /// How surfaces hide each other.
+    pub shadows: Hiding,
+    /// Threads; the result does not depend on it.
+    pub threads: usize,
+}
+
+/// The view factors of a scene. Only pairs that see each other take memory.
+#[derive(Debug)]
+pub struct ViewFactors {
+    /// Names of the surfaces.
+    pub names: Vec<String>,
+    /// Areas of the surfaces (scene length²).
+    pub areas: Vec<f64>,
+    /// For each surface i the pairs (j, A_i F_ij), ascending in j; each exchange is stored for i and for j.
+    exchanges: Vec<Vec<(u32, f64)>>,
+    /// Numbers of pairs by how they were treated.
+    pub pairs: PairCounts,
+    /// Evaluations of the kernel, or of logarithms in contour integrals.
+    pub samples: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+    /// Reciprocity over a sample of pairs that were integrated in both directions.
+    pub reciprocity: Reciprocity,
+    /// Largest error that is left in the exchange of two elements ([`Blocks::accuracy_reached`]).
+    pub accuracy_reached: f64,
+    /// The two surfaces whose error is the largest multiple of what was asked.
+    pub miss: Option<Miss>,
+    /// Wall time.
+    pub elapsed: Duration,
+}
+
+impl ViewFactors {
+    /// Computes the factors of all pairs of surfaces. `progress` gets (pairs done, pairs in all), from any thread.
+    ///
+    /// # Errors
+    /// A surface without area, or threads that cannot be started.
+    pub fn new(
+        scene: &Scene,
+        options: &Options,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Self, Failure> {
+        Self::of_pairs(scene, &|_, _| true, options, progress)
+    }
+
+    /// Computes the factors of the pairs of surfaces that are `wanted` in either order; all others are zero.
+    ///
+    /// # Errors
+    /// As for [`ViewFactors::new`].
+    pub fn of_pairs(
+        scene: &Scene,
+        wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+        options: &Options,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Self, Failure> {
+        let start = Instant::now();
+        let (elements, blocks) =
+            in_threads(options.threads, || constants(scene, wanted, options, progress))??;
+        let areas = areas(scene, &elements);
+        Ok(Self {
+            names: scene.surfaces.iter().map(|surface| surface.name.clone()).collect(),
+            exchanges: exchanges(&elements, &blocks, areas.len()),
+            areas,
+            pairs: blocks.pairs,
+            samples: blocks.distinct,
+            rays: blocks.rays,
+            reciprocity: blocks.reciprocity,
+            accuracy_reached: blocks.accuracy_reached,
+            miss: blocks
+                .miss
+                .map(|miss| Miss { pair: miss.pair.map(|element| elements.list()[element].surface), ..miss }),
+            elapsed: start.elapsed(),
+        })
+    }
+
+    /// F_ij.
+    pub fn factor(&self, i: usize, j: usize) -> f64 {
+        let row = &self.exchanges[i];
+        row.binary_search_by_key(&j, |(column, _)| *column as usize)
+            .map_or(0.0, |place| row[place].1 / self.areas[i])
+    }
+
+    /// All factors from surface i, zeros included.
+    pub fn row(&self, i: usize) -> Vec<f64> {
+        let mut row = vec![0.0; self.names.len()];
+        self.exchanges[i].iter().for_each(|(j, exchange)| row[*j as usize] = exchange / self.areas[i]);
+        row
+    }
+
+    /// The factors from surface i that are not zero, as (j, F_ij), ascending in j.
+    pub fn nonzeros(&self, i: usize) -> impl Iterator<Item = (usize, f64)> {
+        let own = self.exchanges[i].iter().filter(|(_, exchange)| *exchange != 0.0);
+        own.map(move |(j, exchange)| (*j as usize, exchange / self.areas[i]))
+    }
+
+    /// Σ_j F_ij of each surface: 1 if no power that leaves it is lost.
+    pub fn row_sums(&self) -> Vec<f64> {
+        let sum = |(row, area): (&Vec<(u32, f64)>, &f64)| row.iter().map(|(_, x)| x).sum::<f64>() / area;
+        self.exchanges.iter().zip(&self.areas).map(sum).collect()
+    }
+}
+
+/// Elements that carry constants, and their blocks.
+fn constants(
+    scene: &Scene,
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    options: &Options,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<(Elements, Blocks), Failure> {
+    let mut scene = scene.clone();
+    scene.surfaces.iter_mut().for_each(|surface| surface.order = None);
+    let Accuracy { eps, shadow_eps } = options.accuracy;
+    let accuracy = Accuracy { eps, shadow_eps: options.shadows.accuracy(eps, shadow_eps) };
+    let visibility = Visibility::new(&scene, options.shadows.shadows(accuracy.shadow_eps));
+    let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
+    let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
+    let how = Discretization { order: 0, space: Space::Total, subdivide, layers: Layers::NONE };
+    let elements = Elements::new(&scene, &how)?;
+    let surface = |element: usize| elements.list()[element].surface;
+    let wanted = |a, b| wanted(surface(a), surface(b)) || wanted(surface(b), surface(a));
+    let blocks = transport::assemble_factors(&elements, &wanted, &visibility, accuracy, progress);
+    Ok((elements, blocks))
+}
+
+fn areas(scene: &Scene, elements: &Elements) -> Vec<f64> {
+    let area = |surface| elements.of_surface(surface).map(|element| elements.list()[element].area).sum();
+    (0..scene.surfaces.len()).map(area).collect()
+}
+
+/// A_i F_ij of all pairs that exchange anything.
+fn exchanges(elements: &Elements, blocks: &Blocks, surfaces: usize) -> Vec<Vec<(u32, f64)>> {
+    let list = elements.list();
+    let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); surfaces];
+    for (a, b, values) in blocks.gathered().iter() {
+        let exchange = values[0] * (list[a].area * list[b].area).sqrt();
+        let (i, j) = (list[a].surface, list[b].surface);
+        rows[i].push((j as u32, exchange));
+        // Two different elements of one surface exchange in both directions.
+        if a != b {
+            rows[j].push((i as u32, exchange));
+        }
+    }
+    for row in &mut rows {
+        row.sort_by_key(|(column, _)| *column);
+        row.dedup_by(|next, kept| {
+            let same = next.0 == kept.0;
+            kept.1 += if same { next.1 } else { 0.0 };
+            same
+        });
+        row.shrink_to_fit();
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn factors(scene: &Scene, subdivide: usize) -> ViewFactors {
+        let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-2 };
+        let options = Options { subdivide: Some(subdivide), accuracy, shadows: Hiding::Auto, threads: 2 };
+        ViewFactors::new(scene, &options, &|_, _| {}).expect("all have area")
+    }
+
+    #[test]
+    fn cut_walls_of_a_box_see_what_whole_walls_see() {
+        let scene = radiosity_language::builtin("empty-box").expect("it is built in");
+        let (whole, cut) = (factors(&scene, 1), factors(&scene, 3));
+        for i in 0..6 {
+            assert!((cut.areas[i] - 1.0).abs() < 1e-14);
+            assert!((whole.row_sums()[i] - 1.0).abs() < 1e-13 && (cut.row_sums()[i] - 1.0).abs() < 1e-13);
+            for j in 0..6 {
+                assert!((whole.factor(i, j) - cut.factor(i, j)).abs() < 1e-14, "{i} {j}");
+            }
+        }
+    }
+
+    #[test]
+    fn only_the_pairs_wanted_are_integrated() {
+        let scene = radiosity_language::builtin("empty-box").expect("it is built in");
+        let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-2 };
+        let options = Options { subdivide: Some(1), accuracy, shadows: Hiding::Auto, threads: 1 };
+        let wanted = |i, j| (i, j) == (4, 1);
+        let some = ViewFactors::of_pairs(&scene, &wanted, &options, &|_, _| {}).expect("all have area");
+        let all = ViewFactors::new(&scene, &options, &|_, _| {}).expect("all have area");
+        assert_eq!([some.factor(4, 1), some.factor(1, 4)], [all.factor(4, 1), all.factor(1, 4)]);
+        assert_eq!(some.row(0), vec![0.0; 6]);
+    }
+}

@@ -1,0 +1,85 @@
+//! All blocks: by rules where these reach the accuracy, by rays elsewhere.
+
+use radiosity_elements::Elements;
+use radiosity_kernel::Accuracy;
+use radiosity_kernel::Blocks;
+use radiosity_visibility::Visibility;
+
+use crate::memory::Memory;
+use crate::schedule::{Unreached, by_rules};
+use crate::unreached;
+use crate::unreached::Whole;
+
+/// The blocks of all pairs. `progress` is called with (pairs done, pairs to do), from any thread.
+pub fn assemble(
+    elements: &Elements,
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    assemble_pairs(elements, &|_, _| true, visibility, accuracy, progress)
+}
+
+/// The blocks of all pairs of which at least one element `sends` light.
+pub fn assemble_senders(
+    elements: &Elements,
+    sends: &(dyn Fn(usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    assemble_pairs(elements, &|a, b| sends(a) || sends(b), visibility, accuracy, progress)
+}
+
+/// The blocks of the pairs that are `wanted`.
+pub fn assemble_pairs(
+    elements: &Elements,
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    assembled(elements, wanted, visibility, (Whole::Element, accuracy), None, progress)
+}
+
+/// The same as [`assemble_senders`], to the bit; blocks that `memory` holds, which was turned to this scene, are not integrated
+/// again.
+pub fn assemble_again(
+    elements: &Elements,
+    sends: &(dyn Fn(usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    memory: &mut Memory,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    let wanted = |a: usize, b: usize| sends(a) || sends(b);
+    assembled(elements, &wanted, visibility, (Whole::Element, accuracy), Some(memory), progress)
+}
+
+/// The same for elements that carry constants, accurate for the view factors of their surfaces.
+pub fn assemble_factors(
+    elements: &Elements,
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    assembled(elements, wanted, visibility, (Whole::Surface, accuracy), None, progress)
+}
+
+fn assembled(
+    elements: &Elements,
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    visibility: &Visibility,
+    (whole, accuracy): (Whole, Accuracy),
+    mut memory: Option<&mut Memory>,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
+    let how = (accuracy, unreached);
+    let (mut blocks, left) = by_rules(elements, wanted, visibility, how, memory.as_deref_mut(), progress);
+    if !left.is_empty() {
+        unreached::add(elements, visibility, &mut blocks, &left, (whole, accuracy), memory, progress);
+    }
+    blocks
+}

@@ -1,0 +1,36 @@
+//! The geometry of transport: blocks G between elements, each unordered pair once.
+//!
+//! ```text
+//! G_ij^kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_x dA_y ,     G_ji = G_ijᵀ .
+//! ```
+//!
+//! Reflectance enters afterwards, per band. G has no scale: it is invariant under similarity. In a
+//! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
+//!
+//! The submodules, each built on those before it: `moments` (sums over pairs of points), `contact` (how two patches
+//! meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
+//! contact), `occlusion` (what blockers hide), `pair` (one pair of elements), `terms` (kernels that are sums of terms),
+//! `known` (blocks from elsewhere), `memory` (blocks and rays of an earlier scene), `schedule` (all pairs),
+//! `price` (what a block costs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all
+//! blocks) and `carrier` (blocks or links, as checks see them).
+
+pub(crate) mod occlusion;
+pub(crate) mod pair;
+pub(crate) mod known;
+pub mod memory;
+pub mod price;
+mod schedule;
+pub(crate) mod sampled;
+pub(crate) mod unreached;
+mod assembly;
+mod carrier;
+
+pub use assembly::assemble_again;
+pub use assembly::{assemble, assemble_factors, assemble_pairs, assemble_senders};
+pub use carrier::Carrier;
+pub use known::{Known, KnownBlocks};
+pub use memory::Memory;
+pub use memory::met::RayCounts;
+pub use sampled::{Rays, SampledTransport};
+pub use schedule::{Work, cost, shared, work};
+pub use unreached::FINEST as FINEST_BY_RAYS;

@@ -1,0 +1,227 @@
+//! What is kept of a scene for the next one, in which some things have moved: blocks, and what rays met.
+//!
+//! A block follows from its two elements, the surfaces that may stand between them, and the accuracy that the other pairs of
+//! its rows leave to it. Where all these are as they were, to the bit, so is the block: it is taken from memory, and the
+//! matrix is the one that would be integrated anew. So it is with rays ([`met`]). What did not move is found by comparing what is
+//! given, not by what somebody says has moved.
+
+mod change;
+pub mod met;
+
+use std::collections::HashMap;
+use std::sync::{Arc, OnceLock};
+
+use radiosity_elements::Elements;
+use radiosity_geom::RayTree;
+use radiosity_kernel::blocks::block::Block;
+use radiosity_scene::Scene;
+use radiosity_visibility::Visibility;
+use radiosity_work::ranks;
+use serde::{Deserialize, Serialize};
+
+use crate::known::KnownBlocks;
+use change::{Change, Seen};
+pub(crate) use met::{KnownRays, Met};
+use met::{MOST, Obstacles, RayCounts, Sent};
+
+/// Blocks and rays of earlier scenes. The scenes have the same surfaces in the same order, each here or there, and are solved with
+/// the same options.
+#[derive(Debug, Default)]
+pub struct Memory {
+    /// Number of the scene that was seen last, from 1.
+    scenes: u64,
+    seen: Option<Seen>,
+    last_changes: LastChanges,
+    blocks: HashMap<(u32, u32), Kept>,
+    /// Blocks that were integrated for the last scene, by all ranks.
+    integrated: usize,
+    /// Blocks that the last scene has in common with the one before.
+    recalled: usize,
+    /// What the rays of each sequence met.
+    sent: HashMap<usize, SentAll>,
+    obstacles: Option<Arc<Obstacles>>,
+    rays: RayCounts,
+    /// What may know blocks that have changed.
+    known: Option<Arc<dyn KnownBlocks>>,
+}
+
+/// The number of the scene in which each element and surface last changed.
+#[derive(Debug, Default)]
+struct LastChanges {
+    elements: Vec<u64>,
+    surfaces: Vec<u64>,
+}
+
+/// The rays of a sequence, by elements; of those that have changed since then there are none.
+#[derive(Debug)]
+struct SentAll {
+    /// Number of the scene in which they were sent.
+    scene: u64,
+    elements: Vec<Sent>,
+}
+
+/// A block with what it was integrated for.
+#[derive(Debug)]
+struct Kept {
+    request: Request,
+    /// Number of the scene for which it was integrated.
+    scene: u64,
+    answer: Arc<Answer>,
+}
+
+/// What is asked of a block beside its elements.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Request {
+    pub row: u32,
+    pub column: u32,
+    /// Surfaces that may hide a part of the pair, and the other faces of the bodies that they close.
+    pub surfaces: Vec<usize>,
+    /// All numbers that say how accurate it has to be, as bits.
+    pub numbers: Vec<u64>,
+}
+
+/// A block, and its first entry as integrated with the elements exchanged, where that was done.
+#[derive(Debug, Serialize, Deserialize)]
+pub(crate) struct Answer {
+    pub block: Block,
+    /// Bound of the norm of what it differs by from the integrated block, where it is known otherwise; else 0.
+    pub remainder: f64,
+    #[serde(skip)]
+    pub exchanged: OnceLock<Option<f64>>,
+}
+
+impl Answer {
+    pub(crate) fn of(block: Block) -> Self {
+        Self::known(block, 0.0)
+    }
+
+    pub(crate) fn known(block: Block, remainder: f64) -> Self {
+        Self { block, remainder, exchanged: OnceLock::new() }
+    }
+}
+
+impl Memory {
+    /// Nothing yet; blocks that have changed are asked of `known` before they are integrated.
+    pub fn beside(known: Arc<dyn KnownBlocks>) -> Self {
+        Self { known: Some(known), ..Self::default() }
+    }
+
+    /// What may know blocks that have changed.
+    pub(crate) fn known(&self) -> Option<&dyn KnownBlocks> {
+        self.known.as_deref()
+    }
+
+    /// Takes note of what differs in the next scene from the one before. Where the number of surfaces or elements
+    /// is another, all is forgotten.
+    pub fn turn_to(&mut self, scene: &Scene, elements: &Arc<Elements>, visibility: &Visibility) {
+        let seen = Seen::of(scene, elements, visibility);
+        let change = self.seen.as_ref().and_then(|before| seen.change(before)).unwrap_or_else(|| {
+            let [elements, surfaces] = seen.counts();
+            let last_changes = LastChanges { elements: vec![1; elements], surfaces: vec![1; surfaces] };
+            *self = Self { last_changes, known: self.known.take(), ..Self::default() };
+            Change {
+                elements: vec![true; elements],
+                surfaces: vec![true; surfaces],
+                starts: vec![true; surfaces],
+            }
+        });
+        self.known.iter().for_each(|known| known.turn_to(elements.list()));
+        self.forget_rays(&seen, &change);
+        self.scenes += 1;
+        mark(&mut self.last_changes.elements, &change.elements, self.scenes);
+        mark(&mut self.last_changes.surfaces, &change.surfaces, self.scenes);
+        let tree = RayTree::new(seen.marked(&change.surfaces));
+        self.obstacles =
+            Some(Arc::new(Obstacles { changed: change.surfaces, tree, reach: visibility.reach() }));
+        self.rays = RayCounts::default();
+        self.seen = Some(seen);
+    }
+
+    /// The elements of the last scene.
+    pub fn elements(&self) -> Option<&Elements> {
+        self.seen.as_ref().map(|seen| seen.elements.as_ref())
+    }
+
+    /// Forgets the rays that were not sent in the last scene, and those of elements that have changed since then.
+    fn forget_rays(&mut self, seen: &Seen, change: &Change) {
+        self.sent.retain(|_, sent| sent.scene == self.scenes);
+        for sent in self.sent.values_mut() {
+            for ((sent, is_other), owner) in sent.elements.iter_mut().zip(&change.elements).zip(seen.owners())
+            {
+                if *is_other || change.surfaces[owner] || change.starts[owner] {
+                    *sent = Sent::default();
+                }
+            }
+        }
+    }
+
+    /// Lends what is known of a sequence of rays, one of so many, until [`Memory::take`]: the rays of each element of this number.
+    pub(crate) fn lend(&mut self, sequence: usize, sequences: usize, numbers: Vec<u64>) -> Option<KnownRays> {
+        let obstacles = Arc::clone(self.obstacles.as_ref()?);
+        let before = self.sent.remove(&sequence).map(|sent| sent.elements).unwrap_or_default();
+        let room = MOST / (sequences * ranks::current().count()) as u64;
+        Some(KnownRays::new(before, &numbers, obstacles, room))
+    }
+
+    /// Keeps what the rays of a sequence met in this scene; all ranks together, each those that it sent.
+    pub(crate) fn take(&mut self, sequence: usize, rays: KnownRays) {
+        let (elements, counts) = rays.into_sent();
+        let sums = ranks::current().sums(vec![counts.traced, counts.recalled]);
+        self.rays.traced += sums[0];
+        self.rays.recalled += sums[1];
+        self.sent.insert(sequence, SentAll { scene: self.scenes, elements });
+    }
+
+    /// The block that answers a request, where nothing has changed since it was integrated.
+    pub(crate) fn recall(&self, request: &Request) -> Option<&Arc<Answer>> {
+        let kept = self.blocks.get(&(request.row, request.column))?;
+        let LastChanges { elements, surfaces } = &self.last_changes;
+        let ends = [request.row, request.column].map(|element| elements[element as usize]);
+        let blockers = request.surfaces.iter().map(|surface| surfaces[*surface]);
+        let is_valid = ends.into_iter().chain(blockers).all(|changed| changed <= kept.scene);
+        (is_valid && kept.request == *request).then_some(&kept.answer)
+    }
+
+    /// The block that answered the same request in the scene before, whatever has changed since.
+    pub(crate) fn before(&self, request: &Request) -> Option<&Arc<Answer>> {
+        let kept = self.blocks.get(&(request.row, request.column))?;
+        (kept.request == *request).then_some(&kept.answer)
+    }
+
+    /// Keeps the answers to the requests of this scene, and forgets all others; all ranks together, each those that it made.
+    pub(crate) fn keep(&mut self, answers: Vec<(Request, Arc<Answer>)>) {
+        let mut blocks = HashMap::with_capacity(answers.len());
+        let (mut integrated, mut recalled) = (0, 0);
+        for (request, answer) in answers {
+            let before = self.blocks.get(&(request.row, request.column));
+            let is_old = before.is_some_and(|kept| Arc::ptr_eq(&kept.answer, &answer));
+            recalled += u64::from(is_old);
+            integrated += u64::from(!is_old);
+            let scene = before.filter(|_| is_old).map_or(self.scenes, |kept| kept.scene);
+            blocks.insert((request.row, request.column), Kept { request, scene, answer });
+        }
+        self.blocks = blocks;
+        let sums = ranks::current().sums(vec![integrated, recalled]);
+        (self.integrated, self.recalled) = (sums[0] as usize, sums[1] as usize);
+    }
+
+    /// Blocks that had to be integrated for the last scene.
+    pub fn integrated(&self) -> usize {
+        self.integrated
+    }
+
+    /// Blocks that were the same as before.
+    pub fn recalled(&self) -> usize {
+        self.recalled
+    }
+
+    /// Rays that were sent for the last scene.
+    pub fn rays(&self) -> RayCounts {
+        self.rays
+    }
+}
+
+/// Sets the marked places to this number.
+fn mark(numbers: &mut [u64], marks: &[bool], number: u64) {
+    numbers.iter_mut().zip(marks).filter(|(_, mark)| **mark).for_each(|(own, _)| *own = number);
+}

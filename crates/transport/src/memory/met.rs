@@ -1,0 +1,133 @@
+//! What rays met in the scene before, taken again where nothing has come into their way.
+//!
+//! A ray meets the nearest of all surfaces. Where neither its element nor what it met has changed, it meets that again, to the bit,
+//! unless a surface that has changed comes before it: only those are asked ([`Obstacles`]).
+
+use std::sync::Arc;
+
+use radiosity_geom::{DVec3, Encounter, Hit, RayTree};
+use serde::{Deserialize, Serialize};
+
+/// Most rays that are kept, by all ranks and all sequences of rays together; others are traced in every scene. Chosen: half a gigabyte, the rays
+/// of the scene before and those of this one.
+pub const MOST: u64 = 1 << 23;
+
+/// Bytes of a ray that is kept.
+pub const BYTES: u64 = size_of::<Met>() as u64;
+
+/// The surface of a ray that met nothing.
+const NOTHING: u32 = u32::MAX;
+
+/// What a ray met: twice the number of the surface, one more at its back, and where.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(crate) struct Met {
+    surface: u32,
+    hit: [f64; 3],
+}
+
+/// Rays of one element: what those of the first indices met.
+#[derive(Debug, Default)]
+pub(super) struct Sent {
+    /// What the rays follow from beside their element.
+    number: u64,
+    met: Vec<Met>,
+}
+
+/// What has changed and may come into the way of rays.
+#[derive(Debug)]
+pub(super) struct Obstacles {
+    /// Whether each surface has changed.
+    pub changed: Vec<bool>,
+    /// Those that have, where they are now.
+    pub tree: RayTree,
+    /// [`RayTree::reach`] of all surfaces.
+    pub reach: f64,
+}
+
+/// What the rays of one sequence met in the scene before, and what they meet in this one.
+#[derive(Debug)]
+pub(crate) struct KnownRays {
+    before: Vec<Sent>,
+    now: Vec<Sent>,
+    obstacles: Arc<Obstacles>,
+    /// Rays that still may be kept.
+    room: u64,
+    counts: RayCounts,
+}
+
+/// How many rays were sent for a scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RayCounts {
+    /// Rays that were traced.
+    pub traced: u64,
+    /// Rays that met what they had met in the scene before, and were not.
+    pub recalled: u64,
+}
+
+impl Met {
+    pub(crate) fn of(encounter: Option<&Encounter>) -> Self {
+        match encounter {
+            None => Self { surface: NOTHING, hit: [f64::INFINITY; 3] },
+            Some(Encounter { surface, hit, front }) => {
+                Self { surface: 2 * *surface as u32 + u32::from(!front), hit: [hit.t, hit.u, hit.v] }
+            }
+        }
+    }
+
+    fn encounter(self) -> Option<Encounter> {
+        let [t, u, v] = self.hit;
+        let surface = (self.surface / 2) as usize;
+        let met = Encounter { surface, hit: Hit { t, u, v }, front: self.surface.is_multiple_of(2) };
+        (self.surface != NOTHING).then_some(met)
+    }
+}
+
+impl Sent {
+    /// What is known of rays of this number.
+    fn of_number(self, number: u64) -> Self {
+        let met = if self.number == number { self.met } else { Vec::new() };
+        Self { number, met }
+    }
+}
+
+impl KnownRays {
+    /// Those `before` of elements that are as they were, with these numbers, and room for so many of this scene.
+    pub(super) fn new(before: Vec<Sent>, numbers: &[u64], obstacles: Arc<Obstacles>, room: u64) -> Self {
+        let before = before.into_iter().zip(numbers).map(|(sent, number)| sent.of_number(*number)).collect();
+        let now = numbers.iter().map(|number| Sent { number: *number, met: Vec::new() }).collect();
+        Self { before, now, obstacles, room, counts: RayCounts::default() }
+    }
+
+    /// What ray number `index` of an element meets, from a point of it in a direction; None where it has to be traced.
+    pub(crate) fn recall(
+        &self,
+        element: usize,
+        index: u64,
+        [origin, direction]: [DVec3; 2],
+    ) -> Option<Option<Encounter>> {
+        let met = self.before.get(element)?.met.get(index as usize)?.encounter();
+        if met.is_some_and(|met| self.obstacles.changed[met.surface]) {
+            return None;
+        }
+        let Obstacles { tree, reach, .. } = self.obstacles.as_ref();
+        let end = met.map_or(f64::INFINITY, |met| met.hit.t);
+        (!tree.may_come_before(origin, direction, end, *reach)).then_some(met)
+    }
+
+    /// Keeps what rays of an element met, the first of them of this index, and counts how many had been `recalled`.
+    pub(crate) fn keep(&mut self, element: usize, first: u64, met: &[Met], recalled: u64) {
+        self.counts.recalled += recalled;
+        self.counts.traced += met.len() as u64 - recalled;
+        let sent = &mut self.now[element].met;
+        if sent.len() as u64 == first {
+            let kept = self.room.min(met.len() as u64);
+            sent.extend_from_slice(&met[..kept as usize]);
+            self.room -= kept;
+        }
+    }
+
+    /// What this scene leaves to the next one, and how many rays were traced.
+    pub(super) fn into_sent(self) -> (Vec<Sent>, RayCounts) {
+        (self.now, self.counts)
+    }
+}

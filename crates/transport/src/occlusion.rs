@@ -1,0 +1,4 @@
+//! Occlusion correction: what blockers take away from a block, by outlines of polygons or by sampling.
+
+pub(crate) mod sampled;
+pub(crate) mod outlines;

@@ -1,0 +1,189 @@
+//! Blocks of elements of which at least one is curved.
+//!
+//! The receiver is the outer element, as ordered by `schedule/order.rs`.
+//!
+//! Elements are cut into sectors, which turn by a quarter circle at most ([`radiosity_kernel::contact::sectors`]).
+//! Then, part by part, breadth first:
+//!
+//! * parts that face away from each other are dropped ([`radiosity_kernel::contact::orientation`]);
+//! * a part with itself: convex → nothing, concave → [`radiosity_kernel::rules::identical`], else its halves with
+//!   themselves and with each other;
+//! * a constant kernel (two parts of the inside of one sphere) → a product of two area integrals, exact;
+//! * apart → a tensor rule, or [`radiosity_kernel::rules::horizon`] where a horizon may cut the pair;
+//! * touching → cut or halved until a rule covers the contact ([`radiosity_kernel::contact::curved`]), then
+//!   [`radiosity_kernel::rules::common_edge`], [`radiosity_kernel::rules::common_edge::unequal_speed`] or
+//!   [`radiosity_kernel::rules::common_vertex`];
+//! * with blockers → sampled: large parts apart as for planar pairs ([`shaded`]), others by the rules of their contacts
+//!   after a few halvings.
+//!
+//! Contacts without a rule, and touching parts cut by a horizon, are halved until the rest carries nothing or the
+//! samples of the block are spent. The rest is summed roughly and counted as error.
+
+mod before;
+mod points;
+mod size;
+mod budget;
+mod job;
+mod attempt;
+mod constant;
+mod fan;
+mod own;
+mod pair;
+mod shaded;
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use radiosity_elements::Element;
+use radiosity_geom::COINCIDENT;
+use radiosity_kernel::contact::curved::Touch;
+use radiosity_kernel::contact::planes::plane_of;
+use radiosity_kernel::contact::sectors::sectors;
+use radiosity_kernel::estimates::coarse::scale;
+use radiosity_kernel::rules::horizon::Front;
+use radiosity_kernel::{Accuracy, Kind, blocks::block::Block};
+use radiosity_visibility::Visibility;
+use radiosity_work::interruption::heed;
+
+use attempt::DOUBT;
+use constant::constant;
+use job::{Job, Task};
+
+/// Samples, about, for all parts left when the samples are spent, and points per direction for each. Chosen; not tuned.
+const LEFT_SAMPLES: f64 = 2e5;
+const FEWEST_LEFT: usize = 1;
+const MOST_LEFT: usize = 4;
+/// Factor that turns the sum so far into a lower bound of the block's first entry. Chosen; not tuned.
+const FOUND_SHARE: f64 = 0.5;
+
+/// The block between two elements. `blockers` are the surfaces that may stand between them, their own included. Sampled
+/// shadows may make a standard deviation of `shadow_error` in an entry. All other errors are measured against the
+/// block's first entry or `least`, whichever is larger. The smaller the block compared with the largest entry of its
+/// `row`, the less contacts and horizons are refined.
+pub(crate) fn block(
+    receiver: &Element,
+    emitter: &Element,
+    blockers: &[usize],
+    visibility: &Visibility,
+    (accuracy, shadow_error): (Accuracy, f64),
+    [least, row]: [f64; 2],
+) -> Block {
+    let mut job = Job::new(receiver, emitter, visibility, (accuracy, shadow_error));
+    let parts = [sectors(receiver), sectors(emitter)];
+    let planes = [plane_of(&parts[0]), plane_of(&parts[1])];
+    let [receivers, emitters] = before::each_other(parts, planes, COINCIDENT * job.size);
+    if let [Some(first), Some(second)] = planes {
+        job.fronts = Some([Front::of(second), Front::of(first)]);
+    }
+    let rough = scale(&receivers, &emitters, job.budget.unit);
+    job.budget.scale = rough.max(least).max(job.smallest_scale());
+    job.budget.row = row;
+    if job.carries_nothing(rough, [&receivers, &emitters]) {
+        return job.finish();
+    }
+    job.ball = job.ball_between(blockers);
+    if blockers.is_empty() || job.ball.is_some() {
+        job.tasks.extend(receivers.into_iter().map(|part| Task::Fan(part, emitters.clone())));
+    } else {
+        job.sectors(&receivers, &emitters, blockers);
+    }
+    job.run();
+    job.finish()
+}
+
+/// The block of a curved element with itself. `blockers` are the surfaces within its hull; `least` and `row` as for
+/// [`block`].
+pub(crate) fn self_block(
+    element: &Element,
+    blockers: &[usize],
+    visibility: &Visibility,
+    (accuracy, shadow_error): (Accuracy, f64),
+    [least, row]: [f64; 2],
+) -> Block {
+    let mut job = Job::new(element, element, visibility, (accuracy, shadow_error));
+    let parts = sectors(element);
+    let rough = scale(&parts, &parts, job.budget.unit);
+    job.budget.scale = rough.max(least).max(job.smallest_scale());
+    job.budget.row = row;
+    job.kind = Kind::Same;
+    if job.carries_nothing(rough, [&parts; 2]) {
+        return job.finish();
+    }
+    job.ball = job.ball_between(blockers).filter(|_| parts.iter().all(|p| constant(&parts[0], p).is_some()));
+    if job.ball.is_some() {
+        job.tasks.extend(parts.iter().map(|part| Task::Fan(part.clone(), parts.clone())));
+        job.run();
+        // The fans hold both orders of each pair: half the sum of block and transpose.
+        let mut block = job.finish();
+        add_transpose(&mut block.values, element.basis.len());
+        block.values.iter_mut().for_each(|value| *value *= 0.5);
+        return block;
+    }
+    // Half of all pairs are summed and then mirrored: entries on the diagonal double, the deviation grows by √2.
+    job.budget.shadow_error *= FRAC_1_SQRT_2;
+    for (index, part) in parts.iter().enumerate() {
+        job.tasks.push_back(Task::Same(part.clone(), job.state(part, part, blockers)));
+        job.sectors(std::slice::from_ref(part), &parts[index + 1..], blockers);
+    }
+    job.run();
+    let mut block = job.finish();
+    add_transpose(&mut block.values, element.basis.len());
+    // The error stands in both halves.
+    block.error *= 2.0;
+    block
+}
+
+/// H + Hᵀ of a square matrix.
+fn add_transpose(values: &mut [f64], count: usize) {
+    for k in 0..count {
+        for l in 0..=k {
+            let sum = values[k * count + l] + values[l * count + k];
+            (values[k * count + l], values[l * count + k]) = (sum, sum);
+        }
+    }
+}
+
+impl Job<'_> {
+    fn run(&mut self) {
+        while let Some(task) = self.tasks.pop_front() {
+            heed();
+            if self.budget.overdrawn(&self.moments) {
+                self.tasks.push_front(task);
+                return self.leave();
+            }
+            match task {
+                Task::Same(patch, state) => self.same(&patch, state),
+                Task::Pair(p, q, state) => self.pair(&p, &q, state),
+                Task::Fan(outer, inner) => self.fan(&outer, inner),
+            }
+            // As κ ≥ 0, the sum so far bounds the first entry from below, except for its own error.
+            self.budget.scale = self.budget.scale.max(FOUND_SHARE * self.first_entry(&self.moments));
+        }
+    }
+
+    /// Sums all parts that are left, by as few points as the block can still afford.
+    fn leave(&mut self) {
+        let mut left = Vec::new();
+        for task in std::mem::take(&mut self.tasks) {
+            match task {
+                Task::Same(patch, state) => left.push((patch.clone(), patch, state.blockers, 0.5)),
+                Task::Pair(p, q, state) => left.push((p, q, state.blockers, 1.0)),
+                Task::Fan(outer, inner) => {
+                    for part in inner {
+                        let blockers = self.between(&outer, &part);
+                        left.push((outer.clone(), part, blockers, 1.0));
+                    }
+                }
+            }
+        }
+        self.unresolved |= !left.is_empty();
+        let each = LEFT_SAMPLES / left.len().max(1) as f64;
+        let n = (each.sqrt().sqrt() as usize).clamp(FEWEST_LEFT, MOST_LEFT);
+        for (p, q, blockers, factor) in left {
+            heed();
+            let mut part = self.tentative(&p, &q, Some(&Touch::Apart(0.0)), n, &blockers);
+            part.scale(factor);
+            self.error += DOUBT * self.first_entry(&part);
+            self.moments.merge(&part, true);
+        }
+    }
+}

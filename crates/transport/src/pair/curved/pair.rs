@@ -1,0 +1,142 @@
+//! Two parts of curved elements in any position.
+
+use radiosity_elements::patch::Patch;
+use radiosity_geom::COINCIDENT;
+use radiosity_kernel::Kind;
+use radiosity_kernel::contact::curved::{Touch, touch};
+use radiosity_kernel::contact::flat::gap;
+use radiosity_kernel::contact::orientation::{Facing, facing};
+use radiosity_kernel::moments::Moments;
+use radiosity_kernel::moments::integrand::Sees;
+use radiosity_kernel::rules::common_edge::{LARGEST_ASPECT, Wedge, unequal_speed};
+use radiosity_kernel::rules::far::SMALLEST_RATIO;
+use radiosity_kernel::rules::orders::by_trial::Trial;
+use radiosity_kernel::rules::{common_edge, common_vertex};
+
+use crate::pair::curved::constant::constant;
+use crate::pair::curved::job::{Job, SMALL_PART, State};
+
+/// Error over the difference of the last two sums of a trial that did not converge. Chosen; not tuned.
+const MISSED: f64 = 3.0;
+
+impl Job<'_> {
+    pub(super) fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
+        let share = self.budget.share(p, q);
+        if self.budget.neglects(share) {
+            self.error += share;
+            return;
+        }
+        if !state.blockers.is_empty() {
+            let (hull_p, hull_q) = (p.hull(), q.hull());
+            state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);
+            if self.visibility.hidden(&state.blockers, &hull_p, &hull_q) {
+                return;
+            }
+        }
+        let tolerance = COINCIDENT * self.size;
+        let contact = if state.touching { touch(p, q, tolerance) } else { Touch::Apart(gap(p, q)) };
+        let gap = if let Touch::Apart(gap) = contact { gap } else { 0.0 };
+        state.touching = gap <= 0.0;
+        let facing = facing(p, q, !matches!(contact, Touch::Apart(_)), self.budget.slight(share));
+        if facing == Facing::Away {
+            return;
+        }
+        let is_small = share <= SMALL_PART * self.budget.scale;
+        let is_near = gap < SMALLEST_RATIO * p.longest().1.max(q.longest().1);
+        if !state.blockers.is_empty() {
+            let spent = self.budget.shadows_spent(&self.moments);
+            // The rules of horizons already leave out what a ball hides: it must not be subtracted twice.
+            let is_scattered = !is_small && !is_near && self.ball.is_none();
+            if state.levels > 0 && !spent && !is_scattered {
+                state.levels -= 1;
+                return self.halve(p, q, &contact, &state);
+            }
+            self.partly_hidden = true;
+            if is_scattered {
+                if !self.scatter(p, q, facing, &state.blockers) {
+                    return;
+                }
+                state.blockers.clear();
+            } else if spent && (is_small || !is_near) {
+                return self.roughly(p, q, Some(&contact), &state);
+            }
+        }
+        if state.blockers.is_empty()
+            && let Some(value) = constant(p, q)
+        {
+            return self.constant(p, q, value);
+        }
+        let is_doubtful = is_near || facing == Facing::Partly;
+        if gap > 0.0 && is_small && is_doubtful && self.attempt(p, q, Some(&contact), &state) {
+            return;
+        }
+        match facing {
+            Facing::Partly if state.blockers.is_empty() => self.clipped(p, q, &contact, gap, &state),
+            _ => self.smooth(p, q, &contact, gap, &state),
+        }
+    }
+
+    /// A pair that a horizon may cut.
+    fn clipped(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+        let longest = p.longest().1.max(q.longest().1);
+        if gap >= SMALLEST_RATIO * longest {
+            if self.budget.horizons_spent() && self.attempt(p, q, Some(contact), state) {
+                return;
+            }
+            return self.horizon(p, &[(q.clone(), gap)]);
+        }
+        self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+        if !self.attempt(p, q, Some(contact), state) {
+            self.halve(p, q, contact, state);
+        }
+    }
+
+    /// Adds what a rule sums, which a trial found to miss so much of it.
+    fn by_rule(&mut self, missed: f64, rule: impl FnOnce(&mut Moments)) {
+        let before = self.first_entry(&self.moments);
+        rule(&mut self.moments);
+        if missed > 0.0 {
+            let carried = self.first_entry(&self.moments) - before;
+            self.error += MISSED * missed.min(1.0) * carried.abs();
+            self.unresolved = true;
+        }
+    }
+
+    /// A pair that faces each other wholly, or whose horizons are left to the rays.
+    fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+        let (visibility, blockers, own) = (self.visibility, state.blockers.clone(), self.surfaces());
+        let free = |x, y| visibility.free_between(own, &blockers, x, y);
+        let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        match contact {
+            Touch::Edge { p: a, q: b, matched } => {
+                self.kind = self.kind.max(Kind::Edge);
+                let wedge = Wedge::of(a, b);
+                if wedge.aspect() > LARGEST_ASPECT && !self.spent() {
+                    return self.halve(p, q, contact, state);
+                }
+                let Trial { points, missed } = self.points(a, b).edge(a, b, *matched, &wedge);
+                let rule = if *matched { common_edge::integrate } else { unequal_speed::integrate };
+                self.by_rule(missed, |moments| rule(moments, a, b, points, sees));
+            }
+            Touch::Vertex(a, b) => {
+                self.kind = self.kind.max(Kind::Vertex);
+                if common_vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
+                    return self.halve(p, q, contact, state);
+                }
+                let Trial { points, missed } = self.points(a, b).corner(a, b);
+                self.by_rule(missed, |moments| common_vertex::integrate(moments, a, b, points, sees));
+            }
+            Touch::Apart(_) if gap >= SMALLEST_RATIO * p.longest().1.max(q.longest().1) => {
+                let points = self.points(p, q).apart(p, q, gap);
+                self.moments.tensor(p, q, points, sees);
+            }
+            _ => {
+                self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+                let by_halving = gap > 0.0 || matches!(contact, Touch::Cut(_) | Touch::Tip(_));
+                if by_halving && !self.spent() || !self.attempt(p, q, Some(contact), state) {
+                    self.halve(p, q, contact, state);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,445 @@
+//! Blocks from rays: who sees whom is answered for all pairs of a row at once.
+//!
+//! Element i sends n_i rays, from points x spread evenly over its area A_i in cosine-distributed directions. A ray
+//! that first
+//! meets the front of element j at y has the density (1/A_i) κ V, the shape of the integrand, from either end.
+//! Combined with the rays
+//! from j by the balance heuristic,
+//!
+//! ```text
+//! G_ij^kl ≈ Σ φ_k(x) φ_l(y) / (n_i/A_i + n_j/A_j)   over all rays i → j and j → i ,
+//! ```
+//!
+//! without bias, symmetric, each ray used in both directions; backs absorb. Row sums are then made to agree with the
+//! shares of rays
+//! that hit something, as far as these are known better ([`estimate`]). The rays of even and of odd number are two
+//! estimates of their own: half of what they differ by
+//! is about the error of their mean.
+//!
+//! Pairs on which many rays would land are carried by the exact rules, if that costs less ([`strong`]).
+//!
+//! What lies on another surface exchanges with it alone, exactly ([`radiosity_kernel::rules::covering`]), and sends no
+//! rays.
+//!
+//! References: A. Keller, *Quasi-Monte Carlo radiosity*, EGWR 1996, 101-110; E. Veach, L. Guibas, SIGGRAPH 1995,
+//! 419-428 (the balance
+//! heuristic); Ph. Bekaert, *Hierarchical and stochastic algorithms for radiosity*, K. U. Leuven 1999.
+
+mod sender;
+mod hit;
+mod tally;
+mod strong;
+mod rays;
+mod closure;
+mod estimate;
+
+use std::collections::HashSet;
+
+use radiosity_elements::{Element, Elements};
+use radiosity_geom::Encounter;
+use radiosity_kernel::Accuracy;
+use radiosity_kernel::Blocks;
+use radiosity_kernel::blocks::held::Held;
+use radiosity_kernel::rules::covering;
+use radiosity_visibility::Visibility;
+use radiosity_work::interruption::heed_at;
+use radiosity_work::ranks;
+use radiosity_work::ranks::{Ranks, shares};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::memory::{KnownRays, Memory, Met};
+pub(crate) use estimate::Fixed;
+use estimate::{Counted, Counts, Estimate};
+use hit::{Hit, hit};
+pub use rays::Rays;
+use sender::{Departure, Sender};
+use strong::Strong;
+use tally::{Sums, Tally, functions};
+
+/// Relative error of exact pairs, as far as it matters here. Chosen: the default accuracy of their blocks.
+const EXACT: f64 = 1e-3;
+
+/// Rays whose hits are held at a time: some 30 MB.
+const CHUNK: u64 = 1 << 19;
+
+/// Rays that one task sends.
+const TASK: u64 = 1 << 12;
+
+/// Rays sent so far between elements, and what they met.
+#[derive(Debug)]
+pub struct SampledTransport<'a> {
+    elements: &'a Elements,
+    visibility: &'a Visibility,
+    senders: Vec<Sender>,
+    /// Rays sent by each element, those of the pilot round included.
+    sent: Vec<u64>,
+    starts: Vec<usize>,
+    counts: Counts,
+    /// Which elements' pairs each rank counts; all of them where they are few.
+    held: Held,
+    tally: Tally,
+    strong: Strong,
+    /// The pairs on which rays count, if not on all but the strong ones.
+    only: Option<HashSet<(u32, u32)>>,
+    /// What they met in the scene before, if that is known.
+    known: Option<KnownRays>,
+}
+
+/// Rays of one element, one after the other.
+#[derive(Clone, Copy, Debug)]
+struct Task {
+    element: usize,
+    first: u64,
+    count: u64,
+}
+
+/// What became of the rays of a task, as far as a rank counts it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+struct Landed {
+    /// Sum of their weights, in either half.
+    weights: [f64; 2],
+    /// Σ w φ_k(x) of those that met no front, in either half.
+    missed: [Vec<f64>; 2],
+    /// The same of those that landed on pairs that are carried exactly.
+    exact: [Vec<f64>; 2],
+    /// Those that landed on pairs that the rank counts.
+    hits: Vec<Hit>,
+}
+
+/// The rays of a task that this rank sent.
+#[derive(Debug, Serialize, Deserialize)]
+struct Sent {
+    landed: Landed,
+    /// What each of them met, where that is to be kept, and how many were not traced for it.
+    met: Vec<Met>,
+    recalled: u64,
+}
+
+impl Landed {
+    /// The same without what landed.
+    fn without_hits(&self) -> Self {
+        let Self { weights, missed, exact, .. } = self;
+        Self { weights: *weights, missed: missed.clone(), exact: exact.clone(), hits: Vec::new() }
+    }
+}
+
+impl<'a> SampledTransport<'a> {
+    /// No rays yet.
+    pub fn new(elements: &'a Elements, visibility: &'a Visibility) -> Self {
+        Self::numbered(elements, visibility, &|place| place as u64)
+    }
+
+    /// For these pairs only, the element that comes first in front. The rays of element k are those of number
+    /// `numbers[k]`.
+    pub(crate) fn of_pairs(
+        elements: &'a Elements,
+        visibility: &'a Visibility,
+        pairs: HashSet<(u32, u32)>,
+        numbers: &[u64],
+    ) -> Self {
+        let starts = elements.starts();
+        Self {
+            only: Some(pairs),
+            held: Held::of(&Ranks::alone(), &starts),
+            ..Self::numbered(elements, visibility, &|element| numbers[element])
+        }
+    }
+
+    /// With rays that depend on the number of each element.
+    fn numbered(
+        elements: &'a Elements,
+        visibility: &'a Visibility,
+        number: &(dyn Fn(usize) -> u64 + Sync),
+    ) -> Self {
+        let list = elements.list();
+        let senders = list.par_iter().enumerate().map(|(place, element)| Sender::new(element, number(place)));
+        let starts = elements.starts();
+        Self {
+            elements,
+            visibility,
+            senders: senders.collect(),
+            sent: vec![0; list.len()],
+            held: Held::of(&ranks::current(), &starts),
+            starts,
+            counts: Counts::new(list.len(), elements.coefficients()),
+            tally: Tally::new(list.len()),
+            strong: Strong::default(),
+            only: None,
+            known: None,
+        }
+    }
+
+    /// The same rays, to the bit; those of which `known` tells what they meet are not traced.
+    pub(crate) fn knowing(self, known: Option<KnownRays>) -> Self {
+        Self { known, ..self }
+    }
+
+    /// What is known of its rays after they were sent.
+    pub(crate) fn into_known(self) -> Option<KnownRays> {
+        self.known
+    }
+
+    /// No rays yet; what `memory` knows of them is not traced again.
+    pub fn remembering(
+        elements: &'a Elements,
+        visibility: &'a Visibility,
+        memory: Option<&mut Memory>,
+    ) -> Self {
+        let numbers = || (0..elements.list().len() as u64).collect();
+        Self::new(elements, visibility).knowing(memory.and_then(|memory| memory.lend(0, 1, numbers())))
+    }
+
+    /// Leaves to `memory` what its rays met.
+    pub fn remember(self, memory: Option<&mut Memory>) {
+        if let (Some(memory), Some(known)) = (memory, self.known) {
+            memory.take(0, known);
+        }
+    }
+
+    /// Rays sent by each element so far.
+    pub fn sent(&self) -> &[u64] {
+        &self.sent
+    }
+
+    /// Share of the rays of each element that count on no pair: they met nothing, or a back, or a pair that is carried
+    /// exactly.
+    pub fn shares_lost(&self) -> Vec<f64> {
+        let list = self.elements.list().iter().zip(&self.counts.weights).zip(&self.starts);
+        let share = |((element, weights), start): ((&Element, &[f64; 2]), &usize)| {
+            let Counts { missed, exact, .. } = &self.counts;
+            let lost = missed[0][*start] + missed[1][*start] + exact[0][*start] + exact[1][*start];
+            lost * element.area.sqrt() / (weights[0] + weights[1]).max(f64::MIN_POSITIVE)
+        };
+        list.map(share).collect()
+    }
+
+    /// Sends so many more rays from each element; covered ones send none. `goes_on` hears how many are done, and ends the
+    /// sending where it says no.
+    pub fn send(&mut self, rays: &[u64], goes_on: &mut dyn FnMut(u64) -> bool) {
+        let list = self.elements.list();
+        let tasks = rays.iter().enumerate().filter(|(element, _)| list[*element].contact.is_none());
+        let tasks: Vec<Task> = tasks
+            .flat_map(|(element, rays)| {
+                let sent = self.sent[element];
+                (0..*rays).step_by(TASK as usize).map(move |first| Task {
+                    element,
+                    first: sent + first,
+                    count: TASK.min(rays - first),
+                })
+            })
+            .collect();
+        let (mut rest, mut done) = (&tasks[..], 0);
+        while !rest.is_empty() {
+            let mut total = 0;
+            let mut fits = |task: &Task| {
+                total += task.count;
+                total <= CHUNK
+            };
+            let count = rest.iter().take_while(|task| fits(task)).count().max(1);
+            let (now, later) = rest.split_at(count);
+            self.run(now);
+            done += now.iter().map(|task| task.count).sum::<u64>();
+            if !goes_on(done) {
+                return;
+            }
+            rest = later;
+        }
+    }
+
+    /// Ends the pilot round before so many rays are sent from each element: pairs are carried exactly for which that
+    /// costs less than the
+    /// rays that would land on them, and of pairs with few hits to come only a part of their entries is counted. The
+    /// pilot's own hits
+    /// are forgotten: pairs that got many by chance are among those chosen.
+    pub fn settle(&mut self, planned: &[u64], accuracy: Accuracy, progress: &(dyn Fn(usize, usize) + Sync)) {
+        self.settle_again(planned, accuracy, None, progress);
+    }
+
+    /// The same, to the bit; exact pairs that `memory` holds are not integrated again.
+    pub fn settle_again(
+        &mut self,
+        planned: &[u64],
+        accuracy: Accuracy,
+        memory: Option<&mut Memory>,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) {
+        let list = self.elements.list();
+        let density = |index: usize| {
+            let area = list[index].area;
+            [
+                planned[index] as f64 / area,
+                (self.counts.weights[index][0] + self.counts.weights[index][1]) / area,
+            ]
+        };
+        let expected = |sums: &Sums| {
+            let [[a, b], [c, d]] = [density(sums.row), density(sums.column)];
+            f64::from(sums.hits) * (a + c) / (b + d)
+        };
+        let pairs = Strong::worth(self.elements, self.visibility, &self.tally, &self.held, &expected);
+        self.strong = Strong::new(pairs, self.elements, self.visibility, (accuracy, memory), progress);
+        self.tally.settle(list, &expected);
+        self.counts = Counts::new(list.len(), self.elements.coefficients());
+    }
+
+    /// Number of pairs that are carried exactly.
+    pub fn exact_pairs(&self) -> usize {
+        self.strong.len()
+    }
+
+    /// What these miss, as [`Blocks::accuracy_reached`].
+    pub fn exact_accuracy(&self) -> f64 {
+        self.strong.accuracy_reached()
+    }
+
+    /// Sends the rays of these tasks, each rank those of some of them, and counts what became of all.
+    fn run(&mut self, tasks: &[Task]) {
+        let ranks = ranks::current();
+        let makers = self.makers(tasks, ranks.count());
+        let sent = ranks.made(&makers, |task| self.sent_by(&tasks[task]));
+        let own = tasks.iter().zip(&makers).filter(|(_, maker)| **maker == ranks.number());
+        let own: Vec<&Task> = own.map(|(task, _)| task).collect();
+        ranks.count_work(0, own.iter().map(|task| task.count).sum());
+        if let Some(known) = &mut self.known {
+            let own = own.iter().zip(&sent);
+            own.for_each(|(task, sent)| known.keep(task.element, task.first, &sent.met, sent.recalled));
+        }
+        let landed = sent.into_iter().map(|sent| sent.landed).collect();
+        // Each rank sends those of one task after the other.
+        let parcels = ranks.exchange(self.parcels(landed, ranks.count()));
+        let mut parcels: Vec<_> = parcels.into_iter().map(Vec::into_iter).collect();
+        let mut hits = Vec::new();
+        for (Task { element, count, .. }, maker) in tasks.iter().zip(makers) {
+            let landed = parcels[maker].next().expect("each rank ran its tasks");
+            self.sent[*element] += count;
+            for half in 0..2 {
+                self.counts.weights[*element][half] += landed.weights[half];
+                let Counts { missed, exact, .. } = &mut self.counts;
+                for (sums, own) in [(missed, &landed.missed), (exact, &landed.exact)] {
+                    let sums = sums[half][self.starts[*element]..].iter_mut();
+                    sums.zip(&own[half]).for_each(|(sum, value)| *sum += value);
+                }
+            }
+            hits.extend(landed.hits);
+        }
+        self.tally.take(self.elements.list(), &hits);
+    }
+
+    /// Which of so many ranks runs each task: as even as can be; or where it is to know what rays meet, the same for all rays of an
+    /// element.
+    fn makers(&self, tasks: &[Task], ranks: usize) -> Vec<usize> {
+        if self.known.is_some() {
+            return tasks.iter().map(|task| task.element % ranks).collect();
+        }
+        let counts: Vec<f64> = tasks.iter().map(|task| task.count as f64).collect();
+        let ends = shares::ends(&counts, ranks);
+        (0..tasks.len()).map(|task| shares::owner(&ends, task)).collect()
+    }
+
+    /// What each of so many ranks counts of what became of rays: the hits of elements of which it holds the pairs, and all else.
+    fn parcels(&self, landed: Vec<Landed>, ranks: usize) -> Vec<Vec<Landed>> {
+        if self.held.ranks().are_alone() {
+            return vec![landed; ranks];
+        }
+        let counted = |rank: usize, landed: &Landed| {
+            let is_counted =
+                |hit: &&Hit| [hit.source, hit.target].iter().any(|end| self.held.rank(*end as usize) == rank);
+            Landed { hits: landed.hits.iter().filter(is_counted).copied().collect(), ..landed.without_hits() }
+        };
+        (0..ranks).map(|rank| landed.iter().map(|landed| counted(rank, landed)).collect()).collect()
+    }
+
+    /// Sends the rays of a task.
+    fn sent_by(&self, task: &Task) -> Sent {
+        let sender = &self.senders[task.element];
+        let element = &self.elements.list()[task.element];
+        let nothing = || [vec![0.0; element.basis.len()], vec![0.0; element.basis.len()]];
+        let hits = Vec::with_capacity(task.count as usize);
+        let mut sent = Sent {
+            landed: Landed { weights: [0.0; 2], missed: nothing(), exact: nothing(), hits },
+            met: Vec::with_capacity(if self.known.is_some() { task.count as usize } else { 0 }),
+            recalled: 0,
+        };
+        for index in task.first..task.first + task.count {
+            heed_at(index);
+            let departure = sender.departure(index);
+            let half = (index % 2) as usize;
+            let met = self.met(task.element, index, &departure, &mut sent);
+            let landed = &mut sent.landed;
+            landed.weights[half] += departure.weight;
+            let sums = match hit(self.elements, task.element, index, &departure, met) {
+                Some(hit) if !self.counts(hit.source, hit.target) => &mut landed.exact[half],
+                Some(hit) => {
+                    landed.hits.push(hit);
+                    continue;
+                }
+                None => &mut landed.missed[half],
+            };
+            let values = functions(element, element.basis.frame().coordinates(&departure.node));
+            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += departure.weight * value);
+        }
+        sent
+    }
+
+    /// What a ray meets first: what it is known to meet, or else what it is found to.
+    fn met(&self, element: usize, index: u64, departure: &Departure, sent: &mut Sent) -> Option<Encounter> {
+        let (origin, direction) = (departure.node.position, departure.direction);
+        let surface = self.elements.list()[element].surface;
+        let found = || self.visibility.nearest_from(surface, origin, direction);
+        let Some(known) = &self.known else { return found() };
+        let recalled = known.recall(element, index, [origin, direction]);
+        sent.recalled += u64::from(recalled.is_some());
+        let met = recalled.unwrap_or_else(found);
+        sent.met.push(Met::of(met.as_ref()));
+        met
+    }
+
+    /// Whether rays count on the pair of two elements.
+    fn counts(&self, first: u32, second: u32) -> bool {
+        let pair = (first.min(second), first.max(second));
+        self.only.as_ref().map_or_else(|| !self.strong.holds(pair), |only| only.contains(&pair))
+    }
+
+    /// Blocks of the pairs on which rays count, given those of all others.
+    pub(crate) fn beside(&self, others: &Fixed) -> Blocks {
+        let mut blocks = self.held.ranks().within(|| Blocks::empty(self.starts.clone(), true));
+        self.estimate(others, Rays::All).push(&mut blocks);
+        blocks
+    }
+
+    /// What some of the rays tell beside what is `fixed`.
+    fn estimate(&self, fixed: &Fixed, rays: Rays) -> Estimate<'_> {
+        let Self { tally, held, .. } = self;
+        Estimate::new(self.elements.list(), &self.starts, Counted { tally, held, rays }, &self.counts, fixed)
+    }
+
+    /// Estimate of G by the rays sent since the pilot round, or so far, if that has not ended.
+    pub fn blocks(&self, rays: Rays) -> Blocks {
+        let list = self.elements.list();
+        let mut blocks = Blocks::empty(self.starts.clone(), true);
+        self.strong.append_to(&mut blocks);
+        self.push_covered(&mut blocks);
+        let exact = blocks.apply(&self.elements.constant());
+        let fixed = Fixed { sums: &exact, error: EXACT, blocks: &blocks };
+        let estimate = self.estimate(&fixed, rays);
+        let integrated = estimate.projections(&vec![1.0; list.len()]);
+        blocks.integrated = Some(integrated.iter().zip(exact).map(|(a, b)| a + b).collect());
+        estimate.push(&mut blocks);
+        self.strong.add_accounts(&mut blocks);
+        blocks.rays = self.sent.iter().sum();
+        blocks
+    }
+
+    /// The exact blocks of what lies on each other.
+    fn push_covered(&self, blocks: &mut Blocks) {
+        let list = self.elements.list();
+        let covered: Vec<usize> = (0..list.len()).filter(|index| list[*index].contact.is_some()).collect();
+        for (place, row) in covered.iter().enumerate() {
+            for column in &covered[place + 1..] {
+                if list[*row].contact == list[*column].contact {
+                    blocks.push(*row, *column, &covering::block(&list[*row], &list[*column]).values);
+                }
+            }
+        }
+    }
+}

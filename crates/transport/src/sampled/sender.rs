@@ -1,0 +1,45 @@
+//! Rays that leave an element: from points spread evenly over its area, in cosine-distributed directions.
+//!
+//! The density of points and directions together is cos θ / (π A), that of κ V dA_y over the whole hemisphere. The
+//! numbers are a Kronecker sequence in four dimensions, shifted by a hash of a number of the element, so that a ray depends
+//! on its element and its own number only: not on threads, nor on how many rays are sent in all.
+
+use radiosity_elements::Element;
+use radiosity_elements::patch::Node;
+use radiosity_elements::sampling::kronecker;
+use radiosity_elements::sampling::lambert::lambert;
+use radiosity_elements::sampling::shift::{shift, shifted};
+use radiosity_elements::sampling::spread::{Place, Spread};
+use radiosity_geom::DVec3;
+
+/// What sends the rays of one element.
+#[derive(Debug)]
+pub(super) struct Sender {
+    spread: Spread,
+    shift: [f64; 4],
+}
+
+/// A ray as it leaves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Departure {
+    /// Where it starts.
+    pub node: Node,
+    /// Its unit direction.
+    pub direction: DVec3,
+    /// Weight of the point where it starts ([`Place::weight`]).
+    pub weight: f64,
+}
+
+impl Sender {
+    /// The sender of an element; its rays are those of this number.
+    pub(super) fn new(element: &Element, number: u64) -> Self {
+        Self { spread: Spread::over(element), shift: shift(number) }
+    }
+
+    /// The ray of that `index`.
+    pub(super) fn departure(&self, index: u64) -> Departure {
+        let [s, t, polar, turn] = shifted(kronecker::point(index), &self.shift);
+        let Place { node, weight } = self.spread.point([s, t]);
+        Departure { node, direction: lambert(node.normal, [polar, turn]), weight }
+    }
+}

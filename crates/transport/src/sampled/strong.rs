@@ -1,0 +1,113 @@
+//! Pairs that are carried exactly beside the rays: those for which as good a block by rays would cost more.
+//!
+//! A pair that n rays meet has a relative error of about n^-½. An exact block removes it, for the time of a number of
+//! rays that depends on what the pair is. It is taken where more rays than that are expected to land on the pair: what
+//! is left to the rays are many weak pairs. Rays that land on a pair of these are not counted.
+
+use std::collections::HashSet;
+
+use radiosity_elements::Elements;
+use radiosity_kernel::Accuracy;
+use radiosity_kernel::Blocks;
+use radiosity_kernel::blocks::held::Held;
+use radiosity_visibility::Visibility;
+use radiosity_work::interruption::heed;
+
+use crate::memory::Memory;
+use crate::price::{Couple, LEAST, price_up_to};
+use crate::sampled::tally::{Sums, Tally};
+use crate::schedule::{Unreached, by_rules};
+
+/// Most elements of a scene in which exact pairs are looked for: to sort all pairs takes a second then.
+const MOST_ELEMENTS: usize = 5_000;
+
+/// Pairs that are carried exactly, and their blocks.
+#[derive(Debug, Default)]
+pub(super) struct Strong {
+    pairs: HashSet<(u32, u32)>,
+    blocks: Option<Blocks>,
+}
+
+impl Strong {
+    /// The pairs of `tally`, of which each rank judges those in its rows, that are worth it for the number of hits that is `expected` of them.
+    pub(super) fn worth(
+        elements: &Elements,
+        visibility: &Visibility,
+        tally: &Tally,
+        held: &Held,
+        expected: &dyn Fn(&Sums) -> f64,
+    ) -> HashSet<(u32, u32)> {
+        if elements.list().len() > MOST_ELEMENTS {
+            return HashSet::new();
+        }
+        let is_worth = |sums: &Sums| {
+            heed();
+            let expected = expected(sums);
+            expected > LEAST
+                && expected > price_up_to(expected, &couple(elements, [sums.row, sums.column]), visibility)
+        };
+        let own = tally.iter().filter(|sums| held.has(sums.row)).filter(is_worth);
+        let own: Vec<(u32, u32)> = own.map(|sums| (sums.row as u32, sums.column as u32)).collect();
+        held.ranks().all(own).into_iter().flatten().collect()
+    }
+
+    /// These pairs with their exact blocks, from memory as far as it holds them, without those whose accuracy rules do not reach.
+    pub(super) fn new(
+        mut pairs: HashSet<(u32, u32)>,
+        elements: &Elements,
+        visibility: &Visibility,
+        (accuracy, memory): (Accuracy, Option<&mut Memory>),
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Self {
+        if pairs.is_empty() {
+            memory.into_iter().for_each(|memory| memory.keep(Vec::new()));
+            return Self::default();
+        }
+        let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
+        let how = (accuracy, Unreached::Left);
+        let (blocks, left) = by_rules(elements, &wanted, visibility, how, memory, progress);
+        for pair in left {
+            pairs.remove(&(pair.row as u32, pair.column as u32));
+        }
+        Self { pairs, blocks: Some(blocks) }
+    }
+
+    /// Whether a pair is carried exactly, the element that comes first in front.
+    pub(super) fn holds(&self, pair: (u32, u32)) -> bool {
+        self.pairs.contains(&pair)
+    }
+
+    /// What the exact blocks miss, as [`Blocks::accuracy_reached`].
+    pub(super) fn accuracy_reached(&self) -> f64 {
+        self.blocks.as_ref().map_or(0.0, |blocks| blocks.accuracy_reached)
+    }
+
+    /// Number of pairs.
+    pub(super) fn len(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Adds what the exact blocks cost, and what they miss, to the accounts of `blocks`.
+    pub(super) fn add_accounts(&self, blocks: &mut Blocks) {
+        if let Some(exact) = &self.blocks {
+            (blocks.pairs, blocks.samples, blocks.distinct) = (exact.pairs, exact.samples, exact.distinct);
+            blocks.reciprocity = exact.reciprocity;
+            (blocks.accuracy_reached, blocks.miss) = (exact.accuracy_reached, exact.miss);
+        }
+    }
+
+    /// Appends the exact blocks to `blocks`.
+    pub(super) fn append_to(&self, blocks: &mut Blocks) {
+        self.blocks.iter().for_each(|exact| blocks.append(exact));
+    }
+}
+
+/// Two elements whose block may be made.
+fn couple(elements: &Elements, pair: [usize; 2]) -> Couple<'_> {
+    let [a, b] = pair.map(|index| &elements.list()[index]);
+    Couple {
+        surfaces: [a.surface, b.surface],
+        hulls: [&a.hull, &b.hull],
+        are_flat: a.plane.is_some() && b.plane.is_some(),
+    }
+}

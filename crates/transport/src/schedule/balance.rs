@@ -1,0 +1,89 @@
+//! Which rank integrates which block, so that all have about as much to do.
+//!
+//! What a block costs is known only afterwards: near and partly hidden pairs cost a hundred times as much as others. The blocks are
+//! therefore made in three rounds. A pilot tells what the blocks of each class cost; by that most are shared; the rest go to the
+//! ranks that turn out to have done less. Within a round the dearest blocks are shared first, each to the rank with the least
+//! ([`radiosity_work::ranks::shares`]).
+
+use std::collections::HashMap;
+
+use radiosity_kernel::blocks::block::Account;
+use radiosity_work::ranks::shares;
+
+/// One block in so many is made by the pilot. Chosen.
+const PILOT: usize = 16;
+
+/// One block in so many evens out what ranks have done. Chosen.
+const REST: usize = 5;
+
+/// Kernel samples that take as long as a segment tested for visibility: some 20 ns and .4 µs.
+const SAMPLES_A_RAY: f64 = 20.0;
+
+/// What an integral costs beside its samples, in samples.
+const START: f64 = 50.0;
+
+/// What so many kernel samples and segments cost, in samples.
+pub fn cost([samples, rays]: [u64; 2]) -> f64 {
+    samples as f64 + SAMPLES_A_RAY * rays as f64
+}
+
+/// A block before it is made.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    /// Blocks of one class cost about the same.
+    pub(super) class: u64,
+    /// About what it costs, where nothing is known of its class.
+    pub(super) price: f64,
+}
+
+/// What the ranks have done, and what blocks cost.
+#[derive(Debug)]
+pub(super) struct Balance {
+    /// Cost of what each rank has made.
+    loads: Vec<f64>,
+    /// Number and cost of the blocks of each class.
+    classes: HashMap<u64, [f64; 2]>,
+    /// Prices and costs of all.
+    all: [f64; 2],
+}
+
+/// The rounds in which so many blocks are made by so many ranks: one where there is nobody to share them with.
+pub(super) fn rounds(pieces: usize, ranks: usize) -> Vec<Vec<usize>> {
+    if ranks == 1 {
+        return vec![(0..pieces).collect()];
+    }
+    let (pilot, others): (Vec<usize>, Vec<usize>) = (0..pieces).partition(|place| place % PILOT == 0);
+    let (rest, most): (Vec<usize>, Vec<usize>) = others.into_iter().partition(|place| place % REST == 0);
+    vec![pilot, most, rest]
+}
+
+impl Balance {
+    /// Nothing was made yet.
+    pub(super) fn new(ranks: usize) -> Self {
+        Self { loads: vec![0.0; ranks], classes: HashMap::new(), all: [0.0; 2] }
+    }
+
+    /// The ranks that make the blocks of a round.
+    pub(super) fn share(&self, round: &[usize], pieces: &[Piece]) -> Vec<usize> {
+        let costs: Vec<f64> = round.iter().map(|place| self.cost(&pieces[*place])).collect();
+        shares::beside(&self.loads, &costs)
+    }
+
+    /// Takes note of what a block cost.
+    pub(super) fn take(&mut self, maker: usize, piece: &Piece, block: &Account) {
+        let cost = START + cost([block.samples, block.rays]);
+        self.loads[maker] += cost;
+        let [number, sum] = self.classes.entry(piece.class).or_default();
+        (*number, *sum) = (*number + 1.0, *sum + cost);
+        self.all = [self.all[0] + piece.price, self.all[1] + cost];
+    }
+
+    /// What a block is expected to cost: as much as others of its class, or by its price.
+    fn cost(&self, piece: &Piece) -> f64 {
+        match (self.classes.get(&piece.class), self.all) {
+            (Some([number, sum]), _) => sum / number,
+            (None, [prices, costs]) if prices > 0.0 => piece.price * costs / prices,
+            (None, _) => piece.price,
+        }
+    }
+}

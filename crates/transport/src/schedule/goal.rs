@@ -1,0 +1,194 @@
+//! The accuracy that each block has to reach.
+//!
+//! A block that is small compared with the largest of its row needs few digits
+//! ([`radiosity_kernel::estimates::entry_bounds`]). The error of its shadows is measured against its row too, and
+//! against the largest of the view factors F_ij = √(A_j/A_i) G_ij of either element: a small error of a block can be a
+//! large one of the view factors from a small element to a large one.
+
+use radiosity_kernel::Accuracy;
+use radiosity_kernel::estimates::entry_bounds::{ROW_SHARE, relaxed};
+use radiosity_visibility::Visibility;
+use radiosity_work::interruption::heed;
+
+use crate::memory::Request;
+use crate::occlusion::outlines::Limit;
+use crate::schedule::task::{Scene, Task};
+
+/// Error allowed for the shadows of a block, as a factor on ε_shadow times the largest entry of its row: errors of
+/// sampled shadows have either sign and weigh little in the sum over many blocks. Chosen; not tuned.
+const SHADOWED_ROW_SHARE: f64 = 0.25;
+
+/// Error allowed for shadows by outlines, or sampled between flat elements, as a factor on ε_shadow times the largest
+/// view factor of either element: the errors of the few shadowed blocks of a row may add up. Chosen; not tuned.
+const FACTOR_SHARE: f64 = 0.25;
+
+/// Floor of the shadow tolerance, as a factor on the upper bound of the entry and on ε_shadow; view factors, and hence
+/// the bound, are at most 1. Chosen; not tuned.
+const SLIGHT: f64 = 1e-3;
+
+/// Safety factor on the coarse estimate of a near pair, and the largest factor by which such a pair is loosened for its
+/// shadows. Chosen; not tuned.
+const NEAR_ROUGHNESS: f64 = 3.0;
+const LARGEST_NEAR_FACTOR: f64 = 8.0;
+
+/// The accuracy that the block of a task has to reach.
+#[derive(Clone, Copy)]
+pub(super) struct Goal {
+    /// Relative to the block's largest entry.
+    pub(super) accuracy: Accuracy,
+    /// The same where surfaces of the pair hide part of it themselves.
+    pub(super) bent: Accuracy,
+    /// [`ROW_SHARE`] times a lower bound of the row's largest entry: the scale of the error where the block is smaller.
+    pub(super) least: f64,
+    /// About the largest entry of its row.
+    pub(super) row: f64,
+    /// Light (as an entry) that may pass unnoticed where all probing rays are hidden, or be hidden where none is.
+    pub(super) unseen: f64,
+    /// Standard deviation allowed for sampled shadows if both elements are flat. Smaller than for curved ones, because
+    /// flat pairs have fewer parts, whose errors balance less.
+    pub(super) flat: f64,
+    /// Standard deviation allowed for sampled shadows if an element is curved.
+    pub(super) sampled: f64,
+    /// The error of shadows by outlines, where these are used.
+    pub(super) outlined: Option<Limit>,
+}
+
+impl Goal {
+    /// What is asked of the block of a task with this goal.
+    pub(super) fn request(&self, task: &Task, visibility: &Visibility) -> Request {
+        let faces = |surface| visibility.faces(surface).iter().copied();
+        let surfaces = task.blockers.iter().chain(&task.own).flat_map(faces).collect();
+        let mut numbers = self.bits();
+        numbers.extend([task.blockers.len() as u64, task.rough.to_bits()]);
+        Request { row: task.row, column: task.column, surfaces, numbers }
+    }
+
+    /// All its numbers, as bits.
+    fn bits(&self) -> Vec<u64> {
+        let Self { accuracy, bent, least, row, unseen, flat, sampled, outlined } = *self;
+        let mut numbers = vec![
+            accuracy.eps,
+            accuracy.shadow_eps,
+            bent.eps,
+            bent.shadow_eps,
+            least,
+            row,
+            unseen,
+            flat,
+            sampled,
+        ];
+        numbers.extend(outlined.iter().flat_map(|limit| [limit.error, limit.entry]));
+        numbers.into_iter().map(f64::to_bits).collect()
+    }
+}
+
+/// The largest entries in the row of each element.
+struct Largest {
+    /// Lower bounds of the entries.
+    least: Vec<f64>,
+    /// Coarse estimates of the first entries, without blockers.
+    rough: Vec<f64>,
+    /// View factors from these estimates.
+    factors: Vec<f64>,
+}
+
+impl Scene<'_> {
+    /// The accuracy that each task has to reach.
+    pub(super) fn goals(&self, tasks: &[Task]) -> Vec<Goal> {
+        let largest = Largest {
+            least: self.largest(tasks, |task, _| task.entries[0]),
+            rough: self.largest(tasks, |task, _| task.rough),
+            factors: self.largest(tasks, |task, pair| task.rough * self.factor_scale(pair)),
+        };
+        tasks.iter().map(|task| self.goal(task, &largest)).collect()
+    }
+
+    fn goal(&self, task: &Task, largest: &Largest) -> Goal {
+        heed();
+        let of_rows = |rows: &[f64]| rows[task.row as usize].min(rows[task.column as usize]);
+        let least = ROW_SHARE * of_rows(&largest.least);
+        let eps = relaxed(self.accuracy.eps, least, task.entries[1]);
+        let accuracy = Accuracy { eps, ..self.accuracy };
+        let row = of_rows(&largest.rough);
+        let [unseen, flat, sampled] = [0.0; 3];
+        let free = Goal { accuracy, bent: accuracy, least, row, unseen, flat, sampled, outlined: None };
+        if task.blockers.is_empty() && task.own.is_empty() {
+            return free;
+        }
+        let tolerable = self.tolerable(task, &largest.factors);
+        // A coarse estimate may miss all that two elements of a row see of each other: the tolerance is never zero.
+        let floor = SLIGHT * task.entries[1].min(1.0);
+        let of_factors = |share: f64| accuracy.shadow_eps * row.min(share * tolerable).max(floor);
+        let shadowed = SHADOWED_ROW_SHARE * row;
+        let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
+        let [roughness, most] =
+            if is_near { [NEAR_ROUGHNESS, LARGEST_NEAR_FACTOR] } else { [1.0, f64::INFINITY] };
+        let unseen = accuracy.shadow_eps * shadowed.max(task.rough).max(floor) / roughness;
+        let error = of_factors(FACTOR_SHARE);
+        // Sampled shadows err to either side, unlike what all probing rays miss.
+        let shaded = Goal { unseen, flat: unseen.min(error), sampled: of_factors(1.0), ..free };
+        if self.has_outlines(task) {
+            return Goal { outlined: Some(Limit { error, entry: task.rough.max(floor) }), ..shaded };
+        }
+        let bent = accuracy.loosened((shadowed / (roughness * task.rough)).min(most));
+        let accuracy = if task.blockers.is_empty() { accuracy } else { bent };
+        Goal { accuracy, bent, ..shaded }
+    }
+
+    /// Whether shadows are found by outlines: all blockers and at least one element are planar, and neither hides part
+    /// of itself (its light would be taken off twice).
+    fn has_outlines(&self, task: &Task) -> bool {
+        let is_planar = |index: u32| self.list[index as usize].plane.is_some();
+        (is_planar(task.row) || is_planar(task.column))
+            && task.own.is_empty()
+            && self.visibility.has_outlines(&task.blockers)
+    }
+
+    /// For each row the largest `entry(task, [element of the row, other element])`, rounded down: where things move and the
+    /// largest entry of a row changes a little, the goals of its other blocks mostly stay, and so do these
+    /// ([`crate::memory`]).
+    fn largest(&self, tasks: &[Task], entry: impl Fn(&Task, [usize; 2]) -> f64) -> Vec<f64> {
+        let mut rows = vec![0.0f64; self.list.len()];
+        for task in tasks {
+            let [row, column] = [task.row, task.column].map(|index| index as usize);
+            for pair in [[row, column], [column, row]] {
+                rows[pair[0]] = rows[pair[0]].max(entry(task, pair));
+            }
+        }
+        rows.into_iter().map(cut_short).collect()
+    }
+
+    /// √(A_j / A_i): the factor from an entry of G between constants to the view factor F_ij.
+    fn factor_scale(&self, [own, other]: [usize; 2]) -> f64 {
+        (self.list[other].area / self.list[own].area).sqrt()
+    }
+
+    /// The first entry at which a view factor of the task would reach the largest of its row in `factors`; the smaller
+    /// of the two rows.
+    fn tolerable(&self, task: &Task, factors: &[f64]) -> f64 {
+        let [row, column] = [task.row, task.column].map(|index| index as usize);
+        let entry = |pair: [usize; 2]| factors[pair[0]] / self.factor_scale(pair);
+        entry([row, column]).min(entry([column, row]))
+    }
+}
+
+/// Binary digits that are kept after the first. Chosen: with none exact blocks took 15 % longer.
+const DIGITS: u32 = 3;
+
+/// `x` ≥ 0 rounded down to so few digits; 0 for numbers that are not normal.
+fn cut_short(x: f64) -> f64 {
+    let dropped = f64::MANTISSA_DIGITS - 1 - DIGITS;
+    if x.is_normal() { f64::from_bits(x.to_bits() >> dropped << dropped) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cut_short;
+
+    #[test]
+    fn numbers_are_rounded_down_to_few_digits() {
+        for (x, short) in [(0.0, 0.0), (1.0, 1.0), (1.99, 1.875), (0.3, 0.28125), (6.0, 6.0), (1e-310, 0.0)] {
+            assert_eq!(cut_short(x), short, "{x}");
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! The blocks that were integrated, each on one rank, and their way to the ranks that hold their rows and columns.
+
+use std::sync::Arc;
+
+use radiosity_kernel::blocks::block::{Account, Block};
+use radiosity_kernel::blocks::held::Held;
+use radiosity_work::ranks::{Part, Ranks};
+use serde::{Deserialize, Serialize};
+
+use crate::memory::Answer;
+use crate::schedule::balance::{Balance, Piece, rounds};
+use crate::schedule::source::Source;
+use crate::schedule::task::Task;
+
+/// What all ranks know of a block.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(super) struct Told {
+    pub(super) block: Account,
+    /// As [`Answer::remainder`].
+    pub(super) remainder: f64,
+}
+
+/// The blocks that were integrated.
+#[derive(Debug)]
+pub(super) struct Integrated {
+    pub(super) ranks: Ranks,
+    /// The rank that made each of them.
+    pub(super) makers: Vec<usize>,
+    told: Vec<Option<Told>>,
+    /// Those that this rank made, and after [`Integrated::deliver`] those that it needs.
+    pub(super) answers: Vec<Option<Arc<Answer>>>,
+}
+
+impl Integrated {
+    /// The blocks that `make` makes of these pieces of work, shared between ranks by what pieces cost.
+    pub(super) fn made(ranks: Ranks, pieces: &[Piece], make: impl Fn(usize) -> Arc<Answer> + Sync) -> Self {
+        let mut balance = Balance::new(ranks.count());
+        let mut all = Self::none(ranks.clone(), pieces.len());
+        let part = ranks.part::<Arc<Answer>>(pieces.len());
+        for round in rounds(pieces.len(), ranks.count()) {
+            let makers = balance.share(&round, pieces);
+            all.make(&part, &round, &makers, &make);
+            for (place, maker) in round.into_iter().zip(makers) {
+                balance.take(maker, &pieces[place], &all.told(place).block);
+            }
+        }
+        all
+    }
+
+    /// The same where the rank `makers[place]` makes each block, and none is recorded: what makes it depends on what that rank made
+    /// before.
+    pub(super) fn made_by(
+        ranks: Ranks,
+        makers: &[usize],
+        make: impl Fn(usize) -> Arc<Answer> + Sync,
+    ) -> Self {
+        let mut all = Self::none(ranks, makers.len());
+        let places: Vec<usize> = (0..makers.len()).collect();
+        all.make(&Part::unrecorded(), &places, makers, &make);
+        all
+    }
+
+    /// None of so many blocks yet.
+    fn none(ranks: Ranks, count: usize) -> Self {
+        Self { makers: vec![0; count], told: vec![None; count], answers: vec![None; count], ranks }
+    }
+
+    /// Makes the blocks at these places, each on the rank in `makers`.
+    fn make(
+        &mut self,
+        part: &Part,
+        places: &[usize],
+        makers: &[usize],
+        make: &(impl Fn(usize) -> Arc<Answer> + Sync),
+    ) {
+        let me = self.ranks.number();
+        let own = places.iter().zip(makers).filter(|(_, maker)| **maker == me);
+        let made = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), make);
+        let told = |answer: &Arc<Answer>| Told { block: answer.block.account(), remainder: answer.remainder };
+        let told = self.ranks.merged(makers, made.iter().map(told).collect());
+        let mut made = made.into_iter();
+        for ((place, maker), told) in places.iter().zip(makers).zip(told) {
+            self.makers[*place] = *maker;
+            self.told[*place] = Some(told);
+            self.answers[*place] = (*maker == me).then(|| made.next()).flatten();
+        }
+    }
+
+    /// What is told of a block.
+    pub(super) fn told(&self, place: usize) -> &Told {
+        self.told[place].as_ref().expect("all blocks were made")
+    }
+
+    /// Sends the values of each block to the ranks that hold its row or its column; to all ranks where its task is `left`.
+    pub(super) fn deliver(
+        &mut self,
+        tasks: &[Task],
+        sources: &[Source],
+        is_left: &dyn Fn(&Task, &Account) -> bool,
+        held: &Held,
+    ) {
+        if self.ranks.are_alone() {
+            return;
+        }
+        let me = self.ranks.number();
+        let mut wanted: Vec<(usize, usize)> = Vec::new();
+        for (task, source) in
+            tasks.iter().zip(sources).filter(|(_, source)| self.makers[source.place()] == me)
+        {
+            let place = source.place();
+            match is_left(task, &self.told(place).block) {
+                true => wanted.extend((0..self.ranks.count()).map(|rank| (rank, place))),
+                false => {
+                    wanted
+                        .extend([task.row, task.column].map(|element| (held.rank(element as usize), place)));
+                }
+            }
+        }
+        wanted.sort_unstable();
+        wanted.dedup();
+        let mut parcels: Vec<Vec<(usize, Vec<f64>)>> = vec![Vec::new(); self.ranks.count()];
+        for (rank, place) in wanted.into_iter().filter(|(rank, _)| *rank != me) {
+            parcels[rank].push((place, self.values(place).to_vec()));
+        }
+        for (place, values) in self.ranks.exchange(parcels).into_iter().flatten() {
+            let Told { block, remainder } = *self.told(place);
+            self.answers[place] = Some(Arc::new(Answer::known(Block::told(values, &block), remainder)));
+        }
+    }
+
+    /// A block that this rank made or was sent.
+    pub(super) fn answer(&self, place: usize) -> &Answer {
+        self.answers[place].as_ref().expect("ranks have the blocks of their rows and columns")
+    }
+
+    /// Its values.
+    pub(super) fn values(&self, place: usize) -> &[f64] {
+        &self.answer(place).block.values
+    }
+}

@@ -1,0 +1,30 @@
+//! Blocks that need not be integrated: those of an earlier scene, and those that are known otherwise.
+
+use std::sync::Arc;
+
+use crate::known::Known;
+use crate::memory::{Answer, Memory};
+use crate::schedule::goal::Goal;
+use crate::schedule::task::{Scene, Task};
+
+impl Scene<'_> {
+    /// The block of a task that `memory` holds; that of flat elements with nothing between may be known otherwise as well.
+    pub(super) fn recalled(&self, task: &Task, goal: Goal, memory: &Memory) -> Option<Arc<Answer>> {
+        let request = goal.request(task, self.visibility);
+        if let Some(answer) = memory.recall(&request) {
+            return Some(Arc::clone(answer));
+        }
+        let known = memory.known()?;
+        let places = [task.row, task.column].map(|index| index as usize);
+        let pair = places.map(|index| &self.list[index]);
+        let is_free = task.blockers.is_empty() && task.own.is_empty();
+        let are_flat = pair.iter().all(|element| element.plane.is_some() && element.contact.is_none());
+        if !is_free || !are_flat {
+            return None;
+        }
+        match known.block(places, pair, goal.accuracy.eps)? {
+            Known::Same => memory.before(&request).cloned(),
+            Known::Block { block, remainder } => Some(Arc::new(Answer::known(block, remainder))),
+        }
+    }
+}

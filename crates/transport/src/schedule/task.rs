@@ -1,0 +1,97 @@
+//! The elements with the data that sorting needs, and the pairs that are left to integrate.
+
+use radiosity_elements::patch::Patch;
+use radiosity_elements::{Element, Elements};
+use radiosity_kernel::Accuracy;
+use radiosity_kernel::contact::sectors::sectors;
+use radiosity_kernel::estimates::coarse::CoarseEstimate;
+use radiosity_kernel::estimates::entry_bounds::EntryBounds;
+use radiosity_visibility::Visibility;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::congruent::Panel;
+use super::order::Rank;
+
+/// What rules do with pairs whose accuracy they do not reach.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unreached {
+    /// They are stored, and their error is told.
+    Kept,
+    /// They are left to others; so are shadows of curved things, without a try.
+    Left,
+}
+
+/// The elements with the data that sorting needs.
+pub(super) struct Scene<'a> {
+    pub(super) list: &'a [Element],
+    pub(super) panels: Vec<Option<Panel>>,
+    pub(super) reaches: Vec<EntryBounds>,
+    pub(super) ranks: Vec<Rank>,
+    pub(super) roughs: Vec<CoarseEstimate>,
+    /// Whether coarse estimates are needed: planar elements need them for shadows only.
+    pub(super) is_estimated: bool,
+    pub(super) parts: Vec<Vec<Patch>>,
+    pub(super) visibility: &'a Visibility,
+    pub(super) accuracy: Accuracy,
+    pub(super) unreached: Unreached,
+    pub(super) wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
+}
+
+impl<'a> Scene<'a> {
+    /// The elements between which blocks of the pairs that are `wanted` are to be found.
+    pub(super) fn new(
+        elements: &'a Elements,
+        visibility: &'a Visibility,
+        wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
+        accuracy: Accuracy,
+        unreached: Unreached,
+    ) -> Self {
+        let list = elements.list();
+        Self {
+            list,
+            panels: list.iter().map(Panel::of).collect(),
+            reaches: list.iter().map(EntryBounds::of).collect(),
+            ranks: list.iter().map(Rank::of).collect(),
+            roughs: list.par_iter().map(CoarseEstimate::of).collect(),
+            is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
+            parts: list.par_iter().map(sectors).collect(),
+            visibility,
+            accuracy,
+            unreached,
+            wanted,
+        }
+    }
+}
+
+/// A pair whose block is to be found.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Task {
+    pub(super) row: u32,
+    pub(super) column: u32,
+    /// Bounds: the largest entry from below (an estimate for curved elements), all entries from above.
+    pub(super) entries: [f64; 2],
+    /// Coarse estimate of the first entry, without blockers; 0 where none was made.
+    pub(super) rough: f64,
+    /// Hash of the pose, where the pair may be congruent to others.
+    pub(super) hash: Option<u64>,
+    /// Surfaces that may stand between the two.
+    pub(super) blockers: Vec<usize>,
+    /// The pair's own surfaces that may hide a part of it; whether they do is found by probing rays.
+    pub(super) own: Vec<usize>,
+}
+
+impl Task {
+    /// For two elements that lie on each other: the block is known.
+    pub(super) fn of_contact(row: usize, column: usize) -> Self {
+        Self {
+            row: row as u32,
+            column: column as u32,
+            entries: [1.0; 2],
+            rough: 1.0,
+            hash: None,
+            blockers: Vec::new(),
+            own: Vec::new(),
+        }
+    }
+}

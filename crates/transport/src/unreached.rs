@@ -1,0 +1,215 @@
+//! Blocks that no rule reaches, by rays from both sides.
+//!
+//! Curved surfaces that touch, come very near, or hide each other or themselves leave pairs whose rules do not converge, or do not
+//! know their error. Cosine-distributed rays know no singular pair ([`crate::sampled`]). [`BATCHES`] independent
+//! sequences of equal length estimate each of these blocks; with the standard deviation s of the batches
+//!
+//! ```text
+//! G = mean ,     error = SURE · max_kl s_kl / √BATCHES + 1 / (D √(A_i A_j)) ,     D = n_i/A_i + n_j/A_j ,
+//! ```
+//!
+//! the last term for what fewer than one ray meets. View factors of surfaces are sums over their elements, whose errors
+//! partly cancel: there s is that of the sums ([`wholes`]). Rounds of twice as many rays as the one before follow until the error
+//! is small enough for the view factors of either element, relative to the largest of its row, or until [`most_rays`].
+//! The rays that tell when to stop are those that tell the error, so that it is told a little too small.
+//!
+//! A value by rules is kept where rays agree with it and its own error, times [`DOUBT`], is smaller than theirs.
+
+mod found;
+mod wholes;
+
+use std::collections::{HashMap, HashSet};
+
+use radiosity_elements::{Element, Elements};
+use radiosity_kernel::Accuracy;
+use radiosity_kernel::Miss;
+use radiosity_kernel::{Blocks, blocks::FirstEntry};
+use radiosity_visibility::Visibility;
+
+use crate::memory::Memory;
+use crate::sampled::{Fixed, SampledTransport};
+use crate::schedule::Left;
+use crate::schedule::order::Rank;
+use found::{BATCHES, Found, SURE};
+pub(crate) use wholes::Whole;
+use wholes::Wholes;
+
+/// Rays of each element and batch in the first round. Chosen.
+const FIRST: u64 = 1 << 11;
+
+/// Rays in all, at an accuracy of 1e-3, and by which power of the accuracy they grow, down to [`FINEST`]. Chosen: one to
+/// two seconds on two cores, and ten to twenty.
+const MOST: f64 = 8e6;
+const MOST_POWER: f64 = 0.35;
+const MOST_AT: f64 = 1e-3;
+
+/// Elements that share these rays; more of them send more in proportion. Chosen.
+const FEW: f64 = 32.0;
+/// The accuracy below which no more rays are sent. Chosen.
+pub const FINEST: f64 = 1e-5;
+
+/// Factor on the error of rules that did not converge. Chosen: tori and balls on floors were off by up to this from what
+/// they told.
+const DOUBT: f64 = 10.0;
+
+/// Relative error that no more rays are sent for, whatever is asked. Chosen: pairs get there whose row sums are known.
+const ENOUGH: f64 = 1e-6;
+
+/// Relative error that most pairs get to by all rays they may have: 5e-5 to 2e-4 on spheres, cylinders and cones.
+const REACHED: f64 = 1e-4;
+
+/// Errors by which a value by rules and one by rays may differ. Chosen.
+const AGREED: f64 = 3.0;
+
+/// Relative error of rays that is enough to check a value by rules. Chosen.
+const CHECKED: f64 = 1e-3;
+
+/// Adds the blocks that are `left` to `blocks`, and tells their error there; rays that `memory` knows are not traced.
+pub(crate) fn add(
+    elements: &Elements,
+    visibility: &Visibility,
+    blocks: &mut Blocks,
+    left: &[Left],
+    (whole, accuracy): (Whole, Accuracy),
+    mut memory: Option<&mut Memory>,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) {
+    let wholes = Wholes::new(elements.list(), whole);
+    let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
+    let ranks = ranks(elements.list());
+    let mut batch = |batch: usize| {
+        let numbers: Vec<u64> = ranks.iter().map(|rank| (batch * ranks.len() + rank) as u64).collect();
+        let rays = SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers);
+        rays.knowing(memory.as_mut().and_then(|memory| memory.lend(batch, BATCHES, numbers)))
+    };
+    let mut batches: Vec<SampledTransport> = (0..BATCHES).map(&mut batch).collect();
+    let touched: HashSet<usize> = left.iter().flat_map(|pair| [pair.row, pair.column]).collect();
+    let most = most_rays(accuracy.eps, touched.len());
+    let goal = |pair: &Left| if pair.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
+    let error = accuracy.eps.max(accuracy.shadow_eps).max(blocks.accuracy_reached);
+    let sums = blocks.apply(&elements.constant());
+    let firsts = blocks.first_entries();
+    let (mut sent, mut rays) = (0, FIRST);
+    let mut open: Vec<&Left> = left.iter().collect();
+    let found = loop {
+        let senders: HashSet<usize> = open.iter().flat_map(|pair| [pair.row, pair.column]).collect();
+        let now: Vec<u64> =
+            (0..elements.list().len()).map(|index| if senders.contains(&index) { rays } else { 0 }).collect();
+        for batch in &mut batches {
+            batch.send(&now, &mut |_| true);
+            sent += senders.len() as u64 * rays;
+            progress((left.len() as u64 * sent / most.max(sent)) as usize, left.len());
+        }
+        let each = (BATCHES * senders.len()) as u64;
+        let fixed = Fixed { sums: &sums, error, blocks };
+        let found = judged(elements.list(), (&wholes, &firsts), &fixed, left, &batches);
+        // Rays cannot better a value by rules that is as good as they become.
+        let may_fall = |found: &Found| !found.is_by_rules || found.relative > REACHED;
+        let is_open =
+            |(pair, found): &(&Left, &Found)| found.relative > goal(pair).max(ENOUGH) && may_fall(found);
+        let missing = left.iter().zip(&found).filter(is_open);
+        open = missing.map(|(pair, _)| pair).collect();
+        // Twice those of this round, as far as there are any left.
+        let next = (2 * rays).min(most.saturating_sub(sent) / each);
+        if open.is_empty() || next < rays / 2 {
+            break found;
+        }
+        rays = next;
+    };
+    if let Some(memory) = memory {
+        let known = batches.into_iter().map(SampledTransport::into_known).enumerate();
+        known
+            .filter_map(|(batch, known)| Some((batch, known?)))
+            .for_each(|(batch, known)| memory.take(batch, known));
+    }
+    blocks.rays += sent;
+    blocks.pairs.by_rays += left.len();
+    for (Found { row, column, values, relative, .. }, pair) in found.into_iter().zip(left) {
+        blocks.push(row, column, &values);
+        blocks.tell(Miss { pair: [row, column], error: relative, asked: goal(pair), by_rays: true });
+    }
+}
+
+/// The place of each element in an order that does not depend on how the scene lists its surfaces.
+fn ranks(list: &[Element]) -> Vec<usize> {
+    let keys: Vec<Rank> = list.iter().map(Rank::of).collect();
+    let mut order: Vec<usize> = (0..list.len()).collect();
+    order.sort_by(|a, b| keys[*a].order(&keys[*b]));
+    let mut ranks = vec![0; list.len()];
+    order.into_iter().enumerate().for_each(|(rank, element)| ranks[element] = rank);
+    ranks
+}
+
+/// Most rays for an accuracy, from so many elements.
+fn most_rays(eps: f64, elements: usize) -> u64 {
+    let share = (elements as f64 / FEW).max(1.0);
+    (MOST * share * (MOST_AT / eps.max(FINEST)).powf(MOST_POWER)) as u64
+}
+
+/// What the batches say of each pair, beside `others` with these first entries.
+fn judged(
+    list: &[Element],
+    (wholes, others_firsts): (&Wholes, &[FirstEntry]),
+    others: &Fixed,
+    left: &[Left],
+    batches: &[SampledTransport],
+) -> Vec<Found> {
+    let sizes = |pair: &Left| list[pair.row].basis.len() * list[pair.column].basis.len();
+    let places: HashMap<(usize, usize), usize> =
+        left.iter().enumerate().map(|(place, pair)| ((pair.row, pair.column), place)).collect();
+    let mut sums: Vec<[Vec<f64>; 2]> =
+        left.iter().map(|pair| [vec![0.0; sizes(pair)], vec![0.0; sizes(pair)]]).collect();
+    let mut firsts = vec![[0.0; BATCHES]; left.len()];
+    for (number, batch) in batches.iter().enumerate() {
+        for (row, column, values) in batch.beside(others).iter() {
+            let place = places[&(row, column)];
+            let [sum, squares] = &mut sums[place];
+            firsts[place][number] = values[0];
+            for ((sum, square), value) in sum.iter_mut().zip(squares).zip(values.iter()) {
+                *sum += value;
+                *square += value * value;
+            }
+        }
+    }
+    let n = BATCHES as f64;
+    let density = |element: usize| {
+        batches.iter().map(|batch| batch.sent()[element] as f64).sum::<f64>() / list[element].area
+    };
+    let found = left.iter().zip(sums).map(|(pair, [sum, squares])| {
+        let values: Vec<f64> = sum.iter().map(|sum| sum / n).collect();
+        let deviation =
+            |(mean, square): (&f64, &f64)| ((square / n - mean * mean).max(0.0) / (n - 1.0)).sqrt();
+        let largest = values.iter().zip(&squares).map(deviation).fold(0.0, f64::max);
+        let unit = (list[pair.row].area * list[pair.column].area).sqrt();
+        let one = 1.0 / ((density(pair.row) + density(pair.column)) * unit);
+        Found {
+            row: pair.row,
+            column: pair.column,
+            values,
+            one,
+            error: SURE * largest + one,
+            is_by_rules: false,
+            relative: 0.0,
+        }
+    });
+    let mut found: Vec<Found> = found.collect();
+    let rows = wholes.largest_factors(list, others_firsts, &found);
+    for ((found, pair), firsts) in found.iter_mut().zip(left).zip(&mut firsts) {
+        if let Some((values, error)) = &pair.found
+            && DOUBT * error < found.error
+            && wholes.relative(list, &rows, found) <= CHECKED
+            && agree(values, &found.values, found.error)
+        {
+            found.values.clone_from(values);
+            (found.error, found.one, found.is_by_rules) = (DOUBT * error, DOUBT * error, true);
+            *firsts = [values[0]; BATCHES];
+        }
+    }
+    wholes.judge(list, &rows, &mut found, &firsts);
+    found
+}
+
+/// Whether values by rules and by rays are as near as they should be: one in two thousand is not, by chance (Student).
+fn agree(a: &[f64], b: &[f64], error: f64) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= AGREED * error)
+}

@@ -1,0 +1,76 @@
+//! Footings: the parts of planar surfaces on which bodies stand, which no light reaches.
+//!
+//! A box on a floor hides the floor under it. The darkness there has a sharp edge that no polynomial follows, so
+//! elements have to end at the foot of the box. The surface's outline and all lines of contact draw a planar map
+//! (`faces`). A face of the map is a footing if only backs of surfaces, or other footings, are seen from it (`seal`).
+//! It is cut out of the surface as receiver and sender; as a blocker the surface stays whole.
+
+mod footing;
+mod segments;
+mod faces;
+mod lines;
+mod seal;
+
+use std::sync::Arc;
+
+use radiosity_geom::{DVec3, PlanarRegion, Surface, shapes::Trimmed, touching};
+use radiosity_scene::Scene;
+use radiosity_work::interruption::heed;
+use rayon::prelude::*;
+
+use crate::{Shadows, Visibility};
+pub use footing::Footing;
+use seal::Suspect;
+use segments::Segments;
+
+/// Least part of a surface's area that has to be left beside footings. Chosen; not tuned.
+const LEAST: f64 = 1e-6;
+
+/// All footings of a scene, in the order of their surfaces.
+pub fn footings(scene: &Scene) -> Vec<Footing> {
+    let obstacles = Visibility::new(scene, Shadows::Off);
+    let all = 0..scene.surfaces.len();
+    let suspects: Vec<Vec<Suspect>> =
+        all.into_par_iter().map(|surface| suspects(scene, &obstacles, surface)).collect();
+    let suspects: Vec<Suspect> = suspects.into_iter().flatten().collect();
+    let sealed = seal::sealed(scene, &obstacles, &suspects);
+    suspects.into_iter().zip(sealed).filter(|(_, sealed)| *sealed).map(|(s, _)| s.footing).collect()
+}
+
+/// The shapes of all surfaces of a scene, without their footings.
+pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
+    let mut shapes: Vec<Arc<dyn Surface>> = scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect();
+    for Footing { surface, region, .. } in footings(scene) {
+        let hole = vec![region.outer().to_vec()];
+        let cut = Trimmed::new(Box::new(Arc::clone(&shapes[surface])), hole);
+        // A footing stays if it does not fit beside the holes, or if it is the last uncovered part.
+        if let Some(cut) = cut.ok().filter(|cut| cut.area() > LEAST * region.area()) {
+            shapes[surface] = Arc::new(cut);
+        }
+    }
+    shapes
+}
+
+/// The faces, smaller by 1e-6 than the whole (as `LEAST`), that lines of contact cut off from a planar surface.
+fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspect> {
+    heed();
+    let Some(region) = scene.surfaces[surface].shape.region() else { return Vec::new() };
+    let lines = lines::on(scene, obstacles, surface, region);
+    if lines.is_empty() {
+        return Vec::new();
+    }
+    let tolerance = touching(region.extent(), 0.0);
+    let ends: Vec<[DVec3; 2]> = lines.iter().map(|line| line.ends).collect();
+    let drawn = Segments::new([lines::outline(region), ends.clone()].concat());
+    let loops = faces::faces(&drawn, &|x| region.to_plane(x), tolerance);
+    let contacts = Segments::new(ends);
+    let regions = loops.into_iter().filter_map(|ring| PlanarRegion::new(ring, Vec::new()).ok());
+    let proper = regions.filter(|face| face.area() < (1.0 - 1e-6) * region.area());
+    let suspect = |face: PlanarRegion| {
+        let standing = lines::around(&lines, &contacts, &face);
+        Suspect::new(Footing { surface, region: face, standing }, region)
+    };
+    let mut found: Vec<Suspect> = proper.map(suspect).collect();
+    seal::keep_apart(&mut found);
+    found
+}

@@ -1,0 +1,126 @@
+//! Fronts that face the wrong way.
+
+use std::collections::HashSet;
+
+use radiosity_geom::{Aabb, Bvh, DVec3};
+use radiosity_scene::Camera;
+use rayon::prelude::*;
+
+use crate::inspection::{
+    enclosure::Enclosure,
+    sheet::{Sheet, Sheets},
+    shell::{Fronts, Group, Shell},
+    warning::Warning,
+};
+
+/// Least sine of the angles at which one front sees another. Chosen; not tuned.
+const GRAZING: f64 = 1e-6;
+
+/// Fronts that disagree with their neighbours'.
+pub(super) fn turned(sheets: &Sheets, groups: &[Group]) -> Vec<Warning> {
+    let warning = |(own, other): &(usize, usize)| {
+        let [own, other] = [own, other].map(|k| &sheets.list[*k].name);
+        let message = format!(
+            "turns its front to the other side than {other:?}, which it meets along a border: flip = true turns it over"
+        );
+        Warning::about("front-turned", own, message)
+    };
+    groups.iter().flat_map(|group| &group.turned).map(warning).collect()
+}
+
+/// Solids whose fronts face in, and rooms whose fronts face out.
+pub(super) fn inside_out(sheets: &Sheets, shells: &[Shell], camera: Option<&Camera>) -> Vec<Warning> {
+    let warning = |shell: &Shell| {
+        let first = &sheets.list[shell.sheets[0]].name;
+        let stands_alone = shell.sheets.len() == sheets.list.len();
+        let emits = || shell.sheets.iter().any(|k| sheets.list[*k].emits);
+        match shell.fronts {
+            Fronts::Outside if holds_something(sheets, shell, camera) => Some(Warning::about(
+                "front-outside",
+                first,
+                format!(
+                    "{}, faces away from what is in it: flip = true turns a surface over",
+                    part_of(shell)
+                ),
+            )),
+            Fronts::Inside if !stands_alone && !emits() && !holds_something(sheets, shell, camera) => {
+                Some(Warning::about(
+                    "front-inside",
+                    first,
+                    format!(
+                        "{}, faces into a closed space with no light in it: flip = true turns a surface over",
+                        part_of(shell)
+                    ),
+                ))
+            }
+            _ => None,
+        }
+    };
+    shells.par_iter().filter_map(warning).collect()
+}
+
+/// Whether the camera or another sheet is inside a shell.
+fn holds_something(sheets: &Sheets, shell: &Shell, camera: Option<&Camera>) -> bool {
+    let enclosure = Enclosure::new(sheets, shell);
+    let is_inside = |k: usize| {
+        shell.sheets.binary_search(&k).is_err() && enclosure.contains(sheets.list[k].samples()[0].0)
+    };
+    camera.is_some_and(|camera| enclosure.contains(camera.eye))
+        || sheets.around(&enclosure.bounds).any(is_inside)
+}
+
+fn part_of(shell: &Shell) -> String {
+    match shell.sheets.len() {
+        1 => "closed in itself".to_owned(),
+        count => format!("with {} others a closed surface", count - 1),
+    }
+}
+
+/// Fronts that face no other front, according to sampled points; blockers are not considered, and what is
+/// `lying` on another surface faces that one.
+pub(super) fn blind(sheets: &Sheets, lying: &HashSet<&str>) -> Vec<Warning> {
+    let samples: Vec<_> = sheets.list.iter().map(Sheet::samples).collect();
+    let is_flat: Vec<bool> = sheets.list.iter().map(|sheet| sheet.shape.region().is_some()).collect();
+    // If the other lies wholly behind this plane, no pair of points has to be tested.
+    let reaches = |own: usize, bounds: &Aabb| {
+        !is_flat[own] || lies_before(&samples[own][0], sheets.list[own].extent, bounds)
+    };
+    let sees = |own: usize, other: usize| {
+        let behind = sheets.list[other].two_sided;
+        reaches(own, &sheets.list[other].bounds)
+            && (behind || reaches(other, &sheets.list[own].bounds))
+            && samples[own].iter().any(|x| samples[other].iter().any(|y| faces(x, y, behind)))
+    };
+    let tree = Bvh::build(&sheets.list.iter().map(|sheet| sheet.bounds).collect::<Vec<_>>());
+    let is_blind = |own: usize| {
+        !sheets.list[own].two_sided
+            && !tree.search(|bounds| reaches(own, bounds)).any(|other| sees(own, other))
+    };
+    if sheets.list.len() < 2 {
+        return Vec::new();
+    }
+    let blind: Vec<usize> = (0..sheets.list.len()).into_par_iter().filter(|own| is_blind(*own)).collect();
+    let message = "faces no other front, it neither lights nor is lit: flip = true turns it over";
+    let names = blind.into_iter().map(|own| &sheets.list[own].name);
+    names
+        .filter(|name| !lying.contains(name.as_str()))
+        .map(|name| Warning::about("front-blind", name, message.to_owned()))
+        .collect()
+}
+
+/// Whether a point of a box may be seen, at a sine of at least `GRAZING`, from a planar sheet of this `extent` that
+/// passes through the point x with the normal n.
+fn lies_before((x, n): &(DVec3, DVec3), extent: f64, bounds: &Aabb) -> bool {
+    let half = 0.5 * (bounds.max - bounds.min);
+    let height = (bounds.center() - *x).dot(*n) + half.dot(n.abs());
+    height > GRAZING * (bounds.distance_squared(*x).sqrt() - extent).max(0.0)
+}
+
+/// Whether the fronts at two points face each other, with a sine of at least `GRAZING`; the second's back counts too
+/// if it is `two_sided`.
+fn faces((x, n): &(DVec3, DVec3), (y, m): &(DVec3, DVec3), two_sided: bool) -> bool {
+    let d = *y - *x;
+    let (out, into) = (d.dot(*n), -d.dot(*m));
+    let least = GRAZING * d.length();
+    out > least && (into > least || two_sided && -into > least)
+}

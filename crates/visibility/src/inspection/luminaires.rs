@@ -1,0 +1,132 @@
+//! Luminaires whose light reaches no front, what is odd about their tables, and how far points err that are as large as their tables say.
+
+use std::f64::consts::PI;
+
+use radiosity_geom::{DVec3, Encounter, Ray};
+use radiosity_scene::{Distribution, Extent, Luminaire, Scene};
+use serde::Serialize;
+
+use crate::inspection::warning::Warning;
+use crate::{OWN_END, Shadows, Visibility};
+
+/// Rays that look for a front that a luminaire lights. Chosen.
+const RAYS: u32 = 256;
+
+/// Units of illuminance, in which the light of tables comes out.
+const ILLUMINANCE: [&str; 4] = ["lx", "lux", "lm/m²", "lm/m^2"];
+
+/// Times the size of an opening from which on its light is that of a point, to 1 %: the five-times rule of photometry.
+const FIVE_TIMES: f64 = 5.0;
+
+/// A luminaire that shines as a point, yet nearer to a surface than five times the size of the opening that its file states.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NearPoint {
+    /// Its name.
+    pub luminaire: String,
+    /// The nearest surface that it lights.
+    pub surface: String,
+    /// How far away that is, about (scene length).
+    pub distance: f64,
+    /// Largest width w of the opening, m.
+    pub width: f64,
+    /// About the largest error of the light there, as a part of it: w²/(2 r)² at the distance r, as on the axis of a disk.
+    pub error: f64,
+}
+
+/// The luminaires of a scene that err as points.
+pub(super) fn near_points(scene: &Scene) -> Vec<NearPoint> {
+    let width = |own: &Luminaire| match &own.distribution {
+        Distribution::Table(table) if own.extent == Extent::Point => {
+            let whole = DVec3::from(table.opening.extent);
+            Extent::of_opening(&table.opening).map_or(whole.length(), |flat| flat.width().max(whole.z))
+        }
+        _ => 0.0,
+    };
+    let large: Vec<&Luminaire> = scene.luminaires.iter().filter(|own| width(own) > 0.0).collect();
+    if large.is_empty() {
+        return Vec::new();
+    }
+    let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
+    let near = |own: &Luminaire| {
+        let fronts = lit(own, &visibility).filter(|met| met.front);
+        let nearest = fronts.min_by(|a, b| a.hit.t.total_cmp(&b.hit.t))?;
+        let (width, distance) = (width(own), nearest.hit.t);
+        (distance < FIVE_TIMES * width).then(|| NearPoint {
+            luminaire: own.name.clone(),
+            surface: scene.surfaces[nearest.surface].name.clone(),
+            distance,
+            width,
+            error: (0.5 * width / distance).powi(2),
+        })
+    };
+    large.into_iter().filter_map(near).collect()
+}
+
+/// What is odd about the luminaires of a scene.
+pub(super) fn odd(scene: &Scene) -> Vec<Warning> {
+    if scene.luminaires.is_empty() {
+        return Vec::new();
+    }
+    let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
+    let of_each = scene.luminaires.iter().flat_map(|own| {
+        let dark = (own.emits() && !lights_a_front(own, &visibility)).then(|| {
+            let message = "lights no front of a surface: it is within a body, behind a wall or outside the room; move it, \
+                           or turn it";
+            Warning::of_luminaire("unlit", &own.name, message)
+        });
+        dark.into_iter().chain(remarks(own))
+    });
+    of_each.chain(unit(scene)).collect()
+}
+
+/// Whether a ray of its light meets a front, beyond the surface that it may be mounted on.
+fn lights_a_front(own: &Luminaire, visibility: &Visibility) -> bool {
+    lit(own, visibility).any(|met| met.front)
+}
+
+/// What rays of its light meet first, beyond the surface that it may be mounted on.
+fn lit(own: &Luminaire, visibility: &Visibility) -> impl Iterator<Item = Encounter> {
+    let around = (0..RAYS).map(direction);
+    let lit = [own.aim].into_iter().chain(around).filter(|direction| own.relative(*direction) > 0.0);
+    let start = OWN_END * visibility.bounds().diagonal();
+    lit.filter_map(move |direction: DVec3| {
+        let ray = Ray { range: [start, f64::INFINITY], ..Ray::new(own.position, direction) };
+        visibility.nearest(&ray)
+    })
+}
+
+/// One of [`RAYS`] directions around, evenly spread: a spiral that turns by the golden angle from one to the next.
+fn direction(index: u32) -> DVec3 {
+    let z = 1.0 - (2 * index + 1) as f64 / f64::from(RAYS);
+    let (sin, cos) = (f64::from(index) * PI * (3.0 - 5.0_f64.sqrt())).sin_cos();
+    let across = (1.0 - z * z).sqrt();
+    DVec3::new(across * cos, across * sin, z)
+}
+
+/// What its table says of itself, and of an extent that leaves out the height of its opening.
+fn remarks(own: &Luminaire) -> Vec<Warning> {
+    let Distribution::Table(table) = &own.distribution else { return Vec::new() };
+    let remark =
+        |text: &str| Warning::of_luminaire("photometry", &own.name, &format!("has an odd table: {text}"));
+    let height = table.opening.extent[2];
+    let flat = (height > 0.0 && own.extent != Extent::Point).then(|| {
+        let message = format!(
+            "shines across its aim alone, yet its file states an opening {height} m high: near its sides light is not that of its sides"
+        );
+        Warning::of_luminaire("extent", &own.name, &message)
+    });
+    table.notes.iter().map(|note| remark(&note.text)).chain(flat).collect()
+}
+
+/// A unit that is not that of tables.
+fn unit(scene: &Scene) -> Option<Warning> {
+    let is_table = |own: &&Luminaire| matches!(own.distribution, Distribution::Table(_));
+    let first = scene.luminaires.iter().find(is_table)?;
+    let is_lux = ILLUMINANCE.contains(&scene.unit.as_str());
+    let message = format!(
+        "has a table in candela, from which illuminance comes out in lx where lengths are in metres, yet the unit of the \
+         scene is {}: state unit = \"lx\"",
+        scene.unit
+    );
+    (!is_lux).then(|| Warning::of_luminaire("unit", &first.name, &message))
+}

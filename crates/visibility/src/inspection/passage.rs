@@ -1,0 +1,130 @@
+//! Surfaces that pass through others in some frame of a scene in which something moves.
+//!
+//! Some of the frames are looked at, spread evenly from the first to the last. What is moved along one path stays as it is at rest to
+//! each other; of all other pairs those are tested whose boxes overlap.
+
+use std::collections::BTreeMap;
+
+use radiosity_geom::{Adjacency, Patch};
+use radiosity_scene::{Scene, SceneError};
+use rayon::prelude::*;
+
+use crate::inspection::{
+    sheet::{Sheet, Sheets},
+    warning::Warning,
+};
+
+/// Most frames that are looked at. Chosen; not tuned.
+const LOOKED_AT: usize = 50;
+
+/// A surface that passes through another one, or lies in it, in some frames.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Passage {
+    /// The name of a surface that has moved.
+    pub surface: String,
+    /// The name of the other one; none where the frame itself is refused.
+    pub other: Option<String>,
+    /// The frames that were looked at in which it does, ascending.
+    pub frames: Vec<usize>,
+    /// Why the frame is refused.
+    refusal: Option<String>,
+}
+
+impl Passage {
+    /// What looks wrong, in words.
+    pub(super) fn warning(&self) -> Warning {
+        let [first, last] =
+            [self.frames.first(), self.frames.last()].map(|frame| frame.copied().unwrap_or_default());
+        let when = if first == last { format!("frame {first}") } else { format!("frames {first} to {last}") };
+        match (&self.other, &self.refusal) {
+            (Some(other), _) => {
+                let message = format!("passes through {other:?} in {when}: lead its path past that");
+                Warning::about("passage", &self.surface, message)
+            }
+            (None, refusal) => {
+                let why = refusal.as_deref().unwrap_or_default();
+                Warning::about("passage", &self.surface, format!("cannot be shown in {when}: {why}"))
+            }
+        }
+    }
+}
+
+/// The frames that are looked at.
+fn looked_at(frames: usize) -> Vec<usize> {
+    let count = frames.min(LOOKED_AT);
+    let mut all: Vec<usize> = (0..count).map(|k| k * (frames - 1) / (count - 1).max(1)).collect();
+    all.dedup();
+    all
+}
+
+/// All passages, in the order of the surfaces; `rest` are the sheets at rest.
+pub(super) fn passages(scene: &Scene, rest: &Sheets) -> Vec<Passage> {
+    let frames = if scene.frames() == 0 { Vec::new() } else { looked_at(scene.frames()) };
+    let found: Vec<Vec<Pair>> = frames.par_iter().map(|frame| in_frame(scene, rest, *frame)).collect();
+    let mut by_pair: BTreeMap<Pair, Vec<usize>> = BTreeMap::new();
+    for (frame, pairs) in frames.iter().zip(found) {
+        pairs.into_iter().for_each(|pair| by_pair.entry(pair).or_default().push(*frame));
+    }
+    let passage = |(pair, frames): (Pair, Vec<usize>)| Passage {
+        surface: pair.surface,
+        other: pair.other,
+        frames,
+        refusal: pair.refusal,
+    };
+    by_pair.into_iter().map(passage).collect()
+}
+
+/// A surface that passes through another one.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Pair {
+    index: usize,
+    surface: String,
+    other: Option<String>,
+    refusal: Option<String>,
+}
+
+impl Pair {
+    /// A frame that is refused, by the surface that is to blame.
+    fn refused(error: &SceneError) -> Self {
+        let name = error.owner.as_deref().and_then(|owner| owner.split('"').nth(1)).unwrap_or_default();
+        let cure = error.cure().map(|cure| format!("; {cure}")).unwrap_or_default();
+        Self {
+            index: usize::MAX,
+            surface: name.to_owned(),
+            other: None,
+            refusal: Some(format!("{}{cure}", error.fault)),
+        }
+    }
+}
+
+/// The surfaces that pass through others in a frame, which do not at rest.
+fn in_frame(scene: &Scene, rest: &Sheets, frame: usize) -> Vec<Pair> {
+    let Ok(movers) = scene.movers_at(frame) else { return Vec::new() };
+    let still = match scene.at_frame(frame) {
+        Ok(still) => still,
+        Err(error) => return vec![Pair::refused(&error)],
+    };
+    let is_moved = |sheet: &&Sheet| movers[sheet.surface].is_some();
+    let moved: Vec<Sheet> = rest.list.iter().filter(is_moved).map(|sheet| sheet.as_in(&still)).collect();
+    let mut pairs = Vec::new();
+    for own in &moved {
+        let near = rest.around(&own.bounds).map(|other| &rest.list[other]);
+        let standing = near.filter(|other| movers[other.surface].is_none());
+        let moving = moved.iter().filter(|other| {
+            let is_later = other.surface > own.surface;
+            is_later && movers[other.surface] != movers[own.surface] && other.bounds.overlaps(&own.bounds)
+        });
+        let crossed = standing.chain(moving).filter(|other| crosses(&own.patch(), &other.patch()));
+        pairs.extend(crossed.map(|other| Pair {
+            index: own.surface,
+            surface: own.name.clone(),
+            other: Some(other.name.clone()),
+            refusal: None,
+        }));
+    }
+    pairs
+}
+
+fn crosses(own: &Patch<'_>, other: &Patch<'_>) -> bool {
+    matches!(Adjacency::of(own, other), Some(Adjacency::Crossing { .. }))
+}

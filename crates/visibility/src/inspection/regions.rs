@@ -1,0 +1,162 @@
+//! Regions: the parts into which closed surfaces cut space.
+//!
+//! A shell has a side within and a side without. Two sides bound one region where the same shells lie around both: around
+//! the side within a shell lie those around the shell, and itself. A region is closed if some shell lies around it and
+//! all its sides are fronts: what leaves a front in it reaches fronts, all of it.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use radiosity_scene::Scene;
+
+use crate::inspection::{
+    enclosure::Enclosure,
+    rim,
+    sheet::{Sheets, backs},
+    shell,
+    shell::{Fronts, Shell},
+};
+
+/// The regions that the surfaces of a scene bound with their fronts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Regions {
+    /// The region of each surface.
+    of: Vec<usize>,
+    /// Whether each region is closed.
+    closed: Vec<bool>,
+}
+
+/// The two sides of a shell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    Within,
+    Without,
+}
+
+/// A region that is being found.
+struct Region {
+    index: usize,
+    has_backs: bool,
+}
+
+impl Regions {
+    /// The regions of `scene`; None if some surface is no part of a closed surface whose fronts are all on one side. A surface of two sides
+    /// has to be closed in itself.
+    pub fn of(scene: &Scene) -> Option<Self> {
+        let sheets = Sheets::of(scene);
+        let groups = shell::groups(&sheets, &rim::rims(&sheets));
+        let shells: Vec<Shell> =
+            groups.iter().map(|group| shell::shell(&sheets, group)).collect::<Option<_>>()?;
+        let is_mixed = |shell: &Shell| {
+            let has_two_sided = shell.sheets.iter().any(|sheet| sheets.list[*sheet].two_sided);
+            shell.fronts == Fronts::Mixed || (has_two_sided && shell.sheets.len() > 1)
+        };
+        if shells.iter().any(is_mixed) {
+            return None;
+        }
+        let backs = backs(&scene.surfaces);
+        let mut found: BTreeMap<BTreeSet<usize>, Region> = BTreeMap::new();
+        let mut of = vec![0; scene.surfaces.len()];
+        for (own, around) in around(&sheets, &shells).into_iter().enumerate() {
+            let front = if shells[own].fronts == Fronts::Inside { Side::Within } else { Side::Without };
+            for side in [Side::Within, Side::Without] {
+                let mut key = around.clone();
+                key.extend((side == Side::Within).then_some(own));
+                let index = found.len();
+                let region = found.entry(key).or_insert(Region { index, has_backs: false });
+                let fronts = shells[own].surfaces.iter();
+                let shown: Vec<usize> = match side == front {
+                    true => fronts.copied().collect(),
+                    false => fronts.filter_map(|front| backs.get(front).copied()).collect(),
+                };
+                region.has_backs |= shown.is_empty();
+                shown.into_iter().for_each(|surface| of[surface] = region.index);
+            }
+        }
+        let mut closed = vec![false; found.len()];
+        for (around, region) in &found {
+            closed[region.index] = !around.is_empty() && !region.has_backs;
+        }
+        Some(Self { of, closed })
+    }
+
+    /// Whether all that leaves the front of a surface reaches fronts.
+    pub fn is_closed(&self, surface: usize) -> bool {
+        self.closed[self.of[surface]]
+    }
+
+    /// Whether the fronts of two surfaces lie in one region, so that they may see each other.
+    pub fn are_together(&self, surfaces: [usize; 2]) -> bool {
+        self.of[surfaces[0]] == self.of[surfaces[1]]
+    }
+}
+
+/// For each shell those that lie around it.
+fn around(sheets: &Sheets, shells: &[Shell]) -> Vec<BTreeSet<usize>> {
+    let enclosures: Vec<Enclosure<'_>> = shells.iter().map(|shell| Enclosure::new(sheets, shell)).collect();
+    let of = |own: usize| {
+        let point = sheets.list[shells[own].sheets[0]].samples()[0].0;
+        let others = enclosures.iter().enumerate().filter(|(other, _)| *other != own);
+        others.filter(|(_, enclosure)| enclosure.contains(point)).map(|(other, _)| other).collect()
+    };
+    (0..shells.len()).map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The regions of these surfaces, without materials.
+    fn regions(surfaces: &[&str]) -> Option<Regions> {
+        let list: Vec<String> = surfaces.iter().map(|own| format!("[[surfaces]]\n{own}\n")).collect();
+        Regions::of(&radiosity_language::from_toml(&list.concat(), "regions.toml").expect("a scene"))
+    }
+
+    fn ball(center: [f64; 3], radius: f64) -> String {
+        format!("sphere = {{ center = {center:?}, radius = {radius} }}\n")
+    }
+
+    const ROOM: &str = "box = { origin = [0, 0, 0], size = [4, 4, 4], inward = true }";
+
+    #[test]
+    fn a_room_is_closed_and_so_is_what_is_between_it_and_a_body_in_it() {
+        let body = ball([2.0, 2.0, 2.0], 1.0);
+        let found = regions(&[ROOM, &body]).expect("all is closed");
+        assert!((0..7).all(|surface| found.is_closed(surface) && found.are_together([0, surface])));
+    }
+
+    #[test]
+    fn outside_a_body_nothing_is_closed() {
+        let found = regions(&[&ball([0.0; 3], 1.0)]).expect("all is closed");
+        assert!(!found.is_closed(0));
+    }
+
+    #[test]
+    fn a_shield_parts_what_is_within_from_what_is_without() {
+        let shield = format!("two_sided = true\n{}", ball([2.0, 2.0, 2.0], 1.5));
+        let found = regions(&[ROOM, &ball([2.0, 2.0, 2.0], 1.0), &shield]).expect("all is closed");
+        assert!((0..9).all(|surface| found.is_closed(surface)));
+        // The walls with the front of the shield, the body with its back.
+        assert!(found.are_together([0, 7]) && found.are_together([6, 8]) && !found.are_together([7, 8]));
+    }
+
+    #[test]
+    fn a_body_that_shows_its_back_closes_nothing() {
+        let turned = format!("flip = true\n{}", ball([2.0, 2.0, 2.0], 1.0));
+        let found = regions(&[ROOM, &turned]).expect("all is closed");
+        assert!(!found.is_closed(0) && found.is_closed(6));
+    }
+
+    #[test]
+    fn two_rooms_are_closed_each_by_itself() {
+        let other = "box = { origin = [9, 0, 0], size = [4, 4, 4], inward = true }";
+        let found = regions(&[ROOM, other]).expect("all is closed");
+        assert!((0..12).all(|surface| found.is_closed(surface)) && !found.are_together([0, 6]));
+    }
+
+    #[test]
+    fn open_boxes_and_lone_plates_have_no_regions() {
+        let open = "box = { origin = [0, 0, 0], size = [4, 4, 4], inward = true, open = [\"top\"] }";
+        assert!(regions(&[open]).is_none());
+        assert!(regions(&[ROOM, "disk = { center = [2, 2, 2], normal = [0, 0, 1], radius = 1 }"]).is_none());
+    }
+}

@@ -1,0 +1,362 @@
+//! Visibility: which surfaces may stand between two patches, and whether a segment is free.
+//!
+//! A surface that certainly misses the convex hull of two patches (the *shaft*) hides nothing; the remaining surfaces
+//! are the candidate blockers of the pair, usually few or none. Without candidates the pair is fully visible and no ray
+//! is cast. Where one flat convex blocker meets all segments between the corners of the two hulls it meets every
+//! segment, and the pair is fully hidden. Otherwise segments are tested against the candidates alone.
+
+pub mod blocker_edges;
+pub mod bounding_ball;
+pub mod shadow_volume;
+mod cloud;
+mod convex_bodies;
+pub mod silhouette_mesh;
+mod mode;
+mod obstacle;
+mod rays;
+mod whole;
+pub mod footings;
+pub mod covers;
+pub mod inspection;
+
+use std::cmp::Ordering;
+use std::sync::Arc;
+
+use radiosity_geom::{Aabb, Bvh, DVec3, Jet, Ray, RayTree, Rect, Surface, separated, touching};
+use radiosity_scene::Scene;
+use radiosity_work::interruption::heed;
+
+use bounding_ball::Ball;
+use cloud::Cloud;
+use convex_bodies::{Bodies, Face};
+pub use mode::{Hiding, Shadows};
+use obstacle::{Bend, Obstacle};
+
+pub use obstacle::END;
+use silhouette_mesh::SilhouetteMesh;
+
+/// As `END`, for a blocker that the end lies on. Chosen; not tuned.
+pub const OWN_END: f64 = 1e-6;
+
+/// The surfaces of a scene as obstacles.
+#[derive(Debug)]
+pub struct Visibility {
+    obstacles: Vec<Obstacle>,
+    /// Bounding boxes of the surfaces.
+    boxes: Vec<Aabb>,
+    /// Hierarchy of all surfaces.
+    tree: Bvh,
+    /// Of all surfaces, for what rays meet first.
+    rays: RayTree,
+    /// The surfaces that can stand between two others, ascending.
+    standing: Vec<usize>,
+    /// Hierarchy of the standing surfaces.
+    standing_tree: Bvh,
+    bodies: Bodies,
+    /// Rank of each surface by the coordinates of its hull.
+    places: Vec<usize>,
+    shadows: Shadows,
+}
+
+impl Visibility {
+    /// The obstacles of `scene`.
+    pub fn new(scene: &Scene, shadows: Shadows) -> Self {
+        let obstacle = |shape: &Arc<dyn Surface>| {
+            heed();
+            Obstacle::new(shape)
+        };
+        let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| obstacle(&s.shape)).collect();
+        let boxes: Vec<Aabb> = scene.surfaces.iter().map(|s| s.shape.bounds(&Rect::FULL)).collect();
+        let cloud = Cloud::new(obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect());
+        let standing = standing(&obstacles, &cloud, &boxes, shadows);
+        let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
+        let standing_tree = Bvh::build(&standing_boxes);
+        let tree = Bvh::build(&boxes);
+        let rays = RayTree::new(scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect());
+        let bodies = bodies(&obstacles, &cloud);
+        let places = places(&obstacles);
+        Self { obstacles, boxes, tree, rays, standing, standing_tree, bodies, places, shadows }
+    }
+
+    /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`, and
+    /// without faces of a convex body that one of them belongs to.
+    pub fn candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2]) -> Vec<usize> {
+        self.some_candidates(a, b, surfaces, usize::MAX)
+    }
+
+    /// The same, so many of them at the most.
+    pub fn some_candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2], most: usize) -> Vec<usize> {
+        heed();
+        let mut found = Vec::new();
+        if self.shadows == Shadows::Off || self.standing.is_empty() {
+            return found;
+        }
+        let bounds = a.iter().chain(b).fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point));
+        self.standing_tree.overlapping(&bounds, |place| {
+            let index = self.standing[place];
+            if !surfaces.iter().any(|surface| *surface == index || self.are_of_one_body(index, *surface)) {
+                found.push(index);
+            }
+        });
+        found.sort_unstable();
+        self.reaching_between(&found, |index| self.own_hull(index), [a, b], most)
+    }
+
+    /// `surfaces` sorted by their coordinates, so that the order does not depend on the scene's list.
+    pub fn by_place(&self, surfaces: &[usize]) -> Vec<usize> {
+        let mut sorted = surfaces.to_vec();
+        sorted.sort_by_key(|surface| self.places[*surface]);
+        sorted
+    }
+
+    /// Which of the two surfaces may themselves hide a part of the first, in the hull `a`, from a part of the second,
+    /// in `b`: surfaces that bend both ways, and the inside of a bowl if the other patch reaches out of the bowl.
+    pub fn hiding_themselves(&self, surfaces: [usize; 2], [a, b]: [&[DVec3]; 2]) -> Vec<usize> {
+        if self.shadows == Shadows::Off {
+            return Vec::new();
+        }
+        let [first, second] = surfaces;
+        let may_hide = |surface: usize, others: &[DVec3]| {
+            let Obstacle { bend, looks, ball, .. } = &self.obstacles[surface];
+            let is_outside = |y: &DVec3| looks.iter().any(|(x, n)| (y - x).dot(*n) < -END * ball.radius());
+            match bend {
+                Bend::Outward => false,
+                Bend::Inward => first != second && others.iter().any(is_outside),
+                Bend::Mixed => true,
+            }
+        };
+        let mut found: Vec<usize> = Vec::new();
+        found.extend(may_hide(first, b).then_some(first));
+        found.extend((second != first && may_hide(second, a)).then_some(second));
+        found.sort_unstable();
+        found
+    }
+
+    /// The `blockers` that may stand between the hulls of `a` and `b`.
+    pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
+        self.reaching_between(blockers, |index| self.own_hull(index), [a, b], usize::MAX)
+    }
+
+    /// A ball around a surface, and points whose convex hull contains it.
+    fn own_hull(&self, surface: usize) -> (&Ball, &[DVec3]) {
+        let Obstacle { ball, hull, .. } = &self.obstacles[surface];
+        (ball, hull)
+    }
+
+    /// The first of the `blockers`, `most` at the most, whose `part`, given by a ball and hull points, reaches between two hulls.
+    fn reaching_between<'a>(
+        &'a self,
+        blockers: &[usize],
+        part: impl Fn(usize) -> (&'a Ball, &'a [DVec3]),
+        [a, b]: [&[DVec3]; 2],
+        most: usize,
+    ) -> Vec<usize> {
+        let (Shadows::Rays(tolerance) | Shadows::Outlines(tolerance)) = self.shadows else {
+            return Vec::new();
+        };
+        let size = breadth(a).min(breadth(b));
+        let (around_a, around_b) = (Ball::around(a), Ball::around(b));
+        let reaches = |index: &usize| {
+            let (ball, hull) = part(*index);
+            // A plate flush before a surface reaches into the shaft by little, but hides much.
+            let tolerance = if self.obstacles[*index].pieces.is_some() { END } else { tolerance };
+            !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
+        };
+        blockers.iter().copied().filter(reaches).take(most).collect()
+    }
+
+    /// Whether a single one of `blockers` hides the hulls of `a` and `b` wholly from each other.
+    pub fn hidden(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> bool {
+        blockers.iter().any(|index| {
+            let obstacle = &self.obstacles[*index];
+            obstacle.is_convex()
+                && a.iter().all(|x| b.iter().all(|y| obstacle.shape.occludes(&segment(*x, *y))))
+        })
+    }
+
+    /// Whether the open segment from `x` to `y` misses all of `blockers`.
+    pub fn free(&self, blockers: &[usize], x: DVec3, y: DVec3) -> bool {
+        let ray = segment(x, y);
+        !blockers.iter().any(|index| {
+            let Obstacle { ball, shape, .. } = &self.obstacles[*index];
+            !ball.misses(x, y) && shape.occludes(&ray)
+        })
+    }
+
+    /// As [`Visibility::free`], where the ends lie on the two surfaces `own`, which may be blockers too.
+    pub fn free_between(&self, own: [usize; 2], blockers: &[usize], x: DVec3, y: DVec3) -> bool {
+        !blockers.iter().any(|index| {
+            let margin = if own.contains(index) { OWN_END } else { END };
+            self.blocks(*index, x, y, margin)
+        })
+    }
+
+    /// The surfaces that reach into the box `bounds` and may stand between points of two surfaces, ascending; with
+    /// `open` also those that may stand before a point anywhere. A convex body's first face represents it. Empty
+    /// without shadows.
+    pub fn reaching_into(&self, bounds: &Aabb, open: bool) -> Vec<usize> {
+        let mut found = Vec::new();
+        match (self.shadows, open) {
+            (Shadows::Off, _) => {}
+            (_, true) => self.tree.overlapping(bounds, |index| found.push(index)),
+            (_, false) => self.standing_tree.overlapping(bounds, |place| found.push(self.standing[place])),
+        }
+        found.iter_mut().for_each(|surface| *surface = self.faces(surface)[0]);
+        found.sort_unstable();
+        found.dedup();
+        found
+    }
+
+    /// The surfaces whose boxes overlap `bounds`, ascending.
+    pub fn near(&self, bounds: &Aabb) -> Vec<usize> {
+        let mut found = Vec::new();
+        self.tree.overlapping(bounds, |index| found.push(index));
+        found.sort_unstable();
+        found
+    }
+
+    /// Bounding box of all surfaces.
+    pub fn bounds(&self) -> Aabb {
+        self.boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other))
+    }
+
+    /// Whether one place of a surface may hide another one from some point. False if the surface lies behind all its
+    /// tangent planes, like the outside of a ball, or if its normals are nearly parallel.
+    pub fn hides_itself(&self, surface: usize) -> bool {
+        self.obstacles[surface].bend != Bend::Outward
+    }
+
+    /// Whether the points of a surface all see each other: it lies in front of all its tangent planes.
+    pub fn is_hollow(&self, surface: usize) -> bool {
+        self.obstacles[surface].bend == Bend::Inward
+    }
+
+    /// Whether `surface` meets the segment from `x` to `y`, without the part `margin` of its length at either end.
+    pub fn blocks(&self, surface: usize, x: DVec3, y: DVec3, margin: f64) -> bool {
+        let Obstacle { ball, shape, .. } = &self.obstacles[surface];
+        let ray = Ray { origin: x, direction: y - x, range: [margin, 1.0 - margin] };
+        !ball.misses(x, y) && shape.occludes(&ray)
+    }
+
+    /// Centre and radius of the single blocker, if it is a whole ball.
+    pub fn only_ball(&self, blockers: &[usize]) -> Option<(DVec3, f64)> {
+        let [only] = blockers else { return None };
+        self.obstacles[*only].shape.ball()
+    }
+
+    /// Whether shadows of `blockers` are computed from outlines: all are planar, and the mode allows it.
+    pub fn has_outlines(&self, blockers: &[usize]) -> bool {
+        matches!(self.shadows, Shadows::Outlines(_)) && self.are_planar(blockers)
+    }
+
+    /// Whether surfaces hide each other at all.
+    pub fn casts(&self) -> bool {
+        self.shadows != Shadows::Off
+    }
+
+    /// Whether all of these surfaces are planar.
+    pub fn are_planar(&self, surfaces: &[usize]) -> bool {
+        surfaces.iter().all(|index| self.obstacles[*index].pieces.is_some())
+    }
+
+    /// Centre and radius of the ball whose whole inside the surface is, if it is one.
+    pub fn whole_dome(&self, surface: usize) -> Option<(DVec3, f64)> {
+        if self.is_hollow(surface) { self.obstacles[surface].shape.ball() } else { None }
+    }
+
+    /// Convex polygons that make up a planar surface; None for curved ones.
+    pub fn pieces(&self, surface: usize) -> Option<&[Vec<DVec3>]> {
+        self.obstacles[surface].pieces.as_deref()
+    }
+
+    /// Silhouette mesh of a surface, made when first needed.
+    pub fn net(&self, surface: usize) -> &SilhouetteMesh {
+        let Obstacle { shape, net, .. } = &self.obstacles[surface];
+        net.get_or_init(|| SilhouetteMesh::new(shape))
+    }
+
+    /// Whether any surface may stand between any two others.
+    pub fn any_shadow(&self) -> bool {
+        let n = self.obstacles.len();
+        let pair = |i: usize, j: usize| (&self.obstacles[i].hull, &self.obstacles[j].hull);
+        (0..n).any(|i| {
+            (0..i).any(|j| {
+                let (a, b) = pair(i, j);
+                !self.candidates(a, b, [i, j]).is_empty()
+            })
+        })
+    }
+
+    /// Whether some surface is bent and not hollow: its points may see something only partly above their horizon.
+    pub fn any_horizon(&self) -> bool {
+        self.obstacles.iter().any(|obstacle| obstacle.bend != Bend::Inward && obstacle.is_bent())
+    }
+
+    /// Whether a surface can stand between two others.
+    pub fn stands(&self, surface: usize) -> bool {
+        self.standing.binary_search(&surface).is_ok()
+    }
+
+    /// Whether the planes of the surfaces allow any of them to stand between two others.
+    pub fn has_obstacles(&self) -> bool {
+        !self.standing.is_empty()
+    }
+}
+
+/// The surfaces that can stand between two others, ascending.
+///
+/// A planar surface with the whole scene on one side of its plane, such as a wall of a convex room, cannot. Nor can a
+/// slightly bent wall whose depth over its diagonal is below the accuracy of the shadows.
+fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], shadows: Shadows) -> Vec<usize> {
+    let tolerance = match shadows {
+        Shadows::Off => 0.0,
+        Shadows::Rays(eps) | Shadows::Outlines(eps) => eps,
+    };
+    let walls_in = |index: &usize| {
+        let Obstacle { shape, hull, .. } = &obstacles[*index];
+        let Jet { position, normal, .. } = shape.jet(0.0, 0.0);
+        let size = boxes[*index].diagonal();
+        let height = |x: &DVec3| (x - position).dot(normal);
+        let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
+        let (low, high) = hull.iter().map(height).fold((f64::MAX, f64::MIN), range);
+        high - low <= touching(size, 0.0).max(tolerance * size)
+            && (cloud.lies_below(-low, [position, -normal], size)
+                || cloud.lies_below(high, [position, normal], size))
+    };
+    (0..obstacles.len()).filter(|index| !walls_in(index)).collect()
+}
+
+/// The convex bodies that surfaces close.
+fn bodies(obstacles: &[Obstacle], cloud: &Cloud) -> Bodies {
+    let faces = obstacles.iter().enumerate().filter_map(|(surface, Obstacle { shape, hull, .. })| {
+        let region = shape.region().filter(|region| region.holes().is_empty())?;
+        Some(Face { surface, outline: &hull[..], normal: region.normal() })
+    });
+    let faces: Vec<Face> = faces.collect();
+    Bodies::new(&faces, obstacles.len(), cloud)
+}
+
+/// Largest distance of the points from the line through the first point and the one farthest from it.
+fn breadth(points: &[DVec3]) -> f64 {
+    let farther = |a: &&DVec3, b: &&DVec3| a.distance(points[0]).total_cmp(&b.distance(points[0]));
+    let Some(far) = points.iter().max_by(farther) else { return 0.0 };
+    let along = (far - points[0]).normalize_or_zero();
+    points.iter().map(|x| (x - points[0]).cross(along).length()).fold(0.0, f64::max)
+}
+
+fn segment(x: DVec3, y: DVec3) -> Ray {
+    Ray { origin: x, direction: y - x, range: [END, 1.0 - END] }
+}
+
+/// Rank of each obstacle by the coordinates of its hull.
+fn places(obstacles: &[Obstacle]) -> Vec<usize> {
+    let coordinates = |index: usize| obstacles[index].hull.iter().flat_map(|point| point.to_array());
+    let mut sorted: Vec<usize> = (0..obstacles.len()).collect();
+    sorted.sort_by(|a, b| {
+        let mut orders = coordinates(*a).zip(coordinates(*b)).map(|(x, y)| x.total_cmp(&y));
+        orders.find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
+    });
+    let mut places = vec![0; obstacles.len()];
+    sorted.into_iter().enumerate().for_each(|(place, index)| places[index] = place);
+    places
+}

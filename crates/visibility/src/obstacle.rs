@@ -1,0 +1,86 @@
+//! A surface as an obstacle, and how it bends relative to its tangent planes.
+
+use std::sync::{Arc, OnceLock};
+
+use radiosity_geom::{DVec3, Jet, Rect, Surface};
+
+use crate::bounding_ball::Ball;
+use crate::silhouette_mesh::SilhouetteMesh;
+
+/// A segment may touch surfaces within this part of its length at both ends. Chosen; not tuned.
+pub const END: f64 = 1e-9;
+
+/// Sample points along each parameter of a curved surface. Chosen; not tuned.
+const LOOKS: usize = 5;
+
+/// A surface whose normals all have at least this cosine (0.8°) to each other counts as flat. Chosen; not tuned.
+const ALIKE: f64 = 0.9999;
+
+/// A surface with its data for visibility tests.
+#[derive(Debug)]
+pub(super) struct Obstacle {
+    pub(super) shape: Arc<dyn Surface>,
+    pub(super) hull: Vec<DVec3>,
+    /// Ball around the hull.
+    pub(super) ball: Ball,
+    /// Convex pieces of a planar obstacle; a single piece can hide a whole pair.
+    pub(super) pieces: Option<Vec<Vec<DVec3>>>,
+    /// How it lies to itself.
+    pub(super) bend: Bend,
+    /// Sampled points and normals of a curved obstacle.
+    pub(super) looks: Vec<(DVec3, DVec3)>,
+    /// Silhouette mesh, made when first needed.
+    pub(super) net: OnceLock<SilhouetteMesh>,
+}
+
+impl Obstacle {
+    pub(super) fn new(shape: &Arc<dyn Surface>) -> Self {
+        let hull = shape.region().map_or_else(|| shape.hull(&Rect::FULL), |region| region.outer().to_vec());
+        let pieces = shape.region().map(|region| region.convex_pieces().to_vec());
+        let jets = if pieces.is_some() { Vec::new() } else { looks(shape.as_ref()) };
+        let bend = Bend::of(&jets);
+        let looks = jets.iter().map(|jet| (jet.position, jet.normal)).collect();
+        let (shape, ball) = (Arc::clone(shape), Ball::around(&hull));
+        Self { shape, ball, hull, pieces, bend, looks, net: OnceLock::new() }
+    }
+
+    /// Whether it is one flat convex piece.
+    pub(super) fn is_convex(&self) -> bool {
+        self.pieces.as_ref().is_some_and(|pieces| pieces.len() == 1)
+    }
+
+    /// Whether its sampled normals differ noticeably.
+    pub(super) fn is_bent(&self) -> bool {
+        self.looks.iter().any(|(_, normal)| normal.dot(self.looks[0].1) < ALIKE)
+    }
+}
+
+/// Jets at a grid of points of a surface.
+fn looks(shape: &dyn Surface) -> Vec<Jet> {
+    let at = |k: usize| 2.0 * k as f64 / (LOOKS - 1) as f64 - 1.0;
+    (0..LOOKS * LOOKS).map(|k| shape.jet(at(k / LOOKS), at(k % LOOKS))).collect()
+}
+
+/// How a surface lies relative to the tangent planes of its points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bend {
+    /// Behind all of them, or nearly flat: it hides nothing of itself.
+    Outward,
+    /// In front of all of them, like the inside of a ball: all its points see each other.
+    Inward,
+    /// Neither.
+    Mixed,
+}
+
+impl Bend {
+    /// Classifies by sampled `jets`; a planar surface has none.
+    fn of(jets: &[Jet]) -> Self {
+        let size = jets.iter().map(|y| y.position.distance(jets[0].position)).fold(0.0, f64::max);
+        let all = |holds: &dyn Fn(&Jet, &Jet) -> bool| jets.iter().all(|x| jets.iter().all(|y| holds(x, y)));
+        let height = |x: &Jet, y: &Jet| (y.position - x.position).dot(x.normal);
+        if all(&|x, y| height(x, y) <= END * size) || all(&|x, y| y.normal.dot(x.normal) >= ALIKE) {
+            return Bend::Outward;
+        }
+        if all(&|x, y| height(x, y) >= -END * size) { Bend::Inward } else { Bend::Mixed }
+    }
+}

@@ -1,0 +1,91 @@
+//! Visibility tests of whole blockers: of surfaces, or of the convex bodies they belong to.
+
+use radiosity_geom::{Aabb, DVec3, separated};
+
+use super::Visibility;
+use crate::blocker_edges::Rim;
+use crate::bounding_ball::Ball;
+use crate::shadow_volume::Pyramid;
+
+impl Visibility {
+    /// The `blockers`, one face per body, that may stand between the hulls of `a` and `b`, bodies as a whole.
+    pub fn narrow_bodies(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
+        self.reaching_between(blockers, |index| (self.ball_of(index), self.hull(index)), [a, b], usize::MAX)
+    }
+
+    /// Bounding box of a surface, or of the convex body it belongs to.
+    pub fn bounds_of(&self, surface: usize) -> Aabb {
+        self.bodies.of(surface).map_or(self.boxes[surface], |body| body.bounds)
+    }
+
+    /// Points whose convex hull contains a surface, or the convex body it belongs to.
+    pub fn hull(&self, surface: usize) -> &[DVec3] {
+        self.bodies.of(surface).map_or(&self.obstacles[surface].hull, |body| &body.hull)
+    }
+
+    /// Whether a surface, or the convex body it belongs to, certainly misses the hull of the point `x` and a ball.
+    pub fn is_apart(&self, surface: usize, x: DVec3, center: DVec3, radius: f64) -> bool {
+        self.ball_of(surface).misses_cone(x, center, radius)
+    }
+
+    /// Whether `blocker`, or its convex body, may reach between the hulls of `a` and `b`, by however little.
+    pub fn reaches(&self, blocker: usize, a: &[DVec3], b: &[DVec3]) -> bool {
+        !self.ball_of(blocker).misses_between(&Ball::around(a), &Ball::around(b))
+            && !separated(a, b, self.hull(blocker), 0.0)
+    }
+
+    /// Ball around a surface, or around the convex body it belongs to.
+    fn ball_of(&self, surface: usize) -> &Ball {
+        self.bodies.of(surface).map_or(&self.obstacles[surface].ball, |body| &body.ball)
+    }
+
+    /// Whether two surfaces belong to one convex body; then neither hides anything from points on the other's front.
+    pub fn are_of_one_body(&self, a: usize, b: usize) -> bool {
+        self.bodies.place(a).is_some_and(|body| self.bodies.place(b) == Some(body))
+    }
+
+    /// The faces of the convex body that a surface belongs to, ascending; the surface alone if there is none.
+    pub fn faces<'a>(&'a self, surface: &'a usize) -> &'a [usize] {
+        self.bodies.of(*surface).map_or(std::slice::from_ref(surface), |body| &body.surfaces)
+    }
+
+    /// Adds the shadow volumes from `x` of a planar surface to `pyramids`: that of its convex body, if it has one and x
+    /// lies outside, else one for each convex piece for which `standing` holds.
+    pub fn add_pyramids(
+        &self,
+        surface: usize,
+        x: DVec3,
+        standing: impl Fn(&[DVec3]) -> bool,
+        pyramids: &mut impl Extend<Pyramid>,
+    ) {
+        if let Some(whole) = self.bodies.of(surface).and_then(|body| body.pyramid(x)) {
+            return pyramids.extend(Some(whole));
+        }
+        let pieces = self.faces(&surface).iter().filter_map(|face| self.pieces(*face)).flatten();
+        pyramids.extend(pieces.filter(|piece| standing(piece)).filter_map(|piece| Pyramid::over(piece, x)));
+    }
+
+    /// The `surfaces` with only the first face of each body.
+    pub fn one_of_each_body(&self, surfaces: &[usize]) -> Vec<usize> {
+        let is_first = |(place, surface): &(usize, &usize)| {
+            !surfaces[..*place].iter().any(|other| self.are_of_one_body(*other, **surface))
+        };
+        surfaces.iter().enumerate().filter(is_first).map(|(_, surface)| *surface).collect()
+    }
+
+    /// Shadow volumes from `x` of the planar `surfaces`, one per body, that may hide a part of `ball`.
+    pub fn pyramids(&self, surfaces: &[usize], x: DVec3, ball: &Ball) -> Vec<Pyramid> {
+        let mut pyramids = Vec::with_capacity(surfaces.len());
+        let stands = |piece: &[DVec3]| !ball.is_beside(piece, x);
+        surfaces.iter().for_each(|surface| self.add_pyramids(*surface, x, stands, &mut pyramids));
+        pyramids
+    }
+
+    /// The edges of a planar surface, or of the convex body it belongs to.
+    pub fn rims(&self, surface: usize) -> Vec<Rim> {
+        match self.bodies.of(surface) {
+            Some(body) => body.rims().collect(),
+            None => self.pieces(surface).into_iter().flatten().flat_map(|piece| Rim::all_of(piece)).collect(),
+        }
+    }
+}
