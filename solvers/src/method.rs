@@ -85,7 +85,7 @@ impl fmt::Debug for Method {
 }
 
 impl Method {
-    /// The choice by the matrix, its size and the tolerance: [`auto`](crate::auto).
+    /// The choice by the matrix, its size and the tolerance: [`auto`].
     pub const AUTO: Self = Self {
         name: auto::NAME,
         aliases: &[],
@@ -97,7 +97,7 @@ impl Method {
         solver: &Auto,
     };
 
-    /// Cholesky factorisation: [`cholesky`](crate::cholesky).
+    /// Cholesky factorisation: [`cholesky`].
     pub const CHOLESKY: Self = Self {
         name: cholesky::NAME,
         aliases: &[],
@@ -109,7 +109,7 @@ impl Method {
         solver: &Cholesky,
     };
 
-    /// LU factorisation: [`lu`](crate::lu).
+    /// LU factorisation: [`lu`].
     pub const LU: Self = Self {
         name: lu::NAME,
         aliases: &[],
@@ -121,7 +121,7 @@ impl Method {
         solver: &Lu,
     };
 
-    /// Conjugate gradients: [`cg`](crate::cg).
+    /// Conjugate gradients: [`cg`].
     pub const CG: Self = Self {
         name: cg::NAME,
         aliases: &[],
@@ -133,7 +133,7 @@ impl Method {
         solver: &Cg,
     };
 
-    /// Generalised minimal residuals: [`gmres`](crate::gmres).
+    /// Generalised minimal residuals: [`gmres`].
     pub const GMRES: Self = Self {
         name: gmres::NAME,
         aliases: &[],
@@ -145,7 +145,7 @@ impl Method {
         solver: &Gmres,
     };
 
-    /// Gauss–Seidel sweeps: [`gauss_seidel`](crate::gauss_seidel).
+    /// Gauss–Seidel sweeps: [`gauss_seidel`].
     pub const GAUSS_SEIDEL: Self = Self {
         name: gauss_seidel::NAME,
         aliases: &[],
@@ -157,7 +157,7 @@ impl Method {
         solver: &GaussSeidel,
     };
 
-    /// Jacobi sweeps: [`jacobi`](crate::jacobi).
+    /// Jacobi sweeps: [`jacobi`].
     pub const JACOBI: Self = Self {
         name: jacobi::NAME,
         aliases: &[],
@@ -169,7 +169,7 @@ impl Method {
         solver: &Jacobi,
     };
 
-    /// Terms of Neumann's series: [`richardson`](crate::richardson).
+    /// Terms of Neumann's series: [`richardson`].
     pub const RICHARDSON: Self = Self {
         name: richardson::NAME,
         aliases: &[],
@@ -181,7 +181,7 @@ impl Method {
         solver: &Richardson,
     };
 
-    /// Progressive refinement by shooting: [`southwell`](crate::southwell).
+    /// Progressive refinement by shooting: [`southwell`].
     pub const SOUTHWELL: Self = Self {
         name: southwell::NAME,
         aliases: &["progressive", "shooting"],

@@ -164,7 +164,7 @@ impl Coating {
     }
 
     /// Means of E₀ (W m⁻²) and ρ over a patch of an element, the part of it over the parameters `rect`. Texels count by their
-    /// share of the parameters; polynomials by their values in the middles of [`ALONG`]² cells.
+    /// share of the parameters; polynomials by their values in the middles of `ALONG`² cells.
     pub fn means_over(&self, element: usize, patch: &Patch, rect: &Rect) -> Means {
         let of = |varied: &Varied| {
             varied.tiles.over(rect).unwrap_or_else(|| {

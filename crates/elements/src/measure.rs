@@ -5,7 +5,7 @@
 //! ```
 //!
 //! On a flat patch the area element is linear along each direction of the chart, and d + 1 Gauss points per direction
-//! are exact for f, g of degree d. On a curved patch the number follows from the [spectrum](super::spectrum) of the
+//! are exact for f, g of degree d. On a curved patch the number follows from the spectrum of the
 //! area element; where 64 points per direction do not resolve it (at cusps and creases) the worst cell is halved
 //! repeatedly, up to a bound.
 

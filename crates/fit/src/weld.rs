@@ -4,17 +4,17 @@
 //! not quite planar, bodies hover over floors or reach into them slightly. The rules of transport distinguish touching
 //! from apart, so corners within the tolerance of the input are moved together:
 //!
-//! 1. corners nearer to each other than the tolerance become one ([`corners`]);
+//! 1. corners nearer to each other than the tolerance become one (`corners`);
 //! 2. a corner within tolerance of a flat sheet belongs to its plane, and sheets whose corners all do share a plane
-//!    ([`planes`]);
+//!    (`planes`);
 //! 3. all corners move as little as possible, in the sense of least squares, until each lies in its planes
-//!    ([`flatten`]).
+//!    (`flatten`).
 //!
 //! Flat sheets that lie wholly in front of each other, however close, are left as they are: the rules hold for every
 //! gap, and the sign of the gap says which is in front. Corners that agree to rounding do not move, so clean scenes
 //! keep their bits.
 //!
-//! The tolerance is that of the two sheets in question ([`tolerance`]), or the length that the user gave.
+//! The tolerance is that of the two sheets in question (`tolerance`), or the length that the user gave.
 
 mod forest;
 mod tolerance;

@@ -3,7 +3,7 @@
 //!
 //! Flow: bytes → `read` → [`Model`](model::Model) → `repair` → a scene of `radiosity`, or text of another format.
 //!
-//! Luminaires: bytes → [`luminaire::read`] → [`Photometry`](photometry::Photometry).
+//! Files of luminaires are read by `radiosity-photometry`.
 //!
 //! Pictures: bytes → [`picture::read`] → [`Picture`](picture::Picture).
 

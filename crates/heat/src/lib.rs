@@ -103,7 +103,7 @@ impl Heat {
     ///
     /// # Errors
     /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature sets; more heat
-    /// drawn than arrives; too little memory; what [`radiosity_solve::driver()`] refuses.
+    /// drawn than arrives; too little memory; what [`radiosity_solve::solve()`] refuses.
     pub fn of(
         scene: &Scene,
         wanted: &HeatOptions,

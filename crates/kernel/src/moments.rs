@@ -4,7 +4,7 @@
 //! M_kl += Σ_ab  w_a A_a w_b A_b κ(x_a, y_b) V(x_a, y_b) L_k(x_a) L_l(y_b) ,      G = T_i M T_jᵀ .
 //! ```
 //!
-//! Each pair of patches is summed in products along its charts ([`crate::moments::chart`]), so that the sums
+//! Each pair of patches is summed in products along its charts (`crate::moments::chart`), so that the sums
 //! factorise, and then changed to the elements' functions once.
 
 pub mod node_pair;

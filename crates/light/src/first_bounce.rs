@@ -129,7 +129,7 @@ pub struct CoatedBounce {
 
 impl CoatedBounce {
     /// The first bounce of exact direct light from `sources`; its relative accuracy is about the smaller of `eps` and
-    /// [`LOOSEST`].
+    /// `LOOSEST`.
     pub fn new(sources: &Emitters<'_>, visibility: &Visibility, eps: f64) -> Self {
         let eps = eps.min(LOOSEST);
         let direct = DirectLight::within(sources, visibility, eps);

@@ -4,13 +4,13 @@
 //! D(x) = Σ_l E₀ U_l v_l ,     v_l = Σ_k w_k κ(x, y_k) V(x, y_k) / Σ_k w_k κ(x, y_k) ,     U_l = ∫ κ dA      W m⁻²
 //! ```
 //!
-//! U_l of flat emitters and of whole curved surfaces has a closed form ([`super::sources`]), that of others is the mean of w_k κ
-//! times their area. What may stand between a point and an emitter is listed first ([`super::occluders`], [`super::blockers`]).
+//! U_l of flat emitters and of whole curved surfaces has a closed form (`super::sources`), that of others is the mean of w_k κ
+//! times their area. What may stand between a point and an emitter is listed first ([`super::occluders`], `super::blockers`).
 //! Where that is nothing, or a flat thing or convex body that hides all of the emitter, no ray is sent; nor where a few flat
 //! things hide a part of a flat emitter: D is exact. Else rays ask what is listed. Weak emitters are not worth a list; their rays
 //! ask all surfaces.
 //!
-//! The points y_k are a Kronecker sequence on the emitter, or on its cells where it is near ([`super::lamp_cells`]). Where V is 1
+//! The points y_k are a Kronecker sequence on the emitter, or on its cells where it is near (`super::lamp_cells`). Where V is 1
 //! or 0 for all of them D is taken for exact; else rays are doubled until 0.9 σ E₀ U_l n^(−3/4) is small beside all light that
 //! arrives, reflected light with it: the error behind straight edges, where σ ≤ ½ is the standard deviation of V. Where U_l has no
 //! closed form σ ≥ ½ is the relative standard deviation of w κ V, which varies more.

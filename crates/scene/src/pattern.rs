@@ -223,7 +223,7 @@ impl Pattern {
     }
 }
 
-/// A finite factor, and powers up to [`HIGHEST`].
+/// A finite factor, and powers up to `HIGHEST`.
 pub fn check_term(term: &Term) -> Result<(), Fault> {
     check_number(term.factor)?;
     [term.u, term.v]

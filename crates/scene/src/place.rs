@@ -8,7 +8,7 @@ const LONGEST_LINE: usize = 4096;
 /// Characters before every so many bytes are counted once. Chosen; not tuned.
 const STRIDE: usize = 1024;
 
-/// Range of the bytes of a text, or of the numbers of the values of a tree ([`super::numbering`]).
+/// Range of the bytes of a text, or of the numbers of the values of a tree (`super::numbering`).
 pub type Span = Range<usize>;
 
 /// A value and where it was read from.

@@ -9,7 +9,7 @@ use radiosity_photometry::place::Place;
 
 use crate::measures::{is_unit_cube, named, polygon, vector};
 
-pub fn read(text: &str) -> Result<Model, Refusal> {
+pub(crate) fn read(text: &str) -> Result<Model, Refusal> {
     vs3::read("room.vs3", text.as_bytes(), &NoFiles)
 }
 

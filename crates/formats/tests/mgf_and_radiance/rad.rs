@@ -11,7 +11,7 @@ use radiosity_photometry::place::Place;
 
 use crate::measures::{Memory, area, assert_refused, assert_unit_cube, doubled, named, notes};
 
-pub fn read(text: &str) -> Result<Model, Refusal> {
+pub(crate) fn read(text: &str) -> Result<Model, Refusal> {
     read_with(text, &[])
 }
 

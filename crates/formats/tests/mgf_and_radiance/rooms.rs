@@ -16,7 +16,7 @@ use crate::measures::{area, doubled};
 
 /// The folder of the rooms; none, and a line that says so, where it is missing.
 fn folder() -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/scenes/mgf");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/scenes/mgf");
     if !folder.exists() {
         let _ = writeln!(std::io::stdout(), "skipped: {} is missing", folder.display());
         return None;

@@ -20,7 +20,7 @@
 //!
 //! About δ² of the most that two patches can exchange comes at cosines below δ. If no cosine is below −δ, the pairs of
 //! points that do not see each other matter as little; a slightly bent wall and its floor are such a pair. They count
-//! as facing each other wholly if δ² is below [`SLIGHT`] times the accuracy.
+//! as facing each other wholly if δ² is below `SLIGHT` times the accuracy.
 
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_geom::DVec3;

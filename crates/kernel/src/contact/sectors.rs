@@ -15,7 +15,7 @@ const LARGEST_TURN: f64 = 1.6;
 /// across it. Chosen; not tuned.
 const MOST_SECTORS: usize = 256;
 
-/// The patches of an element, each halved until it turns by [`LARGEST_TURN`] at most, or [`MOST_SECTORS`] are reached.
+/// The patches of an element, each halved until it turns by `LARGEST_TURN` at most, or `MOST_SECTORS` are reached.
 pub fn sectors(element: &Element) -> Vec<Patch> {
     heed();
     let mut open: VecDeque<Patch> = element.patches.iter().cloned().collect();

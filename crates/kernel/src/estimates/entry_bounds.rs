@@ -74,7 +74,7 @@ impl EntryBounds {
 }
 
 /// ε of a block relative to its own largest entry, loosened in steps of powers of two, so that congruent pairs agree;
-/// at most by 2⁶⁰ and up to [`LOOSEST`].
+/// at most by 2⁶⁰ and up to `LOOSEST`.
 ///
 /// `least` is a lower bound of the scale of the error, [`ROW_SHARE`] times the largest entry of the weaker of both
 /// rows; `entry` is an upper bound of the block's own entries.

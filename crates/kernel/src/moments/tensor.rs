@@ -175,7 +175,7 @@ impl Tile {
         }
     }
 
-    /// y − x and its square, not below [`COINCIDENT`].
+    /// y − x and its square, not below `COINCIDENT`.
     #[inline(always)]
     pub fn offset(&self, node: &Node, lane: usize) -> [f64; 4] {
         let [x, y, z] = &self.position;

@@ -113,8 +113,8 @@ pub fn counts(p: &Patch, q: &Patch, wedge: &Wedge, degrees: [usize; 2], eps: f64
 /// Adds two flat patches that see each other wholly, oriented with their common edge at t = 0, at any angle and of any
 /// proportions.
 ///
-/// Two parallelograms go by [`ParallelogramPair`]. Other patches are cut in triangles: the two at the edge go by
-/// [`triangles`](mod@triangles), and the pairs of all others, which meet the edge in a corner at most, are returned for
+/// Two parallelograms go by `ParallelogramPair`. Other patches are cut in triangles: the two at the edge go by
+/// `triangles`, and the pairs of all others, which meet the edge in a corner at most, are returned for
 /// the caller to integrate. Returns None, and adds nothing, where the kernel is too nearly singular.
 pub fn integrate_flat(
     moments: &mut Moments,

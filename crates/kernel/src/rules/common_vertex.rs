@@ -10,7 +10,7 @@
 //!
 //! x²κ does not depend on x, and its only singularity is that of 1/r⁴, outside the cube of (a, b, c). The sum over x is
 //! therefore exact, and the zeros of r² give the numbers of points along a, b and c
-//! ([`crate::rules::orders::subdivided_cube`]). The cube is halved as long as that saves points, so that
+//! (`crate::rules::orders::subdivided_cube`). The cube is halved as long as that saves points, so that
 //! angles and proportions of the patches do not matter.
 //!
 //! Reference: Sauter and Schwab, *Boundary Element Methods*, chapter 5.

@@ -10,10 +10,10 @@
 //! factors*, J. Heat Transfer 85, 1963). The polygons may touch in any way and need not be convex. The form depends on
 //! their position:
 //!
-//! * far apart compared with both sizes → [`distant`], where nothing cancels;
-//! * near, one much larger than the other → [`unequal`], which cuts the long edges;
-//! * else edge by edge ([`pair`]): nothing at right angles, [`parallel`] and [`crossing`] lines in closed form,
-//!   [`skew`] ones by one quadrature.
+//! * far apart compared with both sizes → `distant`, where nothing cancels;
+//! * near, one much larger than the other → `unequal`, which cuts the long edges;
+//! * else edge by edge (`pair`): nothing at right angles, `parallel` and `crossing` lines in closed form,
+//!   `skew` ones by one quadrature.
 //!
 //! Σ d_a = 0 around a polygon, so that ln r may be replaced by ln r + 3/2 everywhere, which has the simplest integrals.
 //! Rounding errors are some 1e-16 of the square of the polygons' extent: some 1e-16 of their area unless they are

@@ -7,13 +7,13 @@
 //! W_l(x) = ∫_q κ(x, y) φ_l(y) dA_y
 //! ```
 //!
-//! is integrated over exactly the part of q that x sees ([`part`]). A ball between the two is cut away in the same way
-//! ([`view`]).
+//! is integrated over exactly the part of q that x sees (`part`). A ball between the two is cut away in the same way
+//! (`view`).
 //!
 //! W is less smooth where a horizon starts to leave q: it has a kink of about second order. There the outer patch,
-//! without the parts that see nothing, is cut into cells ([`cell`]), the worst first ([`queue`]), until the sum of
+//! without the parts that see nothing, is cut into cells (`cell`), the worst first (`queue`), until the sum of
 //! their errors is small enough. If q is planar its points share one horizon, which leaves all of q at once: W then has
-//! a kink of first order, and the outer patch is cut along it beforehand ([`front`]).
+//! a kink of first order, and the outer patch is cut along it beforehand (`front`).
 
 mod cell;
 mod queue;

@@ -4,9 +4,9 @@
 //! M_kl = ∫_P L_k(x) I_l(x) dA_x ,      I_l(x) = ∫_Q κ(x, y) L_l(y) dA_y .
 //! ```
 //!
-//! The inner integral is taken in polar coordinates about the foot of x ([`polar`]). Its rays are exact, so that their
+//! The inner integral is taken in polar coordinates about the foot of x (`polar`). Its rays are exact, so that their
 //! cost does not depend on the distance of x from the plane of Q; each edge costs more the nearer x is to it. The outer
-//! integral runs over cells of P that follow the edges of Q ([`plan`]). Both are planned before any kernel value is
+//! integral runs over cells of P that follow the edges of Q (`plan`). Both are planned before any kernel value is
 //! known.
 
 mod ellipse;

@@ -1,7 +1,7 @@
 //! What rays met in the scene before, taken again where nothing has come into their way.
 //!
 //! A ray meets the nearest of all surfaces. Where neither its element nor what it met has changed, it meets that again, to the bit,
-//! unless a surface that has changed comes before it: only those are asked ([`Obstacles`]).
+//! unless a surface that has changed comes before it: only those are asked (`Obstacles`).
 
 use std::sync::Arc;
 
