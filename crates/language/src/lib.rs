@@ -6,7 +6,7 @@
 //! `textures`, `validation`, `luminaires` and `motions` (as typed → parts of a scene), `reading` (all of that in its order), and
 //! `schema` (the same language for editors).
 //!
-//! Imports `work`, `photometry`, `formats`, `fit` and `scene`.
+//! Imports `geom`, `work`, `photometry`, `formats` and `scene`.
 
 pub mod csv_rows;
 pub mod input;

@@ -7,12 +7,12 @@
 //! Reflectance enters afterwards, per band. G has no scale: it is invariant under similarity. In a
 //! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
 //!
-//! The submodules, each built on those before it: `moments` (sums over pairs of points), `contact` (how two patches
-//! meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
-//! contact), `occlusion` (what blockers hide), `pair` (one pair of elements), `terms` (kernels that are sums of terms),
-//! `known` (blocks from elsewhere), `memory` (blocks and rays of an earlier scene), `schedule` (all pairs),
-//! `price` (what a block costs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all
-//! blocks) and `carrier` (blocks or links, as checks see them).
+//! In order: `occlusion` (hiding by blockers), `pair` (one pair of elements), `known` (blocks from elsewhere), `memory`
+//! (blocks and rays of an earlier scene), `price` (the cost of a block), `schedule` (all pairs), `sampled` (blocks from
+//! rays), `unreached` (rays where rules fail), `assembly` (all blocks) and `carrier` (blocks or links, as checks see
+//! them). Quadrature of one pair stands in `radiosity-kernel`.
+//!
+//! Imports `work`, `scene`, `visibility`, `elements` and `kernel`.
 
 pub(crate) mod occlusion;
 pub(crate) mod pair;

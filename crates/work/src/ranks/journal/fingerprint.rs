@@ -5,8 +5,8 @@ use std::fmt::{Debug, Write};
 use std::hash::{DefaultHasher, Hasher};
 
 /// Version of the pieces of runs, to be raised where those of one scene and options change their meaning, as coefficients do with
-/// the order of the functions of an element.
-const PIECES: u32 = 2;
+/// the order of the functions of an element, or where types of pieces move, whose paths number the parts of a run.
+const PIECES: u32 = 3;
 
 /// A number that tells a run from others: of its scene and options, as they print for programmers, and of the versions of the
 /// program and of its pieces.
