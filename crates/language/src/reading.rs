@@ -136,6 +136,23 @@ pub fn from_csv(text: &str, origin: &str) -> Result<Scene, SceneError> {
 /// Reads a scene made in code, as one from a text; `name` stands before messages, which lead to what they
 /// mean by names: `desk: surface "lamp", disk.radius: …`.
 ///
+/// ```
+/// use radiosity_geom::DVec3;
+/// use radiosity_scene::Tree;
+///
+/// let desk = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+/// let surface = Tree::table([
+///     ("name", Tree::text("desk")),
+///     ("material", Tree::text("wood")),
+///     ("polygon", Tree::table([("vertices", Tree::points(desk))])),
+/// ]);
+/// let wood = Tree::table([("reflectance", Tree::number(0.4))]);
+/// let materials = Tree::table([("wood", wood)]);
+/// let room = Tree::table([("materials", materials), ("surfaces", Tree::list([surface]))]);
+/// assert_eq!(radiosity_language::of_tree("room", room)?.surfaces[0].name, "desk");
+/// # Ok::<(), radiosity_scene::SceneError>(())
+/// ```
+///
 /// # Errors
 /// The first fault in the tree.
 pub fn of_tree(name: &str, tree: Tree) -> Result<Scene, SceneError> {

@@ -31,7 +31,7 @@ const ROUNDING: f64 = 1e-9;
 /// let edges = [1.6 * DVec3::X, 0.8 * DVec3::Y];
 /// let desk = SensorPlane::new("desk", DVec3::new(2.0, 1.0, 0.75), edges, [0.25, 0.25])?;
 /// assert_eq!((desk.counts(), desk.normal()), ([7, 4], DVec3::Z));
-/// # Ok::<(), crate::Fault>(())
+/// # Ok::<(), radiosity_scene::Fault>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorPlane {

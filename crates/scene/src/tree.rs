@@ -122,25 +122,8 @@ pub fn entry<'a>(entries: &'a [(At<String>, Node)], key: &str) -> Option<&'a Nod
     entries.iter().find(|(name, _)| name.value == key).map(|(_, node)| node)
 }
 
-/// A scene, or a value in it, that is made in code by the keys of scene files (docs/scene.md).
-///
-/// ```
-/// use radiosity_scene::Scene;
-/// use radiosity_geom::DVec3;
-/// use radiosity_scene::Tree;
-///
-/// let desk = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
-/// let surface = Tree::table([
-///     ("name", Tree::text("desk")),
-///     ("material", Tree::text("wood")),
-///     ("polygon", Tree::table([("vertices", Tree::points(desk))])),
-/// ]);
-/// let wood = Tree::table([("reflectance", Tree::number(0.4))]);
-/// let materials = Tree::table([("wood", wood)]);
-/// let room = Tree::table([("materials", materials), ("surfaces", Tree::list([surface]))]);
-/// assert_eq!(Scene::of_tree("room", room)?.surfaces[0].name, "desk");
-/// # Ok::<(), crate::SceneError>(())
-/// ```
+/// A scene, or a value in it, that is made in code by the keys of scene files (docs/scene.md);
+/// `radiosity_language::of_tree` makes a scene of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tree(pub(crate) Node);
 
