@@ -82,7 +82,8 @@ impl House {
         let ups = path.iter().take_while(|part| *part == "super").count();
         let names = match path.first()?.as_str() {
             "crate" => path[1..].to_vec(),
-            "super" => [&from[..from.len() - ups], &path[ups..]].concat(),
+            // Within a module of the file itself the parents are fewer.
+            "super" => [&from[..from.len().checked_sub(ups)?], &path[ups..]].concat(),
             child if self.declared.get(from).is_some_and(|names| names.iter().any(|name| name == child)) => {
                 [from, path].concat()
             }
@@ -165,14 +166,14 @@ fn spread<'a>(text: &'a str, mut stem: Vec<String>, found: &mut Vec<Vec<String>>
     }
 }
 
-/// The source folders of all packages.
+/// The source folders of all packages but the module for Python.
 fn sources() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let crates = fs::read_dir(root.join("crates")).expect("the crates can be listed");
     let mut folders: Vec<PathBuf> =
         crates.map(|entry| entry.expect("a crate can be listed").path()).collect();
     folders.sort();
-    folders.extend(["", "core", "geom", "solvers", "python"].map(|package| root.join(package)));
+    folders.extend(["", "core", "geom", "solvers"].map(|package| root.join(package)));
     folders.into_iter().map(|folder| folder.join("src")).collect()
 }
 
