@@ -62,7 +62,7 @@ impl AreaBasis {
 
     /// The basis of `space` on a measure that is exact for products of two of its functions, preferably in `frame`; a
     /// tensor space depends on the frame. None as for [`AreaBasis::new`].
-    pub fn over(
+    pub(crate) fn over(
         measure: &Measure,
         space: Space,
         order: usize,

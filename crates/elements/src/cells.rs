@@ -30,13 +30,13 @@ impl Layers {
     pub const NONE: Self = Self { count: 0, ratio: 0.25 };
 
     /// Whether 0 < q < 1 and the smallest cell is wide enough to compute with.
-    pub fn is_valid(&self) -> bool {
+    pub(crate) fn is_valid(&self) -> bool {
         self.ratio > 0.0 && self.ratio < 1.0 && self.ratio.powf(self.count as f64) >= SMALLEST_CELL
     }
 }
 
 /// Ends of the intervals of a cut of [−1, 1] into `parts` ≥ 1, with layers; ascending from −1 to 1.
-pub fn breaks(parts: usize, layers: Layers) -> Vec<f64> {
+pub(crate) fn breaks(parts: usize, layers: Layers) -> Vec<f64> {
     let uniform = |k: usize| -1.0 + 2.0 * k as f64 / parts as f64;
     let width = 2.0 / parts.max(2) as f64;
     let graded = (1..=layers.count).rev().map(|k| width * layers.ratio.powf(k as f64));
@@ -47,7 +47,7 @@ pub fn breaks(parts: usize, layers: Layers) -> Vec<f64> {
 }
 
 /// The cells between the breaks along u and v, v running fastest.
-pub fn cells_between([u, v]: &[Vec<f64>; 2]) -> impl Iterator<Item = Rect> + use<> {
+pub(crate) fn cells_between([u, v]: &[Vec<f64>; 2]) -> impl Iterator<Item = Rect> + use<> {
     let pairs = |breaks: &[f64]| -> Vec<[f64; 2]> { breaks.windows(2).map(|w| [w[0], w[1]]).collect() };
     let (u, v) = (pairs(u), pairs(v));
     u.into_iter().flat_map(move |u| v.clone().into_iter().map(move |v| Rect { u, v }))

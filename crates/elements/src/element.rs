@@ -82,7 +82,7 @@ impl Element {
     }
 
     /// Disjoint patches that cover the part of it over the parameters `rect`; `shape` is that of its surface.
-    pub fn patches_over(&self, shape: &dyn Surface, rect: &Rect) -> Vec<Patch> {
+    pub(crate) fn patches_over(&self, shape: &dyn Surface, rect: &Rect) -> Vec<Patch> {
         let Some(common) = overlap(&self.rect, rect) else { return Vec::new() };
         let Some((_, normal)) = self.plane else {
             return self.patches.iter().map(|patch| patch.with_parameters(&common)).collect();

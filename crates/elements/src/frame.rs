@@ -49,7 +49,7 @@ impl Frame {
 
     /// The rectangle around coplanar `points` along the longest distance between two of them; `normal` is
     /// perpendicular to their plane. The earliest of equal distances is taken.
-    pub fn along_diameter(points: &[DVec3], normal: DVec3) -> Self {
+    pub(crate) fn along_diameter(points: &[DVec3], normal: DVec3) -> Self {
         let pairs = points.iter().enumerate().flat_map(|(k, p)| points[..k].iter().map(move |q| p - q));
         let first = |best: DVec3, next: DVec3| {
             if next.length_squared() > (1.0 + 1e-12) * best.length_squared() { next } else { best }

@@ -42,7 +42,7 @@ impl Measure {
     }
 
     /// Σ w_a, the area (scene length²).
-    pub fn area(&self) -> f64 {
+    pub(crate) fn area(&self) -> f64 {
         self.points.iter().map(|(_, weight)| weight).sum()
     }
 

@@ -76,7 +76,7 @@ impl Axis {
 
 impl<T> Tree<T> {
     /// The leaf that holds the parameters (u, v); a cut belongs to the part above it.
-    pub fn at(&self, [u, v]: [f64; 2]) -> &T {
+    pub(crate) fn at(&self, [u, v]: [f64; 2]) -> &T {
         match self {
             Self::Leaf(value) => value,
             Self::Cut(halves) => {
@@ -86,14 +86,6 @@ impl<T> Tree<T> {
                 };
                 halves.parts[usize::from(x >= halves.at)].at([u, v])
             }
-        }
-    }
-
-    /// Number of leaves.
-    pub fn count(&self) -> usize {
-        match self {
-            Self::Leaf(_) => 1,
-            Self::Cut(halves) => halves.parts.iter().map(Self::count).sum(),
         }
     }
 
@@ -152,7 +144,7 @@ impl<T> Tree<T> {
 
 impl<T: Copy> Tree<T> {
     /// The cells between `breaks` of u and of v, which ascend from −1 to 1; those of v run fastest.
-    pub fn grid([u, v]: &[Vec<f64>; 2], value: T) -> Self {
+    pub(crate) fn grid([u, v]: &[Vec<f64>; 2], value: T) -> Self {
         let columns = Self::between(Axis::V, v, &Self::Leaf(value));
         Self::between(Axis::U, u, &columns)
     }
@@ -304,7 +296,7 @@ mod tests {
             prop_assert!(mesh.is_valid(1));
             let tree = numbered(&mesh);
             let rects = rects(&tree);
-            prop_assert_eq!(rects.len(), tree.count());
+            prop_assert_eq!(rects.len(), tree.values().len());
             let area: f64 = rects.iter().map(|r| (r.u[1] - r.u[0]) * (r.v[1] - r.v[0])).sum();
             prop_assert!((area - 4.0).abs() < 1e-13);
             let rect = rects[*tree.at(place)];

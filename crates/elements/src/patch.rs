@@ -265,7 +265,7 @@ impl Patch {
     }
 
     /// The part of a curved patch over the parameters `rect`; a flat one as it is.
-    pub fn with_parameters(&self, rect: &Rect) -> Self {
+    pub(crate) fn with_parameters(&self, rect: &Rect) -> Self {
         match self {
             Self::Flat { .. } => self.clone(),
             Self::Curved { surface, .. } => Self::curved(Arc::clone(surface), rect),

@@ -39,7 +39,7 @@ const DEPENDENT: f64 = 1e-14;
 
 /// The levels of a space of polynomials.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Levels {
+pub(crate) struct Levels {
     /// Functions of each level; level 0 is the constant alone.
     pub functions: Vec<Range<usize>>,
     /// Degrees in a and b of the monomials that stand for level 1.

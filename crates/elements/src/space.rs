@@ -42,7 +42,7 @@ impl Space {
     }
 
     /// Highest total degree of a function.
-    pub const fn total_degree(self, order: usize) -> usize {
+    pub(crate) const fn total_degree(self, order: usize) -> usize {
         match self {
             Self::Total => order,
             Self::Tensor => 2 * order,
@@ -56,7 +56,7 @@ impl Space {
     }
 
     /// The levels of the recurrence up to order `order`.
-    pub fn levels(self, order: usize) -> Levels {
+    pub(crate) fn levels(self, order: usize) -> Levels {
         let start = |level: usize| match self {
             Self::Total => level * (level + 1) / 2,
             Self::Tensor => level * level,

@@ -12,7 +12,7 @@ const INCLUDE: u64 = 2000;
 
 /// What a reader may still follow.
 #[derive(Clone, Copy, Debug)]
-pub struct Budget(u64);
+pub(crate) struct Budget(u64);
 
 impl Default for Budget {
     fn default() -> Self {
@@ -25,7 +25,7 @@ impl Budget {
     ///
     /// # Errors
     /// A budget that is spent.
-    pub fn spend(&mut self, characters: usize) -> Result<(), Fault> {
+    pub(crate) fn spend(&mut self, characters: usize) -> Result<(), Fault> {
         self.take(characters as u64 + ITEM)
     }
 
@@ -33,7 +33,7 @@ impl Budget {
     ///
     /// # Errors
     /// A budget that is spent.
-    pub fn spend_on_include(&mut self) -> Result<(), Fault> {
+    pub(crate) fn spend_on_include(&mut self) -> Result<(), Fault> {
         self.take(INCLUDE)
     }
 

@@ -14,7 +14,7 @@ use crate::names::UniqueNames;
 
 /// A material before it has its index.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Coat {
+pub(crate) struct Coat {
     /// Its name.
     pub name: String,
     /// Diffuse reflectance of red, green and blue.
@@ -27,7 +27,7 @@ pub struct Coat {
 
 /// A model of red, green and blue that grows.
 #[derive(Debug, Default)]
-pub struct ModelBuilder {
+pub(crate) struct ModelBuilder {
     model: Model,
     names: UniqueNames,
     material_names: UniqueNames,
@@ -37,12 +37,12 @@ pub struct ModelBuilder {
 
 impl ModelBuilder {
     /// Notes something in a line; what was noted before is only counted.
-    pub fn note(&mut self, text: &str, line: usize) {
+    pub(crate) fn note(&mut self, text: &str, line: usize) {
         self.model.note(text, Some(Place::Line(line)));
     }
 
     /// States the unit of exitance.
-    pub fn unit(&mut self, unit: &str) {
+    pub(crate) fn unit(&mut self, unit: &str) {
         self.model.unit = Some(unit.to_owned());
     }
 
@@ -50,7 +50,7 @@ impl ModelBuilder {
     ///
     /// # Errors
     /// Too many surfaces, and shapes that are too large or that have no extent.
-    pub fn surface(
+    pub(crate) fn surface(
         &mut self,
         name: Option<&str>,
         shape: Shape,
@@ -115,7 +115,7 @@ impl ModelBuilder {
     }
 
     /// The model, in one band if it is grey.
-    pub fn finish(mut self) -> Model {
+    pub(crate) fn finish(mut self) -> Model {
         self.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
         settle(&mut self.model);
         self.model

@@ -5,30 +5,30 @@ use glam::{DMat3, DVec3};
 use crate::model::Model;
 
 /// Luminance of linear red, green and blue: Y = 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709-6, item 3.2).
-pub const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
+const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
 
 /// Mean reflectance of textures, and reflectance of materials that nothing describes. Chosen; not tuned.
-pub const UNKNOWN: f64 = 0.5;
+pub(crate) const UNKNOWN: f64 = 0.5;
 
 /// What is told of textures of what reflects.
-pub const TEXTURED: &str = "textures are left out: their mean reflectance is taken for 0.5";
+pub(crate) const TEXTURED: &str = "textures are left out: their mean reflectance is taken for 0.5";
 
 /// What is told of textures of what shines.
-pub const TEXTURED_EMISSION: &str = "textures of emission are left out: what they make shine is dark";
+pub(crate) const TEXTURED_EMISSION: &str = "textures of emission are left out: what they make shine is dark";
 
 /// Values of red, green and blue that differ by less than this part of the largest are grey: rounding leaves less. Chosen;
 /// not tuned.
 const GREY: f64 = 1e-12;
 
 /// The linear value of one that is coded as sRGB, 0 to 1. Source: IEC 61966-2-1:1999, item 5.2.
-pub fn of_srgb(coded: f64) -> f64 {
+pub(crate) fn of_srgb(coded: f64) -> f64 {
     if coded <= 0.04045 { coded / 12.92 } else { ((coded + 0.055) / 1.055).powf(2.4) }
 }
 
 /// Linear red, green and blue of a colour with chromaticity `x`, `y` (CIE 1931) and luminance 1, relative to the white of
 /// equal energy, x = y = 1/3, which formats that state chromaticities mean by grey. Values below 0, of colours outside
 /// the triangle of the primaries, are raised to 0 and the rest scaled so that the luminance stays 1.
-pub fn of_chromaticity(x: f64, y: f64) -> [f64; 3] {
+pub(crate) fn of_chromaticity(x: f64, y: f64) -> [f64; 3] {
     let white = linear(1.0 / 3.0, 1.0 / 3.0);
     let own = linear(x, y);
     let raised = [0, 1, 2].map(|band| (own[band] / white[band]).max(0.0));
@@ -37,7 +37,7 @@ pub fn of_chromaticity(x: f64, y: f64) -> [f64; 3] {
 }
 
 /// Chromaticity of linear red, green and blue, not all 0: the inverse of [`of_chromaticity`].
-pub fn chromaticity([r, g, b]: [f64; 3]) -> [f64; 2] {
+pub(crate) fn chromaticity([r, g, b]: [f64; 3]) -> [f64; 2] {
     if r == g && g == b {
         return [1.0 / 3.0; 2];
     }
@@ -73,7 +73,7 @@ fn grey(rgb: [f64; 3]) -> f64 {
 
 /// Values that are grey become their luminance in each band; where all materials are grey, one band `grey` takes the place
 /// of red, green and blue.
-pub fn settle(model: &mut Model) {
+pub(crate) fn settle(model: &mut Model) {
     if model.bands.len() != 3 {
         return;
     }
@@ -93,7 +93,7 @@ pub fn settle(model: &mut Model) {
 }
 
 /// Whether values differ by no more than a part of the largest.
-pub fn is_grey(values: &[f64], part: f64) -> bool {
+pub(crate) fn is_grey(values: &[f64], part: f64) -> bool {
     let most = values.iter().copied().fold(0.0, f64::max);
     values.iter().all(|value| most - value <= part * most)
 }

@@ -22,7 +22,7 @@ const ASKED: usize = 64;
 
 /// Faces whose fronts point the wrong way.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Turned {
+pub(crate) struct Turned {
     /// Why.
     pub why: Why,
     /// Their indices among the model's surfaces.
@@ -33,7 +33,7 @@ pub struct Turned {
 
 /// Why fronts seem to point the wrong way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Why {
+pub(crate) enum Why {
     /// Their neighbours, which have more area, show their fronts on the other side.
     Neighbours,
     /// Their neighbours, which have as much area, show their fronts on the other side: either may be wrong.
@@ -45,7 +45,7 @@ pub enum Why {
 }
 
 /// The faces whose fronts point the wrong way, body by body. Only flat and bilinear one-sided surfaces are looked at.
-pub fn turned(model: &Model) -> Vec<Turned> {
+pub(crate) fn turned(model: &Model) -> Vec<Turned> {
     let faces = Faces::of(model);
     let middles = Middles::of(model);
     let mut found = Vec::new();

@@ -12,7 +12,7 @@ use crate::files::Files;
 const DEEPEST: usize = 32;
 
 /// The files that are open, the main one first, and the texts that were read.
-pub struct Includes<'a> {
+pub(crate) struct Includes<'a> {
     files: &'a dyn Files,
     /// Names for messages and paths from the scene's folder.
     open: Vec<(String, String)>,
@@ -21,25 +21,25 @@ pub struct Includes<'a> {
 
 impl<'a> Includes<'a> {
     /// Only the main file is open, named `file` in messages.
-    pub fn new(file: &str, files: &'a dyn Files) -> Self {
+    pub(crate) fn new(file: &str, files: &'a dyn Files) -> Self {
         let base = file.rsplit(['/', '\\']).next().unwrap_or(file);
         Self { files, open: vec![(file.to_owned(), base.to_owned())], texts: HashMap::new() }
     }
 
     /// Name of the innermost open file, for messages.
-    pub fn current(&self) -> &str {
+    pub(crate) fn current(&self) -> &str {
         self.open.last().map_or("", |(shown, _)| shown)
     }
 
     /// Path from the scene's folder of a file named `name` by the innermost open file, relative to its own folder.
-    pub fn beside(&self, name: &str) -> String {
+    pub(crate) fn beside(&self, name: &str) -> String {
         let current = self.open.last().map_or("", |(_, path)| path);
         let folder = current.rfind('/').map_or("", |end| &current[..=end]);
         normal(&format!("{folder}{name}"))
     }
 
     /// Whether there is a file at `path` from the scene's folder.
-    pub fn has(&self, path: &str) -> bool {
+    pub(crate) fn has(&self, path: &str) -> bool {
         self.texts.contains_key(&normal(path)) || self.files.has(&normal(path))
     }
 
@@ -47,7 +47,7 @@ impl<'a> Includes<'a> {
     ///
     /// # Errors
     /// A file that is open already, is missing, is no text, or is nested too deep.
-    pub fn enter(&mut self, path: &str) -> Result<Rc<str>, Fault> {
+    pub(crate) fn enter(&mut self, path: &str) -> Result<Rc<str>, Fault> {
         let path = normal(path);
         if self.open.iter().any(|(_, open)| *open == path) {
             return Err(Fault::new(format!("'{}' includes itself", short(&path)), "take one include out"));
@@ -64,7 +64,7 @@ impl<'a> Includes<'a> {
     }
 
     /// Closes the innermost open file.
-    pub fn leave(&mut self) {
+    pub(crate) fn leave(&mut self) {
         self.open.pop();
     }
 

@@ -49,7 +49,7 @@ fn stem(name: &str) -> &str {
 
 /// Merges coplanar faces of each object; `objects` names the object of each surface and is kept in step. A merged
 /// surface has the name and the place of its first face.
-pub fn within(model: &mut Model, objects: &mut Vec<usize>) {
+pub(crate) fn within(model: &mut Model, objects: &mut Vec<usize>) {
     let corners = Corners::welded(&model.surfaces, objects);
     let faces = Face::all(&model.surfaces, objects, &corners);
     let groups = growth::groups(&faces, &corners);

@@ -15,7 +15,6 @@ use radiosity_photometry::fault::Fault;
 
 pub use coding::Coding;
 pub use reduction::Picture;
-pub use refusals::{LONGEST, MOST_READ};
 
 /// The beginnings of files of other kinds, by which they are named.
 const OTHERS: [(&[u8], &str); 9] = [

@@ -40,11 +40,6 @@ impl FromStr for Unit {
 }
 
 impl Unit {
-    /// The names of all units.
-    pub fn names() -> impl Iterator<Item = &'static str> {
-        UNITS.iter().map(|(unit, _)| *unit)
-    }
-
     /// Turns a model in this unit into one in metres. Reflectances and exitances stay what they are.
     pub fn to_metres(self, model: &mut Model) {
         if self.metres == [1.0; 2] {

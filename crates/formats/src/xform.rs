@@ -14,7 +14,7 @@ use crate::model::Shape;
 const MOST_INSTANCES: usize = 100_000;
 
 /// Sine and cosine of an angle in degrees. Those of quarter turns are exact.
-pub fn sin_cos(degrees: f64) -> (f64, f64) {
+pub(crate) fn sin_cos(degrees: f64) -> (f64, f64) {
     let turned = degrees.rem_euclid(360.0);
     match turned {
         0.0 => (0.0, 1.0),
@@ -27,7 +27,7 @@ pub fn sin_cos(degrees: f64) -> (f64, f64) {
 
 /// A rotation, a uniform scale, perhaps a mirror, then a translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Similarity {
+pub(crate) struct Similarity {
     /// Rotation, scale and mirror.
     linear: DMat3,
     translation: DVec3,
@@ -38,7 +38,7 @@ pub struct Similarity {
 
 impl Similarity {
     /// All stays.
-    pub const IDENTITY: Self =
+    pub(crate) const IDENTITY: Self =
         Self { linear: DMat3::IDENTITY, translation: DVec3::ZERO, scale: 1.0, is_mirror: false };
 
     fn translation(translation: DVec3) -> Self {
@@ -75,7 +75,7 @@ impl Similarity {
     }
 
     /// This one first, then `next`.
-    pub fn then(&self, next: &Self) -> Self {
+    pub(crate) fn then(&self, next: &Self) -> Self {
         Self {
             linear: next.linear * self.linear,
             translation: next.point(self.translation),
@@ -98,22 +98,22 @@ impl Similarity {
     }
 
     /// Where a point comes to lie.
-    pub fn point(&self, point: DVec3) -> DVec3 {
+    pub(crate) fn point(&self, point: DVec3) -> DVec3 {
         self.linear * point + self.translation
     }
 
     /// What a direction becomes, scaled too.
-    pub fn direction(&self, direction: DVec3) -> DVec3 {
+    pub(crate) fn direction(&self, direction: DVec3) -> DVec3 {
         self.linear * direction
     }
 
     /// What a length becomes.
-    pub fn length(&self, length: f64) -> f64 {
+    fn length(&self, length: f64) -> f64 {
         self.scale * length
     }
 
     /// What a shape becomes. A mirror image keeps its front: what faced outwards still does.
-    pub fn shape(&self, shape: &Shape) -> Shape {
+    pub(crate) fn shape(&self, shape: &Shape) -> Shape {
         match *shape {
             Shape::Polygon { ref outline, ref holes } => Shape::Polygon {
                 outline: self.loop_of(outline),
@@ -177,7 +177,7 @@ enum Times {
 
 /// The transforms that a list of words makes: one, or one for each instance of an array.
 #[derive(Clone, Debug)]
-pub struct Transforms {
+pub(crate) struct Transforms {
     blocks: Vec<Block>,
     count: usize,
 }
@@ -187,7 +187,7 @@ impl Transforms {
     ///
     /// # Errors
     /// A flag without its numbers, a scale of 0, an array of no or of too many instances.
-    pub fn parse(words: &[&str]) -> Result<(Self, usize), Fault> {
+    pub(crate) fn parse(words: &[&str]) -> Result<(Self, usize), Fault> {
         let mut blocks = vec![Block { once: Similarity::IDENTITY, times: Times::Always(1) }];
         let (mut count, mut read) = (1_usize, 0);
         while let Some(flag) = words.get(read) {
@@ -209,17 +209,17 @@ impl Transforms {
     }
 
     /// Whether it makes an array, if only of one instance.
-    pub fn is_array(&self) -> bool {
+    pub(crate) fn is_array(&self) -> bool {
         self.blocks.iter().any(|block| matches!(block.times, Times::Array(_)))
     }
 
     /// How many instances it makes.
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.count
     }
 
     /// The transform of instance `index`; of several arrays the last runs fastest.
-    pub fn instance(&self, index: usize) -> Similarity {
+    pub(crate) fn instance(&self, index: usize) -> Similarity {
         let mut left = index;
         let mut total = Similarity::IDENTITY;
         for block in self.blocks.iter().rev() {

@@ -55,7 +55,7 @@ impl Import {
     ///
     /// # Errors
     /// What cannot be read, or is against the rules of the format; with [`Import::strict`] what needs repairs.
-    pub fn model(&self, file: &str, format: Format) -> Result<(Model, Imported), SceneError> {
+    fn model(&self, file: &str, format: Format) -> Result<(Model, Imported), SceneError> {
         let unreadable = |error: io::Error| SceneError {
             origin: file.to_owned(),
             place: None,

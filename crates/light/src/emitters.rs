@@ -31,7 +31,7 @@ impl Radiances {
     }
 
     /// That of a surface, if it is no diffuse emitter.
-    pub fn of_surface(&self, surface: usize) -> Option<&Radiance> {
+    pub(crate) fn of_surface(&self, surface: usize) -> Option<&Radiance> {
         self.0.get(surface)?.as_ref()
     }
 

@@ -28,7 +28,7 @@ impl<'a> Site<'a> {
 
 /// What sends light to a site: an element, or a whole surface.
 #[derive(Clone, Copy, Debug)]
-pub struct Sender {
+pub(crate) struct Sender {
     /// Index of its surface.
     pub surface: usize,
     /// A point of its plane and the unit normal, if it is flat.
@@ -50,7 +50,11 @@ pub struct Occluders {
 
 impl Occluders {
     /// The occluders between a site and each of `senders`.
-    pub fn new(visibility: &Visibility, senders: impl Iterator<Item = Sender> + Clone, site: &Site) -> Self {
+    pub(crate) fn new(
+        visibility: &Visibility,
+        senders: impl Iterator<Item = Sender> + Clone,
+        site: &Site,
+    ) -> Self {
         let Site { points: site, horizon, surface } = *site;
         let around = Aabb::around(site.iter().copied());
         let everywhere = senders.clone().fold(around, |bounds, sender| bounds.union(sender.bounds));
@@ -96,7 +100,7 @@ impl Occluders {
 
     /// The occluders without those that certainly miss the shaft between the site and an element; `hulls` has the hull
     /// points of each element.
-    pub fn narrowed(self, visibility: &Visibility, hulls: &[&[DVec3]], site: &Site) -> Self {
+    pub(crate) fn narrowed(self, visibility: &Visibility, hulls: &[&[DVec3]], site: &Site) -> Self {
         let mut kept = Vec::with_capacity(self.places.len());
         let ranges = self.ranges.iter().zip(hulls).map(|(range, hull)| {
             let (first, last) = (*range)?;
@@ -114,12 +118,12 @@ impl Occluders {
     }
 
     /// Whether nothing stands between the site and any element in sight.
-    pub fn is_clear(&self) -> bool {
+    pub(crate) fn is_clear(&self) -> bool {
         self.places.is_empty()
     }
 
     /// Indices into `obstacles` of the occluders of an element; None where the element is out of sight.
-    pub fn before(&self, element: usize) -> Option<&[usize]> {
+    pub(crate) fn before(&self, element: usize) -> Option<&[usize]> {
         self.ranges[element].map(|(start, end)| &self.places[start..end])
     }
 }

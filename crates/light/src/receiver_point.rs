@@ -40,25 +40,25 @@ impl ReceiverPoint {
     }
 
     /// Whether the convex hull of `points` lies wholly below a horizon.
-    pub fn is_above(&self, points: &[DVec3]) -> bool {
+    pub(crate) fn is_above(&self, points: &[DVec3]) -> bool {
         let below = |horizon: DVec3| points.iter().all(|y| self.height(*y, horizon) <= 0.0);
         below(self.normal) || self.ground.is_some_and(below)
     }
 
     /// Whether all `points` lie above all horizons.
-    pub fn overlooks(&self, points: &[DVec3]) -> bool {
+    pub(crate) fn overlooks(&self, points: &[DVec3]) -> bool {
         let above = |horizon: DVec3| points.iter().all(|y| self.height(*y, horizon) >= 0.0);
         above(self.normal) && self.ground.is_none_or(above)
     }
 
     /// Whether a ball lies wholly above all horizons.
-    pub fn clears(&self, center: DVec3, radius: f64) -> bool {
+    pub(crate) fn clears(&self, center: DVec3, radius: f64) -> bool {
         let above = |horizon: DVec3| (center - self.position).dot(horizon) > radius;
         above(self.normal) && self.ground.is_none_or(above)
     }
 
     /// Irradiance from the part of a planar convex polygon of exitance 1 outside the shadow volumes `pyramids`.
-    pub fn factor<'a>(&self, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
+    pub(crate) fn factor<'a>(&self, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
         match self.ground {
             None => visible_irradiance(self.position, self.normal, polygon, pyramids),
             Some(ground) => {

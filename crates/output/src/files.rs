@@ -2,8 +2,8 @@
 
 pub mod exr_file;
 pub mod solution_file;
-pub mod npy;
-pub mod npz;
+pub(crate) mod npy;
+pub(crate) mod npz;
 pub mod view_factors;
 pub mod vtu;
 pub mod glb;

@@ -2,7 +2,7 @@
 
 pub mod pinhole;
 pub mod sights;
-pub mod samples;
+mod samples;
 pub mod raster;
 pub mod tone;
 pub(crate) mod dither;

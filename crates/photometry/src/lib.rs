@@ -25,7 +25,7 @@ pub mod located;
 mod numbers;
 pub mod symmetry;
 pub mod opening;
-pub mod web;
+mod web;
 pub mod ies;
 pub mod eulumdat;
 pub mod luminaire;

@@ -51,7 +51,7 @@ pub fn number(word: &str, what: &str) -> Result<f64, Fault> {
 }
 
 /// `value` as messages quote it: numbers beyond all measure with an exponent.
-pub fn told(value: f64) -> String {
+pub(crate) fn told(value: f64) -> String {
     match value.abs() < 1e15 {
         true => value.to_string(),
         false => format!("{value:e}"),

@@ -142,12 +142,12 @@ impl Web {
     }
 
     /// Luminous flux, lm: the exact integral of [`Self::at`] over the sphere.
-    pub fn flux(&self) -> f64 {
+    pub(crate) fn flux(&self) -> f64 {
         self.flux_between(0.0, 180.0)
     }
 
     /// The part of [`Self::flux`] at angles γ from `least` to `most`, degrees.
-    pub fn flux_between(&self, least: f64, most: f64) -> f64 {
+    pub(crate) fn flux_between(&self, least: f64, most: f64) -> f64 {
         let weights = self.zone_weights(least, most);
         let of = |plane: usize| -> f64 {
             self.candelas(plane).iter().zip(&weights).map(|(value, weight)| value * weight).sum()
@@ -215,7 +215,7 @@ impl Web {
     }
 
     /// Greatest intensity, cd.
-    pub fn largest(&self) -> f64 {
+    pub(crate) fn largest(&self) -> f64 {
         self.table.iter().copied().fold(0.0, f64::max)
     }
 

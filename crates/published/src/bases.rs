@@ -16,12 +16,12 @@
 //! Reference: L. Szirmay-Kalos, *Application of variational calculus in the radiosity method*, Periodica Polytechnica El. Eng.
 //! 40 (1996), 123–138.
 
-pub mod functions;
-pub mod cells;
-pub mod tents;
-pub mod cosines;
+mod functions;
+mod cells;
+mod tents;
+mod cosines;
 pub mod basis;
-pub mod projection;
+mod projection;
 pub mod subspace;
 
 pub use basis::Basis;

@@ -19,7 +19,7 @@
 
 pub mod power_series;
 mod remainder;
-pub mod span;
+mod span;
 pub mod point_pair;
 pub mod displacement;
 mod error;

@@ -2,5 +2,5 @@
 //! 93), reproduced for comparison: its quadrature and its shadow masks.
 
 pub mod transfers;
-pub mod mask;
+mod mask;
 pub mod masked_light;

@@ -46,7 +46,7 @@ pub enum Shadows {
 
 impl Shadows {
     /// How surfaces hide each other.
-    pub fn hiding(self) -> Hiding {
+    pub(crate) fn hiding(self) -> Hiding {
         match self {
             Shadows::Auto | Shadows::Mask => Hiding::Auto,
             Shadows::Off => Hiding::Off,

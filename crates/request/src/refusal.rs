@@ -14,7 +14,7 @@ pub struct Refusal {
 
 impl Refusal {
     /// What is wrong, and how to mend it.
-    pub fn new(message: impl Into<Wording>, cure: impl Into<Wording>) -> Self {
+    pub(crate) fn new(message: impl Into<Wording>, cure: impl Into<Wording>) -> Self {
         Self { message: message.into(), cure: cure.into() }
     }
 }

@@ -81,7 +81,7 @@ impl Distribution {
     }
 
     /// d in a unit direction of the frame of the luminaire.
-    pub fn relative(&self, direction: DVec3) -> f64 {
+    pub(crate) fn relative(&self, direction: DVec3) -> f64 {
         let cosine = -direction.z;
         match *self {
             Self::Point => 1.0,
@@ -113,7 +113,7 @@ impl Distribution {
     }
 
     /// The part of Ω at angles γ from `least` to `most`, degrees.
-    pub fn flux_between(&self, least: f64, most: f64) -> f64 {
+    fn flux_between(&self, least: f64, most: f64) -> f64 {
         if let Self::Table(table) = self {
             return table.flux_between(least, most);
         }

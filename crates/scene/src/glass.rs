@@ -47,7 +47,7 @@ impl Glass {
     }
 
     /// τ at the cosine of the angle of incidence.
-    pub fn transmittance(&self, cosine: f64) -> f64 {
+    pub(crate) fn transmittance(&self, cosine: f64) -> f64 {
         if cosine <= 0.0 {
             return 0.0;
         }

@@ -158,7 +158,7 @@ impl Luminaire {
     }
 
     /// The unit vectors along x and y of its frame, C = 0 and C = 90.
-    pub fn axes(&self) -> [DVec3; 2] {
+    pub(crate) fn axes(&self) -> [DVec3; 2] {
         [self.along, self.along.cross(self.aim)]
     }
 

@@ -61,7 +61,7 @@ impl Outlook {
     }
 
     /// a in the unit direction `into` the room.
-    pub fn relative(&self, into: DVec3) -> f64 {
+    pub(crate) fn relative(&self, into: DVec3) -> f64 {
         let Opening { sky, glass } = &self.opening;
         match self.share {
             0.0 => 0.0,

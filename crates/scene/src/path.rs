@@ -48,7 +48,7 @@ impl RigidPath {
     }
 
     /// The times at which the path may bend: it is smooth between them, and rests before the first and after the last.
-    pub fn times(&self) -> Vec<f64> {
+    pub(crate) fn times(&self) -> Vec<f64> {
         let shift = self.shift.iter().flat_map(Track::times).copied();
         let turn = self.turn.iter().flat_map(|turn| match &turn.kind {
             Kind::Axis(_, degrees) => degrees.times(),

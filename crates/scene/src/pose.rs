@@ -24,7 +24,7 @@ impl Pose {
     }
 
     /// The motion; its scale is 1.
-    pub fn motion(&self) -> &Motion {
+    pub(crate) fn motion(&self) -> &Motion {
         &self.0
     }
 
@@ -36,11 +36,5 @@ impl Pose {
     /// Where a difference of points at rest, or a normal, shows.
     pub fn vector(&self, d: DVec3) -> DVec3 {
         self.0.direction(d)
-    }
-
-    /// What takes things in this pose to where they are in the pose `next`.
-    #[must_use]
-    pub fn to(&self, next: &Self) -> Self {
-        Self(self.0.inverse().then(&next.0))
     }
 }

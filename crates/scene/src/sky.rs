@@ -103,12 +103,12 @@ impl Sky {
     }
 
     /// The sun, if there is one.
-    pub fn sun(&self) -> Option<&Sun> {
+    pub(crate) fn sun(&self) -> Option<&Sun> {
         self.sun.as_ref()
     }
 
     /// Irradiance of level ground per band, the sun left out (W m⁻²).
-    pub fn irradiance(&self) -> &[f64] {
+    pub(crate) fn irradiance(&self) -> &[f64] {
         &self.irradiance
     }
 
@@ -118,7 +118,7 @@ impl Sky {
     }
 
     /// Radiance (1/sr) from the unit direction `from`, over the irradiance of level ground in the band.
-    pub fn radiance(&self, from: DVec3) -> f64 {
+    pub(crate) fn radiance(&self, from: DVec3) -> f64 {
         match from.dot(self.up) {
             cosine if cosine > 0.0 => self.relative(cosine, from) / self.whole,
             _ => self.below,

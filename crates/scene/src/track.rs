@@ -93,12 +93,12 @@ impl<T: Mixed> Track<T> {
     }
 
     /// The times of the values.
-    pub fn times(&self) -> &[f64] {
+    pub(crate) fn times(&self) -> &[f64] {
         self.times.all()
     }
 
     /// The value at a time; those given are met to the bit.
-    pub fn at(&self, time: f64) -> T {
+    pub(crate) fn at(&self, time: f64) -> T {
         let (before, s) = self.times.place(time);
         let r = 1.0 - s;
         let line = self.values[before] * r + self.values[before + 1] * s;

@@ -8,9 +8,9 @@
 pub mod error;
 pub mod frame;
 pub mod account;
-pub mod chebyshev;
+mod chebyshev;
 mod told;
-pub mod ledger;
+mod ledger;
 pub mod sequence;
-pub mod course;
+mod course;
 pub mod follower;

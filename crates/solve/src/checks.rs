@@ -33,7 +33,7 @@ use serde::{Deserialize, Serialize};
 use crate::solution::powers::Powers;
 use crate::solution::{Band, Place, Solution};
 
-pub use balance::{Balance, Lit};
+pub(crate) use balance::{Balance, Lit};
 
 /// Most power iterations, and residual over eigenvalue at which they end. Both are chosen, not tuned.
 const MOST_STEPS: usize = 40;
@@ -78,7 +78,7 @@ impl Checks {
     }
 
     /// The checks of a solution computed with `blocks`, whose balance of power is known.
-    pub fn with_powers(solution: &Solution, blocks: &dyn Carrier, powers: Powers) -> Self {
+    pub(crate) fn with_powers(solution: &Solution, blocks: &dyn Carrier, powers: Powers) -> Self {
         let list = solution.elements().list();
         let ones = solution.elements().constant();
         let transported = blocks.integrated_constant(&ones);
@@ -103,7 +103,7 @@ impl Checks {
     }
 
     /// The checks of the same light at other factors of its groups: those of geometry and reflectance stay.
-    pub fn relit(&self, solution: &Solution) -> Self {
+    pub(crate) fn relit(&self, solution: &Solution) -> Self {
         let powers = solution.powers().unwrap_or_default();
         Self {
             energy_in: powers.emitted,

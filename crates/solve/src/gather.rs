@@ -39,7 +39,7 @@ pub struct Gather<'a> {
 
 /// Possible occluders between a site and the elements that send light to it.
 #[derive(Clone, Debug)]
-pub struct Company {
+pub(crate) struct Company {
     /// Occluders of the emitters.
     pub direct: Occluders,
     /// Occluders of the reflecting elements.
@@ -83,7 +83,7 @@ impl<'a> Gather<'a> {
     }
 
     /// Possible occluders around a site.
-    pub fn around(&self, site: &Site) -> Company {
+    pub(crate) fn around(&self, site: &Site) -> Company {
         Company { direct: self.direct.around(site), indirect: self.reflection.around(site) }
     }
 
@@ -98,7 +98,7 @@ impl<'a> Gather<'a> {
     }
 
     /// Irradiance (W m⁻²) per band at the point `vantage` of the site that `company` was made for.
-    pub fn irradiance(&self, vantage: &ReceiverPoint, company: &Company) -> Vec<f64> {
+    pub(crate) fn irradiance(&self, vantage: &ReceiverPoint, company: &Company) -> Vec<f64> {
         let direct = self.direct.irradiance(vantage, &company.direct);
         let indirect = self.reflection.irradiance(vantage, &company.indirect, &direct);
         direct.iter().zip(indirect).map(|(d, s)| d + s).collect()

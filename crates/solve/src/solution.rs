@@ -177,7 +177,7 @@ impl Solution {
     }
 
     /// The same light at the factors of the groups of `scene`. None if the light of its groups is not kept apart.
-    pub fn relit(&self, scene: &Scene) -> Option<Self> {
+    pub(crate) fn relit(&self, scene: &Scene) -> Option<Self> {
         let wanted = scene.light_groups();
         if wanted.is_empty() {
             return Some(self.clone());
@@ -231,7 +231,7 @@ impl Solution {
 
     /// The balance of power of all groups together, at their factors; None if it was made of bands
     /// ([`Solution::new`]).
-    pub fn powers(&self) -> Option<Powers> {
+    pub(crate) fn powers(&self) -> Option<Powers> {
         self.powers
     }
 

@@ -129,7 +129,7 @@ impl<'a> System<'a> {
     }
 
     /// The system of band number `band`, into which direct light enters in this way.
-    pub fn entered(
+    pub(crate) fn entered(
         elements: &'a [Element],
         blocks: &'a Blocks,
         (band, coating): (usize, &'a Coating),
@@ -293,11 +293,6 @@ impl<'a> System<'a> {
         // Of what luminaires light, surfaces reflect a part first.
         let scale = norm(&self.emitted).max(if self.apart.is_some() { norm(&self.known) } else { 0.0 });
         if scale > 0.0 { size / scale } else { 0.0 }
-    }
-
-    /// Coefficients e of the emitted exitance.
-    pub fn emitted(&self) -> &[f64] {
-        &self.emitted
     }
 
     /// Whether I − √ρ G √ρ is symmetric.

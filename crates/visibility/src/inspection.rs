@@ -4,15 +4,15 @@
 
 mod sheet;
 mod rim;
-pub mod shell;
+mod shell;
 mod enclosure;
-pub mod regions;
-pub mod warning;
-pub mod contact;
+mod regions;
+mod warning;
+mod contact;
 mod front;
 mod gap;
 mod luminaires;
-pub mod passage;
+mod passage;
 
 use std::collections::HashSet;
 

@@ -84,7 +84,7 @@ impl Interruption {
     }
 
     /// Whether it was raised.
-    pub fn is_raised(&self) -> bool {
+    fn is_raised(&self) -> bool {
         self.is_raised.load(Ordering::Relaxed)
     }
 

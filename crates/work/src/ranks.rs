@@ -8,9 +8,9 @@
 //! As with a pool of threads, work runs within ranks ([`Ranks::within`]) and finds them ([`current`]) where it has something to
 //! share. Threads that a rank starts for its own pieces are alone: nothing is shared within a piece.
 
-pub mod place;
+mod place;
 mod bytes;
-pub mod comm;
+mod comm;
 pub mod journal;
 pub mod shares;
 pub mod threads;
@@ -79,7 +79,7 @@ impl Ranks {
     }
 
     /// The ranks that `comm` connects.
-    pub fn of(comm: impl Comm + 'static) -> Self {
+    fn of(comm: impl Comm + 'static) -> Self {
         let shared =
             (comm.size() > 1).then(|| Arc::new(Shared { comm: Box::new(comm), sent: Counter::default() }));
         Self { shared, journal: None }

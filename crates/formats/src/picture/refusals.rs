@@ -7,10 +7,10 @@ use radiosity_photometry::fault::Fault;
 use super::reduction::{Reduction, Refused};
 
 /// Most texels of a file in all: 8192 × 8192. Chosen; not tuned.
-pub const MOST_READ: u64 = 1 << 26;
+pub(super) const MOST_READ: u64 = 1 << 26;
 
 /// Most texels of a file along one side, so that a row has at most half a megabyte. Chosen; not tuned.
-pub const LONGEST: u64 = 1 << 16;
+pub(super) const LONGEST: u64 = 1 << 16;
 
 /// Refuses more texels than are read, before anything is allocated for them.
 pub(super) fn check_size([columns, rows]: [u64; 2]) -> Result<(), Fault> {

@@ -61,12 +61,12 @@ pub struct Column {
 
 impl Column {
     /// A column of texts.
-    pub fn text(head: &str) -> Self {
+    pub(super) fn text(head: &str) -> Self {
         Self { head: head.to_owned(), unit: String::new(), is_numeric: false }
     }
 
     /// A column of numbers in `unit`.
-    pub fn numbers(head: &str, unit: &str) -> Self {
+    pub(super) fn numbers(head: &str, unit: &str) -> Self {
         Self { head: head.to_owned(), unit: unit.to_owned(), is_numeric: true }
     }
 
@@ -92,7 +92,7 @@ pub struct Table {
 
 impl Table {
     /// A table without rows.
-    pub fn new(columns: impl Into<Vec<Column>>) -> Self {
+    pub(super) fn new(columns: impl Into<Vec<Column>>) -> Self {
         Self { columns: columns.into(), rows: Vec::new(), total: None }
     }
 
@@ -100,7 +100,7 @@ impl Table {
     ///
     /// # Panics
     /// If it has not a cell for each column.
-    pub fn row(&mut self, cells: impl Into<Vec<String>>) {
+    pub(super) fn row(&mut self, cells: impl Into<Vec<String>>) {
         let cells = cells.into();
         assert_eq!(cells.len(), self.columns.len(), "a cell for each column");
         self.rows.push(cells);

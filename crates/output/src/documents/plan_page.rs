@@ -25,7 +25,7 @@ const LEAST: i32 = 260;
 
 /// A plan with what is written beside it.
 #[derive(Clone, Debug)]
-pub struct PlanPage<'a> {
+struct PlanPage<'a> {
     /// The plan.
     pub plan: &'a Plan<'a>,
     /// Its name.
@@ -60,7 +60,7 @@ pub fn plan_page(
 
 impl PlanPage<'_> {
     /// The page in colours.
-    pub fn picture(&self, colours: &FalseColours) -> Picture {
+    fn picture(&self, colours: &FalseColours) -> Picture {
         let field = self.plan.field();
         let mut drawing = false_colour(&field, &colours.scale);
         let parts: Vec<Option<u32>> = field.pixels().map(|(_, part)| (part > 0.0).then_some(0)).collect();

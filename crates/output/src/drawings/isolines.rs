@@ -12,7 +12,7 @@ use super::field::Field;
 
 /// A line along which a field has the value `level`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Isoline {
+pub(super) struct Isoline {
     /// The value.
     pub level: f64,
     /// Its points in pixels from the left upper corner, x right and y down; the first again at the end of a closed line.
@@ -21,7 +21,7 @@ pub struct Isoline {
 
 impl Isoline {
     /// Whether it ends where it begins.
-    pub fn is_closed(&self) -> bool {
+    fn is_closed(&self) -> bool {
         self.points.len() > 2 && self.points.first() == self.points.last()
     }
 
@@ -30,7 +30,7 @@ impl Isoline {
     ///
     /// # Panics
     /// If there is not a part per pixel.
-    pub fn all(field: &Field, parts: &[Option<u32>], level: f64) -> Vec<Self> {
+    pub(super) fn all(field: &Field, parts: &[Option<u32>], level: f64) -> Vec<Self> {
         let [width, height] = field.size().map(|pixels| pixels as usize);
         assert_eq!(parts.len(), width * height, "one part per pixel");
         let values: Vec<f64> = field.pixels().map(|(value, _)| value).collect();
@@ -50,22 +50,13 @@ impl Isoline {
     /// The line with its steps of a pixel evened out: `times` times each point between its neighbours moves to the mean of
     /// itself and their middle. Straight lines stay, and ends stay.
     #[must_use]
-    pub fn smoothed(&self, times: usize) -> Self {
+    pub(super) fn smoothed(&self, times: usize) -> Self {
         let mut points = self.points.clone();
         for _ in 0..times {
             points = if self.is_closed() { evened_ring(&points) } else { evened(&points) };
         }
         Self { level: self.level, points }
     }
-
-    /// Its length in pixels.
-    pub fn length(&self) -> f64 {
-        self.points.windows(2).map(|ends| distance(ends[0], ends[1])).sum()
-    }
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1])
 }
 
 fn mean(before: [f64; 2], own: [f64; 2], after: [f64; 2]) -> [f64; 2] {
@@ -175,6 +166,17 @@ impl Crossings<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    impl Isoline {
+        /// Its length in pixels.
+        pub(crate) fn length(&self) -> f64 {
+            self.points.windows(2).map(|ends| distance(ends[0], ends[1])).sum()
+        }
+    }
+
+    fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+        (b[0] - a[0]).hypot(b[1] - a[1])
+    }
 
     fn field([width, height]: [u32; 2], value: impl Fn(f64, f64) -> f64) -> Field {
         let middles = (0..height).flat_map(|y| (0..width).map(move |x| [x, y].map(|k| f64::from(k) + 0.5)));

@@ -32,7 +32,7 @@ const STEP: f64 = 4.0;
 
 /// Isolines with the text of each.
 #[derive(Clone, Debug, Default)]
-pub struct LabelledIsolines {
+pub(super) struct LabelledIsolines {
     lines: Vec<Labelled>,
 }
 
@@ -45,13 +45,13 @@ struct Labelled {
 
 impl LabelledIsolines {
     /// Adds the lines of one value, which is told by `text`.
-    pub fn add(&mut self, lines: &[Isoline], text: &str) {
+    pub(super) fn add(&mut self, lines: &[Isoline], text: &str) {
         let labelled = |line: &Isoline| Labelled { line: line.smoothed(EVENED), text: text.to_owned() };
         self.lines.extend(lines.iter().map(labelled));
     }
 
     /// Draws them all.
-    pub fn draw(&self, picture: &mut Picture) {
+    pub(super) fn draw(&self, picture: &mut Picture) {
         let [width, height] = picture.size();
         let size = if height.min(width) >= 900 { 20.0 } else { 16.0 };
         let map = Map::new(&self.lines, size, [width, height].map(f64::from));

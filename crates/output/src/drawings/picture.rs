@@ -29,7 +29,7 @@ impl Picture {
     ///
     /// # Panics
     /// If the number of pixels is not `width · height`.
-    pub fn new(width: u32, height: u32, pixels: Vec<Colour>) -> Self {
+    pub(crate) fn new(width: u32, height: u32, pixels: Vec<Colour>) -> Self {
         assert_eq!(pixels.len(), width as usize * height as usize, "one entry per pixel");
         Self { width, height, pixels }
     }
@@ -58,14 +58,14 @@ impl Picture {
     }
 
     /// Fills the pixels x0 ≤ x < x1, y0 ≤ y < y1.
-    pub fn fill(&mut self, [x0, x1]: [i32; 2], [y0, y1]: [i32; 2], colour: Colour) {
+    pub(crate) fn fill(&mut self, [x0, x1]: [i32; 2], [y0, y1]: [i32; 2], colour: Colour) {
         for (y, x) in (y0..y1).flat_map(|y| (x0..x1).map(move |x| (y, x))) {
             self.blend(x, y, colour, 1.0);
         }
     }
 
     /// A line of the given width between two points; `opacity` in [0, 1].
-    pub fn line(&mut self, from: [f64; 2], to: [f64; 2], width: f64, colour: Colour, opacity: f64) {
+    pub(super) fn line(&mut self, from: [f64; 2], to: [f64; 2], width: f64, colour: Colour, opacity: f64) {
         let segment = Segment { from, to };
         self.cover(segment.bounds(0.5 * width + 1.0), colour, |x, y| {
             opacity * (0.5 + 0.5 * width - segment.distance([x, y])).clamp(0.0, 1.0)
@@ -73,7 +73,7 @@ impl Picture {
     }
 
     /// A disk.
-    pub fn disk(&mut self, center: [f64; 2], radius: f64, colour: Colour) {
+    pub(super) fn disk(&mut self, center: [f64; 2], radius: f64, colour: Colour) {
         let bounds = center.map(|c| [c - radius - 1.0, c + radius + 1.0]);
         self.cover(bounds, colour, |x, y| {
             (0.5 + radius - (x - center[0]).hypot(y - center[1])).clamp(0.0, 1.0)
@@ -90,7 +90,7 @@ impl Picture {
     }
 
     /// Copies `other` with its left upper corner at (x, y).
-    pub fn paste(&mut self, other: &Self, [left, top]: [i32; 2]) {
+    pub(crate) fn paste(&mut self, other: &Self, [left, top]: [i32; 2]) {
         for (index, colour) in other.pixels.iter().enumerate() {
             let (x, y) = (index % other.width as usize, index / other.width as usize);
             self.blend(left + x as i32, top + y as i32, *colour, 1.0);

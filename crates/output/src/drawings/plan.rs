@@ -10,7 +10,7 @@ const PIXELS: f64 = 640.0;
 
 /// The values of a plane's sensors as a drawing.
 #[derive(Clone, Debug)]
-pub struct Plan<'a> {
+pub(crate) struct Plan<'a> {
     plane: &'a SensorPlane,
     values: &'a [f64],
     /// How far the second edge goes along the first one, and away from it (scene length).
@@ -22,7 +22,7 @@ impl<'a> Plan<'a> {
     ///
     /// # Panics
     /// If there is not a value per sensor.
-    pub fn new(plane: &'a SensorPlane, values: &'a [f64]) -> Self {
+    pub(crate) fn new(plane: &'a SensorPlane, values: &'a [f64]) -> Self {
         let [n, m] = plane.counts();
         assert_eq!(values.len(), n * m, "one value per sensor");
         let [a, b] = plane.edges();
@@ -31,13 +31,13 @@ impl<'a> Plan<'a> {
     }
 
     /// Least and greatest coordinate along the first edge and away from it, from the origin (scene length).
-    pub fn extent(&self) -> [[f64; 2]; 2] {
+    pub(crate) fn extent(&self) -> [[f64; 2]; 2] {
         let (first, [along, away]) = (self.plane.edges()[0].length(), self.second);
         [[along.min(0.0), first + along.max(0.0)], [0.0, away]]
     }
 
     /// The values, smooth between the sensors, pixel by pixel; nothing is covered beyond the plane.
-    pub fn field(&self) -> Field {
+    pub(crate) fn field(&self) -> Field {
         let extent = self.extent();
         let lengths = extent.map(|[low, high]| high - low);
         let scale = PIXELS / lengths[0].max(lengths[1]);

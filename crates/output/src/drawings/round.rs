@@ -31,7 +31,7 @@ pub fn round_around([low, high]: [f64; 2]) -> [f64; 2] {
 }
 
 /// Multiples of 1, 2 or 5 times a power of ten in a range that ascends, 3 to 9 of them, with the text of each.
-pub fn multiples([low, high]: [f64; 2]) -> Vec<Mark> {
+pub(crate) fn multiples([low, high]: [f64; 2]) -> Vec<Mark> {
     let step = [1.0, 2.0, 5.0, 10.0].map(|x| x * power_below((high - low) / 8.0));
     let step = step.into_iter().find(|step| (high - low) / step <= 8.0 * (1.0 + SLACK)).unwrap_or(step[3]);
     let slack = SLACK * step;
@@ -50,7 +50,7 @@ const RATIOS: [&[f64]; 4] = [
 
 /// Round numbers in about equal ratios in a range of positive numbers that ascends, 3 to 9 of them, with the text of each.
 /// In a range of less than about a factor of 2 they are multiples.
-pub fn ratios([low, high]: [f64; 2]) -> Vec<Mark> {
+pub(super) fn ratios([low, high]: [f64; 2]) -> Vec<Mark> {
     let powers = low.log10().floor() as i32..=high.log10().floor() as i32;
     let within = |mantissas: &'static [f64], every: usize| -> Vec<f64> {
         let all = powers
@@ -107,7 +107,7 @@ pub fn significant(number: f64, digits: usize) -> String {
 
 /// `values` of one column, all with the decimals that give the largest four digits; with powers of ten where that is far
 /// from 1.
-pub fn column(values: &[f64]) -> Vec<String> {
+pub(crate) fn column(values: &[f64]) -> Vec<String> {
     let largest = values.iter().fold(0.0, |largest, value| f64::max(largest, value.abs()));
     match largest {
         0.0 => vec!["0".to_owned(); values.len()],
@@ -120,12 +120,12 @@ pub fn column(values: &[f64]) -> Vec<String> {
 }
 
 /// An error to two digits: 0.25, 1.2·10⁻⁴.
-pub fn error(value: f64) -> String {
+pub(crate) fn error(value: f64) -> String {
     if (0.01..1e4).contains(&value.abs()) { significant(value, 2) } else { power_of_ten(value, 2) }
 }
 
 /// `value` to so many digits, with a power of ten: 1.2·10⁻⁴.
-pub fn power_of_ten(value: f64, digits: usize) -> String {
+fn power_of_ten(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }

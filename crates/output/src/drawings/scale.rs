@@ -61,7 +61,7 @@ impl Scale {
     }
 
     /// The place of a number on the scale, from 0 to 1.
-    pub fn place(&self, value: f64) -> f64 {
+    pub(super) fn place(&self, value: f64) -> f64 {
         let [low, high] = self.range;
         let part = match self.steps {
             Steps::Differences => (value - low) / (high - low),
@@ -71,12 +71,12 @@ impl Scale {
     }
 
     /// The colour of a number.
-    pub fn colour(&self, value: f64) -> Colour {
+    pub(crate) fn colour(&self, value: f64) -> Colour {
         self.colour_at(self.place(value))
     }
 
     /// The colour at a place from 0 to 1.
-    pub fn colour_at(&self, place: f64) -> Colour {
+    pub(super) fn colour_at(&self, place: f64) -> Colour {
         self.gradient.eval_continuous(if self.reversed { 1.0 - place } else { place }).as_array()
     }
 
@@ -85,14 +85,14 @@ impl Scale {
     /// # Panics
     /// If `range` does not ascend. One with equal ratios is cut off at a ten-thousandth of its upper end.
     #[must_use]
-    pub fn over(&self, [low, high]: [f64; 2]) -> Self {
+    pub(super) fn over(&self, [low, high]: [f64; 2]) -> Self {
         assert!(low < high, "a range ascends");
         let low = if self.steps == Steps::Ratios { low.max(DEEPEST * high) } else { low };
         Self { range: [low, high], ..*self }
     }
 
     /// Round numbers over the range, 3 to 9 of them, with the text of each.
-    pub fn ticks(&self) -> Vec<Mark> {
+    pub(super) fn ticks(&self) -> Vec<Mark> {
         match self.steps {
             Steps::Differences => multiples(self.range),
             Steps::Ratios => ratios(self.range),

@@ -10,7 +10,7 @@ const PREFIX: usize = 10;
 
 /// The kind of an array's entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub(super) enum Kind {
     /// f64.
     Float64,
     /// i32.
@@ -36,7 +36,7 @@ impl Kind {
     }
 
     /// Bytes of an entry.
-    pub fn size(self) -> usize {
+    pub(super) fn size(self) -> usize {
         match self {
             Self::Float64 | Self::Int64 => 8,
             Self::Int32 => 4,
@@ -50,7 +50,7 @@ impl Kind {
 ///
 /// # Errors
 /// What `out` reports.
-pub fn header(kind: Kind, shape: &[usize], mut out: impl Write) -> io::Result<()> {
+pub(super) fn header(kind: Kind, shape: &[usize], mut out: impl Write) -> io::Result<()> {
     let shape: String = shape.iter().map(|count| format!("{count}, ")).collect();
     // Python writes (4, 5) and (4,).
     let shape = shape.trim_end().strip_suffix(',').map_or(String::new(), |shape| match shape.contains(',') {
@@ -69,7 +69,7 @@ pub fn header(kind: Kind, shape: &[usize], mut out: impl Write) -> io::Result<()
 ///
 /// # Errors
 /// What `out` reports.
-pub fn square(
+pub(crate) fn square(
     count: usize,
     rows: impl Iterator<Item = impl AsRef<[f64]>>,
     mut out: impl Write,

@@ -15,13 +15,13 @@ use zip::{CompressionMethod, ZipWriter};
 use super::npy::{self, Kind};
 
 /// An archive that is being written.
-pub struct Archive<W: Write> {
+pub(crate) struct Archive<W: Write> {
     zip: ZipWriter<StreamWriter<W>>,
 }
 
 impl<W: Write> Archive<W> {
     /// An archive without arrays.
-    pub fn new(out: W) -> Self {
+    pub(crate) fn new(out: W) -> Self {
         Self { zip: ZipWriter::new_stream(out) }
     }
 
@@ -29,7 +29,7 @@ impl<W: Write> Archive<W> {
     ///
     /// # Errors
     /// What the output reports.
-    pub fn square(
+    pub(crate) fn square(
         &mut self,
         name: &str,
         count: usize,
@@ -43,7 +43,7 @@ impl<W: Write> Archive<W> {
     ///
     /// # Errors
     /// What the output reports.
-    pub fn numbers(
+    pub(crate) fn numbers(
         &mut self,
         name: &str,
         count: usize,
@@ -56,7 +56,7 @@ impl<W: Write> Archive<W> {
     ///
     /// # Errors
     /// What the output reports.
-    pub fn indices(
+    pub(super) fn indices(
         &mut self,
         name: &str,
         count: usize,
@@ -69,7 +69,7 @@ impl<W: Write> Archive<W> {
     ///
     /// # Errors
     /// What the output reports.
-    pub fn counts(
+    pub(super) fn counts(
         &mut self,
         name: &str,
         count: usize,
@@ -82,7 +82,7 @@ impl<W: Write> Archive<W> {
     ///
     /// # Errors
     /// What the output reports.
-    pub fn texts<'a>(
+    pub(crate) fn texts<'a>(
         &mut self,
         name: &str,
         texts: impl ExactSizeIterator<Item = &'a str> + Clone,
@@ -101,7 +101,7 @@ impl<W: Write> Archive<W> {
     ///
     /// # Errors
     /// What the output reports.
-    pub fn word(&mut self, name: &str, word: &str) -> io::Result<()> {
+    pub(super) fn word(&mut self, name: &str, word: &str) -> io::Result<()> {
         self.begin(name, word.len())?;
         npy::header(Kind::Bytes(word.len()), &[], &mut self.zip)?;
         self.zip.write_all(word.as_bytes())
@@ -111,7 +111,7 @@ impl<W: Write> Archive<W> {
     ///
     /// # Errors
     /// What the output reports.
-    pub fn finish(self) -> io::Result<()> {
+    pub(crate) fn finish(self) -> io::Result<()> {
         self.zip.finish()?;
         Ok(())
     }

@@ -15,4 +15,3 @@ mod reading;
 pub use error::{Mismatch, SolutionError, SolutionFault};
 pub use reading::{is_solution, read};
 pub use tree::SolutionFile;
-pub use version::VERSION;

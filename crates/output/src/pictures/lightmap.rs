@@ -87,7 +87,7 @@ pub struct LightTexture {
 
 impl Lightmap {
     /// Irradiance (unit of exitance) of a surface in a band at its parameters, at the factors of its parts.
-    pub fn irradiance(&self, surface: usize, band: usize, parameters: [f64; 2]) -> f64 {
+    pub(crate) fn irradiance(&self, surface: usize, band: usize, parameters: [f64; 2]) -> f64 {
         let texture = &self.surfaces()[surface];
         self.parts()
             .iter()
@@ -97,7 +97,7 @@ impl Lightmap {
     }
 
     /// Radiosity (unit of exitance) of a surface of `scene` in a band at its parameters, under the irradiance `irradiance`.
-    pub fn radiosity(
+    pub(crate) fn radiosity(
         &self,
         scene: &Scene,
         (surface, band): (usize, usize),
@@ -171,7 +171,7 @@ impl LightTexture {
     }
 
     /// The place of the parameters (u, v) in an image of these texels, in [0, 1] from the outer border of the first texel.
-    pub fn image_coordinates(&self, [u, v]: [f64; 2]) -> [f64; 2] {
+    pub(crate) fn image_coordinates(&self, [u, v]: [f64; 2]) -> [f64; 2] {
         let place = |x: f64, count: usize| (0.5 + 0.5 * (1.0 + x) * (count - 1) as f64) / count as f64;
         [place(u, self.size[0]), place(v, self.size[1])]
     }

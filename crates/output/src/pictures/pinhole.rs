@@ -38,7 +38,7 @@ impl Pinhole {
     }
 
     /// Rays through `samples × samples` points of a regular grid over a pixel, counted from the left upper one.
-    pub fn rays(&self, [column, row]: [u32; 2], samples: u32) -> impl Iterator<Item = Ray> {
+    pub(super) fn rays(&self, [column, row]: [u32; 2], samples: u32) -> impl Iterator<Item = Ray> {
         let offset = move |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
         (0..samples * samples).map(move |k| {
             self.ray(f64::from(column) + offset(k % samples), f64::from(row) + offset(k / samples))

@@ -25,7 +25,12 @@ impl Raster {
     ///
     /// # Panics
     /// If there are not `width · height` coverages or not as many values times bands.
-    pub fn new([width, height]: [u32; 2], bands: Vec<String>, values: Vec<f64>, coverage: Vec<f64>) -> Self {
+    pub(crate) fn new(
+        [width, height]: [u32; 2],
+        bands: Vec<String>,
+        values: Vec<f64>,
+        coverage: Vec<f64>,
+    ) -> Self {
         assert_eq!(coverage.len(), width as usize * height as usize, "one coverage per pixel");
         assert_eq!(values.len(), coverage.len() * bands.len(), "one value per pixel and band");
         Self { width, height, bands, values, coverage, samples: BTreeMap::new() }
@@ -33,7 +38,7 @@ impl Raster {
 
     /// The same with the samples of pixels that average several, by their places in row order.
     #[must_use]
-    pub fn with_samples(self, samples: BTreeMap<usize, Samples>) -> Self {
+    pub(super) fn with_samples(self, samples: BTreeMap<usize, Samples>) -> Self {
         Self { samples, ..self }
     }
 
@@ -43,7 +48,7 @@ impl Raster {
     }
 
     /// Names of the bands.
-    pub fn bands(&self) -> &[String] {
+    pub(crate) fn bands(&self) -> &[String] {
         &self.bands
     }
 

@@ -35,7 +35,7 @@ pub enum Tone {
 
 impl Tone {
     /// The colour on the screen, in [0, 1], of linear light that is not negative.
-    pub fn shown(self, light: [f64; 3]) -> [f64; 3] {
+    pub(super) fn shown(self, light: [f64; 3]) -> [f64; 3] {
         match self {
             Self::Linear => light.map(|x| x.min(1.0)),
             Self::Shoulder => shoulder(light),

@@ -35,7 +35,7 @@ pub struct Reader<'a> {
 
 /// The light that a [`Reader`] recomputes.
 #[derive(Debug)]
-pub enum Light<'a> {
+pub(super) enum Light<'a> {
     /// Nothing.
     Basis,
     /// Direct light.
@@ -90,33 +90,33 @@ impl<'a> Reader<'a> {
     }
 
     /// The solution that is read.
-    pub fn solution(&self) -> &'a Solution {
+    pub(super) fn solution(&self) -> &'a Solution {
         self.solution
     }
 
     /// The obstacles of the scene.
-    pub fn visibility(&self) -> &'a Visibility {
+    pub(super) fn visibility(&self) -> &'a Visibility {
         self.visibility
     }
 
     /// Whether all light is gathered.
-    pub fn gathers(&self) -> bool {
+    pub(super) fn gathers(&self) -> bool {
         matches!(self.light, Light::Gather(_) | Light::Rays(_))
     }
 
     /// The light that is recomputed.
-    pub fn light(&self) -> &Light<'a> {
+    pub(super) fn light(&self) -> &Light<'a> {
         &self.light
     }
 
     /// The polynomials of irradiance (W m⁻²) per band at a place of an element.
-    pub fn polynomials(&self, element: usize, place: &Place) -> Vec<f64> {
+    pub(super) fn polynomials(&self, element: usize, place: &Place) -> Vec<f64> {
         let bands = 0..self.solution.bands().len();
         bands.map(|band| self.solution.irradiance(band, element, place)).collect()
     }
 
     /// The polynomials of the irradiance (W m⁻²) that was reflected at least once, per band.
-    pub fn indirect_polynomials(&self, element: usize, place: &Place) -> Vec<f64> {
+    pub(super) fn indirect_polynomials(&self, element: usize, place: &Place) -> Vec<f64> {
         let bands = 0..self.solution.bands().len();
         bands.map(|band| self.solution.indirect(band, element, place)).collect()
     }
@@ -139,7 +139,7 @@ impl<'a> Reader<'a> {
 
     /// Irradiance per band (W m⁻²) on the other side of a place of an element that lets light through; 0 elsewhere. `normal` is
     /// that of the element.
-    pub fn behind(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
+    pub(super) fn behind(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
         match self.solution.behind(element, place) {
             Some((behind, place)) => self.irradiance(behind, &place, -normal).irradiance,
             None => vec![0.0; self.solution.bands().len()],

@@ -17,7 +17,7 @@ pub enum Shown {
 
 /// The light at a place of an element.
 #[derive(Clone, Copy, Debug)]
-pub struct Here {
+pub(crate) struct Here {
     /// Index of the element.
     pub element: usize,
     /// Parameters of its surface.
@@ -32,7 +32,7 @@ pub struct Here {
 
 impl Shown {
     /// The quantity (unit of exitance, ≥ 0) at a place; negative values of polynomials are cut off at zero.
-    pub fn of(self, coating: &Coating, here: &Here) -> f64 {
+    pub(crate) fn of(self, coating: &Coating, here: &Here) -> f64 {
         let Here { element, parameters, irradiance, behind, directed } = *here;
         let value = match self {
             Self::Radiosity => {
@@ -60,7 +60,7 @@ fn is_lux(unit: &str) -> bool {
 }
 
 /// The unit of power where exitance is in `unit` and lengths are metres: lm for lx, W for W/m², else their product.
-pub fn power_unit(unit: &str) -> String {
+pub(crate) fn power_unit(unit: &str) -> String {
     match unit {
         _ if is_lux(unit) => "lm".to_owned(),
         "W/m²" | "W/m^2" | "W m⁻²" => "W".to_owned(),

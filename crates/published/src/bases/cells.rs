@@ -10,13 +10,13 @@ use super::functions::SurfaceFunctions;
 
 /// The constants of the cells of a surface.
 #[derive(Clone, Debug)]
-pub struct Cells {
+pub(super) struct Cells {
     rects: Vec<Rect>,
 }
 
 impl Cells {
     /// Those of cells that cover [−1, 1]² and do not overlap.
-    pub fn new(rects: Vec<Rect>) -> Self {
+    pub(super) fn new(rects: Vec<Rect>) -> Self {
         Self { rects }
     }
 }

@@ -17,14 +17,14 @@ use super::functions::SurfaceFunctions;
 
 /// Cosines up to a degree.
 #[derive(Clone, Copy, Debug)]
-pub struct Cosines {
+pub(super) struct Cosines {
     space: Space,
     degree: usize,
 }
 
 impl Cosines {
     /// Those of i + j ≤ `degree`, or of i, j ≤ `degree`, in the order of `space`.
-    pub fn new(space: Space, degree: usize) -> Self {
+    pub(super) fn new(space: Space, degree: usize) -> Self {
         Self { space, degree }
     }
 }

@@ -11,13 +11,13 @@ use super::functions::SurfaceFunctions;
 
 /// The tents at the corners of a grid of cells; number i·n + j at break i of u and j of the n of v.
 #[derive(Clone, Debug)]
-pub struct Tents {
+pub(super) struct Tents {
     breaks: [Vec<f64>; 2],
 }
 
 impl Tents {
     /// Those of the cells between `breaks` of u and of v, which ascend from −1 to 1.
-    pub fn new(breaks: [Vec<f64>; 2]) -> Self {
+    pub(super) fn new(breaks: [Vec<f64>; 2]) -> Self {
         Self { breaks }
     }
 }

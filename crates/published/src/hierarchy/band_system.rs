@@ -45,7 +45,7 @@ impl<'a> BandSystem<'a> {
     }
 
     /// S T E₀ on the reflecting leaves.
-    pub fn right_hand_side(&self) -> Vec<f64> {
+    fn right_hand_side(&self) -> Vec<f64> {
         self.received(&self.hierarchy.exchange(&self.exitance))
     }
 
@@ -87,14 +87,14 @@ impl<'a> BandSystem<'a> {
     }
 
     /// Radiosity of all leaves (W m⁻²) under an irradiance, B = E₀ + ρ E.
-    pub fn radiosity(&self, irradiance: &[f64]) -> Vec<f64> {
+    pub(super) fn radiosity(&self, irradiance: &[f64]) -> Vec<f64> {
         let lit =
             self.reflectance.iter().zip(irradiance).map(|(reflectance, irradiance)| reflectance * irradiance);
         self.exitance.iter().zip(lit).map(|(exitance, lit)| exitance + lit).collect()
     }
 
     /// Irradiance T B/A of all leaves (W m⁻²) from their radiosity.
-    pub fn gather(&self, radiosity: &[f64]) -> Vec<f64> {
+    pub(super) fn gather(&self, radiosity: &[f64]) -> Vec<f64> {
         let power = self.hierarchy.exchange(radiosity);
         self.hierarchy.leaves().iter().zip(power).map(|(leaf, power)| power / leaf.area).collect()
     }

@@ -88,12 +88,12 @@ impl Hierarchy {
     }
 
     /// The numbers of its parts.
-    pub fn counts(&self) -> Counts {
+    pub(super) fn counts(&self) -> Counts {
         self.counts
     }
 
     /// The leaves, surface by surface.
-    pub fn leaves(&self) -> &[Leaf] {
+    pub(super) fn leaves(&self) -> &[Leaf] {
         &self.leaves
     }
 

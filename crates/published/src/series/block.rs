@@ -107,11 +107,6 @@ impl BlockSeries {
         Ok(Self { centre, range, radius, terms, remainder, rule_error, samples: count })
     }
 
-    /// p of the expansion.
-    pub fn centre(&self) -> f64 {
-        self.centre
-    }
-
     /// The displacements at which the series may be evaluated: within its radius, and as long as the same parts of the
     /// elements face each other.
     pub fn range(&self) -> Span {

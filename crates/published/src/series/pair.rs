@@ -35,7 +35,7 @@ impl<'a> TranslatedPair<'a> {
 
     /// The same with the emitter displaced by `offset` (scene length) at p = 0.
     #[must_use]
-    pub fn displaced(self, offset: DVec3) -> Self {
+    pub(crate) fn displaced(self, offset: DVec3) -> Self {
         Self { offset, ..self }
     }
 

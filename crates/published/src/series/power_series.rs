@@ -32,7 +32,12 @@ pub fn inverse_square(alpha: f64, beta: f64, r2: f64, out: &mut [f64]) {
 
 /// Writes φ_0 … φ_{m−1} of (N₀ + N₁p + N₂p²)/(1 + A p + B p²)², m = `out.len()`, for W quotients side by side.
 #[inline]
-pub fn quotient<const W: usize>(numerator: &[[f64; W]; 3], a: &[f64; W], b: &[f64; W], out: &mut [[f64; W]]) {
+pub(super) fn quotient<const W: usize>(
+    numerator: &[[f64; W]; 3],
+    a: &[f64; W],
+    b: &[f64; W],
+    out: &mut [[f64; W]],
+) {
     let zero = [0.0; W];
     let (mut once_before, mut once, mut twice_before, mut twice) = (zero, zero, zero, zero);
     for (n, phi) in out.iter_mut().enumerate() {

@@ -11,12 +11,12 @@ pub struct Span {
 
 impl Span {
     /// All p.
-    pub const ALL: Self = Self { from: f64::NEG_INFINITY, to: f64::INFINITY };
+    pub(super) const ALL: Self = Self { from: f64::NEG_INFINITY, to: f64::INFINITY };
     /// No p.
-    pub const NONE: Self = Self { from: f64::INFINITY, to: f64::NEG_INFINITY };
+    const NONE: Self = Self { from: f64::INFINITY, to: f64::NEG_INFINITY };
 
     /// Where height + p slope ≥ 0.
-    pub fn above(height: f64, slope: f64) -> Self {
+    pub(super) fn above(height: f64, slope: f64) -> Self {
         let zero = -height / slope;
         match slope {
             slope if slope > 0.0 => Self { from: zero, ..Self::ALL },
@@ -33,19 +33,19 @@ impl Span {
 
     /// What lies in both.
     #[must_use]
-    pub fn common(&self, other: &Self) -> Self {
+    pub(super) fn common(&self, other: &Self) -> Self {
         Self { from: self.from.max(other.from), to: self.to.min(other.to) }
     }
 
     /// The least interval around both.
     #[must_use]
-    pub fn hull(&self, other: &Self) -> Self {
+    pub(super) fn hull(&self, other: &Self) -> Self {
         Self { from: self.from.min(other.from), to: self.to.max(other.to) }
     }
 
     /// The part of what lies outside that holds zero, if zero lies outside.
     #[must_use]
-    pub fn beside_zero(&self) -> Self {
+    pub(super) fn beside_zero(&self) -> Self {
         match self {
             Self { from, to } if from > to => Self::ALL,
             Self { from, .. } if *from > 0.0 => Self { to: *from, ..Self::ALL },
@@ -55,7 +55,7 @@ impl Span {
 
     /// The interval of p + `step` for its p.
     #[must_use]
-    pub fn moved(&self, step: f64) -> Self {
+    pub(super) fn moved(&self, step: f64) -> Self {
         Self { from: self.from + step, to: self.to + step }
     }
 }

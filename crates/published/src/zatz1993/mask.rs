@@ -18,18 +18,18 @@
 use std::num::NonZeroUsize;
 
 /// The mask at coordinates in [−1, 1]²; None where the element is covered or does not reach.
-pub type Sample<'a> = &'a dyn Fn([f64; 2]) -> Option<f64>;
+pub(super) type Sample<'a> = &'a dyn Fn([f64; 2]) -> Option<f64>;
 
 /// A function on an element with values in [0, 1], given at (cells + 1)² nodes, the second coordinate fastest.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mask {
+pub(super) struct Mask {
     cells: usize,
     values: Vec<f64>,
 }
 
 impl Mask {
     /// The mask of samples at the corners of `cells` × `cells` equal cells; None where no node is free.
-    pub fn new(cells: NonZeroUsize, sample: Sample<'_>) -> Option<Self> {
+    pub(super) fn new(cells: NonZeroUsize, sample: Sample<'_>) -> Option<Self> {
         let cells = cells.get();
         let place = |index: usize| {
             [index / (cells + 1), index % (cells + 1)].map(|k| 2.0 * k as f64 / cells as f64 - 1.0)
@@ -42,7 +42,7 @@ impl Mask {
     }
 
     /// Value at coordinates in [−1, 1]²; coordinates outside count as on the border.
-    pub fn at(&self, coordinates: [f64; 2]) -> f64 {
+    pub(super) fn at(&self, coordinates: [f64; 2]) -> f64 {
         let scaled = coordinates.map(|x| (0.5 * (x + 1.0)).clamp(0.0, 1.0) * self.cells as f64);
         let [i, j] = scaled.map(|x| (x as usize).min(self.cells - 1));
         let node = |i: usize, j: usize| self.values[i * (self.cells + 1) + j];

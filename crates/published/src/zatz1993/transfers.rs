@@ -32,7 +32,7 @@
 //!
 //! K is not symmetric, even between parallelograms, whose K^00 is the form factor F_ij: receiver and emitter are
 //! treated differently, so each ordered pair is integrated by itself. The blocks G, with respect to area, follow from
-//! the bases' triangular transforms ([`Chart`]); between parallelograms G = √(A_i/A_j) K.
+//! the bases' triangular transforms (`Chart`); between parallelograms G = √(A_i/A_j) K.
 
 mod axis;
 mod border;
@@ -43,7 +43,7 @@ mod transfer;
 mod assembly;
 
 pub use assembly::assemble;
-pub use chart::{Chart, NoChart};
+pub use chart::NoChart;
 pub use party::Party;
 pub use sum::Sees;
 pub use transfer::{Reading, Rules, Transfer, transfer};

@@ -22,22 +22,22 @@ impl Polynomial {
     }
 
     /// Its terms.
-    pub fn terms(&self) -> &[Term] {
+    pub(super) fn terms(&self) -> &[Term] {
         &self.0
     }
 
     /// Its value at (u, v).
-    pub fn at(&self, [u, v]: [f64; 2]) -> f64 {
+    pub(super) fn at(&self, [u, v]: [f64; 2]) -> f64 {
         self.0.iter().map(|term| term.factor * u.powi(term.u as i32) * v.powi(term.v as i32)).sum()
     }
 
     /// Total degree.
-    pub fn degree(&self) -> u32 {
+    pub(super) fn degree(&self) -> u32 {
         self.0.iter().map(|term| term.u + term.v).max().unwrap_or(0)
     }
 
     /// Its mean over [−1, 1]², by ½ ∫ u^i du = 1/(i + 1) for even i, and 0 for odd i.
-    pub fn mean(&self) -> f64 {
+    pub(super) fn mean(&self) -> f64 {
         let half = |power: u32| if power.is_multiple_of(2) { 1.0 / f64::from(power + 1) } else { 0.0 };
         self.0.iter().map(|term| term.factor * half(term.u) * half(term.v)).sum()
     }

@@ -11,14 +11,14 @@
 use std::f64::consts::PI;
 
 /// Point number `k` of `intervals` + 1 in [−1, 1], ascending; exactly symmetric.
-pub fn point(k: usize, intervals: usize) -> f64 {
+pub(super) fn point(k: usize, intervals: usize) -> f64 {
     let (k, n) = (k as f64, intervals as f64);
     // −cos(π k/n), by the sine of the distance from the middle.
     (PI * (2.0 * k - n) / (2.0 * n)).sin()
 }
 
 /// The factors of the values at the points of `intervals` in the interpolant at `x` in [−1, 1]; their sum is 1.
-pub fn factors(intervals: usize, x: f64) -> Vec<f64> {
+pub(super) fn factors(intervals: usize, x: f64) -> Vec<f64> {
     let points: Vec<f64> = (0..=intervals).map(|k| point(k, intervals)).collect();
     if let Some(met) = points.iter().position(|point| *point == x) {
         return (0..=intervals).map(|k| if k == met { 1.0 } else { 0.0 }).collect();

@@ -57,7 +57,7 @@ const FEW: usize = 24;
 
 /// The light of frames along a known path.
 #[derive(Debug)]
-pub struct Course<'a> {
+pub(super) struct Course<'a> {
     sequence: Sequence<'a>,
     tolerance: f64,
     /// First and last frames of what is not solved yet, the next one last.
@@ -92,7 +92,7 @@ struct Node {
 impl<'a> Course<'a> {
     /// The light of the frames `first` to `last` of a sequence, to be interpolated to the relative accuracy `tolerance`. Nothing is
     /// solved yet.
-    pub fn new(sequence: Sequence<'a>, [first, last]: [usize; 2], tolerance: f64) -> Self {
+    pub(super) fn new(sequence: Sequence<'a>, [first, last]: [usize; 2], tolerance: f64) -> Self {
         Self {
             ahead: between_bends(&sequence, [first, last.max(first)]),
             sequence,
@@ -104,22 +104,22 @@ impl<'a> Course<'a> {
     }
 
     /// What the moments that were solved so far cost, and what they miss.
-    pub fn account(&self) -> &Account {
+    pub(super) fn account(&self) -> &Account {
         self.sequence.account()
     }
 
     /// What was solved so far, in solutions of a frame alone ([`Sequence::spent`]).
-    pub fn spent(&self) -> f64 {
+    pub(super) fn spent(&self) -> f64 {
         self.sequence.spent()
     }
 
     /// Number of segments so far.
-    pub fn segments(&self) -> usize {
+    pub(super) fn segments(&self) -> usize {
         self.segments.len()
     }
 
     /// Largest error that is told of any segment so far; None where none was interpolated.
-    pub fn error(&self) -> Option<f64> {
+    pub(super) fn error(&self) -> Option<f64> {
         self.segments.iter().filter_map(|segment| segment.error).reduce(f64::max)
     }
 
@@ -128,7 +128,7 @@ impl<'a> Course<'a> {
     ///
     /// # Errors
     /// As [`Sequence::at`].
-    pub fn frame(
+    pub(super) fn frame(
         &mut self,
         frame: usize,
         progress: &(dyn Fn(Progress) + Sync),

@@ -2,7 +2,7 @@
 
 /// What frames cost, in solutions of a single frame that is solved alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Ledger {
+pub(super) struct Ledger {
     frames: usize,
     repaid: Option<usize>,
 }
@@ -16,7 +16,7 @@ impl Ledger {
     }
 
     /// The number of frames from which on all together cost less than if each were solved alone; None if they cost as much.
-    pub fn repaid(&self) -> Option<usize> {
+    pub(super) fn repaid(&self) -> Option<usize> {
         self.repaid
     }
 }

@@ -94,17 +94,17 @@ impl<'a> Sequence<'a> {
     }
 
     /// Whether blocks may be sums of series.
-    pub fn has_series(&self) -> bool {
+    pub(super) fn has_series(&self) -> bool {
         self.kept.expansions.is_some()
     }
 
     /// The scene with its motions.
-    pub fn scene(&self) -> &'a Scene {
+    pub(super) fn scene(&self) -> &'a Scene {
         self.stills.scene()
     }
 
     /// The options that every frame is solved with.
-    pub fn options(&self) -> &Options {
+    pub(super) fn options(&self) -> &Options {
         &self.options
     }
 
@@ -145,7 +145,7 @@ impl<'a> Sequence<'a> {
 
     /// What was solved so far, in solutions of a frame alone: by the numbers of blocks that were integrated, of which an expansion
     /// counts for one a term, or of rays that were traced.
-    pub fn spent(&self) -> f64 {
+    pub(super) fn spent(&self) -> f64 {
         self.spent
     }
 

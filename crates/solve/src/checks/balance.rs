@@ -10,7 +10,7 @@ use crate::system::Coefficients;
 
 /// What blocks lose of the radiosity that they carry.
 #[derive(Debug)]
-pub struct Balance {
+pub(crate) struct Balance {
     starts: Vec<usize>,
     /// c, the coefficients of the constant 1.
     ones: Vec<f64>,
@@ -20,7 +20,7 @@ pub struct Balance {
 
 /// The light of one band, whose balance is drawn.
 #[derive(Clone, Copy, Debug)]
-pub struct Lit<'a> {
+pub(crate) struct Lit<'a> {
     /// Reflectance and exitance.
     pub coating: &'a Coating,
     /// Flux of the luminaires (W).
@@ -31,7 +31,7 @@ pub struct Lit<'a> {
 
 impl Balance {
     /// That of the `blocks` between `elements`.
-    pub fn of(elements: &Elements, blocks: &dyn Carrier) -> Self {
+    pub(crate) fn of(elements: &Elements, blocks: &dyn Carrier) -> Self {
         let ones = elements.constant();
         let kept = blocks.apply_transposed(&ones);
         let lost = ones.iter().zip(&kept).map(|(c, gc)| c - gc).collect();
@@ -40,7 +40,7 @@ impl Balance {
 
     /// Powers, summed over the bands of `light` with compensation, since their balance is a check; direct light entered
     /// by `entry`.
-    pub fn powers(&self, light: &[Lit<'_>], entry: &Entry) -> Powers {
+    pub(crate) fn powers(&self, light: &[Lit<'_>], entry: &Entry) -> Powers {
         let mut sums = [Compensated::default(); 3];
         for (index, Lit { coating, flux, coefficients }) in light.iter().enumerate() {
             let Coefficients { irradiance, radiosity, .. } = coefficients;

@@ -21,7 +21,7 @@ pub enum Fit {
 
 impl Fit {
     /// The change in words.
-    pub fn wording(&self) -> Wording {
+    fn wording(&self) -> Wording {
         match self {
             Self::Rays(rays) => set("rays", rays),
             Self::ConjugateGradients => words("the solver cg"),

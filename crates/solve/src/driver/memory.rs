@@ -87,7 +87,7 @@ impl Footprint {
     }
 
     /// The same by the rules of 1993, whose blocks are not symmetric: all of them are stored, and the matrix is dense.
-    pub fn of_1993(scene: &Scene, how: &Discretization, method: &Method) -> Self {
+    pub(super) fn of_1993(scene: &Scene, how: &Discretization, method: &Method) -> Self {
         let sizes = cut_sizes(scene, how);
         let own = Self::of_blocks(scene, &sizes);
         let matrix = NUMBER * most_unknowns(scene, &sizes).pow(2);
@@ -124,7 +124,7 @@ impl Footprint {
     }
 
     /// The footprint of `scene`, cut as `how` says and carried by so many rays: an upper bound.
-    pub fn of_rays(scene: &Scene, how: &Discretization, method: &Method, rays: u64) -> Self {
+    pub(super) fn of_rays(scene: &Scene, how: &Discretization, method: &Method, rays: u64) -> Self {
         let sizes = cut_sizes(scene, how);
         let elements =
             sizes.iter().map(|cut| cut.elements * (NUMBER * cut.functions * cut.functions + ELEMENT));
@@ -152,7 +152,7 @@ impl Footprint {
     }
 
     /// The same with a memory.
-    pub fn peak_with_memory(&self) -> u64 {
+    pub(super) fn peak_with_memory(&self) -> u64 {
         self.peak() + self.memory
     }
 }

@@ -177,7 +177,7 @@ impl Options {
     }
 
     /// Rays of the sampled transport of `scene`.
-    pub fn ray_budget(&self, scene: &Scene) -> u64 {
+    pub(crate) fn ray_budget(&self, scene: &Scene) -> u64 {
         let usual = || usual_rays(scene.surfaces.len(), self.accuracy().shadow_eps);
         self.rays.unwrap_or_else(usual).min(MOST_RAYS)
     }

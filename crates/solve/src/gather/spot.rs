@@ -15,7 +15,7 @@ use crate::solution::Place;
 /// A point lies on a surface if it is nearer than this part of the scene's diagonal and than `OF_ITS_OWN` of the
 /// surface's diagonal. Coordinates are rounded relative to the scene's size, but small things may stand before a sky.
 /// Both are chosen, not tuned.
-pub const ON_SURFACE: f64 = 1e-6;
+const ON_SURFACE: f64 = 1e-6;
 const OF_ITS_OWN: f64 = 1e-4;
 
 /// How far points are moved: this part of the scene's diagonal, at most the part [`AT_MOST`] of the way to the middle

@@ -57,7 +57,7 @@ pub struct Found {
 
 /// Light of the first reflections of one band.
 #[derive(Clone, Debug)]
-pub struct Bounced {
+pub(crate) struct Bounced {
     /// Irradiance and radiosity.
     pub coefficients: Coefficients,
     /// The same without the last reflection; None of direct light alone.
@@ -75,7 +75,7 @@ impl<'a> Ritz<'a> {
 
     /// The method for the one that was asked for, where the matrix `is_symmetric` or not. In a subspace it is known by its
     /// products, so that a choice that is left open falls on a method that multiplies.
-    pub fn method(&self, asked: &'static Method, is_symmetric: bool) -> &'static Method {
+    pub(crate) fn method(&self, asked: &'static Method, is_symmetric: bool) -> &'static Method {
         if self.reduction.is_none() || asked.access != Access::BySize {
             return asked;
         }
@@ -110,7 +110,7 @@ impl<'a> Ritz<'a> {
     }
 
     /// Shooting measures of the unknowns ([`System::shooting_measure`]), or bounds of them.
-    pub fn shooting_measure(&self) -> Vec<f64> {
+    pub(crate) fn shooting_measure(&self) -> Vec<f64> {
         let own = self.system.shooting_measure();
         self.reduction.as_ref().map_or_else(|| own.clone(), |reduction| reduction.bounded(&own))
     }
@@ -130,7 +130,7 @@ impl<'a> Ritz<'a> {
 
     /// Light that was reflected `bounces` times at the most, and once less. Residuals are the radiosity of the next reflection, as
     /// for [`Coefficients::residual`].
-    pub fn bounced(&self, bounces: usize) -> Bounced {
+    pub(crate) fn bounced(&self, bounces: usize) -> Bounced {
         let direct = self.projected(self.system.direct.clone());
         let mut irradiance = direct.clone();
         let mut term = self.projected(self.system.reflected_once(&direct));

@@ -72,7 +72,7 @@ impl Journal {
     ///
     /// # Errors
     /// A folder that cannot be written, or that holds what `begin` does not say.
-    pub fn open(
+    pub(super) fn open(
         folder: &Path,
         fingerprint: u64,
         begin: Begin,

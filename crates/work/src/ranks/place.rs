@@ -14,18 +14,19 @@ pub struct Place {
 
 impl Place {
     /// That of a rank that has its machine for itself.
-    pub fn alone() -> Self {
+    pub(super) fn alone() -> Self {
         Self { companions: 1, threads: available() }
     }
 
     /// That of one of so many ranks that may use all processors alike.
-    pub fn beside(companions: usize) -> Self {
+    pub(super) fn beside(companions: usize) -> Self {
         Self { companions, threads: (available() / companions).max(1) }
     }
 
     /// That of the rank `own` of a machine on which each rank may run on `processors` of its own; none where that is not known.
     /// Ranks that are bound to different processors have them for themselves, others share.
-    pub fn among(processors: &[Vec<usize>], own: usize) -> Self {
+    #[cfg(any(test, feature = "mpi"))]
+    pub(super) fn among(processors: &[Vec<usize>], own: usize) -> Self {
         let companions = processors.len();
         let mine = &processors[own];
         if processors.iter().any(Vec::is_empty) {
@@ -45,13 +46,15 @@ fn available() -> usize {
 }
 
 /// The processors on which Linux lets this process run; none where that is not known.
-pub fn allowed() -> Vec<usize> {
+#[cfg(feature = "mpi")]
+pub(super) fn allowed() -> Vec<usize> {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("Cpus_allowed_list:"));
     line.and_then(listed).unwrap_or_default()
 }
 
 /// The numbers of a list such as `0-3,8`.
+#[cfg(any(test, feature = "mpi"))]
 fn listed(text: &str) -> Option<Vec<usize>> {
     let mut numbers = Vec::new();
     for part in text.trim().split(',') {

@@ -29,7 +29,7 @@ pub struct NoChart {
 
 /// An element that is a single parametric patch: a parallelogram, or a piece of a curved surface.
 #[derive(Clone, Debug)]
-pub struct Chart<'a> {
+pub(super) struct Chart<'a> {
     /// The element.
     pub element: &'a Element,
     patch: Patch,
@@ -40,7 +40,7 @@ impl<'a> Chart<'a> {
     ///
     /// # Errors
     /// [`NoChart`].
-    pub fn of(element: &'a Element) -> Result<Self, NoChart> {
+    pub(super) fn of(element: &'a Element) -> Result<Self, NoChart> {
         Self::patch(element).map(|patch| Self { element, patch }).ok_or(NoChart { surface: element.surface })
     }
 
@@ -60,13 +60,13 @@ impl<'a> Chart<'a> {
     }
 
     /// The element with `extra` points per direction above its order.
-    pub fn party(&self, extra: usize) -> Party<'_> {
+    pub(super) fn party(&self, extra: usize) -> Party<'_> {
         let order = self.element.basis.order();
         Party { patch: &self.patch, order, points: order + extra }
     }
 
     /// G, row-major, from K, row-major, both with this element as receiver.
-    pub fn block(&self, emitter: &Self, transfer: &[f64]) -> Vec<f64> {
+    pub(super) fn block(&self, emitter: &Self, transfer: &[f64]) -> Vec<f64> {
         let [own, other] = [self, emitter].map(|chart| {
             let basis = &chart.element.basis;
             DMatrix::from_row_slice(basis.len(), basis.len(), basis.transform())
