@@ -32,7 +32,7 @@ const OTHERS: [(&[u8], &str); 9] = [
 /// Reads a PNG or an OpenEXR, averaged to at most `most` texels; `coding` goes before what the file says of a PNG.
 ///
 /// # Errors
-/// Another kind of file, a damaged or cut one, more than [`MOST_READ`] texels or [`LONGEST`] along a side, transparent texels,
+/// Another kind of file, a damaged or cut one, more than 8192 × 8192 texels or 65536 along a side, transparent texels,
 /// numbers that are not finite, channels other than grey or red, green and blue.
 pub fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<Picture, Fault> {
     if bytes.starts_with(b"\x89PNG") {

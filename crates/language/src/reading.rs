@@ -52,7 +52,7 @@ pub fn text_of(source: &str, settings: &[(&str, f64)]) -> Result<Source, SceneEr
 /// The same; `import` says how a file of another program is read.
 ///
 /// # Errors
-/// As [`text_of`], and what [`Import::model`] refuses.
+/// As [`text_of`], and what is against the rules of the format; with [`Import::strict`] what needs repairs.
 pub fn text_by(source: &str, settings: &[(&str, f64)], import: &Import) -> Result<Source, SceneError> {
     if let Some(scene) = builtin::named(source) {
         let text = scene.text(settings).map_err(|fault| whole_file(source, fault))?;

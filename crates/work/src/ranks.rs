@@ -89,7 +89,7 @@ impl Ranks {
     /// none again that it knows.
     ///
     /// # Errors
-    /// As [`Journal::open`].
+    /// A folder that cannot be written, or that holds what `begin` does not say.
     pub fn recording(&self, folder: &Path, fingerprint: u64, begin: Begin) -> Result<Self, JournalError> {
         let journal = Journal::open(folder, fingerprint, begin, (self.number(), &|own| self.any(own)))?;
         Ok(Self { journal: Some(Arc::new(journal)), ..self.clone() })

@@ -44,8 +44,8 @@ impl FalseColours {
         }
     }
 
-    /// Draws the isolines of `field` on a picture of its size; `parts` names the part of the picture that a pixel belongs
-    /// to, see [`Isoline::all`].
+    /// Draws the isolines of `field` on a picture of its size; `parts` names, pixel by pixel, the part of the picture that a
+    /// pixel belongs to wholly.
     pub fn draw_isolines(&self, picture: &mut Picture, field: &Field, parts: &[Option<u32>]) {
         let mut lines = LabelledIsolines::default();
         for mark in &self.isolines {

@@ -8,7 +8,7 @@
 //!
 //! so that bilinear interpolation never asks for light beyond the outermost texels: textures that lie side by side in an atlas
 //! need no padding. The coordinates of an image in [0, 1], whose texels have their centres at (i + ½)/W, follow as
-//! s = (½ + ½(1 + u)(W − 1))/W, and t likewise ([`LightTexture::image_coordinates`]).
+//! s = (½ + ½(1 + u)(W − 1))/W, and t likewise.
 //!
 //! A texel outside the outline of a flat surface, in a hole, under a body or a sheet has no light of its own. If a bilinear
 //! interpolation inside may ask for it, it takes the light of the nearest open point; every other takes the mean of its

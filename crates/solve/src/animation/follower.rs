@@ -18,7 +18,7 @@ pub enum Way {
     Fresh,
     /// What has not changed since the frame before is kept ([`super::sequence`]).
     Selective,
-    /// It is interpolated along the path ([`super::course`]).
+    /// It is interpolated along the path, by Chebyshev polynomials of time.
     Path {
         /// Relative error that interpolation may have.
         tolerance: f64,
