@@ -6,11 +6,12 @@ use radiosity_photometry::fault::Fault;
 /// scene of 10⁷ lines is within, and a few lines that repeat one another without end are given up in seconds.
 const MOST: u64 = 1_000_000_000;
 
-/// What every item costs beside its characters, and what every opening of an included file. Chosen; not tuned.
+/// Price of an item beside its characters, and price of an opening of an included file or of an instance of
+/// an array (both in characters). Chosen; not tuned.
 const ITEM: u64 = 32;
 const INCLUDE: u64 = 2000;
 
-/// What a reader may still follow.
+/// Characters that a reader may still follow, the prices of items and includes counted.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Budget(u64);
 

@@ -15,7 +15,7 @@ use crate::names::UniqueNames;
 /// A material before it has its index.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Coat {
-    /// Its name.
+    /// Name of the material, not yet made unique.
     pub name: String,
     /// Diffuse reflectance of red, green and blue.
     pub reflectance: [f64; 3],

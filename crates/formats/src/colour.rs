@@ -10,10 +10,10 @@ const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
 /// Mean reflectance of textures, and reflectance of materials that nothing describes. Chosen; not tuned.
 pub(crate) const UNKNOWN: f64 = 0.5;
 
-/// What is told of textures of what reflects.
+/// Note on materials whose reflectance is a texture.
 pub(crate) const TEXTURED: &str = "textures are left out: their mean reflectance is taken for 0.5";
 
-/// What is told of textures of what shines.
+/// Note on materials whose emission is a texture.
 pub(crate) const TEXTURED_EMISSION: &str = "textures of emission are left out: what they make shine is dark";
 
 /// Values of red, green and blue that differ by less than this part of the largest are grey: rounding leaves less. Chosen;
@@ -92,7 +92,7 @@ pub(crate) fn settle(model: &mut Model) {
     }
 }
 
-/// Whether values differ by no more than a part of the largest.
+/// Whether values, all ≥ 0, lie below the largest by no more than `part` of it.
 pub(crate) fn is_grey(values: &[f64], part: f64) -> bool {
     let most = values.iter().copied().fold(0.0, f64::max);
     values.iter().all(|value| most - value <= part * most)

@@ -36,7 +36,7 @@ impl Format {
         Format::Vs3,
     ];
 
-    /// Its name on the command line.
+    /// Name of the format on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Format::Mgf => "mgf",

@@ -23,20 +23,21 @@ const ASKED: usize = 64;
 /// Faces whose fronts point the wrong way.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Turned {
-    /// Why.
+    /// Reason for which the fronts seem to be wrong.
     pub why: Why,
-    /// Their indices among the model's surfaces.
+    /// Indices of the faces among the model's surfaces.
     pub surfaces: Vec<usize>,
     /// The index of a surface that they belong to the same body with.
     pub beside: usize,
 }
 
-/// Why fronts seem to point the wrong way.
+/// Reasons for which fronts seem to point the wrong way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Why {
-    /// Their neighbours, which have more area, show their fronts on the other side.
+    /// Neighbours of the faces have more area and show their fronts on the other side.
     Neighbours,
-    /// Their neighbours, which have as much area, show their fronts on the other side: either may be wrong.
+    /// Neighbours of the faces have as much area and show their fronts on the other side: either may be
+    /// wrong.
     Halves,
     /// A closed body with nothing in it shows its fronts inwards.
     Inwards,
@@ -111,12 +112,12 @@ impl Middles {
 struct Face {
     surface: usize,
     rings: Vec<Vec<usize>>,
-    /// Corners in space.
+    /// Corners in space, ring by ring.
     points: Vec<Vec<DVec3>>,
 }
 
 impl Face {
-    /// Its area, holes taken off.
+    /// Area of the face, holes taken off (length²).
     fn area(&self) -> f64 {
         self.points.iter().map(|ring| area_vector(ring)).sum::<DVec3>().length()
     }
@@ -202,8 +203,8 @@ impl Faces {
         body
     }
 
-    /// Of the faces that are oriented in one way and in the other those of less area; of equal areas those against the
-    /// first face. None if there is no telling them apart.
+    /// The faces of the orientation with less area, of the two that the faces of a body have; of equal areas,
+    /// the faces against the first one. Empty if all faces have one orientation, or if the body has none.
     fn minority(&self, body: &Body) -> (BTreeSet<usize>, Why) {
         let [mut along, mut against] = [(BTreeSet::new(), 0.0), (BTreeSet::new(), 0.0)];
         for (face, way) in &body.members {
@@ -251,7 +252,7 @@ struct Body {
     is_orientable: bool,
 }
 
-/// A closed surface.
+/// A closed surface of flat faces.
 struct Skin {
     /// Rings, each with whether its face has to be turned over first.
     rings: Vec<(Vec<DVec3>, bool)>,
@@ -260,7 +261,7 @@ struct Skin {
 }
 
 impl Skin {
-    /// What is wrong with the way in which its fronts point.
+    /// Reason for which all fronts of the skin seem to point the wrong way, if there is one.
     fn fault(&self, model: &Model, middles: &Middles) -> Option<Why> {
         let is_outward = self.volume() > 0.0;
         let others = model.surfaces.len() - self.surfaces.len();
@@ -288,7 +289,8 @@ impl Skin {
         self.triangles(origin).map(|[a, b, c]| a.dot(b.cross(c))).sum()
     }
 
-    /// How often it winds around a point (Van Oosterom and Strackee, *The solid angle of a plane triangle*, 1983).
+    /// Winding number of the skin about a point (Van Oosterom and Strackee, *The solid angle of a plane
+    /// triangle*, 1983).
     fn winding(&self, x: DVec3) -> f64 {
         let angle = |[a, b, c]: [DVec3; 3]| {
             let [p, q, r] = [a, b, c].map(DVec3::length);

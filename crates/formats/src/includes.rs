@@ -20,7 +20,7 @@ pub(crate) struct Includes<'a> {
 }
 
 impl<'a> Includes<'a> {
-    /// Only the main file is open, named `file` in messages.
+    /// Includes of which only the main file is open, named `file` in messages.
     pub(crate) fn new(file: &str, files: &'a dyn Files) -> Self {
         let base = file.rsplit(['/', '\\']).next().unwrap_or(file);
         Self { files, open: vec![(file.to_owned(), base.to_owned())], texts: HashMap::new() }

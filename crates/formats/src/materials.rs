@@ -36,9 +36,9 @@ const SPELT: usize = 6;
 /// A file of materials.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SideFile {
-    /// Its name, for messages.
+    /// Name of the file, for messages.
     pub name: String,
-    /// Its text, TOML.
+    /// Text of the file, TOML.
     pub text: String,
 }
 

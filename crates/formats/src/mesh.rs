@@ -10,14 +10,14 @@ use crate::merge;
 use crate::model::{GREATEST, MOST_SURFACES, MOST_VERTICES, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 
-/// What the faces that follow share.
+/// Object, material and sides of faces.
 #[derive(Clone, Copy, Debug)]
 pub struct Coat {
     /// Index of the object, of [`Mesh::object`].
     pub object: usize,
     /// Index of the material in the model.
     pub material: Option<usize>,
-    /// Which sides reflect and emit.
+    /// Sides of the faces that reflect and emit.
     pub sides: Sides,
 }
 

@@ -20,7 +20,7 @@ pub(crate) const GREATEST: f64 = 1e50;
 /// A scene of another program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Model {
-    /// What it is, for people.
+    /// Title of the scene, for people.
     pub title: Option<String>,
     /// Names of the bands, at least one: `["grey"]` where no material has a colour, else `["r", "g", "b"]`.
     pub bands: Vec<String>,
@@ -30,16 +30,16 @@ pub struct Model {
     pub materials: Vec<Material>,
     /// Surfaces; their names are unique.
     pub surfaces: Vec<Surface>,
-    /// The first camera.
+    /// The first camera of the file.
     pub camera: Option<Camera>,
-    /// What was left out or changed by reading, each kind said once.
+    /// Notes on parts of the file that were left out or changed by reading, each kind once.
     pub notes: Vec<Note>,
 }
 
 /// A diffuse material: the part of another program's material that radiosity carries.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// Its name.
+    /// Name of the material.
     pub name: String,
     /// Diffuse reflectance of each band. Not yet below 1.
     pub reflectance: Vec<f64>,
@@ -47,29 +47,29 @@ pub struct Material {
     pub emission: Vec<f64>,
 }
 
-/// A surface.
+/// A surface: a shape with a name and a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surface {
-    /// Its name, not blank.
+    /// Name of the surface, not blank.
     pub name: String,
     /// Index of its material; none in formats without materials.
     pub material: Option<usize>,
-    /// Its shape.
+    /// Shape of the surface (coordinates in the model's unit of length).
     pub shape: Shape,
-    /// Which sides reflect and emit.
+    /// Sides of the surface that reflect and emit.
     pub sides: Sides,
-    /// Where in the file it stands.
+    /// Place in the file at which the surface stands.
     pub place: Option<Place>,
 }
 
-/// Which sides of a surface reflect and emit.
+/// Sides of a surface that reflect and emit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sides {
     /// The front only.
     Front,
     /// Front and back.
     Both,
-    /// The format leaves it open.
+    /// The format does not tell whether the back counts.
     Open,
 }
 
@@ -80,18 +80,18 @@ pub enum Shape {
     Polygon {
         /// The outline, at least three points, the last not repeated.
         outline: Vec<DVec3>,
-        /// Outlines of holes.
+        /// Outlines of holes, each at least three points, the last not repeated.
         holes: Vec<Vec<DVec3>>,
     },
     /// A bilinear patch through four points not in a plane. Front: (v₁ − v₀) × (v₃ − v₀).
     Quad([DVec3; 4]),
     /// A disk, or a ring if `inner` > 0. Front: `normal`.
     Disk {
-        /// Its middle.
+        /// Middle of the disk.
         center: DVec3,
         /// Direction of its front, of any length.
         normal: DVec3,
-        /// Outer radius.
+        /// Outer radius, above `inner`.
         radius: f64,
         /// Inner radius, 0 for a disk.
         inner: f64,
@@ -100,9 +100,9 @@ pub enum Shape {
     Cylinder {
         /// Middle of one end.
         base: DVec3,
-        /// From there to the middle of the other end.
+        /// Vector from `base` to the middle of the other end.
         axis: DVec3,
-        /// Its radius.
+        /// Radius of the cylinder.
         radius: f64,
         /// Whether the front is the inside.
         inward: bool,
@@ -111,7 +111,7 @@ pub enum Shape {
     Cone {
         /// Middle of one end.
         base: DVec3,
-        /// From there to the middle of the other end.
+        /// Vector from `base` to the middle of the other end.
         axis: DVec3,
         /// Radii at `base` and at the other end, ≥ 0, one above 0.
         radii: [f64; 2],
@@ -120,16 +120,16 @@ pub enum Shape {
     },
     /// A whole sphere.
     Sphere {
-        /// Its middle.
+        /// Middle of the sphere.
         center: DVec3,
-        /// Its radius.
+        /// Radius of the sphere.
         radius: f64,
         /// Whether the front is the inside.
         inward: bool,
     },
     /// A whole torus.
     Torus {
-        /// Its middle.
+        /// Middle of the torus.
         center: DVec3,
         /// Direction of the axis, of any length.
         axis: DVec3,
@@ -142,14 +142,14 @@ pub enum Shape {
     },
 }
 
-/// A pinhole camera.
+/// A pinhole camera: its position, its direction and its picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where it stands.
+    /// Position of the camera.
     pub eye: DVec3,
     /// A point in the middle of the picture.
     pub target: DVec3,
-    /// Upwards in the picture.
+    /// Direction that points upwards in the picture, of any length.
     pub up: DVec3,
     /// Angle from the lower to the upper border, degrees.
     pub fov: f64,
@@ -158,7 +158,7 @@ pub struct Camera {
 }
 
 impl Shape {
-    /// Turns it over: its front becomes its back. The first corner stays the first.
+    /// Turns the shape over: its front becomes its back. The first corner stays the first.
     pub fn turn_over(&mut self) {
         match self {
             Shape::Polygon { outline, .. } => {

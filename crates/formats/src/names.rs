@@ -5,7 +5,7 @@ use std::collections::HashMap;
 /// Makes names unique: the second `desk` becomes `desk-2`.
 #[derive(Debug, Default)]
 pub struct UniqueNames {
-    /// For each name the number that was last tried behind it.
+    /// Number that was last tried behind each name.
     used: HashMap<String, usize>,
 }
 

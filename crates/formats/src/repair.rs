@@ -29,15 +29,15 @@ pub use record::{Kind, Repair, Repairs};
 /// The largest coordinate that is reckoned with: its fourth power is a number. `radiosity` refuses larger ones.
 const FARTHEST: f64 = 1e60;
 
-/// What the user asks for.
+/// Options of the repair, as the user sets them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Options {
     /// Length (the model's unit, ≥ 0) up to which points are one, where it is more than rounding leaves.
     pub tolerance: Option<f64>,
-    /// Which sides count, for all surfaces, whatever the format says. Without it, surfaces whose format leaves it open
-    /// are one-sided.
+    /// Sides that count, for all surfaces, whatever the format says. Without it, surfaces whose format leaves
+    /// it open are one-sided.
     pub sides: Option<Sides>,
-    /// Whether fronts that point the wrong way are turned; else they are only told.
+    /// Whether fronts that point the wrong way are turned; else they are only reported.
     pub fix_fronts: bool,
 }
 

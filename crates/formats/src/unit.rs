@@ -21,8 +21,8 @@ const UNITS: [(&str, [f64; 2]); 7] = [
 /// A unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
-    /// Its length in metres: numerator and denominator. A thousandth has no binary digits, dividing by 1000 rounds once:
-    /// 9 mm are 0.009 m.
+    /// Length of the unit in metres: numerator and denominator. A thousandth has no binary digits, dividing
+    /// by 1000 rounds once: 9 mm are 0.009 m.
     metres: [f64; 2],
 }
 

@@ -36,7 +36,8 @@ use crate::files::Files;
 use crate::model::{GREATEST, Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 
-/// How far a surface may lie off the plane of its base, in multiples of the base's size: what View3D allows.
+/// Greatest distance of a surface from the plane of its base, in multiples of the base's size, as View3D
+/// allows it.
 const OFF_PLANE: f64 = 1e-5;
 
 /// Digits that emittances are rounded to, so that 1 − 0.9 is 0.1.

@@ -31,13 +31,13 @@ pub(crate) struct Similarity {
     /// Rotation, scale and mirror.
     linear: DMat3,
     translation: DVec3,
-    /// How much longer lengths become, > 0.
+    /// Factor by which lengths grow, > 0.
     scale: f64,
     is_mirror: bool,
 }
 
 impl Similarity {
-    /// All stays.
+    /// The transform that changes nothing.
     pub(crate) const IDENTITY: Self =
         Self { linear: DMat3::IDENTITY, translation: DVec3::ZERO, scale: 1.0, is_mirror: false };
 
@@ -74,7 +74,7 @@ impl Similarity {
         Self { linear, ..Self::IDENTITY }
     }
 
-    /// This one first, then `next`.
+    /// The composition of this transform and then `next`.
     pub(crate) fn then(&self, next: &Self) -> Self {
         Self {
             linear: next.linear * self.linear,
@@ -84,7 +84,7 @@ impl Similarity {
         }
     }
 
-    /// This one `times` times.
+    /// This transform, done `times` times.
     fn repeated(&self, times: u32) -> Self {
         let (mut done, mut square, mut left) = (Self::IDENTITY, *self, times);
         while left > 0 {
@@ -97,22 +97,22 @@ impl Similarity {
         done
     }
 
-    /// Where a point comes to lie.
+    /// Image of a point (length).
     pub(crate) fn point(&self, point: DVec3) -> DVec3 {
         self.linear * point + self.translation
     }
 
-    /// What a direction becomes, scaled too.
+    /// Image of a direction, its length scaled too.
     pub(crate) fn direction(&self, direction: DVec3) -> DVec3 {
         self.linear * direction
     }
 
-    /// What a length becomes.
+    /// Image of a length.
     fn length(&self, length: f64) -> f64 {
         self.scale * length
     }
 
-    /// What a shape becomes. A mirror image keeps its front: what faced outwards still does.
+    /// Image of a shape. A mirror image keeps the front: the side that faced outwards still does.
     pub(crate) fn shape(&self, shape: &Shape) -> Shape {
         match *shape {
             Shape::Polygon { ref outline, ref holes } => Shape::Polygon {
@@ -169,9 +169,9 @@ struct Block {
 
 #[derive(Clone, Copy, Debug)]
 enum Times {
-    /// So often in every instance.
+    /// So many repetitions in every instance.
     Always(u32),
-    /// 0, 1, … times, in so many instances.
+    /// 0, 1, … repetitions, in so many instances.
     Array(u32),
 }
 
@@ -208,12 +208,12 @@ impl Transforms {
         Ok((Self { blocks, count }, read))
     }
 
-    /// Whether it makes an array, if only of one instance.
+    /// Whether the words make an array, if only of one instance.
     pub(crate) fn is_array(&self) -> bool {
         self.blocks.iter().any(|block| matches!(block.times, Times::Array(_)))
     }
 
-    /// How many instances it makes.
+    /// Number of instances.
     pub(crate) fn count(&self) -> usize {
         self.count
     }
@@ -264,7 +264,8 @@ fn instances(count: usize, times: Times) -> Result<usize, Fault> {
     })
 }
 
-/// What a flag does, and how many words behind it say so; none if it is no flag of a transform.
+/// Transform of a flag, and the number of words behind it that are its arguments; none if it is no flag of a
+/// transform.
 fn step(flag: &str, rest: &[&str]) -> Result<Option<(Similarity, usize)>, Fault> {
     let value = |index: usize| {
         let word = rest.get(index).ok_or_else(|| {

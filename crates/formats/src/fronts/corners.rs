@@ -19,7 +19,7 @@ pub(super) struct Corners {
 }
 
 impl Corners {
-    /// None yet of a model, whose extent tells what rounding is.
+    /// An empty list of corners for a model, whose extent tells the size of rounding.
     pub(super) fn new(model: &Model) -> Self {
         let points = model.surfaces.iter().flat_map(|surface| match &surface.shape {
             Shape::Polygon { outline, .. } => outline.as_slice(),

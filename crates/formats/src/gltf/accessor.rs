@@ -51,7 +51,7 @@ impl Component {
         }
     }
 
-    /// What an integer is divided by if it stands for a part of 1 (section 3.11).
+    /// Divisor of an integer that stands for a part of 1 (section 3.11).
     fn whole(self) -> f64 {
         match self {
             Component::I8 => 127.0,
@@ -99,9 +99,9 @@ impl Rows<'_> {
 pub(super) struct Data<'b> {
     /// Number of rows.
     pub(super) count: usize,
-    /// None where all numbers are 0.
+    /// Rows of numbers; none where all numbers are 0.
     rows: Option<Rows<'b>>,
-    /// Rows that stand elsewhere, and there.
+    /// Rows of a sparse accessor: number of the row → row among those that take its place.
     replaced: Option<(HashMap<usize, usize>, Rows<'b>)>,
 }
 
@@ -129,7 +129,7 @@ impl Data<'_> {
     }
 }
 
-/// Whether numbers are points or indices.
+/// Use of the numbers of an accessor: points or indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Kind {
     Points,
@@ -255,7 +255,7 @@ impl<'a, 'b> Accessors<'a, 'b> {
         Ok((replaced, values))
     }
 
-    /// So many rows of `width` numbers in a view behind an offset, if they are there.
+    /// The `count` rows of `width` numbers in a view, from a byte offset on, if the view has them.
     fn rows(
         &self,
         like: &Rows<'b>,
@@ -306,7 +306,7 @@ impl<'a, 'b> Accessors<'a, 'b> {
     }
 }
 
-/// What is wrong with an accessor, in it or in what it names.
+/// Fault of an accessor, or of a view that it names.
 enum Wrong {
     Here(Fault),
     There(Located),

@@ -14,11 +14,11 @@ const MOST: usize = 1 << 28;
 /// The parts of a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Parts<'a> {
-    /// The JSON.
+    /// Text of the JSON.
     pub(super) text: &'a str,
-    /// Where it begins in a binary container (byte).
+    /// Byte of a binary container at which the JSON begins; none in a `.gltf`.
     pub(super) start: Option<usize>,
-    /// The binary chunk.
+    /// Bytes of the binary chunk, if there is one.
     pub(super) binary: Option<&'a [u8]>,
 }
 

@@ -14,9 +14,9 @@ const LONGEST: usize = 160;
 #[derive(Debug)]
 pub(super) struct Json<'a> {
     text: &'a str,
-    /// Where it begins in a binary file.
+    /// Byte of a binary file at which the text begins; none in a text file.
     start: Option<usize>,
-    /// Where its lines begin.
+    /// Bytes of the text at which its lines begin.
     lines: Vec<usize>,
 }
 
@@ -28,17 +28,17 @@ impl<'a> Json<'a> {
         Json { text: parts.text, start: parts.start, lines }
     }
 
-    /// All of it.
+    /// The whole text.
     pub(super) fn text(&self) -> &'a str {
         self.text
     }
 
-    /// Where a part of the text begins: its line, or its byte in a binary file.
+    /// Place at which a part of the text begins: the line in a text file, the byte in a binary one.
     pub(super) fn place(&self, part: &str) -> Place {
         self.at((part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize))
     }
 
-    /// Where a byte of the text is.
+    /// Place of byte `at` of the text.
     fn at(&self, at: usize) -> Place {
         match self.start {
             Some(start) => Place::Byte(start + at),
@@ -46,7 +46,7 @@ impl<'a> Json<'a> {
         }
     }
 
-    /// What a part of the text says; `what` names it: "the node 3".
+    /// Value of a part of the text; `what` names the part in messages: "the node 3".
     ///
     /// # Errors
     /// Text that is no JSON, members that are missing or of another kind.
@@ -67,7 +67,8 @@ impl<'a> Json<'a> {
         })
     }
 
-    /// What the item of a list says; `what` names it: "node". `from` is the place that names it.
+    /// Value of the item `index` of a list, and its place; `what` names items in messages: "node". `from` is
+    /// the place that refers to the item.
     ///
     /// # Errors
     /// An index beyond the list, and as [`Json::parse`].

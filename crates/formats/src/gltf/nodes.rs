@@ -265,7 +265,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
         Ok(())
     }
 
-    /// What the faces of a primitive share. Without a material, surfaces have none.
+    /// Object, material and sides that all faces of a primitive have. Without a material, surfaces have none.
     fn coat(&self, material: Option<usize>, object: usize, place: Place) -> Result<Coat, Located> {
         let Some(index) = material else {
             return Ok(Coat { object, material, sides: Sides::Front });

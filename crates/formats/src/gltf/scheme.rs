@@ -7,7 +7,7 @@ use serde_json::value::RawValue;
 /// A list whose items know their places.
 type List<'a> = Vec<&'a RawValue>;
 
-/// The whole.
+/// The root object of the JSON.
 #[derive(Debug, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(super) struct Root<'a> {

@@ -1,6 +1,6 @@
 //! Triangles of primitives (section 3.7.2.1): of lists, strips and fans.
 
-/// How corners form triangles.
+/// Topology of a primitive: the rule by which corners form triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Mode {
     List,
@@ -19,7 +19,7 @@ impl Mode {
         }
     }
 
-    /// How many triangles so many corners form.
+    /// Number of triangles that so many corners form.
     pub(super) fn count(self, corners: usize) -> usize {
         match self {
             Mode::List => corners / 3,
@@ -27,7 +27,7 @@ impl Mode {
         }
     }
 
-    /// Which corners the triangle of a number has, counter-clockwise.
+    /// Corners of the triangle of a number, counter-clockwise.
     pub(super) fn corners(self, triangle: usize) -> [usize; 3] {
         let k = triangle;
         match self {

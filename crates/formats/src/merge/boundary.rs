@@ -76,7 +76,7 @@ fn boundary(faces: &[&Face]) -> Option<Vec<[u32; 2]>> {
     Some(sides.iter().copied().filter(|[a, b]| sides.binary_search(&[*b, *a]).is_err()).collect())
 }
 
-/// Whether all corners lie in a plane, by the extent of the group or by rounding.
+/// Whether all corners lie in a plane, up to a part of the group's extent or up to rounding.
 fn is_flat(sides: &[[u32; 2]], sheet: &Sheet) -> bool {
     let Some([first, _]) = sides.first() else { return false };
     let origin = sheet.corners.point(*first);
@@ -87,8 +87,9 @@ fn is_flat(sides: &[[u32; 2]], sheet: &Sheet) -> bool {
     height <= (FLAT * size).max(ROUNDINGS * rounding)
 }
 
-/// For each side the next one that bounds the same faces: around the corner where it ends, the first one clockwise from
-/// the way back. None if faces overlap at a corner: sides that leave it and sides that reach it do not alternate there.
+/// Index of the next side of each side along the boundary: around the corner where the side ends, the first
+/// one clockwise from the way back. None if faces overlap at a corner: sides that leave it and sides that
+/// reach it do not alternate there.
 fn successors(sides: &[[u32; 2]], sheet: &Sheet) -> Option<Vec<usize>> {
     // Sides at each corner: the angle, whether it leaves, its index.
     let mut stars: HashMap<u32, Vec<(f64, bool, usize)>> = HashMap::new();

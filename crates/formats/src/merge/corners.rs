@@ -20,7 +20,7 @@ const OF_SIDE: f64 = 0.25;
 /// The corners of polygons and quads by number.
 #[derive(Debug)]
 pub(super) struct Corners {
-    /// The first corner of each number, and its rounding (length).
+    /// The first corner of each number (length), and its rounding (length).
     points: Vec<DVec3>,
     roundings: Vec<f64>,
     /// The corners of all surfaces one after another, their numbers, and where those of each surface begin.
@@ -79,12 +79,12 @@ impl Corners {
         self.starts[surface]..self.starts[surface + 1]
     }
 
-    /// Where a corner is.
+    /// Position of a corner (length).
     pub(super) fn point(&self, corner: u32) -> DVec3 {
         self.points[corner as usize]
     }
 
-    /// Where corners are.
+    /// Positions of the corners of a ring (length).
     pub(super) fn points(&self, ring: &[u32]) -> Vec<DVec3> {
         ring.iter().map(|corner| self.point(*corner)).collect()
     }
@@ -116,7 +116,7 @@ fn roundoffs(given: &[DVec3], starts: &[usize], objects: &[usize]) -> Vec<f64> {
     points.iter().map(|points| unit_roundoff(points)).collect()
 }
 
-/// For each corner of a ring the shorter one of its two sides; a side of no length is none.
+/// Length of the shorter side at each corner of a ring; sides of no length are left out.
 fn shortest(ring: &[DVec3]) -> impl Iterator<Item = f64> {
     let length = |[x, y]: [DVec3; 2]| match x.distance(y) {
         0.0 => f64::INFINITY,
@@ -155,7 +155,7 @@ impl Places {
         number
     }
 
-    /// For each point the first one that it is one with.
+    /// Index of the first point that each point is one with.
     fn welded(&self) -> Vec<u32> {
         let reach = |at: usize| (ROUNDINGS * self.roundings[at]).min(OF_SIDE * self.shortest[at]);
         let boxes: Vec<Aabb> = self.points.iter().map(|x| Aabb { min: *x, max: *x }).collect();

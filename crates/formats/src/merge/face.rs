@@ -8,7 +8,7 @@ use radiosity_fit::outline::{area_vector, extent, unevenness};
 use super::corners::Corners;
 use crate::model::{Shape, Sides, Surface};
 
-/// How far normals of faces in one plane may differ (radians), before rounding. Chosen; not tuned.
+/// Greatest angle between normals of faces in one plane (radians), before rounding. Chosen; not tuned.
 const TILT: f64 = 1e-4;
 
 /// Largest tilt (radians) that rounding explains: narrow faces are tilted by it. Chosen; not tuned.
@@ -23,18 +23,18 @@ pub(super) const FLAT: f64 = 1e-5;
 /// Part of the squared extent that is no area. Chosen; not tuned.
 const NO_AREA: f64 = 1e-12;
 
-/// A flat polygon.
+/// A flat polygon without holes.
 #[derive(Debug)]
 pub(super) struct Face {
     /// Index of its surface.
     pub(super) surface: usize,
-    /// Faces of one object, material and kind of sides have the same.
+    /// Number of the face's object, material and kind of sides; faces of one key may be merged.
     pub(super) key: usize,
-    /// Its corners, neighbours different.
+    /// Numbers of the corners, neighbours different.
     pub(super) ring: Vec<u32>,
     /// Unit normal of its front.
     pub(super) normal: DVec3,
-    /// Its area (length²), and its extent (length).
+    /// Area of the face (length²), and its extent (length).
     pub(super) area: f64,
     pub(super) extent: f64,
     /// Rounding of its corners (length).
@@ -44,7 +44,7 @@ pub(super) struct Face {
 }
 
 impl Face {
-    /// All faces that may be merged.
+    /// All faces without holes that are flat and have an area.
     pub(super) fn all(surfaces: &[Surface], objects: &[usize], corners: &Corners) -> Vec<Face> {
         let mut keys: HashMap<(usize, Option<usize>, u8), usize> = HashMap::new();
         let mut faces = Vec::new();

@@ -11,7 +11,8 @@ const MOST_AT_SIDE: usize = 16;
 
 /// A side of a face.
 struct Side {
-    /// What faces have in common if it joins them: their key, and the ends, the lower number first.
+    /// Key of the face and ends of the side, the lower number first: faces of one joint may be joined along
+    /// it.
     joint: (usize, u32, u32),
     face: u32,
     is_forward: bool,
@@ -93,7 +94,7 @@ fn neighbours(faces: &[Face]) -> Neighbours {
     Neighbours { pairs, starts }
 }
 
-/// All sides of all faces, those at one joint one after another.
+/// All sides of all faces, sides of one joint one after another.
 fn sides(faces: &[Face]) -> Vec<Side> {
     let mut sides = Vec::new();
     for (index, face) in faces.iter().enumerate() {

@@ -28,7 +28,7 @@ pub(super) fn straighten(merged: &mut [Merged], corners: &Corners, count: usize)
     }
 }
 
-/// For each corner whether all surfaces that have it go straight on there.
+/// Whether, at each corner, all surfaces that have it go straight on.
 fn droppable(merged: &[Merged], corners: &Corners, count: usize) -> Vec<bool> {
     let mut may_go = vec![true; corners.count()];
     let mut is_merged = vec![false; count];

@@ -8,7 +8,7 @@ use radiosity_photometry::text::short;
 /// The contexts of one kind.
 #[derive(Debug)]
 pub(super) struct Contexts<T> {
-    /// What messages call them: "vertex".
+    /// Name of the kind in messages: "vertex".
     kind: &'static str,
     named: HashMap<String, T>,
     unnamed: T,
@@ -16,12 +16,12 @@ pub(super) struct Contexts<T> {
 }
 
 impl<T: Clone + Default> Contexts<T> {
-    /// Only the unnamed one, which is current.
+    /// Contexts of which the unnamed one alone is there, and is current.
     pub(super) fn new(kind: &'static str) -> Self {
         Self { kind, named: HashMap::new(), unnamed: T::default(), current: None }
     }
 
-    /// Does what `v`, `c` or `m` do with these arguments: nothing behind them, `id`, `id =`, or `id = template`.
+    /// Follows an entity `v`, `c` or `m` with these arguments: nothing, `id`, `id =`, or `id = template`.
     ///
     /// # Errors
     /// Names that were not defined, other arguments.

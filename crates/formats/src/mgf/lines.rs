@@ -7,7 +7,7 @@ use std::borrow::Cow;
 pub(super) struct Line<'a> {
     /// Number of its first line, from 1.
     pub(super) number: usize,
-    /// Its text; blanks stand for the ends of lines.
+    /// Text of the line; blanks stand for the ends of lines.
     pub(super) text: Cow<'a, str>,
 }
 
@@ -20,7 +20,7 @@ pub(super) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// From the first line on.
+    /// A reading from the first line on.
     pub(super) fn new(text: &'a str) -> Self {
         Self { text, at: 0, number: 1 }
     }

@@ -16,7 +16,7 @@ use crate::mgf::shapes::{self, Vertex};
 use crate::model::{Model, Shape, Sides};
 use crate::xform::{Similarity, Transforms};
 
-/// What radiosity carries of a material.
+/// The part of a material of MGF that radiosity carries: reflectance and exitance of red, green and blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Finish {
     reflectance: [f64; 3],
@@ -34,7 +34,7 @@ impl Default for Finish {
 /// A transform that was begun and not yet ended.
 struct Open<'a> {
     transforms: Transforms,
-    /// Which of its instances is being read.
+    /// Index of the instance that is being read.
     instance: usize,
     /// The transform outside it.
     outside: Similarity,
@@ -42,7 +42,7 @@ struct Open<'a> {
     start: Lines<'a>,
 }
 
-/// What an MGF file says up to a line.
+/// Reader of an MGF file: the model and the contexts up to the line that is read.
 pub(super) struct Reader<'a> {
     includes: Includes<'a>,
     model: ModelBuilder,
@@ -172,7 +172,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// All entities but `xf` and `i`.
+    /// Follows an entity other than `xf` and `i`.
     fn entity(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<(), Fault> {
         match entity {
             comment if comment.starts_with('#') => Ok(()),
@@ -395,7 +395,7 @@ fn numbers<const N: usize>(entity: &str, arguments: &[&str]) -> Result<[f64; N],
     Ok(values)
 }
 
-/// How a geometric entity is written.
+/// Syntax of a geometric entity, for messages.
 fn form(entity: &str) -> &'static str {
     match entity {
         "sph" => "sph vertex radius",

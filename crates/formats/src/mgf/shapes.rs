@@ -11,9 +11,9 @@ use crate::model::Shape;
 /// A vertex: a point, and a direction where one is needed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Vertex {
-    /// Where it is.
+    /// Position of the vertex (length).
     pub(super) point: DVec3,
-    /// Its normal, zero for none.
+    /// Normal of the vertex, zero for none.
     pub(super) normal: DVec3,
 }
 
@@ -53,7 +53,7 @@ pub(super) fn face_with_holes(mut loops: Vec<Vec<DVec3>>) -> Result<Shape, Fault
     }
 }
 
-/// Entity `sph`.
+/// Entity `sph`: a sphere, seen from inside if the radius is below 0.
 pub(super) fn sphere(center: DVec3, radius: f64) -> Shape {
     Shape::Sphere { center, radius: radius.abs(), inward: radius < 0.0 }
 }
@@ -78,7 +78,7 @@ pub(super) fn cone([base, end]: [DVec3; 2], radii: [f64; 2]) -> Result<Shape, Fa
     })
 }
 
-/// Entity `ring`.
+/// Entity `ring`: a ring, or a disk if the inner radius is 0.
 ///
 /// # Errors
 /// No normal, radii in disorder.

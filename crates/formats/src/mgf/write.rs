@@ -80,7 +80,7 @@ fn write_material(text: &mut String, material: &Material, name: &str) {
     }
 }
 
-/// What a material and its sides are called when none is stated.
+/// Index of the current material, and whether its front alone counts.
 type Choice = (Option<usize>, bool);
 
 /// Makes the material of a surface the current one, with the sides of this surface.

@@ -18,20 +18,20 @@ const USUAL: f64 = 0.5;
 /// Most bsdfs in one another. Chosen.
 const DEEPEST: usize = 16;
 
-/// What radiosity carries of a bsdf.
+/// The part of a bsdf that radiosity carries.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Finish {
-    /// Its id, or its type.
+    /// Id of the bsdf, or its type.
     pub(super) name: String,
     /// Diffuse reflectance of red, green and blue.
     pub(super) reflectance: [f64; 3],
-    /// Which sides reflect.
+    /// Sides that reflect.
     pub(super) sides: Sides,
-    /// Whether light goes through it as if it were not there.
+    /// Whether light passes as if the surface were not there.
     pub(super) is_void: bool,
 }
 
-/// What is known of bsdfs, by the numbers of their elements; nothing yet of those that are being looked at.
+/// Finishes of bsdfs, by the numbers of their elements; none yet for a bsdf that is being read.
 #[derive(Debug, Default)]
 pub(super) struct Bsdfs(HashMap<usize, Option<Finish>>);
 
@@ -134,7 +134,7 @@ impl Bsdfs {
         }
     }
 
-    /// Both sides alike. Of two bsdfs the first, that of the front.
+    /// Finish of a `twosided` bsdf, alike on both sides: that of the first bsdf in it, which is of the front.
     fn twosided<'a>(
         &mut self,
         bsdf: &'a Element,
@@ -205,7 +205,7 @@ fn principled<'a>(bsdf: &'a Element, colours: &mut Colours<'a, '_>) -> Result<Fi
     Ok(finish)
 }
 
-/// A black front.
+/// Finish of a black front, named after the type of the bsdf.
 fn black(bsdf: &Element) -> Finish {
     let kind = short(bsdf.kind());
     let name = if kind.is_empty() { "bsdf".to_owned() } else { kind };

@@ -23,15 +23,15 @@ const SPECTRA: &str =
 pub(super) enum Colour {
     /// Linear red, green and blue, all ≥ 0.
     Known([f64; 3]),
-    /// What it is that does not tell: "bitmap".
+    /// Kind of element whose colour cannot be told: "bitmap".
     Unknown(String),
 }
 
-/// What colours are looked up in and remarked to.
+/// Context in which colours are read.
 pub(super) struct Colours<'a, 'b> {
-    /// What ids stand for.
+    /// Elements by their ids.
     pub(super) ids: &'b Ids<'a>,
-    /// Where it is told what is changed.
+    /// Remarks on colours that are changed.
     pub(super) remarks: &'b mut Remarks,
 }
 
@@ -131,7 +131,7 @@ impl<'a> Colours<'a, '_> {
         self.means(stated, &pairs)
     }
 
-    /// Values at wavelengths.
+    /// Colour of an `irregular` spectrum: values at wavelengths (nm).
     fn irregular(&mut self, stated: &'a Element) -> Result<Colour, Refusal> {
         let (wavelengths, values) = (list(stated, "wavelengths")?, list(stated, "values")?);
         if wavelengths.len() != values.len() {

@@ -10,19 +10,19 @@ use radiosity_photometry::text::{number, short};
 /// An element and those inside it.
 #[derive(Debug)]
 pub(super) struct Element {
-    /// What it is: `shape`, `bsdf`, `rgb` …
+    /// Tag of the element: `shape`, `bsdf`, `rgb` …
     pub(super) tag: String,
     /// Names and values, as they are written but with parameters filled in.
     pub(super) attributes: Vec<(String, String)>,
     /// The elements inside it, included files spread out.
     pub(super) children: Vec<Element>,
-    /// The file it stands in.
+    /// Name of the file that the element stands in.
     pub(super) file: Rc<str>,
-    /// Its line, counted from 1.
+    /// Line of the element, counted from 1.
     pub(super) line: usize,
-    /// No two elements of a scene have the same.
+    /// Number of the element, different from that of any other element of the scene.
     pub(super) number: usize,
-    /// Whether something was made of it.
+    /// Whether a reader has used the element.
     pub(super) is_met: Cell<bool>,
 }
 
@@ -42,7 +42,7 @@ impl Element {
         })
     }
 
-    /// Its type, empty without one.
+    /// Attribute `type`, empty without one.
     pub(super) fn kind(&self) -> &str {
         self.attribute("type").unwrap_or_default()
     }

@@ -12,7 +12,7 @@ use super::element::Element;
 pub(super) struct Ids<'a>(HashMap<&'a str, &'a Element>);
 
 impl<'a> Ids<'a> {
-    /// All in the tree of `root`.
+    /// The elements with ids in the tree of `root`.
     ///
     /// # Errors
     /// An id that two elements have, an alias of none.
@@ -50,7 +50,7 @@ impl<'a> Ids<'a> {
         })
     }
 
-    /// What an element stands for: what its id says if it is a `<ref>`, else itself.
+    /// The element that an element stands for: if it is a `<ref>`, the element of its id, else itself.
     ///
     /// # Errors
     /// An id that nothing has.
@@ -62,7 +62,7 @@ impl<'a> Ids<'a> {
         }
     }
 
-    /// What stands for a name in an element.
+    /// The element that stands for a property of an element, by the property's name; none without one.
     ///
     /// # Errors
     /// An id that nothing has.

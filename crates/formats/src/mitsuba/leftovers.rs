@@ -67,7 +67,7 @@ pub(super) fn remark(element: &Element, remarks: &mut Remarks) {
     }
 }
 
-/// What is said of an element that nothing was made of.
+/// Remark on an element that nothing was made of; none if it needs no word.
 fn told(child: &Element, parent: &Element) -> Option<String> {
     let within = match parent.kind() {
         "" => format!("<{}>", short(&parent.tag)),

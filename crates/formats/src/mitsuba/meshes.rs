@@ -15,11 +15,11 @@ use crate::{obj, ply};
 /// A mesh: its faces, coplanar ones merged, and what was said of it.
 #[derive(Debug)]
 pub(super) struct Mesh {
-    /// Its faces.
+    /// Faces of the mesh, coplanar ones merged.
     pub(super) faces: Vec<Shape>,
-    /// Whether it states normals at its vertices.
+    /// Whether the file states normals at vertices.
     pub(super) has_normals: bool,
-    /// What was left out of it.
+    /// Notes of the reader on parts of the file that were left out.
     pub(super) remarks: Vec<String>,
 }
 
@@ -30,7 +30,7 @@ pub(super) struct Meshes<'a> {
 }
 
 impl<'a> Meshes<'a> {
-    /// None yet.
+    /// Meshes of which none was read yet.
     pub(super) fn new(files: &'a dyn Files) -> Self {
         Meshes { files, known: HashMap::new() }
     }

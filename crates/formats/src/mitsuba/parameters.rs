@@ -73,7 +73,7 @@ impl Parameters {
         Ok(Cow::Owned(filled))
     }
 
-    /// How long the name is that `text` begins with, and its value.
+    /// Length (bytes) of the name that `text` begins with, and the value of that parameter.
     fn first(&self, text: &str) -> Result<(usize, &str), Fault> {
         let ends = (1..=text.len().min(LONGEST_NAME)).rev().filter(|end| text.is_char_boundary(*end));
         let known = ends.filter_map(|end| Some((end, self.values.get(&text[..end])?.as_str()))).next();

@@ -7,11 +7,11 @@ use radiosity_photometry::fault::Fault;
 
 use crate::model::Shape;
 
-/// How far scales in two directions may differ, and directions be off a right angle (radians), for a circle to be one.
-/// Chosen: matrices written with six digits are within.
+/// Greatest relative difference of scales in two directions, and greatest deviation of two directions from a
+/// right angle (radians), for a circle to be one. Chosen: matrices written with six digits are within.
 const ROUND: f64 = 1e-5;
 
-/// What to do about curved shapes that a transform distorts.
+/// Cure for curved shapes that a transform distorts.
 const CURE: &str = "scale it alike in all directions, or write it as a mesh (type=\"ply\")";
 
 /// Directions that were at right angles and of length 1, after a transform.
@@ -30,19 +30,19 @@ impl Frame {
         Frame([x, y, axis].map(|direction| placed.transform_vector3(direction)))
     }
 
-    /// Whether two of them are still at right angles.
+    /// Whether the directions `a` and `b` are still at right angles.
     fn is_square(&self, a: usize, b: usize) -> bool {
         let [a, b] = [self.0[a], self.0[b]];
         a.dot(b).abs() <= ROUND * a.length() * b.length()
     }
 
-    /// Whether two of them are still of one length, which is not 0.
+    /// Whether the directions `a` and `b` are still of one length, which is not 0.
     fn is_even(&self, a: usize, b: usize) -> bool {
         let [a, b] = [self.0[a].length(), self.0[b].length()];
         a > 0.0 && (a - b).abs() <= ROUND * a
     }
 
-    /// What became of the normal z, up to its length.
+    /// Direction of the transformed plane's normal, on the side of the transformed z; of any length.
     fn normal(&self) -> DVec3 {
         let [x, y, z] = self.0;
         let normal = x.cross(y);
@@ -118,7 +118,7 @@ pub(super) fn cylinder(
     Ok(Shape::Cylinder { base, axis: end - base, radius, inward: is_flipped })
 }
 
-/// A sphere.
+/// The sphere of a center and a radius, its front inside if it is flipped.
 pub(super) fn sphere(
     placed: &DAffine3,
     center: DVec3,
@@ -134,7 +134,7 @@ pub(super) fn sphere(
     Ok(Shape::Sphere { center: placed.transform_point3(center), radius, inward: is_flipped })
 }
 
-/// Whether a transform mirrors.
+/// Whether a transform is a mirror image (determinant below 0).
 pub(super) fn is_mirror(placed: &DAffine3) -> bool {
     placed.matrix3.determinant() < 0.0
 }

@@ -10,7 +10,7 @@ use super::element::Element;
 /// Most kinds of remarks; further ones are one kind. Chosen; not tuned.
 const MOST: usize = 100;
 
-/// What was remarked so far.
+/// Remarks of a reader, each kind once with the number of its occurrences.
 #[derive(Debug, Default)]
 pub(super) struct Remarks {
     notes: Vec<Note>,

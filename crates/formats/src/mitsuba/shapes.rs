@@ -34,7 +34,7 @@ pub(super) struct Shapes<'a, 'b> {
 }
 
 impl<'a, 'b> Shapes<'a, 'b> {
-    /// None yet.
+    /// A model without shapes yet.
     pub(super) fn new(ids: &'b Ids<'a>, files: &'b dyn Files) -> Self {
         Shapes {
             ids,
@@ -114,7 +114,7 @@ impl<'a, 'b> Shapes<'a, 'b> {
         Ok(())
     }
 
-    /// Its id, the name of its file, or its type and a number.
+    /// Id of a shape, or the name of its file, or its type and a number.
     fn name(&self, shape: &Element) -> Result<String, Refusal> {
         if let Some(id) = shape.attribute("id").filter(|id| !id.trim().is_empty()) {
             return Ok(id.to_owned());
@@ -160,8 +160,8 @@ impl<'a, 'b> Shapes<'a, 'b> {
         }
     }
 
-    /// What a shape is made of; none if light goes through it. Lamps are told by their own names, so that what they are
-    /// painted with keeps its name.
+    /// Material and sides of a shape; none if light goes through it. A lamp's material is named after the
+    /// lamp, so that the material that it is painted with keeps its name.
     fn coat(&mut self, shape: &'a Element, remarks: &mut Remarks) -> Result<Option<Coat>, Refusal> {
         let emitter = self.only(shape, "emitter")?;
         let finish = self.finish_of(shape, emitter.is_some(), remarks)?;

@@ -46,23 +46,23 @@ pub(super) fn read(file: &str, text: &str, files: &dyn Files) -> Result<Element,
     reader.file(text, &[], 0)
 }
 
-/// What was read up to an element.
+/// Reader of a scene: parameters and counts up to the element that is read.
 struct Reader<'a> {
     includes: Includes<'a>,
     parameters: Parameters,
     budget: Budget,
     elements: usize,
     characters: usize,
-    /// Whether there are files, by their paths.
+    /// Whether there is a file, by path.
     is_there: HashMap<String, bool>,
 }
 
 /// A file that is being read.
 struct Source {
     name: Rc<str>,
-    /// Where its lines begin.
+    /// Bytes at which the lines of the file begin.
     lines: Vec<usize>,
-    /// Whether it is of Mitsuba 0, whose names are written in another way.
+    /// Whether the file is of Mitsuba 0, whose names are written in another way.
     is_old: bool,
     /// Folders that files are looked for in, seen from the scene's folder; the first that has one counts.
     folders: Vec<String>,
@@ -240,7 +240,7 @@ fn check(text: &str) -> Result<(), Fault> {
     Ok(())
 }
 
-/// What is wrong with a text that is no XML.
+/// Refusal of a text that is no XML.
 fn refusal(file: &str, error: &Error) -> Refusal {
     let (cause, cure) = match error {
         Error::DtdDetected => ("the file declares its own entities (<!DOCTYPE …>)".to_owned(), {
@@ -259,7 +259,7 @@ fn refusal(file: &str, error: &Error) -> Refusal {
     Fault::new(cause, cure).in_line(file, error.pos().row as usize)
 }
 
-/// Whether a version is below 2, of Mitsuba 0.
+/// Whether a version is below 2, and so of Mitsuba 0.
 fn is_old(version: &str) -> bool {
     let major = version.trim().split('.').next().unwrap_or_default();
     major.parse::<u32>().is_ok_and(|major| major < 2)

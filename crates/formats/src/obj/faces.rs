@@ -15,7 +15,7 @@ use crate::model::Sides;
 /// Most vertices. Chosen; not tuned.
 const MOST: usize = 10_000_000;
 
-/// What a statement names material files by.
+/// Names of material files in a statement `mtllib`, and its line.
 #[derive(Debug)]
 pub(super) struct Library {
     pub(super) names: String,
@@ -31,7 +31,7 @@ struct Face {
     line: usize,
 }
 
-/// What the statements of a text list.
+/// Vertices, faces, objects and materials of the statements read so far.
 #[derive(Debug, Default)]
 pub(super) struct Faces {
     vertices: Vec<DVec3>,

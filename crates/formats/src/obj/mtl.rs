@@ -16,13 +16,13 @@ const TEXTURES: &str = "textures are left out";
 const SPECULAR: &str = "specular reflection is left out";
 const TRANSPARENCY: &str = "transparency is left out";
 
-/// A material.
+/// A material of an MTL.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Mtl {
     /// `Kd` and `Ke`, red, green and blue.
     diffuse: Option<[f64; 3]>,
     radiance: [f64; 3],
-    /// What of it is left out, each kind once.
+    /// Remarks on properties that are left out, each kind once.
     pub(super) left_out: Vec<String>,
 }
 

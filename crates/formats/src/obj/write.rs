@@ -14,9 +14,9 @@ use crate::names::UniqueNames;
 /// A model as text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Written {
-    /// The OBJ.
+    /// Text of the OBJ.
     pub obj: String,
-    /// The MTL that it names; empty if the model has no materials.
+    /// Text of the MTL that the OBJ names; empty if the model has no materials.
     pub mtl: String,
 }
 

@@ -2,12 +2,12 @@
 
 use crate::colour;
 
-/// How the numbers of a PNG stand for light.
+/// Relation of the numbers of a PNG to light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coding {
-    /// They are light.
+    /// Numbers are proportional to light.
     Linear,
-    /// By the curve of sRGB (IEC 61966-2-1).
+    /// Numbers follow the curve of sRGB (IEC 61966-2-1).
     Srgb,
 }
 
@@ -19,7 +19,7 @@ pub(super) enum Curve {
     Power(f64),
 }
 
-/// What programs write for γ of sRGB pictures: 1/2.2 in five decimals (PNG, section 11.3.2.5).
+/// γ of sRGB pictures as programs write it: 1/2.2 in five decimals (PNG, section 11.3.2.5).
 const OF_SRGB: f64 = 0.45455;
 
 impl Curve {
@@ -41,7 +41,7 @@ impl Curve {
         }
     }
 
-    /// What is told of it.
+    /// Remark on the curve, for people.
     pub(super) fn title(self) -> String {
         match self {
             Curve::Of(Coding::Linear) => "linear".to_owned(),

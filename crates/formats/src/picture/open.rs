@@ -18,7 +18,7 @@ use super::refusals::{check_size, check_texels, damaged};
 /// Most bytes of one texel, all of its channels together, so that a block of a file has at most 128 MB. Chosen; not tuned.
 const WIDEST: usize = 64;
 
-/// Reads an OpenEXR.
+/// Reads an OpenEXR, averaged to at most `most` texels.
 pub(super) fn read(bytes: &[u8], most: usize) -> Result<Picture, Fault> {
     let meta = MetaData::read_from_buffered(bytes, false).map_err(damaged)?;
     meta.headers.iter().try_for_each(check_header)?;

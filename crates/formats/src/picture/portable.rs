@@ -29,7 +29,7 @@ const INTERLACED: [Pass; 7] = [
 /// The pass of a picture that is not interlaced.
 const PLAIN: [Pass; 1] = [([1, 1], [0, 0])];
 
-/// Reads a PNG.
+/// Reads a PNG, averaged to at most `most` texels; without `coding`, the file itself tells its coding.
 pub(super) fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<Picture, Fault> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     // Palettes become colours, grey of few bits becomes 8 bits, a transparent colour an alpha channel.
@@ -79,12 +79,12 @@ fn fault(error: DecodingError) -> Fault {
     damaged(error)
 }
 
-/// How the bytes of a row make texels.
+/// Format of the texels in a row of bytes.
 struct Texels {
-    /// Light of every number.
+    /// Light of every number, 0 to 255 or to 65535.
     light: Vec<f64>,
     is_wide: bool,
-    /// Grey, or red, green and blue.
+    /// Number of colours: 1 of grey; 3 of red, green and blue.
     colours: usize,
     has_alpha: bool,
 }

@@ -9,25 +9,25 @@
 pub struct Picture {
     /// Texels along a row.
     pub columns: usize,
-    /// Rows.
+    /// Rows of texels.
     pub rows: usize,
     /// One channel of a grey picture; red, green and blue of a coloured one. Linear.
     pub channels: Vec<Vec<f64>>,
-    /// What was done to the numbers of the file.
+    /// Remarks on changes of the file's numbers.
     pub remarks: Vec<String>,
 }
 
 /// A picture that is being read.
 #[derive(Debug)]
 pub(super) struct Reduction {
-    /// Of the file.
+    /// Columns and rows of the file.
     from: [usize; 2],
-    /// Of the picture.
+    /// Columns and rows of the picture.
     to: [usize; 2],
     sums: Vec<Vec<f64>>,
     /// Texels that were taken in.
     count: usize,
-    /// The first that was refused.
+    /// The first texel that was refused.
     refused: Option<Refused>,
 }
 
@@ -39,7 +39,7 @@ pub(super) enum Refused {
 }
 
 impl Reduction {
-    /// Of so many columns and rows in the file, to at most `most` texels.
+    /// A reduction from so many columns and rows of the file to at most `most` texels.
     pub(super) fn new(from: [usize; 2], channels: usize, most: usize) -> Self {
         let smaller = |part: usize| from.map(|side| (side / part).max(1));
         let part = (1..).find(|part| smaller(*part).iter().product::<usize>() <= most.max(1)).unwrap_or(1);

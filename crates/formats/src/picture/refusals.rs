@@ -1,4 +1,4 @@
-//! What no picture may be.
+//! Refusals of pictures: too large, empty, transparent or not finite.
 
 use std::fmt::Display;
 

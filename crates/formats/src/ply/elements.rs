@@ -20,7 +20,7 @@ const MOST: usize = 40_000_000;
 pub(super) struct Elements {
     vertices: Vec<DVec3>,
     corners: Vec<f64>,
-    /// Where each face begins in `corners`, and its place in the file.
+    /// Index in `corners` at which each face begins, and place of the face in the file.
     faces: Vec<(usize, Place)>,
 }
 
@@ -156,7 +156,7 @@ impl Elements {
     }
 }
 
-/// Whether a property is wanted.
+/// Answer about a property of an element: whether its values are wanted.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kept {
     Yes,

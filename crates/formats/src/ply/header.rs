@@ -5,7 +5,7 @@ use radiosity_photometry::located::Located;
 use radiosity_photometry::place::Place;
 use radiosity_photometry::text::short;
 
-/// How what follows the header is encoded.
+/// Encoding of the elements behind the header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
     Text,
@@ -46,7 +46,7 @@ impl Scalar {
         })
     }
 
-    /// Its bytes.
+    /// Size of a number (bytes).
     pub(super) fn size(self) -> usize {
         match self {
             Scalar::I8 | Scalar::U8 => 1,
@@ -83,14 +83,14 @@ pub(super) struct Element {
     pub(super) line: usize,
 }
 
-/// A header.
+/// A header: encoding and layout of the elements behind it.
 #[derive(Clone, Debug)]
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
-    /// Where the elements begin (bytes).
+    /// Byte of the file at which the elements begin.
     pub(super) body: usize,
-    /// Number of its lines.
+    /// Number of lines of the header.
     pub(super) lines: usize,
 }
 

@@ -9,7 +9,7 @@ use super::header::Scalar;
 
 /// Numbers one after another.
 pub(super) trait Numbers {
-    /// Where the next number is.
+    /// Place of the next number in the file.
     fn place(&mut self) -> Place;
 
     /// The next number, finite or not.
@@ -24,16 +24,17 @@ pub(super) trait Numbers {
     /// The end of the file.
     fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Located>;
 
-    /// How many rows of at least so many bytes and so many words there may still be.
+    /// Greatest number of rows that may still follow, each of at least so many bytes (binary) or so many
+    /// words (text).
     fn most_rows(&self, bytes: usize, words: usize) -> usize;
 }
 
-/// What a file that ends early is refused with.
+/// Refusal of a file that ends early.
 fn end(place: Place) -> Located {
     Fault::new("the file ends early", "export it again, or correct the counts in its header").at(place)
 }
 
-/// Numbers as words.
+/// Numbers of a text, as words.
 pub(super) struct Words<'a> {
     lines: std::iter::Enumerate<std::str::Lines<'a>>,
     words: std::iter::Peekable<std::str::SplitWhitespace<'a>>,
@@ -87,7 +88,7 @@ impl Numbers for Words<'_> {
     }
 }
 
-/// Numbers as bits.
+/// Numbers of a binary file, as bits.
 pub(super) struct Bits<'a> {
     bytes: &'a [u8],
     at: usize,

@@ -10,27 +10,27 @@ use crate::model::Shape;
 use crate::rad::shapes::genbox;
 use crate::xform::{Similarity, Transforms};
 
-/// A command: what it makes, and the `xform`s that this goes through, the first first.
+/// A command: its source, and the `xform`s that its output goes through, the first first.
 #[derive(Debug)]
 pub(super) struct Command {
-    /// What it starts with.
+    /// Source of the surfaces.
     pub(super) source: Source,
-    /// What it goes through.
+    /// The `xform`s that the surfaces go through, the first first.
     pub(super) passes: Vec<Pass>,
 }
 
-/// What a command starts with.
+/// Source of the surfaces of a command.
 #[derive(Debug)]
 pub(super) enum Source {
-    /// Scene files.
+    /// Paths of scene files.
     Files(Vec<String>),
     /// Surfaces of a modifier and a name.
     Shapes {
-        /// The modifier.
+        /// Name of the modifier.
         modifier: String,
-        /// The name.
+        /// Name of the surfaces.
         name: String,
-        /// The surfaces.
+        /// Shapes of the surfaces.
         shapes: Vec<Shape>,
     },
 }
@@ -44,21 +44,21 @@ pub(super) struct Pass {
     is_turned: bool,
 }
 
-/// Where surfaces go and what they become.
+/// Transform of surfaces, and changes of their fronts, names and modifiers.
 #[derive(Clone, Debug)]
 pub(super) struct Frame {
-    /// Where they go.
+    /// Transform from the surfaces' coordinates to the scene's.
     pub(super) placed: Similarity,
-    /// Whether their fronts are turned over.
+    /// Whether the fronts of the surfaces are turned over.
     pub(super) is_turned: bool,
-    /// What stands before their names, with a dot at its end.
+    /// Prefix of the surfaces' names, with a dot at its end, or empty.
     pub(super) prefix: String,
-    /// The modifier that they all have instead of their own.
+    /// The modifier that all surfaces have instead of their own.
     pub(super) modifier: Option<String>,
 }
 
 impl Default for Frame {
-    /// All stays.
+    /// The frame that changes nothing.
     fn default() -> Self {
         Self { placed: Similarity::IDENTITY, is_turned: false, prefix: String::new(), modifier: None }
     }
@@ -71,7 +71,7 @@ const MOST_STAGES: usize = 32;
 const LONGEST_PREFIX: usize = 1000;
 
 impl Pass {
-    /// How many instances it makes.
+    /// Number of instances that the `xform` makes.
     pub(super) fn count(&self) -> usize {
         self.transforms.count()
     }

@@ -1,4 +1,4 @@
-//! What modifiers mean: the diffuse part of materials, and which materials hide behind patterns and aliases.
+//! Meanings of modifiers: the diffuse part of materials, and the materials behind patterns and aliases.
 //!
 //! Source: Radiance reference manual, "Materials", "Textures", "Patterns", "Mixtures".
 
@@ -13,12 +13,12 @@ use crate::builder::Coat;
 use crate::model::Sides;
 use crate::rad::scanner::Primitive;
 
-/// What a modifier makes of a surface.
+/// Effect of a modifier on a surface.
 #[derive(Clone, Debug)]
 pub(super) enum Meaning {
-    /// It has this material.
+    /// The surface has this material.
     Coat(Rc<Coat>),
-    /// It is not there.
+    /// The surface is left out; the text is the note on it.
     Absent(&'static str),
 }
 
@@ -36,7 +36,7 @@ impl Default for Materials {
 }
 
 impl Materials {
-    /// What the modifier `name` means.
+    /// Meaning of the modifier `name`.
     ///
     /// # Errors
     /// A name that was not defined.
@@ -120,7 +120,7 @@ fn coat(primitive: &Primitive) -> Result<Option<(Coat, Vec<&'static str>)>, Faul
     Ok(Some(coat))
 }
 
-/// The first `N` numbers of a material, none below 0.
+/// The first `N` numbers of a material, all ≥ 0.
 fn leading<const N: usize>(primitive: &Primitive) -> Result<[f64; N], Fault> {
     let Primitive { kind, name, reals, .. } = primitive;
     let values: [f64; N] = reals.get(..N).and_then(|values| values.try_into().ok()).ok_or_else(|| {

@@ -14,7 +14,7 @@ use crate::rad::materials::{Materials, Meaning};
 use crate::rad::scanner::{Item, Primitive, Scanner};
 use crate::rad::shapes;
 
-/// What a scene says up to an item.
+/// Reader of a scene of Radiance: the model and the modifiers up to the item that is read.
 pub(super) struct Reader<'a> {
     includes: Includes<'a>,
     model: ModelBuilder,

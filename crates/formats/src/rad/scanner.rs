@@ -11,7 +11,7 @@ use radiosity_photometry::text::{number, short};
 pub(super) enum Item {
     /// A line that begins with `!`, without it; continued lines are joined.
     Command(String),
-    /// A primitive.
+    /// A surface, a material, a pattern, …
     Primitive(Primitive),
 }
 
@@ -20,13 +20,13 @@ pub(super) enum Item {
 pub(super) struct Primitive {
     /// The name of what it is made of, or `void`.
     pub(super) modifier: String,
-    /// `polygon`, `plastic`, …
+    /// Type of the primitive: `polygon`, `plastic`, …
     pub(super) kind: String,
-    /// Its own name.
+    /// Name of the primitive.
     pub(super) name: String,
-    /// Its texts; of an alias the name that it stands for.
+    /// Text arguments; of an alias the name that it stands for.
     pub(super) strings: Vec<String>,
-    /// Its numbers.
+    /// Real arguments.
     pub(super) reals: Vec<f64>,
 }
 
@@ -38,7 +38,7 @@ pub(super) struct Scanner<'a> {
 }
 
 impl<'a> Scanner<'a> {
-    /// From the start.
+    /// A reading from the start of a text.
     pub(super) fn new(text: &'a str) -> Self {
         Self { rest: text, line: 1 }
     }
@@ -48,7 +48,7 @@ impl<'a> Scanner<'a> {
         self.line
     }
 
-    /// How many bytes are left.
+    /// Number of bytes that are left.
     pub(super) fn left(&self) -> usize {
         self.rest.len()
     }

@@ -39,7 +39,7 @@ pub(super) fn shape(primitive: &Primitive) -> Result<Option<Shape>, Fault> {
     Ok(Some(shape))
 }
 
-/// Exactly `N` numbers.
+/// The numbers of a primitive that has exactly `N` of them.
 fn numbers<const N: usize>(primitive: &Primitive) -> Result<[f64; N], Fault> {
     primitive.reals[..].try_into().map_err(|_| wrong_count(primitive, &N.to_string()))
 }

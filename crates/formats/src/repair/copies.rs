@@ -21,7 +21,7 @@ pub(super) struct Copies<'a> {
     repairs: Repairs,
 }
 
-/// What changes of a model.
+/// Changes of a model, by the index of the surface.
 pub(super) struct Changes {
     gone: Vec<bool>,
     both: Vec<bool>,
@@ -36,7 +36,7 @@ impl<'a> Copies<'a> {
         Copies { model, gone: none(), both: none(), is_back: none(), backs: vec![], names, repairs }
     }
 
-    /// Whether a surface still is one by itself.
+    /// Whether a surface is still one of its own: neither removed nor the back of another one.
     pub(super) fn is_there(&self, surface: usize) -> bool {
         !self.gone[surface] && !self.is_back[surface]
     }

@@ -51,9 +51,9 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
 
 /// Faces that lie on larger ones.
 struct Lying {
-    /// Those that no light reaches, each with one that it lies on.
+    /// Faces that no light reaches, each with a face that it lies on.
     hidden: BTreeMap<usize, usize>,
-    /// All others, each with all that it lies on.
+    /// All other faces, each with all faces that it lies on.
     raised: BTreeMap<usize, Vec<usize>>,
 }
 
@@ -95,7 +95,8 @@ fn is_shown(model: &Model, small: &Sheet, large: &Sheet) -> bool {
     is_dark && !small.is_alike(large) && is_one_sided(small) && is_one_sided(large)
 }
 
-/// How faces that lie on others move, by surface: what lies on a face that moves moves along.
+/// Displacements of faces that lie on others, by the index of the surface (length): a face that lies on one
+/// that moves moves along.
 fn moves(
     sheets: &Sheets,
     lying: &BTreeMap<usize, Vec<usize>>,

@@ -55,16 +55,16 @@ impl Edit {
     }
 }
 
-/// What became of changed surfaces.
+/// New names and new indices of changed surfaces.
 #[derive(Debug, Default)]
 pub(super) struct Edited {
     names: BTreeMap<usize, Vec<String>>,
-    /// Indices of what changed surfaces became, in order.
+    /// Indices of the surfaces that take the places of changed ones, in order.
     pub(super) changed: Vec<usize>,
 }
 
 impl Edited {
-    /// The names of what a surface became.
+    /// Names of the surfaces that take the place of a surface.
     pub(super) fn names(&self, surface: usize) -> &[String] {
         self.names.get(&surface).map_or(&[], Vec::as_slice)
     }

@@ -11,7 +11,7 @@ use crate::repair::record::{Kind, Repairs};
 /// Gap over the radius: a hundred times what is no length. Chosen; not tuned.
 const GAP: f64 = 1e-7;
 
-/// How far axes and radii over the reach of all may differ. Chosen; not tuned.
+/// Greatest difference of each measure of mantles in one another. Chosen; not tuned.
 const STEP: f64 = 1e-8;
 
 /// Part of the shorter length that two have to share at the least. Chosen; not tuned.
@@ -92,7 +92,7 @@ struct Mantle {
     /// Radius there, and its growth along the axis.
     radius: f64,
     growth: f64,
-    /// Where it begins and ends along the axis.
+    /// Coordinates of both ends along the axis (length).
     range: [f64; 2],
 }
 
@@ -113,7 +113,8 @@ impl Mantle {
         Some(Mantle { along, middle, radius, growth, range: [start.min(end), start.max(end)] })
     }
 
-    /// What mantles in one another have in common: the middle over the reach, the axis, the radius and its growth.
+    /// Measures that mantles in one another have in common: the middle over the reach, the axis, the radius
+    /// over the reach, and the growth.
     fn measures(&self, reach: f64) -> [f64; 8] {
         let [m, a] = [self.middle / reach, self.along].map(|x| x.to_array());
         [m[0], m[1], m[2], a[0], a[1], a[2], self.radius / reach, self.growth]

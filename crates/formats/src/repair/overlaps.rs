@@ -79,7 +79,7 @@ fn round(
     edited.changed
 }
 
-/// What is left of a face outside others.
+/// Parts of a face outside other faces of its plane.
 fn rest<'a>(sheet: &Sheet, others: impl Iterator<Item = &'a Sheet>, asked: Option<f64>) -> Vec<Shape> {
     let parts = |sheet_of: &Sheet| -> Vec<Part> {
         let outline = enclosed(sheet.plane(), &[sheet_of.outline()], asked);

@@ -1,11 +1,11 @@
-//! What was repaired: one entry, one line, for each repair.
+//! Record of repairs: one entry, one line, for each repair.
 
 use radiosity_photometry::place::Place;
 
 /// Most names that a line spells out; the rest are counted. Chosen; not tuned.
 const SPELT: usize = 4;
 
-/// What kind of fault was repaired.
+/// Kind of the fault that was repaired.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// Vertices that repeat their neighbours, and outlines that run somewhere and straight back.
@@ -28,33 +28,33 @@ pub enum Kind {
     DoubtfulFronts,
 }
 
-/// One repair.
+/// A repair: the fault, its surfaces and its text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repair {
-    /// What kind of fault.
+    /// Kind of the fault.
     pub kind: Kind,
     /// Names of the surfaces that had it, as the file names them.
     pub surfaces: Vec<String>,
     /// The fault and its repair, without a full stop: `"desk-3" and "desk-7" coincide; "desk-7" was removed`.
     pub text: String,
-    /// Where the first of the surfaces stands.
+    /// Place in the file of the first of the surfaces.
     pub place: Option<Place>,
 }
 
 /// All repairs, in the order in which they were made.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Repairs {
-    /// The repairs.
+    /// Repairs in the order in which they were made.
     pub list: Vec<Repair>,
 }
 
 impl Repairs {
-    /// Whether nothing was wrong.
+    /// Whether the model had no fault.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
-    /// How many repairs are of a kind.
+    /// Number of repairs of a kind.
     pub fn count(&self, kind: Kind) -> usize {
         self.list.iter().filter(|repair| repair.kind == kind).count()
     }

@@ -26,12 +26,12 @@ const OF_BREADTH: f64 = 1e-3;
 /// Corners of the polygon that stands for a circle. Chosen; not tuned.
 const CORNERS: usize = 64;
 
-/// A flat face.
+/// A flat face of a surface: a polygon, or the polygon inscribed in a disk or a ring.
 #[derive(Debug)]
 pub(super) struct Sheet {
     /// Index of its surface.
     pub(super) surface: usize,
-    /// Whether it is a disk or a ring, of which the region is only inscribed.
+    /// Whether the surface is a disk or a ring, whose region is only inscribed.
     pub(super) is_round: bool,
     outline: Vec<DVec3>,
     holes: Vec<Vec<DVec3>>,
@@ -62,22 +62,22 @@ impl Sheet {
         Some(Sheet { surface, is_round, outline, holes, plane, extent, area, bounds, region })
     }
 
-    /// Unit vector of its front.
+    /// Unit normal of the face's front.
     pub(super) fn normal(&self) -> DVec3 {
         self.plane.normal()
     }
 
-    /// Its size (length).
+    /// Extent of the face (length).
     pub(super) fn extent(&self) -> f64 {
         self.extent
     }
 
-    /// Its area.
+    /// Area of the face, holes taken off (length²).
     pub(super) fn area(&self) -> f64 {
         self.area
     }
 
-    /// The box around it.
+    /// The box around the face.
     pub(super) fn bounds(&self) -> &Aabb {
         &self.bounds
     }
@@ -99,12 +99,12 @@ impl Sheet {
         self.region.get_or_init(made).as_ref()
     }
 
-    /// Whether it faces where another one does.
+    /// Whether the fronts of both faces point the same way.
     pub(super) fn is_alike(&self, other: &Sheet) -> bool {
         self.normal().dot(other.normal()) > 0.0
     }
 
-    /// Whether both lie in one plane, and no gap that was meant is between them.
+    /// Whether both faces lie in one plane, without an intended gap between them.
     fn shares_plane(&self, other: &Sheet) -> bool {
         let (small, large) = if self.extent <= other.extent { (self, other) } else { (other, self) };
         let rounding = || ROUNDINGS * coordinate_rounding(&small.outline, Some(large.normal()));
@@ -180,7 +180,7 @@ impl Sheets {
         self.beside(own).filter(move |other| *other > own)
     }
 
-    /// All faces that share a face's plane and whose boxes overlap its own, in order.
+    /// Indices of all faces that share a face's plane and whose boxes overlap its own, in order.
     pub(super) fn beside(&self, own: usize) -> impl Iterator<Item = usize> {
         let sheet = &self.list[own];
         let mut near = Vec::new();
@@ -211,7 +211,8 @@ impl Sheets {
     }
 }
 
-/// If a side of another ring lies on a side of this one: positive if both run in the same direction.
+/// Dot product of a side of this ring and a side of another ring that lies on it (length²), of the first such
+/// pair: positive if both run in the same direction.
 fn run_along(own: &[DVec3], other: &[DVec3], tolerance: f64) -> Option<f64> {
     sides(other).find_map(|[a, b]| {
         let holds = |side: &[DVec3; 2]| [a, b].iter().all(|x| distance_to_segment(*x, *side) <= tolerance);

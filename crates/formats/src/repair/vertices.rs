@@ -26,7 +26,7 @@ pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs)
     }
 }
 
-/// How many vertices were taken out.
+/// Numbers of vertices that were taken out, by their fault.
 #[derive(Default)]
 struct Found {
     repeated: usize,
@@ -107,7 +107,7 @@ impl Found {
     }
 }
 
-/// What is wrong with a point between its neighbours.
+/// Fault of a point between its neighbours.
 enum Fault {
     Repeated,
     Spike,

@@ -10,9 +10,9 @@ use crate::xform::sin_cos;
 pub(super) enum Form {
     /// `R`: width and height from the lower left corner.
     Rectangle,
-    /// `Q`: four corners.
+    /// `Q`: a quadrilateral from four corners.
     Quadrilateral,
-    /// `T`: three corners.
+    /// `T`: a triangle from three corners.
     Triangle,
 }
 
@@ -27,7 +27,7 @@ impl Form {
         }
     }
 
-    /// How many numbers tell a surface: five of its plane, and those in the plane.
+    /// Count of the numbers of a surface: five of its plane, and those in the plane.
     pub(super) fn count(self) -> usize {
         match self {
             Form::Rectangle => 7,

@@ -13,7 +13,7 @@ pub(super) const OBSTRUCTION: &str = "obstruction";
 /// Most vertices and most surfaces.
 const MOST: usize = 10_000_000;
 
-/// What a surface does: the letter that its line begins with.
+/// Role of a surface: the letter that its line begins with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// `S`: it radiates to other surfaces.
@@ -43,12 +43,12 @@ pub(super) struct Statement {
     pub(super) base: usize,
     /// Number of the surface that it is combined with in View3D's output, 0 for none.
     pub(super) combined: usize,
-    /// From 0 to 1; 1 for obstructions.
+    /// Emittance, 0 to 1; 1 for obstructions.
     pub(super) emittance: f64,
     pub(super) name: Option<String>,
 }
 
-/// All that an input says.
+/// Title, vertices and surfaces of an input.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Input {
     pub(super) title: Option<String>,
@@ -142,7 +142,7 @@ fn kind(letter: char) -> Kind {
     }
 }
 
-/// All that stands behind the first word.
+/// Title of a line: the text behind the first word; none if it is blank.
 fn title(line: &str) -> Option<String> {
     let (_, title) = line.trim().split_once([' ', '\t', ','])?;
     Some(title.trim().to_owned()).filter(|title| !title.is_empty())
@@ -155,7 +155,8 @@ fn asks_for_enclosure(words: &[&str]) -> bool {
     parts.windows(2).any(|pair| pair[0].eq_ignore_ascii_case("encl") && pair[1].parse() != Ok(0))
 }
 
-/// Both three-dimensional geometries, whose surfaces tell themselves which of the two they are in.
+/// Accepts both three-dimensional geometries: the surfaces themselves tell in which of the two they are
+/// written.
 fn geometry(words: &[&str]) -> Result<(), Fault> {
     let found = words.first().copied().unwrap_or_default();
     match ["3", "3a", "3b", "4"].iter().any(|known| known.eq_ignore_ascii_case(found)) {
@@ -178,7 +179,7 @@ fn vertex(words: &[&str], wanted: usize) -> Result<DVec3, Fault> {
     Ok(DVec3::new(number(x, "x")?, number(y, "y")?, number(z, "z")?))
 }
 
-/// That `word` is the number `wanted`: vertices and surfaces are numbered from 1 without a gap.
+/// Refuses a `word` other than the number `wanted`: vertices and surfaces are numbered from 1 without a gap.
 fn in_order(word: &str, wanted: usize, what: &str) -> Result<(), Fault> {
     if wanted > MOST {
         return Err(Fault::new(format!("there are more than {MOST} of a kind"), "divide the scene"));

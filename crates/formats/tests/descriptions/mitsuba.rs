@@ -55,7 +55,7 @@ fn notes(model: &Model) -> Vec<(&str, usize)> {
     model.notes.iter().map(|note| (note.text.as_str(), note.count)).collect()
 }
 
-/// What is refused, in which line, with a cure.
+/// Asserts that the scene is refused in line `line`, for a cause that contains `cause`, with a cure.
 fn is_refused(found: Result<Model, Refusal>, line: usize, cause: &str) {
     match found {
         Ok(model) => panic!("{model:?} instead of {cause}"),

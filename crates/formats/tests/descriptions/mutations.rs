@@ -17,7 +17,7 @@ enum Mutation {
     Word(f64, String),
 }
 
-/// What numbers and names are replaced by.
+/// Words that take the place of numbers and names.
 const WORDS: [&str; 16] = [
     "1e999",
     "-1",
@@ -108,7 +108,7 @@ fn numbers(shape: &Shape) -> Vec<f64> {
     }
 }
 
-/// What readers promise of a model, and that a refusal says something.
+/// Asserts the promises of readers: a sound model, or a refusal with a cause and a file.
 pub(crate) fn is_promised(found: &Result<Model, Refusal>) {
     let model = match found {
         Ok(model) => model,

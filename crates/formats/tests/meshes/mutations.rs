@@ -17,7 +17,7 @@ enum Mutation {
     Repeat(f64, f64),
     /// Replaces the word at a place.
     Word(f64, &'static str),
-    /// Overwrites four bytes.
+    /// Overwrites four bytes at a place.
     Bytes(f64, [u8; 4]),
 }
 
@@ -83,7 +83,7 @@ fn mutated(whole: &[u8], mutations: &[Mutation]) -> Vec<u8> {
     bytes
 }
 
-/// What readers promise of every model.
+/// Asserts the promises of readers: a sound model, or a refusal with a cause, a cure and a file.
 fn assert_promises(result: Result<Model, Refusal>) {
     let model = match result {
         Ok(model) => model,

@@ -25,7 +25,7 @@ pub(crate) fn text() -> String {
     text
 }
 
-/// Its materials.
+/// Materials of the OBJ, as an MTL.
 pub(crate) const MTL: &str = "# materials\nnewmtl white paint\nKd 0.8 0.7 0.6\nKs 0 0 0\nd 1\nTr 0\nillum 2\n\n\
                               newmtl lamp\nKd 0\nKe 10 20 30\n";
 

@@ -1,4 +1,4 @@
-//! What all formats are asked: fronts, areas, notes, refusals.
+//! The unit cube, and checks that tests of all formats share: fronts, areas, notes, refusals.
 
 use std::collections::HashMap;
 use std::io;
@@ -65,7 +65,7 @@ pub(crate) fn names(model: &Model) -> Vec<&str> {
     model.surfaces.iter().map(|surface| surface.name.as_str()).collect()
 }
 
-/// Files in memory.
+/// Files in memory by name.
 pub(crate) struct InMemory(pub(crate) HashMap<String, Vec<u8>>);
 
 impl InMemory {

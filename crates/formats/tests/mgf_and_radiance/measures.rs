@@ -1,4 +1,4 @@
-//! What tests measure: areas and fronts of shapes; files in memory.
+//! Measures of tests: areas and fronts of shapes; files in memory.
 
 use std::collections::HashMap;
 use std::f64::consts::PI;

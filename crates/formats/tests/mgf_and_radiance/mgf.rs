@@ -22,7 +22,7 @@ fn right(text: &str) -> Model {
     read(text).unwrap_or_else(|refusal| panic!("{refusal}"))
 }
 
-/// Everything that the format has, each once.
+/// A scene with all entities of MGF.
 pub(crate) const ALL: &str = "\
 # A room \\
   of all entities

@@ -84,7 +84,8 @@ fn is_usual(shape: &Shape) -> bool {
     all.all(|number| number == 0.0 || (1e-4..1e4).contains(&number.abs()))
 }
 
-/// What readers promise of a model, and that a refusal says something.
+/// Asserts the promises of readers: a sound model, which can be written and read again, or a refusal with a
+/// cause and a file.
 fn check(found: Result<Model, Refusal>) {
     match found {
         Ok(model) => {

@@ -23,7 +23,7 @@ fn right(text: &str) -> Model {
     read(text).unwrap_or_else(|refusal| panic!("{refusal}"))
 }
 
-/// All that the format has, most of it once.
+/// A scene with primitives of all types of Radiance that the reader tells apart, most of them once.
 pub(crate) const ALL: &str = "\
 # materials
 void plastic white 0 0 5 .8 .8 .8 .05 0

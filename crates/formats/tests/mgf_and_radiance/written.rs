@@ -20,7 +20,7 @@ fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * (1.0 + a.abs())
 }
 
-/// All numbers of a shape, and what else tells it from others.
+/// Points, measures and counts of a shape, which tell it from others of its kind.
 pub(crate) fn parts(shape: &Shape) -> (Vec<DVec3>, Vec<f64>, Vec<usize>) {
     match shape {
         Shape::Polygon { outline, holes } => (

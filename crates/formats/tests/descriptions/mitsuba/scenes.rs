@@ -11,7 +11,7 @@ use crate::measures::{is_unit_cube, named, polygon};
 
 const ROOM: &str = include_str!("../../fixtures/room.xml");
 
-/// What each surface of the room reflects and emits.
+/// Reflectance, exitance and sides of the surface `name` of the room.
 fn values(name: &str) -> (Vec<f64>, Vec<f64>, Sides) {
     let room = read(ROOM).expect("the room is right");
     let surface = named(&room, name);

@@ -27,7 +27,7 @@ fn right() -> Vec<String> {
     file.text().lines().map(str::to_owned).collect()
 }
 
-/// The same with line `number` changed.
+/// Lines of the sound file, line `number` changed.
 fn with(number: usize, line: &str) -> Vec<String> {
     let mut lines = right();
     lines[number - 1] = line.to_owned();
@@ -77,7 +77,8 @@ fn a_flux_that_does_not_fit_is_noted() {
     assert!(note.is_some(), "{:?}", lamp.notes);
 }
 
-/// What a change of a line is refused for: place, part of the cause, part of the cure.
+/// Each changed line is refused: its number, the line, the place of the fault, a part of the cause, a part of
+/// the cure.
 #[test]
 fn broken_files_are_refused_with_line_cause_and_cure() {
     for (number, line, place, cause, cure) in [

@@ -21,7 +21,7 @@ fn read(text: &str) -> Photometry {
     ies::read("lamp.ies", text.as_bytes()).unwrap_or_else(|refusal| panic!("{refusal}: {text}"))
 }
 
-/// How much `found` is off `expected`, relative to it.
+/// Relative difference of `found` from `expected`.
 fn off(found: f64, expected: f64) -> f64 {
     (found - expected).abs() / expected
 }
@@ -43,7 +43,8 @@ fn a_lambertian_table_tends_to_its_flux_by_the_square_of_the_step() {
     }
 }
 
-/// Of I₀ cos γ a zone of the table sends π I₀ (sin² γ₂ − sin² γ₁), also where it ends between angles of the table, and zones add up.
+/// A zone of I₀ cos γ sends π I₀ (sin² γ₂ − sin² γ₁), also where the zone ends between angles of the table,
+/// and zones add up.
 #[test]
 fn zones_have_their_part_of_the_flux() {
     let lamp = read(&plain(steps(0.0, 90.0, 900), vec![0.0], lambertian).text());
@@ -77,7 +78,7 @@ fn ranges_hold_what_is_between_and_scales_the_steepest_step() {
     assert_eq!(web.scale(0.0, 180.0), 0.0);
 }
 
-/// At nodes exact, between them within h²/8 of the cosine; dark above.
+/// Intensities are exact at nodes, within h²/8 of the cosine between them, and 0 above.
 #[test]
 fn intensities_follow_the_cosine() {
     let lamp = read(&plain(steps(0.0, 90.0, 90), vec![0.0], lambertian).text());
@@ -126,7 +127,7 @@ fn the_flux_is_the_integral_of_the_intensity() {
     assert!(off(lamp.flux(), integral) < 1e-5, "{} instead of {integral}", lamp.flux());
 }
 
-/// As a rotation by the frame's own axes turns C only: planes stand where their angles say.
+/// Planes stand where their angles say, from x over y: the frame's own axes rotate C only.
 #[test]
 fn planes_stand_around_the_vertical_from_x_over_y() {
     let text = "TILT=NONE\n1 -1 1 2 4 1 2 0 0 0 1 1 1\n0 90\n0 90 180 270\n0 1\n0 2\n0 3\n0 4\n";
@@ -171,7 +172,7 @@ fn tube(direction: DVec3) -> f64 {
     250.0 * (1.0 - direction.x * direction.x).sqrt()
 }
 
-/// The same along y, as EULUMDAT has it.
+/// A thin tube along y, as EULUMDAT has it: I₀ times the sine of the angle to it, π² I₀.
 fn tube_along_y(direction: DVec3) -> f64 {
     250.0 * (1.0 - direction.y * direction.y).sqrt()
 }

@@ -54,7 +54,7 @@ fn odd_ways_to_write_are_read_alike() {
     assert_eq!(ies::read("lamp.ies", &latin.concat()).expect("it is right").name, "Straßenleuchte");
 }
 
-/// What looks wrong is noted.
+/// Odd values are noted.
 #[test]
 fn what_looks_wrong_is_noted() {
     let rows = "500 300 0\n500 350 0\n";
@@ -72,7 +72,8 @@ fn what_looks_wrong_is_noted() {
     assert!(read(&around).expect("it is right").notes.is_empty());
 }
 
-/// What a change of the lines is refused for: line, part of the cause, part of the cure.
+/// Each changed text is refused: the text, its replacement, the line of the fault, a part of the cause, a
+/// part of the cure.
 #[test]
 fn broken_files_are_refused_with_line_cause_and_cure() {
     for (from, to, line, cause, cure) in [

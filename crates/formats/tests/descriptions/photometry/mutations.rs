@@ -8,7 +8,7 @@ use super::direction;
 use super::texts::{Eulumdat, Ies, steps};
 use crate::mutations::break_often;
 
-/// What readers promise: flux and intensities are numbers, and a refusal says cause and file.
+/// Asserts the promises of readers: finite flux and intensities, or a refusal with a cause and a file.
 fn is_promised(found: Result<Photometry, Refusal>) {
     match found {
         Ok(lamp) => {

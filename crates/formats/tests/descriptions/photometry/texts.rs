@@ -18,9 +18,9 @@ fn joined(values: &[f64]) -> String {
     values.iter().map(|value| format!("{value:.9}")).collect::<Vec<_>>().join(" ")
 }
 
-/// An LM-63 file.
+/// An LM-63 file, angles in degrees and intensities in candelas.
 pub(super) struct Ies {
-    /// All up to the line `TILT=NONE` inclusive.
+    /// Lines up to `TILT=NONE`, inclusive.
     pub(super) header: &'static str,
     pub(super) lumens: f64,
     /// Multiplier of the candelas in the file.
@@ -30,7 +30,7 @@ pub(super) struct Ies {
     pub(super) gammas: Vec<f64>,
     pub(super) planes: Vec<f64>,
     pub(super) intensity: Intensity,
-    /// What the intensities are divided by in the file.
+    /// Divisor of the intensities in the file.
     pub(super) divisor: f64,
 }
 
@@ -56,12 +56,12 @@ impl Ies {
     }
 }
 
-/// An EULUMDAT file.
+/// An EULUMDAT file, angles in degrees and intensities in candelas.
 pub(super) struct Eulumdat {
     pub(super) isym: usize,
-    /// All planes around.
+    /// Angles of all planes C around the luminaire.
     pub(super) planes: Vec<f64>,
-    /// Those that have intensities, in their order.
+    /// Angles of the planes that have intensities in the file, in the file's order.
     pub(super) stated: Vec<f64>,
     pub(super) gammas: Vec<f64>,
     /// Flux of the lamps, lm, and light output ratio.
