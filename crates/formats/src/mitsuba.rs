@@ -13,7 +13,7 @@
 //! * Emitters: of type `area`; the exitance is π × radiance. Others are left out.
 //! * Sensors: the first perspective camera; all of `fov_axis` and `focal_length`.
 //!
-//! What else the file states is noted, unless it only concerns how Mitsuba makes its picture.
+//! Other elements of the file are noted, unless they only concern the way in which Mitsuba makes its picture.
 
 mod element;
 mod parameters;

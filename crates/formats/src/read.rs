@@ -10,7 +10,7 @@ use crate::{gltf, mgf, mitsuba, obj, ply, rad, stl, vs3};
 /// Reads `bytes`, the contents of `file`, in a format; `files` finds the files that it names.
 ///
 /// # Errors
-/// What the format does not allow, with line or byte, cause and cure.
+/// A text that the format does not allow, with line or byte, cause and cure.
 pub fn read(format: Format, file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
     let reader = match format {
         Format::Mgf => mgf::read,

@@ -15,7 +15,7 @@ use crate::names::UniqueNames;
 /// one-sided: [`Sides::Open`] is written as both, and surfaces without a material are black.
 ///
 /// # Errors
-/// What MGF has no words for: bands that are neither one nor three, a torus that overlaps itself.
+/// Models that MGF has no words for: bands that are neither one nor three, a torus that overlaps itself.
 pub fn write(model: &Model) -> Result<String, Refusal> {
     if !matches!(model.bands.len(), 1 | 3) {
         return Err(refusal(

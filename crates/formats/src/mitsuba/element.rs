@@ -74,7 +74,7 @@ impl Element {
     /// The number that a name is given to.
     ///
     /// # Errors
-    /// What is given is no number.
+    /// A value that is no number.
     pub(super) fn float(&self, name: &str) -> Result<Option<f64>, Refusal> {
         let Some(property) = self.property(name) else { return Ok(None) };
         let value = property.required("value")?.trim();
@@ -84,7 +84,7 @@ impl Element {
     /// The truth that a name is given to, false without one.
     ///
     /// # Errors
-    /// What is given is neither true nor false.
+    /// A value that is neither true nor false.
     pub(super) fn boolean(&self, name: &str) -> Result<bool, Refusal> {
         let Some(property) = self.property(name) else { return Ok(false) };
         match property.required("value")?.trim().to_ascii_lowercase().as_str() {

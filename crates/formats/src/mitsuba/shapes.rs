@@ -54,7 +54,8 @@ impl<'a, 'b> Shapes<'a, 'b> {
     /// Adds a shape of the scene.
     ///
     /// # Errors
-    /// What it lacks or what cannot be followed, and transforms that distort what is round.
+    /// A shape that lacks a property or has one that cannot be followed, and transforms that distort round
+    /// shapes.
     pub(super) fn add(&mut self, shape: &'a Element, remarks: &mut Remarks) -> Result<(), Refusal> {
         match shape.meet().kind() {
             "shapegroup" => Ok(()),

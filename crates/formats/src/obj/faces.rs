@@ -35,7 +35,8 @@ struct Face {
 #[derive(Debug, Default)]
 pub(super) struct Faces {
     vertices: Vec<DVec3>,
-    /// Corners of all faces as numbers of vertices from 0 on. What they number may stand below them.
+    /// Indices of the vertices at the corners of all faces, from 0 on; a vertex may be defined further down
+    /// in the text.
     corners: Vec<usize>,
     faces: Vec<Face>,
     /// Names of objects, none for faces before the first; the current one.

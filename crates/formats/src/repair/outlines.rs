@@ -1,7 +1,8 @@
 //! Outlines that touch or cross themselves, and holes that cross or leave them.
 //!
-//! What lies inside is told by the even–odd rule: it finds the holes of bridged outlines whichever way they run, and it
-//! is what the renderers of these formats test points by. The front stays that of the outline's net area.
+//! The even–odd rule tells the inside: it finds the holes of bridged outlines whichever way they run, and it
+//! is the rule by which the renderers of these formats test points. The front stays that of the outline's
+//! net area.
 
 use radiosity_fit::overlay::{Part, crosses_itself, enclosed, has_seam, without};
 use radiosity_fit::plane::Plane;
