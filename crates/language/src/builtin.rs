@@ -13,9 +13,9 @@ use radiosity_scene::Fault;
 /// A scene that lives in the binary.
 #[derive(Debug)]
 pub struct Builtin {
-    /// Its name.
+    /// Name of the scene, which users type instead of a path.
     pub name: &'static str,
-    /// Its parameters.
+    /// Parameters that the scene takes.
     pub parameters: &'static [Parameter],
     text: Text,
 }
@@ -23,19 +23,19 @@ pub struct Builtin {
 /// A number that a built-in scene lets be set.
 #[derive(Debug)]
 pub struct Parameter {
-    /// Its name.
+    /// Name of the parameter.
     pub name: &'static str,
-    /// Its value unless it is set.
+    /// Value of the parameter unless it is set.
     pub default: f64,
     /// Least and largest value.
     pub range: [f64; 2],
-    /// Whether it is a whole number.
+    /// Whether the parameter is a whole number.
     pub whole: bool,
-    /// Its meaning, with the unit.
+    /// Meaning of the parameter, with the unit.
     pub meaning: &'static str,
 }
 
-/// Where the text of a scene comes from.
+/// Source of the text of a scene.
 #[derive(Debug)]
 enum Text {
     /// A file with `$name` where the value of a parameter goes.

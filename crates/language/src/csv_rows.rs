@@ -8,18 +8,18 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 /// A row that is not blank.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
-    /// Its fields, without the blanks around them and the quotes.
+    /// Fields of the row, without the blanks and the quotes around them.
     pub fields: Vec<String>,
-    /// Byte at which it starts.
+    /// Byte at which the row starts.
     pub start: usize,
-    /// Line on which it starts, counted from 1.
+    /// Line on which the row starts, counted from 1.
     pub line: usize,
 }
 
 /// A row that is no text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable {
-    /// What the reader said.
+    /// Message of the CSV reader.
     pub message: String,
     /// Byte at which the row starts.
     pub start: usize,
@@ -52,7 +52,7 @@ pub fn rows(text: &[u8]) -> impl Iterator<Item = Result<Row, Unreadable>> {
     reader.into_records().map(row).filter(move |row| !row.as_ref().is_ok_and(is_blank))
 }
 
-/// Where the row starts that is read from `from` on.
+/// Byte at which the row starts that is read from byte `from` on: behind ends of lines, comments and blanks.
 fn row_start(text: &[u8], from: usize) -> usize {
     let mut start = from.min(text.len());
     loop {

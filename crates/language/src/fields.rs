@@ -31,7 +31,7 @@ impl<'a> Fields<'a> {
         Ok(Fields { entries, span: &node.span })
     }
 
-    /// Where the table stands.
+    /// Span of the table in its text.
     pub(super) fn span(&self) -> &'a Span {
         self.span
     }
@@ -119,7 +119,7 @@ pub(super) fn number(node: &Node) -> Result<At<f64>, Located> {
     Ok(At::new(value, &node.span))
 }
 
-/// As [`number`], without its place.
+/// A finite number; as [`number`], without its place.
 pub(super) fn real(node: &Node) -> Result<f64, Located> {
     Ok(number(node)?.value)
 }

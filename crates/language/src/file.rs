@@ -40,7 +40,7 @@ pub(super) use per_band::PerBand;
 pub(super) use sky::{GlassFile, SkyFile, SunFile};
 pub(super) use surface::SurfaceFile;
 
-/// A scene file.
+/// A scene file as typed.
 #[derive(Debug, Default)]
 pub(super) struct SceneFile {
     pub title: Option<String>,
@@ -88,7 +88,7 @@ pub(super) struct PlaneFile {
 #[derive(Debug)]
 pub(super) struct MaterialFile {
     pub name: At<String>,
-    /// None where an emissivity is given instead.
+    /// Diffuse reflectance; none where an emissivity is given instead.
     pub reflectance: Option<Amount>,
     pub emission: Option<Amount>,
     pub transmittance: Option<PerBand>,

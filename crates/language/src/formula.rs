@@ -68,7 +68,7 @@ struct Reader<'a> {
     text: &'a str,
     /// Byte of the next character.
     next: usize,
-    /// Open parentheses.
+    /// Number of open parentheses.
     depth: usize,
     variable: &'a dyn Fn(&str) -> Result<f64, Fault>,
 }
@@ -119,7 +119,7 @@ impl<'a> Reader<'a> {
         Ok(sign * value)
     }
 
-    /// What follows an opening parenthesis, with the closing one.
+    /// Value of the sum behind an opening parenthesis; takes the closing one, too.
     fn enclosed(&mut self) -> Result<f64, At<Fault>> {
         let value = self.deeper()?;
         self.close()?;

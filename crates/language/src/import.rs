@@ -21,12 +21,12 @@ use radiosity_scene::{Fault, Imported, Notation, SceneError, Source};
 
 use crate::{input, model_tree};
 
-/// How scenes of other programs are read.
+/// Options of the import of scenes of other programs.
 #[derive(Clone, Debug, Default)]
 pub struct Import {
     /// The format, instead of that which the ending of the file's name tells.
     pub format: Option<Format>,
-    /// Which sides of all surfaces count, whatever the format says.
+    /// Sides that reflect and emit, of all surfaces, whatever the format says.
     pub sides: Option<Sides>,
     /// Materials by name, instead of those of the file.
     pub materials: Option<SideFile>,
@@ -54,7 +54,8 @@ impl Import {
     /// Reads and repairs the scene in `file`, or in standard input for `-`.
     ///
     /// # Errors
-    /// What cannot be read, or is against the rules of the format; with [`Import::strict`] what needs repairs.
+    /// A file that cannot be read, or is against the rules of the format; with [`Import::strict`] what needs
+    /// repairs.
     fn model(&self, file: &str, format: Format) -> Result<(Model, Imported), SceneError> {
         let unreadable = |error: io::Error| SceneError {
             origin: file.to_owned(),
@@ -134,7 +135,7 @@ fn refused(refusal: Refusal) -> SceneError {
     }
 }
 
-/// What was noted, and how often.
+/// Text of a note, with the number of its occurrences if there are several.
 fn counted(note: &Note) -> String {
     let times = if note.count > 1 { format!(" ({} times)", note.count) } else { String::new() };
     format!("{}{times}", note.text)

@@ -41,7 +41,7 @@ const DEEPEST: usize = 32;
 #[derive(Debug)]
 pub(super) struct FileTree {
     pub tree: Arc<Node>,
-    /// What stands before the names that the file leaves out: nothing in the first file, `lamps.` in `lamps.toml`.
+    /// Prefix of the names that the file leaves out: empty in the first file, `lamps.` in `lamps.toml`.
     pub prefix: String,
 }
 
@@ -63,7 +63,7 @@ pub(super) fn tree_of(source: &Source, language: Language) -> Result<Arc<Node>, 
     }
 }
 
-/// Text → tree.
+/// Tree of a text.
 fn parsed(text: &str, language: Language) -> Result<Node, Located> {
     match language {
         Language::Toml => toml_text::parse(text),
@@ -124,7 +124,7 @@ impl Files<'_> {
         Ok(())
     }
 
-    /// Reads a picture.
+    /// Reads the bytes of a picture, each picture once.
     fn picture(&mut self, file: &str) -> Result<(), Fault> {
         if self.source.picture(file).is_some() {
             return Ok(());

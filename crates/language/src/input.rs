@@ -12,7 +12,7 @@ const MOST: u64 = 1 << 30;
 /// The bytes of a file, or of standard input for `-`: that of the first rank, which shares it.
 ///
 /// # Errors
-/// What cannot be opened or read, or is longer than 2³⁰ bytes.
+/// A file that cannot be opened or read, or is longer than 2³⁰ bytes.
 pub fn bytes(source: &str) -> io::Result<Vec<u8>> {
     match source {
         "-" => {
@@ -24,10 +24,10 @@ pub fn bytes(source: &str) -> io::Result<Vec<u8>> {
     }
 }
 
-/// The same as text.
+/// The text of a file, or of standard input for `-`.
 ///
 /// # Errors
-/// As [`bytes`], and what is not UTF-8.
+/// As [`bytes`], and text that is not UTF-8.
 pub fn text(source: &str) -> io::Result<String> {
     let no_text = |_| io::Error::new(io::ErrorKind::InvalidData, "stream did not contain valid UTF-8");
     String::from_utf8(bytes(source)?).map_err(no_text)
@@ -44,7 +44,7 @@ pub(super) fn file(path: &str) -> io::Result<String> {
     }
 }
 
-/// The same, where what is not UTF-8 is Latin-1.
+/// The text of a file, whatever it is called; text that is not UTF-8 is read as Latin-1.
 ///
 /// # Errors
 /// As [`bytes`], and zero bytes.

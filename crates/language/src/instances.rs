@@ -31,7 +31,7 @@ pub(super) type PlacedSurface<'a> = PlacedEntry<'a, SurfaceFile>;
 /// An entry of `[[luminaires]]`, moved as its instance says.
 pub(super) type PlacedLuminaire<'a> = PlacedEntry<'a, LuminaireFile>;
 
-/// What is put somewhere.
+/// Surfaces and luminaires of the scene and of its instances, each where its instance puts it.
 #[derive(Debug, Default)]
 pub(super) struct Placed<'a> {
     pub surfaces: Vec<PlacedSurface<'a>>,
@@ -54,7 +54,7 @@ pub(super) fn placed<'a>(
     Ok(placed)
 }
 
-/// Parts by name.
+/// Parts of the scene by name.
 type Parts<'a> = BTreeMap<&'a str, &'a PartFile>;
 
 /// Refuses two instances of one name in one list.
@@ -68,10 +68,10 @@ fn check_names(instances: &[InstanceFile], source: &Source) -> Result<(), Locate
 
 /// The instance that something is in, or the scene.
 struct Within {
-    /// What stands before names in it.
+    /// Prefix of names in the instance; empty in the scene.
     prefix: String,
     motion: Motion,
-    /// See [`PlacedEntry::instances`].
+    /// Names of the instances around an entry; see [`PlacedEntry::instances`].
     instances: Arc<[String]>,
 }
 
@@ -142,12 +142,12 @@ fn copies(instance: &InstanceFile) -> Result<Vec<(String, Motion)>, Located> {
     copies.into_iter().map(moved).collect()
 }
 
-/// How much a part makes.
+/// Size of a part, its parts included.
 #[derive(Clone, Copy)]
 struct Size {
     /// Entries of surfaces and luminaires, and copies of parts.
     count: usize,
-    /// Parts within it.
+    /// Depth of parts within the part.
     depth: usize,
 }
 

@@ -43,7 +43,7 @@ pub(super) fn luminaires(
     Ok((own, surfaces.into_iter().flatten().collect()))
 }
 
-/// Where the surface of a luminaire stands.
+/// Places in the text of the surface that a luminaire's extent makes.
 fn typed(LuminaireFile { name, span, extent, .. }: &LuminaireFile, source: &Source) -> Typed {
     Typed {
         place: source.place(span),
@@ -98,7 +98,7 @@ fn luminaire(
     Ok(own)
 }
 
-/// What the light of a luminaire comes out of.
+/// Extent that the light of a luminaire comes out of: typed, or the opening of its photometric file.
 fn extent_of(file: ExtentFile, distribution: &Distribution) -> Result<Extent, Fault> {
     match (file, distribution) {
         (ExtentFile::Typed(extent), _) => Ok(extent),

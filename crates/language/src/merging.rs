@@ -9,8 +9,8 @@ use radiosity_scene::{
 
 use crate::file::SceneFile;
 
-/// All files in one. Title and camera are those of the last, which includes the others; so is the
-/// sky, and so are frames and their rate, if it has them.
+/// One scene file of all files. Title and camera are those of the last file, which includes the others; so is
+/// the sky, and so are frames and their rate, if that file has them.
 pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile, Located> {
     let mut files = files.into_iter().rev();
     let mut whole = files.next().unwrap_or_default();
@@ -38,7 +38,7 @@ fn names_of(bands: &At<Vec<At<String>>>) -> Vec<&str> {
     bands.value.iter().map(|band| band.value.as_str()).collect()
 }
 
-/// What either of two files states; both have to state the same.
+/// The value that either of two files states; if both do, the values have to be equal.
 fn stated<T>(
     own: Option<At<T>>,
     other: Option<At<T>>,

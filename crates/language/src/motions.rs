@@ -44,7 +44,8 @@ pub(super) fn animation(
     movers(drafts.collect::<Result<_, _>>()?, clock, movable).map(Some)
 }
 
-/// What can move, by the names of surfaces, of entries and of instances.
+/// Surfaces, luminaires and the camera that motions may move, with the names of surfaces, of entries and of
+/// instances.
 pub(super) fn movable(
     surfaces: &[PlacedSurface<'_>],
     makers: &[Maker],

@@ -49,7 +49,7 @@ pub fn text_of(source: &str, settings: &[(&str, f64)]) -> Result<Source, SceneEr
     text_by(source, settings, &Import::default())
 }
 
-/// The same; `import` says how a file of another program is read.
+/// The text that [`load_with`] reads; `import` are the options for a file of another program.
 ///
 /// # Errors
 /// As [`text_of`], and what is against the rules of the format; with [`Import::strict`] what needs repairs.
@@ -304,7 +304,7 @@ fn as_typed(mut files: Vec<FileTree>, source: &Source) -> Result<(SceneFile, Vec
     Ok((file, variables.list()))
 }
 
-/// As typed → valid.
+/// The valid scene of a scene file as typed.
 fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> Result<Scene, Located> {
     let is_grey = file.is_grey();
     let bands = validation::bands(file.bands, is_grey, source)?;

@@ -39,7 +39,7 @@ const SHAPES: [Entry; 15] = [
     ("revolution", turned::revolution),
 ];
 
-/// The shape keys.
+/// Keys of all shapes.
 pub(super) fn keys() -> impl Iterator<Item = &'static str> {
     SHAPES.iter().map(|(key, _)| *key)
 }
@@ -47,15 +47,15 @@ pub(super) fn keys() -> impl Iterator<Item = &'static str> {
 /// A shape as typed.
 #[derive(Debug)]
 pub(super) struct ShapeFile {
-    /// Its key.
+    /// Key of the shape.
     pub kind: &'static str,
-    /// Where its value stands.
+    /// Span of the key's value.
     pub span: Span,
     form: Box<dyn Form>,
     fields: Vec<FieldPlaces>,
 }
 
-/// Where a field of a shape stands, and its items, if it is a list.
+/// Span of a field of a shape, and spans of its items, if it is a list.
 #[derive(Debug)]
 struct FieldPlaces {
     key: String,
@@ -83,7 +83,7 @@ impl ShapeFile {
         self.form.surfaces(motion)
     }
 
-    /// The same surfaces in a model of another program; None if that has no such shape.
+    /// Shapes of these surfaces in a model of another program; None if models have no such shape.
     pub(super) fn models(&self, motion: &Motion) -> Modelled {
         self.form.models(motion)
     }
@@ -105,7 +105,7 @@ impl ShapeFile {
     }
 }
 
-/// Where every field of a shape stands.
+/// Spans of all fields of a shape.
 fn field_places(node: &Node) -> Vec<FieldPlaces> {
     let Value::Table(entries) = &node.value else { return Vec::new() };
     let places = |(key, value): &(At<String>, Node)| FieldPlaces {

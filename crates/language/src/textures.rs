@@ -111,7 +111,7 @@ fn factors(factor: Option<&PerBand>, bands: usize) -> Result<Vec<f64>, Located> 
     }
 }
 
-/// One of each band.
+/// Values of all bands: one value repeated, or a list with one per band.
 fn spread<'a, T>(given: &'a EachBand<T>, bands: usize, what: &'static str) -> Result<Vec<&'a T>, Fault> {
     match given {
         EachBand::All(one) => Ok(vec![one; bands]),

@@ -26,11 +26,11 @@ pub(super) const VARIABLES: &str = "variables";
 /// The mark that a formula begins with.
 const MARK: char = '=';
 
-/// Variables by name.
+/// Values of variables by name.
 #[derive(Debug)]
 pub(super) struct Variables {
     values: BTreeMap<String, f64>,
-    /// Their names in the order of the text.
+    /// Names of the variables in the order of the text.
     names: Arc<[String]>,
 }
 
@@ -115,7 +115,7 @@ impl Variables {
         }
     }
 
-    /// These variables, if all `settings` are of one of them.
+    /// The variables, if every name in `settings` is one of theirs.
     fn with(self, settings: &BTreeMap<String, f64>) -> Result<Self, Located> {
         let Some(name) = settings.keys().find(|name| !self.values.contains_key(*name)) else {
             return Ok(self);
@@ -160,16 +160,16 @@ impl Variables {
     }
 }
 
-/// What variables are made from.
+/// Definitions of variables, and settings that take the place of some.
 struct Definitions<'a> {
     typed: BTreeMap<&'a str, &'a Node>,
     settings: &'a BTreeMap<String, f64>,
 }
 
-/// What came of the attempt to find a value.
+/// Outcome of an attempt to find a value.
 enum Step {
     Known(f64),
-    /// Other variables come first; the formula that needs them stands there.
+    /// Names of variables that come first, and the span of the formula that needs them.
     Needs(Vec<String>, Span),
 }
 
@@ -214,7 +214,8 @@ fn formula_of(node: &Node) -> Option<(&str, &str)> {
     Some((text, text.strip_prefix(MARK)?))
 }
 
-/// Where a piece of a formula stands: within the quotes of its text, if that is typed without escapes.
+/// Span of a piece of a formula: within the quotes of its text, if that is typed without escapes, else the
+/// whole text.
 fn place(node: &Span, text: &str, piece: &Span) -> Span {
     let start = node.start + '"'.len_utf8() + MARK.len_utf8();
     match node.len() == text.len() + 2 {

@@ -5,7 +5,7 @@
 /// A point of a text, x, y, z.
 pub(super) type Point = [f64; 3];
 
-/// w.
+/// Weight w of the inner control points of a quarter circle.
 pub(super) const WEIGHT: f64 = (1.0 + std::f64::consts::SQRT_2) / 3.0;
 
 /// Cosines and sines of the control points from 0° to 90°.

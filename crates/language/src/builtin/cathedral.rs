@@ -10,13 +10,13 @@ use std::fmt::Write;
 
 use super::arcs::{Point, WEIGHT, circle, quarter, square};
 
-/// Distance between columns.
+/// Distance between columns (length).
 const BAY: f64 = 5.0;
 /// Half the width of the nave, thickness of its walls, width of an aisle.
 const NAVE: f64 = 4.0;
 const WALL: f64 = 0.8;
 const AISLE: f64 = 4.0;
-/// Where arches spring, where the vault of the nave does, and where those of the aisles do.
+/// Heights of the springing of the arches, of the nave's vault and of the aisles' vaults (length).
 const ARCHES: f64 = 4.5;
 const VAULT: f64 = 9.0;
 const AISLE_VAULT: f64 = VAULT - AISLE;
@@ -148,7 +148,7 @@ translate = {{ points = [[0, 0, 0], [0, {way}, 0]] }}
     )
 }
 
-/// Which side of a patch faces the air.
+/// Side of a patch that faces the air.
 #[derive(Clone, Copy)]
 enum Front {
     AsWritten,

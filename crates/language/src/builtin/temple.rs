@@ -10,12 +10,12 @@ use std::fmt::Write;
 
 use super::arcs::{Point, WEIGHT, circle, square};
 
-/// Distance between columns.
+/// Distance between columns (length).
 const BAY: f64 = 2.2;
 /// Floor of the aisles, two steps above the nave, and depth of a step.
 const UPPER: f64 = 0.32;
 const TREAD: f64 = 0.3;
-/// Where the first step rises from the floor of the nave.
+/// Distance of the first step's riser from the middle of the nave (length).
 const STEP: f64 = 2.0;
 /// Depth of the dais between the last step and the wall.
 const DAIS: f64 = 4.0;
@@ -89,7 +89,7 @@ struct Temple {
     length: f64,
 }
 
-/// Where a surface that is written for x > 0 goes.
+/// Place of a surface that is written for x > 0.
 #[derive(Clone, Copy)]
 enum Put {
     Here,

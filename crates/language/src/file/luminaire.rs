@@ -24,13 +24,13 @@ pub(crate) struct LuminaireFile {
     pub along: Option<At<DVec3>>,
     pub distribution: DistributionFile,
     pub extent: Option<At<ExtentFile>>,
-    /// None where a photometric file states it.
+    /// Flux or intensity; none where a photometric file states it.
     pub strength: Option<StrengthFile>,
     pub group: Option<At<String>>,
     pub dimming: Option<At<f64>>,
 }
 
-/// How its light is spread.
+/// Distribution of a luminaire's light over directions.
 #[derive(Debug)]
 pub(crate) enum DistributionFile {
     Formula(Distribution),
@@ -38,7 +38,7 @@ pub(crate) enum DistributionFile {
     Table(At<String>),
 }
 
-/// What its light comes out of.
+/// Extent that the light of a luminaire comes out of.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum ExtentFile {
     Typed(Extent),
@@ -46,7 +46,7 @@ pub(crate) enum ExtentFile {
     OfTable,
 }
 
-/// How much light it sends.
+/// Strength of a luminaire: flux, or intensity, per band.
 #[derive(Debug)]
 pub(crate) enum StrengthFile {
     Flux(PerBand),

@@ -23,7 +23,7 @@ pub(crate) struct MotionFile {
     pub surfaces: Vec<At<String>>,
     pub instances: Vec<At<String>>,
     pub luminaires: Vec<At<String>>,
-    /// Where it is said that the camera moves.
+    /// Span of `camera = true`; none where the camera does not move along.
     pub camera: Option<Span>,
     pub translate: Option<TranslateFile>,
     pub rotate: Option<RotateFile>,
@@ -46,7 +46,7 @@ pub(crate) struct RotateFile {
     pub times: Option<At<Vec<f64>>>,
 }
 
-/// How the rotations are given.
+/// Rotations of a motion, in one of two notations.
 #[derive(Debug)]
 pub(crate) enum TurnsFile {
     /// Degrees about one axis.

@@ -25,7 +25,7 @@ pub(crate) struct PartFile {
     pub content: ContentFile,
 }
 
-/// What a part, or the scene, is made of.
+/// Content of a part or of the scene.
 #[derive(Debug, Default)]
 pub(crate) struct ContentFile {
     pub surfaces: Vec<SurfaceFile>,
@@ -42,7 +42,7 @@ pub(crate) struct InstanceFile {
     pub array: Option<ArrayFile>,
 }
 
-/// Copies in rows: how many along each step.
+/// Copies in rows: for each row the number of copies, and the step from one copy to the next (length).
 #[derive(Debug)]
 pub(crate) struct ArrayFile {
     pub span: Span,

@@ -27,11 +27,11 @@ pub(crate) struct PatternFile {
     pub span: Span,
     pub kind: PatternKind,
     pub placement: Placement,
-    /// Times its numbers.
+    /// Factors by which the pattern's numbers are multiplied, per band.
     pub factor: Option<PerBand>,
 }
 
-/// Where its numbers are from.
+/// Source of the numbers of a pattern.
 #[derive(Debug)]
 pub(crate) enum PatternKind {
     Image {
@@ -43,14 +43,14 @@ pub(crate) enum PatternKind {
     Polynomial(EachBand<Vec<Term>>),
 }
 
-/// How the numbers of an image stand for light.
+/// Relation of the numbers of an image to light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
     Linear,
     Srgb,
 }
 
-/// The same for all bands, or one per band.
+/// A value for all bands, or a list with one per band.
 #[derive(Debug)]
 pub(crate) enum EachBand<T> {
     All(T),
@@ -64,7 +64,7 @@ const KINDS: [&str; 3] = [IMAGE, "cells", "polynomial"];
 const PLACEMENT_KEYS: [&str; 3] = ["scale", "offset", "wrap"];
 
 impl PatternFile {
-    /// Where what is wrong with its numbers is shown.
+    /// Span that faults of the pattern's numbers are shown at.
     pub(crate) fn place(&self) -> &Span {
         match &self.kind {
             PatternKind::Image { path, .. } => &path.span,
@@ -74,7 +74,7 @@ impl PatternFile {
 }
 
 impl Amount {
-    /// Whether no band is told from another.
+    /// Whether the amount is alike in all bands.
     pub(crate) fn is_one_for_all(&self) -> bool {
         match self {
             Amount::Even(numbers) => numbers.is_one_number(),
@@ -211,7 +211,7 @@ fn encoding(node: &Node) -> Result<Encoding, Located> {
     word(node, "encoding", &[("srgb", Encoding::Srgb), ("linear", Encoding::Linear)])
 }
 
-/// One of some words.
+/// The value of a word: `words` are the known ones; `what` names the key in messages.
 fn word<T: Copy>(node: &Node, what: &'static str, words: &[(&'static str, T)]) -> Result<T, Located> {
     let typed = text(node)?;
     let found = words.iter().find(|(word, _)| *word == typed.value);

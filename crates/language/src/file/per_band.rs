@@ -16,7 +16,7 @@ pub(crate) enum PerBand {
 }
 
 impl PerBand {
-    /// Where it stands.
+    /// Span of the number or of the list.
     pub(crate) fn span(&self) -> &Span {
         match self {
             PerBand::All(number) => &number.span,
@@ -24,13 +24,13 @@ impl PerBand {
         }
     }
 
-    /// Whether it is a single number.
+    /// Whether a single number stands for all bands.
     pub(crate) fn is_one_number(&self) -> bool {
         matches!(self, PerBand::All(_))
     }
 }
 
-/// Reads either.
+/// Reads a number, or a list of numbers with one per band.
 pub(crate) fn per_band(node: &Node) -> Result<PerBand, Located> {
     match node.items() {
         Some(items) => {

@@ -28,7 +28,7 @@ pub(crate) struct SurfaceFile {
     pub back_material: Option<At<String>>,
     pub group: Option<At<String>>,
     pub flux: Option<PerBand>,
-    /// Where it is said that it is an opening to the sky.
+    /// Span of `opening` or `glass`; none where the surface is no opening to the sky.
     pub opening: Option<Span>,
     pub glass: Option<GlassFile>,
     pub condition: Option<Condition>,
@@ -94,7 +94,7 @@ fn read_surface(node: &Node, unnamed: &str) -> Result<SurfaceFile, Located> {
     })
 }
 
-/// Where `opening = true` stands; `glass` fills an opening.
+/// Span of `opening = true`, or of `glass`, which fills an opening.
 fn read_opening(fields: &Fields<'_>) -> Result<Option<Span>, Located> {
     match fields.get("opening") {
         Some(node) => Ok(truth(node)?.then(|| node.span.clone())),
@@ -110,7 +110,7 @@ fn parts(node: &Node) -> Result<usize, Located> {
     counted(node, check_parts)
 }
 
-/// Where a shape or an instance is put.
+/// Transform of a shape or of an instance: `translate`, `rotate` and `scale`.
 pub(crate) fn read_motion(node: &Node) -> Result<Motion, Located> {
     let fields = Fields::new(node, &["translate", "rotate", "scale"])?;
     let translate = fields.optional("translate", point)?.unwrap_or(DVec3::ZERO);

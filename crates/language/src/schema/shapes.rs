@@ -178,7 +178,7 @@ fn revolution() -> Value {
     table("A curve turned about an axis", &["curve", "center", "axis"], keys)
 }
 
-/// What the shapes are made of.
+/// Parts that the schemas of several shapes refer to, by name.
 pub(super) fn parts() -> Vec<(&'static str, Value)> {
     let index = whole(0, u32::MAX as usize, "An index");
     let patch = with(exactly(16, "number", "Indices of control points, from 0, row by row"), "items", index);

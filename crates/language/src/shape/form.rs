@@ -10,7 +10,7 @@ pub(super) trait Form: Debug {
     /// The surfaces it makes, one but for `box` and `patches`, put where `motion` says.
     fn surfaces(&self, motion: &Motion) -> Built;
 
-    /// The same surfaces in a model of another program; None if that has no such shape.
+    /// Shapes of these surfaces in a model of another program; None if models have no such shape.
     fn models(&self, _motion: &Motion) -> Modelled {
         Ok(None)
     }
@@ -21,13 +21,13 @@ pub(super) trait Form: Debug {
     }
 }
 
-/// The surfaces of one shape, or what keeps it from being built.
+/// Surfaces of one shape, or the fault that keeps it from being built.
 pub(super) type Built = Result<Vec<Box<dyn Surface>>, ShapeError>;
 
-/// The shapes of a model, none where it has no such shape, or what keeps them from being built.
+/// Shapes of a model, none where it has no such shape, or the fault that keeps them from being built.
 pub(super) type Modelled = Result<Option<Vec<Shape>>, ShapeError>;
 
-/// A single surface.
+/// A list of a single surface.
 pub(super) fn one(surface: impl Surface + 'static) -> Built {
     Ok(vec![Box::new(surface)])
 }

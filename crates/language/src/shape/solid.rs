@@ -26,7 +26,7 @@ const FACES: [Face; 6] = [
     Face { name: "top", axis: 2, high: true },
 ];
 
-/// Where a box is, as typed.
+/// Extent of a box as typed (length): a corner and a size, or two corners.
 #[derive(Debug)]
 enum Extent {
     Sized { origin: DVec3, size: DVec3 },
