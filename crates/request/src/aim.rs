@@ -1,4 +1,4 @@
-//! Of what an accuracy is wanted.
+//! Goals of adaptation: the points at which an accuracy is wanted.
 
 use radiosity_geom::DVec3;
 use radiosity_output::pictures::pinhole::Pinhole;

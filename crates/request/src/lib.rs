@@ -1,5 +1,5 @@
-//! What a user asks for, as the command line and the package of Python have it in common: the options of a method with their
-//! presets, ranges and checks, and what they are to the library.
+//! Requests of users, as the command line and the package of Python have them in common: the options of a
+//! method with their presets, ranges and checks, and their translation to options of the library.
 //!
 //! Either front end turns what it is given into a request. Refusals hold options as data ([`Wording`](radiosity_work::wording::Wording)).
 

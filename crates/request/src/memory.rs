@@ -1,4 +1,4 @@
-//! How much memory there is to use, and whether results have room in it.
+//! Memory that is free, and refusals of results for which there is no room.
 
 use std::fs::read_to_string;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! How light is to be computed: what is asked for, and the library's options that follow.
+//! Requests for the computation of light, and the library's options that follow.
 
 use std::time::{Duration, Instant};
 
@@ -17,58 +17,59 @@ use super::modes::{Kernel, Order, Shadows};
 /// The accuracy that `--order auto` means. Chosen.
 const AUTO_ACCURACY: f64 = 1e-2;
 
-/// How light is to be computed; None where nothing was said. Numbers are in their [ranges](super::ranges).
+/// Request for the computation of light; None where nothing was said. Numbers are in their
+/// [ranges](super::ranges).
 #[derive(Clone, Debug)]
 pub struct MethodRequest {
     /// Preset of order, accuracies and points read.
     pub quality: Quality,
-    /// Which algorithm finds the light.
+    /// Algorithm that finds the light.
     pub algorithm: Algorithm,
     /// Functions whose sums the light on surfaces is.
     pub basis: Basis,
     /// Degree of the polynomials on each element.
     pub order: Option<Order>,
-    /// Wanted relative error.
+    /// Wanted relative error, above 0 and below 1.
     pub accuracy: Option<f64>,
-    /// Of what it is wanted.
+    /// Quantity that the accuracy is wanted of.
     pub aim: Option<Aim>,
-    /// Seconds after which no finer run begins.
+    /// Time (s) after which no finer run begins.
     pub time_limit: Option<f64>,
-    /// Polynomials of that degree in each coordinate.
+    /// Whether the polynomials are of that degree in each coordinate, not in total.
     pub tensor: bool,
     /// Cuts each surface into K × K elements; None chooses.
     pub subdivide: Option<usize>,
     /// Graded layers of elements.
     pub layers: Layers,
-    /// Accuracy of the transfers.
+    /// Relative accuracy of the transfers.
     pub eps: Option<f64>,
     /// Rules of the transfers.
     pub kernel: Kernel,
-    /// What carries the pairs of elements.
+    /// Transport of light between pairs of elements.
     pub transport: Transport,
-    /// Rays of the sampled transport.
+    /// Number of rays of the sampled transport.
     pub rays: Option<u64>,
     /// Solver of the linear system.
     pub solver: &'static Method,
-    /// What cg and gmres multiply residuals by.
+    /// Preconditioner of cg and gmres.
     pub preconditioner: Preconditioning,
     /// Light that was reflected so many times at the most before it arrives; None for all.
     pub bounces: Option<usize>,
     /// Relative residual at which an iterative solver stops.
     pub tolerance: f64,
-    /// Iterations after which it gives up.
+    /// Iterations after which an iterative solver gives up.
     pub max_iterations: usize,
-    /// How it is found out what surfaces hide from each other.
+    /// Method that finds out whether surfaces hide each other.
     pub shadows: Shadows,
-    /// How light straight from emitters enters the solution.
+    /// Treatment of light that comes straight from emitters.
     pub direct: Direct,
-    /// Accuracy of shadows.
+    /// Relative accuracy of shadows.
     pub shadow_eps: Option<f64>,
-    /// How masks are made, with [`Shadows::Mask`].
+    /// Cells and averages of shadow masks, with [`Shadows::Mask`].
     pub masks: Masking,
     /// Most bytes of memory; None for 80 % of what is free.
     pub memory: Option<u64>,
-    /// Threads; None for all.
+    /// Number of threads; None for all.
     pub threads: Option<usize>,
 }
 
@@ -152,7 +153,7 @@ impl MethodRequest {
         }
     }
 
-    /// When the time allowed ends, if it does.
+    /// Time at which the time limit ends; none without a limit.
     fn deadline(&self) -> Option<Instant> {
         let limit = Duration::try_from_secs_f64(self.time_limit?).ok()?;
         Instant::now().checked_add(limit)

@@ -1,4 +1,4 @@
-//! What an option may be set to, by name, and what that is to the library.
+//! Modes that options may be set to by name, and their translation to options of the library.
 
 use std::str::FromStr;
 
@@ -7,12 +7,12 @@ use radiosity_scene::MAX_ORDER;
 use radiosity_visibility::Hiding;
 use serde::Deserialize;
 
-/// `--order`.
+/// Degree of the polynomials on elements, as `--order` states it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// As the accuracy needs.
+    /// The degree that the wanted accuracy needs.
     Auto,
-    /// This one; with `--accuracy`, at least this one.
+    /// This degree; with `--accuracy`, the least degree.
     Degree(usize),
 }
 
@@ -45,7 +45,7 @@ pub enum Shadows {
 }
 
 impl Shadows {
-    /// How surfaces hide each other.
+    /// The library's mode of shadows.
     pub(crate) fn hiding(self) -> Hiding {
         match self {
             Shadows::Auto | Shadows::Mask => Hiding::Auto,
@@ -71,7 +71,8 @@ pub enum Kernel {
 }
 
 impl Kernel {
-    /// The rules of 1993 that it names. Of the readings of the hybrid, H1 fits the numbers the paper prints best.
+    /// The rules of 1993 that the mode names. Of the readings of the hybrid, H1 fits the numbers the paper
+    /// prints best.
     pub fn rules(self) -> Option<Rules> {
         match self {
             Kernel::Default => None,

@@ -29,7 +29,7 @@ pub struct NoCamera {
 }
 
 impl NoCamera {
-    /// How to mend it.
+    /// Cure of the missing camera, for people: the proposal as text.
     pub fn cure(&self) -> String {
         format!("add a [camera] with eye and target to the scene, such as {}", self.proposal)
     }

@@ -1,4 +1,4 @@
-//! How a solution is to be read: what is asked for, and what the solution is worth being read to.
+//! Requests for the reading of a solution, and the accuracy that a solution is worth being read to.
 
 use radiosity_output::readings::grid::Rates;
 use radiosity_output::readings::quality::Reading;
@@ -16,12 +16,12 @@ use super::refusal::Refusal;
 /// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which this adds little.
 const BY_RAYS: f64 = 1e-2;
 
-/// How a solution is to be read; None where nothing was said.
+/// Request for the reading of a solution; None where nothing was said.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadRequest {
-    /// What is read.
+    /// Source of irradiance: polynomials or recomputed light.
     pub read: Option<Read>,
-    /// By what light is gathered.
+    /// Method of gathering: by cells or by rays.
     pub by: Option<By>,
     /// Relative accuracy of recomputed light.
     pub eps: Option<f64>,
@@ -75,13 +75,13 @@ impl ReadRequest {
         }
     }
 
-    /// As asked, the rest as the quality says.
+    /// The reading that was asked for; the rest as the quality says.
     pub fn plain(&self, method: &MethodRequest) -> Reading {
         let usual = method.quality.reading();
         self.asked(usual, method.eps.unwrap_or(usual.eps))
     }
 
-    /// As asked; `eps` where no accuracy was, and the rest as usual.
+    /// The reading that was asked for; the accuracy `eps` where none was, and the rest as in `usual`.
     fn asked(&self, usual: Reading, eps: f64) -> Reading {
         Reading {
             read: self.read.unwrap_or(usual.read),
@@ -92,8 +92,8 @@ impl ReadRequest {
         }
     }
 
-    /// As asked, the rest as the quality and the solution say; no coarser than the accuracy of the solution, where one was
-    /// asked for. `is_saved`: the solution was read from a file.
+    /// The reading that was asked for; the rest as the quality and the solution say; no coarser than the
+    /// accuracy of the solution, where one was asked for. `is_saved`: the solution was read from a file.
     pub fn reading(&self, method: &MethodRequest, solved: &Solved, is_saved: bool) -> Reading {
         let usual = method.quality.reading();
         let is_sampled = solved.outcome.sampling.is_some();

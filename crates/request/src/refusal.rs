@@ -1,19 +1,19 @@
-//! What is refused before the work begins.
+//! Refusals of requests, before the work begins.
 
 use radiosity_work::wording::Wording;
 
-/// What was asked for and cannot be done.
+/// A refusal of a request that cannot be met.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct Refusal {
-    /// What is wrong.
+    /// Message: the fault of the request.
     pub message: Wording,
-    /// How to mend it.
+    /// Advice on how to mend the request.
     pub cure: Wording,
 }
 
 impl Refusal {
-    /// What is wrong, and how to mend it.
+    /// A refusal with its message and its cure.
     pub(crate) fn new(message: impl Into<Wording>, cure: impl Into<Wording>) -> Self {
         Self { message: message.into(), cure: cure.into() }
     }

@@ -1,4 +1,4 @@
-//! Which scene is to be read, and how.
+//! Requests for a scene: its source, its settings, and the options of its import.
 
 use std::path::{Path, PathBuf};
 
@@ -12,14 +12,14 @@ use radiosity_work::wording::{option, set, words};
 
 use super::refusal::Refusal;
 
-/// How a scene of another program is to be read.
+/// Options of the import of a scene of another program.
 #[derive(Clone, Debug, Default)]
 pub struct ImportRequest {
-    /// The format, instead of that of the file's ending.
+    /// Format of the file; None for that of the file's ending.
     pub format: Option<Format>,
-    /// Which sides of all surfaces count, whatever the file says.
+    /// Sides that reflect and emit, of all surfaces, whatever the file says.
     pub sides: Option<Sides>,
-    /// A file of materials by name.
+    /// Path of a file of materials by name.
     pub materials: Option<PathBuf>,
     /// Unit of the lengths in the file.
     pub unit: Option<Unit>,
@@ -31,7 +31,7 @@ pub struct ImportRequest {
     pub grey: bool,
 }
 
-/// Which scene is to be read, and how.
+/// Request for a scene: its source and its settings.
 #[derive(Clone, Debug, Default)]
 pub struct SceneRequest {
     /// Path of a file, name of a built-in scene, or `-` for standard input.
@@ -44,45 +44,47 @@ pub struct SceneRequest {
     pub tolerance: Option<f64>,
     /// Whether a scene of another program that needs repairs is refused.
     pub strict: bool,
-    /// How a scene of another program is read.
+    /// Options for a scene of another program.
     pub import: ImportRequest,
 }
 
-/// Why a scene was not read.
+/// Reasons for which a scene was not read.
 #[derive(Debug, thiserror::Error)]
 pub enum LoadError {
-    /// Something is wrong with it.
+    /// Fault of the scene or of its file.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// It is a solution already.
+    /// The file is a solution, not a scene.
     #[error("{origin}: this is a solution already")]
     Solved {
         /// The file as typed.
         origin: String,
     },
-    /// Options that do not go with it.
+    /// Options that do not go with the scene.
     #[error(transparent)]
     Refused(#[from] Refusal),
 }
 
 impl SceneRequest {
-    /// Whether the scene is built in.
+    /// Whether `source` names a built-in scene.
     pub fn is_builtin(&self) -> bool {
         radiosity_language::builtins().iter().any(|builtin| builtin.name == self.source)
     }
 
-    /// The scene for those who need no light; settings are parameters or variables.
+    /// The scene for commands that need no light; settings are parameters or variables.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Faults of the scene or of its file, a solution in place of a scene, options that do not go with the
+    /// file.
     pub fn load(&self) -> Result<Scene, LoadError> {
         self.agreed(radiosity_language::parse(&unsolved(self.text_with(&self.settings, self.strict)?)?)?)
     }
 
-    /// The same, even if it needs repairs.
+    /// The scene as [`SceneRequest::load`] reads it, even if it needs repairs.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Faults of the scene or of its file, a solution in place of a scene, options that do not go with the
+    /// file.
     pub fn load_repaired(&self) -> Result<Scene, LoadError> {
         self.agreed(radiosity_language::parse(&unsolved(self.text_with(&self.settings, false)?)?)?)
     }
@@ -90,7 +92,8 @@ impl SceneRequest {
     /// The scene with its light groups at the factors that were set.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Faults of the scene or of its file, a solution in place of a scene, options that do not go with the
+    /// file.
     pub fn load_lit(&self) -> Result<Scene, LoadError> {
         self.parse(&unsolved(self.text()?)?)
     }
@@ -98,7 +101,7 @@ impl SceneRequest {
     /// The scene of a text that [`SceneRequest::text`] gave, with its variables and light groups as they were set.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// Faults of the scene; ranks that have read different ones.
     pub fn parse(&self, text: &Source) -> Result<Scene, LoadError> {
         self.agreed(radiosity_language::parse_with(text, &self.later())?)
     }
@@ -118,7 +121,7 @@ impl SceneRequest {
     /// The text of the scene, or of a solution; settings are those of parameters where the scene is built in.
     ///
     /// # Errors
-    /// What cannot be read.
+    /// A file that cannot be read.
     pub fn text(&self) -> Result<Source, LoadError> {
         self.text_with(if self.is_builtin() { &self.settings } else { &[] }, self.strict)
     }
@@ -138,7 +141,7 @@ impl SceneRequest {
         })
     }
 
-    /// How the file is read, if it is of another program; refuses options for one that is not.
+    /// Options of the import; refuses options for a file that is not of another program.
     fn import(&self, strict: bool) -> Result<Import, Refusal> {
         let own = &self.import;
         let import = Import {
@@ -165,7 +168,7 @@ impl SceneRequest {
 }
 
 impl ImportRequest {
-    /// The first option that was given.
+    /// Name of the first option of the import that was given; none if none was.
     fn first(&self) -> Option<&'static str> {
         let given = [
             (self.format.is_some(), "from"),

@@ -1,4 +1,4 @@
-//! Transfers without light, of view factors and of heat: what is asked for, and the library's options that follow.
+//! Requests for transfers without light, of view factors and of heat, and the library's options that follow.
 
 use radiosity_heat::HeatOptions;
 use radiosity_kernel::Accuracy;
@@ -11,18 +11,18 @@ use super::memory;
 use super::modes::Shadows;
 use super::refusal::Refusal;
 
-/// How transfers are integrated; None where nothing was said.
+/// Request for the integration of transfers; None where nothing was said.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransferRequest {
     /// Cuts each surface into K × K elements, which are summed; None chooses.
     pub subdivide: Option<usize>,
-    /// Accuracy of each factor.
+    /// Relative accuracy of each factor.
     pub eps: f64,
-    /// Accuracy of shadows; None for that of factors.
+    /// Relative accuracy of shadows; None for that of factors.
     pub shadow_eps: Option<f64>,
-    /// How it is found out what surfaces hide from each other.
+    /// Method that finds out whether surfaces hide each other.
     pub shadows: Shadows,
-    /// Threads; None for all.
+    /// Number of threads; None for all.
     pub threads: Option<usize>,
 }
 
@@ -33,17 +33,17 @@ impl TransferRequest {
     /// Accuracy of the transfers of heat unless told otherwise.
     pub const HEAT: f64 = 1e-4;
 
-    /// All as usual, to this accuracy.
+    /// The usual request with the accuracy `eps`.
     pub fn new(eps: f64) -> Self {
         Self { subdivide: None, eps, shadow_eps: None, shadows: Shadows::Auto, threads: None }
     }
 
-    /// The accuracies.
+    /// Relative accuracies of factors and of shadows.
     pub fn accuracy(&self) -> Accuracy {
         Accuracy { eps: self.eps, shadow_eps: self.shadow_eps.unwrap_or(self.eps) }
     }
 
-    /// Threads to use.
+    /// Number of threads to use.
     pub fn threads(&self) -> usize {
         self.threads.unwrap_or(Options::default().threads)
     }
@@ -73,20 +73,20 @@ impl TransferRequest {
     }
 }
 
-/// How a balance of heat is to be computed.
+/// Request for a balance of heat.
 #[derive(Clone, Copy, Debug)]
 pub struct HeatRequest {
-    /// How transfers are integrated.
+    /// Integration of transfers.
     pub transfers: TransferRequest,
     /// Degree of the polynomials on each element.
     pub order: usize,
-    /// What carries the pairs of elements.
+    /// Transport of radiation between pairs of elements.
     pub transport: Transport,
     /// Solver of the linear system.
     pub solver: &'static Method,
     /// Most bytes of memory; None for 80 % of what is free.
     pub memory: Option<u64>,
-    /// Whether conductances are wanted.
+    /// Whether conductances are computed.
     pub conductances: bool,
 }
 
@@ -100,7 +100,7 @@ impl Default for HeatRequest {
 }
 
 impl HeatRequest {
-    /// The library's options.
+    /// The library's options of a balance of heat.
     pub fn options(&self) -> HeatOptions {
         let usual = HeatOptions::default().options;
         let Accuracy { eps, shadow_eps } = self.transfers.accuracy();
