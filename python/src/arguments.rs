@@ -20,7 +20,7 @@ pub(crate) struct Arguments<'py> {
 }
 
 impl<'py> Arguments<'py> {
-    /// Those in a dictionary by name.
+    /// The arguments in a dictionary, by name.
     ///
     /// # Errors
     /// Names that are no text.
@@ -30,7 +30,7 @@ impl<'py> Arguments<'py> {
         Ok(Self { given: named.collect::<PyResult<_>>()? })
     }
 
-    /// A number that `check` lets pass.
+    /// The number of an argument, if `check` lets it pass.
     pub(crate) fn number(
         &mut self,
         name: &str,
@@ -41,7 +41,7 @@ impl<'py> Arguments<'py> {
         Ok(Some(check(number).map_err(|expected| out_of_range(name, &value, expected))?))
     }
 
-    /// A whole number in a range.
+    /// The whole number of an argument, within a range.
     pub(crate) fn whole(&mut self, name: &str, range: &RangeInclusive<u64>) -> PyResult<Option<u64>> {
         let Some(value) = self.given.remove(name) else { return Ok(None) };
         let expected = ranges::whole(range);
@@ -50,7 +50,7 @@ impl<'py> Arguments<'py> {
         Ok(Some(number.ok_or_else(|| out_of_range(name, &value, &expected))?))
     }
 
-    /// A number of bytes, or a text such as "2G".
+    /// The bytes of an argument: a whole number, or a text such as "2G".
     pub(crate) fn bytes(&mut self, name: &str) -> PyResult<Option<u64>> {
         match self.given.get(name).is_some_and(|value| value.is_instance_of::<PyString>()) {
             true => self.read(name, ranges::bytes),
@@ -58,13 +58,13 @@ impl<'py> Arguments<'py> {
         }
     }
 
-    /// The path of a file.
+    /// The path of a file in an argument.
     pub(crate) fn path(&mut self, name: &str) -> PyResult<Option<PathBuf>> {
         let Some(value) = self.given.remove(name) else { return Ok(None) };
         Ok(Some(value.extract().map_err(|_| wrong_type(name, "a path", &value))?))
     }
 
-    /// Two whole numbers in a range.
+    /// The two whole numbers of an argument, both within a range.
     pub(crate) fn pair(&mut self, name: &str, range: &RangeInclusive<u64>) -> PyResult<Option<[usize; 2]>> {
         let Some(value) = self.given.remove(name) else { return Ok(None) };
         let both: [Bound<'py, PyAny>; 2] =
@@ -76,19 +76,19 @@ impl<'py> Arguments<'py> {
         Ok(one(0)?.zip(one(1)?).map(<[usize; 2]>::from))
     }
 
-    /// The same, as an index.
+    /// The whole number of an argument, within a range, as an index.
     pub(crate) fn count(&mut self, name: &str, range: &RangeInclusive<u64>) -> PyResult<Option<usize>> {
         // On machines of fewer bits no range is so wide.
         Ok(self.whole(name, range)?.map(|number| number as usize))
     }
 
-    /// Whether something is wanted.
+    /// The truth value of an argument; false where it is not given.
     pub(crate) fn flag(&mut self, name: &str) -> PyResult<bool> {
         let Some(value) = self.given.remove(name) else { return Ok(false) };
         value.extract::<bool>().map_err(|_| wrong_type(name, "True or False", &value))
     }
 
-    /// One of several things that have names.
+    /// The value of an argument that names one of several modes.
     pub(crate) fn named<T: DeserializeOwned>(&mut self, name: &str) -> PyResult<Option<T>> {
         self.read(name, |text| {
             T::deserialize(IntoDeserializer::<Unknown>::into_deserializer(text))
@@ -96,7 +96,7 @@ impl<'py> Arguments<'py> {
         })
     }
 
-    /// What `read` makes of a text, or of a number as it is written.
+    /// The value that `read` gives an argument, which is a text, or a number in its written form.
     pub(crate) fn read<T, E: Display>(
         &mut self,
         name: &str,

@@ -49,7 +49,7 @@ fn work<T: Send>(py: Python<'_>, steps: usize, task: impl FnOnce() -> T + Send) 
 /// Runs the work on so many rows that take so many steps each, some of them at a time.
 ///
 /// # Errors
-/// What a handler of signals raises in between.
+/// The exception that a handler of signals raises between two pieces.
 fn by_rows(
     py: Python<'_>,
     rows: usize,
@@ -70,7 +70,7 @@ fn weight(alpha: f64, beta: f64) -> PyResult<Weight> {
     Weight::new(alpha, beta).map_err(refused)
 }
 
-/// What `radiosity-core` refuses.
+/// The exception for an error of `radiosity-core`.
 fn refused(error: impl std::error::Error) -> PyErr {
     PyValueError::new_err(error.to_string())
 }

@@ -40,23 +40,23 @@ pub(crate) struct Trouble {
     /// The line of a text that is meant, or nothing.
     excerpt: String,
     cure: Option<String>,
-    /// Why a file cannot be read, where that is what is wrong.
+    /// Kind of the error of a file that cannot be read; none for other errors.
     of_file: Option<io::ErrorKind>,
 }
 
 impl Trouble {
-    /// What is wrong, and how to mend it.
+    /// An error with its message and its cure.
     pub(crate) fn new(message: impl Into<String>, cure: impl Into<String>) -> Self {
         Self { message: message.into(), excerpt: String::new(), cure: Some(cure.into()), of_file: None }
     }
 
-    /// What the library says is wrong, and how to mend it where the message does not say it.
+    /// An error of the library with its message, and its cure where the message does not give it.
     fn told(message: &Wording, cure: Option<Wording>) -> Self {
         let cure = cure.as_ref().map(spelt);
         Self { message: spelt(message), excerpt: String::new(), cure, of_file: None }
     }
 
-    /// The same of an error in whose message no option stands.
+    /// An error of the library whose message names no option.
     fn plain(message: impl ToString, cure: Option<Wording>) -> Self {
         Self::told(&words(message.to_string()), cure)
     }

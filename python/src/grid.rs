@@ -13,7 +13,7 @@ use crate::arrays::{array, relative};
 pub(crate) struct Grid {
     cells: Vec<Cell>,
     bands: usize,
-    /// What was subtracted from the scene's coordinates.
+    /// Middle of the scene, which positions of cells are relative to (length).
     middle: DVec3,
 }
 

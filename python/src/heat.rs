@@ -79,7 +79,7 @@ impl Heat {
         self.of_surfaces(py, |own| own.area)
     }
 
-    /// Not a number where it is not known.
+    /// Emissivity of each surface: an array (n,), not a number where it is not known.
     #[getter]
     fn emissivity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
         self.of_surfaces(py, |own| own.emissivity.unwrap_or(f64::NAN))
@@ -130,20 +130,20 @@ impl Heat {
         self.heat.is_closed()
     }
 
-    /// What was done to the scene and to the transfers.
+    /// Remarks on the reading of the scene, and on the correction of the transfers.
     #[getter]
     fn remarks(&self) -> Vec<String> {
         self.remarks.clone()
     }
 
-    /// An array (n, n), if they were asked for.
+    /// Conductances between the surfaces (length²): an array (n, n), if they were asked for.
     #[getter]
     fn conductances<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArrayDyn<f64>>> {
         let rows = &self.heat.conductances.as_ref()?.rows;
         Some(array(py, &[rows.len(), rows.len()], rows.iter().flatten().copied().collect()))
     }
 
-    /// Conductances to the surroundings, an array (n,), if they were asked for.
+    /// Conductances to the surroundings (length²): an array (n,), if they were asked for.
     #[getter]
     fn surroundings<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArrayDyn<f64>>> {
         let lost = &self.heat.conductances.as_ref()?.lost;

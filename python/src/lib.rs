@@ -22,7 +22,7 @@ mod work;
 
 use pyo3::prelude::*;
 
-/// What `radiosity` is made of.
+/// The Rust part of the package `radiosity`: its classes and functions.
 #[pymodule]
 mod _radiosity {
     #[pymodule_export]

@@ -43,7 +43,7 @@ pub(crate) struct Shot {
 }
 
 impl Shot {
-    /// As `given`, through a camera or that of the scene.
+    /// The picture that `given` describes, through the given camera or that of the scene.
     pub(crate) fn of(
         through: Option<Given>,
         given: &Bound<'_, PyDict>,
@@ -70,7 +70,7 @@ impl Shot {
         Ok(shot)
     }
 
-    /// Takes it.
+    /// Takes the picture.
     pub(crate) fn take(&self, light: &Light, visibility: &Visibility, progress: &Progress) -> Raster {
         let usual = || usual_read(light, visibility, pixels(&self.camera));
         let read = self.read.unwrap_or_else(usual);

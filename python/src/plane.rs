@@ -1,4 +1,4 @@
-//! What planes of sensors read.
+//! Readings of planes of sensors.
 
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
@@ -47,7 +47,7 @@ impl Plane {
         Self { plane, bands: scene.bands.len(), readings, figures }
     }
 
-    /// What is to be told of sensors in the dark.
+    /// Warning of sensors that get no light, if there are any.
     pub(crate) fn warning(&self) -> Option<Wording> {
         self.figures.warning().map(|warning| warning.message)
     }
@@ -82,7 +82,7 @@ impl Plane {
         array(py, &self.plane.counts(), numbers.collect())
     }
 
-    /// Where the sensors are: an array (rows, columns, 3).
+    /// Positions of the sensors: an array (rows, columns, 3).
     #[getter]
     fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
         let [rows, columns] = self.plane.counts();
@@ -90,13 +90,13 @@ impl Plane {
         array(py, &[rows, columns, 3], numbers.collect())
     }
 
-    /// The unit normal along which they receive.
+    /// Unit normal along which the sensors receive.
     #[getter]
     fn normal(&self) -> [f64; 3] {
         self.plane.normal().to_array()
     }
 
-    /// Mean, least, greatest, U0 and Ud of each band; not a number in the dark.
+    /// Mean, least and greatest irradiance, U0 and Ud of each band; U0 and Ud are not a number in the dark.
     #[getter]
     fn figures(&self) -> Vec<[f64; 5]> {
         let numbers = |own: Uniformity| {
@@ -105,7 +105,7 @@ impl Plane {
         self.of_bands().into_iter().map(numbers).collect()
     }
 
-    /// How many sensors get no light.
+    /// Number of sensors that get no light.
     #[getter]
     fn dark(&self) -> usize {
         self.figures.dark

@@ -1,4 +1,4 @@
-//! How far work is, told by the threads that do it.
+//! Progress of work, told by the threads that do it.
 
 use std::sync::Mutex;
 
@@ -9,13 +9,13 @@ use radiosity::solve::Progress as Stage;
 pub(crate) struct Step {
     /// Name of the stage.
     pub(crate) stage: &'static str,
-    /// How much of it is done.
+    /// Number of steps that are done.
     pub(crate) done: u64,
-    /// All of it.
+    /// Number of steps in all.
     pub(crate) total: u64,
 }
 
-/// How far the threads that work are, for the one that waits.
+/// Progress of the threads that work, for the thread that waits.
 #[derive(Debug, Default)]
 pub(crate) struct Progress {
     latest: Mutex<Option<Step>>,
@@ -30,7 +30,7 @@ impl Progress {
         }
     }
 
-    /// The same of a solution in so many bands.
+    /// Says how much of a stage of a solution in so many bands is done, from any thread.
     pub(crate) fn stage(&self, stage: Stage, bands: usize) {
         match stage {
             Stage::Blocks(done, total) => self.step("blocks", done, total),
@@ -41,7 +41,7 @@ impl Progress {
         }
     }
 
-    /// The latest step since the last question.
+    /// The latest step since the last call; none if there is none.
     pub(crate) fn news(&self) -> Option<Step> {
         self.latest.lock().ok()?.take()
     }

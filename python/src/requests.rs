@@ -16,7 +16,7 @@ use radiosity_solvers::method::Method;
 use crate::arguments::Arguments;
 use crate::error::Trouble;
 
-/// How light is to be computed.
+/// Request for the computation of light.
 pub(crate) fn method(given: &mut Arguments<'_>) -> PyResult<MethodRequest> {
     let usual = MethodRequest::default();
     let layers = Layers {
@@ -52,7 +52,7 @@ pub(crate) fn method(given: &mut Arguments<'_>) -> PyResult<MethodRequest> {
     })
 }
 
-/// How masks are made.
+/// Cells and averages of shadow masks.
 fn masks(given: &mut Arguments<'_>) -> PyResult<Masking> {
     let usual = Masking::default();
     let cells = given.count("mask_cells", &ranges::MASK_CELLS)?.and_then(NonZeroUsize::new);
@@ -72,26 +72,26 @@ fn subdivide(given: &mut Arguments<'_>) -> PyResult<Option<usize>> {
     Ok(given.read("subdivide", parts)?.flatten())
 }
 
-/// How many threads are to work.
+/// Number of threads; None for the usual number.
 pub(crate) fn threads(given: &mut Arguments<'_>) -> PyResult<Option<usize>> {
     given.count("threads", &ranges::THREADS)
 }
 
-/// How a solution is to be read.
+/// Request for the reading of a solution.
 pub(crate) fn reading(given: &mut Arguments<'_>) -> PyResult<ReadRequest> {
     let (read, by) = (given.named("read")?, given.named("read_by")?);
     let eps = given.number("read_eps", ranges::accuracy)?;
     Ok(ReadRequest { read, by, eps, samples: None })
 }
 
-/// How means over the cells of a solution are to be read.
+/// Request for the reading of means over the cells of a solution.
 pub(crate) fn reading_of_cells(given: &mut Arguments<'_>) -> PyResult<ReadRequest> {
     let rates = given.pair("read_samples", &ranges::POINTS)?;
     let samples = rates.map(|[direct, indirect]| Rates { direct, indirect });
     Ok(ReadRequest { samples, ..reading(given)? })
 }
 
-/// How transfers are to be integrated, to the accuracy `eps` unless another one is given.
+/// Request for the integration of transfers, to the relative accuracy `eps` unless another one is given.
 pub(crate) fn transfers(given: &mut Arguments<'_>, eps: f64) -> PyResult<TransferRequest> {
     let usual = TransferRequest::new(eps);
     Ok(TransferRequest {
@@ -103,7 +103,7 @@ pub(crate) fn transfers(given: &mut Arguments<'_>, eps: f64) -> PyResult<Transfe
     })
 }
 
-/// How a balance of heat is to be computed.
+/// Request for a balance of heat.
 pub(crate) fn heat(given: &mut Arguments<'_>) -> PyResult<HeatRequest> {
     let usual = HeatRequest::default();
     Ok(HeatRequest {
@@ -116,7 +116,7 @@ pub(crate) fn heat(given: &mut Arguments<'_>) -> PyResult<HeatRequest> {
     })
 }
 
-/// How a scene of another program is to be read.
+/// Options of the import of a scene of another program.
 pub(crate) fn import(given: &mut Arguments<'_>) -> PyResult<ImportRequest> {
     let format = |text: &str| {
         let names = || Format::ALL.map(Format::name).join(", ");

@@ -27,7 +27,7 @@ use crate::work::work;
 /// An array (n, 3).
 type Rows<'py> = Bound<'py, PyArray2<f64>>;
 
-/// A valid scene.
+/// A valid scene, which can be solved.
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct Scene {
     pub(crate) scene: scene::Scene,
@@ -119,7 +119,7 @@ impl Scene {
         groups.map(|group| (group.name.clone(), group.factor)).collect()
     }
 
-    /// What was done to the file of another program that it was read from, and to shapes that nearly meet.
+    /// Remarks on the import and the repair of a file of another program, and on shapes that nearly meet.
     #[getter]
     fn remarks(&self) -> Vec<String> {
         remarks(&self.scene)
@@ -133,7 +133,7 @@ impl Scene {
         Ok((rows(|own| own.position), rows(|own| own.normal)))
     }
 
-    /// Its text in TOML.
+    /// Text of the scene in TOML.
     fn to_toml(&self) -> Result<String, Trouble> {
         Ok(radiosity::language::text(&self.scene, Notation::Toml)?)
     }
@@ -171,7 +171,7 @@ impl Scene {
     }
 }
 
-/// What was done to a scene when it was read.
+/// Remarks on the reading of a scene: its import, and shapes that nearly meet.
 pub(crate) fn remarks(scene: &scene::Scene) -> Vec<String> {
     let imported = scene.imported().into_iter().flat_map(|imported| imported.lines());
     imported.chain(scene.fitted.line()).collect()
@@ -189,7 +189,7 @@ fn solved(
     }
 }
 
-/// Of what an accuracy is wanted.
+/// Quantity that an accuracy is wanted of.
 enum Wanted {
     Gathered,
     Solution,

@@ -37,9 +37,9 @@ use crate::work::work;
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct Solution {
     pub(crate) solved: Arc<Solved>,
-    /// How it was asked for; as usual where it was read.
+    /// Method of the solution; the usual one where the solution was read from a file.
     pub(crate) method: MethodRequest,
-    /// Whether it was read from a file.
+    /// Whether the solution was read from a file.
     is_saved: bool,
     report: Report,
 }
@@ -47,14 +47,14 @@ pub(crate) struct Solution {
 /// Irradiances, and their standard deviations relative to them.
 type Readings<'py> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArrayDyn<f64>>);
 
-/// A scene with its solution, and what there is to report of it.
+/// A scene with its solution and its report.
 pub(crate) struct Found {
     solved: Solved,
     report: Report,
 }
 
 impl Found {
-    /// What is reported of a solution, found by as many threads as that was.
+    /// A solution with its report, computed by as many threads as the solution.
     pub(crate) fn of(solved: Solved) -> Result<Self, Failure> {
         let report = in_threads(solved.options.threads, || Report::new(&solved))?;
         Ok(Self { solved, report })
@@ -88,21 +88,21 @@ fn borrowed(factors: &BTreeMap<String, f64>) -> Vec<(&str, f64)> {
 }
 
 impl Solution {
-    /// Warns of what its report warns of.
+    /// A solution in Python; gives the warnings of its report.
     pub(crate) fn new(py: Python<'_>, found: Found, method: MethodRequest, is_saved: bool) -> PyResult<Self> {
         let Found { solved, report } = found;
         report.warnings.iter().try_for_each(|warning| warn(py, &warning.message))?;
         Ok(Self { solved: Arc::new(solved), method, is_saved, report })
     }
 
-    /// How it is read as `given`, and by how many threads.
+    /// Reading of the solution as `given`, and number of threads.
     fn reading(&self, given: &mut Arguments<'_>, request: ReadRequest) -> PyResult<(How, usize)> {
         let threads = requests::threads(given)?.unwrap_or(self.solved.options.threads);
         request.check(&self.solved.options, &self.method).map_err(Trouble::from)?;
         Ok((request.reading(&self.method, &self.solved, self.is_saved), threads))
     }
 
-    /// Reads it while `observer` hears how far that is.
+    /// Reads the solution by so many threads while `observer` hears of the progress.
     pub(crate) fn read<T: Send>(
         &self,
         py: Python<'_>,
@@ -113,7 +113,7 @@ impl Solution {
         work(py, observer, |progress| in_threads(threads, || read(progress)))
     }
 
-    /// What sensors read as `given`; warns where rays leave more of an error than was asked for.
+    /// Readings of sensors as `given`; warns where rays leave more of an error than was asked for.
     fn sense(
         &self,
         py: Python<'_>,
@@ -158,7 +158,7 @@ fn warn_of(py: Python<'_>, error: Option<ReadError>, asked: f64) -> PyResult<()>
 
 #[pymethods]
 impl Solution {
-    /// The scene.
+    /// Scene of the solution.
     #[getter]
     fn scene(&self) -> Scene {
         Scene { scene: self.solved.scene.clone() }
@@ -186,7 +186,7 @@ impl Solution {
         elements.iter().map(|element| (element.surface, element.basis.len())).collect()
     }
 
-    /// Estimated relative error of what an accuracy was wanted of.
+    /// Estimated relative error of the quantity that an accuracy was wanted of; none without one.
     #[getter]
     fn error(&self) -> Option<f64> {
         self.report.accuracy_estimate
@@ -211,7 +211,7 @@ impl Solution {
         Ok((numbers, array(py, &[sensors.len()], errors)))
     }
 
-    /// What a plane of sensors reads: one of the scene by its name, or one from a corner along two edges.
+    /// Readings of a plane of sensors: one of the scene by its name, or one from a corner along two edges.
     fn plane(
         &self,
         py: Python<'_>,
@@ -265,7 +265,7 @@ impl Solution {
         Ok(array(py, &[height, width, self.solved.scene.bands.len()], numbers))
     }
 
-    /// The same with light groups at other factors.
+    /// The solution with light groups at other factors.
     fn relight(&self, py: Python<'_>, factors: BTreeMap<String, f64>) -> PyResult<Self> {
         let found = work(py, None, |_| -> Result<_, Trouble> {
             Ok(Found::of(self.solved.relight(&borrowed(&factors))?)?)
@@ -273,7 +273,7 @@ impl Solution {
         Self::new(py, found, self.method.clone(), self.is_saved)
     }
 
-    /// Writes it as `radiosity solve` does: JSON that can be read back, or a grid of VTK.
+    /// Writes the solution as `radiosity solve` does: JSON that can be read back, or a grid of VTK.
     fn save(&self, py: Python<'_>, path: &str, is_grid: bool) -> PyResult<()> {
         let cure = words("solve the scene without ") + option("bounces");
         require_all_bounces(&self.method, KEPT, cure).map_err(Trouble::from)?;

@@ -1,6 +1,6 @@
 //! Dictionaries, lists, numbers and arrays of Python → the tree of a scene.
 //!
-//! What is none of these stays in the tree as what it is: the library refuses it where it reads it, by its name.
+//! Other values stay in the tree as they are: the library refuses them where it reads them, by their names.
 
 use numpy::{
     PyArray2, PyArrayDescrMethods, PyArrayMethods, PyReadonlyArray2, PyUntypedArray, PyUntypedArrayMethods,
@@ -20,13 +20,13 @@ const KINDS: &[u8] = b"fiubUO";
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct Faces {
     name: String,
-    /// The key of the shape that each has.
+    /// Key of the shape that each face has.
     shape: String,
-    /// An array (v, 3).
+    /// Vertices of the mesh (length): an array (v, 3).
     vertices: Py<PyArray2<f64>>,
-    /// Indices of vertices, an array (n, k).
+    /// Indices of vertices: an array (n, k), one row for each face.
     corners: Py<PyArray2<i64>>,
-    /// The other keys of each.
+    /// The other keys, which all faces have.
     keys: Py<PyDict>,
 }
 
@@ -158,7 +158,7 @@ fn points(array: &Bound<'_, PyUntypedArray>) -> Option<Vec<DVec3>> {
     is_list.then(|| rows.rows().into_iter().map(|row| DVec3::new(row[0], row[1], row[2])).collect())
 }
 
-/// What something is, for messages.
+/// Description of a value that no scene has, for messages.
 fn kind(given: &Bound<'_, PyAny>) -> String {
     if given.is_none() {
         return "None".to_owned();

@@ -25,7 +25,7 @@ use crate::work::work;
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct ViewFactors {
     factors: library::ViewFactors,
-    /// Those that were asked for; none for all.
+    /// Pairs of surfaces whose factors were asked for; empty for all.
     pairs: BTreeSet<[usize; 2]>,
     is_closed: Option<bool>,
     remarks: Vec<String>,
@@ -34,7 +34,7 @@ pub(crate) struct ViewFactors {
 /// The names of two surfaces.
 type Pair = (String, String);
 
-/// What a polygon is called in messages, and its vertices.
+/// Title of a polygon in messages, and its vertices.
 type Named<'py> = (String, PyReadonlyArray2<'py, f64>);
 
 /// The view factors between the surfaces of a scene, or those of `pairs` alone, where there are any.
@@ -49,7 +49,8 @@ pub(crate) fn view_factors_of_scene(
     factors(py, &scene.scene, &pairs, "view_factors", given, observer.as_ref())
 }
 
-/// The same between polygons, each an array (k, 3) of its vertices, called surface-1 and so on; `function` was called.
+/// The view factors between polygons, each an array (k, 3) of its vertices, called surface-1 and so on;
+/// `function` names the called function in messages.
 #[pyfunction]
 pub(crate) fn view_factors_of_polygons(
     py: Python<'_>,
@@ -126,19 +127,19 @@ impl ViewFactors {
         }
     }
 
-    /// Whether only some factors were asked for.
+    /// Whether the factors of some pairs only were asked for.
     #[getter]
     fn is_partial(&self) -> bool {
         !self.pairs.is_empty()
     }
 
-    /// Whether all that leaves a surface reaches another; None where that is not known.
+    /// Whether all radiation that leaves a surface reaches another one; None where that is not known.
     #[getter]
     fn is_closed(&self) -> Option<bool> {
         self.is_closed
     }
 
-    /// What was done to the surfaces before.
+    /// Remarks on the reading of the scene.
     #[getter]
     fn remarks(&self) -> Vec<String> {
         self.remarks.clone()

@@ -16,13 +16,14 @@ use radiosity::work::interruption::Interruption;
 use crate::error::Trouble;
 use crate::progress::{Progress, Step};
 
-/// How often signals are looked for, and progress is told. Chosen.
+/// Time between two looks for signals, and between two reports of progress. Chosen.
 const PERIOD: Duration = Duration::from_millis(50);
 
-/// Does `work`; `observer(stage, done, total)` hears how far it is.
+/// Does `work`; `observer(stage, done, total)` hears of the progress.
 ///
 /// # Errors
-/// What the work says; what a handler of signals or the observer raised; a `RuntimeError` where the library has a fault.
+/// Errors of the work; exceptions of a handler of signals or of the observer; a `RuntimeError` where the
+/// library has a fault.
 pub(crate) fn work<T: Send, E: Into<Trouble> + Send>(
     py: Python<'_>,
     observer: Option<&Bound<'_, PyAny>>,

@@ -39,7 +39,8 @@ pub(super) fn square_basis(
     write(py, &SQUARE, order, points, out, gradients)
 }
 
-/// As [`square_basis`], with Dubiner's functions on the triangle (−1, −1), (1, −1), (−1, 1).
+/// Writes values and gradients as [`square_basis`] does, with Dubiner's functions on the triangle (−1, −1),
+/// (1, −1), (−1, 1).
 #[pyfunction]
 #[pyo3(signature = (order, points, out, gradients=None))]
 pub(super) fn triangle_basis(

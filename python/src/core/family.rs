@@ -5,9 +5,9 @@ use radiosity_core::legendre;
 
 /// Polynomials p₀ … p_{m−1} that are orthonormal for one weight.
 pub(super) enum Family<'a> {
-    /// For the weight 1, which needs no table.
+    /// Legendre's, for the weight 1; they need no table.
     Legendre,
-    /// For any other.
+    /// Jacobi's, for any other weight.
     Jacobi(Table<'a>),
 }
 
