@@ -1,4 +1,5 @@
-//! Whether two surfaces lie in one another: light between them, and the nearest hit of a ray, would be undefined.
+//! Coincident surfaces: two that lie in one another, so that light between them, and the nearest hit of a
+//! ray, would be undefined.
 //!
 //! Planar regions coincide if they share a plane and some area. For other pairs short rays along the normals of one
 //! surface test the other, at 8 × 8 places off every symmetry of the parameter square: the surfaces coincide if such a
@@ -26,7 +27,7 @@ const PLACES: [f64; 8] = [-0.913, -0.671, -0.437, -0.172, 0.089, 0.323, 0.582, 0
 /// Distance in parameters to the tests beside a place. Chosen; not tuned.
 const ASIDE: f64 = 0.02;
 
-/// A shape and its bounding box, which rules out nearly all pairs.
+/// A shape with its bounding box, which rules out nearly all pairs.
 #[derive(Debug)]
 pub struct Occupied {
     shape: Arc<dyn Surface>,
@@ -66,7 +67,7 @@ impl Occupied {
         }
     }
 
-    /// Whether the two lie in one another.
+    /// Whether the two surfaces lie in one another.
     pub fn coincides(&self, other: &Occupied) -> bool {
         self.bounds.overlaps(&other.bounds)
             && match (self.shape.region(), other.shape.region()) {

@@ -1,10 +1,11 @@
 //! Fitting shapes together whose coordinates were rounded.
 //!
-//! In order: `coincident` (surfaces that lie in one another), `gap` (the least one between sheets), `middle` (of scenes far from the
-//! origin), `stacked` (sheets on others, set apart), `weld` (corners and planes made equal); and of outlines: `outline` (their
-//! vectors of area), `ring` (their tolerances), `plane` (theirs), `overlay` (parts that overlap).
+//! In order: `coincident` (surfaces that lie in one another), `gap` (least gaps between sheets), `middle` (of
+//! scenes far from the origin), `stacked` (sheets on others, set apart), `weld` (corners and planes made
+//! equal); and of outlines: `outline` (vectors of area), `ring` (tolerances), `plane` (planes and flat
+//! coordinates), `overlay` (parts that overlap).
 //!
-//! Imports the geometry only.
+//! Imports the geometry and the numerical core.
 
 pub mod coincident;
 pub mod gap;

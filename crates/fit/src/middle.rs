@@ -11,7 +11,7 @@ use radiosity_geom::{Aabb, DVec3, Motion, Placed, Rect, Surface};
 /// Distance from the origin, in sizes of the scene, beyond which the middle is subtracted. Chosen; not tuned.
 const FAR: f64 = 100.0;
 
-/// The middle of the `shapes`, rounded; zero if they are near the origin.
+/// The middle of the `shapes` (length), rounded; zero if they are near the origin.
 pub fn of<'a>(shapes: impl Iterator<Item = &'a Arc<dyn Surface>>) -> DVec3 {
     let bounds = shapes.fold(Aabb::EMPTY, |bounds, shape| bounds.union(shape.bounds(&Rect::FULL)));
     let (center, size) = (bounds.center(), bounds.diagonal());

@@ -3,33 +3,34 @@
 use glam::DVec3;
 use radiosity_geom::{coordinate_rounding, sides};
 
-/// How far a corner may lie off the plane of an outline, in multiples of the outline's extent: that of flat regions in
-/// `radiosity-geom`.
+/// Distance of a corner from the plane of an outline, over the outline's extent, up to which the outline is
+/// flat: equal to that of flat regions in `radiosity-geom`.
 const PLANARITY: f64 = 2e-5;
 
 /// Roundings by which a corner may miss the plane of others: that of flat regions in `radiosity-geom`.
 const ROUNDINGS: f64 = 8.0;
 
-/// ½ Σ xᵢ × xᵢ₊₁ (Newell): along the front's normal, as long as the area.
+/// Vector of area ½ Σ xᵢ × xᵢ₊₁ (Newell): along the front's normal, as long as the area.
 pub fn area_vector(outline: &[DVec3]) -> DVec3 {
     let Some(first) = outline.first() else { return DVec3::ZERO };
     0.5 * sides(outline).map(|[x, y]| (x - *first).cross(y - *first)).sum::<DVec3>()
 }
 
-/// Largest distance of a corner from the first.
+/// Largest distance of a corner from the first (length).
 pub fn extent(outline: &[DVec3]) -> f64 {
     let Some(first) = outline.first() else { return 0.0 };
     outline.iter().map(|x| x.distance(*first)).fold(0.0, f64::max)
 }
 
-/// Largest distance of a corner from the plane through the first, whose normal is that of the area. 0 without area.
+/// Largest distance of a corner from the plane through the first corner across the vector of area (length); 0
+/// without area.
 pub fn unevenness(outline: &[DVec3]) -> f64 {
     let Some(first) = outline.first() else { return 0.0 };
     let normal = area_vector(outline).normalize_or_zero();
     outline.iter().map(|x| (*x - *first).dot(normal).abs()).fold(0.0, f64::max)
 }
 
-/// What is told of a face of four corners off its plane.
+/// Message on a face of four corners off its plane.
 pub const WARPED: &str = "a face of four corners is off its plane: it is a bilinear patch";
 
 /// Whether four corners make a patch that is curved: off their plane by more than 2e-5 of their extent and than their

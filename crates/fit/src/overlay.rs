@@ -1,4 +1,4 @@
-//! Areas in a plane that rings enclose, and what is left of them without others.
+//! Areas in a plane that rings enclose, and the parts of them outside others.
 //!
 //! Points nearer to each other than a tolerance are made one, and sides are led through points that lie on them; then
 //! the crossings are found in integers by the crate `i_overlay`. Points that were given come back as they were given,
@@ -24,8 +24,8 @@ use nodes::{Near, Nodes, bits, cyclic, through_nodes};
 /// 2⁶². Chosen; not tuned.
 const STEPS: f64 = (1u64 << 42) as f64;
 
-/// Points are made one within this multiple of what is refused as no length, so that none is refused after. Chosen; not
-/// tuned.
+/// Distance within which points are made one, over the largest length that is refused as 0, so that none is
+/// refused afterwards. Chosen; not tuned.
 const SPARE: f64 = 4.0;
 
 /// A polygon with holes: the outline runs counter-clockwise about the plane's normal.
@@ -43,15 +43,16 @@ impl Part {
     }
 }
 
-/// What the rings enclose by the even–odd rule: what a line from there to far away leaves through an odd number of
-/// sides.
+/// Areas that the rings enclose by the even–odd rule: a line from a point in them to far away crosses an odd
+/// number of sides. `asked` is a length within which points are one, where it is larger than their rounding.
 pub fn enclosed(plane: &Plane, rings: &[&[DVec3]], asked: Option<f64>) -> Vec<Part> {
     let given: Vec<DVec3> = rings.iter().flat_map(|ring| ring.iter().copied()).collect();
     let parts = Drawing::new(plane, &given, rings, &[], asked).parts(OverlayRule::Subject, FillRule::EvenOdd);
     settled(plane, &given, parts, asked)
 }
 
-/// What `parts` have outside `others`; outlines of both run counter-clockwise, holes clockwise.
+/// Areas of `parts` outside `others`; outlines of both run counter-clockwise, holes clockwise. `asked` is a
+/// length within which points are one, where it is larger than their rounding.
 pub fn without(plane: &Plane, parts: &[Part], others: &[Part], asked: Option<f64>) -> Vec<Part> {
     let [own, cut] = [parts, others].map(|parts| parts.iter().flat_map(Part::rings).collect::<Vec<_>>());
     let given: Vec<DVec3> = own.iter().flat_map(|ring| ring.iter().copied()).collect();
@@ -71,14 +72,14 @@ fn settled(plane: &Plane, given: &[DVec3], parts: Vec<Part>, asked: Option<f64>)
     Drawing::new(plane, given, &rings, &[], asked).parts(OverlayRule::Subject, FillRule::EvenOdd)
 }
 
-/// Rings with common nodes.
+/// Rings in a plane with common nodes.
 struct Drawing<'a> {
     plane: &'a Plane,
     nodes: Nodes,
     /// Rings of nodes, those before `subjects` being the rings that are cut.
     rings: Vec<Vec<usize>>,
     subjects: usize,
-    /// Sides of the rings that are cut, and what is near to them.
+    /// Sides of the rings that are cut, as pairs of nodes.
     sides: Vec<[usize; 2]>,
     near: Near,
     tolerance: f64,
@@ -202,7 +203,7 @@ impl<'a> Drawing<'a> {
         x + along * (y - x)
     }
 
-    /// A point's place among those that were given; the last for others.
+    /// Index of a point among those that were given; the largest number for others.
     fn order(&self, x: DVec3) -> usize {
         self.nodes.index.get(&bits(x)).copied().unwrap_or(usize::MAX)
     }

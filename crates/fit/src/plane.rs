@@ -1,4 +1,4 @@
-//! The plane of an outline, and flat coordinates in it.
+//! Planes of outlines, and flat coordinates in them.
 
 use glam::{DVec2, DVec3};
 use radiosity_geom::sides;
@@ -9,13 +9,14 @@ use crate::outline::{area_vector, extent};
 /// not tuned.
 const LEVEL: f64 = 1e-2;
 
-/// A plane with a front.
+/// A plane with a front and flat coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct Plane {
     origin: DVec3,
     normal: DVec3,
-    /// The two coordinates that are flat coordinates, so that they turn counter-clockwise about the normal. What is
-    /// parallel to an axis in space stays parallel to one to the last bit.
+    /// Indices of the two coordinates in space that are flat coordinates, in the order that turns
+    /// counter-clockwise about the normal. Lines parallel to an axis in space stay parallel to one to the
+    /// last bit.
     axes: [usize; 2],
 }
 
@@ -44,7 +45,7 @@ impl Plane {
         Some(Plane { origin, normal, axes })
     }
 
-    /// Unit vector of the front.
+    /// Unit normal of the plane, on its front.
     pub fn normal(&self) -> DVec3 {
         self.normal
     }
@@ -59,12 +60,12 @@ impl Plane {
         point - self.height(point) * self.normal
     }
 
-    /// Flat coordinates of a point.
+    /// Flat coordinates of a point (length).
     pub(super) fn flat(&self, point: DVec3) -> DVec2 {
         DVec2::new(point[self.axes[0]], point[self.axes[1]])
     }
 
-    /// The point of the plane with flat coordinates.
+    /// The point of the plane with these flat coordinates.
     pub(super) fn raised(&self, at: DVec2) -> DVec3 {
         let [a, b] = self.axes;
         let dropped = 3 - a - b;

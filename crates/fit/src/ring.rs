@@ -5,19 +5,20 @@ use radiosity_geom::{coordinate_rounding, sides};
 
 use crate::outline::extent;
 
-/// Part of a ring's extent that is no length; `radiosity_geom::PlanarRegion` refuses what is nearer.
+/// Part of a ring's extent up to which a length counts as 0; `radiosity_geom::PlanarRegion` refuses points
+/// that are nearer.
 pub const TOUCH: f64 = 1e-9;
 
 /// Roundings by which two points that are meant to be one may differ: one of each.
 const ROUNDINGS: f64 = 2.0;
 
-/// The length (the ring's unit) up to which two of its points are one: `asked`, or else what rounding leaves, of
-/// single precision where its coordinates are of that.
+/// The length (the ring's unit) up to which two of its points are one: the largest of `asked`, of `TOUCH`
+/// times its extent, and of the rounding of its coordinates, in single precision where they are of that.
 pub fn tolerance(ring: &[DVec3], asked: Option<f64>) -> f64 {
     asked.unwrap_or(0.0).max(TOUCH * extent(ring)).max(ROUNDINGS * coordinate_rounding(ring, None))
 }
 
-/// Length of the ring.
+/// Length of the ring, all around.
 pub(super) fn perimeter(ring: &[DVec3]) -> f64 {
     sides(ring).map(|[x, y]| x.distance(y)).sum()
 }

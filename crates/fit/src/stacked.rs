@@ -53,7 +53,7 @@ pub fn steps(sheets: &[Sheet]) -> Vec<Step> {
     steps
 }
 
-/// Moves sheets that lie on others off them, and returns which do.
+/// Moves sheets that lie on others off them, and returns the moves.
 pub fn set_apart(sheets: &mut [Sheet]) -> Vec<Step> {
     let steps = steps(sheets);
     for Step { sheet, by, .. } in &steps {
@@ -64,7 +64,7 @@ pub fn set_apart(sheets: &mut [Sheet]) -> Vec<Step> {
     steps
 }
 
-/// A sheet with those that it lies on and the directions away from them.
+/// Index of a sheet, with the indices of those that it lies on and the unit vectors away from them.
 type Layer = (usize, Vec<(usize, DVec3)>);
 
 /// The sheets that lie on others, lower ones first.
@@ -73,7 +73,7 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
     let boxes: Vec<Aabb> = occupied.iter().map(|occupied| *occupied.bounds()).collect();
     let tree = Bvh::build(&boxes);
     let mut lower: HashMap<usize, Vec<(usize, DVec3)>> = HashMap::new();
-    // A floor with many bodies on it is asked for once with each of them.
+    // Heights are kept: that of a floor is asked for with each body on it.
     let mut bodies: HashMap<usize, f64> = HashMap::new();
     for own in 0..sheets.len() {
         let mut near = Vec::new();
@@ -159,15 +159,16 @@ impl Pair<'_> {
         self.on.typed.corners().iter().map(|x| x.length()).fold(0.0, f64::max)
     }
 
-    /// Whether both have the same corners to the last bit.
+    /// Whether both sheets have the same corners to the last bit.
     fn is_typed_twice(&self) -> bool {
         let [own, other] = [self.sheet, self.on].map(|sheet| sheet.typed.corners());
         own.iter().all(|x| other.contains(x))
     }
 }
 
-/// Mean height over a sheet's plane of its body: of sheets in other planes with a side along one of its own. Faces of
-/// the same body run along that side in the other direction; only if there are none do other sheets count.
+/// Mean height (scene length) over a sheet's plane of its body: of sheets in other planes with a side along
+/// one of its own. Faces of the same body run along that side in the other direction; only if there are none
+/// do other sheets count.
 fn body(own: usize, sheets: &[Sheet], tree: &Bvh, bounds: &Aabb) -> f64 {
     let Some(region) = sheets[own].region() else { return 0.0 };
     let tolerance = touching(region.extent(), bounds.center().length());
@@ -185,7 +186,8 @@ fn body(own: usize, sheets: &[Sheet], tree: &Bvh, bounds: &Aabb) -> f64 {
     [of_body, of_all].into_iter().find(|height| height.abs() > tolerance).unwrap_or(0.0)
 }
 
-/// If a side of another sheet lies on a side of this one: positive if both run in the same direction.
+/// Dot product of a side of another sheet and a side of this one that it lies on: positive if both run in the
+/// same direction. None without such sides.
 fn run_along(own: &Sheet, other: &Sheet, tolerance: f64) -> Option<f64> {
     let way = if own.flip == other.flip { 1.0 } else { -1.0 };
     sides(other.region()?.outer()).find_map(|[a, b]| {

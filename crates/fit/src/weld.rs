@@ -38,7 +38,7 @@ use sheet::Sheets;
 pub struct Welded {
     /// Number of moved corners, each counted once however many surfaces share it.
     pub corners: usize,
-    /// The largest move (scene length).
+    /// Length of the largest move (scene length).
     pub largest: f64,
 }
 
@@ -71,7 +71,8 @@ pub fn weld(shapes: &mut [&mut Arc<dyn Surface>], middle: DVec3, asked: Option<f
     welded
 }
 
-/// The shapes with moved corners; None if unchanged. Corners of a shape that would collapse stay, in all shapes.
+/// The shapes with moved corners; None for unchanged ones. Corners of a shape that would collapse stay, in
+/// all shapes.
 fn rebuilt(
     shapes: &[&mut Arc<dyn Surface>],
     corners: &Corners,
@@ -176,7 +177,7 @@ mod tests {
         assert!(unevenness(&outlines) > 0.1 * off);
         let (found, moved) = welded(&outlines, None);
         assert!(unevenness(&found) < 1e-14);
-        // To move that corner alone back would do: the sum of squares is no more.
+        // Moving that corner alone back would do: the sum of squares of all moves is no larger.
         let squares: HashMap<[u64; 3], f64> = outlines
             .iter()
             .flatten()
@@ -210,7 +211,7 @@ mod tests {
         };
         let typed: Vec<Vec<DVec3>> = vec![plate(0.0), plate(1e-7)];
         assert_eq!(welded(&typed, None).1, Welded::default());
-        // Within what nobody can tell they come together.
+        // Plates nearer than the least gap are welded.
         let near: Vec<Vec<DVec3>> = vec![plate(0.0), plate(1e-9)];
         assert_eq!(welded(&near, None).0[0][0], welded(&near, None).0[1][0]);
     }

@@ -1,4 +1,4 @@
-//! The points of a drawing, and what is near to its sides.
+//! Nodes of a drawing, and the sides near to a point.
 
 use std::collections::HashMap;
 
@@ -12,7 +12,7 @@ pub(super) fn bits(x: DVec3) -> [u64; 3] {
     x.to_array().map(f64::to_bits)
 }
 
-/// Each node of a ring with the next.
+/// Pairs of each node of a ring and the next.
 pub(super) fn cyclic(ring: &[usize]) -> impl Iterator<Item = [usize; 2]> {
     ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [*a, *b])
 }
@@ -24,7 +24,7 @@ pub(super) struct Nodes {
     pub(super) index: HashMap<[u64; 3], usize>,
     cells: HashMap<[i64; 2], Vec<usize>>,
     cell: f64,
-    /// How many were given.
+    /// Number of nodes made of given points; these come first.
     pub(super) given: usize,
 }
 
@@ -34,7 +34,7 @@ impl Nodes {
         Nodes { points: vec![], flat: vec![], index: HashMap::new(), cells: HashMap::new(), cell, given: 0 }
     }
 
-    /// What is near to sides.
+    /// Index of the sides near to a point.
     pub(super) fn near(&self, sides: &[[usize; 2]]) -> Near {
         let [low, high] = self.bounds();
         let extent = low.distance(high).max(f64::MIN_POSITIVE);
@@ -56,7 +56,7 @@ impl Nodes {
         [low, self.flat.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max)]
     }
 
-    /// The node at a point: the first that was near.
+    /// The nearest node within the tolerance of a point, or a new one.
     pub(super) fn take(&mut self, x: DVec3, flat: DVec2) -> usize {
         let cell = (flat / self.cell).floor();
         let cell = [cell.x as i64, cell.y as i64];

@@ -60,7 +60,7 @@ impl Sheet {
         pairs.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(&b)))
     }
 
-    /// Mean height of its typed corners over another sheet.
+    /// Mean height of its typed corners over another sheet (scene length).
     pub(super) fn typed_height(&self, other: &Sheet) -> f64 {
         let corners = self.typed.corners();
         let Some(region) = other.typed.region() else { return 0.0 };

@@ -57,7 +57,7 @@ pub(super) fn flattened(corners: &Corners, planes: &Planes, reach: f64) -> Vec<D
 struct Fit<'a> {
     plane: &'a Plane,
     middle: DVec3,
-    /// q₀, q₁, q₂ at each node.
+    /// Values of q₀, q₁, q₂ at each node.
     functions: Vec<[f64; 3]>,
 }
 
@@ -92,12 +92,12 @@ impl<'a> Fit<'a> {
         )
     }
 
-    /// J δ for this plane.
+    /// Change J δ of the residual of this plane by the moves δ.
     fn changed(&self, moves: &[DVec3]) -> Vec<f64> {
         self.projected(self.plane.nodes.iter().map(|node| moves[*node].dot(self.plane.normal)).collect())
     }
 
-    /// Q h.
+    /// Projection Q h of the heights h of the nodes.
     fn projected(&self, mut heights: Vec<f64>) -> Vec<f64> {
         for k in 0..3 {
             let part: f64 = heights.iter().zip(&self.functions).map(|(h, q)| h * q[k]).sum();
@@ -120,7 +120,7 @@ fn normalized(mut values: Vec<f64>) -> Vec<f64> {
     values
 }
 
-/// J⁺ r.
+/// The least-squares solution J⁺ r.
 fn least_moves(fits: &[Fit], mut residuals: Vec<Vec<f64>>, nodes: usize) -> Vec<DVec3> {
     let transposed = |residuals: &[Vec<f64>]| {
         let mut moves = vec![DVec3::ZERO; nodes];

@@ -1,4 +1,4 @@
-//! Which corners are meant to lie in which planes.
+//! Planes, and the corners that are meant to lie in them.
 //!
 //! A plane belongs to one flat sheet or to several that lie in it. It has all their corners, and those of other sheets
 //! that end on one of them, such as the foot of a box on a floor.
@@ -45,7 +45,7 @@ impl Planes {
     }
 }
 
-/// Which sheets share a plane.
+/// A forest whose trees are the sheets that share a plane.
 fn shared(sheets: &Sheets, apart: &Apart) -> Forest {
     let mut shared = Forest::new(sheets.list.len());
     for (own, sheet) in sheets.list.iter().enumerate() {

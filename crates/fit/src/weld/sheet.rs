@@ -1,4 +1,4 @@
-//! The surfaces that are given by their corners.
+//! Sheets: the surfaces that are given by their corners.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use super::tolerance::{Evidence, Measures, Tolerance, computed, decimal};
 /// A surface given by its corners.
 #[derive(Debug)]
 pub(super) struct Sheet {
-    /// In the order of [`Surface::corners`].
+    /// Corners in the order of [`Surface::corners`].
     pub(super) corners: Vec<DVec3>,
     /// The region of a flat sheet.
     pub(super) region: Option<PlanarRegion>,
@@ -72,7 +72,7 @@ impl Sheet {
         Self { region, corners, tolerance, bounds }
     }
 
-    /// The bits of its corners, sorted.
+    /// The bits of its corners, sorted: a key for the order of sheets.
     fn key(&self) -> Vec<[u64; 3]> {
         let mut bits: Vec<[u64; 3]> = self.corners.iter().map(|x| x.to_array().map(f64::to_bits)).collect();
         bits.sort_unstable();

@@ -1,4 +1,4 @@
-//! How far the corners of a sheet may lie off their intended positions.
+//! Tolerances: distances that the corners of a sheet may lie off their intended positions.
 //!
 //! The coordinates themselves show their rounding: to single or double precision
 //! ([`coordinate_rounding`](radiosity_geom::coordinate_rounding)), or to a number of decimals if no coordinate of the
@@ -39,9 +39,9 @@ pub(super) struct Tolerance {
     rounding: f64,
     /// Rounding of the scene's coordinates, judged by corners off their planes.
     noise: f64,
-    /// Tolerance by its size.
+    /// Tolerance in proportion to its size.
     touch: f64,
-    /// Upper bound beyond which the sheet may collapse.
+    /// Upper bound of all its tolerances, beyond which the sheet may collapse.
     most: f64,
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Tolerance {
 pub(super) struct Measures {
     /// Diagonal of the box around it.
     pub(super) extent: f64,
-    /// Shortest side.
+    /// Length of the shortest side.
     pub(super) shortest: f64,
     /// Area over extent.
     pub(super) breadth: f64,
@@ -96,12 +96,12 @@ impl Tolerance {
         rounding.max(self.noise.min(other.noise)).min(self.most).min(other.most)
     }
 
-    /// Its tolerance with an equal sheet.
+    /// Tolerance of the sheet with an equal one (scene length).
     pub(super) fn largest(&self) -> f64 {
         self.with(self)
     }
 
-    /// Upper bound of its tolerance with any other sheet.
+    /// Upper bound of its tolerance with any other sheet (scene length).
     pub(super) fn most(&self) -> f64 {
         self.most
     }
@@ -128,7 +128,8 @@ pub(super) fn decimal(corners: impl Iterator<Item = DVec3>, extent: f64) -> f64 
     if extent * unit >= LEAST_UNITS && 2 * used > coordinates.len() { 0.5 / unit } else { 0.0 }
 }
 
-/// Rounding in double precision of heights and distances of corners with coordinates up to `largest`.
+/// Rounding in double precision of heights and distances of corners with coordinates up to `largest` (scene
+/// length).
 pub(super) fn computed(largest: f64) -> f64 {
     COMPUTED * DOUBLE * largest
 }
