@@ -1,19 +1,19 @@
-//! Refusals: file, place, cause, cure.
+//! Refusals of files: file, place, cause and cure.
 
 use std::fmt;
 
 use crate::place::Place;
 
-/// Why a file cannot be read or written.
+/// Refusal to read or to write a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     /// The file, as it was named; of an included file its own name.
     pub file: String,
-    /// The line or the byte.
+    /// Line or byte of the cause, if it is known.
     pub place: Option<Place>,
-    /// What is wrong, without a full stop: "a face has 2 vertices, 3 are the least".
+    /// Cause, without a full stop: "a face has 2 vertices, 3 are the least".
     pub cause: String,
-    /// How to mend it, without a full stop; empty where the cause says so.
+    /// Cure, without a full stop; empty where the cause says so.
     pub cure: String,
 }
 

@@ -39,7 +39,7 @@ const DIRECT_RATIOS: usize = 10;
 
 const METRES_PER_MILLIMETRE: f64 = 1e-3;
 
-/// Intensities are for so many lumens.
+/// Flux of the lamps (lm) to which intensities in the file refer.
 const PER_LUMENS: f64 = 1000.0;
 
 /// Reads the luminaire in `bytes`, the contents of `file`.
@@ -53,7 +53,7 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Photometry, Refusal> {
     photometry(Numbers::new(lines, 1)).map_err(|located| located.in_file(file))
 }
 
-/// The lines 1 to 12.
+/// Items of the lines 1 to 12: texts by keyword, the symmetry `Isym`, the numbers of planes and of angles γ.
 struct Identity {
     description: Vec<(String, String)>,
     symmetry: usize,
@@ -61,7 +61,8 @@ struct Identity {
     gammas: usize,
 }
 
-/// The lines 22 to 25.
+/// Items of the lines 22 to 25: light output ratio as a part of 1, factor of the intensities, tilt in
+/// degrees.
 struct Measurement {
     output_ratio: f64,
     factor: f64,

@@ -3,12 +3,12 @@
 use crate::error::Refusal;
 use crate::place::Place;
 
-/// What is wrong in a file and how to mend it. Its place is added by whoever knows it.
+/// Cause and cure of a fault in a file, without its place, which is added where it is known.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// What is wrong, without a full stop.
+    /// Cause, without a full stop.
     pub cause: String,
-    /// How to mend it, without a full stop.
+    /// Cure, without a full stop.
     pub cure: String,
 }
 

@@ -34,7 +34,7 @@ use crate::web::Web;
 /// Most angles of either kind. Chosen: a table at every hundredth of a degree in γ, or every twentieth in C.
 const MOST_ANGLES: usize = 20_000;
 
-/// Most factors by tilt. Chosen.
+/// Most factors by tilt in a file. Chosen.
 const MOST_TILTS: usize = 10_000;
 
 /// Reads the luminaire in `bytes`, the contents of `file`.
@@ -47,7 +47,8 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Photometry, Refusal> {
     Header::of(&text).and_then(|header| photometry(&header)).map_err(|located| located.in_file(file))
 }
 
-/// What stands before the angles.
+/// Values before the opening: flux of the lamps (lm), multiplier, counts of vertical and of horizontal
+/// angles.
 struct Lamps {
     flux: Option<f64>,
     multiplier: f64,
@@ -119,7 +120,7 @@ fn lamps(numbers: &mut Numbers) -> Result<Lamps, Located> {
     Ok(Lamps { flux, multiplier, counts: [vertical, horizontal] })
 }
 
-/// The factor of the ballast.
+/// Factor of the intensities by the ballast, the second factor of 1986 and 1991 included.
 fn ballast(numbers: &mut Numbers, edition: Edition, notes: &mut Vec<Note>) -> Result<f64, Located> {
     let factor = numbers.factor("the ballast factor")?;
     let second = match edition {

@@ -1,7 +1,8 @@
 //! Files of luminaires, and the words that all readers of files share: places, faults, refusals, notes.
 //!
-//! In order: `place`, `note`, `error`, `fault`, `text`, `located` and `numbers` (reading), `symmetry`, `opening` and `web` (intensities
-//! by direction), `ies` and `eulumdat` (the formats) and `luminaire` (either). Imports nothing of the house.
+//! In order: `place`, `note`, `error`, `fault`, `text`, `located` and `numbers` (reading), `symmetry`,
+//! `opening` and `web` (intensities by direction), `ies` and `eulumdat` (the formats) and `luminaire`
+//! (either). Imports no other crate of the workspace.
 //!
 //! Photometry of luminaires: luminous intensity by direction, as tables of makers state it.
 //!
@@ -36,17 +37,17 @@ use crate::note::Note;
 use crate::opening::Opening;
 use crate::web::Web;
 
-/// How far the flux of the table may be off the flux that the file states, before that is noted. Chosen: files round
-/// ratios to whole percents.
+/// Difference of the flux of the table from the flux that the file states, over the latter, beyond which it
+/// is noted. Chosen: files round ratios to whole percents.
 const OFF_FLUX: f64 = 0.02;
 
-/// A luminaire as its photometric file describes it. All is absolute: lumens of the lamps, multipliers and factors of
-/// ballasts are applied.
+/// A luminaire as its photometric file describes it. All intensities and fluxes are absolute: lumens of the
+/// lamps, multipliers and factors of ballasts are applied.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Photometry {
     /// Its name, for people; empty where the file has none.
     pub name: String,
-    /// What else the file says of it: keyword and text, in their order.
+    /// Texts of the file on the luminaire: keyword and text, in their order.
     pub description: Vec<(String, String)>,
     /// Luminous intensities in cd.
     pub web: Web,
@@ -54,11 +55,11 @@ pub struct Photometry {
     pub lamp_flux: Option<f64>,
     /// Flux of the luminaire that the file states, lm.
     pub stated_flux: Option<f64>,
-    /// What the light comes out of, m.
+    /// Its luminous opening (m).
     pub opening: Opening,
     /// Tilt of the luminaire when it was measured, degrees; γ is counted from straight down all the same.
     pub tilt: f64,
-    /// What was left out, or looks wrong.
+    /// Notes on parts that were left out, and on values that look wrong.
     pub notes: Vec<Note>,
 }
 
@@ -75,7 +76,7 @@ impl Photometry {
         self.web.flux()
     }
 
-    /// The part of it at angles γ from `least` to `most`, degrees.
+    /// The part of the flux, lm, at angles γ from `least` to `most`, degrees.
     pub fn flux_between(&self, least: f64, most: f64) -> f64 {
         self.web.flux_between(least, most)
     }
@@ -85,7 +86,7 @@ impl Photometry {
         self.web.largest()
     }
 
-    /// Notes what the table says itself of its soundness.
+    /// Adds remarks on the table, and on its flux where it differs from the stated one, to the notes.
     pub(crate) fn checked(mut self) -> Self {
         for text in self.web.remarks().into_iter().chain(self.off_flux()) {
             Note::add(&mut self.notes, text, None);

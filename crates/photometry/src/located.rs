@@ -5,12 +5,12 @@ use crate::fault::Fault;
 use crate::place::Place;
 use crate::text::decode;
 
-/// A fault and where it is.
+/// A fault with its place in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Located {
-    /// What is wrong and how to mend it.
+    /// Cause and cure of the fault.
     pub fault: Fault,
-    /// Where it is.
+    /// Line or byte of the fault.
     pub place: Place,
 }
 
@@ -20,7 +20,7 @@ impl Located {
         Self { fault: Fault::new(cause, cure), place }
     }
 
-    /// The refusal of `file` for it.
+    /// The refusal of `file` for this fault.
     pub fn in_file(self, file: &str) -> Refusal {
         let Fault { cause, cure } = self.fault;
         Refusal { file: file.to_owned(), place: Some(self.place), cause, cure }

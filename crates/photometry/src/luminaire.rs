@@ -10,7 +10,7 @@ use crate::{eulumdat, ies};
 /// Reads the luminaire in `bytes`, the contents of `file`: `.ies` is IES LM-63, `.ldt` is EULUMDAT.
 ///
 /// # Errors
-/// Another ending; what the format does not allow, with line, cause and cure.
+/// A file name of another ending; what the format does not allow, with line, cause and cure.
 pub fn read(file: &str, bytes: &[u8]) -> Result<Photometry, Refusal> {
     let ending = Path::new(file).extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
     match ending.as_deref() {

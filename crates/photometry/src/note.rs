@@ -1,20 +1,20 @@
-//! What reading left out or changed.
+//! Notes: parts of a file that reading left out or changed.
 
 use crate::place::Place;
 
-/// Something that was left out or changed by reading: "specular reflection is left out".
+/// Note on a part that was left out or changed by reading: "specular reflection is left out".
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
-    /// What, without a full stop.
+    /// Text of the note, without a full stop.
     pub text: String,
-    /// Where it occurred first.
+    /// Place of the first occurrence, if it is known.
     pub place: Option<Place>,
-    /// How often.
+    /// Number of occurrences, at least 1.
     pub count: usize,
 }
 
 impl Note {
-    /// Adds something at `place` to `notes`; what is among them is only counted.
+    /// Adds a note at `place` to `notes`; one whose text is among them already is only counted.
     pub fn add(notes: &mut Vec<Note>, text: impl Into<String>, place: Option<Place>) {
         let text = text.into();
         match notes.iter_mut().find(|note| note.text == text) {

@@ -1,4 +1,4 @@
-//! Numbers in a row: words of a text, each with its line, read as what comes next.
+//! Numbers in a row: words of a text, each with its line, read one after another.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -20,7 +20,7 @@ impl fmt::Display for Nth<'_> {
     }
 }
 
-/// Reads words as numbers, one after another. A decimal comma is one.
+/// Reads words as numbers, one after another. A decimal comma counts as a decimal point.
 pub(crate) struct Numbers<'a> {
     words: Box<dyn Iterator<Item = (usize, &'a str)> + 'a>,
     /// Line of the word that was read last.
@@ -28,17 +28,17 @@ pub(crate) struct Numbers<'a> {
 }
 
 impl<'a> Numbers<'a> {
-    /// Reads `words`, which come with their lines; `line` is where they begin.
+    /// Reads `words`, which come with their lines; `line` is the line where they begin.
     pub(crate) fn new(words: impl Iterator<Item = (usize, &'a str)> + 'a, line: usize) -> Self {
         Self { words: Box::new(words), line }
     }
 
-    /// Where the last word stood.
+    /// Place of the word that was read last.
     pub(crate) fn place(&self) -> Place {
         Place::Line(self.line)
     }
 
-    /// A fault at the last word.
+    /// A fault at the word that was read last.
     pub(crate) fn fault(&self, cause: impl Into<String>, cure: impl Into<String>) -> Located {
         Located::new(self.place(), cause, cure)
     }
@@ -144,7 +144,7 @@ impl<'a> Numbers<'a> {
         (0..count).map(|index| self.amount(Nth { what, index, count })).collect()
     }
 
-    /// That no number follows.
+    /// Checks that no number follows.
     pub(crate) fn end(&mut self) -> Result<(), Located> {
         let left = self.words.find(|(_, word)| word.replace(',', ".").parse::<f64>().is_ok());
         match left {

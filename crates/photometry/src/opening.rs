@@ -1,4 +1,4 @@
-//! Luminous openings: what the light of a luminaire comes out of.
+//! Luminous openings: points, faces or bodies that the light of a luminaire comes out of.
 
 /// The form of an opening within its extent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

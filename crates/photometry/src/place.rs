@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// Where in a file something stands.
+/// The place of something in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
     /// A line of a text, counted from 1.

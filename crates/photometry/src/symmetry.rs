@@ -1,9 +1,9 @@
 //! Symmetries of photometric tables: which planes stand for which.
 
-/// What a table leaves out because it repeats.
+/// Planes that a table leaves out because they repeat others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Symmetry {
-    /// Nothing: planes all around.
+    /// No planes: the table has all around.
     None,
     /// All planes but one.
     Axial,

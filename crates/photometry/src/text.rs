@@ -11,7 +11,8 @@ pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
     decode_with(bytes, |bytes| String::from_utf8_lossy(bytes).into_owned())
 }
 
-/// As [`decode`], but a text that is not UTF-8 is Latin-1, as old programs for Windows write it.
+/// The characters of a text file, as [`decode`] reads them, but of Latin-1 where it is not UTF-8, as old
+/// programs for Windows write it.
 ///
 /// # Errors
 /// Bytes that are no text: a zero byte among them.
@@ -36,7 +37,7 @@ fn decode_with(bytes: &[u8], characters: impl Fn(&[u8]) -> String) -> Result<Str
     }
 }
 
-/// The number that `word` is.
+/// The finite number that `word` states.
 ///
 /// # Errors
 /// A word that is no number, or no finite one; `what` names it: "the radius".

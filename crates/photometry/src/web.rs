@@ -17,17 +17,19 @@ use super::symmetry::Symmetry;
 use crate::fault::Fault;
 use crate::text::told;
 
-/// How far beyond the last angle of the table, in degrees, a direction still counts as lying on it: rounding.
+/// Angle in degrees beyond the last angle of the table up to which a direction still counts as lying on it:
+/// rounding.
 const EDGE: f64 = 1e-9;
 
 /// Most candelas: more than any source on Earth. Chosen, so that sums stay numbers.
 const MOST: f64 = 1e15;
 
-/// How much wider the gap between the last plane and the first may be than the others, where planes go all around. Chosen:
-/// a plane at 360° may be left out, and one more.
+/// Largest gap between the last plane and the first, over the widest of the others, where planes go all
+/// around. Chosen: a plane at 360° may be left out, and one more.
 const WIDER: f64 = 2.0;
 
-/// How far intensities of one direction may differ by plane, relative to the greatest, before that is noted. Chosen.
+/// Difference of intensities of one direction by plane, over the greatest intensity, beyond which it is
+/// noted. Chosen.
 const OFF_POLE: f64 = 0.01;
 
 /// Intensities in cd at angles in degrees.
@@ -80,7 +82,8 @@ impl Web {
         self.symmetry
     }
 
-    /// Angles C of its planes all around, in [0°, 360°), which increase; one alone where it is the same all around.
+    /// Angles C of its planes all around, in [0°, 360°), which increase; one alone where intensity is the
+    /// same all around.
     pub fn planes(&self) -> &[f64] {
         &self.planes
     }
@@ -113,7 +116,7 @@ impl Web {
         mix(of(one), of(other), across)
     }
 
-    /// The planes on either side of an angle, and where it stands between them.
+    /// The planes on either side of an angle, and the part of the way between them, 0 to 1.
     fn neighbours(&self, c: f64) -> (usize, usize, f64) {
         let c = c.rem_euclid(360.0);
         let count = self.planes.len();
@@ -197,7 +200,7 @@ impl Web {
         self.largest() / all.map(slope).fold(0.0, f64::max)
     }
 
-    /// Change of intensity per degree from a node to the next of its plane.
+    /// Change of intensity from a node to the next of its plane (cd per degree).
     fn slope_down(&self, plane: usize, index: usize) -> f64 {
         let [own, next] = [index, (index + 1).min(self.gammas.len() - 1)];
         let values = self.candelas(plane);
@@ -205,7 +208,8 @@ impl Web {
         if step > 0.0 { (values[next] - values[own]).abs() / step } else { 0.0 }
     }
 
-    /// Change of intensity per degree from a node to that of the next plane; 0 at the poles, where all planes are one.
+    /// Change of intensity from a node to that of the next plane (cd per degree); 0 at the poles, where all
+    /// planes are one.
     fn slope_across(&self, plane: usize, index: usize) -> f64 {
         let next = (plane + 1) % self.planes.len();
         let gap = (self.planes[next] - self.planes[plane]).rem_euclid(360.0);
@@ -219,7 +223,8 @@ impl Web {
         self.table.iter().copied().fold(0.0, f64::max)
     }
 
-    /// What looks wrong in it.
+    /// Remarks on what looks wrong in the table: planes that differ at γ = 0°, γ = 180° or C = 360°, and an
+    /// end of γ at neither 90° nor 180°.
     pub(super) fn remarks(&self) -> Vec<String> {
         let mut remarks = Vec::new();
         for (index, angle) in [(0, 0.0), (self.gammas.len() - 1, 180.0)] {
@@ -238,7 +243,7 @@ impl Web {
         remarks
     }
 
-    /// Whether a plane at C360 was stated, and is not as that at C0.
+    /// Whether a plane at C360 was stated whose intensities differ from those at C0.
     fn differs_at_360(&self) -> bool {
         let count = self.gammas.len();
         let last = self.table.len() / count - 1;
@@ -247,7 +252,7 @@ impl Web {
         !self.rows.contains(&last) && stated.iter().zip(self.candelas(0)).any(is_off)
     }
 
-    /// Least and greatest intensity of all planes at one γ.
+    /// Least and greatest intensity of all planes at one γ, by its index (cd).
     fn spread(&self, gamma: usize) -> (f64, f64) {
         (0..self.planes.len())
             .map(|plane| self.candelas(plane)[gamma])
@@ -255,7 +260,7 @@ impl Web {
     }
 }
 
-/// That the last plane is about as far from the first as planes are from one another.
+/// Checks that the last plane is about as far from the first as planes are from one another.
 fn goes_around(planes: &[f64]) -> Result<(), Fault> {
     let [first, .., last] = planes else { return Ok(()) };
     let widest = planes.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
@@ -268,7 +273,7 @@ fn goes_around(planes: &[f64]) -> Result<(), Fault> {
     }
 }
 
-/// Where `x` stands from `start` (0) to `end` (1).
+/// Position of `x` between `start` (0) and `end` (1).
 fn between(start: f64, end: f64, x: f64) -> f64 {
     ((x - start) / (end - start)).clamp(0.0, 1.0)
 }

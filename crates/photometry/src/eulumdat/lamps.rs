@@ -5,7 +5,7 @@ use crate::note::Note;
 use crate::located::Located;
 use crate::numbers::Numbers;
 
-/// Most sets. Stockmar has 20.
+/// Most sets of lamps. Stockmar has 20.
 const MOST_SETS: usize = 1000;
 
 /// A set of lamps.
@@ -15,7 +15,7 @@ pub(super) struct LampSet {
     pub(super) is_absolute: bool,
 }
 
-/// The first of the sets.
+/// The first of the sets of lamps.
 ///
 /// # Errors
 /// No set, or one without flux.

@@ -12,7 +12,8 @@ pub(super) struct Stated {
     pub(super) planes: Vec<f64>,
 }
 
-/// Which of `all` planes, at increasing angles from 0° on, have intensities.
+/// The planes that have intensities by the symmetry `isym`, among `all` planes, at increasing angles C from
+/// 0° on.
 ///
 /// # Errors
 /// Angles outside [0°, 360°), or without the planes where a symmetry ends.

@@ -3,7 +3,7 @@
 use crate::fault::Fault;
 use crate::text::short;
 
-/// An edition.
+/// An edition of LM-63, by its year.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Edition {
     Of1986,

@@ -1,4 +1,4 @@
-//! The lines before the numbers: edition, labels or keywords, `TILT=`.
+//! Headers, the lines before the numbers: edition, labels or keywords, `TILT=`.
 
 use super::edition::Edition;
 use crate::fault::Fault;
@@ -12,11 +12,11 @@ pub(super) struct Header<'a> {
     pub(super) edition: Edition,
     /// Keywords without brackets and what stands behind them; plain labels have the keyword `LABEL`.
     pub(super) keywords: Vec<(String, String)>,
-    /// Whether factors by tilt come first.
+    /// Whether the numbers begin with factors by tilt.
     pub(super) has_tilt_factors: bool,
-    /// All behind the line `TILT=`.
+    /// The text behind the line `TILT=`.
     pub(super) data: &'a str,
-    /// Number of that line, from 1.
+    /// Number of the line `TILT=`, from 1.
     pub(super) line: usize,
 }
 
@@ -50,7 +50,7 @@ impl<'a> Header<'a> {
         ))
     }
 
-    /// What people call the luminaire: its description, its catalogue number or the first label.
+    /// Name of the luminaire for people: its description, its catalogue number or the first label.
     pub(super) fn name(&self) -> String {
         let of = |wanted: &str| {
             let found = self.keywords.iter().find(|(keyword, text)| keyword == wanted && !text.is_empty());
@@ -60,7 +60,7 @@ impl<'a> Header<'a> {
     }
 }
 
-/// What stands behind `TILT=`.
+/// Text behind `TILT=` in a line; none in other lines.
 fn tilt(line: &str) -> Option<&str> {
     let line = line.trim();
     let (word, tilt) = line.split_once('=')?;
