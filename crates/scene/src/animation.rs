@@ -1,4 +1,4 @@
-//! What moves in a scene, and when: frames, and movers that each follow a path.
+//! Animations: frames, and movers that each follow a path.
 //!
 //! Frame k, counted from 0, shows the time k over the frames in a unit of time. A moment is a real number of frames, from 0 to the
 //! last frame: also what is between two frames has a pose.
@@ -10,7 +10,7 @@ use crate::{error::Fault, path::RigidPath, place::Place, pose::Pose, ranges::che
 /// Most frames. Chosen; not tuned.
 pub const MOST_FRAMES: usize = 1_000_000;
 
-/// The frames of a scene and what moves in them.
+/// The frames of a scene and its movers.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Animation {
@@ -18,15 +18,15 @@ pub struct Animation {
     pub frames: usize,
     /// Frames in a unit of time, > 0; 1 where times count frames.
     pub rate: f64,
-    /// What moves, each along its own path, in the order of the file.
+    /// Movers, each along its own path, in the order of the file.
     pub movers: Vec<Mover>,
 }
 
-/// What moves together along one path.
+/// Surfaces, luminaires and camera that move together along one path.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Mover {
-    /// Unique among the movers of the scene.
+    /// Name, unique among the movers of the scene.
     pub name: String,
     /// Indices of its surfaces, ascending; no surface belongs to two movers.
     pub surfaces: Vec<usize>,
@@ -34,13 +34,13 @@ pub struct Mover {
     pub luminaires: Vec<usize>,
     /// Whether the camera moves along; at most one mover has it.
     pub camera: bool,
-    /// Where it is by time, in the coordinates that the scene is computed in.
+    /// Its path by time, in the coordinates that the scene is computed in.
     pub path: RigidPath,
-    /// Where it stands in the file; none if it was made in code.
+    /// Its place in the file; none if it was made in code.
     pub place: Option<Place>,
 }
 
-/// How many frames there are, and how long each lasts.
+/// Number of frames, and frames in a unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock {
     frames: usize,
@@ -48,7 +48,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// `frames` of which `rate` show a unit of time.
+    /// A clock of `frames` frames, of which `rate` show a unit of time.
     ///
     /// # Errors
     /// [`Fault::OutOfRange`] or [`Fault::NotFinite`].
@@ -58,7 +58,7 @@ impl Clock {
         Ok(Self { frames, rate })
     }
 
-    /// So many times from the first frame to the last, at equal distances.
+    /// Times from the first frame to the last, `count` of them at equal distances.
     pub fn spread(&self, count: usize) -> Vec<f64> {
         // A single frame is as long as one of two: paths need times that ascend.
         let last = (self.frames - 1).max(1) as f64 / self.rate;
@@ -72,7 +72,7 @@ impl Animation {
         Self { frames: clock.frames, rate: clock.rate, movers }
     }
 
-    /// The same after `middle` was subtracted from all coordinates.
+    /// The animation after `middle` was subtracted from all coordinates.
     pub fn about(mut self, middle: DVec3) -> Self {
         self.movers.iter_mut().for_each(|mover| mover.path = mover.path.clone().about(middle));
         self
@@ -100,13 +100,13 @@ impl Animation {
     }
 }
 
-/// Number of frames.
+/// Checks the number of frames, 1 to 10⁶.
 pub fn check_frames(frames: usize) -> Result<(), Fault> {
     let inside = (1..=MOST_FRAMES).contains(&frames);
     check_range(frames as f64, inside, "the number of frames", "1 ≤ frames ≤ 1000000")
 }
 
-/// Frames in a unit of time.
+/// Checks the number of frames in a unit of time, 1e-6 to 1e6.
 pub fn check_rate(rate: f64) -> Result<(), Fault> {
     check_range(rate, (1e-6..=1e6).contains(&rate), "the rate of frames", "1e-6 ≤ fps ≤ 1e6")
 }

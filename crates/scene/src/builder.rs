@@ -53,7 +53,7 @@ pub struct SceneBuilder {
 }
 
 impl SceneBuilder {
-    /// A scene of that name and these bands, with nothing in it. The name stands before messages.
+    /// A builder of a scene of that name with these bands, without parts. The name stands before messages.
     pub fn new<B: Into<String>>(name: impl Into<String>, bands: impl IntoIterator<Item = B>) -> Self {
         Self {
             name: name.into(),
@@ -70,7 +70,7 @@ impl SceneBuilder {
         }
     }
 
-    /// A material for surfaces, with a number per band.
+    /// Adds a material for surfaces, with a number per band, and returns it.
     pub fn material(&mut self, name: impl Into<String>, material: Material) -> NamedMaterial {
         let named = NamedMaterial::new(name.into(), material);
         self.materials.push(named.clone());
@@ -118,13 +118,13 @@ impl SceneBuilder {
         self
     }
 
-    /// Lets things move in the frames of `clock`, instead of one given before.
+    /// Sets the frames in which things move, instead of those given before.
     pub fn clock(&mut self, clock: Clock) -> &mut Self {
         self.clock = Some(clock);
         self
     }
 
-    /// Adds what moves along one path; [`SceneBuilder::clock`] says in how many frames.
+    /// Adds things that move along one path; [`SceneBuilder::clock`] gives the number of frames.
     pub fn moves(&mut self, mover: MoverDraft) -> &mut Self {
         self.movers.push(mover);
         self

@@ -1,4 +1,4 @@
-//! From where a picture is taken.
+//! Cameras: viewpoint, direction and size of a picture.
 
 use radiosity_geom::DVec3;
 
@@ -10,9 +10,9 @@ use crate::{
 /// A pinhole camera. A scene's camera has a view direction, and its up vector is not along it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
-    /// The pinhole.
+    /// Position of the pinhole (scene length).
     pub eye: DVec3,
-    /// A point in the middle of the picture.
+    /// A point in the middle of the picture (scene length).
     pub target: DVec3,
     /// The direction that is up in the picture; any length, not along the view.
     pub up: DVec3,
@@ -25,7 +25,8 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// Looks from `eye` to `target`; up is +z, the angle of view 40 degrees, the picture 512 × 512 pixels.
+    /// A camera that looks from `eye` to `target`; up is +z, the angle of view 40 degrees, the picture 512 ×
+    /// 512 pixels.
     ///
     /// Change the rest: `Camera { fov: 60.0, ..Camera::new(eye, target) }`. A scene checks its camera.
     pub fn new(eye: DVec3, target: DVec3) -> Self {

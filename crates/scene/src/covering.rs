@@ -1,27 +1,27 @@
-//! Coverings: what a side of a surface is covered with.
+//! Coverings: the materials of sides of surfaces, with light group and heat.
 
 use crate::{material::Material, named_material::NamedMaterial, thermal::Thermal};
 
-/// A material with what it says of the surfaces that say nothing else.
+/// A material, with the light group and the heat of the surfaces that state none of their own.
 #[derive(Clone, Debug)]
 pub struct Covering {
     /// The material.
     pub material: Material,
     /// Its name; none where nothing was given.
     pub name: Option<String>,
-    /// Its emissivity and its condition.
+    /// Its emissivity and its thermal condition.
     pub thermal: Thermal,
-    /// The light group of what emits.
+    /// Name of its light group, if it has one.
     pub group: Option<String>,
 }
 
 impl Covering {
-    /// The material of that name, of which nothing else is known.
+    /// A covering of the material of that name, without light group and heat.
     pub fn new(name: impl Into<String>, material: Material) -> Self {
         Self { name: Some(name.into()), ..Self::plain(material) }
     }
 
-    /// Neither reflects nor emits, and has no name.
+    /// A covering without a name that neither reflects nor emits.
     pub fn black(bands: usize) -> Self {
         Self::plain(Material::black(bands))
     }

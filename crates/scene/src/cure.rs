@@ -1,11 +1,11 @@
-//! How to mend each fault of a scene, in words.
+//! Cures of the faults of a scene, in words.
 
 use radiosity_work::wording::{Wording, command, option, set, words};
 
 use crate::{error::Fault, nearest::nearest};
 
 impl Fault {
-    /// How to mend it; none where the message already says so.
+    /// Advice that mends the fault; none where the message already says so.
     pub fn advice(&self) -> Option<Wording> {
         Some(match self {
             Fault::UnknownParameter { known, .. } if known.is_empty() => {
@@ -55,12 +55,12 @@ impl Fault {
         })
     }
 
-    /// The same as the command line has it.
+    /// The advice as the command line words it.
     pub fn cure(&self) -> Option<String> {
         self.advice().map(|advice| advice.to_string())
     }
 
-    /// How to mend what no option and no verb mends.
+    /// Advice for faults that no option and no verb mends.
     fn plain_advice(&self) -> Option<String> {
         Some(match self {
             Fault::Shape(_) => return None,
@@ -147,7 +147,7 @@ impl Fault {
                 "add a constant to the pattern, or choose another one, so that it is nowhere below 0"
                     .to_owned()
             }
-            // Of white, 1, what is left is a bright paint.
+            // The largest value, e.g. 1 for white, becomes that of a bright paint, 0.9 at most.
             Fault::PatternRange { value, .. } => format!(
                 "scale the pattern down: factor = {:.2}, times the factor that it may have already; white paint has ρ = 0.85 or so",
                 (0.9 / value).min(0.9)
@@ -279,7 +279,7 @@ fn plain_cure(fault: &Fault) -> &'static str {
     }
 }
 
-/// "did you mean" where a name is near, and the list of all.
+/// Advice on an unknown name: the nearest known name, if one is near, and the list of all.
 fn choose<'a>(name: &str, known: impl IntoIterator<Item = &'a str>, what: &str) -> String {
     let known: Vec<&str> = known.into_iter().collect();
     let list = format!("{what}: {}", known.join(", "));

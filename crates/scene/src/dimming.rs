@@ -1,4 +1,4 @@
-//! Dimming: the groups of what emits, and the same scene with factors on their emission.
+//! Dimming: the light groups of a scene, and copies of the scene with other factors on their emission.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,8 @@ use crate::{
 };
 
 impl Scene {
-    /// The light groups of what emits, in the order of the surfaces, then of the luminaires.
+    /// Light groups of the surfaces and the luminaires that emit, each once, in the order of the surfaces,
+    /// then of the luminaires.
     pub fn light_groups(&self) -> Vec<&LightGroup> {
         let mut seen = BTreeSet::new();
         let emitting = self.surfaces.iter().filter(|surface| surface.material.emits());
@@ -20,8 +21,8 @@ impl Scene {
         groups.filter(|group| seen.insert(group.name.as_str())).collect()
     }
 
-    /// The same scene with the named groups at these factors (≥ 0) of the emission that its materials state, whatever
-    /// factors they had before. Groups that are not named keep theirs.
+    /// Copy of the scene with the named groups at these factors (≥ 0) of the emission that its materials
+    /// state, whatever factors they had before. Groups that are not named keep theirs.
     ///
     /// # Errors
     /// [`Fault::UnknownGroup`], [`Fault::GroupSetTwice`]; [`Fault::FixedVariable`] and [`Fault::VariableAndGroup`] for the name of
@@ -58,7 +59,7 @@ impl Scene {
         Ok(factors)
     }
 
-    /// Why a setting of a variable dims nothing.
+    /// The fault of a setting that names a variable, which dims nothing.
     fn of_variable(&self, name: &str) -> Fault {
         let name = name.to_owned();
         match self.light_groups().iter().any(|group| group.name == name) {
@@ -68,7 +69,7 @@ impl Scene {
     }
 }
 
-/// Refuses a factor that is not a number from 0 on.
+/// Checks that a factor is finite and ≥ 0.
 fn check_factor(value: f64) -> Result<(), Fault> {
     check_range(value, value >= 0.0, "the factor", "factor ≥ 0")
 }

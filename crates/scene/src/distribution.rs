@@ -1,4 +1,4 @@
-//! Distributions of intensity: how much of its light a luminaire sends in which direction.
+//! Distributions of the intensity of luminaires over directions.
 //!
 //! With the angle γ from the aim of the luminaire, the relative intensity d and the flux factor Ω = ∫ d dω are
 //!
@@ -30,11 +30,11 @@ const STEEPEST: f64 = 1e4;
 /// A distribution of relative intensity over directions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Distribution {
-    /// The same in all directions.
+    /// Equal intensity in all directions.
     Point,
     /// A power of the cosine.
     Power {
-        /// n ≥ 0; 1 is that of a small flat diffuse emitter.
+        /// Exponent n ≥ 0; 1 is that of a small flat diffuse emitter.
         exponent: f64,
     },
     /// A cone with an edge.
@@ -48,17 +48,18 @@ pub enum Distribution {
     Table(Arc<Photometry>),
 }
 
-/// The directions before a side of a plane across the aim.
+/// The directions on one side of a plane across the aim.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hemisphere {
-    /// The part of Ω in it.
+    /// The part of Ω in these directions (sr; lm for a table).
     pub flux_factor: f64,
-    /// The angle (degrees) over which the largest d would fall to nothing as steeply as d changes anywhere in it; 0 where d jumps.
+    /// The angle (degrees) over which the largest d would fall to nothing as steeply as d changes anywhere in
+    /// these directions; 0 where d jumps.
     pub scale: f64,
 }
 
 impl Distribution {
-    /// Checks the ranges.
+    /// Checks the ranges of exponent, angle and edge.
     ///
     /// # Errors
     /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number.
@@ -80,7 +81,7 @@ impl Distribution {
         }
     }
 
-    /// d in a unit direction of the frame of the luminaire.
+    /// Relative intensity d in a unit direction of the frame of the luminaire.
     pub(crate) fn relative(&self, direction: DVec3) -> f64 {
         let cosine = -direction.z;
         match *self {
@@ -99,7 +100,7 @@ impl Distribution {
         }
     }
 
-    /// The largest d.
+    /// Largest relative intensity d (1; cd for a table).
     pub fn peak(&self) -> f64 {
         match self {
             Self::Table(table) => table.largest(),
@@ -107,12 +108,12 @@ impl Distribution {
         }
     }
 
-    /// Ω (sr; lm for a table).
+    /// Flux factor Ω (sr; lm for a table).
     pub fn flux_factor(&self) -> f64 {
         self.flux_between(0.0, 180.0)
     }
 
-    /// The part of Ω at angles γ from `least` to `most`, degrees.
+    /// The part of Ω (sr; lm for a table) at angles γ from `least` to `most`, degrees.
     fn flux_between(&self, least: f64, most: f64) -> f64 {
         if let Self::Table(table) = self {
             return table.flux_between(least, most);
@@ -173,7 +174,7 @@ impl Distribution {
     }
 }
 
-/// ∫ (1 + cos k(γ − γ₀))/2 sin γ dγ from γ₀ to γ, k = π/(γ₁ − γ₀) > 1.
+/// The integral ∫ (1 + cos k(γ − γ₀))/2 sin γ dγ from γ₀ to γ, k = π/(γ₁ − γ₀) > 1.
 fn along_edge(gamma: f64, inner: f64, outer: f64) -> f64 {
     let k = PI / (outer - inner);
     let wave = |gamma: f64| {
@@ -183,7 +184,7 @@ fn along_edge(gamma: f64, inner: f64, outer: f64) -> f64 {
     whole(gamma) - whole(inner)
 }
 
-/// γ₀ and γ₁ (radians) of angles in degrees.
+/// Angles γ₀ and γ₁ (radians) between which a cone falls to nothing, for its angle and edge in degrees.
 fn ends(angle: f64, edge: f64) -> [f64; 2] {
     [0.5 * (angle - edge), 0.5 * (angle + edge)].map(f64::to_radians)
 }

@@ -25,7 +25,7 @@ use crate::{
 /// A surface on its way into a scene; see [`SceneBuilder::surface`](crate::SceneBuilder::surface).
 #[derive(Debug)]
 pub struct SurfaceDraft {
-    /// Its name.
+    /// Name of the entry; each surface has the name of its shape.
     pub name: String,
     /// The kind of its shape, for messages.
     pub kind: &'static str,
@@ -33,7 +33,7 @@ pub struct SurfaceDraft {
     pub shapes: Vec<NamedShape>,
     /// The covering of its front.
     pub front: Covering,
-    /// Of the back, if that is another one.
+    /// Covering of its back, if that is another one.
     pub back: Option<Covering>,
     /// Its own light group, instead of those of its materials.
     pub group: Option<String>,
@@ -41,19 +41,20 @@ pub struct SurfaceDraft {
     pub flux: Option<Vec<f64>>,
     /// The sky behind it, if it is an opening.
     pub opening: Option<Opening>,
-    /// How its light is spread, if it is known before what openings see.
+    /// Angular distribution of its light, for sides of luminous areas; none for other surfaces, openings
+    /// included.
     pub radiance: Option<Radiance>,
-    /// What is known of its heat, instead of what its materials say.
+    /// Emissivity and thermal condition, instead of those of its materials.
     pub thermal: Thermal,
-    /// Order of its basis.
+    /// Order of its basis, instead of the order asked for.
     pub order: Option<usize>,
-    /// Cuts along u and v.
+    /// Number of elements along u and v, instead of the subdivision asked for.
     pub subdivide: Option<[usize; 2]>,
     /// Whether its back emits and receives too.
     pub two_sided: bool,
-    /// Whether it is turned over.
+    /// Whether its front and its back are exchanged.
     pub flip: bool,
-    /// Where it stands in a file or a tree.
+    /// Its places in a file or a tree; none if it was made in code.
     pub typed: Option<Typed>,
 }
 
@@ -65,17 +66,17 @@ pub type NamedShape = (String, Arc<dyn Surface>);
 pub struct Typed {
     /// The place of the whole draft.
     pub place: Option<Place>,
-    /// Its name.
+    /// Place of its name.
     pub name: Span,
-    /// The line of its name.
+    /// Line of its name.
     pub name_line: Option<Line>,
-    /// Its shape.
+    /// Place of its shape.
     pub shape: Span,
-    /// Of its material and that of its back.
+    /// Places of its material and of the material of its back.
     pub materials: [Option<Span>; 2],
-    /// Its flux.
+    /// Place of its flux, if it has one.
     pub flux: Option<Span>,
-    /// Its opening.
+    /// Place of the statement that it is an opening, if it is one.
     pub opening: Option<Span>,
 }
 
@@ -92,7 +93,8 @@ impl SurfaceDraft {
         self
     }
 
-    /// Covers its back with another material, where it is [two-sided](Self::two_sided). What both let through has to be the same.
+    /// Covers its back with another material, where it is [two-sided](Self::two_sided). Both materials must
+    /// have one transmittance.
     pub fn back_material(&mut self, material: &NamedMaterial) -> &mut Self {
         self.back = Some(Covering::from(material));
         self
@@ -105,8 +107,8 @@ impl SurfaceDraft {
         self
     }
 
-    /// The flux of each band (W) that all of it emits, the back included where it is two-sided, instead of the emission of
-    /// its material, which has to be 0: its exitance is the flux over its area.
+    /// Sets the flux of each band (W) that the whole surface emits, the back included where it is two-sided,
+    /// instead of the emission of its material, which has to be 0: its exitance is the flux over its area.
     pub fn flux(&mut self, flux: Vec<f64>) -> &mut Self {
         self.flux = Some(flux);
         self
@@ -118,19 +120,21 @@ impl SurfaceDraft {
         self
     }
 
-    /// Its emissivity, 0 < ε ≤ 1, for `heat`.
+    /// Sets its emissivity, 0 < ε ≤ 1, for `heat`.
     pub fn emissivity(&mut self, emissivity: f64) -> &mut Self {
         self.thermal.emissivity = Some(emissivity);
         self
     }
 
-    /// What is known of its heat: its temperature, or the flux that it sends out, for `heat`.
+    /// Sets its thermal condition for `heat`: its temperature (K), or the heat flux (W m⁻²) that it sends
+    /// out.
     pub fn condition(&mut self, condition: Condition) -> &mut Self {
         self.thermal.condition = Some(condition);
         self
     }
 
-    /// The order of the basis here, at most [`MAX_ORDER`](crate::MAX_ORDER), instead of the order asked for.
+    /// Sets the order of the basis here, at most [`MAX_ORDER`](crate::MAX_ORDER), instead of the order asked
+    /// for.
     pub fn order(&mut self, order: usize) -> &mut Self {
         self.order = Some(order);
         self
@@ -142,7 +146,7 @@ impl SurfaceDraft {
         self
     }
 
-    /// Checks the numbers that files check where they are typed.
+    /// Checks order, subdivision, light group and thermal condition, which files check where they are typed.
     pub(super) fn checked(self) -> Result<Self, Located> {
         let order = self.order.map_or(Ok(()), check_order);
         let parts = || self.subdivide.into_iter().flatten().try_for_each(check_parts);
@@ -154,7 +158,8 @@ impl SurfaceDraft {
         }
     }
 
-    /// Turns its flux into the emission of its materials; checks an opening, and what its sides let through.
+    /// Turns its flux into the emission of its materials; checks its opening, and that its sides have one
+    /// transmittance.
     pub(super) fn lit(mut self) -> Result<Self, Located> {
         self.check_sides()?;
         self.check_opening()?;
@@ -170,7 +175,7 @@ impl SurfaceDraft {
         }
     }
 
-    /// What covers it, the front first.
+    /// Coverings of its front and, if it has another one, of its back.
     fn coverings(&self) -> impl Iterator<Item = &Covering> {
         [&self.front].into_iter().chain(&self.back)
     }
@@ -179,7 +184,7 @@ impl SurfaceDraft {
         [&mut self.front].into_iter().chain(&mut self.back)
     }
 
-    /// Refuses a back of one side, and sides that do not let through alike.
+    /// Refuses a back material on a surface of one side, and sides of different transmittances.
     fn check_sides(&self) -> Result<(), Located> {
         let [front, back] = self.typed.as_ref().map_or([None, None], |typed| typed.materials.clone());
         let other = self.back.as_ref().map(|own| &own.material);
@@ -207,7 +212,7 @@ impl SurfaceDraft {
         Ok(emission)
     }
 
-    /// Refuses openings that are not flat, or emit.
+    /// Refuses openings that are curved, have two sides or emit, and skies of other bands.
     fn check_opening(&self) -> Result<(), Located> {
         let Some(opening) = &self.opening else { return Ok(()) };
         let span = self.typed.as_ref().and_then(|typed| typed.opening.clone());
@@ -226,7 +231,8 @@ impl SurfaceDraft {
         Err(self.located(span.as_ref(), fault).within(|| surface_title(&self.name)))
     }
 
-    /// How one of its shapes spreads its light, and its material with the light that comes in.
+    /// Angular distribution of the light of one of its shapes, and its material, which for an opening emits
+    /// the exitance of the outlook.
     fn radiance(&self, shape: &dyn Surface, known: &mut KnownOutlooks) -> (Option<Radiance>, Material) {
         let Some(opening) = &self.opening else {
             return (self.radiance.clone(), self.front.material.clone());
@@ -254,7 +260,8 @@ impl SurfaceDraft {
         })
     }
 
-    /// The surface of one of its shapes, and its back if it is two-sided; what openings see is shared with those `known`.
+    /// The surface of one of its shapes, and its back if it is two-sided; equal outlooks of openings are
+    /// shared with those `known`.
     pub(super) fn sides(&self, (name, shape): &NamedShape, known: &mut KnownOutlooks) -> Vec<SceneSurface> {
         let (radiance, material) = self.radiance(shape, known);
         let front = Covering { material, ..self.front.clone() };

@@ -1,4 +1,4 @@
-//! What can be wrong with a scene: the fault, where it stands, and how to cure it.
+//! Errors of scenes: the fault, its place, and its cure.
 
 use std::{borrow::Cow, fmt, io, sync::Arc};
 
@@ -15,48 +15,49 @@ use crate::place::{Line, Place, Span};
 pub struct SceneError {
     /// File name, `<stdin>`, the name that was asked for, or that of a scene built in code.
     pub origin: String,
-    /// Where the fault stands; none if it is something absent, a file that cannot be read, or in a scene made in code.
+    /// Place of the fault; none if it is something absent, a file that cannot be read, or in a scene made in
+    /// code.
     pub place: Option<Box<Place>>,
     /// The part of the scene it belongs to, e.g. `surface "floor"`; in a [`Tree`](crate::Tree) down to the value,
     /// `surface "floor", polygon.vertices[2]`.
     pub owner: Option<String>,
-    /// What is wrong.
+    /// The fault, without its place.
     #[source]
     pub fault: Fault,
 }
 
-/// What is wrong, without the place.
+/// A fault of a scene, without its place.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum Fault {
     /// The file or standard input cannot be read.
     #[error("cannot be read: {reason}")]
     Unreadable {
-        /// What kind of failure it is.
+        /// Kind of the failure.
         kind: io::ErrorKind,
-        /// What the system said.
+        /// Reason that the system gave.
         reason: String,
     },
     /// A file of another program that cannot be read or written.
     #[error("{cause}")]
     Foreign {
-        /// What is wrong.
+        /// Cause of the refusal, without a full stop.
         cause: String,
-        /// How to mend it.
+        /// Cure, without a full stop; empty where the cause says so.
         cure: String,
     },
     /// A file of another program that needs repairs, where none are to be made.
     #[error("{cause}")]
     NeedsRepairs {
-        /// What is wrong.
+        /// Cause of the refusal, without a full stop.
         cause: String,
     },
     /// A scene of another program without materials, where light is asked for.
     #[error("the file gives its surfaces no materials")]
     Bare,
-    /// Neither a built-in scene nor a path.
+    /// A scene that is neither built in nor a path.
     #[error("unknown scene {name:?}")]
     UnknownScene {
-        /// What was typed.
+        /// The scene that was asked for.
         name: String,
         /// The built-in scenes.
         known: Vec<&'static str>,
@@ -64,7 +65,7 @@ pub enum Fault {
     /// A setting of a parameter that the built-in scene does not have.
     #[error("there is no parameter {name:?}")]
     UnknownParameter {
-        /// What was typed.
+        /// The parameter that was set.
         name: String,
         /// The parameters of the scene.
         known: Vec<&'static str>,
@@ -72,25 +73,25 @@ pub enum Fault {
     /// A parameter set outside its range.
     #[error("the parameter {name} is {value}, outside {least} ≤ {name} ≤ {most}")]
     ParameterRange {
-        /// The parameter.
+        /// Name of the parameter.
         name: &'static str,
-        /// What was typed.
+        /// The value that was set.
         value: f64,
-        /// Least value it takes.
+        /// Least value of the parameter.
         least: f64,
-        /// Largest value it takes.
+        /// Largest value of the parameter.
         most: f64,
     },
     /// A setting of a scene without variables.
     #[error("the scene has no variables, yet {name:?} is set")]
     NoVariables {
-        /// What was typed.
+        /// The name that was set.
         name: String,
     },
     /// A variable that is not defined.
     #[error("there is no variable {name:?}")]
     UnknownVariable {
-        /// What was typed.
+        /// The variable that was asked for.
         name: String,
         /// The variables of the scene, shared by all faults.
         known: Arc<[String]>,
@@ -98,7 +99,7 @@ pub enum Fault {
     /// A setting of neither a variable nor a light group.
     #[error("there is no variable or light group {name:?}")]
     UnknownSetting {
-        /// What was typed.
+        /// The name that was set.
         name: String,
         /// The variables of the scene.
         variables: Arc<[String]>,
@@ -108,13 +109,13 @@ pub enum Fault {
     /// A setting of a name that a variable and a light group have.
     #[error("a variable and a light group are both called {name:?}")]
     VariableAndGroup {
-        /// Their name.
+        /// Name of the variable and of the light group.
         name: String,
     },
     /// A setting of a variable where the scene was read before.
     #[error("{name:?} is a variable, which is set when the scene is read")]
     FixedVariable {
-        /// Its name.
+        /// Name of the variable.
         name: String,
     },
     /// A variable whose formula needs its own value.
@@ -126,21 +127,21 @@ pub enum Fault {
     /// A name that no variable can have.
     #[error("{name:?} {problem}")]
     BadVariableName {
-        /// What was typed.
+        /// The name that was given.
         name: String,
-        /// What is wrong with it.
+        /// Fault of the name.
         problem: &'static str,
     },
     /// A text that begins as a formula and is none.
     #[error("the formula cannot be read: {problem}")]
     FormulaSyntax {
-        /// What is wrong with it.
+        /// Fault of the formula.
         problem: String,
     },
     /// A function that formulas do not know.
     #[error("there is no function {name:?}")]
     UnknownFunction {
-        /// What was typed.
+        /// The function that was called.
         name: String,
         /// Every function.
         known: Vec<&'static str>,
@@ -148,7 +149,7 @@ pub enum Fault {
     /// A formula without a value.
     #[error("the formula {problem}")]
     NoValue {
-        /// What it does.
+        /// Fault of the formula, e.g. `divides by zero`.
         problem: &'static str,
     },
     /// The text is not TOML or JSON.
@@ -156,13 +157,13 @@ pub enum Fault {
     Syntax {
         /// `TOML` or `JSON`.
         language: &'static str,
-        /// What the parser said.
+        /// Message of the parser.
         message: String,
     },
     /// A key that means nothing here.
     #[error("unknown key {key:?}")]
     UnknownKey {
-        /// What was typed.
+        /// The key that was given.
         key: String,
         /// Every key that may stand here.
         known: Vec<&'static str>,
@@ -185,23 +186,23 @@ pub enum Fault {
     /// A surface with more than one shape.
     #[error("two shapes are given: {first:?} and {second:?}")]
     TwoShapes {
-        /// The first shape key.
+        /// Key of the first shape.
         first: &'static str,
-        /// The second one.
+        /// Key of the second shape.
         second: &'static str,
     },
     /// Two keys that say the same in different ways.
     #[error("{first:?} and {second:?} are both given")]
     Exclusive {
-        /// One of the keys.
+        /// The first key.
         first: &'static str,
-        /// The other one.
+        /// The second key.
         second: &'static str,
     },
     /// A face that a box does not have.
     #[error("a box has no face {name:?}")]
     UnknownFace {
-        /// What was typed.
+        /// The face that was asked for.
         name: String,
         /// The faces of a box.
         known: Vec<&'static str>,
@@ -209,19 +210,19 @@ pub enum Fault {
     /// A value of the wrong kind.
     #[error("expected {expected}, found {found}")]
     WrongType {
-        /// What should stand here.
+        /// Kind of value that should stand here.
         expected: &'static str,
-        /// What stands here.
+        /// Kind of value that stands here.
         found: Cow<'static, str>,
     },
     /// A list of the wrong length.
     #[error("{what} takes {expected}, found {found}")]
     WrongCount {
-        /// What the list gives, e.g. `a point`.
+        /// Name of the list, e.g. `a point`.
         what: &'static str,
-        /// How many there should be.
+        /// Length that the list should have, in words.
         expected: String,
-        /// How many there are.
+        /// Length of the list.
         found: usize,
     },
     /// NaN or an infinity.
@@ -239,7 +240,7 @@ pub enum Fault {
     /// A number outside its range.
     #[error("{what} is {}, outside {range}", shown(*value))]
     OutOfRange {
-        /// What the number gives, e.g. `the reflectance`.
+        /// Name of the number, e.g. `the reflectance`.
         what: &'static str,
         /// The number.
         value: f64,
@@ -249,11 +250,11 @@ pub enum Fault {
     /// A pattern with a value outside its range.
     #[error("{what} is {} {place}, outside {range}", shown(*value))]
     PatternRange {
-        /// What it is a pattern of, e.g. `the reflectance`.
+        /// Name of the quantity, e.g. `the reflectance`.
         what: &'static str,
-        /// The number.
+        /// The value outside the range.
         value: f64,
-        /// Where it is, e.g. `at u = 0.5, v = −1`.
+        /// Place of the value in the pattern, e.g. `at u = 0.5, v = −1`.
         place: Box<str>,
         /// The range, e.g. `0 ≤ ρ < 1`.
         range: &'static str,
@@ -261,33 +262,33 @@ pub enum Fault {
     /// A picture that cannot be taken for a pattern.
     #[error("{path:?}: {cause}")]
     BadPicture {
-        /// Its path, as it was opened.
+        /// Path of the picture, as it was opened.
         path: Box<str>,
-        /// What is wrong with it.
+        /// Cause of the refusal, without a full stop.
         cause: Box<str>,
-        /// How to mend it.
+        /// Cure, without a full stop.
         cure: Box<str>,
     },
     /// A surface of one side that has what needs two.
     #[error("{what} needs a surface of two sides")]
     OneSided {
-        /// What it has.
+        /// Name of what needs two sides, e.g. `a transmittance`.
         what: &'static str,
     },
     /// Two sides of one surface that do not let through alike.
     #[error("the transmittances of its two sides differ: {front:?} and {back:?}")]
     OtherTransmittance {
-        /// Of its front, per band.
+        /// Transmittance of its front, per band.
         front: Vec<f64>,
-        /// Of its back, per band.
+        /// Transmittance of its back, per band.
         back: Vec<f64>,
     },
     /// A word that is not among those that may stand here.
     #[error("there is no {what} {name:?}")]
     UnknownWord {
-        /// What it says, e.g. `wrap`.
+        /// Kind of word, e.g. `wrap`.
         what: &'static str,
-        /// What was typed.
+        /// The word that was given.
         name: Box<str>,
         /// The words there are.
         known: Vec<&'static str>,
@@ -298,7 +299,7 @@ pub enum Fault {
     /// A material that is not defined.
     #[error("unknown material {name:?}")]
     UnknownMaterial {
-        /// What was typed.
+        /// The material that was asked for.
         name: String,
         /// The materials of the scene.
         known: Vec<String>,
@@ -306,7 +307,7 @@ pub enum Fault {
     /// A flux of a surface whose material emits as well.
     #[error("a flux is given, yet the material {material:?} emits as well")]
     FluxAndEmission {
-        /// The material.
+        /// Name of the material.
         material: String,
         /// Whether its emission varies over the surface.
         is_patterned: bool,
@@ -314,7 +315,7 @@ pub enum Fault {
     /// A part that is not defined.
     #[error("unknown part {name:?}")]
     UnknownPart {
-        /// What was typed.
+        /// The part that was asked for.
         name: String,
         /// The parts of the scene.
         known: Vec<String>,
@@ -328,21 +329,21 @@ pub enum Fault {
     /// Things within things, too many levels.
     #[error("{what} are nested more than {most} deep")]
     TooDeep {
-        /// What is nested, e.g. `parts`.
+        /// Name of the things that are nested, e.g. `parts`.
         what: &'static str,
-        /// Most levels.
+        /// Largest number of levels.
         most: usize,
     },
     /// More surfaces than can be computed with.
     #[error("the instances make more than {most} surfaces")]
     TooManySurfaces {
-        /// Most surfaces.
+        /// Largest number of surfaces.
         most: usize,
     },
     /// A surface that was asked for and is not there.
     #[error("unknown surface {name:?}")]
     UnknownSurface {
-        /// What was typed.
+        /// The surface that was asked for.
         name: String,
         /// The surfaces of the scene.
         known: Vec<String>,
@@ -350,7 +351,7 @@ pub enum Fault {
     /// An instance that is to move and is not there.
     #[error("unknown instance {name:?}")]
     UnknownInstance {
-        /// What was typed.
+        /// The instance that was asked for.
         name: String,
         /// The instances of the scene.
         known: Vec<String>,
@@ -358,7 +359,7 @@ pub enum Fault {
     /// A luminaire that is to move and is not there.
     #[error("unknown luminaire {name:?}")]
     UnknownLuminaire {
-        /// What was typed.
+        /// The luminaire that was asked for.
         name: String,
         /// The luminaires of the scene.
         known: Vec<String>,
@@ -366,7 +367,7 @@ pub enum Fault {
     /// A curve of a path that there is not.
     #[error("there is no curve {name:?}")]
     UnknownCurve {
-        /// What was typed.
+        /// The curve that was asked for.
         name: String,
     },
     /// A motion that moves nothing, or frames without a motion.
@@ -381,9 +382,9 @@ pub enum Fault {
     /// Times of a path that do not ascend.
     #[error("the times do not ascend: {} follows {}", shown(*after), shown(*before))]
     TimesFall {
-        /// A time.
+        /// A time of the path.
         before: f64,
-        /// The next one.
+        /// The time that follows it, not later.
         after: f64,
     },
     /// A motion of the camera of a scene that has none.
@@ -392,9 +393,9 @@ pub enum Fault {
     /// Something in two motions.
     #[error("{what} moves already: with the motion {first:?}")]
     MovesTwice {
-        /// What moves, e.g. `surface "lamp"`.
+        /// Title of the thing, e.g. `surface "lamp"`.
         what: String,
-        /// The other motion.
+        /// Name of the other motion.
         first: String,
     },
     /// A frame of a scene without motions.
@@ -403,9 +404,9 @@ pub enum Fault {
     /// A frame before the first or behind the last.
     #[error("there is no frame {}: frames are counted from 0 to {last}", shown(*moment))]
     NoSuchFrame {
-        /// What was asked for, a real number of frames.
+        /// The moment that was asked for, a real number of frames.
         moment: f64,
-        /// The last frame.
+        /// Number of the last frame, counted from 0.
         last: usize,
     },
     /// A surface that moves into the place of another one.
@@ -427,7 +428,7 @@ pub enum Fault {
     /// An extent that no luminaire has.
     #[error("the light of a luminaire cannot come out of this: {problem}")]
     BadExtent {
-        /// What is wrong with it.
+        /// Fault of the extent.
         problem: &'static str,
     },
     /// A luminaire that does not say how its light is spread.
@@ -442,7 +443,7 @@ pub enum Fault {
     /// A model of the sky that there is not.
     #[error("there is no sky {name:?}")]
     UnknownSky {
-        /// What was typed.
+        /// The sky that was asked for.
         name: String,
         /// The models there are.
         known: Vec<&'static str>,
@@ -453,7 +454,7 @@ pub enum Fault {
     /// An opening that sends no light of a sky.
     #[error("the surface is no opening to a sky: {problem}")]
     BadOpening {
-        /// Why.
+        /// Reason why it is no opening.
         problem: &'static str,
     },
     /// A sky without an opening.
@@ -462,7 +463,7 @@ pub enum Fault {
     /// A light group that was set, but of which nothing emits.
     #[error("no light comes from a group {name:?}")]
     UnknownGroup {
-        /// What was typed.
+        /// The light group that was set.
         name: String,
         /// The light groups of the scene.
         known: Vec<String>,
@@ -470,13 +471,13 @@ pub enum Fault {
     /// Two settings of one light group.
     #[error("the light group {name:?} is set twice")]
     GroupSetTwice {
-        /// Its name.
+        /// Name of the light group.
         name: String,
     },
     /// A plane of sensors that was asked for and is not there.
     #[error("unknown plane {name:?}")]
     UnknownPlane {
-        /// What was typed.
+        /// The plane that was asked for.
         name: String,
         /// The planes of the scene.
         known: Vec<String>,
@@ -486,7 +487,7 @@ pub enum Fault {
     DuplicateName {
         /// The name.
         name: String,
-        /// Where the first one stands; nothing in a scene built in code.
+        /// Line of the first one; none in a scene built in code.
         first: Option<Line>,
     },
     /// A list of polygons where light is asked for.
@@ -500,21 +501,21 @@ pub enum Fault {
     NoSuchPoint {
         /// The index, counted from 0.
         index: u32,
-        /// How many points there are.
+        /// Number of points in the list.
         count: usize,
     },
     /// An included file that cannot be read.
     #[error("{file:?} cannot be read: {reason}")]
     UnreadableInclude {
-        /// Its path, as it was opened.
+        /// Path of the file, as it was opened.
         file: String,
-        /// What the system said.
+        /// Reason that the system gave.
         reason: String,
     },
     /// An included file where no files are read.
     #[error("{file:?} cannot be included: the text is not that of a file")]
     NoIncludes {
-        /// Its path.
+        /// Path of the file.
         file: String,
     },
     /// A file that includes itself.
@@ -526,25 +527,25 @@ pub enum Fault {
     /// Two files that state something differently.
     #[error("the {what} of this file are not those of the other files")]
     OtherThan {
-        /// What is stated.
+        /// Name of what the files state differently.
         what: &'static str,
     },
     /// A camera that looks nowhere.
     #[error("{problem}")]
     BadCamera {
-        /// What is degenerate.
+        /// Fault of the camera.
         problem: &'static str,
     },
     /// A plane of sensors whose edges span none.
     #[error("{problem}")]
     BadPlane {
-        /// What is degenerate.
+        /// Fault of the edges.
         problem: &'static str,
     },
     /// A plane of more sensors than can be read.
     #[error("there are {count:.1e} sensors, more than 10⁷")]
     TooManySensors {
-        /// How many there are.
+        /// Number of sensors that the spacing makes.
         count: f64,
         /// Spacing of both edges (scene length) that makes few enough.
         least: f64,
@@ -552,7 +553,7 @@ pub enum Fault {
     /// A unit that cannot be printed.
     #[error("{problem}")]
     BadUnit {
-        /// What is wrong with it.
+        /// Fault of the unit.
         problem: &'static str,
     },
     /// Two surfaces lie in one another.
@@ -569,52 +570,52 @@ pub enum Fault {
     NoEmitter,
 }
 
-/// How messages call a material.
+/// Title of a material in messages.
 pub fn material_title(name: &str) -> String {
     format!("material {name:?}")
 }
 
-/// How messages call a light group.
+/// Title of a light group in messages.
 pub(super) fn group_title(name: &str) -> String {
     format!("light group {name:?}")
 }
 
-/// How messages call a luminaire.
+/// Title of a luminaire in messages.
 pub fn luminaire_title(name: &str) -> String {
     format!("luminaire {name:?}")
 }
 
-/// How messages call a motion.
+/// Title of a motion in messages.
 pub fn motion_title(name: &str) -> String {
     format!("motion {name:?}")
 }
 
-/// How messages call a plane of sensors.
+/// Title of a plane of sensors in messages.
 pub fn plane_title(name: &str) -> String {
     format!("plane {name:?}")
 }
 
-/// How messages call a variable.
+/// Title of a variable in messages.
 pub fn variable_title(name: &str) -> String {
     format!("variable {name:?}")
 }
 
-/// How messages call a part.
+/// Title of a part in messages.
 pub fn part_title(name: &str) -> String {
     format!("part {name:?}")
 }
 
-/// How messages call the instance of that number in its list, counted from 1.
+/// Title in messages of the instance of that number in its list, counted from 1.
 pub fn instance_title(number: usize) -> String {
     format!("instance {number}")
 }
 
-/// How messages call a surface.
+/// Title of a surface in messages.
 pub fn surface_title(name: &str) -> String {
     format!("surface {name:?}")
 }
 
-/// A number with few zeros.
+/// The text of a number, with an exponent where it would have many zeros.
 fn shown(value: f64) -> String {
     let plain = value == 0.0 || (1e-6..1e12).contains(&value.abs());
     if plain { value.to_string() } else { format!("{value:e}") }
@@ -645,7 +646,7 @@ impl Located {
         self
     }
 
-    /// The same fault, `base` bytes further on.
+    /// The fault with its place moved by `base` bytes.
     pub fn shifted(self, base: usize) -> Self {
         Located { span: self.span.map(|span| span.start + base..span.end + base), ..self }
     }
@@ -657,12 +658,12 @@ impl Located {
 }
 
 impl SceneError {
-    /// How to mend it; none where the message already says so.
+    /// Advice that mends the fault; none where the message already says so.
     pub fn advice(&self) -> Option<Wording> {
         self.fault.advice()
     }
 
-    /// The same as the command line has it.
+    /// The advice as the command line words it.
     pub fn cure(&self) -> Option<String> {
         self.fault.cure()
     }

@@ -1,4 +1,4 @@
-//! Extents of luminaires: what their light comes out of, evenly.
+//! Extents of luminaires: points, lines or areas that their light comes out of, evenly.
 //!
 //! A luminaire of the intensity I(ω) sends from each piece dA of its flat luminous area A the intensity I(ω) dA/A, from each piece ds
 //! of its line of the length l the intensity I(ω) ds/l: far away it is a point of the intensity I, near by it is as large as it is.
@@ -15,7 +15,8 @@ use crate::{
 /// Lengths of an opening that differ by less than this part are the same. Chosen: files round to millimetres.
 const ROUND: f64 = 0.01;
 
-/// What the light of a luminaire comes out of. Lengths are of the scene; x is along C = 0, y along C = 90.
+/// Point, line or area that the light of a luminaire comes out of. Lengths are of the scene; x is along C =
+/// 0, y along C = 90.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Extent {
     /// A point.
@@ -23,23 +24,23 @@ pub enum Extent {
     Point,
     /// A line across the aim.
     Line {
-        /// From one end to the other.
+        /// Vector from one end to the other, in x and y (scene length).
         span: DVec2,
     },
     /// A rectangle across the aim.
     Rectangle {
-        /// Its sides along x and y.
+        /// Its sides along x and y (scene length), > 0.
         sides: [f64; 2],
     },
     /// A disk across the aim.
     Disk {
-        /// Its diameter.
+        /// Its diameter (scene length), > 0.
         diameter: f64,
     },
 }
 
 impl Extent {
-    /// The rectangle of these sides along x and y; a line where one of them is 0.
+    /// The rectangle of these sides (scene length) along x and y; a line where one of them is 0.
     ///
     /// # Errors
     /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a side, [`Fault::BadExtent`] where both are 0.
@@ -55,7 +56,7 @@ impl Extent {
         }
     }
 
-    /// The disk of this diameter.
+    /// The disk of this diameter (scene length).
     ///
     /// # Errors
     /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for the diameter.
@@ -65,8 +66,8 @@ impl Extent {
         Ok(Self::Disk { diameter })
     }
 
-    /// That of the luminous opening of a photometric file, where lengths are metres: a box is its rectangle across the aim, an upright
-    /// cylinder its disk, and a lying one its axis.
+    /// Extent of the luminous opening of a photometric file, where lengths are metres: a box is its rectangle
+    /// across the aim, an upright cylinder its disk, and a lying one its axis.
     ///
     /// # Errors
     /// [`Fault::BadExtent`] for a point, and for forms that are neither flat across the aim nor lines.
@@ -87,7 +88,7 @@ impl Extent {
         }
     }
 
-    /// Its largest width (scene length); 0 of a point.
+    /// Largest width (scene length) of the extent; 0 of a point.
     pub fn width(&self) -> f64 {
         match *self {
             Self::Point => 0.0,
@@ -97,12 +98,12 @@ impl Extent {
         }
     }
 
-    /// Whether it is an area.
+    /// Whether the extent is a rectangle or a disk.
     pub fn is_area(&self) -> bool {
         matches!(self, Self::Rectangle { .. } | Self::Disk { .. })
     }
 
-    /// The same, `factor` times as large.
+    /// The extent `factor` times as large.
     pub(super) fn scaled(self, factor: f64) -> Self {
         match self {
             Self::Point => Self::Point,
@@ -112,7 +113,8 @@ impl Extent {
         }
     }
 
-    /// Half of a line, from its middle to an end, by the unit vectors of x and y; none of a point and of areas.
+    /// Vector from the middle of a line to an end (scene length), by the unit vectors of x and y; zero for a
+    /// point and for areas.
     pub(super) fn half_line(&self, [x, y]: [DVec3; 2]) -> DVec3 {
         match *self {
             Self::Line { span } => 0.5 * (span.x * x + span.y * y),

@@ -16,7 +16,7 @@ use serde::Serialize;
 
 use crate::draft::SurfaceDraft;
 
-/// How the shapes of a scene were changed to fit together.
+/// Changes to the shapes of a scene, made to fit them together.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Fitted {
@@ -49,7 +49,8 @@ impl Fitted {
     }
 }
 
-/// Fits the shapes of `drafts` together and subtracts `middle`; `tolerance` (scene length) replaces that of the input.
+/// Fits the shapes of `drafts` together and subtracts `middle`; `tolerance` (scene length) replaces the
+/// tolerance of the input.
 pub(super) fn fit(drafts: &mut [SurfaceDraft], middle: DVec3, tolerance: Option<f64>) -> Fitted {
     let mut shapes: Vec<&mut Arc<dyn Surface>> =
         drafts.iter_mut().flat_map(|draft| draft.shapes.iter_mut().map(|(_, shape)| shape)).collect();

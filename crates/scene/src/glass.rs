@@ -24,7 +24,7 @@ use crate::{error::Fault, ranges::check_range};
 pub struct Glass {
     panes: u32,
     index: f64,
-    /// a.
+    /// Transmittance a of the glass itself along the normal, without reflections, 0 < a ≤ 1.
     clear: f64,
 }
 
@@ -46,7 +46,7 @@ impl Glass {
         Ok(Self { clear: share, ..clear })
     }
 
-    /// τ at the cosine of the angle of incidence.
+    /// Transmittance τ at the cosine of the angle of incidence; 0 from behind.
     pub(crate) fn transmittance(&self, cosine: f64) -> f64 {
         if cosine <= 0.0 {
             return 0.0;

@@ -1,24 +1,24 @@
-//! What was done to a scene of another program when it was read.
+//! Records of imports: changes to a scene of another program when it was read.
 
 use serde::{Serialize, Serializer, ser::SerializeStruct};
 
-/// What was done to a scene of another program when it was read, in lines that begin with the file and the place.
+/// Record of the import of a scene of another program, in lines that begin with the file and the place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Imported {
     /// The file, as it was named.
     pub file: String,
     /// The name of its format.
     pub format: &'static str,
-    /// What a file of materials changed.
+    /// Changes by a file of materials, one a line.
     pub replaced: Vec<String>,
-    /// What was left out.
+    /// Parts that were left out, one a line.
     pub notes: Vec<String>,
-    /// What was repaired.
+    /// Repairs to the file, one a line.
     pub repairs: Vec<String>,
 }
 
 impl Imported {
-    /// What was done, in lines.
+    /// All lines of the record: changes of materials, parts left out, repairs.
     pub fn lines(&self) -> impl Iterator<Item = String> {
         self.replaced.iter().chain(&self.notes).chain(&self.repairs).cloned()
     }

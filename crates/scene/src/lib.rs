@@ -1,4 +1,4 @@
-//! Scenes: surfaces, their materials, luminaires, a sky, what moves, and a camera.
+//! Scenes: surfaces with their materials, luminaires, skies, movers, a camera and planes of sensors.
 //!
 //! A [`Scene`] is made by a [`SceneBuilder`], or by the crate `language` from a text, and is valid by construction: every number
 //! finite, every reflectance below 1, every surface with an area and a front, no two surfaces in one another, every name given
@@ -104,9 +104,10 @@ pub struct Scene {
     pub bands: Vec<String>,
     /// Unit of exitance, irradiance and radiosity, `W/m²` unless the file says another; printed, never computed with.
     pub unit: String,
-    /// The vector subtracted from all coordinates, of surfaces and camera: zero except for scenes far from the origin.
+    /// The vector (scene length) subtracted from all coordinates of surfaces, luminaires, paths and camera:
+    /// zero except for scenes far from the origin.
     pub middle: DVec3,
-    /// How the shapes were changed to fit together.
+    /// Changes to the shapes, made to fit them together.
     pub fitted: Fitted,
     /// The surfaces in the order they are given; the back of a two-sided one follows its front.
     pub surfaces: Vec<SceneSurface>,
@@ -114,20 +115,20 @@ pub struct Scene {
     pub luminaires: Vec<Luminaire>,
     /// The camera, if one is given.
     pub camera: Option<Camera>,
-    /// What moves, and in how many frames, if anything does; the rest is as it is at rest.
+    /// Movers and number of frames, if anything moves; the other fields hold the scene at rest.
     pub animation: Option<Animation>,
-    /// Variables of the text with their values, in its order.
+    /// Variables of the text, each with its value, in the order of the text.
     pub variables: Vec<(String, f64)>,
     /// Planes of sensors, in the coordinates that the scene was given in.
     pub planes: Vec<SensorPlane>,
     /// The name shown in messages: a path, `<stdin>`, or the name of a scene that is built in or made in code.
     pub origin: String,
-    /// What it was read from, a text or a tree; none for a scene that a [`SceneBuilder`] made.
+    /// The text or the tree that the scene was read from; none for a scene that a [`SceneBuilder`] made.
     pub source: Option<Source>,
 }
 
 impl Scene {
-    /// A scene with nothing in it yet, in which nothing stands far from the origin.
+    /// A scene without parts, whose `middle` is zero.
     pub fn empty(name: String, bands: Vec<String>, unit: String) -> Self {
         Self {
             origin: name.clone(),
@@ -147,7 +148,7 @@ impl Scene {
         }
     }
 
-    /// What was done to the file of another program that it was read from.
+    /// Record of the import from a file of another program; none for other scenes.
     pub fn imported(&self) -> Option<&Imported> {
         self.source.as_ref()?.imported.as_deref()
     }
@@ -176,7 +177,7 @@ impl Scene {
         self.planes.iter().find(|plane| plane.name() == name).ok_or_else(unknown)
     }
 
-    /// Whether anything in it sends light of its own: a surface or a luminaire.
+    /// Whether a surface or a luminaire of the scene emits light.
     pub fn emits(&self) -> bool {
         self.surfaces.iter().any(|surface| surface.material.emits())
             || self.luminaires.iter().any(Luminaire::emits)

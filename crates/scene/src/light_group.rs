@@ -1,13 +1,13 @@
-//! Light groups: surfaces whose light is dimmed together.
+//! Light groups: surfaces and luminaires whose light is dimmed together.
 
 use serde::Serialize;
 
-/// The light group of a surface.
+/// The light group of a surface or a luminaire.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LightGroup {
-    /// Its name, the same on all its surfaces.
+    /// Its name, the same on all its members.
     pub name: String,
-    /// Factor ≥ 0 on the emission of the surface's material: 1 unless the group was dimmed
+    /// Factor ≥ 0 on the emission of its members: 1 unless the group was dimmed
     /// ([`Scene::dimmed`](crate::Scene::dimmed)).
     pub factor: f64,
 }

@@ -33,34 +33,35 @@ const STEEP: f64 = 0.5;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Luminaire {
-    /// Unique among the luminaires of the scene.
+    /// Name, unique among the luminaires of the scene.
     pub name: String,
-    /// Where it is (scene length), in the coordinates that the scene is computed in.
+    /// Position (scene length), in the coordinates that the scene is computed in.
     pub position: DVec3,
     /// The unit vector along which it aims: −z of its frame, γ = 0.
     pub aim: DVec3,
     /// The unit vector along x of its frame, in the plane C = 0.
     pub along: DVec3,
-    /// How its light is spread over directions.
+    /// Distribution of its intensity over directions.
     pub distribution: Distribution,
-    /// What its light comes out of, with its middle in `position`. An area is a surface of the scene too, of the same name.
+    /// Point, line or area that its light comes out of, with its middle in `position`. An area is a surface
+    /// of the scene too, of the same name.
     pub extent: Extent,
     /// Factor on the relative intensities, per band (W/sr; a number for tables), not dimmed by its light group.
     pub strength: Vec<f64>,
     /// Its light group, if it has one.
     pub group: Option<LightGroup>,
-    /// Where it stands in the file; none if it was made in code.
+    /// Its place in the file; none if it was made in code.
     pub place: Option<Place>,
 }
 
-/// How much light a luminaire sends, per band.
+/// Amount of light that a luminaire sends, per band.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Strength {
-    /// In all directions together (W, or lm).
+    /// Flux in all directions together (W, or lm).
     Flux(Vec<f64>),
-    /// Where it sends most (W/sr, or cd).
+    /// Intensity where it is largest (W/sr, or cd).
     Intensity(Vec<f64>),
-    /// What its table states (cd), in each of so many bands.
+    /// Intensities as its table states them (cd), in each of so many bands.
     AsMeasured(usize),
 }
 
@@ -86,7 +87,7 @@ impl Luminaire {
         Ok(Self { name, position, aim, along, distribution, extent, strength, group: None, place: None })
     }
 
-    /// The same, aimed along `aim` of any length; the plane C = 0 contains x, or y where it aims along x.
+    /// The luminaire aimed along `aim` of any length; the plane C = 0 contains x, or y where it aims along x.
     ///
     /// # Errors
     /// [`Fault::NoDirection`] for a vector without a length.
@@ -97,7 +98,7 @@ impl Luminaire {
         Ok(Self { aim, along: along.unwrap_or(self.along), ..self })
     }
 
-    /// The same, turned about its aim until `along` lies in the half-plane C = 0.
+    /// The luminaire turned about its aim until `along` lies in the half-plane C = 0.
     ///
     /// # Errors
     /// [`Fault::NoDirection`] for a vector along the aim, or without a length.
@@ -108,7 +109,7 @@ impl Luminaire {
         Ok(Self { along, ..self })
     }
 
-    /// The same, whose light comes out of `extent`.
+    /// The luminaire with light that comes out of `extent`.
     ///
     /// # Errors
     /// [`Fault::BadExtent`] for an area where intensity falls so steeply that its light could not be integrated.
@@ -120,7 +121,7 @@ impl Luminaire {
         Ok(Self { extent, ..self })
     }
 
-    /// The same at `factor` ≥ 0 of its strength.
+    /// The luminaire at `factor` ≥ 0 of its strength.
     ///
     /// # Errors
     /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for the factor.
@@ -130,7 +131,7 @@ impl Luminaire {
         Ok(self)
     }
 
-    /// The same as a member of the light group `name`.
+    /// The luminaire as a member of the light group `name`.
     ///
     /// # Errors
     /// [`Fault::EmptyText`].
@@ -140,14 +141,14 @@ impl Luminaire {
         Ok(Self { group: Some(LightGroup::new(name)), ..self })
     }
 
-    /// The same, moved.
+    /// The luminaire moved by `motion`, its extent scaled along with it.
     pub fn moved(self, motion: &Motion) -> Self {
         let [aim, along] = [self.aim, self.along].map(|axis| motion.direction(axis));
         let (position, extent) = (motion.point(self.position), self.extent.scaled(motion.scale()));
         Self { position, aim, along, extent, ..self }
     }
 
-    /// The same after `middle` was subtracted from all coordinates.
+    /// The luminaire after `middle` was subtracted from all coordinates.
     pub fn about(self, middle: DVec3) -> Self {
         Self { position: self.position - middle, ..self }
     }
@@ -162,7 +163,7 @@ impl Luminaire {
         [self.along, self.along.cross(self.aim)]
     }
 
-    /// Half of its line, from its middle to an end (scene length); none of a point and of areas.
+    /// Vector from the middle of its line to an end (scene length); zero for a point and for areas.
     pub fn half_line(&self) -> DVec3 {
         self.extent.half_line(self.axes())
     }
@@ -234,7 +235,7 @@ impl Strength {
     }
 }
 
-/// Intensity ≥ 0.
+/// Checks that an intensity is finite and ≥ 0.
 pub fn check_intensity(value: f64) -> Result<(), Fault> {
     check_range(value, value >= 0.0, "the intensity", "intensity ≥ 0")
 }

@@ -18,7 +18,8 @@ use crate::{
     luminaire::Luminaire,
 };
 
-/// Part of the width of the steepest fall of intensity within which a cell's points tell what is between them. Chosen; not tuned.
+/// Part of the width of the steepest fall of intensity up to which the points of a cell tell its mean.
+/// Chosen; not tuned.
 const RESOLVED: f64 = 0.5;
 
 /// Error of a cell's points over the range of what they sample, where an edge of light crosses it. Chosen: an edge anywhere between
@@ -34,7 +35,7 @@ pub struct LuminousArea {
     luminaire: Luminaire,
     /// Unit normal: along the aim, or against it.
     normal: DVec3,
-    /// Ω of the directions before it.
+    /// Flux factor Ω of the directions before the side.
     flux_factor: f64,
     /// Angle (degrees) up to which the values at the points of a cell tell its mean.
     resolved: f64,
@@ -60,7 +61,7 @@ impl LuminousArea {
         [along.map(|own| side(luminaire.aim, own)), against.map(|own| side(-luminaire.aim, own))]
     }
 
-    /// The same, moved without a change of size.
+    /// The side, moved without a change of size.
     pub(super) fn moved(&self, motion: &Motion) -> Self {
         let luminaire = self.luminaire.clone().moved(motion);
         Self { luminaire, normal: motion.direction(self.normal), ..*self }
@@ -71,7 +72,7 @@ impl LuminousArea {
         self.luminaire.strength.iter().map(|strength| strength * self.flux_factor).collect()
     }
 
-    /// a in a unit direction from it.
+    /// Relative radiance a in a unit direction from the side.
     pub(super) fn relative(&self, into: DVec3) -> f64 {
         match into.dot(self.normal) {
             cosine if cosine > 0.0 => PI * self.luminaire.relative(into) / (self.flux_factor * cosine),
@@ -79,8 +80,9 @@ impl LuminousArea {
         }
     }
 
-    /// By how much the mean of a cell errs that has a at its points: by nothing more where the cell is small beside the steepest falls
-    /// of intensity, else by a part of the range of a over all directions `into`, of any length, from its corners.
+    /// Error of the mean of a over a cell by what is between its points: 0 where the cell is small beside the
+    /// steepest falls of intensity, else a part of the range of a over all directions `into`, of any length,
+    /// from the corners of the cell.
     pub(super) fn left_out(&self, into: &[DVec3]) -> f64 {
         let middle = into.iter().map(|step| step.normalize_or_zero()).sum::<DVec3>().normalize_or_zero();
         let angle = |step: &DVec3| middle.cross(*step).length().atan2(middle.dot(*step)).to_degrees();

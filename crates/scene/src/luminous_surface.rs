@@ -17,10 +17,11 @@ use crate::{
     thermal::{Condition, Thermal},
 };
 
-/// The material and the kind of surfaces that are luminaires.
+/// Name of the material of luminous areas, and their kind in messages.
 const LUMINAIRE: &str = "luminaire";
 
-/// The surfaces of a luminaire, which stands there in a file; none of a point or a line.
+/// The surfaces that send the light of the luminaire `own`, whose place in a file `typed` gives; none for a
+/// point or a line.
 pub fn luminous_surfaces(
     own: &Luminaire,
     typed: impl Fn() -> Option<Typed>,
@@ -40,7 +41,7 @@ pub fn luminous_surfaces(
     Ok(lit.map(|(area, name, flip)| draft(own, area, (name, Arc::clone(&shape), flip), typed())).collect())
 }
 
-/// Its luminous area, which faces along its aim.
+/// The luminous area of a luminaire, which faces along its aim; none for a point or a line.
 fn shape(own: &Luminaire) -> Result<Option<Arc<dyn Surface>>, ShapeError> {
     let [x, y] = own.axes();
     Ok(match own.extent {
@@ -74,7 +75,7 @@ fn draft(
         flux: None,
         opening: None,
         radiance: Some(Radiance::Luminaire(Arc::new(area))),
-        // Of heat it reflects as much as it absorbs.
+        // In `heat` the surface is adiabatic: it sends out as much as it absorbs.
         thermal: Thermal { emissivity: Some(1.0), condition: Some(Condition::HeatFlux(0.0)) },
         order: None,
         subdivide: None,

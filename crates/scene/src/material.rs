@@ -14,9 +14,9 @@ pub struct Material {
     pub emission: Vec<f64>,
     /// Diffuse transmittance τ of each band, the part of what arrives on the other side that leaves here; 0 ≤ τ, ρ + τ < 1.
     pub transmittance: Vec<f64>,
-    /// How ρ varies over a surface.
+    /// Pattern of ρ over a surface; none where it is constant.
     pub reflectance_pattern: Option<Arc<Pattern>>,
-    /// How the emitted exitance varies over a surface.
+    /// Pattern of the emitted exitance over a surface; none where it is constant.
     pub emission_pattern: Option<Arc<Pattern>>,
 }
 
@@ -33,7 +33,8 @@ impl Material {
         Material { reflectance, emission, ..Material::black(bands) }.checked()
     }
 
-    /// The same, which lets through `transmittance` of what arrives on its other side, diffusely; it is for two-sided surfaces.
+    /// The material with the diffuse `transmittance` τ of each band, a share of what arrives on its other
+    /// side; it is for two-sided surfaces.
     ///
     /// # Errors
     /// As [`Material::new`]; ρ + τ < 1 in each band, all over the surface.
@@ -41,7 +42,7 @@ impl Material {
         Material { transmittance, ..self }.checked()
     }
 
-    /// The same, whose reflectance varies over the surface.
+    /// The material with a reflectance that varies over the surface.
     ///
     /// # Errors
     /// [`Fault::PatternRange`] for a pattern that leaves 0 ≤ ρ < 1 − τ somewhere, [`Fault::WrongCount`] for one of other bands.
@@ -51,7 +52,7 @@ impl Material {
         Material { reflectance, reflectance_pattern: Some(Arc::new(pattern)), ..self }.checked()
     }
 
-    /// The same, whose emission (W m⁻²) varies over the surface.
+    /// The material with an emission (W m⁻²) that varies over the surface.
     ///
     /// # Errors
     /// [`Fault::PatternRange`] for a pattern that falls below 0 somewhere, [`Fault::WrongCount`] for one of other bands.
@@ -59,7 +60,7 @@ impl Material {
         check_pattern_bands("the emission", &pattern, self.emission.len())?;
         let emission = pattern.means();
         let own = Material { emission, emission_pattern: Some(Arc::new(pattern)), ..self }.checked()?;
-        // Where it is dark everywhere, it is no emission that a flux or a sky could stand against.
+        // A pattern that is dark everywhere is dropped: it conflicts with no flux and no sky.
         let emission_pattern = own.emission_pattern.clone().filter(|_| own.emits());
         Ok(Material { emission_pattern, ..own })
     }
@@ -114,13 +115,13 @@ impl Material {
         self.reflectance_pattern.is_some() || self.emission_pattern.is_some()
     }
 
-    /// Whether any light can leave it: it emits or reflects in some band.
+    /// Whether any light can leave it: whether it emits, reflects or transmits in some band.
     pub fn sends(&self) -> bool {
         self.emits() || self.reflectance.iter().chain(&self.transmittance).any(|&rho| rho > 0.0)
     }
 }
 
-/// As many numbers as bands.
+/// Checks that there is one number per band.
 pub(super) fn check_count(what: &'static str, numbers: &[f64], bands: usize) -> Result<(), Fault> {
     if numbers.len() == bands {
         return Ok(());
@@ -132,22 +133,22 @@ pub(super) fn check_count(what: &'static str, numbers: &[f64], bands: usize) -> 
     Err(Fault::WrongCount { what, expected, found: numbers.len() })
 }
 
-/// 0 ≤ ρ < 1.
+/// Checks that 0 ≤ ρ < 1.
 pub fn check_reflectance(rho: f64) -> Result<(), Fault> {
     check_range(rho, (0.0..1.0).contains(&rho), "the reflectance", "0 ≤ ρ < 1")
 }
 
-/// 0 ≤ τ < 1.
+/// Checks that 0 ≤ τ < 1.
 pub fn check_transmittance(tau: f64) -> Result<(), Fault> {
     check_range(tau, (0.0..1.0).contains(&tau), "the transmittance", "0 ≤ τ < 1")
 }
 
-/// ρ + τ < 1.
+/// Checks that ρ + τ < 1.
 fn check_sum(sum: f64) -> Result<(), Fault> {
     check_range(sum, sum < 1.0, "the sum of reflectance and transmittance", "ρ + τ < 1")
 }
 
-/// As many bands as there are.
+/// Checks that a pattern has as many bands as the material.
 fn check_pattern_bands(what: &'static str, pattern: &Pattern, bands: usize) -> Result<(), Fault> {
     match pattern.bands() == bands {
         true => Ok(()),
@@ -158,7 +159,7 @@ fn check_pattern_bands(what: &'static str, pattern: &Pattern, bands: usize) -> R
     }
 }
 
-/// Numbers beside a pattern are its means.
+/// Checks that the numbers beside a pattern are its means.
 fn check_means(numbers: &[f64], pattern: Option<&Pattern>, what: &'static str) -> Result<(), Fault> {
     let means = pattern.map(Pattern::means).unwrap_or_default();
     let mut differing = numbers.iter().zip(means).filter(|(number, mean)| *number != mean);
@@ -168,7 +169,7 @@ fn check_means(numbers: &[f64], pattern: Option<&Pattern>, what: &'static str) -
     }
 }
 
-/// 0 ≤ ρ < 1 − τ all over a pattern.
+/// Checks that 0 ≤ ρ < 1 − τ all over a pattern.
 pub(super) fn check_reflectances(pattern: &Pattern, transmittance: &[f64]) -> Result<(), Fault> {
     check_pattern_bands("the reflectance", pattern, transmittance.len())?;
     let what = "the reflectance";
@@ -179,7 +180,7 @@ pub(super) fn check_reflectances(pattern: &Pattern, transmittance: &[f64]) -> Re
     })
 }
 
-/// Emission ≥ 0 all over a pattern.
+/// Checks that emission is finite and ≥ 0 all over a pattern.
 pub(super) fn check_emissions(pattern: &Pattern, bands: usize) -> Result<(), Fault> {
     check_pattern_bands("the emission", pattern, bands)?;
     let range = "emission ≥ 0";
@@ -208,12 +209,13 @@ fn check_pattern(
     })
 }
 
-/// Emission ≥ 0.
+/// Checks that an emission is finite and ≥ 0.
 pub fn check_emission(exitance: f64) -> Result<(), Fault> {
     check_range(exitance, exitance >= 0.0, "the emission", "emission ≥ 0")
 }
 
-/// Refuses what a surface covered with `own` lets through, if it has no `other` side or one that lets through otherwise.
+/// Refuses a transmittance of a surface covered with `own` that has no `other` side, or one of another
+/// transmittance.
 pub(super) fn check_sheet(own: &Material, other: Option<&Material>) -> Result<(), Fault> {
     match other {
         None if own.transmits() => Err(Fault::OneSided { what: "a transmittance" }),
@@ -225,7 +227,7 @@ pub(super) fn check_sheet(own: &Material, other: Option<&Material>) -> Result<()
     }
 }
 
-/// Flux ≥ 0.
+/// Checks that a flux is finite and ≥ 0.
 pub fn check_flux(flux: f64) -> Result<(), Fault> {
     check_range(flux, flux >= 0.0, "the flux", "flux ≥ 0")
 }

@@ -13,7 +13,8 @@ use crate::{
 /// The mark behind which a name may end in any way.
 const ANY_ENDING: char = '*';
 
-/// What moves along one path, by name; see [`SceneBuilder::moves`](crate::SceneBuilder::moves).
+/// Surfaces, instances, luminaires and camera that move along one path, by name; see
+/// [`SceneBuilder::moves`](crate::SceneBuilder::moves).
 #[derive(Debug)]
 pub struct MoverDraft {
     name: String,
@@ -25,12 +26,12 @@ pub struct MoverDraft {
     typed: Option<TypedMover>,
 }
 
-/// A name of what moves, with its place in a file.
+/// The name of something that moves, with its place in a file.
 #[derive(Clone, Debug)]
 pub struct Chosen {
     /// The name.
     pub name: String,
-    /// Where it stands in a file.
+    /// Place of the name in a file; none if it was given in code.
     pub span: Option<Span>,
 }
 
@@ -39,11 +40,11 @@ pub struct Chosen {
 pub struct TypedMover {
     /// The place of the whole mover.
     pub place: Option<Place>,
-    /// All of it.
+    /// Span of the whole mover.
     pub span: Span,
-    /// Its name.
+    /// Span of its name.
     pub name: Span,
-    /// The line of its name.
+    /// Line of its name.
     pub name_line: Option<Line>,
 }
 
@@ -102,7 +103,7 @@ impl MoverDraft {
         Self { camera: span.map(Some), ..self }
     }
 
-    /// Keeps where it stands in a file.
+    /// Keeps its places in a file.
     pub fn typed(self, typed: TypedMover) -> Self {
         Self { typed: Some(typed), ..self }
     }
@@ -119,26 +120,26 @@ impl MoverDraft {
 /// The names by which a surface or a luminaire can be moved.
 #[derive(Debug, Default)]
 pub struct Handles {
-    /// Its own name, and that of the entry that made it.
+    /// Its own name, and the name of the entry that made it.
     pub(super) names: Vec<String>,
-    /// The instances that it is in.
+    /// Names of the instances that it is in.
     pub(super) instances: Arc<[String]>,
     /// Index of the luminaire whose area it is, if it is one.
     luminaire: Option<usize>,
 }
 
 impl Handles {
-    /// Those of what has these names and is in no instance.
+    /// Handles of a thing with these names, in no instance.
     pub fn named(names: impl Into<Vec<String>>) -> Self {
         Self { names: names.into(), ..Self::default() }
     }
 
-    /// The same in these instances.
+    /// The handles with the names of the instances that the thing is in.
     pub fn within(self, instances: Arc<[String]>) -> Self {
         Self { instances, ..self }
     }
 
-    /// Those of the surface `name`, a side of the area of one of these luminaires.
+    /// Handles of the surface `name`, a side of the area of one of these luminaires.
     pub fn of_area(name: &str, luminaires: &[Self]) -> Self {
         let called = |name: &str| luminaires.iter().position(|own| own.names[0] == name);
         let luminaire = called(name).or_else(|| called(name.strip_suffix(":back")?));
@@ -148,12 +149,12 @@ impl Handles {
     }
 }
 
-/// What there is to be moved, in the order of the scene.
+/// Surfaces, luminaires and camera that can be moved, in the order of the scene.
 #[derive(Debug)]
 pub struct Movable {
-    /// Names of each surface.
+    /// Handles of each surface.
     pub surfaces: Vec<Handles>,
-    /// Names of each luminaire.
+    /// Handles of each luminaire.
     pub luminaires: Vec<Handles>,
     /// Whether there is a camera.
     pub camera: bool,
@@ -227,7 +228,7 @@ impl MoverDraft {
         }
     }
 
-    /// The indices of all that one of the `chosen` names means.
+    /// Indices of all things that one of the `chosen` names means.
     fn found<H: Borrow<Handles>>(
         &self,
         chosen: &[Chosen],
@@ -264,7 +265,7 @@ fn united(mut list: Vec<usize>, other: Vec<usize>) -> Vec<usize> {
     list
 }
 
-/// What moves already, each with the name of its mover.
+/// Surfaces, luminaires and camera that belong to a mover already, each with the name of its mover.
 #[derive(Default)]
 struct Taken {
     surfaces: BTreeMap<usize, String>,
@@ -273,7 +274,7 @@ struct Taken {
 }
 
 impl Taken {
-    /// Takes in a mover that moves nothing of another one.
+    /// Adds a mover; refuses one that moves a thing of another mover.
     fn take(&mut self, mover: &Mover, movable: &Movable) -> Result<(), Fault> {
         let twice = |what: String, first: String| Fault::MovesTwice { what, first };
         for index in &mover.surfaces {

@@ -21,7 +21,7 @@ impl NamedMaterial {
         &self.0.1
     }
 
-    /// Whether both are one, and not only alike.
+    /// Whether both are one material in memory, and not only equal.
     pub(super) fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }

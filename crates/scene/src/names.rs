@@ -1,10 +1,10 @@
-//! Names of bands, materials, planes and surfaces: each says something and is given once.
+//! Names of bands, materials, planes and surfaces: none is blank, and each is given once.
 
 use std::collections::BTreeMap;
 
 use crate::{error::Fault, place::Line};
 
-/// Refuses a name without a letter.
+/// Refuses a blank text.
 pub fn check_text(text: &str) -> Result<(), Fault> {
     if text.trim().is_empty() { Err(Fault::EmptyText) } else { Ok(()) }
 }
@@ -14,7 +14,7 @@ pub fn check_text(text: &str) -> Result<(), Fault> {
 pub struct UniqueNames(BTreeMap<String, Option<Line>>);
 
 impl UniqueNames {
-    /// Takes in a name that no other has.
+    /// Adds a name; refuses one that was added before.
     pub fn add(&mut self, name: &str, line: Option<Line>) -> Result<(), Fault> {
         check_text(name)?;
         match self.0.insert(name.to_owned(), line) {

@@ -1,5 +1,5 @@
-//! A tree without a text: each key and value has a number in place of the bytes that it would stand on, and by that the path of
-//! names which leads to it, `surfaces[3].polygon.vertices[2]`.
+//! Numbers for the keys and values of a tree without a text, in place of the bytes that they would stand on,
+//! and the path of names that leads to a number, `surfaces[3].polygon.vertices[2]`.
 //!
 //! Numbers ascend from a table to its keys and values and from there to the next; the place of a value reaches from its own number
 //! to behind the last one in it.
@@ -27,7 +27,8 @@ pub(super) fn numbered(tree: &mut Node) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Numbers a value from `next` on, within which so many `levels` may be. Returns the number that follows.
+/// Numbers a value from `next` on, in which at most so many `levels` are nested. Returns the number that
+/// follows.
 fn number(node: &mut Node, next: usize, levels: usize) -> Result<usize, Fault> {
     let below = || levels.checked_sub(1).ok_or(Fault::TooDeep { what: "lists and tables", most: DEEPEST });
     let inner = next + 1;
@@ -67,8 +68,8 @@ enum Step<'a> {
     Item(usize),
 }
 
-/// The path of names to the value of that number, or to the table of the key of that number. Of a part of the scene that has a
-/// title of its own it leads on from there if `is_titled`.
+/// The path of names to the value of that number, or to the table of the key of that number. If `is_titled`
+/// the path begins at the part of the scene that has a title of its own.
 pub(super) fn path(tree: &Node, number: usize, is_titled: bool) -> String {
     let mut steps = Vec::new();
     follow(tree, number, &mut steps);
@@ -120,7 +121,7 @@ fn follow<'a>(node: &'a Node, number: usize, steps: &mut Vec<Step<'a>>) {
     }
 }
 
-/// How many steps lead to the part of the scene that has a title.
+/// Number of steps that lead to the part of the scene that has a title.
 fn titled(steps: &[Step<'_>]) -> usize {
     match steps {
         [Step::Key(PARTS), Step::Key(_), rest @ ..] => 2 + titled(rest),

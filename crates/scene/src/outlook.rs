@@ -19,26 +19,26 @@ use crate::{
     sky::{Sky, over_hemisphere},
 };
 
-/// What an opening lets in.
+/// The sky and the glass of an opening.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Opening {
     /// The sky outside.
     pub sky: Arc<Sky>,
-    /// What is in the opening, if anything.
+    /// The glass in the opening, if any.
     pub glass: Option<Glass>,
 }
 
-/// What a flat opening sees: its light by direction.
+/// Radiance by direction that a flat opening to a sky sends into the room.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outlook {
     opening: Opening,
     normal: DVec3,
-    /// M over the irradiance of level ground.
+    /// Exitance M over the irradiance of level ground.
     share: f64,
 }
 
 impl Outlook {
-    /// That of an opening with this unit normal, which points into the room.
+    /// The outlook of an opening with this unit normal, which points into the room.
     pub(super) fn new(opening: Opening, normal: DVec3) -> Self {
         let Opening { sky, glass } = &opening;
         let share =
@@ -46,7 +46,7 @@ impl Outlook {
         Self { share, opening, normal }
     }
 
-    /// That of the same opening with its normal turned.
+    /// The outlook of the same opening with its normal turned.
     pub(super) fn turned(&self, turn: impl FnOnce(DVec3) -> DVec3) -> Self {
         let normal = turn(self.normal);
         match normal.distance(self.normal) <= ROUNDING {
@@ -55,12 +55,12 @@ impl Outlook {
         }
     }
 
-    /// M of each band (W m⁻²).
+    /// Exitance M of each band (W m⁻²).
     pub fn exitance(&self) -> Vec<f64> {
         self.opening.sky.irradiance().iter().map(|own| own * self.share).collect()
     }
 
-    /// a in the unit direction `into` the room.
+    /// Relative radiance a in the unit direction `into` the room.
     pub(crate) fn relative(&self, into: DVec3) -> f64 {
         let Opening { sky, glass } = &self.opening;
         match self.share {
@@ -69,7 +69,8 @@ impl Outlook {
         }
     }
 
-    /// Height of a point over another along the zenith: directions between them change from ground to sky where it is 0.
+    /// Height of a point over another along the zenith, `step` apart: directions between them change from
+    /// ground to sky where it is 0.
     pub(crate) fn height(&self, step: DVec3) -> f64 {
         self.opening.sky.height(step)
     }
@@ -90,12 +91,12 @@ impl Outlook {
     }
 }
 
-/// What the openings of a scene see, computed once for all that look alike.
+/// Outlooks of the openings of a scene, each computed once for all openings that look alike.
 #[derive(Debug, Default)]
 pub(super) struct KnownOutlooks(Vec<Arc<Outlook>>);
 
 impl KnownOutlooks {
-    /// That of an opening with this unit normal, which points into the room.
+    /// The outlook of an opening with this unit normal, which points into the room; computed where it is new.
     pub(super) fn of(&mut self, opening: &Opening, normal: DVec3) -> Arc<Outlook> {
         let is_alike =
             |own: &&Arc<Outlook>| own.opening == *opening && own.normal.distance(normal) <= ROUNDING;
@@ -108,7 +109,7 @@ impl KnownOutlooks {
     }
 }
 
-/// What glass lets through at a cosine; all where there is none, nothing from behind.
+/// Transmittance of an opening at a cosine: of its glass, or 1 without glass; 0 from behind.
 fn through(glass: Option<&Glass>, cosine: f64) -> f64 {
     match glass {
         _ if cosine <= 0.0 => 0.0,

@@ -1,4 +1,4 @@
-//! Painting: the same scene with another material.
+//! Painting: a copy of a scene with another material.
 
 use crate::{
     Scene,
@@ -8,8 +8,8 @@ use crate::{
 };
 
 impl Scene {
-    /// The same scene where the material `name` is `material`, with a number for each band. Surfaces of a given flux keep
-    /// it, and openings the light of their sky. It no longer has the text it was read from.
+    /// Copy of the scene in which the material `name` is `material`, with a number for each band. Surfaces of
+    /// a given flux keep this flux, and openings the light of their sky. The copy has no `source`.
     ///
     /// # Errors
     /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range; [`Fault::OneSided`] and
@@ -31,7 +31,7 @@ impl Scene {
         Ok(painted)
     }
 
-    /// Refuses the material where a surface has no other side to let light through, or one that lets through otherwise.
+    /// Refuses a transmittance where a surface has no other side, or one of another transmittance.
     fn check_sides(&self, material: &str) -> Result<(), Located> {
         self.surfaces.iter().filter(|own| own.material_name.as_deref() == Some(material)).try_for_each(
             |own| {
@@ -51,7 +51,7 @@ impl Scene {
     }
 }
 
-/// Gives a surface the material; one of a given flux, or an opening to a sky, goes on emitting that.
+/// Gives a surface the material; a surface of a given flux, an opening or a luminaire keeps its emission.
 fn paint(surface: &mut SceneSurface, material: &Material) {
     let keeps = surface.flux.is_some() || surface.radiance.is_some();
     let own = std::mem::replace(&mut surface.material, material.clone());

@@ -1,4 +1,4 @@
-//! Rigid paths: how far a thing is moved and turned from where it rests, by time.
+//! Rigid paths: translations and rotations of a thing from its place at rest, by time.
 
 use radiosity_geom::{DQuat, DVec3};
 
@@ -25,24 +25,24 @@ pub struct Turn {
 
 #[derive(Clone, Debug, PartialEq)]
 enum Kind {
-    /// About one unit axis, by degrees.
+    /// Rotations about one unit axis, by degrees over time.
     Axis(DVec3, Track<f64>),
     /// Rotations, and between them the shorter way about one axis at constant speed.
     Keys(Times, Vec<DQuat>),
 }
 
 impl RigidPath {
-    /// Moved along a track (scene length).
+    /// The path along a track (scene length), without rotation.
     pub fn along(shift: Track<DVec3>) -> Self {
         Self { shift: Some(shift), turn: None }
     }
 
-    /// Turned.
+    /// The path of rotations about a point, without translation.
     pub fn turning(turn: Turn) -> Self {
         Self { shift: None, turn: Some(turn) }
     }
 
-    /// Turned, then moved along a track (scene length).
+    /// The path of rotations about a point, each followed by a translation along a track (scene length).
     pub fn turning_along(turn: Turn, shift: Track<DVec3>) -> Self {
         Self { shift: Some(shift), turn: Some(turn) }
     }
@@ -57,7 +57,7 @@ impl RigidPath {
         shift.chain(turn.copied()).collect()
     }
 
-    /// The pose at a time, the same one for the same time.
+    /// The pose at a time; equal times have equal poses, to the bit.
     pub fn pose(&self, time: f64) -> Pose {
         let shift = self.shift.as_ref().map_or(DVec3::ZERO, |shift| shift.at(time));
         match &self.turn {
@@ -66,7 +66,7 @@ impl RigidPath {
         }
     }
 
-    /// The same path after `middle` was subtracted from all coordinates.
+    /// The path after `middle` was subtracted from all coordinates.
     pub(super) fn about(self, middle: DVec3) -> Self {
         let turn = self.turn.map(|turn| Turn { center: turn.center - middle, ..turn });
         Self { turn, ..self }
@@ -74,7 +74,8 @@ impl RigidPath {
 }
 
 impl Turn {
-    /// About the axis through `center` along `axis` of any length, by the degrees of a track, right-handed.
+    /// Rotations about the axis through `center` along `axis` of any length, by the degrees of a track,
+    /// right-handed.
     ///
     /// # Errors
     /// [`Fault::NoDirection`] for an axis without a length; a number that is not finite or out of range.
@@ -84,8 +85,8 @@ impl Turn {
         Ok(Self { center, kind: Kind::Axis(axis, degrees) })
     }
 
-    /// About `center`: at each of the `times`, which ascend, by so many degrees about an axis of any length, and between them
-    /// the shorter way about one axis at constant speed.
+    /// Rotations about `center`: at each of the `times`, which ascend, by so many degrees about an axis of
+    /// any length, and between them the shorter way about one axis at constant speed.
     ///
     /// # Errors
     /// [`Fault::NoDirection`] for degrees about an axis without a length; a number that is not finite or out of range;
@@ -119,7 +120,7 @@ impl Turn {
     }
 }
 
-/// Degrees about a unit axis; whole turns are none, to the bit.
+/// Rotation by degrees about a unit axis; whole turns are the identity, to the bit.
 fn rotation(axis: DVec3, degrees: f64) -> DQuat {
     DQuat::from_axis_angle(axis, (degrees % 360.0).to_radians())
 }

@@ -37,7 +37,7 @@ const HIGHEST: u32 = 20;
 /// Most texels along u or v across a surface, those that repeat counted again. Chosen; not tuned.
 const MOST_ACROSS: f64 = 1e6;
 
-/// How a number per band varies over a surface.
+/// A number per band that varies over a surface: reflectance, or emission (W m⁻²).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pattern {
     kind: Kind,
@@ -50,12 +50,12 @@ enum Kind {
     Texels(Texels),
 }
 
-/// The file that the texels are from.
+/// The picture file that the texels of a pattern were read from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PictureFile {
-    /// Its path.
+    /// Path of the file.
     pub path: String,
-    /// What was done to its numbers.
+    /// Remarks on the conversion of its numbers, in the order of the steps.
     pub remarks: Vec<String>,
 }
 
@@ -66,12 +66,12 @@ pub(super) struct Extreme {
     pub(super) spot: Spot,
 }
 
-/// A place in a pattern.
+/// A place in a pattern: a texel, or parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Spot {
     /// Column from the left and row from the top, counted from 0.
     Texel([usize; 2]),
-    /// (u, v).
+    /// Parameters (u, v) ∈ [−1, 1]².
     Parameters([f64; 2]),
 }
 
@@ -107,12 +107,12 @@ impl Pattern {
         Ok(Self { kind: Kind::Texels(Texels { columns, rows, values, placement }), picture: None })
     }
 
-    /// The same, from a file.
+    /// The pattern with the path of the picture file that it was read from, and remarks on its conversion.
     pub fn of_file(self, path: &str, remarks: Vec<String>) -> Self {
         Self { picture: Some(Arc::new(PictureFile { path: path.to_owned(), remarks })), ..self }
     }
 
-    /// The file that it is from, if it is from one.
+    /// The picture file that the pattern was read from, if any.
     pub fn picture(&self) -> Option<&PictureFile> {
         self.picture.as_deref()
     }
@@ -125,7 +125,7 @@ impl Pattern {
         }
     }
 
-    /// q of a band at (u, v).
+    /// Value q of a band at the parameters (u, v).
     pub fn at(&self, band: usize, parameters: [f64; 2]) -> f64 {
         match &self.kind {
             Kind::Polynomial(bands) => bands[band].at(parameters),
@@ -141,7 +141,7 @@ impl Pattern {
         }
     }
 
-    /// Total degree, where all bands are polynomials.
+    /// Largest total degree of the polynomials of all bands; none for texels.
     pub fn degree(&self) -> Option<u32> {
         match &self.kind {
             Kind::Polynomial(bands) => bands.iter().map(Polynomial::degree).max().or(Some(0)),
@@ -149,7 +149,7 @@ impl Pattern {
         }
     }
 
-    /// Columns and rows, where it is a grid.
+    /// Numbers of columns and rows of the grid; none for polynomials.
     pub fn grid(&self) -> Option<[usize; 2]> {
         match &self.kind {
             Kind::Polynomial(_) => None,
@@ -157,7 +157,7 @@ impl Pattern {
         }
     }
 
-    /// How its grid lies on the surface, where it is one.
+    /// Placement of the grid on the surface; none for polynomials.
     pub fn placement(&self) -> Option<&Placement> {
         match &self.kind {
             Kind::Polynomial(_) => None,
@@ -173,7 +173,7 @@ impl Pattern {
         }
     }
 
-    /// The mean of a band over the square of parameters.
+    /// Mean of a band over the square of parameters.
     pub fn mean(&self, band: usize) -> f64 {
         match &self.kind {
             Kind::Polynomial(bands) => bands[band].mean(),
@@ -181,7 +181,7 @@ impl Pattern {
         }
     }
 
-    /// The means of all bands.
+    /// Mean of each band over the square of parameters.
     pub fn means(&self) -> Vec<f64> {
         (0..self.bands()).map(|band| self.mean(band)).collect()
     }
@@ -206,7 +206,8 @@ impl Pattern {
         })
     }
 
-    /// What is below 0 by no more than this is 0: bounds are not nearer.
+    /// Distance by which a value of a band may lie below 0 and still count as 0: proven bounds are no nearer
+    /// to the values.
     pub(super) fn rounding(&self, band: usize) -> f64 {
         match &self.kind {
             Kind::Polynomial(bands) => {
@@ -216,14 +217,14 @@ impl Pattern {
         }
     }
 
-    /// Checks its numbers and powers.
+    /// Checks that factors are finite and powers at most 20.
     pub(super) fn check(&self) -> Result<(), Fault> {
         let Kind::Polynomial(bands) = &self.kind else { return Ok(()) };
         bands.iter().flat_map(Polynomial::terms).try_for_each(check_term)
     }
 }
 
-/// A finite factor, and powers up to `HIGHEST`.
+/// Checks that a term has a finite factor, and powers up to `HIGHEST`.
 pub fn check_term(term: &Term) -> Result<(), Fault> {
     check_number(term.factor)?;
     [term.u, term.v]
@@ -231,7 +232,7 @@ pub fn check_term(term: &Term) -> Result<(), Fault> {
         .try_for_each(|power| check_range(f64::from(power), power <= HIGHEST, "the power", "0 ≤ power ≤ 20"))
 }
 
-/// A scale above 0, and not more texels across the surface than can be told apart.
+/// Checks that scales are above 0, and that the surface has no more texels across than can be told apart.
 fn check_placement(placement: &Placement, counts: [usize; 2]) -> Result<(), Fault> {
     for (axis, count) in counts.into_iter().enumerate() {
         let scale = placement.scale[axis];

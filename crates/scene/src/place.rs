@@ -5,7 +5,7 @@ use std::{fmt, ops::Range, sync::Arc};
 /// Longest line that is kept for messages, bytes. Chosen; not tuned.
 const LONGEST_LINE: usize = 4096;
 
-/// Characters before every so many bytes are counted once. Chosen; not tuned.
+/// Bytes between the positions of a text before which characters are counted once. Chosen; not tuned.
 const STRIDE: usize = 1024;
 
 /// Range of the bytes of a text, or of the numbers of the values of a tree (`super::numbering`).
@@ -14,9 +14,9 @@ pub type Span = Range<usize>;
 /// A value and where it was read from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct At<T> {
-    /// What was read.
+    /// The value.
     pub value: T,
-    /// Where it stands.
+    /// Its place in the source.
     pub span: Span,
 }
 
@@ -38,7 +38,7 @@ pub struct Place {
     pub column: usize,
     /// The line, without its end; tabs are single spaces so that columns line up. Empty if it is too long to read.
     pub text: String,
-    /// Characters of the line that are meant, at least 1.
+    /// Number of characters of the line that are meant, at least 1.
     pub width: usize,
 }
 
@@ -68,21 +68,22 @@ impl Place {
     }
 }
 
-/// A line of a text, and which text where that is an included one. Displays as `line 9` or `line 9 of lamps.toml`.
+/// A line of a text, with the name of the text where it is an included one. Displays as `line 9` or `line 9
+/// of lamps.toml`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
-    /// Counted from 1.
+    /// Number of the line, counted from 1.
     pub number: usize,
-    /// Name of the included text; none for that which includes.
+    /// Name of the included text; none for the including one.
     pub file: Option<Arc<str>>,
 }
 
-/// Where the lines and characters of a text are, since every surface looks up its place.
+/// Index of the lines and characters of a text, since every surface looks up its place.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LineIndex {
     /// Starts of lines, ascending.
     line_starts: Arc<[usize]>,
-    /// Characters before each [`STRIDE`] bytes of the text.
+    /// Number of characters before each [`STRIDE`] bytes of the text.
     characters: Arc<[usize]>,
 }
 
@@ -104,7 +105,7 @@ impl LineIndex {
         self.line_starts.partition_point(|start| *start <= index.min(length))
     }
 
-    /// How many characters of `text` start before `index`.
+    /// Number of characters of `text` that start before `index`.
     fn characters_before(&self, text: &str, index: usize) -> usize {
         let counted = index / STRIDE;
         self.characters[counted] + characters(&text.as_bytes()[counted * STRIDE..index])
@@ -143,7 +144,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// How many characters start in these bytes of a text: bytes 10xxxxxx go on with one.
+/// Number of characters that start in these bytes of a text: bytes 10xxxxxx go on with one.
 fn characters(bytes: &[u8]) -> usize {
     bytes.iter().filter(|byte| **byte & 0xC0 != 0x80).count()
 }

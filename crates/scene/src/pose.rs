@@ -1,16 +1,17 @@
-//! Where a rigid thing is, relative to where it rests: x ↦ R x + τ, R a rotation.
+//! Poses: the place of a rigid thing relative to its place at rest, x ↦ R x + τ with a rotation R.
 
 use radiosity_geom::{DQuat, DVec3, Motion};
 
-/// A rigid motion: distances and the sense of turning stay, to rounding.
+/// A rigid motion, which keeps distances and handedness to rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose(Motion);
 
 impl Pose {
-    /// At rest.
+    /// The pose at rest: the identity.
     pub const REST: Self = Self(Motion::IDENTITY);
 
-    /// Turned by the unit quaternion `rotation` about `center`, then moved by `shift` (scene length).
+    /// The pose turned by the unit quaternion `rotation` about `center`, then moved by `shift` (scene
+    /// length).
     ///
     /// Without a rotation and a shift it is [`Pose::REST`], to the bit.
     pub(super) fn about(center: DVec3, rotation: DQuat, shift: DVec3) -> Self {
@@ -18,7 +19,7 @@ impl Pose {
         Self(Motion::rigid(rotation, center - turn.point(center) + shift))
     }
 
-    /// Whether everything stays where it is, to the bit.
+    /// Whether the pose is [`Pose::REST`], to the bit.
     pub fn is_rest(&self) -> bool {
         *self == Self::REST
     }
@@ -28,12 +29,12 @@ impl Pose {
         &self.0
     }
 
-    /// Where a point at rest is.
+    /// Position in this pose of the point `x` at rest (scene length).
     pub fn point(&self, x: DVec3) -> DVec3 {
         self.0.point(x)
     }
 
-    /// Where a difference of points at rest, or a normal, shows.
+    /// Direction in this pose of a difference of points at rest, or of a normal.
     pub fn vector(&self, d: DVec3) -> DVec3 {
         self.0.direction(d)
     }

@@ -228,7 +228,7 @@ fn json_text(text: &str) -> String {
     serde_json::Value::String(text.to_owned()).to_string()
 }
 
-/// What TOML and JSON write alike.
+/// Text of a number, a truth value or a formula, which TOML and JSON write alike.
 fn plainly(value: &Value) -> String {
     match value {
         Value::Number(number) => number_text(*number),

@@ -6,17 +6,18 @@ use radiosity_geom::DVec3;
 
 use crate::{luminous_area::LuminousArea, outlook::Outlook};
 
-/// Where the light of a flat surface comes from that is no diffuse emitter.
+/// Angular distribution of the light of a flat surface that is no diffuse emitter.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Radiance {
-    /// A sky behind it.
+    /// The light of a sky behind an opening.
     Sky(Arc<Outlook>),
-    /// A luminaire.
+    /// The light of a luminaire, from one side of its area.
     Luminaire(Arc<LuminousArea>),
 }
 
 impl Radiance {
-    /// a: the radiance in a unit direction from the surface, over that of a diffuse emitter of its exitance.
+    /// Relative radiance a: the radiance in a unit direction from the surface, over that of a diffuse emitter
+    /// of its exitance.
     pub fn relative(&self, into: DVec3) -> f64 {
         match self {
             Self::Sky(outlook) => outlook.relative(into),
@@ -24,7 +25,7 @@ impl Radiance {
         }
     }
 
-    /// What it sees, if it is an opening to a sky.
+    /// The outlook of an opening to a sky; none for a luminaire.
     pub fn outlook(&self) -> Option<&Arc<Outlook>> {
         match self {
             Self::Sky(outlook) => Some(outlook),
@@ -32,8 +33,9 @@ impl Radiance {
         }
     }
 
-    /// By how much the mean of a cell errs for what is between its points, where a differs by up to `spread`; `into` are the
-    /// directions, of any length, from its corners to where it is seen from.
+    /// Error of the mean of a over a cell by what is between its points, at which a differs by up to
+    /// `spread`; `into` are the directions, of any length, from the corners of the cell to the point that
+    /// sees it.
     pub fn left_out(&self, into: &[DVec3], spread: f64) -> f64 {
         match self {
             // Radiance jumps at the horizon.
@@ -46,7 +48,7 @@ impl Radiance {
         }
     }
 
-    /// Whether a may bend at once from one direction to the next.
+    /// Whether a may bend at once from one direction to the next, as a table does at its angles.
     pub fn bends(&self) -> bool {
         matches!(self, Self::Luminaire(area) if area.bends())
     }

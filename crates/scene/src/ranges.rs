@@ -17,7 +17,7 @@ pub const MAX_COPIES: usize = 1_000_000;
 /// Largest number: areas and fourth powers of distances stay below the largest f64, since (1e30)⁴ = 1e120.
 const LARGEST: f64 = 1e30;
 
-/// A finite number that is `inside` the range of what it gives.
+/// Checks that `value` is finite and `inside` the `range` of the number that messages call `what`.
 pub(super) fn check_range(
     value: f64,
     inside: bool,
@@ -31,7 +31,7 @@ pub(super) fn check_range(
     }
 }
 
-/// A finite number of a size that can be computed with.
+/// Checks that a number is finite and at most 1e30 in magnitude, so that it can be computed with.
 pub fn check_number(value: f64) -> Result<(), Fault> {
     match value {
         _ if !value.is_finite() => Err(Fault::NotFinite { value }),
@@ -42,27 +42,27 @@ pub fn check_number(value: f64) -> Result<(), Fault> {
     }
 }
 
-/// 0 ≤ order ≤ [`MAX_ORDER`].
+/// Checks that 0 ≤ order ≤ [`MAX_ORDER`].
 pub fn check_order(order: usize) -> Result<(), Fault> {
     counted(order, 0, MAX_ORDER, "the order", "0 ≤ order ≤ 20")
 }
 
-/// Elements along one parameter.
+/// Checks the number of elements along one parameter, 1 to 256.
 pub fn check_parts(parts: usize) -> Result<(), Fault> {
     counted(parts, 1, MAX_PARTS, "the number of elements", "1 ≤ subdivide ≤ 256")
 }
 
-/// Copies along one step of an array.
+/// Checks the number of copies along one step of an array, 1 to 10⁶.
 pub fn check_copies(copies: usize) -> Result<(), Fault> {
     counted(copies, 1, MAX_COPIES, "the number of copies", "1 ≤ count ≤ 1000000")
 }
 
-/// Width or height of a picture.
+/// Checks the width or the height of a picture, 1 to 16384 pixels.
 pub fn check_pixels(pixels: usize) -> Result<(), Fault> {
     counted(pixels, 1, MAX_PIXELS, "the picture's size", "1 ≤ pixels ≤ 16384")
 }
 
-/// Vertical angle of view in degrees.
+/// Checks the vertical angle of view, 0 < fov < 180 degrees.
 pub fn check_fov(fov: f64) -> Result<(), Fault> {
     if fov > 0.0 && fov < 180.0 {
         return Ok(());

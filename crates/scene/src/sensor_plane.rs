@@ -66,7 +66,7 @@ impl SensorPlane {
         &self.name
     }
 
-    /// The corner from which the edges run.
+    /// The corner from which the edges run (scene length).
     pub fn origin(&self) -> DVec3 {
         self.origin
     }
@@ -81,13 +81,13 @@ impl SensorPlane {
         self.counts
     }
 
-    /// The unit normal that sensors receive along.
+    /// Unit normal of the plane, a × b, along which sensors receive.
     pub fn normal(&self) -> DVec3 {
         let [a, b] = self.edges.map(DVec3::normalize);
         a.cross(b).normalize()
     }
 
-    /// The sensors, those along the second edge fastest.
+    /// Positions of the sensors (scene length), those along the second edge fastest.
     pub fn sensors(&self) -> impl Iterator<Item = DVec3> {
         let [n, m] = self.counts;
         let middle = |k: usize, count: usize| (k as f64 + 0.5) / count as f64;

@@ -27,18 +27,18 @@ use crate::{
     ranges::{check_number, check_range},
 };
 
-/// How radiance is spread over the sky.
+/// Distribution of radiance over the sky.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SkyModel {
-    /// The same everywhere.
+    /// Even radiance.
     Uniform,
-    /// CIE overcast.
+    /// The CIE traditional overcast sky.
     Overcast,
-    /// CIE clear; needs a sun.
+    /// The CIE standard clear sky, which needs a sun.
     Clear,
 }
 
-/// The sun: a direction.
+/// The sun: its direction and its irradiance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sun {
     /// Unit vector to it, above the horizon.
@@ -56,7 +56,7 @@ pub struct Sky {
     /// Irradiance of level ground by the sky alone, per band (W m⁻²).
     irradiance: Vec<f64>,
     sun: Option<Sun>,
-    /// ∫ l cos Z dω over the sky.
+    /// Integral ∫ l cos Z dω of the relative radiance over the sky.
     whole: f64,
     /// Radiance of the ground over the irradiance of level ground by the sky.
     below: f64,
@@ -112,7 +112,7 @@ impl Sky {
         &self.irradiance
     }
 
-    /// Height of a point over another, along the zenith.
+    /// Height of a point over another along the zenith, `step` apart.
     pub(crate) fn height(&self, step: DVec3) -> f64 {
         step.dot(self.up)
     }
@@ -125,7 +125,7 @@ impl Sky {
         }
     }
 
-    /// l from above the horizon.
+    /// Relative radiance l from the unit direction `from` above the horizon; `cosine` is cos Z.
     fn relative(&self, cosine: f64, from: DVec3) -> f64 {
         match (self.model, &self.sun) {
             (SkyModel::Overcast, _) => (1.0 + 2.0 * cosine) / 3.0,
@@ -138,7 +138,7 @@ impl Sky {
         }
     }
 
-    /// ∫ l cos Z dω.
+    /// Integral ∫ l cos Z dω of the relative radiance over the sky.
     fn level(&self) -> f64 {
         match self.model {
             SkyModel::Uniform => PI,
@@ -166,12 +166,12 @@ pub(crate) fn over_hemisphere(normal: DVec3, f: impl Fn(DVec3, f64) -> f64) -> f
     2.0 * PI / (RINGS * TURNS) as f64 * (0..RINGS).map(ring).sum::<f64>()
 }
 
-/// Irradiance ≥ 0.
+/// Checks that an irradiance is finite and ≥ 0.
 pub fn check_irradiance(value: f64) -> Result<(), Fault> {
     check_range(value, value >= 0.0, "the illuminance", "illuminance ≥ 0")
 }
 
-/// 0 < elevation ≤ 90 degrees.
+/// Checks that 0 < elevation ≤ 90 degrees.
 pub fn check_elevation(value: f64) -> Result<(), Fault> {
     let range = "0 < elevation ≤ 90 degrees";
     check_range(value, value > 0.0 && value <= 90.0, "the elevation of the sun", range)

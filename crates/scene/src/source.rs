@@ -1,4 +1,4 @@
-//! What a scene is read from, a text or a tree made in code, and places in it.
+//! Sources of scenes, texts or trees made in code, and places in them.
 
 use std::{borrow::Cow, collections::BTreeMap, sync::Arc};
 
@@ -19,13 +19,15 @@ const BYTE_ORDER_MARK: char = '\u{feff}';
 pub struct Source {
     /// Name shown in messages.
     pub origin: Arc<str>,
-    /// Distance (scene length) within which corners and planes are made to agree, instead of that of the input.
+    /// Distance (scene length) within which corners and planes are made to agree, instead of the tolerance of
+    /// the input.
     pub tolerance: Option<f64>,
     /// Values of its variables, by name, instead of those that the text gives them.
     pub settings: Arc<BTreeMap<String, f64>>,
-    /// The moment, a real number of frames, of which the still scene is read; none where all of its motions are.
+    /// The moment, a real number of frames, whose still scene is read; none where the scene is read with its
+    /// motions.
     pub moment: Option<f64>,
-    /// What was done to the file of another program that it was made from.
+    /// Record of the import from a file of another program, if there was one.
     pub imported: Option<Arc<Imported>>,
     /// The texts that it includes, or may include.
     included: Arc<Vec<Included>>,
@@ -38,21 +40,21 @@ pub struct Source {
     content: Content,
 }
 
-/// What stands in a source.
+/// The text or the tree of a source.
 #[derive(Clone, Debug, PartialEq)]
 enum Content {
     /// A text, without a byte-order mark before it.
     Text(Arc<str>, LineIndex),
-    /// A tree in which numbers are the places.
+    /// A tree whose places are the numbers of its values.
     Tree(Arc<Node>),
 }
 
-/// A text that another includes. In places of the whole its bytes come behind those of the texts before it.
+/// A text that another includes. In the whole source its bytes come behind those of the texts before it.
 #[derive(Clone, Debug, PartialEq)]
 struct Included {
     origin: Arc<str>,
     text: Arc<str>,
-    /// Its first byte in places of the whole.
+    /// Place of its first byte in the whole source.
     base: usize,
     index: LineIndex,
 }
@@ -64,7 +66,7 @@ impl Source {
         Source::of(origin, Content::Text(text.into(), LineIndex::of(text)))
     }
 
-    /// A scene made in code, called `name` in messages, in which values are found by their names.
+    /// A scene made in code, called `name` in messages, which find values by the names that lead to them.
     ///
     /// # Errors
     /// [`Fault::TooDeep`], [`Fault::RepeatedKey`].
@@ -112,7 +114,7 @@ impl Source {
         }
     }
 
-    /// Places in it: bytes of a text, or numbers in a tree.
+    /// Number of places in the source: bytes of the text, or numbers in the tree.
     fn extent(&self) -> usize {
         match &self.content {
             Content::Text(text, _) => text.len(),
@@ -120,13 +122,13 @@ impl Source {
         }
     }
 
-    /// The same text, to be read with corners and planes made to agree within `tolerance` (scene length).
+    /// The source, to be read with corners and planes made to agree within `tolerance` (scene length).
     #[must_use]
     pub fn within(self, tolerance: Option<f64>) -> Self {
         Self { tolerance, ..self }
     }
 
-    /// The same text, to be read with these variables set, the last setting of each.
+    /// The source, to be read with these variables set, the last setting of each.
     #[must_use]
     pub fn set<'a>(mut self, settings: impl IntoIterator<Item = (&'a str, f64)>) -> Self {
         let settings = settings.into_iter().map(|(name, value)| (name.to_owned(), value));
@@ -134,19 +136,19 @@ impl Source {
         self
     }
 
-    /// The same text, to be read as the still scene of a moment, a real number of frames.
+    /// The source, to be read as the still scene of a moment, a real number of frames.
     #[must_use]
     pub fn at(self, moment: f64) -> Self {
         Self { moment: Some(moment), ..self }
     }
 
-    /// The same text, made from a file of another program.
+    /// The source with the record of its import from a file of another program.
     pub fn made_from(self, imported: Imported) -> Self {
         Self { imported: Some(Arc::new(imported)), ..self }
     }
 
-    /// The same text with another, called `origin`, that it may include: by the path `origin` itself, or one that leads
-    /// there from the including text.
+    /// The source with another text, called `origin`, that it may include: by the path `origin` itself, or
+    /// one that leads there from the including text.
     #[must_use]
     pub fn including(mut self, origin: &str, text: &str) -> Self {
         self.include(origin, text);
@@ -158,8 +160,8 @@ impl Source {
         self.included.iter().map(|own| (&*own.origin, &*own.text))
     }
 
-    /// The same text with a picture, a file of these bytes, that it may name: by the path `origin` itself, or one that leads
-    /// there from the text.
+    /// The source with a picture, a file of these bytes, that it may name: by the path `origin` itself, or
+    /// one that leads there from the text.
     #[must_use]
     pub fn with_picture(mut self, origin: &str, bytes: impl Into<Arc<[u8]>>) -> Self {
         self.add_picture(origin, bytes.into());
@@ -181,7 +183,7 @@ impl Source {
         self.pictures.get(path).cloned()
     }
 
-    /// The same text, which may include files.
+    /// The source, which may include files.
     pub fn with_files(self) -> Self {
         Self { reads_files: true, ..self }
     }
@@ -191,7 +193,7 @@ impl Source {
         self.reads_files
     }
 
-    /// The same text, which was read as a plain list of polygons or not.
+    /// The source, marked as a plain list of polygons or not.
     #[must_use]
     pub fn as_polygon_list(self, is_polygon_list: bool) -> Self {
         Self { is_polygon_list, ..self }
@@ -202,7 +204,7 @@ impl Source {
         self.is_polygon_list
     }
 
-    /// Adds a text that it includes. Returns its first byte in places of the whole.
+    /// Adds a text that it includes. Returns the place of its first byte in the whole source.
     pub fn include(&mut self, origin: &str, text: &str) -> usize {
         let last = self.included.last().map_or(self.extent(), |last| last.base + last.text.len());
         let (text, base) = (without_mark(text), last + 1);
@@ -212,7 +214,7 @@ impl Source {
         base
     }
 
-    /// The included text of that name, with its first byte in places of the whole.
+    /// The included text of that name, with the place of its first byte in the whole source.
     pub fn included_text(&self, origin: &str) -> Option<(Arc<str>, usize)> {
         let own = self.included.iter().find(|own| *own.origin == *origin)?;
         Some((Arc::clone(&own.text), own.base))
@@ -255,7 +257,8 @@ impl Source {
         }
     }
 
-    /// What messages call the value at `span` of the part `owner`: the part, and in a tree the path of names from there.
+    /// Title in messages of the value at `span` of the part `owner`: the part, and in a tree the path of
+    /// names from there.
     fn owner(&self, span: &Span, owner: Option<String>) -> Option<String> {
         let (None, Content::Tree(tree)) = (self.included_at(span.start), &self.content) else { return owner };
         let path = path(tree, span.start, owner.is_some());
@@ -268,7 +271,7 @@ impl Source {
 }
 
 impl Located {
-    /// Looks the place up in what the scene is read from.
+    /// The error with its place looked up in `source`.
     pub fn in_source(self, source: &Source) -> SceneError {
         let Located { fault, span, owner } = self;
         let (place, owner) = match span {

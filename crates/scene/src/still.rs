@@ -1,4 +1,4 @@
-//! The still scene of a frame.
+//! Still scenes of frames and moments.
 //!
 //! Shapes are fitted together once, at rest, and then moved: each frame starts from rest, so nothing drifts. Where a moved flat
 //! sheet comes into the plane of another one, it is set apart from it, as at rest; what did not move stays where it is. So a
@@ -31,15 +31,15 @@ use crate::{
 #[derive(Debug)]
 pub struct Stills<'a> {
     scene: &'a Scene,
-    /// Where the surfaces of the last one were put, and their shapes.
+    /// Motions and shapes of the surfaces of the still scene that was made last.
     before: Vec<(Placement, Arc<dyn Surface>)>,
 }
 
-/// What a surface was moved by from rest, as bits: by its mover, and off another sheet.
+/// Motions that a surface was moved by from rest, as bits: by its mover, and off another sheet.
 type Placement = Vec<[u64; 13]>;
 
 impl<'a> Stills<'a> {
-    /// None yet.
+    /// The still scenes of `scene`, of which none is made yet.
     pub fn of(scene: &'a Scene) -> Self {
         Self { scene, before: Vec::new() }
     }
@@ -49,7 +49,7 @@ impl<'a> Stills<'a> {
         self.scene
     }
 
-    /// The still scene at a moment, to the bit that of [`Scene::at_moment`].
+    /// The still scene at a moment, equal to that of [`Scene::at_moment`] to the bit.
     ///
     /// # Errors
     /// As [`Scene::at_moment`].
@@ -91,7 +91,7 @@ impl Scene {
         Ok(self.placed_at(moment)?.0)
     }
 
-    /// The same, with what each surface was moved by.
+    /// The still scene at a moment, with the motions that each surface was moved by.
     fn placed_at(&self, moment: f64) -> Result<(Self, Vec<Placement>), SceneError> {
         let (animation, poses) = self.posed(moment)?;
         let movers = self.moved_by(animation, &poses);
@@ -122,7 +122,7 @@ impl Scene {
         Ok((still, placements))
     }
 
-    /// The still scene that the source asks for, or this one.
+    /// The still scene at the moment that the source states, or this scene if it states none.
     pub fn at_moment_of(self, source: &Source) -> Result<Self, SceneError> {
         match source.moment {
             Some(moment) => self.at_moment(moment),
@@ -146,7 +146,7 @@ impl Scene {
         Ok((animation, animation.poses(moment).map_err(error)?))
     }
 
-    /// The movers of all surfaces that are not at rest.
+    /// For each surface the index of its mover, if that is not at rest.
     fn moved_by(&self, animation: &Animation, poses: &[Pose]) -> Vec<Option<usize>> {
         let mut movers = vec![None; self.surfaces.len()];
         let moving = animation.movers.iter().enumerate().filter(|(index, _)| !poses[*index].is_rest());
@@ -156,7 +156,8 @@ impl Scene {
         movers
     }
 
-    /// Moves moved flat sheets off those in whose plane they lie; tells which surfaces, and how.
+    /// Moves moved flat sheets off those in whose plane they lie; returns the surfaces moved, by index, and
+    /// their motions.
     fn set_apart(&mut self, movers: &[Option<usize>]) -> Vec<(usize, Motion)> {
         let fronts: Vec<usize> =
             (0..self.surfaces.len()).filter(|index| self.is_flat_front(*index)).collect();
@@ -241,7 +242,7 @@ fn put(surface: &mut SceneSurface, motion: &Motion) {
     surface.shape = Arc::new(Placed::new(rest, *motion));
 }
 
-/// Turns what an opening to the sky sees, and moves what a luminaire shines from.
+/// Turns the outlook of an opening, or moves the luminous area of a luminaire, along with its surface.
 fn turn_radiance(surface: &mut SceneSurface, pose: &Pose) {
     match &surface.radiance {
         None => {}

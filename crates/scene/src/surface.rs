@@ -12,7 +12,7 @@ use crate::{
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct SceneSurface {
-    /// Unique in the scene; the back of a two-sided surface is `name:back`.
+    /// Name, unique in the scene; the back of a two-sided surface is `name:back`.
     pub name: String,
     /// The shape key of the file, e.g. `quad`; `surface` if it was built in code.
     pub kind: &'static str,
@@ -28,9 +28,9 @@ pub struct SceneSurface {
     pub group: Option<LightGroup>,
     /// Flux of each band (W) that it emits, not dimmed, where that is given instead of the emission of its material.
     pub flux: Option<Vec<f64>>,
-    /// How the light of its material is spread over directions, if not diffusely: of openings to a sky and of luminaires.
+    /// Angular distribution of its light, if not diffuse: of openings to a sky and of luminous areas.
     pub radiance: Option<Radiance>,
-    /// What is known of its heat.
+    /// Its emissivity and thermal condition, as far as they are known.
     pub thermal: Thermal,
     /// Order of the basis here, at most [`MAX_ORDER`](crate::MAX_ORDER), instead of the order asked for.
     pub order: Option<usize>,

@@ -14,19 +14,19 @@ use crate::{
     surface::SceneSurface,
 };
 
-/// The surfaces of a scene, and how their shapes were changed.
+/// The surfaces of a scene, with the changes to their shapes.
 pub struct Surfaces {
     /// The surfaces, in order.
     pub list: Vec<SceneSurface>,
-    /// What each is made by.
+    /// Maker of each surface.
     pub makers: Vec<Maker>,
-    /// The vector subtracted from all coordinates.
+    /// The vector subtracted from all coordinates (scene length).
     pub middle: DVec3,
-    /// How their shapes were changed to fit together.
+    /// Changes to their shapes, made to fit them together.
     pub fitted: Fitted,
 }
 
-/// What a surface is made by.
+/// The draft that a surface was made from, and its front.
 pub struct Maker {
     /// Index of the draft.
     pub draft: usize,
@@ -34,8 +34,8 @@ pub struct Maker {
     pub front: String,
 }
 
-/// The surfaces of all drafts, in order, with unique names and none in another. Their shapes are fitted together within
-/// `tolerance` (scene length), or within that of the input.
+/// The surfaces of all drafts, in order, with unique names and none in another. Their shapes are fitted
+/// together within `tolerance` (scene length), or within the tolerance of the input.
 pub fn fitted_surfaces(
     drafts: impl IntoIterator<Item = Result<SurfaceDraft, Located>>,
     tolerance: Option<f64>,
@@ -89,7 +89,7 @@ fn named(drafts: &[SurfaceDraft]) -> Result<(Vec<SceneSurface>, Vec<Maker>), Loc
     Ok((surfaces, makers))
 }
 
-/// Refuses a tolerance that is no length.
+/// Refuses a tolerance that is no finite length ≥ 0.
 fn check_tolerance(value: f64) -> Result<(), Located> {
     match value.is_finite() && value >= 0.0 {
         true => Ok(()),
@@ -108,7 +108,7 @@ struct Claim {
 }
 
 impl Claim {
-    /// Whether one is the back of the other: named so, and facing away.
+    /// Whether this claim is the back of `front`: named so, and facing away.
     fn is_back_of(&self, front: &Claim) -> bool {
         self.name.strip_suffix(":back") == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
     }

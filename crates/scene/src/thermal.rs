@@ -1,4 +1,4 @@
-//! Thermal conditions: what is known of the heat of a surface.
+//! Thermal conditions: emissivities, and temperatures or net fluxes of surfaces.
 //!
 //! With the radiosity J and the irradiance H (W m⁻²), the temperature T (K), the emissivity ε and the Stefan–Boltzmann
 //! constant σ, a grey surface has
@@ -12,16 +12,16 @@
 
 use crate::{error::Fault, ranges::check_range};
 
-/// What is known of the heat of a surface. Bands have no part in it: it is of all wavelengths together.
+/// Emissivity and condition of a surface, of all wavelengths together: bands have no part in them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Thermal {
     /// Emissivity, 0 < ε ≤ 1; none if the material states none.
     pub emissivity: Option<f64>,
-    /// The temperature or the flux; none if nothing is said of either.
+    /// The temperature or the net flux; none if neither is given.
     pub condition: Option<Condition>,
 }
 
-/// The known one of temperature and flux.
+/// The known quantity of a surface: its temperature or its net flux.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
     /// Temperature (K), ≥ 0.
@@ -32,7 +32,7 @@ pub enum Condition {
 }
 
 impl Thermal {
-    /// Checks the ranges.
+    /// Checks the ranges of emissivity, temperature and flux.
     pub(super) fn check(&self) -> Result<(), Fault> {
         self.emissivity.map_or(Ok(()), check_emissivity)?;
         match self.condition {
@@ -43,12 +43,12 @@ impl Thermal {
     }
 }
 
-/// 0 < ε ≤ 1.
+/// Checks that 0 < ε ≤ 1.
 pub fn check_emissivity(value: f64) -> Result<(), Fault> {
     check_range(value, value > 0.0 && value <= 1.0, "the emissivity", "0 < ε ≤ 1")
 }
 
-/// 0 ≤ T ≤ 1e6 K: its fourth power stays a number to compute with.
+/// Checks that 0 ≤ T ≤ 1e6 K: the fourth power stays a number to compute with.
 pub fn check_temperature(value: f64) -> Result<(), Fault> {
     check_range(value, (0.0..=1e6).contains(&value), "the temperature", "0 ≤ T ≤ 1e6 kelvin")
 }

@@ -14,7 +14,7 @@ use std::ops::{Add, Mul, Sub};
 
 use crate::{error::Fault, ranges::check_number};
 
-/// What is between two given values.
+/// Interpolation between two given values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Curve {
     /// A straight line, at constant speed.
@@ -24,17 +24,17 @@ pub enum Curve {
     Spline,
 }
 
-/// A value that can be mixed with others: a number or a vector.
+/// A number or a vector, of which weighted sums are made.
 pub trait Mixed: Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
 
 impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Mixed for T {}
 
-/// Values by time.
+/// A function of time, interpolated between values at given times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Track<T> {
     times: Times,
     values: Vec<T>,
-    /// Second derivatives by time; none of straight lines.
+    /// Second derivatives by time; empty for straight lines.
     bends: Vec<T>,
 }
 
@@ -43,7 +43,7 @@ pub struct Track<T> {
 pub(super) struct Times(Vec<f64>);
 
 impl Times {
-    /// These times, for `count` values called `what`.
+    /// The times of `count` values, which messages call `what`.
     pub(super) fn new(times: Vec<f64>, what: &'static str, count: usize) -> Result<Self, Fault> {
         if count < 2 {
             return Err(Fault::WrongCount { what, expected: "at least two".to_owned(), found: count });
@@ -59,19 +59,20 @@ impl Times {
         }
     }
 
-    /// All of them.
+    /// All times, ascending.
     pub(super) fn all(&self) -> &[f64] {
         &self.0
     }
 
-    /// The index of the last time before `time`, not that of the very last, and the part of the way to the next, 0 to 1.
+    /// Index of the last time up to `time`, at most the last but one, and the part of the way to the next
+    /// time, 0 to 1.
     pub(super) fn place(&self, time: f64) -> (usize, f64) {
         let last = self.0.len() - 2;
         let before = self.0.partition_point(|own| *own <= time).saturating_sub(1).min(last);
         (before, ((time - self.0[before]) / self.step(before)).clamp(0.0, 1.0))
     }
 
-    /// From the time at `index` to the next.
+    /// Time from that at `index` to the next.
     fn step(&self, index: usize) -> f64 {
         self.0[index + 1] - self.0[index]
     }
@@ -97,7 +98,7 @@ impl<T: Mixed> Track<T> {
         self.times.all()
     }
 
-    /// The value at a time; those given are met to the bit.
+    /// The value at a time; given values are met to the bit.
     pub(crate) fn at(&self, time: f64) -> T {
         let (before, s) = self.times.place(time);
         let r = 1.0 - s;

@@ -34,19 +34,20 @@ pub enum Value {
     Other(Cow<'static, str>),
 }
 
-/// A formula and what comes out, or the fault and where that stands.
+/// A formula with its value, or with its fault and the place of that.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {
-    /// The whole string.
+    /// The whole string, `=` included.
     pub text: String,
-    /// Its value.
+    /// Its value, or its fault and the place of that.
     pub outcome: Result<f64, At<Fault>>,
 }
 
 /// Deeper nesting is refused; a scene needs six levels. Chosen; not tuned.
 pub const DEEPEST: usize = 32;
 
-/// Places that one of [`Value::Points`] takes behind that of the list: its own, and those of its coordinates.
+/// Number of places that a point of [`Value::Points`] takes behind that of the list: its own, and those of
+/// its coordinates.
 pub(super) const PLACES_OF_POINT: usize = 4;
 
 impl Value {
@@ -64,7 +65,7 @@ impl Value {
 }
 
 impl Node {
-    /// The items, if it is a list.
+    /// Items of a list; none for other values.
     pub fn items(&self) -> Option<Cow<'_, [Node]>> {
         match &self.value {
             Value::List(items) => Some(Cow::Borrowed(items)),
@@ -76,7 +77,7 @@ impl Node {
         }
     }
 
-    /// Where its items stand, if it is a list.
+    /// Places of the items of a list; empty for other values.
     pub fn item_places(&self) -> Vec<Span> {
         match &self.value {
             Value::List(items) => items.iter().map(|item| item.span.clone()).collect(),
@@ -85,12 +86,13 @@ impl Node {
         }
     }
 
-    /// The places of its points, one behind the other, whatever their number.
+    /// Places of the points of a list, one behind the other, without end.
     fn point_places(&self) -> impl Iterator<Item = Span> + use<> {
         (self.span.start + 1..).step_by(PLACES_OF_POINT).map(|start| start..start + PLACES_OF_POINT)
     }
 
-    /// Moves it and all in it by `base` bytes: a piece of a text that stands there in the whole.
+    /// Moves the places of the value and of all values in it by `base` bytes, where its text begins in the
+    /// whole source.
     pub fn shift(&mut self, base: usize) {
         let moved = |span: &mut Span| *span = span.start + base..span.end + base;
         moved(&mut self.span);
@@ -110,14 +112,14 @@ impl Node {
     }
 }
 
-/// One of [`Value::Points`], which stands at `span`, as a list.
+/// The list of the coordinates of a point of [`Value::Points`], which stands at `span`.
 fn coordinates(point: DVec3, span: Span) -> Node {
     let numbers = point.to_array().into_iter().zip(span.start + 1..);
     let numbers = numbers.map(|(number, place)| At::new(Value::Number(number), &(place..place + 1)));
     At { value: Value::List(numbers.collect()), span }
 }
 
-/// The entries of a table, by key.
+/// The value of `key` in the entries of a table, if it is there.
 pub fn entry<'a>(entries: &'a [(At<String>, Node)], key: &str) -> Option<&'a Node> {
     entries.iter().find(|(name, _)| name.value == key).map(|(_, node)| node)
 }
@@ -133,7 +135,7 @@ impl Tree {
         Self::of(Value::Text(text.into()))
     }
 
-    /// The node at its top.
+    /// The node at the top of the tree.
     pub fn top(&self) -> &Node {
         &self.0
     }
@@ -164,7 +166,7 @@ impl Tree {
         Self::of(Value::Table(entries.collect()))
     }
 
-    /// Something that no scene has, refused wherever it is read; `kind` says what, such as `a date`.
+    /// A value that no scene has, refused wherever it is read; `kind` names it in messages, such as `a date`.
     pub fn foreign(kind: impl Into<String>) -> Self {
         Self::of(Value::Other(Cow::Owned(kind.into())))
     }

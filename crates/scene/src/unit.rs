@@ -8,7 +8,8 @@ pub const USUAL: &str = "W/m²";
 /// Most characters of a unit, so that it stands in a legend. Chosen.
 const LONGEST: usize = 16;
 
-/// Refuses what cannot stand in a legend or a line.
+/// Refuses a unit that cannot stand in a legend: a blank one, one of several lines or of more than 16
+/// characters.
 pub fn check_unit(text: &str) -> Result<(), Fault> {
     check_text(text)?;
     if text.chars().any(char::is_control) {

@@ -18,20 +18,20 @@ use std::collections::BinaryHeap;
 
 use super::polynomial::{Polynomial, Term};
 
-/// How near the bound comes to a value that is taken, over Σ |c|. Chosen; not tuned.
+/// Distance of the bound from a value that is taken, over Σ |c|, at which the search ends. Chosen; not tuned.
 const NEAR: f64 = 1e-9;
 
 /// Most rectangles that are looked at: along a line of maxima 2¹⁷ of them came within 2.3·10⁻⁹ only. Chosen; not tuned.
 const MOST: usize = 1 << 18;
 
-/// A largest value.
+/// The largest value of a polynomial on [−1, 1]²: found and bounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Maximum {
     /// The largest value that was found.
     pub value: f64,
-    /// Where it is taken.
+    /// Parameters (u, v) at which it is taken.
     pub at: [f64; 2],
-    /// Nothing is larger than this.
+    /// Upper bound of all values, proven.
     pub bound: f64,
 }
 
@@ -57,13 +57,13 @@ pub(super) fn maximum(polynomial: &Polynomial) -> Maximum {
     Maximum { bound: best.bound.max(best.value), ..best }
 }
 
-/// The polynomial on a rectangle.
+/// A polynomial on a rectangle of parameters, in Bernstein's basis.
 struct Piece {
     /// Degrees along u and along v.
     degrees: [usize; 2],
-    /// b_jk at j + (n + 1) k.
+    /// Coefficients b_jk at j + (n + 1) k.
     coefficients: Vec<f64>,
-    /// [[u0, v0], [u1, v1]].
+    /// Corners [[u0, v0], [u1, v1]] of the rectangle.
     corners: [[f64; 2]; 2],
     /// The largest coefficient.
     most: f64,
@@ -90,7 +90,7 @@ impl Piece {
         Self { degrees, coefficients, corners, most, axis }
     }
 
-    /// Takes note of its values at its corners.
+    /// Takes the largest of the values at the corners for `best`, where it is larger.
     fn raise(&self, best: &mut Maximum) {
         let [n, m] = self.degrees;
         for (a, b) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
@@ -153,14 +153,14 @@ impl Ord for Piece {
     }
 }
 
-/// K_i(j) at degree n; the sums are whole numbers below 2⁵³ up to n = 20.
+/// Polar form K_i(j) at degree n; the sums are whole numbers below 2⁵³ up to n = 20.
 fn polar(n: usize, i: usize, j: usize) -> f64 {
     let sign = |k: usize| if (i - k).is_multiple_of(2) { 1.0 } else { -1.0 };
     let term = |k: usize| sign(k) * choose(j, k) * choose(n - j, i - k);
     (0..=i.min(j)).map(term).sum::<f64>() / choose(n, i)
 }
 
-/// C(n, k).
+/// Binomial coefficient C(n, k).
 fn choose(n: usize, k: usize) -> f64 {
     if k > n { 0.0 } else { (0..k).fold(1.0, |product, i| product * (n - i) as f64 / (i + 1) as f64) }
 }

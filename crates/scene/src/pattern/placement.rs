@@ -1,25 +1,25 @@
-//! How a grid of texels lies on a surface.
+//! Placements of grids of texels on surfaces.
 
-/// How a grid lies on a surface; see [`Pattern`](crate::Pattern).
+/// Placement of a grid of texels on a surface; see [`Pattern`](crate::Pattern).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
-    /// (o_s, o_t).
+    /// Offset (o_s, o_t), in grids.
     pub offset: [f64; 2],
-    /// (k_s, k_t) > 0, how often the grid fits along u and along v.
+    /// Scale (k_s, k_t) > 0: number of grids along u and along v.
     pub scale: [f64; 2],
-    /// What is beyond the grid.
+    /// Continuation of the grid beyond its border.
     pub wrap: Wrap,
 }
 
-/// What is beyond a grid of texels.
+/// Continuation of a grid of texels beyond its border.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Wrap {
-    /// The grid again.
+    /// The grid, repeated.
     #[default]
     Repeat,
-    /// The grid mirrored at its border.
+    /// The grid, mirrored at its border.
     Mirror,
-    /// The texels of its border.
+    /// The texels of the border, continued.
     Clamp,
 }
 
@@ -27,14 +27,14 @@ pub enum Wrap {
 const ROUNDED: f64 = 1e-12;
 
 impl Default for Placement {
-    /// Once over the whole surface.
+    /// The grid once over the whole surface.
     fn default() -> Self {
         Self { offset: [0.0; 2], scale: [1.0; 2], wrap: Wrap::Repeat }
     }
 }
 
 impl Placement {
-    /// The texel at a parameter along an axis of `count` texels.
+    /// Index of the texel at a parameter along an axis of `count` texels.
     pub(super) fn texel(&self, axis: usize, count: usize, parameter: f64) -> usize {
         let all = count as f64;
         let place = (self.offset[axis] + self.scale[axis] * 0.5 * (parameter + 1.0)) * all;

@@ -1,17 +1,17 @@
 //! Polynomials in the parameters of a surface.
 
-/// Σ c_ij u^i v^j of one band.
+/// Polynomial Σ c_ij u^i v^j of one band in the parameters of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polynomial(Vec<Term>);
 
-/// c u^i v^j.
+/// Term c u^i v^j of a polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Term {
-    /// i.
+    /// Power i of u.
     pub u: u32,
-    /// j.
+    /// Power j of v.
     pub v: u32,
-    /// c.
+    /// Factor c.
     pub factor: f64,
 }
 
@@ -31,7 +31,7 @@ impl Polynomial {
         self.0.iter().map(|term| term.factor * u.powi(term.u as i32) * v.powi(term.v as i32)).sum()
     }
 
-    /// Total degree.
+    /// Total degree: the largest i + j of a term.
     pub(super) fn degree(&self) -> u32 {
         self.0.iter().map(|term| term.u + term.v).max().unwrap_or(0)
     }
@@ -42,7 +42,7 @@ impl Polynomial {
         self.0.iter().map(|term| term.factor * half(term.u) * half(term.v)).sum()
     }
 
-    /// The same times a number.
+    /// The polynomial times `factor`.
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {
         Self::new(self.0.iter().map(|term| Term { factor: factor * term.factor, ..*term }))

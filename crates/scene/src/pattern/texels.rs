@@ -4,18 +4,18 @@ use radiosity_core::dot;
 
 use super::placement::Placement;
 
-/// A grid of texels and how it lies on the surface.
+/// A grid of texels with its placement on the surface.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Texels {
     pub(super) columns: usize,
     pub(super) rows: usize,
-    /// Band after band, row after row from v = −1, each along u.
+    /// Values of each band, row after row from v = −1, each along u.
     pub(super) values: Vec<Vec<f64>>,
     pub(super) placement: Placement,
 }
 
 impl Texels {
-    /// The number of a band at (u, v).
+    /// Value of a band at (u, v).
     pub(super) fn at(&self, band: usize, parameters: [f64; 2]) -> f64 {
         let [i, j] = [0, 1].map(|axis| self.line(axis, parameters[axis]));
         self.values[band][i + self.columns * j]
@@ -32,7 +32,7 @@ impl Texels {
         [0, 1].map(|axis| self.placement.breaks(axis, counts[axis]))
     }
 
-    /// The mean over all parameters.
+    /// Mean of a band over the square of parameters.
     pub(super) fn mean(&self, band: usize) -> f64 {
         let across = self.placement.shares(0, self.columns);
         let down = self.placement.shares(1, self.rows);
