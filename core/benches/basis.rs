@@ -1,4 +1,4 @@
-//! What does one basis value cost, in tiles and at single points?
+//! Time of one basis value, in tiles and at single points.
 //!
 //! Every line evaluates the same 1024 points; divide by 1024 × the number of functions for the cost of a value.
 //! Tiles are consumed at once (summed), as assembly consumes them: nothing is written to memory.

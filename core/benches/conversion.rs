@@ -1,4 +1,4 @@
-//! How long does a conversion between Jacobi and Legendre coefficients take?
+//! Time of a conversion between Jacobi and Legendre coefficients.
 //!
 //! Every line copies the coefficients and converts them in place. The textbook's steps lower one exponent by
 //! one in the classical polynomials, in plain floats: twice as many, with two divisions a term, and they

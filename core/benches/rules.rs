@@ -1,4 +1,4 @@
-//! How long does a Gauss rule take, compared with other crates?
+//! Time of a Gauss rule, compared with other crates.
 //!
 //! Groups are questions; within a group the lines are comparable. The peers allocate, this crate writes into
 //! slices. `bilby` needs a newer compiler than this workspace promises; it is a dependency of the benches only.

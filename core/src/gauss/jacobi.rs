@@ -62,7 +62,7 @@ const fn end_distance(weight: Weight, n: usize) -> f64 {
     2.0 * (alpha.min(beta) + 1.0) / (n as f64 * (n as f64 + (alpha + beta + 1.0)))
 }
 
-/// Different exponents.
+/// Nodes and weights of a rule with different exponents α ≠ β.
 const fn uneven(weight: Weight, mu_0: Double, nodes: &mut [f64], weights: &mut [f64]) {
     let n = nodes.len();
     laguerre::roots(weight, nodes);
@@ -86,7 +86,7 @@ const fn uneven(weight: Weight, mu_0: Double, nodes: &mut [f64], weights: &mut [
     }
 }
 
-/// Equal exponents.
+/// Nodes and weights of a rule with equal exponents α = β.
 const fn even(alpha: f64, mu_0: Double, nodes: &mut [f64], weights: &mut [f64]) {
     let n = nodes.len();
     let (_, right) = nodes.split_at_mut(n.div_ceil(2));

@@ -32,7 +32,7 @@ pub(super) const LANES: usize = 8;
 /// One number per lane.
 pub(super) type Lane = [f64; LANES];
 
-/// What all nodes of one rule share.
+/// Data that all nodes of one n-point rule share: the monic polynomials, n and the integral of the weight.
 pub(super) struct Polish {
     monic: Monic,
     n: usize,

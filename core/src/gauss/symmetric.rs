@@ -55,7 +55,7 @@ pub(super) const fn mirror(nodes: &mut [f64], weights: &mut [f64]) {
     }
 }
 
-/// What all nodes of one rule share.
+/// Data that all nodes of one n-point rule of (1 − x²)^α share.
 pub(super) struct Finish {
     alpha: f64,
     n: usize,
@@ -86,7 +86,8 @@ impl Finish {
     }
 }
 
-/// What the weights of the rule in z must sum to.
+/// Sum of the weights of the rule in z, which are those of the positive nodes, times x² for odd n: μ₀/2 for
+/// even n, μ₀/(2 (2α + 3)) for odd n.
 const fn share(alpha: f64, n: usize, mu_0: Double) -> Double {
     if n % 2 == 1 { mu_0.div(Double::sum(2.0 * alpha, 3.0)).scale(0.5) } else { mu_0.scale(0.5) }
 }

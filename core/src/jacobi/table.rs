@@ -14,7 +14,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// What fills a slice before [`Table::new`] writes it.
+    /// Placeholder that fills a slice before [`Table::new`] writes it.
     pub const EMPTY: Entry = Entry { right: (0.0, Step::NONE), left: (0.0, Step::NONE) };
 }
 

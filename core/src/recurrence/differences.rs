@@ -34,7 +34,7 @@ pub(crate) struct Differences {
 }
 
 impl Differences {
-    /// At k = 0.
+    /// R₀ = 1 and D₀ = 0 at the distance y.
     pub(crate) const fn new(y: f64) -> Differences {
         Differences {
             y,
@@ -59,7 +59,7 @@ impl Differences {
         self.slope
     }
 
-    /// From k to k + 1.
+    /// Advances R and D from k to k + 1.
     #[inline(always)]
     pub(crate) const fn advance(&mut self, step: Step) {
         let Step { keep, kappa, sigma } = step;
@@ -74,7 +74,7 @@ impl Differences {
         self.value_error += self.difference_error + error;
     }
 
-    /// From k to k + 1, slopes included.
+    /// Advances R, D and their slopes from k to k + 1.
     #[inline(always)]
     pub(crate) const fn advance_with_slope(&mut self, step: Step) {
         let Step { keep, kappa, sigma } = step;
