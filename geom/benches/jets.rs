@@ -1,4 +1,4 @@
-//! How fast are jets, shape by shape, compared with the arithmetic they cannot avoid?
+//! Time of a jet, shape by shape, compared with the arithmetic that it cannot avoid.
 //!
 //! The yardsticks, in the same run: "affine" is one multiply-add per coordinate, "trigonometry" two
 //! sine–cosine pairs, "tensor" the 4 × 4 sums of a bicubic position and its two tangents from given basis

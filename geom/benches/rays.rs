@@ -1,4 +1,4 @@
-//! How fast do rays meet surfaces as they are, compared with the same scene cut into triangles?
+//! Time of a ray on surfaces as they are, compared with the same scene cut into triangles.
 //!
 //! Two scenes: 10⁴ mixed surfaces in random places, and the teapot. Three ways: this crate's hierarchy over
 //! the surfaces; the hierarchy of obvhs (wide, single precision, boxes padded) over the same surfaces, with

@@ -1,5 +1,5 @@
-//! How two patches touch: along an edge, in a vertex, in a T; and how they should not: overlapping or passing through
-//! each other.
+//! Contacts of two patches: along an edge, in a vertex, in a T; and those that no scene should have, overlaps
+//! and crossings.
 //!
 //! Lengths below 1e-6 of the smaller patch's extent count as zero. Edges are compared as curves, by points along them,
 //! so that two patches need not have the same parametrisation, or even shape, to share one.
@@ -10,7 +10,7 @@ use glam::DVec3;
 /// Where along a border it is compared with another.
 const PLACES: [f64; 5] = [-1.0, -0.55, 0.05, 0.6, 1.0];
 
-/// How two patches touch.
+/// Contact of two patches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Adjacency {
     /// They share area, as no two surfaces of a scene should.
@@ -30,8 +30,8 @@ pub enum Adjacency {
 }
 
 impl Adjacency {
-    /// How `first` and `second` touch, if they do. Where several relations hold it is the one listed first in
-    /// [`Adjacency`].
+    /// Contact of `first` and `second`; None if they do not touch. Where several relations hold it is the one
+    /// listed first in [`Adjacency`].
     pub fn of(first: &Patch, second: &Patch) -> Option<Adjacency> {
         let extents = [first, second].map(|patch| patch.bounds().diagonal());
         let tolerance = LOOSE * extents[0].min(extents[1]);
@@ -82,7 +82,8 @@ fn shares_area(first: &Patch, second: &Patch, tolerance: f64) -> bool {
     shared(first, second) > 1 || shared(second, first) > 1
 }
 
-/// The same for regions, by the area that their convex pieces share.
+/// Whether two planar regions share area: one lies in the plane of the other, and their convex pieces share
+/// more than outlines within `tolerance` of each other enclose, or more than 1e-3 of the smaller region.
 fn share_plane_area(a: &PlanarRegion, b: &PlanarRegion, tolerance: f64) -> bool {
     let lies_in_plane = |a: &PlanarRegion, b: &PlanarRegion| {
         a.outer().iter().all(|x| (*x - b.origin()).dot(b.normal()).abs() <= tolerance)

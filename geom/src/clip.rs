@@ -86,9 +86,9 @@ pub fn polygon_area(polygon: &[DVec3]) -> f64 {
     0.5 * fan.sum::<DVec3>().length()
 }
 
-/// How far the point `x` of a convex polygon's plane lies outside: the largest distance from the lines of its sides,
-/// positive beyond them (length). The corners run counter-clockwise about the unit vector `normal`. Sides of no length
-/// do not count.
+/// Signed distance of the point `x` of a convex polygon's plane from the polygon: the largest distance from
+/// the lines of its sides, positive beyond them (length). The corners run counter-clockwise about the unit
+/// vector `normal`. Sides of no length do not count.
 pub fn overhang(polygon: &[DVec3], normal: DVec3, x: DVec3) -> f64 {
     let beyond = |k: usize| {
         let side = polygon[(k + 1) % polygon.len()] - polygon[k];

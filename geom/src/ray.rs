@@ -34,7 +34,7 @@ impl Ray {
         self.range[0] <= t && t <= self.range[1]
     }
 
-    /// The same ray, cut off beyond `t`.
+    /// Ray from the same origin in the same direction, cut off beyond `t`.
     pub fn until(&self, t: f64) -> Ray {
         Ray { range: [self.range[0], self.range[1].min(t)], ..*self }
     }
@@ -52,8 +52,8 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// How far outside [−1, 1] a parameter may lie for a hit: rays aimed at the seam between two surfaces must not slip
-    /// through by rounding. Chosen; not tuned.
+    /// Distance outside [−1, 1] up to which a parameter counts as a hit: rays aimed at the seam between two
+    /// surfaces must not slip through by rounding. Chosen; not tuned.
     pub const SEAM: f64 = 1e-9;
 
     /// The hit, its parameters clamped to [−1, 1]; `None` where they lie beyond 1 + [`Hit::SEAM`] or `t`

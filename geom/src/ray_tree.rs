@@ -1,4 +1,4 @@
-//! What a ray meets first of many surfaces.
+//! First hit of a ray among many surfaces.
 //!
 //! The surfaces lie in a tree of bounding boxes, four to a node (Dammertz, Hanika, Keller, *Shallow bounding volume
 //! hierarchies for fast SIMD ray tracing of incoherent rays*, 2008). Boxes and flat surfaces are tested four at a time in
@@ -29,7 +29,7 @@ use glam::DVec3;
 use std::sync::Arc;
 use twins::twins;
 
-/// What waits at most: all children but the nearest at each depth.
+/// Most children that wait to be visited: all but the nearest at each depth.
 const STACK: usize = (WIDTH - 1) * DEEPEST + WIDTH;
 
 /// Room of a surface's box for hits accepted just outside the parameter domain, as a part of its size.
@@ -41,19 +41,20 @@ const TIE: f64 = 1e-12;
 /// Beyond [`TIE`] by far.
 const MARGIN: f64 = 1e-10;
 
-/// What a ray leaves a curved surface by before it may meet it again, as a part of the surface's size: more than a root of the
-/// ray's polynomial moves by the rounding δ of where it starts, δ / cos θ, for all but one in 10¹² of the rays that leave
-/// diffusely.
+/// Distance by which a ray leaves a curved surface before it may meet it again, as a part of the surface's
+/// size: more than a root of the ray's polynomial moves by the rounding δ of where it starts, δ / cos θ, for
+/// all but one in 10¹² of the rays that leave diffusely.
 const LEAVING: f64 = 1e-6;
 
 /// Distance between places that agree but for rounding, as a part of the largest coordinate.
 const TOUCH: f64 = 64.0 * f64::EPSILON;
 
-/// How far ahead to look whether a ray passes the border of a surface, as a part of its size: little for the plane, and much for
-/// the seam.
+/// Distance along a ray, as a part of another surface's size, at which it is tested whether the ray has
+/// passed that surface's border: small beside the tolerance of its plane, large beside that at seams.
 const AHEAD: f64 = 1e-7;
 
-/// How far a surface reaches before the one that a ray starts on, at least, as a part of its size, if it does.
+/// Least distance, as a part of its size, by which a surface reaches before the one that a ray starts on to
+/// count as before it.
 const BEFORE: f64 = 1e-9;
 
 /// Cosine between the normals of surfaces that lie face to face.
@@ -65,7 +66,7 @@ const NEAR: f64 = 1e-9;
 /// Hits behind the start of a ray and within roundings of it, at most.
 const MOST_PASSED: usize = 4;
 
-/// What a ray meets.
+/// Hit of a ray on one of many surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Encounter {
     /// The surface, by its place in the list.
@@ -88,7 +89,7 @@ pub struct RayTree {
     twins: Vec<u32>,
     /// Diagonals of the surfaces' boxes.
     sizes: Vec<f64>,
-    /// The largest coordinate.
+    /// The largest coordinate (length).
     size: f64,
 }
 
@@ -127,13 +128,14 @@ impl RayTree {
         Search::new(self, ray, Some(start)).nearest()
     }
 
-    /// How far behind its start, and before it, a ray may still meet what it starts on.
+    /// Distance behind its start, and before it, within which a ray may still meet what it starts on
+    /// (length).
     pub fn reach(&self) -> f64 {
         NEAR * self.size
     }
 
-    /// How rays start on the surface of place `own`: as long as this and the surfaces that they may meet stay the same, so does
-    /// what [`RayTree::nearest_from`] says, to the bit.
+    /// Key of how rays start on the surface of place `own`: as long as it and the surfaces that they may meet
+    /// stay the same, so does what [`RayTree::nearest_from`] says, to the bit.
     pub fn start_on(&self, own: usize) -> [u64; 2] {
         [self.size.to_bits(), u64::from(self.twins[own])]
     }
@@ -160,7 +162,7 @@ impl RayTree {
     }
 }
 
-/// How a ray starts on a surface.
+/// Start of a ray on a surface.
 #[derive(Clone, Copy, Debug)]
 struct Start {
     /// The surface and its twin.
@@ -169,12 +171,12 @@ struct Start {
     step: f64,
 }
 
-/// The nearest so far.
+/// The nearest hit so far.
 #[derive(Clone, Copy, Debug)]
 struct Best {
     surface: usize,
     hit: Hit,
-    /// None where it has not been told yet.
+    /// Whether the front is met; None where it has not been told yet.
     front: Option<bool>,
 }
 
@@ -189,7 +191,7 @@ struct Search<'a> {
     is_blocked: bool,
 }
 
-/// What is looked for.
+/// Goal of a search: the nearest hit, or any hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Goal {
     Nearest,

@@ -10,8 +10,8 @@ mod pieces;
 use crate::{Motion, ShapeError, coordinate_rounding, intersection};
 use glam::{DVec2, DVec3};
 
-/// How far a vertex may lie off the plane of the outline, in multiples of the outline's extent: decimals and single
-/// precision pass, a quad that is meant to be curved does not. Chosen; not tuned.
+/// Distance of a vertex from the plane of the outline, at most, in multiples of the outline's extent:
+/// decimals and single precision pass, a quad that is meant to be curved does not. Chosen; not tuned.
 pub(crate) const PLANARITY: f64 = 2e-5;
 
 /// Roundings by which a vertex may miss a plane through other vertices: each misses by one, and a plane through three
@@ -30,7 +30,7 @@ const SEAM: f64 = 1e-9;
 pub struct PlanarRegion {
     outer: Vec<DVec3>,
     holes: Vec<Vec<DVec3>>,
-    /// The same rings in plane coordinates, the outline first.
+    /// Outline and holes in plane coordinates, the outline first.
     flat: Vec<Vec<DVec2>>,
     axes: [DVec3; 2],
     normal: DVec3,
@@ -174,7 +174,7 @@ impl PlanarRegion {
         pairs.map(|(our, their)| intersection(our, their, other.normal())).filter(|part| part.len() > 2)
     }
 
-    /// The same region seen from the other side.
+    /// The region as seen from its other side, with the opposite normal.
     #[must_use]
     pub fn flipped(&self) -> PlanarRegion {
         let reversed =

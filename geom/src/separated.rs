@@ -60,7 +60,7 @@ fn direction_on(face: usize, [a, b, c]: [&[DVec3]; 3], tolerance: f64) -> Option
     Some(middle(&cone))
 }
 
-/// How far points extend along `d`, times |d|, and the point that does.
+/// Largest d·x of the points x, and the point that has it.
 fn farthest(points: &[DVec3], d: DVec3) -> (f64, DVec3) {
     let mut best = (f64::NEG_INFINITY, DVec3::ZERO);
     for x in points {

@@ -1,4 +1,4 @@
-//! What keeps a shape from being built.
+//! Errors of the constructors of shapes.
 
 use thiserror::Error;
 
@@ -33,7 +33,7 @@ pub enum ShapeError {
     NotPositive {
         /// The field at fault.
         field: String,
-        /// What was given.
+        /// The number given.
         value: f64,
     },
     /// A quantity that must not be negative is.
@@ -41,7 +41,7 @@ pub enum ShapeError {
     Negative {
         /// The field at fault.
         field: String,
-        /// What was given.
+        /// The number given.
         value: f64,
     },
     /// Of two numbers the smaller is not below the larger.
@@ -49,7 +49,7 @@ pub enum ShapeError {
     OutOfOrder {
         /// The field at fault.
         field: String,
-        /// What `field` is compared with, such as "`radius`" or "its second number".
+        /// The number that `field` is compared with, such as "`radius`" or "its second number".
         limit: String,
         /// The number that should be the lower one.
         low: f64,
@@ -75,7 +75,7 @@ pub enum ShapeError {
     TooFewVertices {
         /// The ring at fault.
         field: String,
-        /// How many it has.
+        /// Number of its vertices.
         count: usize,
     },
     /// Two successive vertices coincide.
@@ -96,7 +96,7 @@ pub enum ShapeError {
         field: String,
         /// Zero-based index of the vertex farthest off.
         index: usize,
-        /// Its distance from the plane.
+        /// Distance of that vertex from the plane (length).
         deviation: f64,
     },
     /// Two edges of a ring cross or touch.
@@ -144,7 +144,7 @@ pub enum ShapeError {
         field: String,
         /// Zero-based index of the point farthest off.
         index: usize,
-        /// Its distance from the half-plane.
+        /// Distance of that point from the half-plane (length).
         deviation: f64,
     },
     /// The curve of a surface of revolution crosses the axis.
@@ -152,7 +152,7 @@ pub enum ShapeError {
     CrossesAxis {
         /// The curve at fault.
         field: String,
-        /// How far it gets to the other side.
+        /// Largest distance of the curve beyond the axis (length).
         depth: f64,
     },
     /// The front of the surface turns over inside it.

@@ -40,7 +40,7 @@ pub struct Foot {
     pub u: f64,
     /// Second parameter of the nearest point, in [−1, 1].
     pub v: f64,
-    /// How far the given point is from it.
+    /// Distance between the nearest point and the given point (length).
     pub distance: f64,
 }
 
@@ -81,10 +81,10 @@ pub trait Surface: Debug + Send + Sync {
         Vec::new()
     }
 
-    /// The same surface with each of its [corners](Surface::corners) where `place` puts it; None if it has none.
+    /// The surface with each of its [corners](Surface::corners) where `place` puts it; None if it has none.
     ///
     /// # Errors
-    /// Those of the surface's constructor: corners that coincide, or lie in no plane.
+    /// Errors of the surface's constructor: corners that coincide, or lie in no plane.
     fn with_corners(&self, _place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
         None
     }

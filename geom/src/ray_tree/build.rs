@@ -18,7 +18,7 @@ pub(super) const DEEPEST: usize = HEURISTIC_DEPTH + 16;
 /// Expected cost of a flat surface in a leaf, in tests of a curved one.
 const FLAT_COST: f32 = 0.3;
 
-/// What is at a child: a fork, four flats, or a curved surface, by its place in the list of each.
+/// Content of a child: a fork, four flats, or a curved surface, by its place in the list of each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Content {
     Fork(usize),

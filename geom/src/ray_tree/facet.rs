@@ -27,13 +27,13 @@ pub(super) struct Facet {
     sides: [[f64; 3]; SIDES],
 }
 
-/// What a facet knows of a ray.
+/// Meeting of a ray with a facet, as far as the facet can tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Meeting {
     None,
     /// The hit, and whether the front is met.
     At(Hit, bool),
-    /// On the border.
+    /// The ray meets the border: only the surface can tell.
     Doubtful,
 }
 

@@ -28,7 +28,7 @@ struct Sheet {
     /// u and v at the origin.
     shifts: [f64; 2],
     most: f64,
-    /// How far it may lie off its plane.
+    /// Twice the largest distance of a corner from the plane (units of the frame).
     depth: f64,
 }
 
@@ -43,9 +43,9 @@ pub(super) struct Flats {
     slope_v: [[f32; WIDTH]; 3],
     shift_v: [f32; WIDTH],
     most: [f32; WIDTH],
-    /// Room for roundings.
+    /// Room for the roundings of c u and c v.
     room: [f32; WIDTH],
-    /// The same along the ray.
+    /// Room for the roundings of c t.
     room_along: [f32; WIDTH],
     surfaces: [u32; WIDTH],
 }

@@ -10,10 +10,10 @@ use crate::slabs::Slabs;
 use crate::{Aabb, Ray};
 use glam::DVec3;
 
-/// What boxes grow by on every side, in units of half the scene.
+/// Distance by which boxes grow on every side, in units of half the scene.
 const MARGIN: f64 = 1.0 / (1u32 << 22) as f64;
 
-/// What the end of an interval grows by, relative to it.
+/// Factor by which the end of an interval grows.
 pub(super) const ROOM: f32 = 1.0 + 1e-6;
 
 /// One over a coordinate of a direction is no larger than this: 0 · ∞ must not arise, nor a number that is not finite.

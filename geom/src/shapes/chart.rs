@@ -25,14 +25,14 @@ pub(super) struct Chart {
     bend: DVec3,
 }
 
-/// What is known of a ray and a tile.
+/// Meeting of a ray with a tile, as far as the chart can tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Meeting {
     /// It misses the tile.
     None,
     /// It meets the tile once, at `along` multiples of its direction.
     At { s: f64, t: f64, along: f64 },
-    /// Either.
+    /// The ray may meet the tile or miss it.
     Doubtful,
 }
 

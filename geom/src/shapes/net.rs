@@ -1,4 +1,5 @@
-//! What bicubic patches share: values of 4 × 4 control nets, their parts, and normals at collapsed edges.
+//! Control nets of bicubic patches: values of nets of 4 × 4 points, their parts, and normals at collapsed
+//! edges.
 
 use super::fold::{places, turns_back};
 use crate::bernstein::{Coefficient, combine, restrict, weights};

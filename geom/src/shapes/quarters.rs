@@ -11,7 +11,7 @@ const COUNT: usize = 4;
 pub(super) struct Quarters {
     /// Lowest coordinates: by axis, then by quarter.
     low: [[f64; COUNT]; 3],
-    /// Highest ones.
+    /// Highest coordinates, likewise.
     high: [[f64; COUNT]; 3],
 }
 

@@ -29,7 +29,7 @@ const SLENDER: f64 = 1e-6;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sheared {
     origin: DVec3,
-    /// From space to (a, b, h).
+    /// Map from space to (a, b, h).
     frame: DMat3,
     /// Lowest and highest coordinates.
     range: [DVec3; 2],
@@ -40,11 +40,11 @@ pub(super) struct Sheared {
 /// A ray in the frame of a tile.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Local {
-    /// Its origin.
+    /// Origin of the ray.
     pub(super) from: DVec3,
-    /// Its direction.
+    /// Direction of the ray.
     pub(super) along: DVec3,
-    /// One over it.
+    /// 1 over the direction, by coordinate.
     pub(super) inverse: DVec3,
 }
 
@@ -55,7 +55,7 @@ pub(super) enum Passage {
     Misses,
     /// The ray meets it.
     Meets,
-    /// Either.
+    /// The ray may meet the box or miss it.
     Doubtful,
 }
 
@@ -107,7 +107,7 @@ impl Sheared {
         Local { from: self.frame * (ray.origin - self.origin), along, inverse: inverted(along) }
     }
 
-    /// How a ray passes the box between two multiples of its direction.
+    /// Passage of a ray through the box between two multiples of its direction.
     pub(super) fn passage(&self, ray: &Local, [start, end]: [f64; 2]) -> Passage {
         let Local { from, along, inverse } = *ray;
         let [a, b] = self.range.map(|corner| (corner - from) * inverse);

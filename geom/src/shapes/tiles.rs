@@ -188,7 +188,7 @@ impl<T: Control> Tile<T> {
         self.content = Content::Quarters(Box::new(Quarters::new(boxes)), first);
     }
 
-    /// What the chart knows of a ray; `width` is that of the tile along u and v.
+    /// Meeting of a ray with the tile, as far as its chart tells; `width` is that of the tile along u and v.
     fn meeting(&self, ray: &Local, width: f64) -> Meeting {
         self.chart.as_ref().map_or(Meeting::Doubtful, |chart| chart.meet(ray, Hit::SEAM / width))
     }

@@ -1,4 +1,4 @@
-//! What all surfaces turned about an axis share: X(u, v) = o + x(v) r̂(φ) + z(v) ẑ with φ = φ₀ + u φ₁.
+//! Surfaces turned about an axis: X(u, v) = o + x(v) r̂(φ) + z(v) ẑ with φ = φ₀ + u φ₁.
 //!
 //! Angle 0 points toward the projection of +x (of +y where the axis is along x); angles run right-handed
 //! about the axis. X_u = x φ₁ φ̂, X_v = x′ r̂ + z′ ẑ, so X_u × X_v = x φ₁ (z′ r̂ − x′ ẑ): the normal is

@@ -1,4 +1,4 @@
-//! What every surface promises, checked on every shape.
+//! Promises of the trait `Surface`, checked on every shape.
 
 use crate::gallery::{Exhibit, gallery};
 use crate::random::Random;
@@ -234,7 +234,7 @@ fn points_off_the_surface_are_not_inverted() {
 struct Mesh {
     triangles: Vec<[DVec3; 3]>,
     tree: Bvh,
-    /// How far the surface is from it at most.
+    /// Largest distance between the surface and its triangles (length).
     error: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What a ray meets first, against all surfaces asked one by one; boxes do not leak, and no surface hides itself.
+//! First hits of rays, against all surfaces asked one by one; boxes do not leak, and no surface hides itself.
 
 use crate::gallery::gallery;
 use crate::random::Random;
@@ -9,7 +9,8 @@ use std::sync::Arc;
 
 type Shape = Arc<dyn Surface>;
 
-/// One of every kind, in random places of a ball of three times their size; every third with its other side.
+/// A surface of every kind, in random places of a ball of three times their size; every third with its other
+/// side.
 fn crowd(random: &mut Random, scale: f64, away: DVec3) -> Vec<Shape> {
     let place = |(k, exhibit): (usize, crate::gallery::Exhibit)| {
         let (axis, angle) = (random.direction(), random.between(-3.0, 3.0));
@@ -100,7 +101,7 @@ proptest! {
         }
     }
 
-    /// What is met stays met, to the bit, unless what has moved comes before it.
+    /// A first hit stays the same, to the bit, unless a surface that has moved comes before it.
     #[test]
     fn what_moves_changes_what_is_met_only_where_it_comes_before_it(seed in any::<u64>(), share in 0.02..0.5_f64) {
         let mut random = Random(seed);
