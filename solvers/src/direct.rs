@@ -6,9 +6,9 @@ use crate::halt::Halt;
 use crate::operator::Operator;
 use crate::panel::Threads;
 
-/// How a direct method factors; all else is the same for all.
+/// Factorisation of a direct method; all else is the same for all of them.
 pub(crate) trait Direct: Sync {
-    /// Its name in the list of methods.
+    /// Name in the list of methods.
     const NAME: &'static str;
 
     /// Entries multiplied by the factorisation, divided by dim³.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What ended an iteration before it reached its tolerance.
+/// Reason for which an iteration ended before it reached its tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
     /// The allowed number of iterations was used up.
@@ -45,7 +45,7 @@ pub enum SolveError {
         residual: f64,
         /// The residual that was asked for.
         tolerance: f64,
-        /// What ended the iteration.
+        /// Reason for which the iteration ended.
         stop: Stop,
     },
     /// The matrix, or a diagonal block the method must invert, has no inverse in double precision.

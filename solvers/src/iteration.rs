@@ -42,7 +42,7 @@ pub(crate) trait Iteration {
     }
 }
 
-/// How an iteration is watched.
+/// Limits of an iteration, and the name of its method.
 pub(crate) struct Watch {
     pub(crate) method: &'static str,
     /// Most iterations.

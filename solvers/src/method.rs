@@ -13,7 +13,7 @@ use crate::richardson::{self, Richardson};
 use crate::solver::Solver;
 use crate::southwell::{self, Southwell};
 
-/// What a matrix must have for a method to succeed.
+/// Property that a matrix must have for a method to succeed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
     /// An inverse.
@@ -64,9 +64,9 @@ pub struct Method {
     pub name: &'static str,
     /// Other names that find it.
     pub aliases: &'static [&'static str],
-    /// What it does, in a few words.
+    /// Description, a few words.
     pub summary: &'static str,
-    /// What it needs to succeed.
+    /// Property that the matrix must have for it to succeed.
     pub needs: Needs,
     /// The part of a large matrix that it uses.
     pub access: Access,
@@ -219,7 +219,7 @@ impl Method {
         Methods::default().named(name)
     }
 
-    /// Its summary with its other names.
+    /// Summary of the method, with its other names.
     pub fn summary_with_aliases(&self) -> String {
         match self.aliases {
             [] => self.summary.to_owned(),
@@ -227,7 +227,7 @@ impl Method {
         }
     }
 
-    /// Its name and its aliases.
+    /// Name of the method, then its aliases.
     fn names(&self) -> impl Iterator<Item = &'static str> {
         std::iter::once(self.name).chain(self.aliases.iter().copied())
     }
@@ -281,7 +281,7 @@ pub struct Methods {
 }
 
 impl Default for Methods {
-    /// Those of [`Method::ALL`].
+    /// The methods of [`Method::ALL`].
     fn default() -> Self {
         Self { list: Method::ALL.iter().collect() }
     }

@@ -1,4 +1,4 @@
-//! How the unknowns of a system are cut into blocks.
+//! Cut of the unknowns of a system into blocks.
 
 use std::ops::Range;
 

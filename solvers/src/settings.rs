@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use crate::error::SolveError;
 
-/// What jacobi, gauss-seidel and southwell relax at a time.
+/// Unknowns that jacobi, gauss-seidel and southwell relax at a time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Granularity {
     /// All unknowns of a block together, through the inverse of its diagonal block.
@@ -15,13 +15,13 @@ pub enum Granularity {
     Coefficient,
 }
 
-/// What cg and gmres multiply residuals by.
+/// Matrix that cg and gmres multiply residuals by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Preconditioner {
     /// The inverses of the diagonal blocks (block Jacobi).
     #[default]
     Block,
-    /// Nothing.
+    /// No matrix: residuals stay as they are.
     None,
 }
 

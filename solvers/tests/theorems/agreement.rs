@@ -30,7 +30,7 @@ fn variants(tolerance: f64) -> [Settings<'static>; 4] {
     [block.clone().with_sweep(Sweep::Symmetric), block.clone().with_relaxation(1.2), coefficient, block]
 }
 
-/// What is known of a system: symmetric and positive definite, dominant, of eigenvalues within 1 of 1.
+/// Known properties of a system: symmetric and positive definite, dominant, of eigenvalues within 1 of 1.
 #[derive(Clone, Copy, Default)]
 struct System {
     symmetric: bool,

@@ -1,4 +1,4 @@
-//! What `auto` chooses, and that it falls on its feet.
+//! Choice of the method by `auto`, and the methods that follow where the first one fails.
 
 use radiosity_solvers::method::{Method, Methods, NameTaken};
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Report, Settings};

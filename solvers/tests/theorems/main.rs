@@ -1,4 +1,4 @@
-//! What must hold for every method on every system.
+//! Theorems that must hold for every method on every system.
 
 mod agreement;
 mod choice;

@@ -5,7 +5,7 @@ use radiosity_solvers::{Dense, Operator, Partition};
 
 use crate::systems::{Random, matrix};
 
-/// What an operator must bring itself; the rest is provided.
+/// Operator with only the functions that it must bring itself; the rest is provided.
 struct Bare(Dense);
 
 impl Operator for Bare {

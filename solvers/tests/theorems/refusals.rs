@@ -18,7 +18,7 @@ fn solve(name: &str, a: &dyn Operator, b: &[f64], settings: &Settings<'_>) -> Re
     Method::named(name).unwrap().solver.solve(a, b, &mut x, settings, &mut |_| ())
 }
 
-/// What an operator may do wrong.
+/// Fault of an operator.
 #[derive(Clone, Copy, PartialEq)]
 enum Lie {
     /// Calls an unsymmetric matrix symmetric.

@@ -1,4 +1,4 @@
-//! What the settings promise.
+//! Promises of the settings.
 
 use std::time::Duration;
 

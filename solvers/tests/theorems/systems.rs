@@ -116,7 +116,7 @@ pub(crate) fn enclosure(
     })
 }
 
-/// The same matrix with rows multiplied by `rows` and columns by `columns`.
+/// The matrix `a` with rows multiplied by `rows` and columns by `columns`.
 pub(crate) fn scaled(a: &Dense, rows: &[f64], columns: &[f64], symmetric: bool) -> Dense {
     let dim = rows.len();
     let values = a.values().to_vec();
