@@ -71,7 +71,7 @@ impl BlockSparse {
     /// transpose as well.
     ///
     /// # Errors
-    /// Those of [`BlockSparse::new`].
+    /// Errors of [`BlockSparse::new`].
     pub fn symmetric(partition: Partition, blocks: &[SparseBlock<'_>]) -> Result<Self, SolveError> {
         let mut arriving = Vec::with_capacity(2 * blocks.len());
         for (row, column, values) in blocks.iter().copied() {

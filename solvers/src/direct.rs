@@ -51,7 +51,7 @@ pub(crate) fn entries(
 /// The entries of `a` on and below the diagonal, column by column; those above are anything.
 ///
 /// # Errors
-/// Those of [`entries`].
+/// Errors of [`entries`].
 pub(crate) fn lower_triangle(
     a: &dyn Operator,
     between: &dyn Fn() -> Result<(), SolveError>,

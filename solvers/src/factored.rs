@@ -69,7 +69,7 @@ impl<'a> Factored<'a> {
     /// Reads and factors the matrix.
     ///
     /// # Errors
-    /// Those of [`Lu::factor`](crate::lu::Lu::factor) and [`SolveError::NotPositiveDefinite`].
+    /// Errors of [`Lu::factor`](crate::lu::Lu::factor) and [`SolveError::NotPositiveDefinite`].
     pub(crate) fn new<D: Direct>(a: &'a dyn Operator, settings: &Settings<'a>) -> Result<Self, SolveError> {
         let dim = a.partition().dim();
         settings.check(dim)?;

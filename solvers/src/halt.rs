@@ -47,7 +47,7 @@ impl<'a> Halt<'a> {
     /// [`check`](Self::check) before any residual is known.
     ///
     /// # Errors
-    /// Those of [`check`](Self::check).
+    /// Errors of [`check`](Self::check).
     pub(crate) fn check_factoring(&self) -> Result<(), SolveError> {
         self.check(0, f64::INFINITY)
     }

@@ -84,7 +84,7 @@ pub trait Solver: Sync {
     /// factoring only once where that applies. All columns are tried, unless the caller cancels.
     ///
     /// # Errors
-    /// That of the first column that failed.
+    /// The error of the first column that failed.
     fn solve_many(
         &self,
         a: &dyn Operator,
