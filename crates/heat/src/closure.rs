@@ -28,10 +28,11 @@ use pairs::Pairs;
 /// Largest distance of a row sum from 1, over the error of the transfers, that is theirs and not that of the scene. Chosen.
 const TRUSTED: f64 = 10.0;
 
-/// How well the transfers between the elements of a scene are known.
+/// Accuracy of the transfers between the elements of a scene.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Closure {
-    /// By how much row sums missed 1 before they were made to be 1; None where they were left as they were.
+    /// Largest distance of a row sum from 1 before the rows were made to sum to 1; None where they were left
+    /// as they were.
     pub(super) moved: Option<f64>,
     /// Whether all exchanges are exact: elements carry constants, and what is not integrated exactly follows from sums.
     pub(super) is_exact: bool,

@@ -15,7 +15,7 @@ pub(super) fn radiant(scene: &Scene, roles: &Roles) -> Scene {
     })
 }
 
-/// The same where everything emits, so that no pair is left out.
+/// The scene of [`radiant`] where every surface emits 1 W m⁻², so that no pair is left out.
 pub(super) fn all_emit(scene: &Scene, roles: &Roles) -> Scene {
     let mut scene = radiant(scene, roles);
     scene.surfaces.iter_mut().for_each(|surface| {

@@ -12,19 +12,19 @@ pub enum HeatError {
     /// Surfaces of which neither temperature nor flux is known.
     #[error("neither a temperature nor a flux of heat is given for {}", listed(surfaces))]
     NoCondition {
-        /// Their names.
+        /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces that need an emissivity.
     #[error("no emissivity is given for {}", listed(surfaces))]
     NoEmissivity {
-        /// Their names.
+        /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces that let heat through.
     #[error("heat would pass through {}", listed(surfaces))]
     Transmits {
-        /// Their names.
+        /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces that exchange heat with one another alone, all of known flux.
@@ -33,13 +33,13 @@ pub enum HeatError {
         listed(surfaces)
     )]
     NoLevel {
-        /// Their names.
+        /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Surfaces from which more heat is drawn than arrives.
     #[error("more heat is drawn than arrives: no temperature is low enough for {}", listed(surfaces))]
     TooCold {
-        /// Their names.
+        /// Names of the surfaces.
         surfaces: Vec<String>,
     },
     /// Conductances for which memory does not suffice.
@@ -61,7 +61,7 @@ pub enum HeatError {
 }
 
 impl HeatError {
-    /// How to mend it; none where the message already says so.
+    /// Cure of the error; None where the message already states it.
     pub fn cure(&self) -> Option<Wording> {
         Some(match self {
             Self::NoCondition { .. } => words(

@@ -1,4 +1,4 @@
-//! What a balance of heat will need, before anything is computed.
+//! Memory that a balance of heat will need, before anything is computed.
 //!
 //! To the memory of a solution come, for the conductances of n surfaces, the light of each as a group and
 //!
@@ -17,7 +17,7 @@ use super::roles::Roles;
 /// Bytes of C_ij for each pair of surfaces.
 const PAIR: u64 = 16;
 
-/// What the parts of a balance need.
+/// Forecast of the memory of a balance.
 pub(super) struct Forecast<'a> {
     scene: &'a Scene,
     roles: &'a Roles,
@@ -25,7 +25,7 @@ pub(super) struct Forecast<'a> {
 }
 
 impl<'a> Forecast<'a> {
-    /// Of the balance of `scene`.
+    /// Forecast for the balance of `scene`.
     pub(super) fn of(scene: &'a Scene, roles: &'a Roles, options: &'a Options) -> Self {
         Self { scene, roles, options }
     }
@@ -39,7 +39,8 @@ impl<'a> Forecast<'a> {
         if needed <= allowed { Ok(()) } else { Err(HeatError::Conductances { surfaces, needed, allowed }) }
     }
 
-    /// Those of the `orders` for which there is memory; a lower one needs no more than the balance itself.
+    /// The `orders` for which there is memory; an order below that of the options needs no more than the
+    /// balance itself.
     pub(super) fn within_memory(&self, orders: &[usize]) -> Vec<usize> {
         let emitting = all_emit(self.scene, self.roles);
         let fits = |order: &usize| {

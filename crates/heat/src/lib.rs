@@ -68,10 +68,10 @@ pub struct Heat {
     pub outcome: Outcome,
 }
 
-/// What to compute of the heat of a scene.
+/// Options of a balance of heat.
 #[derive(Clone, Copy, Debug)]
 pub struct HeatOptions {
-    /// How the radiosity is computed. Direct light is always projected.
+    /// Options of the radiosity. Direct light is always projected.
     pub options: Options,
     /// Whether the conductances between all surfaces are wanted: one solution for each surface.
     pub conductances: bool,

@@ -7,7 +7,7 @@ use radiosity_scene::{Condition, Scene, SceneSurface};
 
 use super::error::HeatError;
 
-/// What is known of a surface.
+/// Known quantity of a surface: its temperature or its flux.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Role {
     /// Its temperature (K).

@@ -33,12 +33,12 @@ const SETTLED: f64 = 1e-15;
 /// Residual over right side at which conjugate gradients end. Chosen.
 const SOLVED: f64 = 1e-12;
 
-/// What rows lack: r, of all coefficients.
+/// Deficit c − G c of the rows: a number for each coefficient (scene length).
 #[derive(Debug)]
 pub(super) struct Deficit(Vec<f64>);
 
 impl Deficit {
-    /// Of those of the `rows` that are known, 0 elsewhere.
+    /// Deficit of the `rows` that are known, 0 in all others.
     pub(super) fn of(elements: &Elements, blocks: &Blocks, rows: &[bool]) -> Self {
         let ones = elements.constant();
         let mut lacking: Vec<f64> =
@@ -127,7 +127,7 @@ struct Weights {
     diagonal: Vec<f64>,
     /// For each row i its (j, W_ij), j ≠ i.
     rows: Vec<Vec<(usize, f64)>>,
-    /// Σ_j W_ij.
+    /// Σ_j W_ij of each row i.
     sums: Vec<f64>,
 }
 

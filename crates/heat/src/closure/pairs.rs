@@ -1,4 +1,4 @@
-//! What is known of the exchange of two elements beforehand, and what follows of the others.
+//! Exchanges of two elements that are known beforehand, and those that follow from them.
 //!
 //! Each closed row is an equation for the exchanges X_ij = A_i F_ij that are not known. They are the edges of a graph of the rows, X_ii
 //! a loop. An edge at whose end no other one is left follows from that row. What is left when no such end remains follows
@@ -117,7 +117,7 @@ fn strip_leaves(edges: &mut Vec<[usize; 2]>, rows: usize) {
     }
 }
 
-/// How many edges end at each row, a loop once.
+/// Number of edges that end at each row, a loop once.
 fn degrees(edges: &[[usize; 2]], rows: usize) -> Vec<usize> {
     let mut degrees = vec![0; rows];
     for [i, j] in edges {
