@@ -33,7 +33,7 @@ use paint::Paint;
 use pane::{Pane, Sheet};
 use varied::Varied;
 
-/// How all elements reflect and emit in one band.
+/// Reflection, transmission and emission of all elements in one band.
 #[derive(Clone, Debug, Default)]
 pub struct Coating {
     /// ρ per element, in [0, 1); its mean over the element's area where it varies.
@@ -51,13 +51,13 @@ const ALONG: usize = 16;
 /// Means over a part of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct Means {
-    /// Of E₀ (W m⁻²).
+    /// Mean of E₀ (W m⁻²).
     pub exitance: f64,
-    /// Of ρ.
+    /// Mean of ρ.
     pub reflectance: f64,
 }
 
-/// The square root of how an element reflects.
+/// Square root of the reflection of an element.
 #[derive(Clone, Copy, Debug)]
 pub enum Root<'a> {
     /// √ρ, where ρ is constant.
@@ -86,8 +86,8 @@ impl Coating {
             .emitting(scene, elements, band, &|surface| scene.surfaces[surface].factor())
     }
 
-    /// The same where nothing emits but the members of a light group, or of no group for None; their group is not
-    /// dimmed.
+    /// Coating of the scene where only the members of a light group emit, for None those of no group; the
+    /// factor of their group is left out.
     pub fn of_group(scene: &Scene, elements: &[Element], band: usize, group: Option<&str>) -> Self {
         Self::reflecting(scene, elements, band).with_group(scene, elements, band, group)
     }
@@ -112,14 +112,15 @@ impl Coating {
         coating
     }
 
-    /// The same reflectance where nothing emits but the members of a light group, or of no group for None; their group is not
-    /// dimmed.
+    /// Coating of this reflection and transmission where only the members of a light group emit, for None
+    /// those of no group; the factor of their group is left out.
     pub fn with_group(&self, scene: &Scene, elements: &[Element], band: usize, group: Option<&str>) -> Self {
         let factor = |surface: usize| f64::from(u8::from(scene.surfaces[surface].is_in(group)));
         self.clone().emitting(scene, elements, band, &factor)
     }
 
-    /// The same reflectance where a surface emits `factor` times what its material does.
+    /// Coating of this reflection and transmission where a surface emits `factor` times what its material
+    /// does.
     fn emitting(
         mut self,
         scene: &Scene,
@@ -140,7 +141,7 @@ impl Coating {
         self
     }
 
-    /// The same where nothing emits.
+    /// Coating of this reflection and transmission where nothing emits.
     pub fn unlit(mut self) -> Self {
         self.exitance.fill(0.0);
         self.glows.clear();
@@ -212,7 +213,7 @@ impl Coating {
         self.sheets.get(&element)?.behind(parameters)
     }
 
-    /// The same at a node.
+    /// The element of the other side at a node of an element that lets light through.
     pub fn behind_node(&self, element: usize, node: &Node, is_flat: bool) -> Option<usize> {
         let sheet = self.sheets.get(&element)?;
         sheet.behind(of_node(sheet.shape.as_ref(), node, is_flat))
@@ -264,7 +265,7 @@ impl Coating {
             && glows().all(|((i, own), (k, theirs))| i == k && own.coefficients == theirs.coefficients)
     }
 
-    /// How the reflection of an element, without what it transmits, is halved.
+    /// Square root of the reflection of an element, without what the element transmits.
     pub fn root(&self, element: usize) -> Root<'_> {
         match self.paints.get(&element) {
             Some(paint) => Root::Matrix(paint.root()),
@@ -339,7 +340,7 @@ impl Coating {
         }
     }
 
-    /// The same where nothing is reflected or let through.
+    /// Coating of this emission where nothing is reflected or let through.
     pub fn black(&self) -> Self {
         let reflectance = vec![0.0; self.reflectance.len()];
         Self { reflectance, paints: BTreeMap::new(), sheets: BTreeMap::new(), ..self.clone() }
@@ -358,7 +359,7 @@ fn add_product(matrix: &[f64], x: &[f64], out: &mut [f64]) {
     }
 }
 
-/// What some of the elements have.
+/// Values that `make` gives for elements, by index of the element; elements without a value are left out.
 fn of_each<T: Send + Sync>(
     elements: &[Element],
     make: &(dyn Fn(&Element) -> Option<T> + Sync),
@@ -371,7 +372,7 @@ fn of_each<T: Send + Sync>(
     .collect()
 }
 
-/// What the elements of surfaces that let light through do.
+/// Sheets of the elements of surfaces that let light through, by index of the element.
 fn sheets(scene: &Scene, elements: &[Element], band: usize) -> BTreeMap<usize, Arc<Sheet>> {
     let mut sheets = BTreeMap::new();
     for (index, element) in elements.iter().enumerate() {

@@ -1,11 +1,11 @@
-//! How a scene is cut into elements, and which polynomials they carry.
+//! Cut of a scene into elements, and the polynomials that they carry.
 
 use serde::{Deserialize, Serialize};
 
 use super::cells::Layers;
 use super::space::Space;
 
-/// How the scene is cut and which polynomials it carries.
+/// Cut of a scene into elements, and the polynomials that they carry.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Discretization {
     /// Order of every element that does not state its own, ≤ [`HIGHEST_ORDER`](super::basis::HIGHEST_ORDER).
@@ -35,7 +35,7 @@ pub enum Subdivide {
         /// Whether anything in the scene can cast a shadow.
         occluded: bool,
     },
-    /// The same number along u and v everywhere.
+    /// This number along u and along v of every surface.
     Uniform(usize),
     /// By the area of the surface (`resolution`), as fine as so many rays from all of them support; limits the order
     /// as well.

@@ -98,7 +98,7 @@ impl Element {
     }
 }
 
-/// What two rectangles of parameters share, if it has an area.
+/// Common part of two rectangles of parameters; None if it has no area.
 pub(super) fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
     let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
     let (u, v) = (common(a.u, b.u), common(a.v, b.v));

@@ -96,8 +96,8 @@ impl Elements {
         Self::of_shapes(scene, how, mesh, whole, &[])
     }
 
-    /// The same elements where the surfaces of `scene` are, which has the same ones, some of them moved; those of the others are
-    /// copied.
+    /// The elements of this cut on the surfaces of `scene`, which are those of the scene that was cut, some
+    /// of them moved; elements of surfaces that rest are copied.
     ///
     /// # Errors
     /// As for [`Elements::new`].
@@ -193,7 +193,7 @@ impl Elements {
         })
     }
 
-    /// How the scene was cut.
+    /// Cut of the scene, and the polynomials of the elements.
     pub fn discretization(&self) -> &Discretization {
         &self.how
     }

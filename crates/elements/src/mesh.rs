@@ -31,30 +31,30 @@ pub enum Tree<T> {
 pub struct Halves<T> {
     /// The parameter that the cut fixes.
     across: Axis,
-    /// Its value there.
+    /// Value of that parameter at the cut.
     at: f64,
     /// The parts of lower and of higher values.
     parts: [Tree<T>; 2],
 }
 
-/// One of the two parameters of a surface.
+/// A parameter of a surface, u or v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Axis {
-    /// The first.
+    /// The first parameter, u.
     U,
-    /// The second.
+    /// The second parameter, v.
     V,
 }
 
-/// What becomes of a cell when a mesh is refined.
+/// Change of a cell when a mesh is refined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refinement {
-    /// It stays.
+    /// The cell stays as it is.
     Keep,
-    /// Its order rises by this, to the highest at the most.
+    /// The order of the cell rises by this, to the highest at the most.
     Raise(usize),
-    /// It is cut at the middles of both parameters, or of this one.
+    /// The cell is cut at the middles of both parameters, or of this one.
     Cut(Option<Axis>),
 }
 
@@ -97,10 +97,10 @@ impl<T> Tree<T> {
         }
     }
 
-    /// The same cells with other values, of each rectangle inside `rect` and its value.
+    /// These cells with other values, of each rectangle inside `rect` and its value.
     ///
     /// # Errors
-    /// The first of `value`.
+    /// The first error of `value`.
     pub fn map<U, E>(
         &self,
         rect: &Rect,

@@ -36,7 +36,7 @@ pub enum Patch {
 /// A point of a patch with what the kernel needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Node {
-    /// Where it is.
+    /// Position of the point.
     pub position: DVec3,
     /// Unit normal of the front.
     pub normal: DVec3,
@@ -49,9 +49,9 @@ pub struct Node {
 /// A direction of the chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
-    /// Along s.
+    /// The direction of s.
     Along,
-    /// Along t.
+    /// The direction of t.
     Across,
 }
 
@@ -231,8 +231,8 @@ impl Patch {
         }
     }
 
-    /// The same patch, charted so that corner `first` is at (0, 0) and its neighbour `second` at (1, 0). Indices are
-    /// those of [`Patch::polygon`].
+    /// This patch, charted so that corner `first` is at (0, 0) and its neighbour `second` at (1, 0). Indices
+    /// are those of [`Patch::polygon`].
     pub fn oriented(&self, first: usize, second: usize) -> Self {
         let count = if self.is_triangle() { 3 } else { 4 };
         let forward = (first + 1) % count == second;

@@ -55,7 +55,7 @@ enum Multiplier {
     Function(usize),
 }
 
-/// How the functions of one level follow from those before it.
+/// Step of the recurrence from the functions before a level to those of the level.
 #[derive(Clone, Debug, PartialEq)]
 struct Step {
     functions: Range<usize>,

@@ -12,14 +12,14 @@ use crate::element::Element;
 #[derive(Debug)]
 pub(super) struct Glow {
     pub(super) varied: Varied,
-    /// What the pattern is multiplied by: the factor of the light group.
+    /// Factor of the light group, by which the pattern is multiplied.
     pub(super) factor: f64,
     /// e (W m⁻² times length).
     pub(super) coefficients: Vec<f64>,
 }
 
 impl Glow {
-    /// That of `factor` times a band of `pattern` on an element of a surface of this shape.
+    /// Exitance of `factor` times a band of `pattern` on an element of a surface of this shape.
     pub(super) fn new(
         element: &Element,
         shape: &Arc<dyn Surface>,

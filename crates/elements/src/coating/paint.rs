@@ -22,7 +22,7 @@ pub(super) struct Paint {
 }
 
 impl Paint {
-    /// That of a band of `pattern` on an element of a surface of this shape.
+    /// Reflectance of a band of `pattern` on an element of a surface of this shape.
     pub(super) fn new(
         element: &Element,
         shape: &Arc<dyn Surface>,

@@ -18,14 +18,14 @@ use crate::element::{Element, overlap};
 use crate::measure::Measure;
 use crate::patch::Patch;
 
-/// What an element lets through.
+/// Transmission of an element, from all elements of the other side.
 #[derive(Debug)]
 pub(super) struct Sheet {
     /// The shape of both sides.
     pub shape: Arc<dyn Surface>,
-    /// τ.
+    /// Transmittance τ.
     pub(super) transmittance: f64,
-    /// From each element of the other side.
+    /// Transmission from each element of the other side.
     pub(super) panes: Vec<Pane>,
 }
 
@@ -42,7 +42,7 @@ impl Sheet {
     }
 }
 
-/// What an element lets through of the light on one element of the other side.
+/// Transmission of an element from one element of the other side.
 #[derive(Clone, Debug)]
 pub(super) struct Pane {
     /// The element of the other side.
@@ -56,7 +56,8 @@ pub(super) struct Pane {
 }
 
 impl Pane {
-    /// That of `own` before `other`, the element number `behind`, on two sides of `shape`; None where they share nothing.
+    /// Transmission of `own` from `other`, the element number `behind`, on two sides of `shape`; None where
+    /// they share nothing.
     pub(super) fn new(
         own: &Element,
         (behind, other): (usize, &Element),

@@ -38,7 +38,7 @@ struct Line {
 }
 
 impl Tiles {
-    /// Those of a band of `pattern` over `rect`.
+    /// Tiles of a band of `pattern` over `rect`.
     pub(super) fn of(pattern: &Pattern, band: usize, rect: &Rect) -> Self {
         let breaks = pattern.breaks();
         let whole = [rect.u, rect.v];

@@ -30,7 +30,7 @@ pub(super) struct Varied {
 }
 
 impl Varied {
-    /// That of a band of `pattern` on an element of a surface of this shape.
+    /// A band of `pattern` on an element of a surface of this shape.
     pub(super) fn new(
         element: &Element,
         shape: &Arc<dyn Surface>,
@@ -57,7 +57,7 @@ impl Varied {
         self.pattern.at(self.band, parameters)
     }
 
-    /// S, row-major.
+    /// S_kl, row-major.
     pub(super) fn matrix(&self, element: &Element) -> Vec<f64> {
         let n = element.basis.len();
         let mut sums = vec![0.0; n * n];
@@ -75,7 +75,7 @@ impl Varied {
         orthonormal_rows(element, &transposed(&orthonormal_rows(element, &sums), n))
     }
 
-    /// e.
+    /// e_k, a number for each function of the element.
     pub(super) fn vector(&self, element: &Element) -> Vec<f64> {
         let mut sums = vec![0.0; element.basis.len()];
         self.integrate(element, 1, &mut |value, raw| {

@@ -23,7 +23,7 @@ pub struct Place {
     pub weight: f64,
 }
 
-/// What places the points.
+/// Map from two numbers in [0, 1] to points of patches, spread evenly over their area.
 #[derive(Debug)]
 pub struct Spread {
     pieces: Vec<Piece>,
@@ -45,12 +45,12 @@ enum Chart {
 }
 
 impl Spread {
-    /// Over an element.
+    /// Map onto an element.
     pub fn over(element: &Element) -> Self {
         Self::of(&element.patches)
     }
 
-    /// Over disjoint patches.
+    /// Map onto disjoint patches.
     pub fn of(patches: &[Patch]) -> Self {
         let charts: Vec<Chart> = patches.iter().flat_map(charts).collect();
         let area: f64 = charts.iter().map(Chart::area).sum();
