@@ -47,7 +47,7 @@ pub struct Inspection {
     pub passages: Vec<Passage>,
     /// Luminaires that err as points.
     pub near_points: Vec<NearPoint>,
-    /// What looks wrong.
+    /// Warnings of what looks wrong, each with the cure.
     pub warnings: Vec<Warning>,
 }
 

@@ -35,7 +35,8 @@ use obstacle::{Bend, Obstacle};
 pub use obstacle::END;
 use silhouette_mesh::SilhouetteMesh;
 
-/// As `END`, for a blocker that the end lies on. Chosen; not tuned.
+/// Part of a segment's length at its end within which it may touch the surface that the end lies on; for
+/// other surfaces see `END`. Chosen; not tuned.
 pub const OWN_END: f64 = 1e-6;
 
 /// The surfaces of a scene as obstacles.
@@ -46,7 +47,7 @@ pub struct Visibility {
     boxes: Vec<Aabb>,
     /// Hierarchy of all surfaces.
     tree: Bvh,
-    /// Of all surfaces, for what rays meet first.
+    /// Hierarchy of all surfaces, for first hits of rays.
     rays: RayTree,
     /// The surfaces that can stand between two others, ascending.
     standing: Vec<usize>,
@@ -84,7 +85,7 @@ impl Visibility {
         self.some_candidates(a, b, surfaces, usize::MAX)
     }
 
-    /// The same, so many of them at the most.
+    /// [`Visibility::candidates`], so many of them at the most.
     pub fn some_candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2], most: usize) -> Vec<usize> {
         heed();
         let mut found = Vec::new();

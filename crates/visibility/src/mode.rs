@@ -1,4 +1,4 @@
-//! How shadows are computed, and how accurately.
+//! Kinds of shadows, and their accuracy.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,16 +9,17 @@ const EXACT: f64 = 0.25;
 /// Whether and how surfaces hide each other, with the accuracy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shadows {
-    /// Nothing hides anything.
+    /// No shadows: nothing hides anything.
     Off,
     /// Rays against the candidate blockers of each pair. A curved blocker that reaches into the shaft by less than this
     /// part of the narrower patch's breadth is ignored: it hides at most about that part of the light between them.
     Rays(f64),
-    /// As `Rays`, but for planar blockers by their outlines, if at least one of the two surfaces is planar.
+    /// Planar blockers by their outlines if at least one of the two surfaces is planar, all else as for
+    /// `Rays`.
     Outlines(f64),
 }
 
-/// How shadows are computed, as the user chooses.
+/// Kind of shadows, as the user chooses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Hiding {
@@ -29,7 +30,7 @@ pub enum Hiding {
     /// Planar blockers by their outlines, all others by rays.
     #[default]
     Auto,
-    /// As `Auto`, to the accuracy of the transfers.
+    /// As [`Hiding::Auto`], to the accuracy of the transfers.
     Exact,
 }
 

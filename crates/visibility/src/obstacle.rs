@@ -25,7 +25,7 @@ pub(super) struct Obstacle {
     pub(super) ball: Ball,
     /// Convex pieces of a planar obstacle; a single piece can hide a whole pair.
     pub(super) pieces: Option<Vec<Vec<DVec3>>>,
-    /// How it lies to itself.
+    /// Position relative to its own tangent planes.
     pub(super) bend: Bend,
     /// Sampled points and normals of a curved obstacle.
     pub(super) looks: Vec<(DVec3, DVec3)>,
@@ -61,14 +61,14 @@ fn looks(shape: &dyn Surface) -> Vec<Jet> {
     (0..LOOKS * LOOKS).map(|k| shape.jet(at(k / LOOKS), at(k % LOOKS))).collect()
 }
 
-/// How a surface lies relative to the tangent planes of its points.
+/// Position of a surface relative to the tangent planes of its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Bend {
     /// Behind all of them, or nearly flat: it hides nothing of itself.
     Outward,
     /// In front of all of them, like the inside of a ball: all its points see each other.
     Inward,
-    /// Neither.
+    /// Partly behind and partly in front of them.
     Mixed,
 }
 

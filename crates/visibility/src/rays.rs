@@ -1,4 +1,4 @@
-//! What rays meet first, and how they start on surfaces.
+//! First hits of rays, and their starts on surfaces.
 
 use std::iter;
 
@@ -18,12 +18,13 @@ impl Visibility {
         self.rays.nearest_from(surface, origin, direction)
     }
 
-    /// How rays start on a surface ([`radiosity_geom::RayTree::start_on`]).
+    /// Key of how rays start on a surface ([`radiosity_geom::RayTree::start_on`]).
     pub fn start_on(&self, surface: usize) -> [u64; 2] {
         self.rays.start_on(surface)
     }
 
-    /// How far from its start a ray may still meet what it starts on ([`radiosity_geom::RayTree::reach`]).
+    /// Distance from its start within which a ray may still meet what it starts on (scene length;
+    /// [`radiosity_geom::RayTree::reach`]).
     pub fn reach(&self) -> f64 {
         self.rays.reach()
     }

@@ -78,7 +78,7 @@ fn kept(polygon: &[DVec3], heights: &[f64]) -> Corners {
     kept
 }
 
-/// How a set of points lies relative to a shadow volume.
+/// Position of a set of points relative to a shadow volume.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cover {
     /// No point of its convex hull is hidden.
@@ -105,7 +105,7 @@ impl Quad {
         Self { middle: 0.25 * (p + q + r + s), axes }
     }
 
-    /// How far it extends from its mean corner against and along the unit vector `n`.
+    /// Extents of the quadrilateral from its mean corner against and along the unit vector `n`.
     fn reach(&self, n: DVec3) -> [f64; 2] {
         let [a, b, c] = self.axes.map(|axis| axis.dot(n));
         let (sum, difference) = ((a + b).abs(), (a - b).abs());
@@ -168,8 +168,8 @@ impl Pyramid {
         self.planes.iter().any(|plane| plane.height(middle) <= -ball.radius())
     }
 
-    /// How the convex hull of `points`, which the ball of `radius` about `center` contains, lies relative to the
-    /// volume. What only touches a plane lies outside it.
+    /// Position, relative to the volume, of the convex hull of `points`, which the ball of `radius` about
+    /// `center` contains. What only touches a plane lies outside it.
     pub fn cover(&self, points: &[DVec3], center: DVec3, radius: f64) -> Cover {
         let middle = center - self.eye;
         // Planes that cross the ball; the one most likely to have all points outside comes first.
@@ -288,7 +288,8 @@ impl Pyramid {
     }
 }
 
-/// How the hull of `points`, no farther from the tip than `reach`, lies relative to the intersection of planes.
+/// Position of the hull of `points`, no farther from the tip than `reach`, relative to the intersection of
+/// planes.
 fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3], reach: f64) -> Cover {
     let tolerance = COINCIDENT * reach;
     let mut cover = Cover::Hidden;

@@ -1,4 +1,4 @@
-//! Which surfaces touch, and how.
+//! Contacts of surfaces.
 
 use std::collections::HashSet;
 
@@ -16,7 +16,7 @@ use crate::inspection::{
 pub struct Contact {
     /// Their indices in the scene, the lower first.
     pub surfaces: [usize; 2],
-    /// How they touch.
+    /// Kind of the contact.
     pub touch: Adjacency,
 }
 

@@ -35,7 +35,7 @@ impl<'a> Enclosure<'a> {
         self.bounds.contains(point) && DIRECTIONS.iter().filter(is_odd).count() > 1
     }
 
-    /// How often a ray crosses the shell.
+    /// Number of crossings of a ray with the shell.
     fn crossings(&self, ray: &Ray) -> usize {
         let mut count = 0;
         self.tree.any(ray, |member| {
@@ -46,7 +46,8 @@ impl<'a> Enclosure<'a> {
     }
 }
 
-/// How often a ray crosses a sheet; hits nearer than 1e-9 of its extent are one (chosen, not tuned).
+/// Number of crossings of a ray with a sheet; hits nearer than 1e-9 of its extent are one (chosen, not
+/// tuned).
 fn crossings(sheet: &Sheet, mut ray: Ray) -> usize {
     let hair = 1e-9 * sheet.extent / ray.direction.length();
     let mut count = 0;

@@ -21,11 +21,11 @@ const FIVE_TIMES: f64 = 5.0;
 /// A luminaire that shines as a point, yet nearer to a surface than five times the size of the opening that its file states.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NearPoint {
-    /// Its name.
+    /// Name of the luminaire.
     pub luminaire: String,
     /// The nearest surface that it lights.
     pub surface: String,
-    /// How far away that is, about (scene length).
+    /// Approximate distance of that surface (scene length).
     pub distance: f64,
     /// Largest width w of the opening, m.
     pub width: f64,
@@ -62,7 +62,7 @@ pub(super) fn near_points(scene: &Scene) -> Vec<NearPoint> {
     large.into_iter().filter_map(near).collect()
 }
 
-/// What is odd about the luminaires of a scene.
+/// Warnings about the luminaires of a scene.
 pub(super) fn odd(scene: &Scene) -> Vec<Warning> {
     if scene.luminaires.is_empty() {
         return Vec::new();
@@ -84,7 +84,7 @@ fn lights_a_front(own: &Luminaire, visibility: &Visibility) -> bool {
     lit(own, visibility).any(|met| met.front)
 }
 
-/// What rays of its light meet first, beyond the surface that it may be mounted on.
+/// First hits of rays of a luminaire's light, beyond the surface that it may be mounted on.
 fn lit(own: &Luminaire, visibility: &Visibility) -> impl Iterator<Item = Encounter> {
     let around = (0..RAYS).map(direction);
     let lit = [own.aim].into_iter().chain(around).filter(|direction| own.relative(*direction) > 0.0);
@@ -95,7 +95,8 @@ fn lit(own: &Luminaire, visibility: &Visibility) -> impl Iterator<Item = Encount
     })
 }
 
-/// One of [`RAYS`] directions around, evenly spread: a spiral that turns by the golden angle from one to the next.
+/// Unit vector number `index` of [`RAYS`] that are spread evenly: a spiral that turns by the golden angle
+/// from one to the next.
 fn direction(index: u32) -> DVec3 {
     let z = 1.0 - (2 * index + 1) as f64 / f64::from(RAYS);
     let (sin, cos) = (f64::from(index) * PI * (3.0 - 5.0_f64.sqrt())).sin_cos();
@@ -103,7 +104,7 @@ fn direction(index: u32) -> DVec3 {
     DVec3::new(across * cos, across * sin, z)
 }
 
-/// What its table says of itself, and of an extent that leaves out the height of its opening.
+/// Warnings about the table of a luminaire, and about an extent that leaves out the height of its opening.
 fn remarks(own: &Luminaire) -> Vec<Warning> {
     let Distribution::Table(table) = &own.distribution else { return Vec::new() };
     let remark =

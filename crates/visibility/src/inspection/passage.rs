@@ -31,7 +31,7 @@ pub struct Passage {
 }
 
 impl Passage {
-    /// What looks wrong, in words.
+    /// Warning about the passage.
     pub(super) fn warning(&self) -> Warning {
         let [first, last] =
             [self.frames.first(), self.frames.last()].map(|frame| frame.copied().unwrap_or_default());

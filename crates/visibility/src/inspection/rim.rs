@@ -8,7 +8,7 @@ use crate::inspection::sheet::{GAP, Sheet, Sheets};
 /// Sample places w ∈ (−1, 1) along a border, off middles and ends, where others may begin. Chosen; not tuned.
 const PLACES: [f64; 10] = [-0.97, -0.83, -0.61, -0.37, -0.13, 0.09, 0.29, 0.53, 0.77, 0.94];
 
-/// What a border meets at a place.
+/// Meeting of a border with other sheets at a place.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Meeting {
     /// Borders, each with its sheet and the cosine between the directions of both, fronts on their left.
@@ -19,10 +19,10 @@ pub(super) enum Meeting {
     Gap {
         /// Index among the sheets.
         sheet: usize,
-        /// Its distance (scene length).
+        /// Distance of that sheet (scene length).
         distance: f64,
     },
-    /// Nothing.
+    /// Nothing meets the border.
     Open,
 }
 

@@ -90,7 +90,7 @@ impl Sheet {
         }
     }
 
-    /// The same sheet as it is in another frame of its scene.
+    /// This sheet in another frame of its scene.
     pub(super) fn as_in(&self, still: &Scene) -> Self {
         let front = &still.surfaces[self.surface];
         let own = Self::new(self.surface, front, None);

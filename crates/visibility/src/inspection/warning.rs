@@ -1,4 +1,4 @@
-//! What looks wrong, in words.
+//! Warnings about a scene, in words.
 
 use radiosity_geom::DVec3;
 use serde::Serialize;
@@ -8,7 +8,7 @@ use serde::Serialize;
 pub struct Warning {
     /// Stable name of the kind of warning, e.g. `gap`.
     pub code: &'static str,
-    /// What looks wrong, and the cure.
+    /// The fault and its cure, in words.
     pub message: String,
     /// The surface it belongs to, if it is one.
     pub surface: Option<String>,
