@@ -74,7 +74,7 @@ struct Stored {
     row: u32,
     column: u32,
     start: usize,
-    /// Its place among those of all ranks.
+    /// Place of the block among those of all ranks.
     place: usize,
 }
 
@@ -107,9 +107,9 @@ fn in_order(parts: Vec<Vec<Row>>) -> Vec<Row> {
 /// Blocks of one kind.
 #[derive(Clone, Debug, Default)]
 struct List {
-    /// Those that this rank holds, by places ascending.
+    /// Blocks that this rank holds, by places ascending.
     own: Vec<Stored>,
-    /// Number of those of all ranks.
+    /// Number of blocks of all ranks.
     all: usize,
 }
 

@@ -1,4 +1,5 @@
-//! How two patches or elements meet: along an edge, at a corner, not at all; and which side they turn to each other.
+//! Contacts of two patches or elements, along an edge, at a corner or none, and the sides that they turn to
+//! each other.
 
 pub mod clip;
 pub mod sectors;

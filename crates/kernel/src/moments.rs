@@ -28,7 +28,7 @@ use crate::moments::chart::Chart;
 use crate::moments::integrand::{Sees, visible_kernel};
 use crate::moments::tensor::{Grid, Line, Terms};
 
-/// One of the two elements of a pair.
+/// Role of an element in a pair: receiver or emitter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// Index i of a block, its rows.

@@ -26,7 +26,7 @@ pub struct PatchPair {
     points: [usize; 4],
 }
 
-/// What the rules have to reach.
+/// Accuracy that the rules have to reach, with the degrees and the place of the elements.
 #[derive(Clone, Copy, Debug)]
 pub struct Demand {
     /// Displacement of the emitter (scene length).

@@ -22,7 +22,7 @@ impl Accuracy {
         Self { eps, shadow_eps: self.shadow_eps * factor.max(1.0).powi(2) }
     }
 
-    /// How often a partly hidden pair is halved: ½ log₂(1/ε), at most 12 times.
+    /// Number of times that a partly hidden pair is halved: ½ log₂(1/ε), at most 12.
     ///
     /// Each halving decides part of the pair; the rest is sampled. The half and the 12 are chosen, not tuned.
     pub fn shadow_levels(&self) -> u32 {
@@ -49,7 +49,7 @@ pub enum Kind {
     Same,
 }
 
-/// What is told of a block beside its values.
+/// Cost, error and contact of a block, without its values.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Account {
     /// Hardest contact met.
@@ -96,7 +96,7 @@ pub struct Block {
 }
 
 impl Block {
-    /// What is told of it.
+    /// Cost, error and contact of the block.
     pub fn account(&self) -> Account {
         let Self { kind, partly_hidden, unresolved, untried, error, samples, distinct, rays, .. } = *self;
         let largest = self.values.iter().map(|value| value.abs()).fold(0.0, larger);

@@ -1,4 +1,4 @@
-//! What rules or rays miss.
+//! Largest error of a block by rules or rays, against what was asked.
 
 use serde::{Deserialize, Serialize};
 

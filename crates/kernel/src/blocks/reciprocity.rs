@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// Reciprocity, from a sample of pairs that were integrated both ways.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Reciprocity {
-    /// How many pairs of elements were integrated both ways.
+    /// Number of pairs of elements that were integrated both ways.
     pub pairs: usize,
     /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j) among them.
     pub largest: f64,

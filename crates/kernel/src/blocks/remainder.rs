@@ -1,6 +1,6 @@
-//! What blocks that were not integrated may be off by.
+//! Bounds of the errors of blocks that were not integrated.
 
-/// What the block of a pair may be off by, copies of congruent pairs included.
+/// Bound of the error of the block of a pair, copies of congruent pairs included.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Remainder {
     /// Receiver and emitter.

@@ -12,7 +12,7 @@ use radiosity_geom::{Border, DVec3};
 
 use crate::contact::flat::{gap, neighbours, shared_corners};
 
-/// How two patches touch. The patches inside are oriented as the rule needs them.
+/// Contact of two patches, which are oriented inside as the rule needs them.
 #[derive(Clone, Debug)]
 pub enum Touch {
     /// A whole common edge: t = 0 in both charts, in the same sense, and if `matched` at equal speed.
@@ -37,7 +37,7 @@ pub enum Touch {
 /// Where to cut a patch: the direction, and a parameter strictly between 0 and 1.
 pub(crate) type Place = (Direction, f64);
 
-/// How two patches touch; points closer than `tolerance` coincide.
+/// Contact of two patches; points closer than `tolerance` coincide.
 pub fn touch(p: &Patch, q: &Patch, tolerance: f64) -> Touch {
     let gap = gap(p, q);
     if gap > tolerance {

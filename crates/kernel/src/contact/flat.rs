@@ -6,7 +6,7 @@
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{DVec3, distance_to_segment, sides};
 
-/// How two patches meet. The patches inside are oriented as the rule needs them.
+/// Contact of two flat patches, which are oriented inside as the rule needs them.
 #[derive(Clone, Debug)]
 pub enum Contact {
     /// A whole common edge: at t = 0 in both charts, run through in the same sense.

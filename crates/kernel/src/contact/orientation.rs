@@ -33,7 +33,7 @@ const SLIGHT: f64 = 0.05;
 /// Heights up to this part of the samples' extent count as zero: rounding of positions. Chosen; not tuned.
 const LEVEL: f64 = 1e-11;
 
-/// How two patches face each other.
+/// Mutual orientation of two patches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Facing {
     /// Every point of either lies in front of all tangent planes of the other.
@@ -44,8 +44,8 @@ pub enum Facing {
     Away,
 }
 
-/// How two different patches face each other; `touching` if they have a point in common. Relative errors up to `eps`
-/// are allowed.
+/// Mutual orientation of two different patches; `touching` if they have a point in common. Relative errors up
+/// to `eps` are allowed.
 pub fn facing(p: &Patch, q: &Patch, touching: bool, eps: f64) -> Facing {
     if p.is_flat() && q.is_flat() {
         return Facing::Wholly;
@@ -60,7 +60,7 @@ pub fn facing(p: &Patch, q: &Patch, touching: bool, eps: f64) -> Facing {
     if verdict == Facing::Partly && is_slight() { Facing::Wholly } else { verdict }
 }
 
-/// How a patch faces itself: wholly if concave, away if convex or flat.
+/// Orientation of a patch to itself: wholly if concave, away if convex or flat.
 pub fn own(patch: &Patch) -> Facing {
     if patch.is_flat() {
         return Facing::Away;
@@ -117,8 +117,8 @@ impl Samples {
         })
     }
 
-    /// How far the heights of the other over the tangent planes may exceed the range of the samples: twice ⅛ of the
-    /// second differences.
+    /// Margin beyond the range of the samples that the heights of the other over the tangent planes may have:
+    /// twice ⅛ of the second differences (scene length).
     fn margin(&self, other: &Self) -> f64 {
         let (center, reach) = other.ball();
         let bend = |x: &Node| (x.normal, x.normal.dot(center - x.position));

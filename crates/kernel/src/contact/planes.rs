@@ -23,14 +23,14 @@ pub fn plane_of(patches: &[Patch]) -> Option<Plane> {
     all.all(is_level).then_some((first.position, first.normal))
 }
 
-/// What the planes of two elements show about their exchange.
+/// Exchange of light between two elements, as far as their planes tell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Planes {
-    /// They may exchange light.
+    /// The elements may exchange light.
     Exchanging,
-    /// One lies behind the other.
+    /// One element lies behind the plane of the other: they exchange none.
     Facing,
-    /// Both lie in one plane.
+    /// Both elements lie in one plane: they exchange none.
     Coplanar,
 }
 

@@ -16,7 +16,8 @@ use crate::moments::integrand::{Sees, kernel};
 
 /// Points per direction of a part, for the receiver and the emitter. Chosen; not tuned.
 const POINTS: [usize; 2] = [4, 5];
-/// The same for elements of more than four parts, which have enough points. Chosen; not tuned.
+/// Points per direction of a part, for the receiver and the emitter, on elements of more than four parts,
+/// which have enough points. Chosen; not tuned.
 const FEWER_POINTS: [usize; 2] = [2, 3];
 const MANY_PARTS: usize = 4;
 /// Points per direction of the grids that reach the corners. Chosen; not tuned.

@@ -35,11 +35,11 @@ pub struct ProbingRays {
 /// Whether none, some or all rays are hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Hidden {
-    /// None, or there were no rays.
+    /// No ray is hidden, or there were none.
     None,
-    /// Some, and some are not.
+    /// Some rays are hidden, and some are not.
     Some,
-    /// All, and there was at least one.
+    /// All rays are hidden, and there was at least one.
     All,
 }
 

@@ -35,7 +35,7 @@ struct Axis {
     slope: f64,
 }
 
-/// From [0, 1] to [−1, 1].
+/// The affine map from [0, 1] to [−1, 1].
 const OWN: Axis = Axis { origin: -1.0, slope: 2.0 };
 
 impl Chart {

@@ -1,4 +1,5 @@
-//! How many points a rule needs: from analyticity, from charts, by trial, and by subdividing the cube of integration.
+//! Numbers of points of rules: from analyticity, from charts, by trial, and by subdividing the cube of
+//! integration.
 
 pub(crate) mod analyticity;
 pub(crate) mod subdivided_cube;

@@ -37,15 +37,15 @@ pub(crate) struct ParallelogramPair {
 /// κ_rc of one subdomain, r-major, combined over the two signs of ζ.
 #[derive(Clone, Debug)]
 pub(crate) struct Angular {
-    /// κ⁺ + κ⁻.
+    /// κ⁺_rc + κ⁻_rc, r-major.
     pub even: Vec<f64>,
-    /// κ⁺ − κ⁻.
+    /// κ⁺_rc − κ⁻_rc, r-major.
     pub odd: Vec<f64>,
-    /// Number of c.
+    /// Number of columns c.
     pub width: usize,
 }
 
-/// One of the three subdomains: r = fixed + a · along[0] + b · along[1], for either sign of ζ.
+/// Subdomain, of three: r = fixed + a · along[0] + b · along[1], for either sign of ζ.
 struct Region {
     fixed: [DVec3; 2],
     along: [[DVec3; 2]; 2],
@@ -54,7 +54,7 @@ struct Region {
     /// Degree of the polynomials, for the number of points.
     degree: usize,
     eps: f64,
-    /// Its index, from 0.
+    /// Index of the subdomain, from 0.
     which: usize,
     /// Number of signs of ζ to sum: 1 or 2.
     signs: usize,

@@ -40,7 +40,7 @@ struct Wedge {
     strength: f64,
 }
 
-/// One of the four subdomains.
+/// Subdomain, of four.
 #[derive(Clone, Copy)]
 struct Region {
     /// z < 0: receiver and emitter exchange places.

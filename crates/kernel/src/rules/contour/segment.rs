@@ -13,13 +13,13 @@ pub(super) struct Segment {
 }
 
 impl Segment {
-    /// From `start` to `end`, which differ.
+    /// The segment from `start` to `end`, which differ.
     pub(super) fn between(start: DVec3, end: DVec3) -> Self {
         let length = start.distance(end);
         Self { start, end, direction: (end - start) / length, length }
     }
 
-    /// The same segment in the opposite direction.
+    /// This segment in the opposite direction.
     pub(super) fn reversed(&self) -> Self {
         Self { start: self.end, end: self.start, direction: -self.direction, length: self.length }
     }

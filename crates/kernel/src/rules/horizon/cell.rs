@@ -39,7 +39,7 @@ pub(super) struct Cell {
     errors: [f64; 2],
     /// Which errors are not inherited.
     own: [bool; 2],
-    /// Its share of the outer patch, by parameters.
+    /// Share of the cell in the outer patch, by parameters.
     share: f64,
     /// Error estimated from its corners, where no point of a rule sees anything.
     missed: f64,
@@ -110,12 +110,12 @@ impl Cell {
         self.missed = missed;
     }
 
-    /// Its share of the outer patch, by parameters.
+    /// Share of the cell in the outer patch, by parameters.
     pub(super) fn share(&self) -> f64 {
         self.share
     }
 
-    /// Its moments, by halves where these are known.
+    /// Moments of the cell, by halves where these are known.
     pub(super) fn moments(self) -> Vec<f64> {
         let better = self.better();
         better.and_then(|direction| self.halves[direction].as_ref().map(sum)).unwrap_or(self.whole.moments)

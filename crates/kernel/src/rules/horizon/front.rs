@@ -165,7 +165,8 @@ impl Grid {
         self.all().fold(f64::NEG_INFINITY, f64::max) + self.margin()
     }
 
-    /// How far heights may exceed the range on the grid: twice ⅛ of the second differences.
+    /// Margin beyond their range on the grid that heights may have: twice ⅛ of the second differences (scene
+    /// length).
     fn margin(&self) -> f64 {
         0.25 * (self.bend(Direction::Along) + self.bend(Direction::Across))
     }

@@ -34,7 +34,7 @@ pub(super) struct Part<'a> {
     /// The rule on the whole patch: nodes, and rows of w A L_l; empty until used.
     nodes: Vec<Node>,
     rows: Vec<f64>,
-    /// Empty until used.
+    /// Quarters of the patch; empty until used.
     quarters: Vec<Part<'a>>,
 }
 
@@ -67,7 +67,7 @@ impl<'a> Part<'a> {
         !is_dark(&ranges(&grid), &self.margins(x, &grid))
     }
 
-    /// How far heights may exceed their range on the grid: twice ⅛ of the second differences.
+    /// Margins beyond their ranges on the grid that heights may have: twice ⅛ of the second differences.
     fn margins(&self, x: &View, grid: &[Heights]) -> Heights {
         let reach = x.node.position.distance(self.center);
         let over_ball = x.ball.map_or(0.0, |_| bend(grid));

@@ -5,7 +5,7 @@ use std::collections::BinaryHeap;
 
 use crate::rules::horizon::cell::Cell;
 
-/// Cells by error.
+/// Cells by error, the worst first.
 #[derive(Debug, Default)]
 pub(super) struct Queue {
     heap: BinaryHeap<Entry>,

@@ -17,9 +17,9 @@ use radiosity_geom::DVec3;
 /// A ball that may stand between two patches.
 #[derive(Clone, Copy, Debug)]
 pub struct Ball {
-    /// Its centre.
+    /// Centre of the ball.
     pub center: DVec3,
-    /// Its radius (scene length).
+    /// Radius of the ball (scene length).
     pub radius: f64,
 }
 

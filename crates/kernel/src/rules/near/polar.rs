@@ -179,11 +179,11 @@ struct Rays {
     foot: DVec3,
     normal: DVec3,
     height: f64,
-    /// g.
+    /// g = n_x·(x′ − x).
     facing: f64,
     along: DVec3,
     outward: DVec3,
-    /// p.
+    /// p, the distance of the edge from the foot.
     distance: f64,
     /// s at the ends of the edge.
     ends: [f64; 2],

@@ -95,7 +95,7 @@ impl Stretch {
         if self.scale.is_finite() { self.center + self.scale * mu.sinh() } else { mu }
     }
 
-    /// How far beyond [0, 1] the ellipse ϱ reaches.
+    /// Distance by which the ellipse ϱ reaches beyond [0, 1].
     fn reach(&self, rho: f64) -> f64 {
         let beyond = 0.25 * (rho + 1.0 / rho - 2.0) * (self.high - self.low);
         if !self.scale.is_finite() {
