@@ -1,4 +1,4 @@
-//! What the occluders around a receiver point hide from it.
+//! Blockers of the light at a receiver point, made of the occluders around it.
 
 use std::ops::Range;
 
@@ -41,7 +41,7 @@ pub(crate) struct Before {
     end: usize,
 }
 
-/// What may be hidden: points whose convex hull contains it, in a ball.
+/// Extent of something that may be hidden: points whose convex hull contains it, and a ball around it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Extent<'a> {
     pub hull: &'a [DVec3],

@@ -41,7 +41,7 @@ impl Coats {
         Self { of_element, count }
     }
 
-    /// How many there are.
+    /// Number of coats.
     pub(crate) fn count(&self) -> usize {
         self.count
     }

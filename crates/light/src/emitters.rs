@@ -1,4 +1,5 @@
-//! What emits: elements, diffusely or by direction, by their exitance; luminaires without an area and the sun, by their intensity.
+//! Emitters of a scene: elements, diffusely or by direction, by their exitance; luminaires without an area
+//! and the sun, by their intensity.
 
 use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
@@ -10,27 +11,27 @@ use crate::point_lights::PointLights;
 /// The sources of direct light among the elements of a scene.
 #[derive(Clone, Debug)]
 pub struct Emitters<'a> {
-    /// The elements.
+    /// Elements of the scene.
     pub elements: &'a [Element],
     /// Their reflectance and exitance, a coating per band.
     pub coatings: Vec<&'a Coating>,
-    /// How the light of openings and luminous areas is spread.
+    /// Angular distributions of the light of openings and luminous areas.
     pub radiances: &'a Radiances,
     /// The luminaires and the sun, with a strength per band.
     pub points: &'a PointLights,
 }
 
-/// How surfaces spread their light over directions that are no diffuse emitters.
+/// Angular distributions of the light of surfaces that are no diffuse emitters.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Radiances(Vec<Option<Radiance>>);
 
 impl Radiances {
-    /// Those of a scene.
+    /// Angular distributions of the surfaces of a scene.
     pub fn of(scene: &Scene) -> Self {
         Self(scene.surfaces.iter().map(|surface| surface.radiance.clone()).collect())
     }
 
-    /// That of a surface, if it is no diffuse emitter.
+    /// Angular distribution of a surface; None if it is a diffuse emitter.
     pub(crate) fn of_surface(&self, surface: usize) -> Option<&Radiance> {
         self.0.get(surface)?.as_ref()
     }

@@ -57,15 +57,15 @@ pub struct Bounce {
     pub reflected: Vec<Vec<f64>>,
 }
 
-/// How direct light enters the linear system.
+/// Ways of direct light into the linear system.
 #[derive(Debug)]
 pub enum Entry {
-    /// As exitance, which is carried like all other radiosity.
+    /// All direct light enters as exitance, which is carried like all other radiosity.
     Carried,
-    /// The same, beside the light of luminaires: the coefficients of its irradiance, element by element, per band (W m⁻²
-    /// times scene length).
+    /// Light of surfaces enters as exitance, that of luminaires by the coefficients of its irradiance,
+    /// element by element, per band (W m⁻² times scene length).
     Lit(Vec<Vec<f64>>),
-    /// Split off.
+    /// Direct light and the first bounce are split off the solution.
     Split(Bounce),
 }
 

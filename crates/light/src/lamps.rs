@@ -30,13 +30,13 @@ pub struct Lamps {
 /// An element that emits.
 #[derive(Debug)]
 pub(crate) struct Lamp {
-    /// The element.
+    /// Index of the element.
     pub element: usize,
     /// Mean over the bands of the exitance over the band's scale.
     pub brightness: f64,
     /// Area (scene length²).
     pub area: f64,
-    /// Points on it.
+    /// Map to points on it, spread over its area.
     pub spread: Spread,
     center: DVec3,
     radius: f64,
@@ -47,7 +47,7 @@ pub(crate) struct Lamp {
 #[derive(Debug)]
 pub struct Shares<'a> {
     lamps: &'a Lamps,
-    /// p_l.
+    /// p_l of each emitter.
     shares: Vec<f64>,
     /// Sums of the shares up to and with each emitter.
     ends: Vec<f64>,
@@ -56,9 +56,9 @@ pub struct Shares<'a> {
 /// A point of an emitter that a ray is sent to.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
-    /// Element that emits.
+    /// Index of the element that emits.
     pub element: usize,
-    /// The point.
+    /// The point, with its weight.
     pub place: Place,
     /// Density of such points, p_l / A_l (1 / scene length²).
     pub density: f64,

@@ -26,7 +26,7 @@ impl<'a> Site<'a> {
     }
 }
 
-/// What sends light to a site: an element, or a whole surface.
+/// Sender of light to a site: an element, or a whole surface.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sender {
     /// Index of its surface.

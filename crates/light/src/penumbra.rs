@@ -82,10 +82,10 @@ pub struct Penumbra<'a> {
     eps: f64,
 }
 
-/// What rays cost and tell.
+/// Accuracy and certainty that rays have to reach.
 #[derive(Clone, Copy, Debug)]
 pub struct Care {
-    /// Factor on the accuracy.
+    /// Factor on the allowed error.
     pub rough: f64,
     /// Whether emitters seen wholly or not at all need as many rays as those in between.
     pub sure: bool,
@@ -98,7 +98,7 @@ pub struct Sight {
     pub factors: Vec<Factor>,
     /// Irradiance from luminaires, per band (W m⁻²).
     pub points: Vec<f64>,
-    /// Which of them it sees.
+    /// Emitters that the point sees.
     pub shade: Shade,
 }
 
@@ -107,27 +107,27 @@ pub struct Sight {
 pub struct Factor {
     /// Index of the element.
     pub element: usize,
-    /// Irradiance over exitance.
+    /// Irradiance over exitance, U_l v_l, without a unit.
     pub value: f64,
 }
 
-/// Which emitters a point sees.
+/// Emitters that a point sees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Shade {
-    /// Some only partly.
+    /// Some emitters are seen only partly.
     Partial,
-    /// All that belong to this number, wholly.
+    /// Emitters are seen wholly or not at all; the number tells which.
     Sees(u64),
 }
 
-/// What is known of the things between a point and an emitter.
+/// Obstacles between a point and an emitter, as far as they are known.
 #[expect(clippy::large_enum_variant, reason = "one for each beam, made for one point: boxes would cost more")]
 enum Between<'a> {
-    /// Nothing stands there.
+    /// No obstacle stands there.
     Nothing,
-    /// Some of these may.
+    /// Some of these obstacles may stand there.
     Some(Shadows<'a>, Before),
-    /// Anything may.
+    /// Any surface may stand there.
     Anything,
 }
 
@@ -177,7 +177,8 @@ impl<'a> Penumbra<'a> {
         Sight { shade: shade(&beams), factors: beams.iter().map(factor).collect(), points }
     }
 
-    /// What may stand between a point and an emitter of the part `share` of all light, if that is worth a list.
+    /// Obstacles that may stand between a point and an emitter of the part `share` of all light, if that is
+    /// worth a list.
     fn listed(&self, vantage: &ReceiverPoint, source: &Source, share: f64) -> Option<Occluders> {
         let list = || Occluders::new(self.visibility, iter::once(source.sender()), &vantage.site());
         (share >= LISTED).then(list)
@@ -219,7 +220,7 @@ impl<'a> Penumbra<'a> {
         beam
     }
 
-    /// What stands between a point and an emitter, of what is listed; None where it hides all.
+    /// Listed obstacles that stand between a point and an emitter; None where they hide all of it.
     fn between<'l>(
         &'l self,
         vantage: &'l ReceiverPoint,
@@ -311,7 +312,7 @@ impl Beam<'_> {
         self.whole.unwrap_or(self.all * self.source.lamp.area / self.sent as f64)
     }
 
-    /// U_l v_l.
+    /// U_l v_l, without a unit.
     fn factor(&self) -> f64 {
         self.known.unwrap_or_else(|| if self.all > 0.0 { self.size() * self.seen / self.all } else { 0.0 })
     }
@@ -329,7 +330,8 @@ impl Beam<'_> {
         }
     }
 
-    /// σ.
+    /// σ: ½ where U_l has a closed form; else the standard deviation of w κ V over the mean of w κ, at least
+    /// ½.
     fn deviation(&self) -> f64 {
         if self.whole.is_some() || self.all == 0.0 {
             return LEAST;

@@ -7,7 +7,7 @@
 //!
 //! with the position p, the strength s of a band (W/sr) and the relative intensity d of each luminaire
 //! ([`radiosity_scene::Distribution`]), the direction ω from it to x, and V by one ray to the true surfaces: D is exact.
-//! That of a line is the mean over its points (`luminous_line`). The sun
+//! The irradiance of a line is the mean over its points (`luminous_line`). The sun
 //! gives s cos θ where the first thing before it is an opening to the sky, with the strength s (W m⁻²) behind that; without
 //! shadows the first opening before it gives so, whatever else stands there.
 
@@ -41,7 +41,7 @@ struct SunBeam {
 }
 
 impl SunBeam {
-    /// Those of a scene that are not dark, through the surfaces with these factors.
+    /// Beams of the sun in a scene, without dark ones, through the surfaces with these factors.
     fn through<'a>(surfaces: impl Iterator<Item = (usize, &'a SceneSurface, f64)>) -> Vec<Self> {
         let mut beams: Vec<Self> = Vec::new();
         for (index, surface, factor) in surfaces {
@@ -115,7 +115,7 @@ impl PointLight {
         factor.filter(|_| self.is_seen(vantage, 0.5, visibility)).unwrap_or(0.0)
     }
 
-    /// Its point at a part of its length.
+    /// Point of the line at a part of its length.
     fn at(&self, part: f64) -> DVec3 {
         self.luminaire.position + (2.0 * part - 1.0) * self.half
     }

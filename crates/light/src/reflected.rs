@@ -97,7 +97,8 @@ impl<'a> Reflection<'a> {
         self.irradiance_within(self.eps, vantage, surroundings, other)
     }
 
-    /// The same to another relative accuracy, which is no smaller.
+    /// Irradiance (W m⁻²) per band as of [`Self::irradiance`], to another relative accuracy `eps`, which is
+    /// no smaller than its own.
     pub fn irradiance_within(
         &self,
         eps: f64,
@@ -108,7 +109,8 @@ impl<'a> Reflection<'a> {
         self.sum(&self.parts(eps, vantage, surroundings, other))
     }
 
-    /// The same apart by the coats of the reflecting elements: all bands of one coat after those of another.
+    /// Irradiance (W m⁻²) as of [`Self::irradiance`], apart by the coats of the reflecting elements: all
+    /// bands of one coat after those of another.
     pub(crate) fn irradiance_by_coat(
         &self,
         vantage: &ReceiverPoint,

@@ -27,7 +27,7 @@ const CLOSE: f64 = 2.0;
 /// Part of a surface's parameters that its elements may leave out by rounding.
 const COVERED: f64 = 1e-9;
 
-/// An emitter.
+/// An emitter as one thing: an element, or a whole curved surface.
 #[derive(Debug)]
 pub(super) struct Source<'a> {
     /// Points on it for rays. Its element stands for all that belong to the source.
@@ -39,16 +39,16 @@ pub(super) struct Source<'a> {
     form: Form<'a>,
 }
 
-/// How it is seen.
+/// Form in which a point sees an emitter.
 #[derive(Debug)]
 enum Form<'a> {
-    /// As flat convex polygons.
+    /// Flat convex polygons.
     Polygons(Vec<Vec<DVec3>>),
-    /// As a ball.
+    /// A ball.
     Ball { center: DVec3, radius: f64 },
-    /// By its outline.
+    /// The outline of a curved surface.
     Outline(AreaLight<'a>),
-    /// By rays alone.
+    /// Points for rays alone.
     Points,
 }
 
@@ -109,12 +109,12 @@ impl<'a> Source<'a> {
         Self { lamp, surface: elements[0].surface, hull, bounds, form }
     }
 
-    /// What it is to those who look for occluders.
+    /// The emitter as a sender of light, for lists of occluders.
     pub(super) fn sender(&self) -> Sender {
         Sender { surface: self.surface, plane: self.lamp.plane(), bounds: self.bounds }
     }
 
-    /// What may be hidden of it.
+    /// Extent of the emitter that may be hidden.
     pub(super) fn extent(&self) -> Extent<'_> {
         Extent { hull: &self.hull, center: self.bounds.center(), radius: 0.5 * self.bounds.diagonal() }
     }
@@ -165,7 +165,8 @@ impl<'a> Source<'a> {
     }
 }
 
-/// How the whole of a curved surface, of which these are all elements, is seen at once, if it can be; and its plane, if it is flat.
+/// Form of the whole of a curved surface, of which these are all elements, if it can be seen at once; and its
+/// plane, if it is flat.
 fn whole_form<'a>(
     elements: &[&Element],
     visibility: &'a Visibility,

@@ -1,4 +1,4 @@
-//! Which sides of a patch a cell of it touches.
+//! Sides of a patch that a cell of it touches.
 
 use radiosity_elements::patch::Direction;
 
@@ -18,12 +18,13 @@ impl Border {
         self.along.into_iter().chain(self.across).filter(|touched| *touched).count()
     }
 
-    /// Those of the four quarters, index 2 a + b, a for the halving in the first direction and b for the second.
+    /// Borders of the four quarters, index 2 a + b, a for the halving in the first direction and b for the
+    /// second.
     pub(super) fn of_quarters(&self, [first, second]: [Direction; 2]) -> [Self; 4] {
         std::array::from_fn(|index| self.half(first, index / 2).half(second, index % 2))
     }
 
-    /// That of the lower (0) or upper half (1).
+    /// Border of the lower (0) or upper half (1).
     fn half(&self, direction: Direction, half: usize) -> Self {
         let mut own = *self;
         let sides = match direction {

@@ -57,7 +57,8 @@ pub(crate) struct Tree {
     pub(crate) plane: Option<(DVec3, DVec3)>,
     /// Bounding box of the element.
     pub(crate) bounds: Aabb,
-    /// How it spreads its light, if it is no diffuse emitter: the field is then multiplied by the light towards the receiver.
+    /// Angular distribution of its light, if it is no diffuse emitter: the field is then multiplied by the
+    /// light towards the receiver.
     pub(crate) radiance: Option<Radiance>,
 }
 
@@ -77,7 +78,7 @@ impl Tree {
         Self { radiance, ..self }
     }
 
-    /// What it is to those who look for occluders.
+    /// The element as a sender of light, for lists of occluders.
     pub(crate) fn sender(&self) -> Sender {
         Sender { surface: self.surface, plane: self.plane, bounds: self.bounds }
     }
@@ -123,7 +124,7 @@ struct Growth<'a> {
     least: usize,
     /// Variation over the scale above which a cell is divided.
     rough: f64,
-    /// BENT ε.
+    /// Limit BENT ε.
     bent: f64,
 }
 

@@ -21,7 +21,7 @@ const CLOSE: f64 = 0.02;
 /// Ends so far outside a line, over its length, are corrected too: the surface may exceed its mesh. Chosen; not tuned.
 const OUTSIDE: f64 = 0.1;
 
-/// How much farther normals may turn inside a quad than between its corners. Chosen; not tuned.
+/// Factor by which normals may turn farther inside a quad than between its corners. Chosen; not tuned.
 const STEEPER: f64 = 1.5;
 
 /// Largest correction that is accepted, over the projected size of the quad. Chosen; not tuned.
@@ -132,7 +132,7 @@ impl<'a> HiddenSpans<'a> {
         self.quads.is_empty() && self.pyramids.is_empty()
     }
 
-    /// The same spans with s and t exchanged: lines run in the other direction.
+    /// These spans with s and t exchanged: lines run in the other direction.
     pub(crate) fn transposed(&self) -> Self {
         let quads: Vec<_> = self.quads.iter().map(Facet::transposed).collect();
         let heights = quads.iter().map(|facet| height(&facet.seen)).collect();
@@ -142,7 +142,7 @@ impl<'a> HiddenSpans<'a> {
         Self { screen: self.screen.transposed(), quads, heights, pyramids: self.pyramids.clone(), lit }
     }
 
-    /// The screen.
+    /// The projection plane.
     pub(crate) fn screen(&self) -> &ProjectionPlane {
         &self.screen
     }

@@ -56,7 +56,7 @@ impl ProjectionPlane {
         Some(Self { eye, origin, along, across, dual, outline, sides, depth })
     }
 
-    /// The same plane with s and t exchanged.
+    /// This plane with s and t exchanged.
     pub(crate) fn transposed(&self) -> Self {
         let [s, t, depth] = self.dual;
         Self {
