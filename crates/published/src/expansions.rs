@@ -43,7 +43,7 @@ pub struct Expansions {
     expanded: AtomicUsize,
 }
 
-/// What was done for a frame.
+/// Numbers of blocks that were summed or expanded for a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SeriesCounts {
     /// Blocks that were summed; those that rest, and copies, are not counted.
@@ -52,12 +52,12 @@ pub struct SeriesCounts {
     pub expanded: usize,
 }
 
-/// What is known of a pair.
+/// A pair of elements as it was seen last, with its expansion.
 #[derive(Debug)]
 struct Pair {
-    /// How often each element was seen anew.
+    /// Number of times that each element was seen anew.
     turns: [u32; 2],
-    /// Of the second element relative to the first, since both were seen anew (scene length).
+    /// Displacement of the second element relative to the first, since both were seen anew (scene length).
     displacement: DVec3,
     /// Whether the block that memory holds was integrated, at this displacement.
     is_integrated: bool,
@@ -81,7 +81,7 @@ impl Expansions {
         }
     }
 
-    /// None yet, of the same accuracy.
+    /// Expansions of the same accuracy, of no pair yet.
     pub fn anew(&self) -> Self {
         Self::new(self.tolerance, self.eps)
     }
@@ -92,7 +92,7 @@ impl Expansions {
         self.expanded.store(0, Ordering::Relaxed);
     }
 
-    /// What all ranks together did for this frame.
+    /// Numbers of blocks that all ranks together summed and expanded for this frame.
     pub fn counts(&self) -> SeriesCounts {
         let own = [&self.summed, &self.expanded].map(|count| count.load(Ordering::Relaxed) as u64);
         let sums = ranks::current().sums(own.to_vec());

@@ -49,7 +49,7 @@ pub enum Basis {
 /// A cut of a scene into elements whose polynomials hold the functions.
 #[derive(Clone, Debug)]
 pub struct Ground {
-    /// How they are cut.
+    /// Cut of the elements, and their polynomials.
     pub how: Discretization,
     /// Cells and orders, where they are other than follow from that.
     pub mesh: Option<Mesh>,
@@ -114,7 +114,7 @@ fn breaks(cells: &[Rect]) -> [Vec<f64>; 2] {
     [along(|rect| rect.u), along(|rect| rect.v)]
 }
 
-/// The same cells, all of one order.
+/// The cells of `mesh`, all of one order.
 fn with_order(mesh: &Mesh, order: usize) -> Mesh {
     mapped(mesh, &|_, _| order)
 }

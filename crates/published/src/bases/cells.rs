@@ -15,7 +15,7 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    /// Those of cells that cover [−1, 1]² and do not overlap.
+    /// Constants of cells that cover [−1, 1]² and do not overlap.
     pub(super) fn new(rects: Vec<Rect>) -> Self {
         Self { rects }
     }

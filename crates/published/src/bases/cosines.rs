@@ -23,7 +23,7 @@ pub(super) struct Cosines {
 }
 
 impl Cosines {
-    /// Those of i + j ≤ `degree`, or of i, j ≤ `degree`, in the order of `space`.
+    /// Cosines of i + j ≤ `degree`, or of i, j ≤ `degree`, in the order of `space`.
     pub(super) fn new(space: Space, degree: usize) -> Self {
         Self { space, degree }
     }

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 /// Finitely many functions f_a over the parameters (u, v) ∈ [−1, 1]² of a surface, linearly independent there. They have no unit.
 pub trait SurfaceFunctions: Debug + Send + Sync {
-    /// How many there are.
+    /// Number of functions.
     fn count(&self) -> usize;
 
     /// f_a(u, v) into `out`, of length [`count`](Self::count).

@@ -29,7 +29,7 @@ pub struct Projection {
 }
 
 impl Projection {
-    /// That of `functions` of the surface `shape` on its `elements`.
+    /// Projection of `functions` of the surface `shape` onto its `elements`.
     pub fn new(functions: &dyn SurfaceFunctions, shape: &dyn Surface, elements: &[&Element]) -> Self {
         let chart = Chart::of(shape);
         let mut columns = vec![Vec::new(); functions.count()];
@@ -51,7 +51,7 @@ impl Projection {
 enum Chart {
     /// Affine in the plane: the point of parameters (0, 0), and the gradients of both.
     Flat { middle: DVec3, gradients: [DVec3; 2] },
-    /// As the node says.
+    /// Given by the node itself.
     Curved,
 }
 

@@ -45,8 +45,8 @@ pub struct Group {
 }
 
 impl Subspace {
-    /// That of `basis` on `elements`; `degree` is that of cosines on each surface, of `space`. None where the polynomials
-    /// themselves are the basis.
+    /// Subspace of `basis` on `elements`; cosines on the surface s are those of `space` up to `degree(s)`.
+    /// None where the polynomials themselves are the basis.
     pub fn new(
         basis: Basis,
         elements: &Elements,

@@ -16,7 +16,7 @@ pub(super) struct Tents {
 }
 
 impl Tents {
-    /// Those of the cells between `breaks` of u and of v, which ascend from −1 to 1.
+    /// Tents of the cells between `breaks` of u and of v, which ascend from −1 to 1.
     pub(super) fn new(breaks: [Vec<f64>; 2]) -> Self {
         Self { breaks }
     }

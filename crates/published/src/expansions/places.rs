@@ -1,4 +1,4 @@
-//! How far elements are from where they were seen first.
+//! Displacements of elements from where they were seen first.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ const ROUNDED_VALUES: f64 = 1e-10;
 /// Where the elements of a scene are.
 #[derive(Debug, Default)]
 pub(super) struct Places {
-    /// None of those that are curved.
+    /// Place of each element; None of those that are curved.
     now: Vec<Option<Place>>,
 }
 
@@ -24,9 +24,9 @@ pub(super) struct Places {
 pub(super) struct Place {
     /// The element as it was seen first.
     pub reference: Arc<Element>,
-    /// How often it was seen anew because it was not only translated.
+    /// Number of times that it was seen anew because it was not only translated.
     pub turn: u32,
-    /// Its displacement since (scene length).
+    /// Displacement from the reference (scene length).
     pub shift: DVec3,
 }
 

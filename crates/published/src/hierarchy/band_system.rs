@@ -57,7 +57,7 @@ impl<'a> BandSystem<'a> {
     /// Solves the system. Returns the radiosity of all leaves (W m⁻²), and what the solver tells.
     ///
     /// # Errors
-    /// Those of the solver.
+    /// Errors of the solver.
     pub fn solve(&self, method: &Method, settings: &Settings<'_>) -> Result<(Vec<f64>, Report), SolveError> {
         let right = self.right_hand_side();
         let mut unknowns = vec![0.0; right.len()];

@@ -16,14 +16,14 @@ use super::refinement::{Pair, Refinement};
 use super::solution::{Hierarchical, Light};
 use super::tree::Tree;
 
-/// What a round of refinement left.
+/// Numbers of links after a round of refinement.
 #[derive(Clone, Copy, Debug)]
 pub struct Round {
-    /// Its number, from 1.
+    /// Number of the round, from 1.
     pub number: usize,
-    /// All links.
+    /// Number of all links.
     pub links: usize,
-    /// Links made in this round.
+    /// Number of links made in this round.
     pub made: usize,
 }
 
@@ -97,7 +97,7 @@ fn check(options: &HierarchyOptions) -> Result<(), HierarchyError> {
     Ok(())
 }
 
-/// What all rounds share.
+/// Data that all rounds share.
 struct Work<'a> {
     scene: &'a Scene,
     options: &'a HierarchyOptions,
@@ -155,7 +155,7 @@ impl Work<'_> {
         if power > 0.0 { power } else { 1.0 }
     }
 
-    /// What each node emits, per band, in parts of the emitted power.
+    /// Emitted power of each node, per band, in parts of the power that the scene emits.
     fn emitted(&self, tree: &Tree) -> Vec<Vec<f64>> {
         let of_band = |band: usize| {
             let power = self.power(band);
@@ -172,7 +172,7 @@ impl Work<'_> {
         (0..self.scene.bands.len()).map(of_band).collect()
     }
 
-    /// What each node sends by its radiosity, per band, in parts of the emitted power.
+    /// Power that each node sends by its radiosity, per band, in parts of the power that the scene emits.
     fn sent(&self, hierarchy: &Hierarchy, bands: &[Light]) -> Vec<Vec<f64>> {
         let of_band = |(band, light): (usize, &Light)| {
             let power = self.power(band);

@@ -31,7 +31,7 @@ pub enum HierarchyError {
     Coating {
         /// Name of the first such surface.
         surface: String,
-        /// What it does.
+        /// Property that links do not carry, as a verb phrase: "lets light through".
         what: &'static str,
     },
     /// The linear solver failed.
@@ -39,13 +39,13 @@ pub enum HierarchyError {
     Solver {
         /// Name of the band.
         band: String,
-        /// What the solver says.
+        /// Error of the solver.
         source: SolveError,
     },
 }
 
 impl HierarchyError {
-    /// What is wrong, and how to mend it.
+    /// The fault and its cure, in words.
     pub fn message(&self) -> Wording {
         let fault = match self {
             Self::Luminaire { luminaire } => {

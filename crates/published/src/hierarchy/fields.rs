@@ -23,7 +23,7 @@ pub struct Fields {
 }
 
 impl Fields {
-    /// Zero everywhere.
+    /// Fields that are zero everywhere.
     pub(crate) fn zero(tree: &Tree) -> Self {
         let faces = vec![0.0; tree.nodes().len() - tree.clusters()];
         Self { faces, clusters: vec![[0.0; HARMONICS]; tree.clusters()] }
@@ -35,7 +35,7 @@ impl Fields {
         dot(&self.faces, &other.faces) + dot(own, others)
     }
 
-    /// What all nodes send, from the radiosity of the `leaves`, nodes of `tree`.
+    /// Fields that all nodes send, from the radiosity (W m⁻²) of the `leaves`, nodes of `tree`.
     pub(crate) fn pull(tree: &Tree, leaves: &[usize], radiosity: &[f64]) -> Self {
         let clusters = tree.clusters();
         let mut fields = Self::zero(tree);

@@ -1,4 +1,4 @@
-//! How surfaces are grouped into clusters: a binary tree over their bounding boxes.
+//! Grouping of surfaces into clusters: a binary tree over their bounding boxes.
 //!
 //! Surfaces longer than half of a group part from the rest of it: the walls of a room would make every group large. A
 //! group of similar surfaces parts at the median of their centres, along the longest side of the box of these.

@@ -88,7 +88,8 @@ impl Links {
         Self { starts, ends: sorted }
     }
 
-    /// What all nodes receive, from what they send; sums in the order of the list, whatever the threads.
+    /// Fields that all nodes receive, from those that they send; sums in the order of the list, whatever the
+    /// threads.
     pub(crate) fn gather(&self, tree: &Tree, sent: &Fields) -> Fields {
         let clusters = tree.clusters();
         let fields = (0..clusters).into_par_iter().with_min_len(CHUNK);

@@ -8,7 +8,7 @@ use super::fields::Fields;
 use super::links::{Link, Links};
 use super::tree::Tree;
 
-/// How many nodes, links and pairs there are.
+/// Numbers of nodes, links and pairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counts {
     /// Surfaces.
@@ -109,12 +109,12 @@ impl Hierarchy {
         self.nodes[own.clone()].iter().position(|leaf| *leaf == node).map(|place| own.start + place)
     }
 
-    /// How the cell `rect` of a surface is cut.
+    /// Cut of the cell `rect` of a surface.
     pub(crate) fn cut_of(&self, surface: usize, rect: &Rect) -> Refinement {
         self.tree.cut_of(surface, rect)
     }
 
-    /// What all nodes send, from the radiosity of the leaves (W m⁻²).
+    /// Fields that all nodes send, from the radiosity of the leaves (W m⁻²).
     pub fn pull(&self, radiosity: &[f64]) -> Fields {
         Fields::pull(&self.tree, &self.nodes, radiosity)
     }

@@ -1,8 +1,8 @@
-//! What is linked, how well it is seen, and how it is solved.
+//! Options of hierarchical radiosity: links, visibility and solver.
 
 use radiosity_solvers::method::Method;
 
-/// How finely light is linked and solved.
+/// Options of hierarchical radiosity.
 #[derive(Clone, Copy, Debug)]
 pub struct HierarchyOptions {
     /// Greatest power of a link that is not refined, in parts of the power that the scene emits; above 0.
@@ -15,7 +15,7 @@ pub struct HierarchyOptions {
     pub rounds: usize,
     /// Rays that find the visibility of a link; at least 1.
     pub rays_per_link: usize,
-    /// The solver.
+    /// Solver of the linear system.
     pub method: &'static Method,
     /// Relative residual of the solver.
     pub tolerance: f64,

@@ -18,10 +18,10 @@ use super::tree::{Node, Tree};
 /// Height over a plane that counts as rounding, in radii of both nodes. Chosen; not tuned.
 const FLUSH: f64 = 1e-9;
 
-/// What becomes of a pair of different nodes.
+/// Verdict about a pair of different nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
-    /// One of the two lies behind the other.
+    /// One node lies behind the other.
     FacesAway,
     /// One link carries the pair.
     Link,

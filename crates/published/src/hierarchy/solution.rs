@@ -5,9 +5,9 @@ use super::network::{Counts, Hierarchy, Leaf};
 /// The light of one band on all leaves.
 #[derive(Clone, Debug)]
 pub(crate) struct Light {
-    /// W m⁻².
+    /// Irradiance of each leaf (W m⁻²).
     pub irradiance: Vec<f64>,
-    /// W m⁻².
+    /// Radiosity of each leaf (W m⁻²).
     pub radiosity: Vec<f64>,
 }
 

@@ -145,7 +145,7 @@ impl Tree {
         leaves
     }
 
-    /// How the cell `rect` of a surface is cut; not at all if it is no node.
+    /// Cut of the cell `rect` of a surface; none if it is no node.
     pub(crate) fn cut_of(&self, surface: usize, rect: &Rect) -> Refinement {
         let [u, v] = rect.center();
         let mut node = self.of_surface(surface);

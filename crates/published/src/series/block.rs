@@ -40,7 +40,7 @@ pub struct MovedBlock {
     pub error: f64,
 }
 
-/// What bounds the powers left out.
+/// Data of the bound of the powers left out.
 #[derive(Clone, Copy, Debug)]
 struct Remainder {
     orders: usize,

@@ -17,15 +17,15 @@ pub enum SeriesError {
     /// A curved element.
     #[error("surface {surface} is curved: series are for flat surfaces, integrate its pairs anew")]
     Curved {
-        /// Which surface.
+        /// Index of the surface.
         surface: usize,
     },
     /// Elements that touch or nearly do.
     #[error("surfaces {} and {} touch or nearly do at p = {at}: integrate the pair anew", surfaces[0], surfaces[1])]
     Touching {
-        /// Of the receiver and of the emitter.
+        /// Indices of the surfaces of the receiver and of the emitter.
         surfaces: [usize; 2],
-        /// The displacement.
+        /// The displacement p.
         at: f64,
     },
     /// A surface that passes through the plane of the other.
@@ -34,9 +34,9 @@ pub enum SeriesError {
         surfaces[0], surfaces[1]
     )]
     Horizon {
-        /// Of the receiver and of the emitter.
+        /// Indices of the surfaces of the receiver and of the emitter.
         surfaces: [usize; 2],
-        /// The displacement.
+        /// The displacement p.
         at: f64,
     },
     /// A displacement outside the range of the expansion.

@@ -1,4 +1,4 @@
-//! Which parts of two flat patches face each other while one is translated.
+//! Parts of two flat patches that face each other while one is translated.
 //!
 //! The height of a corner c of one patch over the plane of the other is h(p) = h(0) + p n·d. A patch is in front of the
 //! plane, behind it or cut by it, until the first corner that is not yet in the plane reaches it. Parts that face each
@@ -10,7 +10,7 @@ use radiosity_geom::{DVec3, ROUNDING, clip_polygon};
 
 use super::span::Span;
 
-/// What two patches show each other.
+/// Parts that two patches show each other.
 #[derive(Debug)]
 pub(crate) enum Faces {
     /// Nothing, for p in the span.

@@ -35,7 +35,7 @@ impl<'a> MovingBlock<'a> {
         self.series.insert(series).at(p)
     }
 
-    /// How often the block was expanded.
+    /// Number of times that the block was expanded.
     pub fn expansions(&self) -> usize {
         self.expansions
     }

@@ -33,7 +33,7 @@ impl<'a> TranslatedPair<'a> {
         }
     }
 
-    /// The same with the emitter displaced by `offset` (scene length) at p = 0.
+    /// This pair with the emitter displaced by `offset` (scene length) at p = 0.
     #[must_use]
     pub(crate) fn displaced(self, offset: DVec3) -> Self {
         Self { offset, ..self }

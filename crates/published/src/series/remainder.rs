@@ -1,4 +1,4 @@
-//! How far a series cut after order N is from its sum.
+//! Remainder of a series cut after order N: a bound of the powers left out.
 //!
 //! ```text
 //! |C_n⁽²⁾(cos θ)| ≤ Ξ_n = min( T_n , (n + 1 + 1/sin θ)/(2 sin²θ) ) ,    T_n = (n + 1)(n + 2)(n + 3)/6

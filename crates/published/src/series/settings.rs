@@ -1,8 +1,8 @@
-//! How far a series goes and how accurate it is.
+//! Length and accuracy of a series.
 
 use super::error::SeriesError;
 
-/// How far a series goes and how accurate it is.
+/// Length and accuracy of a series.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// N, the highest power of p.

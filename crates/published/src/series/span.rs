@@ -31,7 +31,7 @@ impl Span {
         self.from <= p && p <= self.to
     }
 
-    /// What lies in both.
+    /// The interval that both have in common.
     #[must_use]
     pub(super) fn common(&self, other: &Self) -> Self {
         Self { from: self.from.max(other.from), to: self.to.min(other.to) }

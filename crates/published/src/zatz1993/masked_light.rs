@@ -35,7 +35,7 @@ use crate::zatz1993::mask::Mask;
 /// Rays along each direction of an emitter's patch, at centres of equal parts, in a plain average. Chosen; not tuned.
 const RAYS: usize = 16;
 
-/// How masks are made.
+/// Resolution of masks, and the average that they sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Masking {
     /// Cells along each side of an element; masks are sampled at their corners.

@@ -15,7 +15,7 @@ use crate::zatz1993::transfers::chart::{Chart, NoChart};
 use crate::zatz1993::transfers::sum::Sees;
 use crate::zatz1993::transfers::transfer::{Rules, transfer};
 
-/// What became of an ordered pair.
+/// Outcome for an ordered pair: left out, or its block.
 enum Outcome {
     Facing,
     Coplanar,

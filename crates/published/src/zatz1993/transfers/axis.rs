@@ -12,7 +12,7 @@ pub(super) struct Axis {
     pub weight: [u8; 2],
     /// x_a, ascending.
     pub nodes: Vec<f64>,
-    /// w_a.
+    /// w_a, point by point.
     pub weights: Vec<f64>,
     /// Function values, point by point.
     values: Vec<f64>,
@@ -24,7 +24,7 @@ impl Axis {
         Self::of(order, points, weight, weight)
     }
 
-    /// The same points and weights with orthonormal Legendre polynomials.
+    /// Points and weights of [`Self::new`] with orthonormal Legendre polynomials.
     pub(super) fn with_legendre(order: usize, points: usize, weight: [u8; 2]) -> Self {
         Self::of(order, points, weight, [0, 0])
     }
@@ -40,7 +40,7 @@ impl Axis {
         Self { weight: functions, nodes, weights, values }
     }
 
-    /// The same points with the weight (1 − x)^α (1 + x)^β divided out: a rule for ∫ f dx.
+    /// These points with the weight (1 − x)^α (1 + x)^β divided out: a rule for ∫ f dx.
     pub(super) fn divided(mut self, [a, b]: [u8; 2]) -> Self {
         for (x, w) in self.nodes.iter().zip(&mut self.weights) {
             *w /= (1.0 - x).powi(i32::from(a)) * (1.0 + x).powi(i32::from(b));

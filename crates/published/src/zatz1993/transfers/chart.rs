@@ -16,7 +16,7 @@ use radiosity_elements::patch::Patch;
 
 use crate::zatz1993::transfers::party::Party;
 
-/// How far coordinates of corners may be from ±1. Chosen; not tuned.
+/// Largest distance from ±1 of the frame coordinates of corners. Chosen; not tuned.
 const TOLERANCE: f64 = 1e-9;
 
 /// A surface that is not a single parametric patch: a polygon other than a parallelogram, or one with holes.

@@ -1,4 +1,4 @@
-//! One of the two patches of a pair, with its order and number of points.
+//! A patch of a pair, with its order and number of points.
 
 use radiosity_elements::patch::Patch;
 

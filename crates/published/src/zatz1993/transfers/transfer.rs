@@ -19,7 +19,7 @@ pub enum Rules {
     Hybrid(Reading),
 }
 
-/// How eq. 27 is read; see the module `transfers`.
+/// Reading of eq. 27; see the module `transfers`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Reading {
@@ -29,7 +29,7 @@ pub enum Reading {
     H2,
     /// Weight (1 + t)², Gauss–Legendre points on the emitter.
     H3,
-    /// As printed, the emitter's weight not divided out: wrong, whatever the number of points.
+    /// The weight as printed, not divided out on the emitter: wrong, whatever the number of points.
     Literal,
 }
 
