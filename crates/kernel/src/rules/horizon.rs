@@ -1,19 +1,53 @@
-//! Disjoint patches with partial self-occlusion: integration over what lies above all tangent planes (horizons).
+//! Patches apart of which parts lie behind each other's tangent planes (horizons): iterated integration over
+//! what each point sees.
 //!
-//! The kernel is clipped where n_x·(y − x) or n_y·(x − y) changes sign, and a tensor rule converges only about like
-//! 1/n². Instead the integral is iterated: for every outer point x,
+//! Definition. With the raw polynomials L_k of the outer patch p and L_l of the inner patches q, the moments
+//! are
 //!
 //! ```text
-//! W_l(x) = ∫_q κ(x, y) φ_l(y) dA_y
+//! M_kl = ∫_p L_k(x) W_l(x) dA_x ,     W_l(x) = Σ_q ∫_{q(x)} κ(x, y) L_l(y) dA_y ,
+//! q(x) = { y ∈ q : h₁ > 0, h₂ > 0, h₃ > 0 } ,     h₁ = n_x·(y − x) ,     h₂ = n_y·(x − y) ,
 //! ```
 //!
-//! is integrated over exactly the part of q that x sees (`part`). A ball between the two is cut away in the same way
-//! (`view`).
+//! with κ = h₁ h₂ / (π |y − x|⁴) and h₃ the height over the cone of a ball (`view`), 1 without a ball.
+//! Clipped where h₁ or h₂ changes sign, κ has a kink of first order, max(0, s), at which a tensor rule of n
+//! points per direction errs like n⁻². Hence W is integrated over exactly q(x) (`part`, `line`), and the
+//! kinks of W are found by comparing rules on p.
 //!
-//! W is less smooth where a horizon starts to leave q: it has a kink of about second order. There the outer patch,
-//! without the parts that see nothing, is cut into cells (`cell`), the worst first (`queue`), until the sum of
-//! their errors is small enough. If q is planar its points share one horizon, which leaves all of q at once: W then has
-//! a kink of first order, and the outer patch is cut along it beforehand (`front`).
+//! κ vanishes linearly at a horizon. Where a horizon starts to leave q, what it cuts off is ∫₀ˢ t dt: W has a
+//! kink of about second order, max(0, s)², at which n points err like n⁻³. If all q lie in one plane they
+//! share one horizon, which leaves all of them at once: W ∝ max(0, h₂(x)) has a kink of first order, and
+//! rules on p run only over the part before that plane (`front`).
+//!
+//! Formula. First, while a corner of p sees nothing, p is halved along and across in turn, 16 times at the
+//! most, and halves that face no q are dropped, until both halves in both directions face some.
+//!
+//! Second, unless a corner still sees nothing, three rules on p are tried, of
+//!
+//! ```text
+//! n_m = min( max( ⌈r_m n⌉ , 3 + 2m ) , 64 ) ,     r = 0.35, 0.55, 1 ,     m = 0, 1, 2
+//! ```
+//!
+//! points in a direction in which the unclipped kernel needs n. The first one is taken that differs from the
+//! one before by ½ of the tolerance at the most; its error is 0.3 of the difference, about ϱ/(1 − ϱ) with the
+//! ratio ϱ = (3/5)³ of n⁻³.
+//!
+//! Third, if no rule was taken, p is a cell, and cells are halved, the worst first (`cell`, `queue`), until
+//! the errors of all open cells sum to ¾ of the tolerance at the most, or the evaluations exceed the budget,
+//! or the cells fill 8 · 10⁶ numbers. A cell is settled earlier whose error is at most ¼ of the tolerance
+//! times its share of the parameters of p.
+//!
+//! Range of use. The patches p and q are apart: the caller halves pairs of gap/extent < ¼
+//! ([`SMALLEST_RATIO`](crate::rules::far::SMALLEST_RATIO)), except where κ is constant, and gives the numbers
+//! of points. Nothing stands between them but one ball, outside which all patches lie.
+//!
+//! Error. [`Cut::error`] is that of the rule taken second, or the sum over all cells, in the norm max |T_ka|
+//! |T_lb| |δM_ab| of the block's entries (`estimates::entry_norm`). It is no bound. The rules for W count as
+//! exact: their points are numbered for the accuracy asked of the pair, and roots known to 1e-9 err by 1e-18
+//! at a horizon, where κ vanishes, and by 1e-9 at the cone of the ball, where it does not.
+//!
+//! References: S. Xiang, F. Bornemann, *SIAM J. Numer. Anal.* 50 (2012) 2581–2587 (Gauss rules at kinks: n⁻²
+//! and n⁻³); M. Dowell, P. Jarratt, *BIT* 11 (1971) 168–174 (roots).
 
 mod cell;
 mod queue;

@@ -1,14 +1,17 @@
 //! The part of an outer patch before the plane of inner ones.
 //!
-//! All points of a plane share one horizon. Where x passes through it, all of a planar inner patch comes into sight at
-//! once,
+//! All points of a plane share one horizon. Where x passes through it, all of a planar inner patch comes into
+//! sight at once,
 //!
 //! ```text
 //! W(x) ∝ max(0, h(x)) ,     h(x) = n·(x − y) ,
 //! ```
 //!
-//! and W has a kink of first order across the outer patch. Rules then converge like 1/n² and their differences say
-//! little about their errors. Hence rules run only over the part before the plane, where W is smooth.
+//! and W has a kink of first order across the outer patch. Rules then converge like 1/n² and their
+//! differences say little about their errors. Hence rules run only over the part h > 0, where W is smooth:
+//! the tensor rule where that is the whole patch, else line by line (`line`) in the direction of the least
+//! bent lines among those that cross the plane once at most, on quarters of the patch where neither direction
+//! has only such lines, and after 5 quarterings on lines with any number of roots.
 
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;

@@ -1,8 +1,24 @@
-//! An inner patch as seen from any point: the part above all horizons.
+//! W_l(x) of an inner patch q: integration over the part q(x) above all horizons, for any outer point x.
 //!
-//! A patch is quartered until every horizon in a quarter crosses all lines along s, or all lines along t, once at most.
-//! There the visible part of a line ends at a root, and the lines are grouped in strips where a horizon passes through
-//! their ends: on each strip the integrand is analytic.
+//! The three heights h of `view` are known on a grid of 6 × 6 nodes. Between its nodes they stay within its
+//! range but for a margin, twice the ⅛ of second differences Δ_d that linear interpolation leaves,
+//!
+//! ```text
+//! ¼ Σ_d max |Δ_d h| ,     |Δ h₁| ≤ |Δ y| ,     |Δ h₂| ≤ |Δ n_y| |x − C| + |Δ (n_y·(C − y))| ,
+//! ```
+//!
+//! with C the mean of the nodes; those of h₃ are taken as they are. Then W_l(x) is
+//!
+//! * 0 if some height is positive nowhere, margin included;
+//! * the tensor rule on q if all heights stay positive beyond the margin;
+//! * summed line by line (`line`) if in one direction of the chart the heights that may vanish are linear on
+//!   all lines of the grid, or monotone on all of them: each then crosses a line once at most;
+//! * the sum over the quarters of q otherwise. Quarters of the last depth given, 5 at the most, are summed
+//!   line by line along s, with any number of roots on a line.
+//!
+//! On each strip of lines the integrand and the ends of its lines are smooth, so that Gauss rules converge
+//! exponentially. A height is taken for monotone whose steps on the grid have one sign, none below a tenth of
+//! the largest: a turn between two nodes is missed where that is wrong.
 
 use std::sync::Arc;
 

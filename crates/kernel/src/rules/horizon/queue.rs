@@ -1,4 +1,4 @@
-//! The open cells, the worst first.
+//! The open cells of an outer patch, the worst first, and the sum of their errors.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
