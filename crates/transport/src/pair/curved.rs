@@ -1,23 +1,70 @@
-//! Blocks of elements of which at least one is curved.
+//! Blocks of elements of which at least one is curved, and of a curved element with itself.
 //!
-//! The receiver is the outer element, as ordered by `schedule/order.rs`.
+//! Definition.
 //!
-//! Elements are cut into sectors, which turn by a quarter circle at most ([`radiosity_kernel::contact::sectors`]).
-//! Then, part by part, breadth first:
+//! ```text
+//! G_kl = Σ_{p, q} ∫_p ∫_q φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_y dA_x        over parts p of i and q of j .
+//! ```
+//!
+//! The receiver is the outer element, as ordered by `schedule/order.rs`. Elements are cut into sectors, which
+//! turn by a quarter circle at most ([`radiosity_kernel::contact::sectors`]), and flat parts are clipped by
+//! the plane of the other element, if it has one. Then, part by part, breadth first, with g the gap and H the
+//! longest extent of either part:
 //!
 //! * parts that face away from each other are dropped ([`radiosity_kernel::contact::orientation`]);
-//! * a part with itself: convex → nothing, concave → [`radiosity_kernel::rules::identical`], else its halves with
-//!   themselves and with each other;
-//! * a constant kernel (two parts of the inside of one sphere) → a product of two area integrals, exact;
-//! * apart → a tensor rule, or [`radiosity_kernel::rules::horizon`] where a horizon may cut the pair;
+//! * a part with itself: convex → nothing, concave → [`radiosity_kernel::rules::identical`], else its halves
+//!   with themselves and with each other;
+//! * a constant kernel (two parts of the inside of one sphere) → κ ∫ φ_k dA ∫ φ_l dA, exact;
+//! * apart, g ≥ H/4 → a tensor rule, or [`radiosity_kernel::rules::horizon`] where a horizon may cut the
+//!   pair;
 //! * touching → cut or halved until a rule covers the contact ([`radiosity_kernel::contact::curved`]), then
 //!   [`radiosity_kernel::rules::common_edge`], [`radiosity_kernel::rules::common_edge::unequal_speed`] or
 //!   [`radiosity_kernel::rules::common_vertex`];
-//! * with blockers → sampled: large parts apart as for planar pairs ([`shaded`]), others by the rules of their contacts
-//!   after a few halvings.
+//! * near, 0 < g < H/4, or a contact without a rule, or touching and cut by a horizon → halved;
+//! * with blockers → sampled: large parts apart as for planar pairs ([`shaded`]), others by the rules of
+//!   their contacts after a few halvings; a single ball, outside which both elements lie, is left to
+//!   [`radiosity_kernel::rules::horizon`].
 //!
-//! Contacts without a rule, and touching parts cut by a horizon, are halved until the rest carries nothing or the
-//! samples of the block are spent. The rest is summed roughly and counted as error.
+//! Of an element with itself half of all pairs of parts are summed, H, and the block is H + Hᵀ; where a ball
+//! stands between them all ordered pairs, and the block is ½ (H + Hᵀ).
+//!
+//! Formula. As ∫ κ dA ≤ 1 on either side, a pair of parts carries at most s of the first entry,
+//!
+//! ```text
+//! s = min(A_p, A_q) / √(A_i A_j) ,     S = max( coarse G_00 , least , ½ G_00 of the parts summed so far ) ,
+//! ```
+//!
+//! and errors are measured against S, with `least` that of the caller, or of the smallest entry that counts,
+//! if that is larger. Pairs of s < 1e-3 ε S are left out, and so is the whole block where three times the
+//! coarse G_00 and the largest κ times √(A_i A_j) are below ε S and neither area is 100 times the other one
+//! or more. The rules of a pair get the accuracy min(1e-2, ε max(1, S/(4 s))). Pairs of s ≤ S/50 that are
+//! near or cut by a horizon, and touching ones that no rule covers, are first attempted if they carry at most
+//! S/4: by the rule that suits them best, with n and n + 2 points, n = 4 + ⌈½ N min(1, √s)⌉ for the larger
+//! degree N. They are kept if both sums differ by at most 0.03 β⁻⁶ ε S, with β as below.
+//!
+//! Range of use. Any pair of elements. Contacts and horizons are refined until they took
+//!
+//! ```text
+//! 5·10⁵ w D β²   and   10⁶ w D β³   samples ,
+//! D = min(d², d⁴/16) ,     d = max(2, −log₁₀ ε) ,     β = max(1, −¼ log₁₀ ε) ,
+//! ```
+//!
+//! with w = S/(¼ of the largest entry of the row), from ¼ to 1. Attempts are kept after that. When all
+//! samples, and 1000 for each look at two parts of a fan, exceed twice the sum of both, what is left is
+//! summed by 1 to 4 points per direction. Blocks whose error stays too large are carried by rays
+//! (`unreached`).
+//!
+//! Error. `Block::error` adds up, in entries of the block: s of pairs left out, or the coarse G_00 of a block
+//! left out; the differences of attempts, twice those of near parts, and at least 0.1 of what an attempt
+//! carries that missed its accuracy; three times what trials of contact rules missed;
+//! [`Cut::error`](radiosity_kernel::rules::horizon::Cut::error) of horizons, each allowed 0.3 ε S; the error
+//! of sampled visibility; 0.1 of what is summed roughly in the end. Rules whose numbers of points follow from
+//! the accuracy add nothing. The block is `unresolved` where an attempt or a trial missed its accuracy, a
+//! horizon errs by more than ε S, or anything was left.
+//!
+//! References: S. A. Sauter, C. Schwab, *Boundary Element Methods*, Springer 2011, chapter 5 (contacts); L.
+//! N. Trefethen, *Approximation Theory and Approximation Practice*, SIAM 2013, chapter 19 (numbers of
+//! points).
 
 mod before;
 mod points;
