@@ -1,25 +1,56 @@
-//! Direct light at a point: what each emitter sends without shadows, times the part of it that rays find visible.
+//! Direct light at a point: what each emitter sends without shadows, times the part of it that rays find
+//! visible.
+//!
+//! Definition. With the mean exitance E₀ of the emitter l, its points y and the kernel κ (1 / scene length²),
+//! which holds the radiance towards x over that of a diffuse emitter where l is an opening to a sky or a
+//! luminous area,
 //!
 //! ```text
-//! D(x) = Σ_l E₀ U_l v_l ,     v_l = Σ_k w_k κ(x, y_k) V(x, y_k) / Σ_k w_k κ(x, y_k) ,     U_l = ∫ κ dA      W m⁻²
+//! D(x) = Σ_l E₀ U_l v_l ,     U_l = ∫ κ(x, y) dA_y ,     v_l = ∫ κ(x, y) V(x, y) dA_y / U_l        W m⁻² .
 //! ```
 //!
-//! U_l of flat emitters and of whole curved surfaces has a closed form (`super::sources`), that of others is the mean of w_k κ
-//! times their area. What may stand between a point and an emitter is listed first ([`super::occluders`], `super::blockers`).
-//! Where that is nothing, or a flat thing or convex body that hides all of the emitter, no ray is sent; nor where a few flat
-//! things hide a part of a flat emitter: D is exact. Else rays ask what is listed. Weak emitters are not worth a list; their rays
-//! ask all surfaces.
+//! Formula. With n points y_k of weight w_k on the emitter of area A, whose mean w is 1,
 //!
-//! The points y_k are a Kronecker sequence on the emitter, or on its cells where it is near (`super::lamp_cells`). Where V is 1
-//! or 0 for all of them D is taken for exact; else rays are doubled until 0.9 σ E₀ U_l n^(−3/4) is small beside all light that
-//! arrives, reflected light with it: the error behind straight edges, where σ ≤ ½ is the standard deviation of V. Where U_l has no
-//! closed form σ ≥ ½ is the relative standard deviation of w κ V, which varies more.
+//! ```text
+//! v_l ≈ Σ_k w_k κ(x, y_k) V(x, y_k) / Σ_k w_k κ(x, y_k) ,
+//! U_l ≈ A/n Σ_k w_k κ(x, y_k)        where it has no closed form .
+//! ```
 //!
-//! For openings to a sky κ holds the light towards x over that of a diffuse emitter. The
-//! light of luminaires is exact ([`crate::point_lights`]) and comes on top.
+//! U_l of flat diffuse emitters and of whole curved surfaces has a closed form but for some points near them
+//! (`super::sources`). What may stand between a point and an emitter that sends at least a tenth of all light
+//! is listed first ([`super::occluders`], `super::blockers`). Where a flat thing or convex body hides all of
+//! the emitter v_l = 0; where nothing stands there v_l = 1; where at most 8 shadow volumes of flat things
+//! hide a part of a flat emitter, U_l v_l is the sum over what they leave of it: no ray is sent, and D is
+//! exact. Else rays ask what is listed. Rays of weaker emitters ask all surfaces.
 //!
-//! Few rays may miss something small. So each point tells which emitters it sees ([`Shade`]); where points beside each
-//! other differ in that, rays are doubled until one of them is worth no more than the error allowed.
+//! The points y_k are a Kronecker sequence, shifted for each x and l, on the emitter or, within three of its
+//! radii, on its cells (`super::lamp_cells`). The first rays are 24 times the share of the emitter in all
+//! light, or, where U_l has no closed form, min(32, (0.45 share/ε)^(4/3)), but 4 at least. Then the rays to
+//! the emitter of the largest error e_l are doubled, among those with less than 1024, until there is none or
+//!
+//! ```text
+//! Σ_l e_l² ≤ (c ε)² max( D + light beside it , 0.02 Σ_l b_l )² ,     e_l = 0.9 σ_l E₀ U_l n^(−3/4) ,
+//! ```
+//!
+//! with D as the first rays find it, the bound b_l of unshadowed light (`super::lamps`), the factor c of
+//! [`Care::rough`], all of them and E₀ means over the bands, and
+//!
+//! ```text
+//! σ_l = ½   with a closed form ,     σ_l² = max( ¼ , (n Σ (w κ V)² − (Σ w κ V)²) / (Σ w κ)² )   without .
+//! ```
+//!
+//! Where U_l has a closed form and all rays agree, e_l is 0, or 0.37 E₀ U_l/n if [`Care::sure`]: n rays miss
+//! a part f of the emitter with the probability (1 − f)ⁿ, and f (1 − f)ⁿ ≤ 1/(e n).
+//!
+//! Range of use. Emitters with an exitance; the light of luminaires and of the sun comes on top, by
+//! [`crate::point_lights`]. Few rays may miss something small: so each point tells which emitters it sees
+//! ([`Shade`]), and where points beside each other differ in that, callers ask again with [`Care::sure`].
+//!
+//! Error. Estimated, no bound: e_l is that of a shadow with a straight edge, where 0.39 to 0.45 n^(−3/4) were
+//! measured.
+//!
+//! References: D. P. Mitchell, *Consequences of stratified sampling in graphics*, SIGGRAPH 96, 277–280
+//! (n^(−3/4) at edges); R. Cranley, T. Patterson, *SIAM J. Numer. Anal.* 13 (1976) 904–914 (shifts).
 
 use std::iter;
 
