@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use radiosity_test_support::data::table;
+use radiosity_test_support::data::{number, table};
 use radiosity_test_support::folders::folder;
 use serde_json::{Value, json};
 
@@ -167,7 +167,6 @@ fn files_have_the_format_of_their_ending() {
     let text = fs::read_to_string(folder.path().join("F.json")).expect("it was written");
     let document: Value = serde_json::from_str(&text).expect("it is JSON");
     assert_eq!(document["surfaces"][5], "y1");
-    let number = |value: &Value| value.as_f64().expect("a number");
     assert!((number(&document["factors"][2][0]) - ADJACENT).abs() < 1e-14);
     assert!((number(&document["areas"][3]) - 1.0).abs() < 1e-15);
     assert!((number(&document["row_sums"][4]) - 1.0).abs() < 1e-14);

@@ -20,7 +20,7 @@ use radiosity::solve::system::Coefficients;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
-use radiosity_test_support::data::table;
+use radiosity_test_support::data::{number, table};
 use radiosity_test_support::scenes::{builtin, typed};
 use radiosity_test_support::solved::outcome_of;
 use serde_json::Value;
@@ -214,7 +214,6 @@ fn the_empty_box_is_met_to_the_accuracy_wanted() {
         let squares: Vec<[f64; 2]> = points
             .iter()
             .map(|point| {
-                let number = |value: &Value| value.as_f64().expect("a number");
                 let (a, b, exact) = (number(&point[1][0]), number(&point[1][1]), number(&point[2]));
                 let (surface, place, emitted) = match point[0].as_str() {
                     Some("floor") => (0, [a, b, 0.0], 0.0),

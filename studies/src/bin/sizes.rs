@@ -27,6 +27,7 @@ use radiosity::visibility::Visibility;
 use radiosity_solvers::Settings;
 
 use radiosity_studies::boxes::room;
+use radiosity_studies::memory::most_memory;
 use radiosity_studies::words::words;
 
 const ORDERS: [usize; 3] = [0, 2, 4];
@@ -171,12 +172,4 @@ fn processor() -> Duration {
     let after_name = line.rsplit(')').next().expect("the name ends in one");
     let ticks = after_name.split_whitespace().skip(11).take(2);
     Duration::from_millis(10 * ticks.filter_map(|tick| tick.parse::<u64>().ok()).sum::<u64>())
-}
-
-/// The most memory that this process had so far (MB).
-fn most_memory() -> f64 {
-    let status = std::fs::read_to_string("/proc/self/status").expect("Linux tells the memory of processes");
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).expect("with its peak");
-    let kilobytes: f64 = line.split_whitespace().next().and_then(|text| text.parse().ok()).expect("a number");
-    kilobytes * 1024.0 / 1e6
 }

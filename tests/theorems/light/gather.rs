@@ -17,7 +17,7 @@ use radiosity::solve::solution::Solution;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::Disk;
 use radiosity_geom::{DVec3, PlanarRegion, Surface, shapes::Polygon};
-use radiosity_test_support::data::table;
+use radiosity_test_support::data::{number, table};
 use radiosity_test_support::given::even;
 use radiosity_test_support::scenes::shining;
 use radiosity_test_support::scenes::{builtin, material};
@@ -289,7 +289,6 @@ fn tight_accuracies_are_kept_and_gathered_light_is_no_worse_than_its_polynomials
     let rms = |read: Read, eps: f64| {
         let reader = Reader::new(&outcome.solution, &visibility, read, eps);
         let square = |point: &serde_json::Value| {
-            let number = |value: &serde_json::Value| value.as_f64().expect("a number");
             let (a, b, exact) = (number(&point[1][0]), number(&point[1][1]), number(&point[2]));
             let (surface, place, normal, emitted) = match point[0].as_str() {
                 Some("floor") => (0, [a, b, 0.0], DVec3::Z, 0.0),

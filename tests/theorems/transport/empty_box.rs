@@ -10,7 +10,7 @@ use radiosity::scene::Scene;
 use radiosity::solve::in_threads;
 use radiosity_geom::DVec3;
 use radiosity_test_support::compare::largest;
-use radiosity_test_support::data::table;
+use radiosity_test_support::data::{number, table};
 use serde_json::Value;
 
 use crate::transport::flat::{Flat, Outline, blocks, elements, scene};
@@ -162,7 +162,6 @@ impl Field<'_> {
     /// Root mean square of the error at the reference points of a scene, and the largest.
     fn error_at_points(&self, points: &[Value]) -> [f64; 2] {
         let error = |point: &Value| {
-            let number = |value: &Value| value.as_f64().expect("a number");
             let wall = match point[0].as_str() {
                 Some("floor") => 0,
                 Some("ceiling") => CEILING,

@@ -2,15 +2,11 @@
 
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngSeed};
 use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
 use radiosity_formats::repair::{Kind, Options, Repairs, refusal, repair};
 use radiosity_geom::PlanarRegion;
 use radiosity_photometry::place::Place;
-
-fn config(cases: u32) -> Config {
-    Config { cases, rng_seed: RngSeed::Fixed(7), failure_persistence: None, ..Config::default() }
-}
+use radiosity_test_support::random::seeded;
 
 fn surface(name: &str, shape: Shape) -> Surface {
     Surface { name: name.into(), material: Some(0), shape, sides: Sides::Front, place: Some(Place::Line(1)) }
@@ -143,7 +139,7 @@ fn coordinate() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
-    #![proptest_config(config(128))]
+    #![proptest_config(seeded(128, 7))]
 
     /// A sound model comes out equal to the bit, wherever it stands and however it is turned.
     #[test]
@@ -275,7 +271,7 @@ fn any_shape() -> impl Strategy<Value = Shape> {
 }
 
 proptest! {
-    #![proptest_config(config(256))]
+    #![proptest_config(seeded(256, 7))]
 
     /// Whatever numbers a file has, repair ends, and names stay unique.
     #[test]

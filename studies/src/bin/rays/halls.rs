@@ -7,6 +7,7 @@ use radiosity::solve::studies::adaptation::{Aim, Goal, adapt};
 use radiosity::solve::{Options, Transport};
 
 use radiosity_studies::boxes::room;
+use radiosity_studies::memory::most_memory;
 
 /// Boxes along the three edges of the halls: about 10³, 10⁴ and 10⁵ surfaces.
 const HALLS: [[usize; 3]; 3] = [[7, 6, 4], [17, 14, 7], [37, 30, 15]];
@@ -34,12 +35,4 @@ pub(crate) fn halls() -> Result<(), Box<dyn Error>> {
         );
     }
     Ok(())
-}
-
-/// The most memory that this process had so far (MB); 0 where the system does not tell it.
-fn most_memory() -> f64 {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    let kilobytes = line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok());
-    kilobytes.unwrap_or(0.0) * 1024.0 / 1e6
 }

@@ -4,9 +4,9 @@ use std::collections::HashSet;
 
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngSeed};
 use radiosity_formats::merge::coplanar;
 use radiosity_formats::model::{Model, Shape, Sides, Surface};
+use radiosity_test_support::random::seeded;
 
 use crate::measures::notes;
 use crate::meshes::shapes::region;
@@ -247,9 +247,7 @@ fn corners_that_single_precision_rounded_apart_are_one() {
 }
 
 proptest! {
-    #![proptest_config(Config {
-        cases: 96, rng_seed: RngSeed::Fixed(7), failure_persistence: None, ..Config::default()
-    })]
+    #![proptest_config(seeded(96, 7))]
 
     #[test]
     fn random_walls_keep_their_area_and_are_sound(

@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngSeed};
 use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
 use radiosity_formats::obj::read;
 use radiosity_formats::obj::write::{Written, write};
+use radiosity_test_support::random::seeded;
 
 use crate::measures::{assert_cube, names};
 use crate::memory::Memory;
@@ -128,9 +128,7 @@ fn holes_are_joined_without_crossing() {
 }
 
 proptest! {
-    #![proptest_config(Config {
-        cases: 128, rng_seed: RngSeed::Fixed(7), failure_persistence: None, ..Config::default()
-    })]
+    #![proptest_config(seeded(128, 7))]
 
     #[test]
     fn random_holes_are_joined_without_crossing(

@@ -4,6 +4,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 use radiosity_formats::mgf;
 use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
+use radiosity_test_support::random::seeded;
 
 use crate::memory::Memory;
 use crate::mgf_and_radiance::mgf::ALL;
@@ -126,7 +127,7 @@ fn shape() -> impl Strategy<Value = Shape> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { rng_seed: prop::test_runner::RngSeed::Fixed(27), failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(seeded(256, 27))]
 
     #[test]
     fn any_model_is_the_same_again(
