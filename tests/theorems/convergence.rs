@@ -23,7 +23,6 @@ use radiosity_geom::DVec3;
 use radiosity_test_support::data::{number, table};
 use radiosity_test_support::scenes::{builtin, typed};
 use radiosity_test_support::solved::outcome_of;
-use serde_json::Value;
 
 const SHAPES: [&str; 4] = [
     "parallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [0,1,0] }",
