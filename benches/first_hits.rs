@@ -9,11 +9,6 @@
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 
-#[path = "../geom/tests/geometry/random.rs"]
-mod random;
-#[path = "../geom/benches/shared/triangle.rs"]
-mod triangle;
-
 use std::hint::black_box;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -22,11 +17,11 @@ use std::time::{Duration, Instant};
 use glam::{DVec3, Vec3A};
 use obvhs::cwbvh::{CwBvh, builder::build_cwbvh};
 use obvhs::{BvhBuildParams, ray::RayHit};
-use radiosity_geom::shapes::Parallelogram;
 use radiosity_geom::{Aabb, Hit, Ray, RayTree, Rect, Surface};
 
-use random::Random;
-use triangle::hit_triangle;
+use radiosity_test_support::random::Random;
+use radiosity_test_support::shapes::plate;
+use radiosity_test_support::triangle::hit_triangle;
 
 const RAYS: usize = 200_000;
 const ROUNDS: usize = 9;
@@ -137,9 +132,7 @@ fn hall() -> Vec<Shape> {
 /// The faces of a box, fronts outside, or inside where the edges are left-handed.
 fn faces(center: DVec3, edges: [DVec3; 3]) -> Vec<Shape> {
     let corner = center - 0.5 * edges.iter().sum::<DVec3>();
-    let face = |origin, a, b| -> Shape {
-        Arc::new(Parallelogram::new(origin, a, b).expect("edges at right angles span it"))
-    };
+    let face = |origin, a, b| -> Shape { Arc::new(plate(origin, a, b)) };
     let pair = |k: usize| {
         let [across, a, b] = [0, 1, 2].map(|step| edges[(k + step) % 3]);
         [face(corner, b, a), face(corner + across, a, b)]

@@ -6,15 +6,16 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
-use radiosity::solve::solved::Solved;
-use radiosity::solve::{Direct, Model, Options, solve};
+use radiosity::solve::{Direct, Model, Options};
 use radiosity::{Material, Scene, SceneBuilder};
+use radiosity_test_support::shapes::plate;
+use radiosity_test_support::solved::{outcome_of, solved_of};
 
 const LAMPS: usize = 10;
 
 fn parallelogram(origin: [f64; 3], first: [f64; 3], second: [f64; 3]) -> Parallelogram {
     let [origin, first, second] = [origin, first, second].map(DVec3::from_array);
-    Parallelogram::new(origin, first, second).expect("it has an area")
+    plate(origin, first, second)
 }
 
 /// A unit cube whose walls have 4 × 4 elements, with lamps below its ceiling, each a group of its own if they are
@@ -56,7 +57,7 @@ fn groups(criterion: &mut Criterion) {
         for (number, is_grouped) in [("no", false), ("ten", true)] {
             let scene = room(is_grouped);
             criterion.bench_function(&format!("groups {number}, {name}"), |bench| {
-                bench.iter(|| solve(black_box(&scene), &options(direct), &|_| {}).expect("it is solved"));
+                bench.iter(|| outcome_of(black_box(&scene), &options(direct)));
             });
         }
     }
@@ -64,7 +65,7 @@ fn groups(criterion: &mut Criterion) {
 
 /// One of the ten lamps dimmed, self-checks included.
 fn dimming(criterion: &mut Criterion) {
-    let solved = Solved::new(room(true), options(Direct::Projected), &|_| {}).expect("it is solved");
+    let solved = solved_of(room(true), options(Direct::Projected));
     criterion.bench_function("dimming one of ten", |bench| {
         bench.iter(|| solved.relight(black_box(&[("lamp 3", 0.3)])).expect("it is a group"));
     });

@@ -8,13 +8,11 @@ use radiosity::output::pictures::render::render;
 use radiosity::output::readings::reader::Read;
 use radiosity::output::readings::shown::Shown;
 use radiosity::scene::{Camera, Scene};
-use radiosity::solve::{Options, in_threads, solve};
+use radiosity::solve::{Options, in_threads};
 use radiosity::visibility::{Hiding, Visibility};
 use radiosity_solvers::method::Method;
-
-fn builtin(name: &str) -> Scene {
-    radiosity::builtin(name).expect("the scene is built in")
-}
+use radiosity_test_support::scenes::builtin;
+use radiosity_test_support::solved::outcome_of;
 
 fn on_one_thread() -> Options {
     Options { threads: 1, ..Options::default() }
@@ -22,7 +20,7 @@ fn on_one_thread() -> Options {
 
 fn solve_again(criterion: &mut Criterion, name: &str, scene: &Scene, options: &Options) {
     criterion.bench_function(name, |bench| {
-        bench.iter(|| solve(black_box(scene), options, &|_| {}).expect("the scene can be solved"));
+        bench.iter(|| outcome_of(black_box(scene), options));
     });
 }
 
@@ -58,7 +56,7 @@ fn shadows(criterion: &mut Criterion) {
 fn pictures(criterion: &mut Criterion) {
     let scene = builtin("occluder-box");
     let options = on_one_thread();
-    let outcome = solve(&scene, &options, &|_| {}).expect("the box can be solved");
+    let outcome = outcome_of(&scene, &options);
     let visibility = Visibility::new(&scene, (&options).into());
     let camera = scene.camera.clone().expect("the scene has a camera");
     let camera = Camera { width: 64, height: 48, ..camera };

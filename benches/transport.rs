@@ -5,13 +5,14 @@ use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::Accuracy;
-use radiosity::solve::{Options, solve};
-use radiosity::transport;
+use radiosity::solve::Options;
 use radiosity::visibility::{Hiding, Shadows, Visibility};
+use radiosity_test_support::scenes::builtin;
+use radiosity_test_support::solved::{blocks_of, outcome_of};
 
 /// Blocks of the empty box, six elements: edge and face pairs, no shadows.
 fn blocks_of_the_empty_box(criterion: &mut Criterion) {
-    let scene = radiosity::builtin("empty-box").expect("the scene is built in");
+    let scene = builtin("empty-box");
     let visibility = Visibility::new(&scene, Shadows::Off);
     for (order, eps) in [(4, 1e-2), (4, 1e-4), (8, 1e-2), (8, 1e-4)] {
         let how = Discretization {
@@ -23,14 +24,14 @@ fn blocks_of_the_empty_box(criterion: &mut Criterion) {
         let elements = Elements::new(&scene, &how).expect("a box has area");
         let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
         criterion.bench_function(&format!("blocks of the empty box, order {order}, eps {eps:e}"), |bench| {
-            bench.iter(|| transport::assemble(&elements, &visibility, accuracy, &|_, _| {}));
+            bench.iter(|| blocks_of(&elements, &visibility, accuracy));
         });
     }
 }
 
 /// The Cornell box at the defaults, one thread, with and without shadows: their ratio is the price of visibility.
 fn cornell_box(criterion: &mut Criterion) {
-    let scene = radiosity::builtin("cornell-box").expect("the scene is built in");
+    let scene = builtin("cornell-box");
     for shadows in [Hiding::Off, Hiding::Auto] {
         let options = Options { shadows, threads: 1, ..Options::default() };
         let name = format!(
@@ -38,7 +39,7 @@ fn cornell_box(criterion: &mut Criterion) {
             if shadows == Hiding::Off { "without" } else { "with" }
         );
         criterion.bench_function(&name, |bench| {
-            bench.iter(|| solve(&scene, &options, &|_| {}).expect("the box can be solved"));
+            bench.iter(|| outcome_of(&scene, &options));
         });
     }
 }

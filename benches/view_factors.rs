@@ -7,9 +7,10 @@ use std::time::Instant;
 use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, polygon_exchange};
-use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
+use radiosity_test_support::scenes::builtin;
+use radiosity_test_support::solved::blocks_of;
 
 type Quad = [DVec3; 4];
 
@@ -98,7 +99,7 @@ fn whole_boxes(_: &mut Criterion) {
 
 /// The same even box as a scene: what the blocks cost beyond the exchange.
 fn assembled_box(_: &mut Criterion) {
-    let scene = radiosity::builtin("empty-box").expect("the scene is built in");
+    let scene = builtin("empty-box");
     let how = Discretization::uniform(0, CELLS);
     let accuracy = Accuracy { eps: 1e-12, shadow_eps: 3e-3 };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread can be started");
@@ -107,7 +108,7 @@ fn assembled_box(_: &mut Criterion) {
         let start = Instant::now();
         let elements = Elements::new(&scene, &how).expect("a box has area");
         let cut = start.elapsed();
-        let blocks = pool.install(|| transport::assemble(&elements, &visibility, accuracy, &|_, _| {}));
+        let blocks = pool.install(|| blocks_of(&elements, &visibility, accuracy));
         println!(
             "blocks of the empty box, order 0, 16 × 16 cells per wall, {shadows:?}: elements {:.3} s, in all {:.3} s, \
              {} logarithms",

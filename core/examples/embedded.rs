@@ -1,7 +1,7 @@
 //! A function of the radius of a disk as a Legendre series, on a machine without an operating system.
 //!
 //! The compiler makes the rule and the polynomials. `.ci/run` compiles the program for bare targets, a test
-//! runs it.
+//! at its end runs it.
 #![cfg_attr(not(test), no_std)]
 
 use radiosity_core::convert;
@@ -23,4 +23,18 @@ pub fn fit(f: fn(f64) -> f64) -> [f64; 8] {
     }
     convert::to_legendre(0, 1, &mut coefficients);
     coefficients
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use radiosity_core::legendre;
+
+    proptest! {
+        #[test]
+        fn polynomials_of_degree_7_are_fitted_exactly(x in -1.0..=1.0f64) {
+            let f = |x: f64| 1.0 - x * (2.0 - x * x * (0.5 + x * x * (1.5 - x * x)));
+            prop_assert!((legendre::sum(&super::fit(f), x) - f(x)).abs() < 1e-13);
+        }
+    }
 }

@@ -9,12 +9,9 @@
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use glam::DVec3;
 use radiosity_geom::{Jet, Surface};
+use radiosity_test_support::gallery::gallery;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-
-#[path = "../tests/geometry/gallery.rs"]
-#[expect(dead_code, reason = "the conformance suite reads the other fields")]
-mod gallery;
 
 /// Jets per tile.
 const COUNT: usize = 1024;
@@ -25,7 +22,7 @@ type Way<'a> = (&'static str, Box<dyn FnMut() + 'a>);
 fn jets(c: &mut Criterion) {
     let at: Vec<[f64; 2]> =
         (0..COUNT).map(|k| [(k % 32) as f64 / 16.0 - 0.97, (k / 32) as f64 / 16.0 - 0.97]).collect();
-    let exhibits = gallery::gallery();
+    let exhibits = gallery();
     let mut ways: Vec<Way> = vec![
         ("yardstick affine", points(&at, affine)),
         ("yardstick trigonometry", points(&at, trigonometry)),

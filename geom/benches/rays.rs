@@ -18,13 +18,8 @@ use std::hint::black_box;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-#[path = "../tests/geometry/random.rs"]
-mod random;
-#[path = "shared/triangle.rs"]
-mod triangle;
-
-use random::Random;
-use triangle::hit_triangle;
+use radiosity_test_support::random::Random;
+use radiosity_test_support::triangle::hit_triangle;
 
 /// Rays per scene.
 const RAYS: usize = 20_000;

@@ -3,10 +3,6 @@
 //! A table of residuals and of interleaved overheads comes first, on standard output; criterion's times
 //! follow. Run with `cargo bench -p radiosity-solvers --bench solvers`; `README.md` keeps the figures.
 
-#[path = "../tests/theorems/systems.rs"]
-#[expect(dead_code, reason = "the benchmark needs one kind of system only")]
-mod systems;
-
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -16,7 +12,8 @@ use faer::linalg::solvers::Solve;
 use nalgebra::{DMatrix, DVector};
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Partition, Report, Settings};
-use systems::{Random, enclosure};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::enclosure;
 
 /// Unknowns of the systems.
 const SIZES: [usize; 4] = [100, 500, 1000, 2000];

@@ -3,10 +3,10 @@
 //! The references of plates and disks were computed by a Nyström method to 1e-15; the others are exact: in a sphere the
 //! irradiance is one number, in a closed room of one reflectance B = 1/(1 − ρ).
 
-use std::io::Write;
-use std::process::{Command, Stdio};
-
 use radiosity_geom::DVec3;
+use radiosity_test_support::folders::folder;
+
+use crate::program::{fed, succeeded};
 
 /// Radiosity at points with the normals of the surfaces they lie on, from the polynomials, by `radiosity probe`.
 fn radiosity(scene: &str, order: usize, eps: &str, places: &[(DVec3, DVec3)]) -> Vec<f64> {
@@ -21,26 +21,12 @@ fn radiosity_with(
     eps: &str,
     places: &[(DVec3, DVec3)],
 ) -> Vec<f64> {
-    let folder = tempfile::tempdir().expect("there is room for a file");
-    let file = folder.path().join("case.toml");
-    std::fs::write(&file, format!("bands = [\"grey\"]\n{scene}")).expect("the folder is new");
-    let mut probe = Command::new(env!("CARGO_BIN_EXE_radiosity"))
-        .arg("probe")
-        .arg(&file)
-        .args(["--points", "-", "--read", "basis", "--subdivide", "1", "--eps", eps, "--order"])
-        .arg(order.to_string())
-        .args(options)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the command starts");
+    let folder = folder(&[("case.toml", format!("bands = [\"grey\"]\n{scene}"))]);
+    let order = order.to_string();
+    let args = ["probe", "case.toml", "--points", "-", "--read", "basis", "--subdivide", "1", "--eps", eps];
     let lines = places.iter().map(|(x, n)| format!("{},{},{},{},{},{}\n", x.x, x.y, x.z, n.x, n.y, n.z));
-    let mut points = probe.stdin.take().expect("it is piped");
-    points.write_all(lines.collect::<String>().as_bytes()).expect("the command reads its points");
-    drop(points);
-    let output = probe.wait_with_output().expect("the command ends");
-    assert!(output.status.success());
-    let table = String::from_utf8(output.stdout).expect("a table is text");
+    let args = [&args[..], &["--order", &order], options].concat();
+    let [table, _] = succeeded(fed(folder.path(), &args, &lines.collect::<String>()));
     let last = |line: &str| line.rsplit(',').next().and_then(|number| number.parse().ok());
     let found: Vec<f64> = table.lines().skip(1).map(|line| last(line).expect("on a surface")).collect();
     assert_eq!(found.len(), places.len());

@@ -1,5 +1,6 @@
 //! `animate`: pictures and readings of frames.
 
+use radiosity_test_support::folders::folder;
 #[cfg(unix)]
 use std::collections::BTreeMap;
 use std::fs;
@@ -35,13 +36,6 @@ translate = { points = [[0, 0, 0], [0.3, 0, 0]] }
 
 const POINTS: &str = "x,y,z,nx,ny,nz\n0.3,0.5,0,0,0,1\n0.8,0.5,0,0,0,1\n";
 
-fn folder() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("room.toml"), ROOM).expect("it can be written");
-    fs::write(folder.path().join("points.csv"), POINTS).expect("it can be written");
-    folder
-}
-
 /// Each line of a CSV after the first, as numbers.
 fn rows(csv: &str) -> Vec<Vec<f64>> {
     let row = |line: &str| line.split(',').map(|cell| cell.parse().expect("a number")).collect();
@@ -50,7 +44,7 @@ fn rows(csv: &str) -> Vec<Vec<f64>> {
 
 #[test]
 fn lux_over_time_is_that_of_the_frames_alone() {
-    let folder = folder();
+    let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
     let folder = folder.path();
     let [table, told] = done(folder, &["animate", "room.toml", "--probe", "points.csv"]);
     assert_eq!(table.lines().next(), Some("frame,point,x,y,z,nx,ny,nz,E_grey"));
@@ -74,7 +68,7 @@ fn lux_over_time_is_that_of_the_frames_alone() {
 
 #[test]
 fn pictures_have_numbers_and_those_that_are_there_stay() {
-    let folder = folder();
+    let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
     let folder = folder.path();
     let args = ["animate", "room.toml", "--frames", "2..4", "-o", "f-##.png", "--samples", "1"];
     done(folder, &args);
@@ -105,7 +99,7 @@ fn pictures(folder: &Path) -> BTreeMap<String, (Vec<u8>, SystemTime)> {
 #[test]
 #[cfg(unix)]
 fn ctrl_c_keeps_the_frames_that_are_finished_and_the_rest_is_made_later() {
-    let [stopped, whole] = [folder(), folder()];
+    let [stopped, whole] = [(); 2].map(|()| folder(&[("room.toml", ROOM), ("points.csv", POINTS)]));
     let (stopped, whole) = (stopped.path(), whole.path());
     let args = [
         "animate",
@@ -144,7 +138,7 @@ fn ctrl_c_keeps_the_frames_that_are_finished_and_the_rest_is_made_later() {
 
 #[test]
 fn what_frames_keep_for_the_next_ones_is_a_part_of_their_memory() {
-    let folder = folder();
+    let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
     let folder = folder.path();
     let args = |way: &'static str| {
         [
@@ -166,7 +160,7 @@ fn what_frames_keep_for_the_next_ones_is_a_part_of_their_memory() {
 
 #[test]
 fn the_errors_of_rays_and_of_transfers_are_told() {
-    let folder = folder();
+    let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
     let folder = folder.path();
     let by_rays = ["--transport", "sampled", "--rays", "20000", "--read-by", "rays", "--probe", "points.csv"];
     let frames = ["animate", "room.toml", "--frames", "0..3", "--animation", "selective"];
@@ -207,7 +201,7 @@ fn the_errors_of_rays_and_of_transfers_are_told() {
 
 #[test]
 fn a_film_lasts_as_long_as_its_frames() {
-    let folder = folder();
+    let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
     let folder = folder.path();
     done(folder, &["animate", "room.toml", "-o", "room.gif", "--samples", "1"]);
     let file = fs::File::open(folder.join("room.gif")).expect("it was written");
@@ -223,7 +217,7 @@ fn a_film_lasts_as_long_as_its_frames() {
 
 #[test]
 fn what_cannot_be_animated_is_refused_with_a_cure() {
-    let folder = folder();
+    let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
     let folder = folder.path();
     let refuse = |args: &[&str], parts: &[&str]| {
         refused(folder, &[&["animate", "room.toml"][..], args].concat(), parts);
@@ -247,7 +241,7 @@ fn what_cannot_be_animated_is_refused_with_a_cure() {
 
 #[test]
 fn series_tell_their_error_and_when_they_are_repaid() {
-    let folder = folder();
+    let folder = folder(&[("room.toml", ROOM), ("points.csv", POINTS)]);
     let animate = ["animate", "room.toml", "--probe", "points.csv", "--transport", "exact", "--order", "1"];
     let told = |more: &[&str]| done(folder.path(), &[&animate[..], more].concat());
     let [table, line] = told(&["--animation", "series"]);
@@ -267,6 +261,8 @@ mod films {
     use std::path::Path;
     use std::process::{Command, Output, Stdio};
     use std::{fs, thread, time::Duration};
+
+    use radiosity_test_support::folders::{folder, names};
 
     use crate::program::command;
 
@@ -290,22 +286,12 @@ mod films {
         command(folder, &[&FILM[..], &[name]].concat()).env("PATH", path).output().expect("it runs")
     }
 
-    /// Names of the files in a folder, hidden ones too.
-    fn files(folder: &Path) -> Vec<String> {
-        let entries = fs::read_dir(folder).expect("a folder");
-        let mut names: Vec<String> = entries
-            .map(|entry| entry.expect("it is there").file_name().to_string_lossy().into_owned())
-            .collect();
-        names.sort();
-        names
-    }
-
     const KEEPS: &str =
         r#"cat > "$0.pixels"; echo "$@" > "$0.arguments"; for last; do :; done; echo film > "$last""#;
 
     #[test]
     fn pictures_go_through_a_pipe_and_the_film_takes_its_name_at_the_end() {
-        let folder = super::folder();
+        let folder = folder(&[("room.toml", super::ROOM), ("points.csv", super::POINTS)]);
         let folder = folder.path();
         let path = stand_in(folder, KEEPS);
         for (name, kind) in [("light.mp4", "-f mp4"), ("light.webm", "-f webm")] {
@@ -327,12 +313,12 @@ mod films {
             assert_eq!(row(14), row(15));
             assert!((0..16).all(|k| row(k)[66..69] == row(k)[69..72]));
         }
-        assert_eq!(files(folder), ["bin", "light.mp4", "light.webm", "points.csv", "room.toml"]);
+        assert_eq!(names(folder), ["bin", "light.mp4", "light.webm", "points.csv", "room.toml"]);
     }
 
     #[test]
     fn a_program_that_fails_leaves_the_old_film() {
-        let folder = super::folder();
+        let folder = folder(&[("room.toml", super::ROOM), ("points.csv", super::POINTS)]);
         let folder = folder.path();
         fs::write(folder.join("light.mp4"), "old").expect("it can be written");
         for script in ["cat > /dev/null; echo no such codec >&2; exit 3", "echo no such codec >&2; exit 3"] {
@@ -341,13 +327,13 @@ mod films {
             assert_eq!(output.status.code(), Some(1), "{said}");
             assert!(said.contains("no such codec") && said.contains("light.mp4"), "{said}");
             assert_eq!(fs::read(folder.join("light.mp4")).expect("it is there"), b"old");
-            assert_eq!(files(folder), ["bin", "light.mp4", "points.csv", "room.toml"]);
+            assert_eq!(names(folder), ["bin", "light.mp4", "points.csv", "room.toml"]);
         }
     }
 
     #[test]
     fn without_the_program_the_cure_is_told_before_any_work() {
-        let folder = super::folder();
+        let folder = folder(&[("room.toml", super::ROOM), ("points.csv", super::POINTS)]);
         let folder = folder.path();
         let output = film(folder, &folder.join("none").into_os_string(), "light.mp4");
         let said = String::from_utf8_lossy(&output.stderr);
@@ -355,12 +341,12 @@ mod films {
         for part in ["light.mp4", "ffmpeg", "not found", "apt install ffmpeg", ".gif", "frame-####.png"] {
             assert!(said.contains(part), "{part:?} is missing in {said}");
         }
-        assert_eq!(files(folder), ["points.csv", "room.toml"]);
+        assert_eq!(names(folder), ["points.csv", "room.toml"]);
     }
 
     #[test]
     fn ctrl_c_leaves_nothing_and_ends_the_program_too() {
-        let folder = super::folder();
+        let folder = folder(&[("room.toml", super::ROOM), ("points.csv", super::POINTS)]);
         let folder = folder.path();
         let path = stand_in(folder, r#"echo $$ > "$0.begun"; exec sleep 100"#);
         let mut command = command(folder, &[&FILM[..], &["light.mp4"]].concat());
@@ -377,6 +363,6 @@ mod films {
         assert!(signal("-INT", &run.id().to_string()));
         assert_eq!(run.wait().expect("it ends").code(), Some(130));
         assert!(!signal("-0", number().expect("it is there").trim()), "the program goes on");
-        assert_eq!(files(folder), ["bin", "points.csv", "room.toml"]);
+        assert_eq!(names(folder), ["bin", "points.csv", "room.toml"]);
     }
 }

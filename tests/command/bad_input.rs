@@ -1,12 +1,9 @@
 //! Bad input: every case gets file, line, column, name and cure on stderr, exit code 2, and leaves no file behind.
 
-use std::{
-    fs,
-    io::Write,
-    process::{Command, Output, Stdio},
-};
+use radiosity_test_support::folders::folder;
+use std::fs;
 
-use crate::program::radiosity;
+use crate::program::{self, assert_refused, fed, radiosity};
 
 /// A scene that is right, to be broken in one place.
 const ROOM: &str = r#"title = "room"
@@ -31,11 +28,8 @@ fn room(old: &str, new: &str) -> String {
 /// Renders a scene that must be refused: exit code 2, empty stdout, no new file, all of `parts` on stderr.
 #[track_caller]
 fn refused_file(file: &str, scene: &str, parts: &[&str]) {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join(file), scene).unwrap();
-    let output = radiosity(folder.path(), &["render", file, "-o", "out.png", "--report", "report.json"]);
-    assert_refused(&output, parts);
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "a file was left behind");
+    let folder = folder(&[(file, scene)]);
+    program::refused(folder.path(), &["render", file, "-o", "out.png", "--report", "report.json"], parts);
 }
 
 #[track_caller]
@@ -46,25 +40,13 @@ fn refused(scene: &str, parts: &[&str]) {
 /// Runs in an empty folder, which must stay empty.
 #[track_caller]
 fn refused_command(args: &[&str], parts: &[&str]) {
-    let folder = tempfile::tempdir().unwrap();
-    assert_refused(&radiosity(folder.path(), args), parts);
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "a file was left behind");
-}
-
-#[track_caller]
-fn assert_refused(output: &Output, parts: &[&str]) {
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(output.stdout.is_empty(), "{}", String::from_utf8_lossy(&output.stdout));
-    for part in parts {
-        assert!(message.contains(part), "{part:?} is missing in:\n{message}");
-    }
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    program::refused(folder.path(), args, parts);
 }
 
 #[test]
 fn the_room_itself_is_right() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("room.toml"), ROOM).unwrap();
+    let folder = folder(&[("room.toml", ROOM)]);
     let output = radiosity(folder.path(), &["check", "room.toml"]);
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
 }
@@ -282,8 +264,7 @@ fn a_back_may_be_given_by_name() {
         )
     };
     let turned = "[[0,0,0],[0,1,0],[1,1,0],[1,0,0]]";
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("room.toml"), side("floor:back", turned)).unwrap();
+    let folder = folder(&[("room.toml", side("floor:back", turned))]);
     let output = radiosity(folder.path(), &["check", "room.toml"]);
     let [message, findings] = [&output.stderr, &output.stdout].map(|text| String::from_utf8_lossy(text));
     assert_eq!(output.status.code(), Some(0), "{message}");
@@ -305,8 +286,7 @@ fn no_surface() {
 fn no_emitter_is_wrong_only_where_light_is_asked_for() {
     let dark = room("emission = 1", "emission = 0");
     refused(&dark, &["room.toml: nothing emits light", "help: give a material an emission"]);
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("room.toml"), dark).unwrap();
+    let folder = folder(&[("room.toml", dark)]);
     let output = radiosity(folder.path(), &["check", "room.toml"]);
     assert_eq!(output.status.code(), Some(0));
     assert!(String::from_utf8_lossy(&output.stdout).contains("warning: nothing emits light"));
@@ -546,18 +526,9 @@ fn options_out_of_range() {
     refused_command(&["render", "--size", "0x5"], &["invalid value '0x5' for '--size"]);
 }
 
-/// Runs `check` on a scene from standard input.
-fn check_stdin(scene: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.args(["check", "-"]).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = command.spawn().unwrap();
-    child.stdin.take().unwrap().write_all(scene.as_bytes()).unwrap();
-    child.wait_with_output().unwrap()
-}
-
 #[test]
 fn standard_input_is_named() {
-    let output = check_stdin("{\"surfaces\": 1}");
+    let output = fed(&std::env::temp_dir(), &["check", "-"], "{\"surfaces\": 1}");
     assert_refused(&output, &["<stdin>:1:14: expected a list, found a number"]);
 }
 
@@ -568,7 +539,7 @@ const POLYGONS_JSON: &str = "[[[0,0,0],[1,0,0],[0,1,0]]]";
 fn lists_of_polygons_are_known_by_their_beginning_and_by_any_case_of_their_ending() {
     for text in [POLYGONS_CSV, POLYGONS_JSON] {
         for mark in ["", "\u{feff}"] {
-            let output = check_stdin(&format!("{mark}{text}"));
+            let output = fed(&std::env::temp_dir(), &["check", "-"], &format!("{mark}{text}"));
             assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
         }
     }

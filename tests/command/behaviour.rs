@@ -4,18 +4,11 @@ use std::{fs, path::Path, process::Command};
 
 use radiosity::{elements::Discretization, solve::driver::memory::Footprint};
 use radiosity_solvers::method::Method;
+use radiosity_test_support::folders::{folder, json, names};
+use radiosity_test_support::scenes::builtin;
 use serde_json::Value;
 
-use crate::program::{command, radiosity};
-
-fn json(path: &Path) -> Value {
-    serde_json::from_str(&fs::read_to_string(path).expect("the file was written")).expect("it is JSON")
-}
-
-fn files(folder: &Path) -> Vec<String> {
-    let name = |entry: std::io::Result<fs::DirEntry>| entry.unwrap().file_name().into_string().unwrap();
-    fs::read_dir(folder).unwrap().map(name).collect()
-}
+use crate::program::{self, command, radiosity};
 
 #[test]
 #[cfg(unix)]
@@ -33,7 +26,7 @@ fn ctrl_c_stops_within_a_second_and_leaves_nothing() {
     let status = child.wait().unwrap();
     assert!(sent.elapsed() < Duration::from_secs(1), "{:?}", sent.elapsed());
     assert_eq!(status.code(), Some(130));
-    assert_eq!(files(folder.path()), Vec::<String>::new());
+    assert_eq!(names(folder.path()), Vec::<String>::new());
 }
 
 #[test]
@@ -85,7 +78,7 @@ fn a_solver_that_does_not_converge_writes_only_what_it_is_asked_for() {
         message.contains("left a relative residual of") && message.contains("--keep-partial"),
         "{message}"
     );
-    assert_eq!(files(here), Vec::<String>::new());
+    assert_eq!(names(here), Vec::<String>::new());
 
     let output =
         radiosity(here, &[&short[..], &["--keep-partial", "--report", "r.json", "-o", "s.json"]].concat());
@@ -132,8 +125,7 @@ fn a_reader_who_leaves_early_costs_no_file() {
         (&["probe", "furnace-cube", "--order", "0", "--points", "p.csv", "--report", "b.json"], "b.json"),
         (&["convergence", "furnace-cube", "--max-order", "1", "-o", "c.svg"], "c.svg"),
     ];
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("p.csv"), "0.5,0.5,0,0,0,1\n").unwrap();
+    let folder = folder(&[("p.csv", "0.5,0.5,0,0,0,1\n")]);
     for (args, file) in cases {
         let mut child =
             command(folder.path(), args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
@@ -144,17 +136,10 @@ fn a_reader_who_leaves_early_costs_no_file() {
     }
 }
 
-/// Refused with exit code 2, all of `parts` told, and the folder as it was.
+/// Refused with all of `parts`, one of them a cure.
 #[track_caller]
 fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
-    let before = files(folder);
-    let output = radiosity(folder, args);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{args:?}: {message}");
-    for part in [parts, &["help: "]].concat() {
-        assert!(message.contains(part), "{part:?} is missing in:\n{message}");
-    }
-    assert_eq!(files(folder).len(), before.len());
+    program::refused(folder, args, &[parts, &["help: "]].concat());
 }
 
 #[test]
@@ -224,7 +209,7 @@ fn a_wanted_accuracy_that_memory_forbids_keeps_the_best_run() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
     let how = Discretization::uniform(3, 1);
-    let scene = radiosity::builtin("empty-box").unwrap();
+    let scene = builtin("empty-box");
     let peak = Footprint::of(&scene, &how, Method::named("auto").unwrap()).peak().to_string();
     let args =
         ["solve", "empty-box", "--accuracy", "1e-6", "--subdivide", "1", "--report", "r.json", "--memory"];
@@ -458,7 +443,7 @@ fn peak_and_estimate(order: usize, subdivide: usize, solver: &str) -> [f64; 2] {
     let args = ["solve", "empty-box", "--order", &degree, "--subdivide", &parts, "--solver", solver];
     let output = radiosity(folder.path(), &[&args[..], &["--eps", "0.1", "--report", "r.json"]].concat());
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let scene = radiosity::builtin("empty-box").unwrap();
+    let scene = builtin("empty-box");
     let how = Discretization::uniform(order, subdivide);
     let estimate = Footprint::of(&scene, &how, Method::named(solver).unwrap()).peak();
     [json(&folder.path().join("r.json"))["peak_bytes"].as_f64().unwrap(), estimate as f64]
@@ -486,7 +471,7 @@ fn too_little_memory_is_told_before_the_work() {
     {
         assert!(message.contains(part), "{part:?} is missing in:\n{message}");
     }
-    assert_eq!(files(folder.path()), Vec::<String>::new());
+    assert_eq!(names(folder.path()), Vec::<String>::new());
     let wrong = radiosity(folder.path(), &["grid", "--memory", "much"]);
     assert_eq!(wrong.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&wrong.stderr).contains("such as 500M, 2G or 2GiB"));

@@ -3,28 +3,24 @@
 use std::f64::consts::PI;
 
 use proptest::prelude::*;
-use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::Accuracy;
-use radiosity::scene::{Fault, Scene};
+use radiosity::scene::Fault;
+use radiosity::solve::Options;
 use radiosity::solve::solution::Place;
-use radiosity::solve::{Options, solve};
-use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::{DVec3, Encounter, Ray};
-
-fn with(name: &str, settings: &[(&str, f64)]) -> Scene {
-    radiosity::language::builtin_with(name, settings).unwrap_or_else(|error| panic!("{error}"))
-}
+use radiosity_test_support::scenes::builtin_with;
+use radiosity_test_support::solved::{blocks_of, elements_of, outcome_of};
 
 #[test]
 fn every_scene_loads_with_every_parameter_at_its_ends() {
     for builtin in radiosity::language::builtins() {
-        let scene = with(builtin.name, &[]);
+        let scene = builtin_with(builtin.name, &[]);
         assert!(scene.title.is_some() && scene.camera.is_some(), "{}", builtin.name);
         scene.require_light().expect("a built-in scene has a lamp");
         for parameter in builtin.parameters {
             for value in parameter.range {
-                with(builtin.name, &[(parameter.name, value)]);
+                builtin_with(builtin.name, &[(parameter.name, value)]);
             }
         }
     }
@@ -32,11 +28,11 @@ fn every_scene_loads_with_every_parameter_at_its_ends() {
 
 #[test]
 fn scenes_hold_what_they_are_said_to() {
-    let count = |name: &str| with(name, &[]).surfaces.len();
+    let count = |name: &str| builtin_with(name, &[]).surfaces.len();
     let counts =
         ["occluder-box", "two-boxes", "teapot", "furnace-sphere", "parallel-squares", "hinge-squares"];
     assert_eq!(counts.map(count), [9, 17, 40, 1, 2, 2]);
-    let temple = with("temple", &[]);
+    let temple = builtin_with("temple", &[]);
     assert!(temple.surfaces.len() >= 600);
     let of_kind = |kind: &str| temple.surfaces.iter().filter(|surface| surface.kind == kind).count();
     // Sixteen columns of four sides; fourteen lamps; the vault.
@@ -65,7 +61,7 @@ fn settings_are_refused_with_a_reason() {
 /// The area is that of the table, computed elsewhere to 9 digits; the rule there is good to 3e-6 on folded patches.
 #[test]
 fn the_teapot_is_the_table_s_and_faces_outward() {
-    let scene = with("teapot", &[]);
+    let scene = builtin_with("teapot", &[]);
     let pot: Vec<_> = scene.surfaces.iter().filter(|surface| surface.kind == "patches").collect();
     assert_eq!(pot.len(), 32);
     let area: f64 = pot.iter().map(|patch| patch.shape.area()).sum();
@@ -79,7 +75,7 @@ fn the_teapot_is_the_table_s_and_faces_outward() {
 #[test]
 fn the_teapot_s_height_is_set() {
     let highest = |height: f64| {
-        let scene = with("teapot", &[("height", height)]);
+        let scene = builtin_with("teapot", &[("height", height)]);
         let pot = scene.surfaces.iter().filter(|surface| surface.kind == "patches");
         let corners = pot.flat_map(|patch| [-1.0, 1.0].map(|u| patch.shape.jet(u, 1.0).position.z));
         corners.fold(0.0, f64::max)
@@ -89,7 +85,7 @@ fn the_teapot_s_height_is_set() {
 
 /// What a ray from the camera meets in a closed room is always a front.
 fn sees_fronts_only(name: &str, settings: &[(&str, f64)], directions: &[DVec3]) {
-    let scene = with(name, settings);
+    let scene = builtin_with(name, settings);
     let eye = scene.camera.as_ref().expect("there is a camera").eye;
     let visibility = Visibility::new(&scene, Shadows::Off);
     for direction in directions {
@@ -124,11 +120,11 @@ proptest! {
 
 /// The form factor of the two squares of a scene.
 fn factor(name: &str, settings: &[(&str, f64)]) -> f64 {
-    let scene = with(name, settings);
-    let elements = Elements::new(&scene, &Discretization::uniform(0, 1)).expect("squares have area");
+    let scene = builtin_with(name, settings);
+    let elements = elements_of(&scene, 0, 1);
     let visibility = Visibility::new(&scene, Shadows::Off);
     let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-3 };
-    let blocks = transport::assemble(&elements, &visibility, accuracy, &|_, _| {});
+    let blocks = blocks_of(&elements, &visibility, accuracy);
     blocks.iter().find(|(row, column, _)| row != column).map_or(0.0, |(_, _, values)| values[0])
 }
 
@@ -164,9 +160,8 @@ fn hinged_squares_exchange_the_closed_form_and_less_the_wider_they_open() {
 #[test]
 fn furnaces_have_one_radiosity() {
     for (name, reflectance) in [("furnace-cube", 0.0), ("furnace-cube", 0.9), ("furnace-sphere", 0.7)] {
-        let scene = with(name, &[("reflectance", reflectance)]);
-        let outcome =
-            solve(&scene, &Options { order: 2, ..Options::default() }, &|_| {}).expect("it is solved");
+        let scene = builtin_with(name, &[("reflectance", reflectance)]);
+        let outcome = outcome_of(&scene, &Options { order: 2, ..Options::default() });
         let elements = outcome.solution.elements();
         for (index, element) in elements.list().iter().enumerate() {
             for parameters in [[0.0, 0.0], [0.9, -0.9], [-0.5, 0.3]] {
@@ -183,9 +178,8 @@ fn furnaces_have_one_radiosity() {
 #[test]
 fn rooms_with_shadows_lose_little() {
     for name in ["occluder-box", "two-boxes"] {
-        let scene = with(name, &[]);
-        let outcome =
-            solve(&scene, &Options { order: 2, ..Options::default() }, &|_| {}).expect("it is solved");
+        let scene = builtin_with(name, &[]);
+        let outcome = outcome_of(&scene, &Options { order: 2, ..Options::default() });
         let lost = outcome.checks.energy_lost / outcome.checks.energy_in;
         assert!(lost.abs() < 0.02, "{name}: {lost}");
     }

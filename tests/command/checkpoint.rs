@@ -1,5 +1,6 @@
 //! Runs that are recorded: killed at any time they go on, and what does not belong together is refused.
 
+use radiosity_test_support::folders::{self, json, png};
 use std::fs;
 use std::path::Path;
 #[cfg(unix)]
@@ -8,8 +9,6 @@ use std::{
     thread::sleep,
     time::Duration,
 };
-
-use serde_json::Value;
 
 #[cfg(unix)]
 use crate::program::command;
@@ -47,28 +46,9 @@ fn table(aside: u32) -> String {
     )
 }
 
-/// Two texels, of which the second is so bright.
-fn write_picture(folder: &Path, bright: u8) {
-    let file = fs::File::create(folder.join("wood.png")).expect("it can be written");
-    let mut encoder = png::Encoder::new(file, 2, 1);
-    encoder.set_color(png::ColorType::Grayscale);
-    let image = encoder.write_header().and_then(|mut writer| writer.write_image_data(&[200, bright]));
-    image.expect("it can be written");
-}
-
-fn folder() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("room.toml"), ROOM).expect("it can be written");
-    fs::write(folder.path().join("lamp.ies"), table(50)).expect("it can be written");
-    fs::write(folder.path().join("points.csv"), "1,1,1,0,0,1\n").expect("it can be written");
-    write_picture(folder.path(), 20);
-    folder
-}
-
 /// What a report says of the checkpoint: pieces recalled, and recorded.
 fn checkpoint(report: &Path) -> [u64; 2] {
-    let report: Value =
-        serde_json::from_slice(&fs::read(report).expect("it was written")).expect("it is JSON");
+    let report = json(report);
     ["recalled", "recorded"].map(|key| report["checkpoint"][key].as_u64().expect("it is told"))
 }
 
@@ -79,6 +59,19 @@ fn told(summary: &str) -> [u64; 2] {
         |word: &str| word.trim_start_matches(", ").split(' ').next().and_then(|count| count.parse().ok());
     let (recalled, rest) = line.split_once(" pieces recalled").expect("they are counted");
     [recalled, rest].map(|words| count(words).expect("a number"))
+}
+
+/// Two texels, of which the second is so bright.
+fn picture(bright: u8) -> Vec<u8> {
+    png([2, 1], png::ColorType::Grayscale, &[200, bright])
+}
+
+fn folder() -> tempfile::TempDir {
+    let (table, picture) = (table(50), picture(20));
+    let points = "1,1,1,0,0,1\n";
+    let files = [("room.toml", ROOM), ("lamp.ies", &table), ("points.csv", points)]
+        .map(|(name, text)| (name, text.as_bytes()));
+    folders::folder(&[&files[..], &[("wood.png", &picture)]].concat())
 }
 
 const SOLVE: [&str; 7] = ["solve", "room.toml", "--order", "1", "-q", "-o", "a.json"];
@@ -143,7 +136,7 @@ fn a_run_of_another_scene_or_with_other_options_is_refused() {
             fs::write(folder.join("room.toml"), ROOM.replace("0.5", "0.6")).expect("it can be written")
         }),
         ("kept", &|| fs::write(folder.join("lamp.ies"), table(60)).expect("it can be written")),
-        ("kept", &|| write_picture(folder, 21)),
+        ("kept", &|| fs::write(folder.join("wood.png"), picture(21)).expect("it can be written")),
         ("aimed", &|| fs::write(folder.join("points.csv"), "1,1,2,0,0,1\n").expect("it can be written")),
     ];
     for (kept, change) in changes {
@@ -155,7 +148,7 @@ fn a_run_of_another_scene_or_with_other_options_is_refused() {
         refused(&resumed);
         fs::write(folder.join("room.toml"), ROOM).expect("it can be written");
         fs::write(folder.join("lamp.ies"), table(50)).expect("it can be written");
-        write_picture(folder, 20);
+        fs::write(folder.join("wood.png"), picture(20)).expect("it can be written");
     }
 }
 

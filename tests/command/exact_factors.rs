@@ -1,11 +1,12 @@
 //! The command `view-factors` on scene files whose factors have closed forms, and on plain lists of polygons.
 
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
 
+use radiosity_test_support::data::{number, table};
+use radiosity_test_support::folders::folder;
 use serde_json::{Value, json};
-use tempfile::TempDir;
+
+use crate::program::{self, done};
 
 /// Cases that cost too much at 1e-10 for every run: name, accuracy asked, relative error allowed. Elsewhere 1e-10 is
 /// asked and 1e-9 allowed, as it is here in the slow test.
@@ -22,24 +23,6 @@ const ALLOWANCES: [(&str, &str, f64); 5] = [
 /// The case left to the slow test: spheres a tenth apart.
 const SLOW: &str = "concentric_spheres_outer_to_inner#2";
 
-fn view_factors(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).arg("view-factors").args(args).output().expect("the binary runs")
-}
-
-#[track_caller]
-fn stdout(output: &Output) -> String {
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout.clone()).expect("the table is text")
-}
-
-/// A folder with the file given.
-fn folder(file: &str, text: &str) -> TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    fs::write(folder.path().join(file), text).expect("it can be written to");
-    folder
-}
-
 /// One closed form: case, surfaces from and to, F.
 struct Case {
     id: String,
@@ -49,8 +32,7 @@ struct Case {
 
 /// The scenes of the data as scene files, with their cases.
 fn scenes() -> Vec<(String, Vec<Case>)> {
-    let data: Value =
-        serde_json::from_str(include_str!("../data/view_factors.json")).expect("the data are JSON");
+    let data = table("view_factors.json");
     let array = |value: &Value| value.as_array().expect("a list").clone();
     let named = |(index, surface): (usize, Value)| {
         let mut surface = surface;
@@ -71,12 +53,12 @@ fn scenes() -> Vec<(String, Vec<Case>)> {
 
 /// Relative errors of the cases of a scene.
 fn errors(scene: &str, cases: &[&Case], eps: &str) -> Vec<f64> {
-    let folder = folder("scene.json", scene);
+    let folder = folder(&[("scene.json", scene)]);
     let pairs: Vec<String> =
         cases.iter().map(|case| format!("s{},s{}", case.pair[0], case.pair[1])).collect();
-    let mut args = vec!["scene.json", "--quiet", "--eps", eps];
+    let mut args = vec!["view-factors", "scene.json", "--quiet", "--eps", eps];
     pairs.iter().for_each(|pair| args.extend(["--pairs", pair]));
-    let table = stdout(&view_factors(folder.path(), &args));
+    let table = done(folder.path(), &args)[0].clone();
     let factor = |line: &str| line.rsplit(',').next().and_then(|text| text.parse::<f64>().ok());
     let factors: Vec<f64> = table.lines().skip(1).map(|line| factor(line).expect("a number")).collect();
     assert_eq!(factors.len(), cases.len(), "{table}");
@@ -142,9 +124,8 @@ const ADJACENT: f64 = 0.200_043_776_075_403_16;
 
 #[test]
 fn the_matrix_of_a_polygon_list_has_names_and_a_summary() {
-    let folder = folder("box.csv", BOX);
-    let output = view_factors(folder.path(), &["box.csv"]);
-    let table = stdout(&output);
+    let folder = folder(&[("box.csv", BOX)]);
+    let [table, told] = done(folder.path(), &["view-factors", "box.csv"]);
     let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(rows[0], ["surface", "floor", "ceiling", "x0", "x1", "y0", "y1"]);
     for (i, row) in rows[1..].iter().enumerate() {
@@ -161,17 +142,16 @@ fn the_matrix_of_a_polygon_list_has_names_and_a_summary() {
             assert!((found - expected).abs() < 1e-14, "{i} {j}: {found}");
         }
     }
-    let summary = String::from_utf8_lossy(&output.stderr);
     for part in ["6 surfaces", "row sums 1.000000000", "the scene is closed", "reciprocity"] {
-        assert!(summary.contains(part), "{part:?} is missing in:\n{summary}");
+        assert!(told.contains(part), "{part:?} is missing in:\n{told}");
     }
 }
 
 #[test]
 fn files_have_the_format_of_their_ending() {
-    let folder = folder("box.csv", BOX);
+    let folder = folder(&[("box.csv", BOX)]);
     let run = |args: &[&str]| {
-        assert_eq!(stdout(&view_factors(folder.path(), &[&["box.csv", "-q"], args].concat())), "");
+        assert_eq!(done(folder.path(), &[&["view-factors", "box.csv", "-q"], args].concat())[0], "");
     };
     run(&["-o", "F.npy"]);
     let bytes = fs::read(folder.path().join("F.npy")).expect("it was written");
@@ -187,7 +167,6 @@ fn files_have_the_format_of_their_ending() {
     let text = fs::read_to_string(folder.path().join("F.json")).expect("it was written");
     let document: Value = serde_json::from_str(&text).expect("it is JSON");
     assert_eq!(document["surfaces"][5], "y1");
-    let number = |value: &Value| value.as_f64().expect("a number");
     assert!((number(&document["factors"][2][0]) - ADJACENT).abs() < 1e-14);
     assert!((number(&document["areas"][3]) - 1.0).abs() < 1e-15);
     assert!((number(&document["row_sums"][4]) - 1.0).abs() < 1e-14);
@@ -196,8 +175,9 @@ fn files_have_the_format_of_their_ending() {
 #[test]
 fn chosen_pairs_have_seventeen_digits() {
     let folder =
-        folder("box.json", "[[[0,0,0],[1,0,0],[1,1,0],[0,1,0]],\n [[0,0,1],[0,1,1],[1,1,1],[1,0,1]]]");
-    let table = stdout(&view_factors(folder.path(), &["box.json", "--pairs", "surface-2,surface-1"]));
+        folder(&[("box.json", "[[[0,0,0],[1,0,0],[1,1,0],[0,1,0]],\n [[0,0,1],[0,1,1],[1,1,1],[1,0,1]]]")]);
+    let table =
+        done(folder.path(), &["view-factors", "box.json", "--pairs", "surface-2,surface-1"])[0].clone();
     let (header, row) = table.trim_end().split_once('\n').expect("two lines");
     assert_eq!(header, "from,to,F");
     let digits =
@@ -207,14 +187,9 @@ fn chosen_pairs_have_seventeen_digits() {
 
 #[test]
 fn bad_input_is_refused_with_place_and_cure() {
-    let folder = folder("box.csv", &BOX.replace("x0,0,1,1", "x0,0,1,up"));
-    fs::write(folder.path().join("right.csv"), BOX).expect("it can be written");
+    let folder = folder(&[("box.csv", &*BOX.replace("x0,0,1,1", "x0,0,1,up")), ("right.csv", BOX)]);
     let refused = |args: &[&str], parts: &[&str]| {
-        let output = view_factors(folder.path(), args);
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        assert!(output.stdout.is_empty());
-        parts.iter().for_each(|part| assert!(message.contains(part), "{part:?} is missing in:\n{message}"));
+        program::refused(folder.path(), &[&["view-factors"], args].concat(), parts);
     };
     refused(&["box.csv"], &["box.csv:12:8: expected a number, found a text", "x0,0,1,up"]);
     refused(
@@ -225,9 +200,4 @@ fn bad_input_is_refused_with_place_and_cure() {
     refused(&["right.csv", "-o", "F.dat"], &["F.dat: the ending names no format", ".npy"]);
     refused(&["right.csv", "-o", "F.npy", "--pairs", "floor,x0"], &["--format csv or json"]);
     refused(&["right.csv", "-o", "none/F.csv"], &["cannot be written"]);
-    assert_eq!(
-        fs::read_dir(folder.path()).expect("the folder is there").count(),
-        2,
-        "a file was left behind"
-    );
 }

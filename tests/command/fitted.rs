@@ -1,5 +1,6 @@
 //! Scenes whose corners nearly agree: what the command tells of them, and that it keeps to it.
 
+use radiosity_test_support::folders::folder;
 use std::fs;
 
 use crate::program::radiosity;
@@ -54,8 +55,7 @@ fn what_was_welded_is_told_in_one_line() {
 
 #[test]
 fn a_solution_keeps_the_tolerance_it_was_read_with() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("box.toml"), hovering(1e-4)).unwrap();
+    let folder = folder(&[("box.toml", hovering(1e-4))]);
     let solve = ["solve", "box.toml", "--tolerance-length", "1e-3", "-o", "box.json"];
     assert!(radiosity(folder.path(), &solve).status.success());
     let text = fs::read_to_string(folder.path().join("box.json")).unwrap();

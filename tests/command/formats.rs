@@ -7,18 +7,10 @@ use std::process::Command;
 
 use radiosity::geom::DVec3;
 use radiosity_core::gauss;
+use radiosity_test_support::folders::folder;
 use serde_json::Value;
 
 use crate::program::{done, radiosity, refused};
-
-/// A folder with these files.
-pub(crate) fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    for (name, bytes) in files {
-        fs::write(folder.path().join(name), bytes).expect("it can be written to");
-    }
-    folder
-}
 
 /// The matrix that `view-factors` prints: names and rows.
 fn factors(text: &str) -> (Vec<String>, Vec<Vec<f64>>) {
@@ -254,7 +246,7 @@ fn built_in_scenes_come_back_from_each_format_that_has_their_shapes() {
         ("teapot", &["json"]),
         ("temple", &["toml"]),
     ];
-    let folder = folder(&[]);
+    let folder = folder::<&str>(&[]);
     let here = folder.path();
     for (scene, endings) in scenes {
         let grid = |source: &str| {
@@ -295,7 +287,7 @@ fn built_in_scenes_come_back_from_each_format_that_has_their_shapes() {
 
 #[test]
 fn shapes_that_a_format_lacks_are_named() {
-    let folder = folder(&[]);
+    let folder = folder::<&str>(&[]);
     refused(folder.path(), &["convert", "teapot", "pot.mgf"], &["\"pot\" (patches)", ".toml or .json"]);
     refused(folder.path(), &["convert", "furnace-sphere", "sphere.obj"], &["sphere", "OBJ"]);
     refused(folder.path(), &["convert", "cornell-box", "box.stl"], &["names no format", "toml, json, mgf"]);

@@ -9,6 +9,8 @@ use radiosity::output::files::exr_file::read_exr;
 use radiosity::output::files::glb::texture_size;
 use radiosity::output::pictures::lightmap::Lightmap;
 use radiosity::output::pictures::raster::Raster;
+use radiosity_test_support::folders::folder;
+use radiosity_test_support::scenes::builtin;
 use serde_json::Value;
 
 use crate::program::{done, refused};
@@ -34,12 +36,6 @@ name = "lamp"
 material = "lamp"
 quad = { vertices = [[1,1,4],[1,2,4],[2,2,4],[2,1,4]] }
 "#;
-
-fn folder_with_room() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    fs::write(folder.path().join("room.toml"), ROOM).expect("it can be written to");
-    folder
-}
 
 /// The JSON and the binary of a GLB, whose lengths are checked.
 fn chunks(path: &Path) -> (Value, Vec<u8>) {
@@ -77,7 +73,7 @@ fn linear(path: &Path) -> Raster {
 
 #[test]
 fn our_own_reader_finds_the_surfaces_where_they_were() {
-    let folder = folder_with_room();
+    let folder = folder(&[("room.toml", ROOM)]);
     let path = folder.path();
     done(path, &["render", "room.toml", "-q", "--read", "basis", "--size", "64x64", "-o", "room.glb"]);
     // +z is up in the scene, +y in glTF, which the reader turns back.
@@ -101,7 +97,7 @@ fn our_own_reader_finds_the_surfaces_where_they_were() {
 
 #[test]
 fn meshes_have_places_in_the_texture_and_the_texture_has_the_light() {
-    let folder = folder_with_room();
+    let folder = folder(&[("room.toml", ROOM)]);
     let path = folder.path();
     let [_, told] = done(
         path,
@@ -152,7 +148,7 @@ fn meshes_have_places_in_the_texture_and_the_texture_has_the_light() {
 
 #[test]
 fn textures_are_linear_in_the_light_and_even_in_a_furnace() {
-    let folder = folder_with_room();
+    let folder = folder(&[("room.toml", ROOM)]);
     let path = folder.path();
     done(path, &["solve", "room.toml", "-q", "-o", "s.json"]);
     let bake = ["render", "s.json", "-q", "--read", "basis", "--size", "48x48"];
@@ -165,7 +161,7 @@ fn textures_are_linear_in_the_light_and_even_in_a_furnace() {
     let cube = ["render", "furnace-cube", "-q", "--read", "basis", "--size", "48x48", "-o", "even.glb"];
     done(path, &cube);
     let even = File::open(path.join("even.exr")).expect("it was written");
-    let band = radiosity::builtin("furnace-cube").expect("it is built in").bands;
+    let band = builtin("furnace-cube").bands;
     let even = read_exr(even, &band).expect("our own picture");
     for (light, coverage) in even.pixels().zip(even.coverage()) {
         // B = E₀/(1 − ρ), with E₀ = 1 and ρ = ½.
@@ -175,7 +171,7 @@ fn textures_are_linear_in_the_light_and_even_in_a_furnace() {
 
 #[test]
 fn what_is_drawn_on_pictures_has_no_place_in_textures() {
-    let folder = folder_with_room();
+    let folder = folder(&[("room.toml", ROOM)]);
     let path = folder.path();
     let bake = ["render", "room.toml", "-q", "-o", "room.glb"];
     for (more, part) in [

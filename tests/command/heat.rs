@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use radiosity_test_support::data::number;
 use serde_json::Value;
 
 use crate::program::{done, radiosity, refused};
@@ -63,7 +64,6 @@ fn conductances_of_a_surface_sum_to_what_it_emits() {
     }
     let json: Value = serde_json::from_slice(&fs::read(folder.path().join("C.json")).unwrap()).unwrap();
     let rows = json["conductances"].as_array().unwrap();
-    let number = |value: &Value| value.as_f64().unwrap();
     let bytes = fs::read(folder.path().join("C.npy")).unwrap();
     assert_eq!(&bytes[..6], b"\x93NUMPY");
     let numbers = &bytes[bytes.len() - 8 * rows.len() * rows.len()..];

@@ -2,9 +2,11 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
+use radiosity_test_support::folders::folder;
 use serde_json::Value;
+
+use crate::program::done;
 
 /// A name; units have 16 characters at the most.
 const NAME: &str = "</script><script>alert(1)</script>|`<&>\"'-->{{script}}";
@@ -12,7 +14,6 @@ const UNIT: &str = "</script>|`<&>";
 
 /// A solved lamp over a floor whose names all are the above.
 fn folder_with_solution() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
     // A text of JSON is one of TOML.
     let name = serde_json::to_string(NAME).expect("text");
     let scene = format!(
@@ -37,7 +38,7 @@ fn folder_with_solution() -> tempfile::TempDir {
         quad = {{ vertices = [[-1,-1,1],[-1,1,1],[1,1,1],[1,-1,1]] }}
         "
     );
-    fs::write(folder.path().join("odd.toml"), scene).expect("it can be written to");
+    let folder = folder(&[("odd.toml", scene)]);
     written(folder.path(), &["solve", "odd.toml", "--order", "1"], "odd.json");
     folder
 }
@@ -45,10 +46,7 @@ fn folder_with_solution() -> tempfile::TempDir {
 /// The output `name` of a command.
 #[track_caller]
 fn written(folder: &Path, args: &[&str], name: &str) -> Vec<u8> {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    let output = command.current_dir(folder).args(args).args(["-q", "-o", name]).output();
-    let output = output.expect("the binary runs");
-    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+    done(folder, &[args, &["-q", "-o", name]].concat());
     fs::read(folder.join(name)).expect("it was written")
 }
 

@@ -3,9 +3,10 @@
 use std::fs;
 
 use radiosity::geom::DVec3;
+use radiosity_test_support::folders::folder;
 use serde_json::Value;
 
-use crate::formats::{cube, each, folder, gltf};
+use crate::formats::{cube, each, gltf};
 use crate::program::{done, radiosity, refused};
 
 /// The cube as an OBJ with one of its faces painted, each corner where `place` puts it.

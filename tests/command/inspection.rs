@@ -6,6 +6,7 @@ use std::process::Command;
 use radiosity::geom::Adjacency;
 use radiosity::scene::Scene;
 use radiosity::visibility::inspection::{Fronts, Inspection};
+use radiosity_test_support::scenes::{builtin, typed};
 
 /// A scene of these surfaces, each `name | options and shape`, all of a material that emits.
 fn scene(surfaces: &[&str]) -> Scene {
@@ -17,7 +18,7 @@ fn scene(surfaces: &[&str]) -> Scene {
     let text = format!(
         "[camera]\neye = [0.4, 0.45, 0.55]\ntarget = [0, 0, 0]\n[materials.m]\nreflectance = 0.5\nemission = 1\n{surfaces}"
     );
-    radiosity::language::from_toml(&text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"))
+    typed(&text)
 }
 
 fn inspect(surfaces: &[&str]) -> Inspection {
@@ -215,13 +216,10 @@ fn fronts_that_see_no_other_are_named() {
 #[test]
 fn neither_light_nor_material_is_needed() {
     let text = "[[surfaces]]\nsphere = { center = [0,0,0], radius = 1 }\n";
-    let found = Inspection::of(&radiosity::language::from_toml(text, "bare").unwrap());
+    let found = Inspection::of(&typed(text));
     assert_eq!(codes(&found), ["no-emitter", "no-camera", "no-material"]);
     let bright = "[materials.m]\nreflectance = 0.99\n[[surfaces]]\nmaterial = \"m\"\nsphere = { center = [0,0,0], radius = 1 }";
-    assert!(
-        codes(&Inspection::of(&radiosity::language::from_toml(bright, "bright").unwrap()))
-            .contains(&"bright")
-    );
+    assert!(codes(&Inspection::of(&typed(bright))).contains(&"bright"));
 }
 
 #[test]
@@ -235,7 +233,7 @@ fn nothing_looks_wrong_in_the_built_in_rooms() {
         "furnace-sphere",
         "hinge-squares",
     ] {
-        let found = Inspection::of(&radiosity::builtin(name).unwrap());
+        let found = Inspection::of(&builtin(name));
         assert_eq!(codes(&found), [""; 0], "{name}: {:?}", found.warnings);
     }
 }

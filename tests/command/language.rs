@@ -1,5 +1,6 @@
 //! Variables, files within files and the schema on the command line.
 
+use radiosity_test_support::folders::folder;
 use std::fs;
 
 use crate::program::{done, refused};
@@ -20,12 +21,8 @@ material = "lamp"
 parallelogram = { origin = [0, 0, 1], edge1 = [0, 1, 0], edge2 = [1, 0, 0] }
 "#;
 
-fn folder() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("room.toml"), ROOM).unwrap();
-    fs::write(folder.path().join("white.toml"), "materials.white = { reflectance = 0.5 }").unwrap();
-    folder
-}
+const FILES: [(&str, &str); 2] =
+    [("room.toml", ROOM), ("white.toml", "materials.white = { reflectance = 0.5 }")];
 
 /// The means of all cells, one for each surface.
 fn means(table: &str) -> Vec<f64> {
@@ -36,7 +33,7 @@ fn means(table: &str) -> Vec<f64> {
 
 #[test]
 fn variables_and_light_groups_are_set_together() {
-    let folder = folder();
+    let folder = folder(&FILES);
     let here = folder.path();
     let [told, _] = done(here, &["check", "room.toml", "--set", "width=3"]);
     assert!(told.contains("variables: width = 3, emission = 10"), "{told}");
@@ -67,7 +64,7 @@ fn variables_and_light_groups_are_set_together() {
 
 #[test]
 fn names_of_nothing_are_refused_with_what_there_is() {
-    let folder = folder();
+    let folder = folder(&FILES);
     let here = folder.path();
     let cure = "help: did you mean \"lamps\"? variables of this scene: width, emission; light groups: lamps";
     refused(

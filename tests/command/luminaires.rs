@@ -1,6 +1,10 @@
 //! Luminaires on the command line: photometric files, what is refused, what looks wrong.
 
-use std::{fs, path::Path, process::Command};
+use radiosity_test_support::folders::folder;
+use std::fs;
+use std::path::Path;
+
+use crate::program::{self, radiosity};
 
 const ROOM: &str = r#"bands = ["lm"]
 unit = "lx"
@@ -26,8 +30,7 @@ const TABLE: &str =
 /// Runs a command on the scene; exit code, what it prints, what it complains of.
 fn run(folder: &Path, scene: &str, args: &[&str]) -> (Option<i32>, String, String) {
     fs::write(folder.join("room.toml"), scene).unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_radiosity")).current_dir(folder).args(args).output();
-    let output = output.expect("the binary runs");
+    let output = radiosity(folder, args);
     let [out, error] = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
     (output.status.code(), out, error)
 }
@@ -36,12 +39,8 @@ fn run(folder: &Path, scene: &str, args: &[&str]) -> (Option<i32>, String, Strin
 #[track_caller]
 fn refused(old: &str, new: &str, parts: &[&str]) {
     assert!(ROOM.contains(old), "{old}");
-    let folder = tempfile::tempdir().unwrap();
-    let (code, _, error) =
-        run(folder.path(), &ROOM.replace(old, new), &["solve", "room.toml", "-o", "out.json"]);
-    assert_eq!(code, Some(2), "{error}");
-    parts.iter().for_each(|part| assert!(error.contains(part), "{part:?} is not in:\n{error}"));
-    assert!(!folder.path().join("out.json").exists());
+    let folder = folder(&[("room.toml", ROOM.replace(old, new))]);
+    program::refused(folder.path(), &["solve", "room.toml", "-o", "out.json"], parts);
 }
 
 #[test]
@@ -98,8 +97,7 @@ fn wrong_photometric_files_are_refused() {
         "photometry = \"none.ies\"",
         &["room.toml:15:14: ", "\"none.ies\" cannot be read", "help: check the path"],
     );
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("lamp.ies"), TABLE.replace("100 50", "100 x")).unwrap();
+    let folder = folder(&[("lamp.ies", TABLE.replace("100 50", "100 x"))]);
     let scene = ROOM.replace("point = {}", "photometry = \"lamp.ies\"");
     let (code, _, error) = run(folder.path(), &scene, &["check", "room.toml"]);
     assert_eq!(code, Some(2), "{error}");
@@ -372,8 +370,7 @@ fn extents_of_files_are_those_of_their_openings() {
 /// A disk of the diameter w errs as a point by (w/2r)² at the distance r.
 #[test]
 fn check_tells_where_points_err() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("lamp.ies"), TABLE.replace(" 2 0 0 0\n", " 2 -0.8 -0.8 0\n")).unwrap();
+    let folder = folder(&[("lamp.ies", TABLE.replace(" 2 0 0 0\n", " 2 -0.8 -0.8 0\n"))]);
     let point = ROOM.replace("point = {}", "photometry = \"lamp.ies\"");
     let near = |scene: &str| {
         let (code, out, error) = run(folder.path(), scene, &["check", "room.toml", "--format", "json"]);

@@ -22,6 +22,7 @@ mod pictures;
 mod planes;
 mod probe;
 mod program;
+mod published;
 mod relight;
 mod report;
 mod solution_file;

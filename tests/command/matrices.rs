@@ -1,5 +1,6 @@
 //! Matrices for NumPy and SciPy, and as View3D writes them. `tests/external/matrices.py` has NumPy and SciPy read them.
 
+use radiosity_test_support::folders::folder;
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::Read;
@@ -83,18 +84,12 @@ name = "dahinter"
 quad = { vertices = [[0,0,-2],[0,1,-2],[1,1,-2],[1,0,-2]] }
 "#;
 
-fn folder_with_plates() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    fs::write(folder.path().join("plates.toml"), PLATES).expect("it can be written to");
-    folder
-}
-
 /// Two unit squares, one above the other at the distance 1 (Hottel 1954).
 const OPPOSITE: f64 = 0.199_824_895_698_387;
 
 #[test]
 fn archives_hold_factors_names_and_areas() {
-    let folder = folder_with_plates();
+    let folder = folder(&[("plates.toml", PLATES)]);
     let path = folder.path();
     for name in ["F.csv", "F.npz"] {
         done(path, &["view-factors", "plates.toml", "-q", "--eps", "1e-8", "-o", name]);
@@ -111,7 +106,7 @@ fn archives_hold_factors_names_and_areas() {
 
 #[test]
 fn sparse_matrices_have_the_members_that_scipy_reads() {
-    let folder = folder_with_plates();
+    let folder = folder(&[("plates.toml", PLATES)]);
     let path = folder.path();
     for (name, form) in [("csr.npz", "csr"), ("coo.npz", "coo"), ("coo.csv", "coo")] {
         done(path, &["view-factors", "plates.toml", "-q", "--sparse", form, "-o", name]);
@@ -138,7 +133,7 @@ fn sparse_matrices_have_the_members_that_scipy_reads() {
 
 #[test]
 fn view3d_reads_areas_factors_and_emittances() {
-    let folder = folder_with_plates();
+    let folder = folder(&[("plates.toml", PLATES)]);
     let path = folder.path();
     done(path, &["view-factors", "plates.toml", "-q", "-o", "F.txt"]);
     done(path, &["view-factors", "plates.toml", "-q", "--format", "view3d", "-o", "same.txt"]);
@@ -177,7 +172,7 @@ fn conductances_come_with_names_and_areas() {
 
 #[test]
 fn forms_without_a_place_for_sparse_matrices_or_pairs_are_refused() {
-    let folder = folder_with_plates();
+    let folder = folder(&[("plates.toml", PLATES)]);
     let factors = ["view-factors", "plates.toml", "-q"];
     for (more, parts) in [
         (&["--sparse", "csr", "-o", "F.csv"][..], &["--sparse csr: CSV", "--sparse coo"][..]),

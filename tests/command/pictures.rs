@@ -7,21 +7,15 @@ use std::path::Path;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::read::DeflateDecoder;
-use radiosity::elements::{Discretization, Elements};
 use radiosity::output::files::exr_file::read_exr;
 use radiosity::output::pictures::sights::Sights;
 use radiosity::output::pictures::wireframe::wireframe;
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity_test_support::folders::folder;
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::elements_of;
 
-use crate::program::radiosity;
-
-#[track_caller]
-fn done(folder: &Path, args: &[&str]) -> String {
-    let output = radiosity(folder, args);
-    let text = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{text}");
-    text
-}
+use crate::program::{self, done, radiosity};
 
 /// Width and height of a PNG.
 fn png_size(path: &Path) -> [u32; 2] {
@@ -54,9 +48,9 @@ fn a_picture_does_not_differ_from_itself() {
     let at = ["render", "empty-box", "--size", "40x30", "--samples", "1"];
     done(folder.path(), &[&at[..], &["-o", "a.exr"]].concat());
     // The file holds 32 bits.
-    let told = done(folder.path(), &[&at[..], &["--difference", "a.exr", "-o", "d.png"]].concat());
+    let [_, told] = done(folder.path(), &[&at[..], &["--difference", "a.exr", "-o", "d.png"]].concat());
     assert!(told.contains("difference: rms 0.0000 %, largest 0.0000 %"), "{told}");
-    let told = done(folder.path(), &[&at[..], &["--difference", "a.exr", "--order", "0"]].concat());
+    let [_, told] = done(folder.path(), &[&at[..], &["--difference", "a.exr", "--order", "0"]].concat());
     assert!(!told.contains("rms 0.0"), "{told}");
 }
 
@@ -65,9 +59,9 @@ fn pictures_of_solution_files_are_compared() {
     let folder = tempfile::tempdir().unwrap();
     done(folder.path(), &["solve", "empty-box", "--order", "1", "-o", "s.json"]);
     let at = ["render", "empty-box", "--size", "20x15", "--samples", "1", "--difference", "s.json"];
-    let told = done(folder.path(), &[&at[..], &["--order", "1"]].concat());
+    let [_, told] = done(folder.path(), &[&at[..], &["--order", "1"]].concat());
     assert!(told.contains("difference: rms 0.0000 %, largest 0.0000 %"), "{told}");
-    let told = done(folder.path(), &[&at[..], &["--order", "0"]].concat());
+    let [_, told] = done(folder.path(), &[&at[..], &["--order", "0"]].concat());
     assert!(!told.contains("rms 0.0"), "{told}");
     let output =
         radiosity(folder.path(), &["render", "furnace-cube", "--size", "8x6", "--difference", "s.json"]);
@@ -226,7 +220,7 @@ fn below_a_lamp() -> String {
 
 #[test]
 fn pixels_know_whether_they_see_an_emitter_or_one_surface() {
-    let scene = radiosity::language::from_toml(&below_a_lamp(), "test").expect("the scene is valid");
+    let scene = typed(&below_a_lamp());
     let visibility = Visibility::new(&scene, Shadows::Off);
     let camera = scene.camera.clone().expect("there is one");
     let sights = Sights::through(&camera, 3, &scene, &visibility);
@@ -239,8 +233,7 @@ fn pixels_know_whether_they_see_an_emitter_or_one_surface() {
 
 #[test]
 fn emitters_do_not_take_the_colours() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("s.toml"), below_a_lamp()).unwrap();
+    let folder = folder(&[("s.toml", below_a_lamp())]);
     done(folder.path(), &["render", "s.toml", "--false-colour", "--samples", "1", "-o", "all.png"]);
     assert!(png_colours(&folder.path().join("all.png")).len() > 100, "the square has many colours");
 }
@@ -265,12 +258,12 @@ const SQUARE: &str = "
 
 #[test]
 fn borders_cover_a_pixel_along_their_length() {
-    let scene = radiosity::language::from_toml(SQUARE, "test").expect("the scene is valid");
+    let scene = typed(SQUARE);
     let visibility = Visibility::new(&scene, Shadows::Off);
     let camera = scene.camera.clone().expect("there is one");
     // The picture shows [−½, ½]²; of 4 × 4 elements the borders at 0 cross it, those at ±½ lie on its rim.
     for (cuts, length) in [(1, 0.0), (2, 96.0), (3, 192.0)] {
-        let elements = Elements::new(&scene, &Discretization::uniform(0, cuts)).expect("it has area");
+        let elements = elements_of(&scene, 0, cuts);
         for samples in [1, 3, 4] {
             let coverage = wireframe(&elements, &visibility, &camera, samples);
             let sum: f64 = coverage.iter().sum();
@@ -283,16 +276,8 @@ fn borders_cover_a_pixel_along_their_length() {
 
 #[track_caller]
 fn refused(args: &[&str], parts: &[&str]) {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("text.exr"), "no picture").unwrap();
-    let output = radiosity(folder.path(), args);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(output.stdout.is_empty());
-    for part in parts {
-        assert!(message.contains(part), "{part:?} is missing in:\n{message}");
-    }
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "a file was left behind");
+    let folder = folder(&[("text.exr", "no picture")]);
+    program::refused(folder.path(), args, parts);
 }
 
 #[test]

@@ -4,9 +4,11 @@ use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::Path;
 
+use radiosity_test_support::data::number;
+use radiosity_test_support::folders::{folder, json};
 use serde_json::Value;
 
-use crate::program::radiosity;
+use crate::program::{self, radiosity};
 
 /// What a command that succeeds prints and tells.
 struct Done {
@@ -17,20 +19,12 @@ struct Done {
 
 #[track_caller]
 fn done(folder: &Path, args: &[&str]) -> Done {
-    let output = radiosity(folder, &[args, &["--report", "report.json"]].concat());
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{told}");
-    let table = String::from_utf8_lossy(&output.stdout).into_owned();
-    let report = fs::read_to_string(folder.join("report.json")).expect("the report was written");
+    let [table, told] = program::done(folder, &[args, &["--report", "report.json"]].concat());
     Done {
         lines: table.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect(),
         told,
-        report: serde_json::from_str(&report).expect("JSON"),
+        report: json(&folder.join("report.json")),
     }
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
 }
 
 #[test]
@@ -100,8 +94,7 @@ fn below_the_lamp([x, y, z]: [f64; 3]) -> f64 {
 
 #[test]
 fn a_plane_below_a_lamp_has_the_illuminance_and_uniformity_of_its_closed_form() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("lamp.toml"), LAMP).unwrap();
+    let folder = folder(&[("lamp.toml", LAMP)]);
     let done = done(folder.path(), &["probe", "lamp.toml", "--plane", "desk"]);
     let rows = done.lines[1..]
         .iter()
@@ -132,8 +125,7 @@ fn a_plane_below_a_lamp_has_the_illuminance_and_uniformity_of_its_closed_form() 
 
 #[test]
 fn several_planes_stand_in_one_table_with_their_names() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("lamp.toml"), LAMP).unwrap();
+    let folder = folder(&[("lamp.toml", LAMP)]);
     let typed = "-0.1,0,1.2; 0.2,0,0; 0,0.1,0; 1";
     for args in [
         ["--plane", "desk", "--plane", "shelf", "--plane", typed].as_slice(),
@@ -177,8 +169,7 @@ fn several_bands_have_figures_each() {
 
 #[test]
 fn solutions_keep_planes_and_unit() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("lamp.toml"), LAMP).unwrap();
+    let folder = folder(&[("lamp.toml", LAMP)]);
     done(folder.path(), &["solve", "lamp.toml", "-o", "lamp.json"]);
     let [first, second] =
         ["lamp.toml", "lamp.json"].map(|scene| done(folder.path(), &["probe", scene, "--plane", "shelf"]));
@@ -188,8 +179,7 @@ fn solutions_keep_planes_and_unit() {
 
 #[test]
 fn planes_are_drawn_as_plans() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("lamp.toml"), LAMP).unwrap();
+    let folder = folder(&[("lamp.toml", LAMP)]);
     let mut pictures = Vec::new();
     for style in [&[][..], &["--isolines=500,1000"], &["--log", "--range", "10,2000"]] {
         let at = ["probe", "lamp.toml", "--plane", "desk", "--picture", "desk.png"];
@@ -207,17 +197,8 @@ fn planes_are_drawn_as_plans() {
 
 #[track_caller]
 fn refused(args: &[&str], parts: &[&str]) {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("lamp.toml"), LAMP).unwrap();
-    fs::write(folder.path().join("p.csv"), "0,0,0,0,0,1\n").unwrap();
-    let output = radiosity(folder.path(), &[&["probe", "lamp.toml"], args].concat());
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(output.stdout.is_empty());
-    for part in parts {
-        assert!(message.contains(part), "{part:?} is missing in:\n{message}");
-    }
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2, "a file was left behind");
+    let folder = folder(&[("lamp.toml", LAMP), ("p.csv", "0,0,0,0,0,1\n")]);
+    program::refused(folder.path(), &[&["probe", "lamp.toml"], args].concat(), parts);
 }
 
 #[test]

@@ -1,24 +1,15 @@
 //! The `probe` and `grid` verbs: tables out, clear refusals of bad points.
 
-use std::fs;
-use std::io::Write;
-use std::process::{Command, Output, Stdio};
+use radiosity_test_support::folders::{folder, names};
+use std::process::Output;
 
-/// Runs the binary in an empty folder with `points` in `points.csv` and on standard input.
+use crate::program::{self, fed};
+
+/// Runs the binary in a folder with `points` in `points.csv` and on standard input.
 fn radiosity(points: &str, args: &[&str]) -> (Output, Vec<String>) {
-    let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("points.csv"), points).expect("points are written");
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder.path()).args(args);
-    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = command.spawn().expect("the binary runs");
-    // A command that refuses its arguments does not wait for input.
-    let _ = child.stdin.take().expect("a pipe").write_all(points.as_bytes());
-    let output = child.wait_with_output().expect("the binary ends");
-    let mut files: Vec<String> = fs::read_dir(folder.path())
-        .expect("the folder is there")
-        .map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned())
-        .collect();
+    let folder = folder(&[("points.csv", points)]);
+    let output = fed(folder.path(), args, points);
+    let mut files = names(folder.path());
     files.retain(|file| file != "points.csv");
     (output, files)
 }
@@ -82,12 +73,8 @@ fn grids_read_all_three_ways() {
 fn assert_refused(points: &str, more: &[&str], parts: &[&str]) {
     let args = ["probe", "furnace-cube", "--points", "points.csv", "-o", "out.csv"];
     let (output, files) = radiosity(points, &[&args, more].concat());
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(output.stdout.is_empty() && files.is_empty(), "something was written: {files:?}");
-    for part in parts {
-        assert!(message.contains(part), "{part:?} is not in\n{message}");
-    }
+    program::assert_refused(&output, parts);
+    assert!(files.is_empty(), "{files:?} were written");
 }
 
 #[test]

@@ -1,12 +1,11 @@
 //! `relight`, and `--set` of light groups: what is written is what solving the dimmed scene would write.
 
 use std::fs;
-use std::path::Path;
-use std::process::Output;
 
+use radiosity_test_support::folders::{self, json};
 use serde_json::Value;
 
-use crate::program::radiosity;
+use crate::program::{done, radiosity, refused};
 
 /// A closed room with lamps on its ceiling, a window of the same material and a wall that glows on its own; exitances of
 /// lamps and window.
@@ -35,25 +34,13 @@ fn room(lamps: f64, window: f64) -> String {
     )
 }
 
-#[track_caller]
-fn done(folder: &Path, args: &[&str]) -> Output {
-    let output = radiosity(folder, args);
-    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
-    output
-}
-
 const METHOD: [&str; 4] = ["--order", "2", "--eps", "1e-4"];
 
 /// A folder with the room and its solution, `room.json`.
 fn folder() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("room.toml"), room(10.0, 4.0)).unwrap();
+    let folder = folders::folder(&[("room.toml", room(10.0, 4.0))]);
     done(folder.path(), &[&["solve", "room.toml", "-o", "room.json", "-q"][..], &METHOD].concat());
     folder
-}
-
-fn json(path: &Path) -> Value {
-    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
 }
 
 /// Coefficients of all elements.
@@ -91,8 +78,7 @@ fn the_file_the_solution_and_the_scene_read_alike_at_the_same_factors() {
     let folder = folder();
     let here = folder.path();
     let set = ["--set", "window=0.5", "--set", "lamps=0"];
-    let output = done(here, &[&["relight", "room.json"][..], &set].concat());
-    let told = String::from_utf8_lossy(&output.stderr);
+    let [_, told] = done(here, &[&["relight", "room.json"][..], &set].concat());
     assert!(told.contains("light groups: lamps × 0, window × 0.5"), "{told}");
     assert!(told.contains("wrote room.relit.json"), "{told}");
     let quiet = [&set[..], &["-q"]].concat();
@@ -107,8 +93,8 @@ fn the_file_the_solution_and_the_scene_read_alike_at_the_same_factors() {
     ];
     for verb in verbs {
         let read = |scene: &str, options: &[&str]| {
-            let output = done(here, &[verb, &[scene], options].concat());
-            (output.stdout, fs::read(here.join("picture.png")).ok())
+            let [table, _] = done(here, &[verb, &[scene], options].concat());
+            (table, fs::read(here.join("picture.png")).ok())
         };
         let relit = read("room.relit.json", &["-q"]);
         assert!(relit == read("room.json", &quiet), "{verb:?}");
@@ -134,8 +120,7 @@ fn all_lights_may_be_off() {
     fs::write(here.join("room.toml"), room(10.0, 4.0).replace("emission = 1 ", "")).unwrap();
     done(here, &[&["solve", "room.toml", "-o", "room.json", "-q"][..], &METHOD].concat());
     let off = ["--set", "lamps=0", "--set", "window=0"];
-    let output = done(here, &[&["relight", "room.json", "-o", "off.json"][..], &off].concat());
-    let told = String::from_utf8_lossy(&output.stderr);
+    let [_, told] = done(here, &[&["relight", "room.json", "-o", "off.json"][..], &off].concat());
     assert!(!told.contains("NaN"), "{told}");
     done(here, &["render", "off.json", "-o", "off.png"]);
     done(here, &["grid", "off.json", "--cells", "2x2"]);
@@ -156,17 +141,6 @@ fn changed_light_of_a_group_is_refused() {
     let output = radiosity(here, &["grid", "changed.json"]);
     let told = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.code() == Some(2) && told.contains("the list of light groups"), "{told}");
-}
-
-/// Runs a command that must be refused, with all of `parts` on stderr, and that leaves no file.
-#[track_caller]
-fn refused(here: &Path, args: &[&str], parts: &[&str]) {
-    let before = fs::read_dir(here).unwrap().count();
-    let output = radiosity(here, args);
-    let told = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{told}");
-    parts.iter().for_each(|part| assert!(told.contains(part), "{part:?} is missing in:\n{told}"));
-    assert_eq!(fs::read_dir(here).unwrap().count(), before, "a file was left behind");
 }
 
 #[test]

@@ -3,34 +3,10 @@
 use std::fs;
 use std::path::Path;
 
+use radiosity_test_support::folders::names;
 use serde_json::Value;
 
-use crate::program::radiosity;
-
-/// What a command that succeeds prints.
-#[track_caller]
-fn done(folder: &Path, args: &[&str]) -> String {
-    let output = radiosity(folder, args);
-    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).expect("UTF-8")
-}
-
-#[track_caller]
-fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
-    let before = names(folder);
-    let output = radiosity(folder, args);
-    let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(2), "{told}");
-    assert!(parts.iter().all(|part| told.contains(part)), "{told}");
-    assert_eq!(names(folder), before);
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let name = |entry: std::io::Result<fs::DirEntry>| entry.unwrap().file_name().into_string().unwrap();
-    let mut names: Vec<String> = fs::read_dir(folder).unwrap().map(name).collect();
-    names.sort();
-    names
-}
+use crate::program::{done, refused};
 
 fn text(folder: &Path, name: &str) -> String {
     fs::read_to_string(folder.join(name)).expect("the file was written")
@@ -73,7 +49,7 @@ fn planes_are_those_of_probe_and_surfaces_those_of_grid() {
     let folder = folder.path();
     done(folder, &["report", "empty-box", "--plane", PLANE, "-o", "box.md", "--report", "box.json", "-q"]);
     let page = text(folder, "box.md");
-    let sensed = column(&done(folder, &["probe", "empty-box", "--plane", PLANE, "-q"]), "E_grey");
+    let sensed = column(&done(folder, &["probe", "empty-box", "--plane", PLANE, "-q"])[0], "E_grey");
     let [mean, least, greatest] = figures(&sensed);
     let plane = row(&page, "## Planes of sensors", "plane-1");
     assert_eq!(plane[1], "16");
@@ -82,7 +58,7 @@ fn planes_are_those_of_probe_and_surfaces_those_of_grid() {
     }
     near(&plane[5], least / mean, 2);
     near(&plane[6], least / greatest, 2);
-    let cells = done(folder, &["grid", "empty-box", "--cells", "8x8", "-q"]);
+    let [cells, _] = done(folder, &["grid", "empty-box", "--cells", "8x8", "-q"]);
     // The cells of a square are alike; the floor is the first of six.
     let floor = row(&page, "## Surfaces", "floor");
     for (cell, expected) in floor[4..7].iter().zip(figures(&column(&cells, "E_grey")[..64])) {

@@ -1,17 +1,18 @@
 //! Solutions written and read back: whatever is read from the file is what would be read from the run that wrote it.
 
-use std::{
-    fs,
-    path::Path,
-    process::{Command, Output},
-};
+use std::fs;
 
 use radiosity::output::files::solution_file::{SolutionFile, is_solution, read};
 use radiosity::scene::Source;
 use radiosity::solve::Options;
 use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
+use radiosity_test_support::folders::folder;
+use radiosity_test_support::scenes::{builtin, typed};
+use radiosity_test_support::solved::solved_of;
 use serde_json::{Value, json};
+
+use crate::program::{self, done};
 
 /// A bent floor, a wall with a hole, a triangle that is lit on both sides and shades the rest, a lamp.
 const ROOM: &str = r#"bands = ["red", "far, infrared"]
@@ -44,24 +45,6 @@ material = "lamp"
 quad = { vertices = [[0.3,0.3,0.95],[0.3,0.6,0.95],[0.6,0.6,0.95],[0.6,0.3,0.95]] }
 "#;
 
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
-}
-
-#[track_caller]
-fn done(folder: &Path, args: &[&str]) -> Vec<u8> {
-    let output = radiosity(folder, args);
-    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
-    output.stdout
-}
-
-fn folder_with_room() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("room.toml"), ROOM).unwrap();
-    folder
-}
-
 #[test]
 fn pictures_and_grids_are_the_same_bytes() {
     let methods = [
@@ -71,7 +54,7 @@ fn pictures_and_grids_are_the_same_bytes() {
     ];
     for method in methods {
         let method: &[&str] = &method.split(' ').collect::<Vec<_>>();
-        let folder = folder_with_room();
+        let folder = folder(&[("room.toml", ROOM)]);
         let here = folder.path();
         let run = |verb: &[&str], options: &[&str]| done(here, &[verb, options, &["--quiet"]].concat());
         run(&["solve", "room.toml", "-o", "one.json", "--threads", "1"], method);
@@ -81,7 +64,7 @@ fn pictures_and_grids_are_the_same_bytes() {
 
         let direct = run(&["grid", "room.toml", "--cells", "5x3"], method);
         let read = run(&["grid", "one.json", "--cells", "5x3", "--threads", "3"], &[]);
-        assert_eq!(String::from_utf8(direct).unwrap(), String::from_utf8(read).unwrap(), "{method:?}");
+        assert_eq!(direct[0], read[0], "{method:?}");
 
         for mode in ["basis", "direct"] {
             run(&["render", "room.toml", "-o", "direct.png", "--read", mode], method);
@@ -93,9 +76,8 @@ fn pictures_and_grids_are_the_same_bytes() {
 }
 
 fn solved() -> Solved {
-    let scene = radiosity::language::from_toml(ROOM, "rooms/room.toml").unwrap();
-    Solved::new(scene, Options { order: 2, eps: 0.1, shadow_eps: 0.3, ..Options::default() }, &|_| {})
-        .unwrap()
+    let scene = typed(ROOM);
+    solved_of(scene, Options { order: 2, eps: 0.1, shadow_eps: 0.3, ..Options::default() })
 }
 
 fn text_of(solved: &Solved) -> String {
@@ -113,7 +95,7 @@ fn what_was_read_is_written_as_it_was() {
 
 #[test]
 fn refined_elements_are_read_as_they_were() {
-    let scene = radiosity::builtin("empty-box").unwrap();
+    let scene = builtin("empty-box");
     let goal = Goal::new(1e-3, Aim::Gathered);
     let solved = Solved::to_accuracy(scene, &Options::default(), &goal, &|_| {}).unwrap();
     assert!(solved.outcome.solution.elements().refined_mesh().is_some(), "the box needs refined elements");
@@ -188,27 +170,20 @@ fn changed_files_are_refused() {
     assert!(message.contains("guess"), "{message}");
 }
 
-#[track_caller]
-fn refused_by(folder: &Path, args: &[&str], parts: &[&str]) {
-    let before = fs::read_dir(folder).unwrap().count();
-    let output = radiosity(folder, args);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(output.stdout.is_empty());
-    parts.iter().for_each(|part| assert!(message.contains(part), "{part:?} is missing in:\n{message}"));
-    assert_eq!(fs::read_dir(folder).unwrap().count(), before, "a file was left behind");
-}
-
 #[test]
 fn the_command_line_refuses_what_makes_no_sense() {
-    let folder = folder_with_room();
+    let folder = folder(&[("room.toml", ROOM)]);
     let here = folder.path();
     done(here, &["solve", "room.toml", "--order", "1", "--eps", "0.1", "--quiet"]);
     let file = "room.solution.json";
     let parts = ["error: --order: room.solution.json is a solution", "help: leave the option out"];
-    refused_by(here, &["render", file, "-o", "x.png", "--order", "1"], &parts);
-    refused_by(here, &["grid", file, "--shadow-eps", "0.1"], &["error: --shadow-eps: room.solution.json"]);
-    refused_by(
+    program::refused(here, &["render", file, "-o", "x.png", "--order", "1"], &parts);
+    program::refused(
+        here,
+        &["grid", file, "--shadow-eps", "0.1"],
+        &["error: --shadow-eps: room.solution.json"],
+    );
+    program::refused(
         here,
         &["solve", file, "-o", "x.json"],
         &["this is a solution already", "help: give it to render"],
@@ -216,5 +191,5 @@ fn the_command_line_refuses_what_makes_no_sense() {
     let text = fs::read_to_string(here.join(file)).unwrap();
     fs::write(here.join("cut.json"), &text[..text.len() / 2]).unwrap();
     let parts = ["error: cut.json: damaged at line 1, column", "help: the file is damaged"];
-    refused_by(here, &["grid", "cut.json"], &parts);
+    program::refused(here, &["grid", "cut.json"], &parts);
 }

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use radiosity_test_support::folders::{self, png};
 use serde_json::Value;
 
 use crate::program::{done, radiosity, refused};
@@ -38,16 +39,8 @@ disk = { center = [1, 1, 1], normal = [0, 0, -1], radius = 0.2 }
 "#;
 
 fn folder(text: &str) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("room.toml"), text).unwrap();
-    let file = fs::File::create(folder.path().join("wood.png")).unwrap();
-    let mut encoder = png::Encoder::new(file, 2, 1);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder
-        .write_header()
-        .and_then(|mut writer| writer.write_image_data(&[200, 100, 50, 10, 20, 30]))
-        .unwrap();
-    folder
+    let wood = png([2, 1], png::ColorType::Rgb, &[200, 100, 50, 10, 20, 30]);
+    folders::folder(&[("room.toml", text.as_bytes()), ("wood.png", &wood)])
 }
 
 fn with_picture() -> tempfile::TempDir {

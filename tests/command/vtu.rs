@@ -7,6 +7,7 @@ use std::path::Path;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use radiosity_test_support::folders::folder;
 
 use crate::program::{done, refused};
 
@@ -109,12 +110,6 @@ material = "lamp"
 quad = { vertices = [[1,1,3],[1,2,3],[2,2,3],[2,1,3]] }
 "#;
 
-fn folder_with_room() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    fs::write(folder.path().join("room.toml"), ROOM).expect("it can be written to");
-    folder
-}
-
 #[test]
 fn furnaces_are_even_at_every_point() {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -132,7 +127,7 @@ fn furnaces_are_even_at_every_point() {
 
 #[test]
 fn cells_lie_on_their_surfaces() {
-    let folder = folder_with_room();
+    let folder = folder(&[("room.toml", ROOM)]);
     let [_, told] = done(folder.path(), &["solve", "room.toml", "-o", "room.vtu"]);
     let grid = Grid::read(&folder.path().join("room.vtu"));
     grid.check();
@@ -171,7 +166,7 @@ impl Grid {
 
 #[test]
 fn solutions_become_grids_at_any_factor() {
-    let folder = folder_with_room();
+    let folder = folder(&[("room.toml", ROOM)]);
     let path = folder.path();
     done(path, &["solve", "room.toml", "-o", "room.json", "-q"]);
     done(path, &["solve", "room.toml", "-o", "solved.vtu", "-q"]);
@@ -190,7 +185,7 @@ fn solutions_become_grids_at_any_factor() {
 
 #[test]
 fn what_is_no_polynomial_or_no_solution_is_refused() {
-    let folder = folder_with_room();
+    let folder = folder(&[("room.toml", ROOM)]);
     let path = folder.path();
     let masked = ["solve", "room.toml", "--shadows", "mask", "-o", "room.vtu"];
     refused(path, &masked, &["room.vtu", "shadow masks", "solve with --shadows auto"]);

@@ -9,6 +9,7 @@ use radiosity::elements::rule::UnitRule;
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
 use radiosity::solve::solution::{Place, Solution};
 use radiosity_geom::DVec3;
+use radiosity_test_support::scenes::typed;
 
 use crate::estimate::{Case, within};
 
@@ -47,7 +48,7 @@ fn lit(name: &'static str, body: &str, lamp: Lamp) -> Case {
     let mut text = format!("bands = ['grey']\n{grey}[materials.lamp]\nreflectance = 0\nemission = 1\n");
     text += &format!("[[surfaces]]\nmaterial = 'grey'\n{body}\n");
     text += &format!("[[surfaces]]\nmaterial = 'lamp'\n{}\n", lamp.key);
-    let scene = radiosity::language::from_toml(&text, name).expect("the scene is valid");
+    let scene = typed(&text);
     Case::new(name, scene, move |solution| error(solution, &lamp.outline))
 }
 

@@ -5,17 +5,19 @@
 
 use radiosity::elements::cells::Layers;
 use radiosity::scene::Scene;
+use radiosity::solve::Options;
 use radiosity::solve::gather::Gather;
 use radiosity::solve::gather::spot::Spot;
 use radiosity::solve::solution::Solution;
 use radiosity::solve::studies::adaptation::{Aim, Goal, adapt};
 use radiosity::solve::studies::error_norm::distance;
-use radiosity::solve::{Options, solve};
 use radiosity::visibility::Visibility;
 
-use crate::random::Random;
 use crate::row::Row;
-use crate::walls::walls;
+use radiosity_test_support::random::Random;
+use radiosity_test_support::scenes::{builtin, typed};
+use radiosity_test_support::solved::outcome_of;
+use radiosity_test_support::walls::walls;
 
 const WANTED: [f64; 4] = [1e-1, 3e-2, 1e-2, 3e-3];
 
@@ -36,14 +38,14 @@ impl Case {
 
     /// Errors from a run that is much finer than those it is held against.
     fn finer(name: &'static str, scene: Scene, options: Options) -> Self {
-        let fine = solve(&scene, &options, &|_| {}).expect("it can be solved").solution;
+        let fine = outcome_of(&scene, &options).solution;
         let error = move |solution: &Solution| distance(solution, &fine).expect("the runs are of one scene");
         Self::new(name, scene, error)
     }
 
     /// Errors at points in the middles of cells, from light gathered from a finer run.
     fn gathered(name: &'static str, scene: Scene, options: Options) -> Self {
-        let fine = solve(&scene, &options, &|_| {}).expect("it can be solved").solution;
+        let fine = outcome_of(&scene, &options).solution;
         let visibility = Visibility::new(&scene, (&options).into());
         let gather = Gather::new(&fine, &visibility, 0.1 * options.shadow_eps);
         let middle = |k: usize| (2 * k + 1) as f64 / GATHERED as f64 - 1.0;
@@ -92,7 +94,7 @@ impl Case {
 fn scene(text: &str) -> Scene {
     let materials = "bands = ['grey']\n[materials.lit]\nreflectance = 0.5\nemission = 1\n[materials.wall]\nreflectance = 0.5\n
                      [materials.white]\nreflectance = 0.8\n[materials.lamp]\nreflectance = 0\nemission = 1\n";
-    radiosity::language::from_toml(&format!("{materials}{text}"), "case").expect("the scene is valid")
+    typed(&format!("{materials}{text}"))
 }
 
 /// A surface of some material and shape.
@@ -143,7 +145,7 @@ fn random_box(random: &mut Random) -> Scene {
         text += &format!("[materials.m{k}]\nreflectance = {reflectance:?}\nemission = {emission:?}\n");
         text += &surface(&format!("m{k}"), shape);
     }
-    radiosity::language::from_toml(&text, "box").expect("a box is valid")
+    typed(&text)
 }
 
 fn balls() -> String {
@@ -205,7 +207,7 @@ fn above(cases: impl Iterator<Item = Case>, wanted: &[f64]) {
 
 /// Scenes whose radiosity is one number on each surface.
 fn constant() -> impl Iterator<Item = Case> {
-    let cube = radiosity::builtin("furnace-cube").expect("it is built in");
+    let cube = builtin("furnace-cube");
     let cases = [
         ("furnace", cube),
         ("zones of a sphere", scene(&zones())),
@@ -218,7 +220,7 @@ fn constant() -> impl Iterator<Item = Case> {
 
 #[test]
 fn the_estimate_is_near_the_error() {
-    let hinge = radiosity::builtin("hinge-squares").expect("it is built in");
+    let hinge = builtin("hinge-squares");
     let cases = [
         ("plates at distance 1", scene(&plates(1.0)), graded(12, 0)),
         ("plates at distance 0.1", scene(&plates(0.1)), graded(7, 2)),
@@ -231,7 +233,7 @@ fn the_estimate_is_near_the_error() {
 #[test]
 #[ignore = "the finest runs take minutes"]
 fn the_estimate_is_near_the_error_everywhere() {
-    let builtin = |name: &str| radiosity::builtin(name).expect("it is built in");
+    let builtin = |name: &str| builtin(name);
     let cases = [
         ("plates at distance 1", scene(&plates(1.0)), graded(12, 0)),
         ("plates at distance 0.1", scene(&plates(0.1)), graded(8, 2)),

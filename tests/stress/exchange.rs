@@ -12,15 +12,15 @@
 //! (J. R. Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 and C-14). The terms of either cancel to
 //! many digits where X or W are small or large, so that f64 would not do.
 
-use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, polygon_exchange};
-use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::{blocks_of, elements_of};
 
 use crate::double::Double;
-use crate::random::Random;
 use crate::row::Row;
+use radiosity_test_support::random::Random;
 
 /// A F of two parallel rectangles.
 fn parallel(a: f64, b: f64, c: f64) -> Double {
@@ -98,10 +98,10 @@ fn transfer([p, q]: &[[DVec3; 4]; 2], order: usize, eps: f64) -> f64 {
         format!("[[surfaces]]\nparallelogram = {{ origin = {origin:?}, edge1 = {u:?}, edge2 = {v:?} }}\n")
     };
     let text = format!("bands = [\"grey\"]\n{}{}", surface(p), surface(q));
-    let scene = radiosity::language::from_toml(&text, "pair").expect("rectangles are valid");
-    let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("rectangles have area");
+    let scene = typed(&text);
+    let elements = elements_of(&scene, order, 1);
     let visibility = Visibility::new(&scene, Shadows::Off);
-    let blocks = transport::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: eps }, &|_, _| {});
+    let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: eps });
     let block = blocks.iter().find(|(i, j, _)| (*i, *j) == (0, 1)).expect("they face each other");
     block.2[0] * (elements.list()[0].area * elements.list()[1].area).sqrt()
 }

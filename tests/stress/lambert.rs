@@ -11,8 +11,8 @@ use radiosity::kernel::irradiance::visible_polygon::irradiance;
 use radiosity_geom::DVec3;
 
 use crate::double::Double;
-use crate::random::Random;
 use crate::row::Row;
+use radiosity_test_support::random::Random;
 
 type Vector = [Double; 3];
 

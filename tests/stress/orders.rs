@@ -1,27 +1,26 @@
 //! Orders to 20 and thin rooms: the constant must be kept, c = G c, whatever the order.
 
-use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::Accuracy;
 use radiosity::scene::Scene;
-use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
 
-use crate::random::Random;
 use crate::row::Row;
-use crate::walls::walls;
+use radiosity_test_support::random::Random;
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::{blocks_of, elements_of};
+use radiosity_test_support::walls::walls;
 
 /// A closed box of some size, seen from inside.
 fn room(sides: [f64; 3]) -> Scene {
     let faces = walls(sides).map(|wall| format!("[[surfaces]]\n{wall}"));
-    radiosity::language::from_toml(&format!("bands = [\"grey\"]\n{}", faces.concat()), "box")
-        .expect("a box is valid")
+    typed(&format!("bands = [\"grey\"]\n{}", faces.concat()))
 }
 
 /// Largest |c − G c| in multiples of what the blocks of its row may miss.
 fn opening(scene: &Scene, order: usize, eps: f64) -> f64 {
-    let elements = Elements::new(scene, &Discretization::uniform(order, 1)).expect("walls have area");
+    let elements = elements_of(scene, order, 1);
     let visibility = Visibility::new(scene, Shadows::Off);
-    let blocks = transport::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: eps }, &|_, _| {});
+    let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: eps });
     let (ones, list) = (elements.constant(), elements.list());
     let mapped = blocks.apply(&ones);
     let row = |i: usize| {

@@ -18,8 +18,8 @@ use radiosity_core::jacobi::{self, Weight};
 use radiosity_core::{gauss, legendre};
 
 use crate::double::Double;
-use crate::random::Random;
 use crate::row::Row;
+use radiosity_test_support::random::Random;
 
 const HIGHEST: usize = 60;
 

@@ -3,12 +3,14 @@
 use std::f64::consts::TAU;
 
 use radiosity::scene::Scene;
-use radiosity::solve::{Options, solve};
+use radiosity::solve::Options;
 use radiosity::visibility::Hiding;
 
-use crate::random::Random;
 use crate::row::Row;
-use crate::walls::walls;
+use radiosity_test_support::random::Random;
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::outcome_of;
+use radiosity_test_support::walls::walls;
 
 fn quad(points: [[f64; 3]; 4]) -> String {
     format!("[[surfaces]]\nmaterial = 'white'\nquad = {{ vertices = {points:?} }}\n")
@@ -50,7 +52,7 @@ fn room(random: &mut Random) -> Scene {
         });
         text += &block(random, middle, radius, size[2]);
     }
-    radiosity::language::from_toml(&text, "room").expect("boxes apart are valid")
+    typed(&text)
 }
 
 /// How many times as far off as asked a sum over a row may be: it adds up some twenty blocks.
@@ -68,7 +70,7 @@ fn hunt(count: usize, orders: &[usize], accuracies: &[f64]) {
         let scene = room(&mut random);
         let (order, eps) = (random.pick(orders), random.pick(accuracies));
         let options = Options { order, eps, shadow_eps: eps, shadows: Hiding::Exact, ..Options::default() };
-        let outcome = solve(&scene, &options, &|_| {}).expect("it can be solved");
+        let outcome = outcome_of(&scene, &options);
         let checks = &outcome.checks;
         let name = || format!("room {case}, order {order}, eps {eps:e}, {} surfaces", scene.surfaces.len());
         rows.add((1.0 - checks.row_sum_min).max(checks.row_sum_max - 1.0) / eps, name);

@@ -3,7 +3,9 @@
 //! Lengths times a power of two round nowhere: B is the same to the last bit. Powers of ten round the coordinates.
 
 use radiosity::scene::Scene;
-use radiosity::solve::{Options, solve};
+use radiosity::solve::Options;
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::outcome_of;
 
 use crate::row::Row;
 
@@ -31,13 +33,13 @@ fn room(scale: f64, curved: bool) -> Scene {
             "[[surfaces]]\nmaterial = 'white'\nsphere = {{ center = [{x:?}, {y:?}, {z:?}], radius = {r:?} }}\n"
         );
     }
-    radiosity::language::from_toml(&text, "room").expect("the room is valid")
+    typed(&text)
 }
 
 /// Irradiance coefficients over the length unit.
 fn light(scale: f64, curved: bool, order: usize) -> Vec<f64> {
     let options = Options { order, ..Options::default() };
-    let solution = solve(&room(scale, curved), &options, &|_| {}).expect("it can be solved").solution;
+    let solution = outcome_of(&room(scale, curved), &options).solution;
     solution.bands()[0].coefficients.irradiance.iter().map(|h| h / scale).collect()
 }
 

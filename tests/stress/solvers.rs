@@ -4,11 +4,13 @@
 //! for, and the transfers what they miss of c = G c over 1 − ρ.
 
 use radiosity::scene::Scene;
-use radiosity::solve::{Options, solve};
+use radiosity::solve::Options;
 use radiosity_solvers::method::Method;
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::outcome_of;
 
 use crate::row::Row;
-use crate::walls::walls;
+use radiosity_test_support::walls::walls;
 
 /// The box with a bright ceiling, of some reflectance.
 fn room(reflectance: f64) -> Scene {
@@ -19,7 +21,7 @@ fn room(reflectance: f64) -> Scene {
     let materials_of = ["white", "lamp", "white", "white", "white", "white"];
     let surface = |(material, wall): (&str, String)| format!("[[surfaces]]\nmaterial = '{material}'\n{wall}");
     let walls: String = materials_of.into_iter().zip(walls([1.0; 3])).map(surface).collect();
-    radiosity::language::from_toml(&(materials + &walls), "white").expect("a box is valid")
+    typed(&(materials + &walls))
 }
 
 /// Most that a solver may take.
@@ -53,7 +55,7 @@ fn all(range: &str, losses: &[f64], order: usize) {
                 max_iterations: PATIENCE,
                 ..Options::default()
             };
-            let outcome = solve(&scene, &options, &|_| {}).expect("it can be solved");
+            let outcome = outcome_of(&scene, &options);
             let checks = &outcome.checks;
             let off = (checks.energy_absorbed / checks.energy_in - 1.0).abs();
             let case = || format!("1 − ρ = {loss:e}, {}: {off:e}", method.name);

@@ -5,6 +5,8 @@ use radiosity::solve::animation::follower::{Follower, Way};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};
+use radiosity_test_support::compare::apart;
+use radiosity_test_support::scenes::typed;
 
 /// A room with a block, a lamp of two groups under the ceiling, and a panel of two sides between them; `motion` moves them.
 fn room(frames: usize, motion: &str) -> Scene {
@@ -40,7 +42,7 @@ parallelogram = {{ origin = [0.1, 0.5, 0.6], edge1 = [0.3, 0, 0], edge2 = [0, 0.
 {motion}
 "#
     );
-    radiosity::language::from_toml(&text, "room.toml").expect("the room is valid")
+    typed(&text)
 }
 
 /// A closed cube with `things` in it, of walls or a lamp of this reflectance.
@@ -57,7 +59,7 @@ box = {{ origin = [0, 0, 0], size = [1, 1, 1], inward = true }}
 {things}
 "#
     );
-    radiosity::language::from_toml(&text, "cube.toml").expect("it is valid")
+    typed(&text)
 }
 
 const PANEL: &str = "surfaces = 'panel'
@@ -75,17 +77,6 @@ fn bits(frame: &Frame) -> Vec<u64> {
     let coefficients =
         bands.flat_map(|band| band.coefficients.irradiance.iter().chain(&band.coefficients.direct));
     coefficients.map(|h| h.to_bits()).collect()
-}
-
-/// Largest relative L2 difference of the irradiance of any band.
-fn apart(frame: &Frame, right: &Frame) -> f64 {
-    let pairs = frame.solution.bands().iter().zip(right.solution.bands());
-    let relative = pairs.map(|(own, other)| {
-        let [own, other] = [own, other].map(|band| &band.coefficients.irradiance);
-        let difference: f64 = own.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum();
-        (difference / other.iter().map(|h| h * h).sum::<f64>()).sqrt()
-    });
-    relative.fold(0.0, f64::max)
 }
 
 fn frames(scene: &Scene, options: &Options, way: Way, numbers: &[usize]) -> Vec<Frame> {
@@ -334,7 +325,10 @@ fn light_along_a_path_is_interpolated_to_what_is_told() {
             let alone = &frames(&scene, &options, Way::Fresh, &[number])[0];
             match frame.interpolated {
                 Some(told) => {
-                    assert!(told <= 1e-3 && apart(&frame, alone) <= 1e-3, "{motion} {number} {told}")
+                    assert!(
+                        told <= 1e-3 && apart(&frame.solution, &alone.solution) <= 1e-3,
+                        "{motion} {number} {told}"
+                    )
                 }
                 None => assert!(bits(&frame) == bits(alone), "{motion} {number}"),
             }
@@ -362,7 +356,7 @@ translate = { points = [[0, 0, 0], [0, 0, 0], [0.3, 0, 0], [0, 0, 0], [0, 0, 0]]
     for number in [5, 25, 60] {
         let frame = follower.frame(number, &|_| ()).expect("it can be solved");
         let alone = &frames(&scene, &options, Way::Fresh, &[number])[0];
-        assert!(apart(&frame, alone) <= 1e-4, "{number}");
+        assert!(apart(&frame.solution, &alone.solution) <= 1e-4, "{number}");
     }
     assert!(follower.solved() < 60, "{}", follower.solved());
 }

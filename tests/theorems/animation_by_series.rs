@@ -1,12 +1,14 @@
 //! Frames whose blocks are sums of power series against frames that are solved alone.
 
-use radiosity::geom::DVec3;
 use radiosity::scene::Scene;
 use radiosity::solve::animation::follower::{Follower, Way};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};
 use radiosity::visibility::Hiding;
+use radiosity_test_support::compare::apart;
+use radiosity_test_support::random::Random;
+use radiosity_test_support::scenes::{builtin, typed};
 
 /// Rules far finer than the series, so that the difference of both is that of the series.
 fn options(shadows: bool) -> Options {
@@ -30,33 +32,14 @@ fn alone(scene: &Scene, options: &Options, number: usize) -> Frame {
     frame(&mut Follower::new(scene, options, Way::Fresh, [0, scene.frames() - 1]), number)
 }
 
-/// Relative L2 difference of the coefficients, the largest of any band.
-fn apart(frame: &Frame, right: &Frame) -> f64 {
-    let pairs = frame.solution.bands().iter().zip(right.solution.bands());
-    let relative = pairs.map(|(own, other)| {
-        let [own, other] = [own, other].map(|band| &band.coefficients.irradiance);
-        let difference: f64 = own.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum();
-        (difference / other.iter().map(|h| h * h).sum::<f64>()).sqrt()
-    });
-    relative.fold(0.0, f64::max)
-}
-
 /// A closed room with quads that float in it, of which two are moved, one of them along a broken line; numbers of a fixed sequence.
 fn random_room(seed: u64) -> Scene {
-    let mut state = seed;
-    let mut next = || {
-        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 * 2f64.powi(-53)
-    };
+    let mut random = Random(seed);
     let mut quad = |name: &str, material: &str, z: f64| {
-        let mut point = |scale: f64| DVec3::new(next(), next(), next()) * scale;
-        let (along, turn) = ((point(1.0) - 0.5).normalize(), point(1.0) - 0.5);
+        let (along, turn) = (random.vector(-0.5, 0.5).normalize(), random.vector(-0.5, 0.5));
         let across = along.cross(turn).normalize();
         let [along, across] = [along, across].map(|edge| (0.1 * edge).to_array());
-        let origin = [0.25 + 0.4 * next(), 0.25 + 0.4 * next(), z];
+        let origin = [random.between(0.25, 0.65), random.between(0.25, 0.65), z];
         format!(
             "[[surfaces]]\nname = \"{name}\"\nmaterial = \"{material}\"\ntwo_sided = true\n\
              parallelogram = {{ origin = {origin:?}, edge1 = {along:?}, edge2 = {across:?} }}\n"
@@ -83,7 +66,7 @@ surfaces = "glow"
 translate = {{ points = [[0, 0, 0], [0, -0.05, 0.04]] }}
 "#
     );
-    radiosity::language::from_toml(&text, "random.toml").expect("the room is valid")
+    typed(&text)
 }
 
 /// Every fifth frame against that alone; returns how many blocks were sums of series in all.
@@ -97,7 +80,7 @@ fn compared(scene: &Scene, options: &Options, tolerance: f64) -> usize {
             continue;
         }
         let right = alone(scene, options, number);
-        let (apart, told) = (apart(&found, &right), found.interpolated.unwrap_or(0.0));
+        let (apart, told) = (apart(&found.solution, &right.solution), found.interpolated.unwrap_or(0.0));
         // What the solver leaves, and rules.
         assert!(apart <= told + 1e-9, "{number}: {apart:e} > {told:e}");
         assert!(told <= 20.0 * tolerance, "{number}: {told:e}");
@@ -107,7 +90,7 @@ fn compared(scene: &Scene, options: &Options, tolerance: f64) -> usize {
 
 #[test]
 fn frames_are_those_alone_to_the_error_that_is_told() {
-    let sliding = radiosity::builtin("sliding-light").expect("it is built in");
+    let sliding = builtin("sliding-light");
     for shadows in [false, true] {
         assert!(compared(&sliding, &options(shadows), 1e-4) > 500);
     }
@@ -160,7 +143,7 @@ MOTION
     let moved = "translate = { points = [[0, 0, 0], [0.02, 0.01, 0]] }";
     for (shape, motion, sums) in [(quad, turned, false), (ball, moved, false), (quad, moved, true)] {
         let text = text.replace("SHAPE", shape).replace("MOTION", motion);
-        let scene = radiosity::language::from_toml(&text, "room.toml").expect("it is valid");
+        let scene = typed(&text);
         let options = Options { eps: 1e-5, ..options(false) };
         let mut follower = Follower::new(&scene, &options, Way::Series { tolerance: 1e-4 }, [0, 20]);
         for number in 0..4 {
@@ -168,7 +151,10 @@ MOTION
             let is_summed = sums && number > 0;
             assert_eq!(found.interpolated.is_some(), is_summed, "{shape} {motion} {number}");
             if !is_summed {
-                assert!(apart(&found, &alone(&scene, &options, number)) == 0.0, "{shape} {motion} {number}");
+                assert!(
+                    apart(&found.solution, &alone(&scene, &options, number).solution) == 0.0,
+                    "{shape} {motion} {number}"
+                );
             }
         }
     }

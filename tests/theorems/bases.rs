@@ -1,6 +1,7 @@
 //! Bases of the variational source: mass matrices, best fits and convergence rates against closed forms; what Ritz's method keeps.
 
 use proptest::prelude::*;
+use radiosity::Basis;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::rule::UnitRule;
@@ -11,13 +12,13 @@ use radiosity::published::bases::{Projection, Subspace};
 use radiosity::scene::Scene;
 use radiosity::solve::system::System;
 use radiosity::solve::system::ritz::Ritz;
-use radiosity::solve::{Options, Outcome, Preconditioning, Transport, solve};
-use radiosity::transport;
+use radiosity::solve::{Options, Preconditioning, Transport};
 use radiosity::visibility::{Shadows, Visibility};
-use radiosity::{Basis, Solved};
 use radiosity_geom::DVec3;
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Preconditioner, Settings, Step, functional as functional_of};
+use radiosity_test_support::scenes::{builtin, typed};
+use radiosity_test_support::solved::{blocks_of, elements_of, outcome_of, solved_of};
 
 const SQUARE: &str = "parallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [0,1,0] }";
 const CYLINDER: &str = "cylinder = { base = [0,0,0], axis = [0,0,2], radius = 0.5, angle = [10, 200] }";
@@ -29,7 +30,7 @@ fn scene(shape: &str) -> Scene {
     let text = format!(
         "materials.grey = {{ reflectance = 0.5, emission = 1 }}\n[[surfaces]]\nmaterial = \"grey\"\n{shape}"
     );
-    radiosity::language::from_toml(&text, "test").expect("the scene is valid")
+    typed(&text)
 }
 
 /// The elements of a basis on `cells` × `cells` cells, for transfers accurate to 1e-9.
@@ -231,10 +232,6 @@ fn options(basis: Basis, order: usize, cells: usize) -> Options {
     Options { basis, order, subdivide: Some(cells), eps: 1e-6, ..Options::default() }
 }
 
-fn solved(scene: &Scene, options: &Options) -> Outcome {
-    solve(scene, options, &|_| {}).expect("it is solved")
-}
-
 /// Irradiance from a unit square of exitance 1, at the height `h` below it: the sum of four corners (Howell's catalogue, A-3).
 fn below_a_square(x: f64, y: f64, h: f64) -> f64 {
     let corner = |a: f64, b: f64| {
@@ -247,14 +244,12 @@ fn below_a_square(x: f64, y: f64, h: f64) -> f64 {
 
 /// Relative L² error of the irradiance of the floor below a luminous square.
 fn error_below_a_square(options: &Options) -> f64 {
-    let scene = radiosity::language::from_toml(
+    let scene = typed(
         "materials.floor = { reflectance = 0.5 }\nmaterials.lamp = { reflectance = 0, emission = 1 }\n\
          [[surfaces]]\nmaterial = \"floor\"\nparallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [0,1,0] }\n\
          [[surfaces]]\nmaterial = \"lamp\"\norder = 0\nparallelogram = { origin = [0,0,0.7], edge1 = [0,1,0], edge2 = [1,0,0] }\n",
-        "squares",
-    )
-    .expect("the scene is valid");
-    let outcome = solved(&scene, options);
+    );
+    let outcome = outcome_of(&scene, options);
     let solution = &outcome.solution;
     let (mut error, mut size) = (0.0, 0.0);
     for index in solution.elements().of_surface(0) {
@@ -288,10 +283,10 @@ fn solutions_converge_at_the_rates_of_theory() {
 #[test]
 fn the_functional_of_a_furnace_is_known() {
     for name in ["furnace-cube", "furnace-sphere"] {
-        let scene = radiosity::builtin(name).expect("it is built in");
+        let scene = builtin(name);
         let area: f64 = scene.surfaces.iter().map(|surface| surface.shape.area()).sum();
         for basis in [Basis::Legendre, Basis::Constant, Basis::Linear, Basis::Harmonic] {
-            let outcome = solved(&scene, &Options { eps: 1e-4, ..options(basis, 2, 2) });
+            let outcome = outcome_of(&scene, &Options { eps: 1e-4, ..options(basis, 2, 2) });
             let [functional] = &outcome.functionals[..] else { panic!("one band, no groups") };
             let expected = -0.5 * area;
             assert!(
@@ -306,12 +301,12 @@ fn the_functional_of_a_furnace_is_known() {
 
 /// The functional of a run.
 fn functional(scene: &Scene, options: &Options) -> f64 {
-    solved(scene, options).functionals.iter().map(|own| own.value).sum()
+    outcome_of(scene, options).functionals.iter().map(|own| own.value).sum()
 }
 
 #[test]
 fn larger_spaces_have_lower_functionals() {
-    let scene = radiosity::builtin("empty-box").expect("it is built in");
+    let scene = builtin("empty-box");
     let of = |basis, order, cells| functional(&scene, &options(basis, order, cells));
     let falls = |all: &[f64]| assert!(all.windows(2).all(|pair| pair[1] < pair[0]), "{all:?}");
     falls(&[0, 1, 2, 3].map(|order| of(Basis::Legendre, order, 1)));
@@ -325,18 +320,18 @@ fn larger_spaces_have_lower_functionals() {
 
 #[test]
 fn cosines_do_not_depend_on_the_cells_that_hold_them() {
-    let scene = radiosity::builtin("empty-box").expect("it is built in");
+    let scene = builtin("empty-box");
     let [whole, cut] = [1, 3].map(|cells| functional(&scene, &options(Basis::Harmonic, 3, cells)));
     assert!((whole / cut - 1.0).abs() < 1e-5, "{whole} {cut}");
 }
 
 #[test]
 fn every_solver_finds_the_same_light_in_every_basis() {
-    let scene = radiosity::builtin("empty-box").expect("it is built in");
+    let scene = builtin("empty-box");
     for basis in OTHERS {
         let means = |method: &'static Method| {
             let outcome =
-                solved(&scene, &Options { method, tolerance: 1e-10, eps: 1e-3, ..options(basis, 1, 1) });
+                outcome_of(&scene, &Options { method, tolerance: 1e-10, eps: 1e-3, ..options(basis, 1, 1) });
             assert!(
                 outcome.converged && outcome.residual < 1e-8,
                 "{basis:?} {}: {}",
@@ -357,9 +352,9 @@ fn every_solver_finds_the_same_light_in_every_basis() {
 #[test]
 fn every_basis_keeps_power_to_rounding() {
     for name in ["empty-box", "two-boxes", "occluder-box"] {
-        let scene = radiosity::builtin(name).expect("it is built in");
+        let scene = builtin(name);
         for basis in OTHERS {
-            let checks = solved(&scene, &Options { eps: 1e-3, ..options(basis, 2, 2) }).checks;
+            let checks = outcome_of(&scene, &Options { eps: 1e-3, ..options(basis, 2, 2) }).checks;
             let sum = checks.energy_absorbed + checks.energy_lost;
             assert!((sum / checks.energy_in - 1.0).abs() < 1e-6, "{name} {basis:?}: {checks:?}");
         }
@@ -368,19 +363,19 @@ fn every_basis_keeps_power_to_rounding() {
 
 #[test]
 fn tents_and_cosines_have_no_jumps_inside_surfaces() {
-    let scene = radiosity::builtin("empty-box").expect("it is built in");
+    let scene = builtin("empty-box");
     for (basis, jump) in [(Basis::Linear, 1e-12), (Basis::Harmonic, 1e-5)] {
-        let found = solved(&scene, &options(basis, 2, 4)).checks.seam_jump_max;
+        let found = outcome_of(&scene, &options(basis, 2, 4)).checks.seam_jump_max;
         assert!(found < jump, "{basis:?}: {found}");
     }
-    assert!(solved(&scene, &options(Basis::Constant, 0, 4)).checks.seam_jump_max > 0.1);
+    assert!(outcome_of(&scene, &options(Basis::Constant, 0, 4)).checks.seam_jump_max > 0.1);
 }
 
 #[test]
 fn solution_files_of_every_basis_are_read_as_they_were() {
-    let scene = radiosity::builtin("empty-box").expect("it is built in");
+    let scene = builtin("empty-box");
     for basis in OTHERS {
-        let written = Solved::new(scene.clone(), options(basis, 2, 2), &|_| {}).expect("it is solved");
+        let written = solved_of(scene.clone(), options(basis, 2, 2));
         let file = radiosity::output::files::solution_file::SolutionFile::new(&written);
         let text = serde_json::to_string(&file).expect("it is written");
         let source = radiosity::scene::Source::new("file", &text);
@@ -400,11 +395,11 @@ proptest! {
     fn conjugate_gradients_lower_the_functional_of_rooms(
         reflectances in prop::collection::vec(0.0..0.98, 6), exitances in prop::collection::vec(0.0..5.0, 6), order in 0..4usize,
     ) {
-        let scene = radiosity::builtin("empty-box").expect("it is built in");
-        let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("a box has area");
+        let scene = builtin("empty-box");
+        let elements = elements_of(&scene, order, 1);
         let visibility = Visibility::new(&scene, Shadows::Off);
         let accuracy = Accuracy { eps: 1e-4, shadow_eps: 3e-3 };
-        let blocks = transport::assemble(&elements, &visibility, accuracy, &|_, _| {});
+        let blocks = blocks_of(&elements, &visibility, accuracy);
         let coating = Coating::constant(reflectances, exitances);
         let ritz = Ritz::new(System::new(elements.list(), &blocks, &coating), None);
         let (operator, _) = ritz.operator(&Method::CG, Preconditioner::Block, 1).expect("it is finite");
@@ -425,13 +420,11 @@ proptest! {
 
 /// Steps of cg in the tube that `scene` holds, closed by a lamp at one end.
 fn steps(order: usize, cells: usize, preconditioner: Preconditioning) -> usize {
-    let scene = radiosity::language::from_toml(
+    let scene = typed(
         "materials.wall = { reflectance = 0.9 }\nmaterials.lamp = { reflectance = 0, emission = 10 }\n\
          [[surfaces]]\nmaterial = \"wall\"\nflip = true\ncylinder = { base = [0,0,0], axis = [0,0,4], radius = 0.5 }\n\
          [[surfaces]]\nmaterial = \"lamp\"\ndisk = { center = [0,0,0], normal = [0,0,1], radius = 0.5 }\n",
-        "tube",
-    )
-    .expect("the scene is valid");
+    );
     let method = &Method::CG;
     let options = Options {
         preconditioner,
@@ -442,7 +435,7 @@ fn steps(order: usize, cells: usize, preconditioner: Preconditioning) -> usize {
         subdivide: Some(cells),
         ..Options::default()
     };
-    solved(&scene, &options).iterations
+    outcome_of(&scene, &options).iterations
 }
 
 #[test]

@@ -1,17 +1,14 @@
 //! Light of the first K reflections: powers of the reflectance in a furnace, and a series that rises to all light.
 
+use radiosity::Basis;
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::scene::Scene;
 use radiosity::solve::gather::Gather;
 use radiosity::solve::gather::by_rays::{RayGather, Receiver};
-use radiosity::solve::{Direct, Options, Outcome, solve};
+use radiosity::solve::{Direct, Options, Outcome};
 use radiosity::visibility::Visibility;
-use radiosity::{Basis, Material};
 use radiosity_geom::DVec3;
-
-fn solved(scene: &Scene, options: &Options) -> Outcome {
-    solve(scene, options, &|_| {}).expect("it is solved")
-}
+use radiosity_test_support::scenes::{builtin, material};
+use radiosity_test_support::solved::outcome_of;
 
 /// 1 + ρ + … + ρᴷ.
 fn series(reflectance: f64, bounces: usize) -> f64 {
@@ -20,9 +17,9 @@ fn series(reflectance: f64, bounces: usize) -> f64 {
 
 #[test]
 fn a_furnace_sums_powers_of_its_reflectance() {
-    let cube = radiosity::builtin("furnace-cube").expect("it is built in");
+    let cube = builtin("furnace-cube");
     for reflectance in [0.2, 0.5, 0.8] {
-        let material = Material::new(vec![reflectance], vec![1.0]).expect("a material");
+        let material = material(reflectance, 1.0);
         let scene = cube.with_material("wall", material).expect("walls are of it");
         for (basis, direct) in [
             (Basis::Legendre, Direct::Projected),
@@ -40,7 +37,7 @@ fn a_furnace_sums_powers_of_its_reflectance() {
                     eps: 1e-6,
                     ..Options::default()
                 };
-                let outcome = solved(&scene, &options);
+                let outcome = outcome_of(&scene, &options);
                 let expected = series(reflectance, bounces);
                 for surface in 0..scene.surfaces.len() {
                     let found = outcome.solution.mean_irradiance(0, surface);
@@ -57,10 +54,10 @@ fn a_furnace_sums_powers_of_its_reflectance() {
 
 #[test]
 fn gathered_light_counts_the_same_reflections() {
-    let scene = radiosity::builtin("furnace-cube").expect("it is built in");
+    let scene = builtin("furnace-cube");
     for bounces in 0..4 {
         let options = Options { bounces: Some(bounces), order: 1, eps: 1e-6, ..Options::default() };
-        let outcome = solved(&scene, &options);
+        let outcome = outcome_of(&scene, &options);
         let visibility = Visibility::new(&scene, (&options).into());
         let middle = ReceiverPoint::free(DVec3::new(0.4, 0.5, 0.6), DVec3::Z);
         let expected = series(0.5, bounces);
@@ -77,18 +74,18 @@ fn gathered_light_counts_the_same_reflections() {
 #[test]
 fn light_rises_with_its_reflections_to_all_light() {
     for name in ["cornell-box", "two-boxes"] {
-        let scene = radiosity::builtin(name).expect("it is built in");
+        let scene = builtin(name);
         for basis in [Basis::Legendre, Basis::Linear] {
             let options = |bounces| Options { basis, bounces, order: 1, eps: 1e-2, ..Options::default() };
             let means = |outcome: &Outcome| -> Vec<f64> {
                 let surfaces = 0..scene.surfaces.len();
                 surfaces.map(|surface| outcome.solution.mean_irradiance(0, surface)).collect()
             };
-            let all = means(&solved(&scene, &Options { tolerance: 1e-12, ..options(None) }));
+            let all = means(&outcome_of(&scene, &Options { tolerance: 1e-12, ..options(None) }));
             let mut before = vec![0.0; all.len()];
             let mut residual = f64::INFINITY;
             for bounces in [0, 1, 2, 4, 8, 16, 32, 64] {
-                let outcome = solved(&scene, &options(Some(bounces)));
+                let outcome = outcome_of(&scene, &options(Some(bounces)));
                 let own = means(&outcome);
                 let tiny = 1e-9 * all.iter().copied().fold(0.0, f64::max);
                 assert!(

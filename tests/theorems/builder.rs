@@ -3,17 +3,16 @@
 use proptest::prelude::*;
 use radiosity::output::files::solution_file::{SolutionFault, SolutionFile, read};
 use radiosity::scene::{Camera, Fault, Material, NamedMaterial, Scene, SceneBuilder, SceneError, Source};
-use radiosity::solve::solved::Solved;
-use radiosity::solve::{Options, solve};
-use radiosity_geom::shapes::{FULL_TURN, Parallelogram, Sphere};
+use radiosity::solve::Options;
+use radiosity_geom::shapes::Parallelogram;
 use radiosity_geom::{DVec3, Flipped, Surface};
-
-fn material(reflectance: f64, emission: f64) -> Material {
-    Material::new(vec![reflectance], vec![emission]).expect("in range")
-}
+use radiosity_test_support::scenes::{material, typed};
+use radiosity_test_support::shapes::faces;
+use radiosity_test_support::shapes::{ball, plate};
+use radiosity_test_support::solved::{outcome_of, solved_of};
 
 fn square(height: f64) -> Parallelogram {
-    Parallelogram::new(height * DVec3::Z, DVec3::X, DVec3::Y).expect("a square")
+    plate(height * DVec3::Z, DVec3::X, DVec3::Y)
 }
 
 /// A builder of one band with a floor, changed by `change`, which gets the floor's material.
@@ -120,7 +119,7 @@ fn wishes_of_surfaces_are_in_range() {
         assert!(matches!(parts, Fault::OutOfRange { what: "the number of elements", .. }));
     }
     let extent = fault(Some("surface \"dust\""), |room, white| {
-        let dust = Parallelogram::new(DVec3::Z, 1e-40 * DVec3::X, 1e-40 * DVec3::Y).expect("has edges");
+        let dust = plate(DVec3::Z, 1e-40 * DVec3::X, 1e-40 * DVec3::Y);
         room.surface("dust", dust, white);
     });
     assert!(matches!(extent, Fault::OutOfRange { what: "the extent of the surface", .. }));
@@ -171,7 +170,7 @@ fn options_mean_what_they_mean_in_files() {
         order = 4
         subdivide = [2, 3]
         parallelogram = { origin = [0, 0, 0], edge1 = [1, 0, 0], edge2 = [0, 1, 0] }";
-    let typed = radiosity::language::from_toml(text, "room").expect("the text is right");
+    let typed = typed(text);
     let mut builder = SceneBuilder::new("room", ["grey"]);
     let white = builder.material("white", material(0.5, 1.0));
     builder.surface("floor", square(0.0), &white).group("lamps").two_sided().flip().order(4).subdivide(2, 3);
@@ -190,12 +189,8 @@ fn options_mean_what_they_mean_in_files() {
 fn cube(reflectance: f64, emission: f64) -> SceneBuilder {
     let mut room = SceneBuilder::new("cube", ["grey"]);
     let white = room.material("white", material(reflectance, emission));
-    let edges = [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)];
-    for (index, (edge1, edge2)) in edges.into_iter().enumerate() {
-        let near = Parallelogram::new(DVec3::ZERO, edge1, edge2).expect("a wall");
-        let far = Parallelogram::new(edge1.cross(edge2), edge1, edge2).expect("a wall");
-        room.surface(format!("near {index}"), near, &white);
-        room.surface(format!("far {index}"), far, &white).flip();
+    for (index, wall) in faces(DVec3::ZERO, DVec3::AXES).into_iter().enumerate() {
+        room.surface(format!("wall {index}"), wall, &white);
     }
     room
 }
@@ -207,7 +202,7 @@ proptest! {
     #[test]
     fn a_cube_of_one_material_is_a_furnace(reflectance in 0.0..0.9, emission in 0.1..10.0) {
         let scene = cube(reflectance, emission).build().expect("the cube is right");
-        let outcome = solve(&scene, &Options { order: 1, ..Options::default() }, &|_| {}).expect("is solved");
+        let outcome = outcome_of(&scene, &Options { order: 1, ..Options::default() });
         let exact = emission / (1.0 - reflectance);
         for (index, wall) in scene.surfaces.iter().enumerate() {
             let mean = outcome.solution.mean_irradiance(0, index);
@@ -224,11 +219,11 @@ proptest! {
 fn a_ball_in_a_furnace_changes_nothing() {
     let mut room = cube(0.5, 1.0);
     let white = room.material("paint", material(0.5, 1.0));
-    let ball = Sphere::new(DVec3::splat(0.5), 0.25, DVec3::Z, [-0.25, 0.25], FULL_TURN).expect("a ball");
+    let ball = ball(DVec3::splat(0.5), 0.25);
     let area = ball.area();
     room.surface("ball", ball, &white);
     let scene = room.build().expect("the room is right");
-    let outcome = solve(&scene, &Options::default(), &|_| {}).expect("is solved");
+    let outcome = outcome_of(&scene, &Options::default());
     for (index, surface) in scene.surfaces.iter().enumerate() {
         let mean = outcome.solution.mean_irradiance(0, index);
         assert!((mean / 2.0 - 1.0).abs() < 1e-2, "{mean} on {}", surface.name);
@@ -241,7 +236,7 @@ fn a_ball_in_a_furnace_changes_nothing() {
 fn solution_files_of_built_scenes_hold_no_text() {
     let scene = cube(0.5, 1.0).build().expect("the cube is right");
     let options = Options { order: 0, ..Options::default() };
-    let solved = Solved::new(scene, options, &|_| {}).expect("is solved");
+    let solved = solved_of(scene, options);
     let text = serde_json::to_string(&SolutionFile::new(&solved)).expect("is written");
     let error = read(&Source::new("cube.json", &text)).expect_err("it cannot be read back");
     assert!(matches!(error.fault, SolutionFault::NoScene), "{error}");

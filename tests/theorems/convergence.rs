@@ -17,10 +17,12 @@ use radiosity::solve::studies::adaptation::{Achieved, Adapted, Aim, End, Goal, a
 use radiosity::solve::studies::convergence::{Reference, convergence};
 use radiosity::solve::studies::error_norm::{Incomparable, distance};
 use radiosity::solve::system::Coefficients;
-use radiosity::solve::{Options, Outcome, solve};
+use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
-use serde_json::Value;
+use radiosity_test_support::data::{number, table};
+use radiosity_test_support::scenes::{builtin, typed};
+use radiosity_test_support::solved::outcome_of;
 
 const SHAPES: [&str; 4] = [
     "parallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [0,1,0] }",
@@ -35,7 +37,7 @@ fn scene(shape: &str, bands: usize) -> Scene {
         "bands = [{}]\n[materials.grey]\nreflectance = 0.5\nemission = 7\n[[surfaces]]\nmaterial = \"grey\"\n{shape}",
         bands.join(", ")
     );
-    radiosity::language::from_toml(&text, "test").expect("the scene is valid")
+    typed(&text)
 }
 
 /// Coefficients of the projection of a function on an element.
@@ -135,10 +137,10 @@ const WHOLE_WALLS: [(usize, f64); 2] = [(4, 0.020), (6, 0.0105)];
 
 #[test]
 fn a_series_finds_the_known_errors_of_the_empty_box() {
-    let scene = radiosity::builtin("empty-box").expect("it is built in");
+    let scene = builtin("empty-box");
     let layers = Layers { count: 2, ratio: 0.25 };
     let fine = Options { order: 5, layers, threads: 2, ..Options::default() };
-    let fine = solve(&scene, &fine, &|_| {}).expect("it can be solved").solution;
+    let fine = outcome_of(&scene, &fine).solution;
     let error = |solution: &Solution| distance(solution, &fine).expect("one scene");
     let heard = Mutex::new(vec![0.0]);
     let hear = |part| heard.lock().expect("nobody panics").push(part);
@@ -156,7 +158,7 @@ fn a_series_finds_the_known_errors_of_the_empty_box() {
 
 #[test]
 fn the_finest_run_has_no_error_of_its_own() {
-    let scene = radiosity::builtin("furnace-cube").expect("it is built in");
+    let scene = builtin("furnace-cube");
     let layers = Layers { count: 1, ratio: 0.25 };
     let options = Options { order: 1, layers, threads: 2, ..Options::default() };
     let runs = convergence(&scene, &options, &[], &Reference::FinestRun, &|_| {}).expect("it can be solved");
@@ -168,7 +170,7 @@ fn the_finest_run_has_no_error_of_its_own() {
 }
 
 fn adapted(name: &str, goal: Goal) -> Adapted {
-    let scene = radiosity::builtin(name).expect("it is built in");
+    let scene = builtin(name);
     let options = Options { order: 0, threads: 2, ..Options::default() };
     adapt(&scene, &options, &goal, &|_| {}).expect("it can be solved")
 }
@@ -203,8 +205,7 @@ fn the_furnace_is_met_to_the_accuracy_wanted() {
 
 #[test]
 fn the_empty_box_is_met_to_the_accuracy_wanted() {
-    let file: Value =
-        serde_json::from_str(include_str!("../data/box_radiosity.json")).expect("the data file is JSON");
+    let file = table("box_radiosity.json");
     let points = file["scenes"][0]["points"].as_array().expect("points are listed");
     for accuracy in [3e-2, 1e-2, 3e-3] {
         let adapted = adapted("empty-box", Goal::new(accuracy, Aim::Solution));
@@ -212,7 +213,6 @@ fn the_empty_box_is_met_to_the_accuracy_wanted() {
         let squares: Vec<[f64; 2]> = points
             .iter()
             .map(|point| {
-                let number = |value: &Value| value.as_f64().expect("a number");
                 let (a, b, exact) = (number(&point[1][0]), number(&point[1][1]), number(&point[2]));
                 let (surface, place, emitted) = match point[0].as_str() {
                     Some("floor") => (0, [a, b, 0.0], 0.0),
@@ -231,8 +231,7 @@ fn the_empty_box_is_met_to_the_accuracy_wanted() {
 /// Reflected light gathered to `eps` at the middles of a grid on three walls of the empty box.
 fn gathered(solution: &Solution, options: &Options, eps: f64) -> Vec<f64> {
     const CELLS: usize = 20;
-    let visibility =
-        Visibility::new(&radiosity::builtin("empty-box").expect("it is built in"), options.into());
+    let visibility = Visibility::new(&builtin("empty-box"), options.into());
     let gather = Gather::new(solution, &visibility, eps);
     let middle = |k: usize| (k as f64 + 0.5) / CELLS as f64;
     let mut light = Vec::new();
@@ -253,8 +252,8 @@ fn gathered_light_of_the_empty_box_is_met_to_the_accuracy_wanted_with_fewer_unkn
     // This run is known to be right to 1e-4 (`light::gather`).
     let layers = Layers { count: 2, ratio: 0.25 };
     let fine = Options { order: 8, layers, eps: 1e-6, shadow_eps: 1e-6, threads: 2, ..Options::default() };
-    let scene = radiosity::builtin("empty-box").expect("it is built in");
-    let exact = gathered(&solve(&scene, &fine, &|_| {}).expect("it can be solved").solution, &fine, 1e-5);
+    let scene = builtin("empty-box");
+    let exact = gathered(&outcome_of(&scene, &fine).solution, &fine, 1e-5);
     for accuracy in [1e-2, 3e-3, 1e-3, 3e-4] {
         let adapted = |of| adapted("empty-box", Goal::new(accuracy, of));
         let Adapted { outcome, options, achieved } = adapted(Aim::Gathered);
@@ -278,9 +277,9 @@ fn light_at_points_is_met_with_fewer_unknowns_than_on_all_surfaces() {
     // This run is known to be right to 1e-4 (`light::gather`).
     let layers = Layers { count: 2, ratio: 0.25 };
     let fine = Options { order: 8, layers, eps: 1e-6, shadow_eps: 1e-6, threads: 2, ..Options::default() };
-    let scene = radiosity::builtin("empty-box").expect("it is built in");
+    let scene = builtin("empty-box");
     let visibility = Visibility::new(&scene, (&fine).into());
-    let exact = solve(&scene, &fine, &|_| {}).expect("it can be solved").solution;
+    let exact = outcome_of(&scene, &fine).solution;
     let places: Vec<DVec3> =
         (0..20).map(|k| DVec3::new(0.3 + 0.02 * f64::from(k), 0.6 - 0.01 * f64::from(k), 0.5)).collect();
     let read = |solution: &Solution| -> Vec<f64> {
@@ -314,7 +313,7 @@ fn what_cannot_be_reached_is_told() {
 #[test]
 fn a_finer_run_that_fails_leaves_the_one_before() {
     // What order 3 needs is enough for order 2, the first, but not for order 4, the second.
-    let scene = radiosity::builtin("empty-box").unwrap();
+    let scene = builtin("empty-box");
     let whole =
         |order| Footprint::of(&scene, &Discretization::uniform(order, 1), Options::default().method).peak();
     let memory = Some(whole(3));
@@ -334,7 +333,7 @@ fn runs_of_equal_size_have_no_rate() {
         + &["0", "1"].map(|z| {
             format!("[[surfaces]]\nmaterial = \"grey\"\norder = 1\nparallelogram = {{ origin = [0,0,{z}], edge1 = [1,0,0], edge2 = [0,1,0] }}\n")
         }).concat();
-    let scene = radiosity::language::from_toml(&text, "test").unwrap();
+    let scene = typed(&text);
     let against = |_: &Solution| 0.1;
     let options = Options { order: 2, ..Options::default() };
     let runs = convergence(&scene, &options, &[], &Reference::Given(&against), &|_| {}).unwrap();

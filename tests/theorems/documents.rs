@@ -34,7 +34,7 @@ const MAPS: [&str; 8] = [
     "docs/theory/animation.md",
     "docs/viewer.md",
 ];
-const PACKAGES: [&str; 5] = [".", "core", "crates/formats", "geom", "solvers"];
+const PACKAGES: [&str; 6] = [".", "core", "crates/formats", "geom", "solvers", "studies"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -44,6 +44,10 @@ fn texts() -> impl Iterator<Item = (&'static str, String)> {
     DOCUMENTS
         .iter()
         .map(|name| (*name, fs::read_to_string(root().join(name)).expect("the document is there")))
+}
+
+fn maps() -> impl Iterator<Item = (&'static str, String)> {
+    MAPS.iter().map(|name| (*name, fs::read_to_string(root().join(name)).expect("the document is there")))
 }
 
 /// Words that follow `flag` in a text.
@@ -75,7 +79,9 @@ fn target(folder: &str, name: &str) -> bool {
 fn commands_run_what_exists() {
     let mut found = 0;
     for (document, text) in texts() {
-        for (flag, folder) in [("--example", "examples"), ("--test", "tests"), ("--bench", "benches")] {
+        let folders =
+            [("--bin", "src/bin"), ("--example", "examples"), ("--test", "tests"), ("--bench", "benches")];
+        for (flag, folder) in folders {
             for name in named(&text, flag) {
                 found += 1;
                 assert!(target(folder, name), "{document}: nothing in {folder} is called '{name}'");
@@ -83,6 +89,29 @@ fn commands_run_what_exists() {
         }
     }
     assert!(found > 10, "the commands were found");
+}
+
+/// Whether there are tests whose names begin so, below `tests/theorems`: a module, or the first words of a function in it.
+fn is_theorem(name: &str) -> bool {
+    let file =
+        |module: &str| root().join("tests/theorems").join(module.replace("::", "/")).with_extension("rs");
+    let in_file = |(module, start): (&str, &str)| {
+        fs::read_to_string(file(module)).is_ok_and(|text| text.contains(&format!("fn {start}")))
+    };
+    file(name.trim_end_matches("::")).exists() || name.rsplit_once("::").is_some_and(in_file)
+}
+
+#[test]
+fn theorems_that_are_named_exist() {
+    let mut found = 0;
+    for (document, text) in texts().chain(maps()) {
+        let commands = text.split("--test theorems").skip(1).filter_map(|rest| rest.split('`').next());
+        for name in commands.filter_map(|rest| rest.split_whitespace().next()) {
+            found += 1;
+            assert!(is_theorem(name), "{document}: no theorem is called '{name}'");
+        }
+    }
+    assert!(found > 10, "{found} theorems were named");
 }
 
 #[test]
@@ -101,8 +130,7 @@ fn links_lead_somewhere() {
 #[test]
 fn places_in_the_sources_are_there() {
     let mut found = 0;
-    for map in MAPS {
-        let text = fs::read_to_string(root().join(map)).expect("the document is there");
+    for (map, text) in maps() {
         let places = text.split('`').skip(1).step_by(2);
         for place in places.filter(|place| place.contains('/') && !place.contains([' ', '*', '…'])) {
             let known = [
@@ -114,6 +142,7 @@ fn places_in_the_sources_are_there() {
                 "solvers/",
                 "tests/",
                 "examples/",
+                "studies/",
                 "benches/",
             ];
             if known.iter().any(|folder| place.starts_with(folder)) {

@@ -2,10 +2,12 @@
 
 use std::f64::consts::PI;
 
-use radiosity::scene::{Fault, Material, Scene, SceneBuilder, SceneError};
+use radiosity::scene::{Fault, Scene, SceneBuilder, SceneError};
 use radiosity::solve::Options;
-use radiosity::solve::solved::Solved;
-use radiosity_geom::{DVec3, shapes::Parallelogram};
+use radiosity_geom::DVec3;
+use radiosity_test_support::scenes::{material, typed};
+use radiosity_test_support::shapes::plate;
+use radiosity_test_support::solved::solved_of;
 
 const MATERIALS: &str =
     "materials.white = { reflectance = 0.5 }\nmaterials.lamp = { reflectance = 0, emission = 3 }\n";
@@ -51,8 +53,8 @@ fn all_light_of_a_solution_is_the_flux_of_its_lamps() {
          [[surfaces]]\nname = \"lamp\"\nmaterial = \"white\"\nflux = 40\ngroup = \"lamps\"\ntwo_sided = true\n\
          triangle = {{ vertices = [[0.5,0.5,1.5],[1.5,0.5,1.5],[0.5,1.5,1.5]] }}\n"
     );
-    let scene = radiosity::language::from_toml(&text, "room.toml").unwrap();
-    let solved = Solved::new(scene, Options { order: 1, eps: 0.1, ..Options::default() }, &|_| {}).unwrap();
+    let scene = typed(&text);
+    let solved = solved_of(scene, Options { order: 1, eps: 0.1, ..Options::default() });
     assert!((solved.outcome.checks.energy_in - 40.0).abs() < 1e-9);
     let dimmed = solved.relight(&[("lamps", 0.25)]).unwrap();
     assert!((power(&dimmed.scene, 0) - 10.0).abs() < 1e-12);
@@ -71,16 +73,16 @@ fn a_flux_may_differ_between_bands() {
 #[test]
 fn another_material_leaves_the_flux() {
     let scene = scene("flux = 6\nparallelogram = { origin = [0,0,0], edge1 = [3,0,0], edge2 = [0,1,0] }");
-    let painted = scene.with_material("white", Material::new(vec![0.8], vec![7.0]).unwrap()).unwrap();
-    assert_eq!(painted.surfaces[0].material, Material::new(vec![0.8], vec![2.0]).unwrap());
+    let painted = scene.with_material("white", material(0.8, 7.0)).unwrap();
+    assert_eq!(painted.surfaces[0].material, material(0.8, 2.0));
 }
 
 #[test]
 fn lamps_made_in_code_have_a_flux_too() {
     let lamp = |flux: Vec<f64>, emission: f64| {
         let mut scene = SceneBuilder::new("desk", ["grey"]);
-        let white = scene.material("white", Material::new(vec![0.5], vec![emission]).unwrap());
-        let square = Parallelogram::new(DVec3::ZERO, DVec3::X, 2.0 * DVec3::Y).unwrap();
+        let white = scene.material("white", material(0.5, emission));
+        let square = plate(DVec3::ZERO, DVec3::X, 2.0 * DVec3::Y);
         scene.surface("lamp", square, &white).flux(flux).two_sided();
         scene.build()
     };
@@ -135,9 +137,9 @@ fn scenes_of_single_numbers_have_one_band() {
     ] {
         let [material, surface] = texts;
         let text = format!("materials.white = {{ {material} }}\n{square}\n{surface}");
-        assert_eq!(radiosity::language::from_toml(&text, "a.toml").unwrap().bands, bands, "{text}");
+        assert_eq!(typed(&text).bands, bands, "{text}");
         let named = format!("bands = [\"u\", \"v\", \"w\"]\n{text}");
-        assert_eq!(radiosity::language::from_toml(&named, "a.toml").unwrap().bands, ["u", "v", "w"]);
+        assert_eq!(typed(&named).bands, ["u", "v", "w"]);
     }
     let list = radiosity::language::from_json("[[[0,0,0],[1,0,0],[0,1,0]]]", "one.json").unwrap();
     assert_eq!(list.bands, ["grey"]);

@@ -6,6 +6,7 @@ use proptest::test_runner::{Config, TestRunner};
 use radiosity::elements::{Discretization, Elements};
 use radiosity::scene::{Scene, Source};
 use radiosity::visibility::inspection::Inspection;
+use radiosity_test_support::scenes::EVERY_SHAPE;
 
 const BUILT_IN: [&str; 5] = ["cornell-box", "empty-box", "furnace-cube", "occluder-box", "hinge-squares"];
 
@@ -160,7 +161,7 @@ fn texts() -> Vec<(String, bool)> {
         serde_json::to_string_pretty(&tree).unwrap()
     };
     let built_in = BUILT_IN.map(|name| radiosity::language::text_of(name, &[]).unwrap().text().to_string());
-    let texts = built_in.into_iter().chain([include_str!("../data/every-shape.toml").to_owned()]);
+    let texts = built_in.into_iter().chain([EVERY_SHAPE.to_owned()]);
     let texts: Vec<String> = texts.collect();
     texts.iter().flat_map(|text| [(text.clone(), false), (json(text), true)]).collect()
 }

@@ -7,49 +7,43 @@ use radiosity::elements::rule::UnitRule;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements};
 use radiosity::geom::DVec3;
-use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Polygon, Sphere};
+use radiosity::geom::shapes::{Polygon, Sphere};
+use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::published::hierarchy::harmonics::{HARMONICS, clamped_cosine, harmonics};
 use radiosity::published::hierarchy::linked_blocks::LinkedBlocks;
 use radiosity::published::hierarchy::two_scale::TwoScale;
 use radiosity::published::hierarchy::{
     BandSystem, Counts, Fields, Hierarchical, HierarchyError, HierarchyOptions, solve_hierarchically,
 };
-use radiosity::scene::{Material, NamedMaterial, Scene, SceneBuilder};
+use radiosity::scene::{NamedMaterial, Scene, SceneBuilder};
 use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
-use radiosity::solve::{Algorithm, Options, Outcome, in_threads, solve};
+use radiosity::solve::{Algorithm, Options, Outcome, in_threads};
 use radiosity::visibility::{Shadows, Visibility};
-use radiosity::{
-    kernel::{Accuracy, Blocks},
-    transport::assemble,
-};
 use radiosity_core::legendre::{Half, two_scale};
+use radiosity_test_support::scenes::grey;
+use radiosity_test_support::scenes::{builtin, material};
+use radiosity_test_support::shapes::faces;
+use radiosity_test_support::shapes::{ball, plate};
+use radiosity_test_support::solved::{blocks_of, outcome_of, solved_of};
 
 fn solved(scene: &Scene, options: &HierarchyOptions) -> Hierarchical {
     solve_hierarchically(scene, options, &|_| {}).expect("the scene can be solved")
 }
 
-fn builtin(name: &str) -> Scene {
-    radiosity::builtin(name).expect("the scene is built in")
-}
-
 /// The six faces of a box between two corners, fronts outside, or inside if the corners are exchanged.
 fn add_box(room: &mut SceneBuilder, name: &str, [low, high]: [DVec3; 2], material: &NamedMaterial) {
-    let edges = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| (high - low).dot(axis) * axis);
-    for k in 0..3 {
-        let [normal, a, b] = [0, 1, 2].map(|step| edges[(k + step) % 3]);
-        for (side, origin, a, b) in [("start", low, b, a), ("end", low + normal, a, b)] {
-            let face = Parallelogram::new(origin, a, b).expect("edges at right angles span it");
-            room.surface(format!("{name}-{k}-{side}"), face, material);
-        }
+    let edges = DVec3::AXES.map(|axis| (low - high).dot(axis) * axis);
+    for (index, face) in faces(high, edges).into_iter().enumerate() {
+        room.surface(format!("{name}-{index}"), face, material);
     }
 }
 
 /// A closed room in which boxes hover; everything reflects one half and emits 1, or only the room does.
 fn hall(boxes: usize, all_emit: bool) -> Scene {
     let mut room = SceneBuilder::new("hall", ["grey"]);
-    let glow = room.material("glow", Material::new(vec![0.5], vec![1.0]).expect("½ is a reflectance"));
-    let dark = Material::new(vec![0.5], vec![0.0]).expect("½ is a reflectance");
+    let glow = room.material("glow", material(0.5, 1.0));
+    let dark = material(0.5, 0.0);
     let dark = room.material("dark", dark);
     add_box(&mut room, "room", [DVec3::splat(boxes as f64), DVec3::ZERO], &glow);
     for k in 0..boxes.pow(3) {
@@ -201,7 +195,7 @@ fn furnace_of_whole_squares_is_two() {
 
 fn by_links(scene: &Scene, eps: f64) -> Outcome {
     let options = Options { algorithm: Algorithm::Hierarchical, eps, ..Options::default() };
-    solve(scene, &options, &|_| {}).expect("the scene can be solved")
+    outcome_of(scene, &options)
 }
 
 /// A run by links has an element on each leaf, and the light of the leaves.
@@ -240,7 +234,7 @@ fn runs_by_links_tell_the_error_of_gathered_light() {
     let rough = Solved::to_accuracy(scene.clone(), &options, &goal, &|_| {}).expect("it can be solved");
     let told = rough.achieved.and_then(|achieved| achieved.estimate).expect("it is told");
     let exact = Options { order: 5, eps: 1e-4, shadow_eps: 1e-3, ..Options::default() };
-    let exact = Solved::new(scene, exact, &|_| {}).expect("it can be solved");
+    let exact = solved_of(scene, exact);
     let (mut missed, mut size) = (0.0, 0.0);
     let elements =
         exact.outcome.solution.elements().list().iter().filter(|element| element.contact.is_none());
@@ -308,8 +302,8 @@ fn clusters_err_less_the_farther_they_are_apart() {
 #[test]
 fn furnace_of_a_hollow_ball_is_nearly_two() {
     let mut room = SceneBuilder::new("ball", ["grey"]);
-    let glow = room.material("glow", Material::new(vec![0.5], vec![1.0]).expect("½ is a reflectance"));
-    let ball = Sphere::new(DVec3::ZERO, 1.0, DVec3::Z, [-1.0, 1.0], FULL_TURN).expect("it is a ball");
+    let glow = room.material("glow", material(0.5, 1.0));
+    let ball = ball(DVec3::ZERO, 1.0);
     room.surface("ball", ball, &glow).flip();
     let scene = room.build().expect("it is hollow");
     for eps in [3.0, 1e-2] {
@@ -321,9 +315,9 @@ fn furnace_of_a_hollow_ball_is_nearly_two() {
 #[test]
 fn furnace_with_a_ball_in_a_box_is_nearly_two() {
     let mut room = SceneBuilder::new("ball in a box", ["grey"]);
-    let glow = room.material("glow", Material::new(vec![0.5], vec![1.0]).expect("½ is a reflectance"));
+    let glow = room.material("glow", material(0.5, 1.0));
     add_box(&mut room, "room", [DVec3::ONE, DVec3::ZERO], &glow);
-    let ball = Sphere::new(DVec3::splat(0.5), 0.3, DVec3::Z, [-0.3, 0.3], FULL_TURN).expect("it is a ball");
+    let ball = ball(DVec3::splat(0.5), 0.3);
     room.surface("ball", ball, &glow);
     let scene = room.build().expect("the ball fits into the box");
     let solved = solved(&scene, &HierarchyOptions { eps: 1e-3, ..HierarchyOptions::default() });
@@ -352,9 +346,9 @@ fn links_grow_like_the_surfaces() {
 fn parallel_squares_exchange_what_the_closed_form_says() {
     let exact = 2.0 / PI * ((4.0f64 / 3.0).sqrt().ln() + 2.0 * 2f64.sqrt() * 0.5f64.sqrt().atan() - 0.5 * PI);
     let mut room = SceneBuilder::new("squares", ["grey"]);
-    let lamp = room.material("lamp", Material::new(vec![0.0], vec![1.0]).expect("0 is a reflectance"));
-    let black = room.material("black", Material::new(vec![0.0], vec![0.0]).expect("0 is a reflectance"));
-    let square = |origin, a, b| Parallelogram::new(origin, a, b).expect("it is a square");
+    let lamp = room.material("lamp", material(0.0, 1.0));
+    let black = room.material("black", material(0.0, 0.0));
+    let square = |origin, a, b| plate(origin, a, b);
     room.surface("lamp", square(DVec3::ZERO, DVec3::X, DVec3::Y), &lamp);
     room.surface("black", square(DVec3::Z, DVec3::Y, DVec3::X), &black);
     let scene = room.build().expect("they keep apart");
@@ -383,7 +377,7 @@ fn gathering_and_conjugate_gradients_agree() {
 fn light_agrees_with_that_of_polynomials() {
     let scene = builtin("cornell-box");
     let options = Options { order: 4, shadow_eps: 1e-3, ..Options::default() };
-    let exact = solve(&scene, &options, &|_| {}).expect("the scene can be solved").solution;
+    let exact = outcome_of(&scene, &options).solution;
     let solved = solved(&scene, &HierarchyOptions { eps: 3e-4, ..HierarchyOptions::default() });
     let means: Vec<f64> = (0..scene.surfaces.len()).map(|k| exact.mean_irradiance(0, k)).collect();
     let largest = means.iter().copied().fold(0.0, f64::max);
@@ -427,8 +421,7 @@ fn cut(scene: &Scene, order: usize, space: Space, parts: usize) -> Elements {
 
 /// One surface of any shape.
 fn single(shape: impl radiosity::geom::Surface + 'static) -> Scene {
-    let mut room = SceneBuilder::new("single", ["grey"]);
-    let grey = room.material("grey", Material::new(vec![0.5], vec![1.0]).expect("½ is a reflectance"));
+    let (mut room, grey) = grey();
     room.surface("single", shape, &grey);
     room.build().expect("it has an area")
 }
@@ -439,7 +432,7 @@ fn parallelograms_have_the_two_scale_matrix_of_legendre_polynomials() {
     const COUNT: usize = 5;
     let halves = [Half::Left, Half::Right].map(two_scale::<COUNT>);
     let side = DVec3::new(0.7, 1.3, 0.2);
-    let shape = Parallelogram::new(DVec3::ZERO, 3.0 * DVec3::X, side).expect("its sides span it");
+    let shape = plate(DVec3::ZERO, 3.0 * DVec3::X, side);
     let scene = single(shape);
     for space in [Space::Total, Space::Tensor] {
         let [coarse, fine] = [1, 2].map(|parts| cut(&scene, COUNT - 1, space, parts));
@@ -526,7 +519,7 @@ fn push_and_pull_keep_polynomials_on_curved_surfaces_and_around_holes() {
 
 fn blocks(scene: &Scene, elements: &Elements, eps: f64) -> Blocks {
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
-    assemble(elements, &Visibility::new(scene, Shadows::Outlines(3e-3)), accuracy, &|_, _| {})
+    blocks_of(elements, &Visibility::new(scene, Shadows::Outlines(3e-3)), accuracy)
 }
 
 #[test]

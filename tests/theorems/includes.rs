@@ -1,12 +1,13 @@
 //! Scenes of several files: what is taken in, from where, once; where faults stand; and that a solution needs no file.
 
-use std::fs;
 use std::path::Path;
 
 use radiosity::output::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Scene, SceneError, Source};
 use radiosity::solve::Options;
-use radiosity::solve::solved::Solved;
+use radiosity_test_support::folders;
+use radiosity_test_support::scenes::parsed;
+use radiosity_test_support::solved::solved_of;
 
 const ROOM: &str = r#"title = "room"
 include = ["parts/lamps.toml"]
@@ -44,13 +45,12 @@ const WHITE: &str = r#"{
 
 /// A folder of the three files, `old` in one of them replaced by `new`.
 fn folder(file: &str, old: &str, new: &str) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    fs::create_dir(folder.path().join("parts")).unwrap();
-    for (name, text) in [("room.toml", ROOM), ("parts/lamps.toml", LAMPS), ("white.toml", WHITE)] {
-        let text = if name == file { replaced(text, old, new) } else { text.to_owned() };
-        fs::write(folder.path().join(name), text).unwrap();
-    }
-    folder
+    let files = [("room.toml", ROOM), ("parts/lamps.toml", LAMPS), ("white.toml", WHITE)];
+    folders::folder(
+        &files.map(|(name, text)| {
+            (name, if name == file { replaced(text, old, new) } else { text.to_owned() })
+        }),
+    )
 }
 
 fn replaced(text: &str, old: &str, new: &str) -> String {
@@ -99,7 +99,7 @@ fn files_that_are_included_twice_count_once() {
 fn a_solution_needs_no_file() {
     let folder = folder("room.toml", "room", "room");
     let scene = load(folder.path()).unwrap().dimmed(&[("lamps", 0.5)]).unwrap();
-    let solved = Solved::new(scene, Options { order: 1, eps: 0.3, ..Options::default() }, &|_| {}).unwrap();
+    let solved = solved_of(scene, Options { order: 1, eps: 0.3, ..Options::default() });
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
     drop(folder);
     let again = read(&Source::new("a.json", &text)).unwrap();
@@ -116,7 +116,7 @@ fn a_text_includes_what_it_is_given_and_no_file() {
     let given = Source::new("a/room.toml", ROOM)
         .including("a/parts/lamps.toml", &format!("\u{feff}{LAMPS}"))
         .including("a/white.toml", WHITE);
-    let scene = radiosity::language::parse(&given).unwrap();
+    let scene = parsed(&given);
     assert_eq!(scene.surfaces.len(), 3);
     let broken = Source::new("a/room.toml", ROOM)
         .including("a/white.toml", WHITE)

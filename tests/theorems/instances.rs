@@ -2,6 +2,7 @@
 
 use radiosity::scene::{Scene, SceneError};
 use radiosity_geom::DVec3;
+use radiosity_test_support::scenes::typed;
 
 /// A table of a top and two legs of one length, which is a part of its own.
 const TABLE: &str = r#"materials.wood = { reflectance = 0.5 }
@@ -107,9 +108,7 @@ fn every_instance_emits_the_flux() {
     for bulb in &scene.surfaces {
         assert!((bulb.exitance(0) * bulb.shape.area() - 10.0).abs() < 1e-12);
     }
-    let banded =
-        radiosity::language::from_toml(&format!("{TABLE}{}", lamp.replace("= 10", "= [1, 2, 3]")), "room")
-            .unwrap();
+    let banded = typed(&format!("{TABLE}{}", lamp.replace("= 10", "= [1, 2, 3]")));
     assert_eq!(banded.bands, ["r", "g", "b"], "lists in parts count as well");
 }
 

@@ -16,16 +16,14 @@ use radiosity::solve::{Algorithm, Transport, in_threads};
 use radiosity::visibility::{Hiding, Visibility};
 use radiosity::work::interruption::{Interrupted, Interruption};
 use radiosity::{Options, Scene, Solution, Solved, ViewFactors, solve, solve::view_factors};
+use radiosity_test_support::scenes::builtin;
+use radiosity_test_support::solved::{outcome_of, solved_of};
 
 /// How long work goes on before it is interrupted: from none of it to well within.
 const BEFORE: [f64; 3] = [0.01, 0.2, 1.0];
 
 /// How soon it has ended (s); the machine may do other things too.
 const SOON: f64 = 5.0;
-
-fn scene(name: &str) -> Scene {
-    radiosity::builtin(name).expect("it is built in")
-}
 
 /// Options of exact transfers.
 fn exact(order: usize, eps: f64) -> Options {
@@ -57,11 +55,11 @@ fn solves(scene: &Scene, options: Options) -> impl Fn() + Sync {
 
 #[test]
 fn solutions_end_soon() {
-    let cornell = scene("cornell-box");
+    let cornell = builtin("cornell-box");
     let dear = Options { subdivide: Some(4), ..exact(8, 1e-6) };
     ends_soon("dear pairs", &solves(&cornell, dear));
     ends_soon("many pairs", &solves(&cornell, Options { subdivide: Some(24), ..exact(0, 1e-4) }));
-    ends_soon("curved pairs", &solves(&scene("teapot"), exact(7, 1e-7)));
+    ends_soon("curved pairs", &solves(&builtin("teapot"), exact(7, 1e-7)));
     let by_rays = Options {
         transport: Transport::Sampled,
         rays: Some(4_000_000_000),
@@ -83,9 +81,9 @@ fn solutions_end_soon() {
 fn transfers_end_soon() {
     let accuracy = Accuracy { eps: 1e-3, shadow_eps: 3e-3 };
     let options = view_factors::Options { subdivide: Some(24), accuracy, shadows: Hiding::Auto, threads: 2 };
-    let cornell = scene("cornell-box");
+    let cornell = builtin("cornell-box");
     ends_soon("view factors", &|| drop(ViewFactors::new(&cornell, &options, &|_, _| {})));
-    let oven = scene("oven");
+    let oven = builtin("oven");
     let wanted =
         HeatOptions { options: Options { subdivide: Some(12), ..exact(7, 1e-6) }, conductances: true };
     ends_soon("heat", &|| drop(Heat::of(&oven, &wanted, &|_| {})));
@@ -94,12 +92,12 @@ fn transfers_end_soon() {
 /// A solution of the Cornell box in a moment.
 fn quick() -> Solution {
     let options = Options { order: 2, threads: 2, ..Options::default() };
-    solve(&scene("cornell-box"), &options, &|_| {}).expect("a solution").solution
+    outcome_of(&builtin("cornell-box"), &options).solution
 }
 
 #[test]
 fn pictures_end_soon() {
-    let (scene, solution) = (scene("cornell-box"), quick());
+    let (scene, solution) = (builtin("cornell-box"), quick());
     let visibility = Visibility::new(&scene, (&Options::default()).into());
     let camera = scene.camera.expect("it has one");
     let large = Camera { width: 4000, height: 4000, ..camera };
@@ -118,7 +116,7 @@ fn what_is_done_after_an_interruption_finds_the_same_bits() {
     };
     let before = coefficients(&quick());
     // Tables that are kept between runs are made in the work that is interrupted.
-    let cornell = scene("cornell-box");
+    let cornell = builtin("cornell-box");
     ends_soon("dear pairs", &solves(&cornell, Options { subdivide: Some(3), ..exact(9, 1e-6) }));
     assert_eq!(coefficients(&quick()), before);
     let solved = Solved::new(cornell, Options { order: 2, threads: 2, ..Options::default() }, &|_| {});
@@ -127,14 +125,14 @@ fn what_is_done_after_an_interruption_finds_the_same_bits() {
     let interruption = Interruption::new();
     interruption.raise();
     assert!(matches!(interruption.within(read), Err(Interrupted)));
-    let again = Solved::new(scene("cornell-box"), solved.options, &|_| {}).expect("a solution");
+    let again = solved_of(builtin("cornell-box"), solved.options);
     let place = [DVec3::splat(100.0), DVec3::Y];
     assert_eq!(read().expect("a thread"), again.irradiance_at(place[0], place[1]));
 }
 
 #[test]
 fn a_frame_that_was_interrupted_leaves_nothing_to_the_next() {
-    let sliding = scene("sliding-light");
+    let sliding = builtin("sliding-light");
     let options = Options { subdivide: Some(1), ..exact(1, 1e-6) };
     let light = |sequence: &mut Sequence<'_>, moment: f64| {
         let frame = sequence.at(moment, &|_| {}).expect("a frame");
@@ -156,7 +154,7 @@ fn a_frame_that_was_interrupted_leaves_nothing_to_the_next() {
 
 #[test]
 fn segments_of_a_path_are_those_of_one_that_was_not_interrupted() {
-    let sliding = scene("sliding-light");
+    let sliding = builtin("sliding-light");
     let options = Options { subdivide: Some(1), ..exact(1, 1e-4) };
     let ends = [0, sliding.frames() - 1];
     let course = || Follower::new(&sliding, &options, Way::Path { tolerance: 1e-2 }, ends);

@@ -173,7 +173,9 @@ fn sources() -> Vec<PathBuf> {
     let mut folders: Vec<PathBuf> =
         crates.map(|entry| entry.expect("a crate can be listed").path()).collect();
     folders.sort();
-    folders.extend(["", "core", "geom", "solvers"].map(|package| root.join(package)));
+    folders.extend(
+        ["", "core", "geom", "solvers", "studies", "tests/support"].map(|package| root.join(package)),
+    );
     folders.into_iter().map(|folder| folder.join("src")).collect()
 }
 

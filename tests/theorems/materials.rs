@@ -3,21 +3,19 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use radiosity::geom::DVec3;
-use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
+use radiosity::geom::shapes::Parallelogram;
 use radiosity::scene::{Material, Pattern, Placement, Polynomial, Scene, SceneBuilder, SurfaceDraft, Term};
 use radiosity::solve::solution::Place;
-use radiosity::solve::{Options, Outcome, solve};
+use radiosity::solve::{Options, Outcome};
+use radiosity_test_support::scenes::{material, typed};
+use radiosity_test_support::shapes::faces;
+use radiosity_test_support::shapes::{ball, plate};
+use radiosity_test_support::solved::outcome_of;
 
 /// The unit cube, its front inward, whose walls are made by `paint`.
 fn cube(builder: &mut SceneBuilder, mut paint: impl FnMut(usize) -> Material) {
-    let corner = |axis: usize, far: bool| {
-        let [x, y, z] = [axis, (axis + 1) % 3, (axis + 2) % 3].map(|k| DVec3::AXES[k]);
-        if far { (x, z, y) } else { (DVec3::ZERO, y, z) }
-    };
-    for wall in 0..6 {
+    for (wall, shape) in faces(DVec3::ZERO, DVec3::AXES).into_iter().enumerate() {
         let material = builder.material(format!("paint {wall}"), paint(wall));
-        let (origin, first, second) = corner(wall / 2, wall % 2 == 1);
-        let shape = Parallelogram::new(origin, first, second).expect("a square");
         builder.surface(format!("wall {wall}"), shape, &material);
     }
 }
@@ -30,10 +28,6 @@ fn patterned(reflectance: Pattern, emission: Pattern) -> Material {
 
 fn exact() -> Options {
     Options { order: 4, tolerance: 1e-14, eps: 1e-13, shadow_eps: 1e-8, ..Options::default() }
-}
-
-fn solved(scene: &Scene, options: &Options) -> Outcome {
-    solve(scene, options, &|_| {}).expect("a solution")
 }
 
 /// Largest |E − 1| over coefficients, against those of the constant 1.
@@ -63,7 +57,7 @@ proptest! {
             let grid = |values| Pattern::texels(columns, vec![values], Placement::default()).expect("a grid");
             patterned(grid(texels[wall].clone()), grid(rest(&texels[wall])))
         });
-        let outcome = solved(&builder.build().expect("a scene"), &exact());
+        let outcome = outcome_of(&builder.build().expect("a scene"), &exact());
         prop_assert!(off_one(&outcome) < 1e-12, "{}", off_one(&outcome));
     }
 
@@ -82,7 +76,7 @@ proptest! {
         cube(&mut builder, |wall| {
             patterned(polynomial(0.5, 1.0, &terms[wall]), polynomial(0.5, -1.0, &terms[wall]))
         });
-        let outcome = solved(&builder.build().expect("a scene"), &exact());
+        let outcome = outcome_of(&builder.build().expect("a scene"), &exact());
         prop_assert!(off_one(&outcome) < 1e-12, "{}", off_one(&outcome));
     }
 
@@ -93,14 +87,14 @@ proptest! {
     ) {
         let (reflectance, transmittance) = (share * all, (1.0 - share) * all);
         let mut builder = SceneBuilder::new("furnace", ["grey"]);
-        cube(&mut builder, |_| Material::new(vec![wall], vec![1.0 - wall]).expect("it is in range"));
-        let sheet = Material::new(vec![reflectance], vec![1.0 - all]).expect("it is in range");
+        cube(&mut builder, |_| material(wall, 1.0 - wall));
+        let sheet = material(reflectance, 1.0 - all);
         let sheet = sheet.with_transmittance(vec![transmittance]).expect("it is in range");
         let sheet = builder.material("sheet", sheet);
         let shape = Parallelogram::new(DVec3::new(0.2, 0.3, 0.5), DVec3::X * 0.5, DVec3::Y * 0.4);
         let _: &mut SurfaceDraft =
             builder.surface("sheet", shape.expect("a square"), &sheet).two_sided().subdivide(split, 1);
-        let outcome = solved(&builder.build().expect("a scene"), &Options { order: 2, ..exact() });
+        let outcome = outcome_of(&builder.build().expect("a scene"), &Options { order: 2, ..exact() });
         prop_assert!(off_one(&outcome) < 1e-7, "{}", off_one(&outcome));
     }
 }
@@ -125,8 +119,8 @@ name = "block"
 material = "wall"
 box = { origin = [0.2, 0.2, 0.5], size = [0.3, 0.6, 0.2] }
 "#;
-    let scene = radiosity::language::from_toml(room, "room.toml").unwrap_or_else(|error| panic!("{error}"));
-    let outcome = solved(&scene, &Options { order: 2, ..exact() });
+    let scene = typed(room);
+    let outcome = outcome_of(&scene, &Options { order: 2, ..exact() });
     let (solution, ones) = (&outcome.solution, outcome.solution.elements().constant());
     let light = &solution.bands()[0].coefficients.irradiance;
     // What touches a body below it receives nothing, or all from it.
@@ -151,9 +145,8 @@ fn a_shade_between_spheres_is_as_its_closed_form() {
     let (a, b, c) = (0.3f64, 0.6f64, 1.0f64);
     let (core, shade, outer) = ((0.4, 1.0), (0.3, 0.55), 0.6);
     let mut builder = SceneBuilder::new("shade", ["grey"]);
-    let paint = |rho: f64, exitance: f64| Material::new(vec![rho], vec![exitance]).expect("it is in range");
-    let ball =
-        |radius| Sphere::new(DVec3::ZERO, radius, DVec3::Z, [-radius, radius], FULL_TURN).expect("a ball");
+    let paint = |rho: f64, exitance: f64| material(rho, exitance);
+    let ball = |radius| ball(DVec3::ZERO, radius);
     let material = builder.material("core", paint(core.0, core.1));
     builder.surface("core", ball(a), &material);
     let sheet = paint(shade.0, 0.0).with_transmittance(vec![shade.1]).expect("it is in range");
@@ -162,7 +155,7 @@ fn a_shade_between_spheres_is_as_its_closed_form() {
     let material = builder.material("outer", paint(outer, 0.0));
     builder.surface("outer", ball(c), &material).flip();
     let scene = builder.build().expect("a scene");
-    let outcome = solved(&scene, &Options { order: 1, eps: 1e-4, shadow_eps: 1e-4, ..exact() });
+    let outcome = outcome_of(&scene, &Options { order: 1, eps: 1e-4, shadow_eps: 1e-4, ..exact() });
     // Irradiances: on the core, on the inner side of the shade, on its outer side, on the outer sphere.
     let (ab, bc) = ((a / b).powi(2), (b / c).powi(2));
     let (mut e, mut last) = ([0.0f64; 4], [1.0f64; 4]);
@@ -198,9 +191,9 @@ fn a_chessboard_floor_lights_a_room_as_its_squares_do() {
     let field = |k: usize| if (k % 8 + k / 8).is_multiple_of(2) { 0.85 } else { 0.05 };
     let room = |fields: bool| {
         let mut builder = SceneBuilder::new("room", ["grey"]);
-        let white = builder.material("white", Material::new(vec![0.6], vec![0.0]).expect("in range"));
-        let lamp = builder.material("lamp", Material::new(vec![0.2], vec![10.0]).expect("in range"));
-        let quad = |o: [f64; 3], a: DVec3, b: DVec3| Parallelogram::new(o.into(), a, b).expect("a square");
+        let white = builder.material("white", material(0.6, 0.0));
+        let lamp = builder.material("lamp", material(0.2, 10.0));
+        let quad = |o: [f64; 3], a: DVec3, b: DVec3| plate(o.into(), a, b);
         let [x, y, z] = DVec3::AXES;
         builder.surface("x0", quad([0.0; 3], y, z), &white);
         builder.surface("x1", quad([1.0, 0.0, 0.0], z, y), &white);
@@ -209,7 +202,7 @@ fn a_chessboard_floor_lights_a_room_as_its_squares_do() {
         builder.surface("ceiling", quad([0.0, 0.0, 1.0], y, x), &lamp);
         if fields {
             for k in 0..64 {
-                let own = Material::new(vec![field(k)], vec![0.0]).expect("in range");
+                let own = material(field(k), 0.0);
                 let own = builder.material(format!("field {k}"), own);
                 let [i, j] = [k % 8, k / 8].map(|k| k as f64 / 8.0);
                 builder.surface(format!("field {k}"), quad([i, j, 0.0], x / 8.0, y / 8.0), &own).order(1);
@@ -224,7 +217,7 @@ fn a_chessboard_floor_lights_a_room_as_its_squares_do() {
         builder.build().expect("a scene")
     };
     let options = Options { order: 3, ..exact() };
-    let [pattern, squares] = [false, true].map(|fields| (room(fields), solved(&room(fields), &options)));
+    let [pattern, squares] = [false, true].map(|fields| (room(fields), outcome_of(&room(fields), &options)));
     let (one, many) = (pattern.1.solution.elements(), squares.1.solution.elements());
     let floor = |outcome: &Outcome, scene: &Scene, name: &str| {
         outcome.solution.mean_irradiance(0, scene.surface_named(name).expect("it has that name"))
@@ -256,7 +249,7 @@ fn another_pattern_needs_no_new_blocks() {
         after = after.with_material(&format!("paint {wall}"), paint).expect("it has that material");
     }
     let repainted = model.solve(&after, &|_| {}).expect("a solution");
-    let anew = solved(&scene([0.9, 0.1, 0.3, 0.6]), &exact());
+    let anew = outcome_of(&scene([0.9, 0.1, 0.3, 0.6]), &exact());
     let light = |outcome: &Outcome| outcome.solution.bands()[0].coefficients.irradiance.clone();
     for (a, b) in light(&repainted).iter().zip(light(&anew)) {
         assert!((a - b).abs() < 1e-12, "{a} {b}");
@@ -296,8 +289,8 @@ position = [0, 0, 0.05]
 flux = 1000
 point = {}
 "#;
-    let scene = radiosity::language::from_toml(shade, "shade.toml").unwrap_or_else(|error| panic!("{error}"));
-    let outcome = solved(&scene, &Options { order: 4, ..Options::default() });
+    let scene = typed(shade);
+    let outcome = outcome_of(&scene, &Options { order: 4, ..Options::default() });
     let walls = scene.surfaces.iter().enumerate().filter(|(_, own)| own.name.starts_with("room"));
     let arrives: f64 =
         walls.map(|(index, wall)| outcome.solution.mean_irradiance(0, index) * wall.shape.area()).sum();

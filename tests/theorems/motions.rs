@@ -2,13 +2,14 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
-use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
 use radiosity::scene::{
-    Clock, Curve, Material, MoverDraft, Notation, Pose, RigidPath, Scene, SceneBuilder, SceneError,
-    SceneSurface, Source, Track, Turn,
+    Clock, Curve, MoverDraft, Notation, Pose, RigidPath, Scene, SceneBuilder, SceneError, SceneSurface,
+    Source, Track, Turn,
 };
 use radiosity::visibility::inspection::Inspection;
 use radiosity_geom::DVec3;
+use radiosity_test_support::scenes::{builtin, material, parsed, typed};
+use radiosity_test_support::shapes::{ball, plate};
 
 /// A room with a lamp of two sides, a lamp post in an array, a luminaire and a camera.
 const ROOM: &str = r#"
@@ -157,7 +158,7 @@ fn turns_about_several_axes_meet_their_keys_and_go_the_shorter_way() {
 fn frames_in_a_second_scale_times_but_not_paths() {
     let motion = |rest: &str| {
         let text = format!("fps = 5\nframes = 11\n{ROOM}[[motion]]\nsurfaces = [\"lamp\"]\n{rest}");
-        radiosity::language::from_toml(&text, "room.toml").unwrap().animation.unwrap()
+        typed(&text).animation.unwrap()
     };
     let by = |animation: &radiosity::scene::Animation, moment: f64| {
         animation.poses(moment).unwrap()[0].point(DVec3::ZERO).x
@@ -234,7 +235,7 @@ fn scenes_far_from_the_origin_turn_about_the_same_point() {
             at.y + 0.5
         )
     };
-    let [near, far] = [DVec3::ZERO, far].map(|at| radiosity::language::from_toml(&text(at), "far").unwrap());
+    let [near, far] = [DVec3::ZERO, far].map(|at| typed(&text(at)));
     assert!(far.middle != DVec3::ZERO);
     for frame in 0..5 {
         let [near, far] = [&near, &far].map(|scene| {
@@ -256,9 +257,9 @@ fn scenes_made_in_code_move_as_those_of_files() {
     };
     let build = |mover: Option<MoverDraft>| {
         let mut room = SceneBuilder::new("room", ["grey"]);
-        let white = room.material("white", Material::new(vec![0.5], vec![1.0]).unwrap());
-        room.surface("floor", Parallelogram::new(DVec3::ZERO, DVec3::X, DVec3::Y).unwrap(), &white);
-        let ball = Sphere::new(DVec3::Z, 0.25, DVec3::Z, [-0.25, 0.25], FULL_TURN).unwrap();
+        let white = room.material("white", material(0.5, 1.0));
+        room.surface("floor", plate(DVec3::ZERO, DVec3::X, DVec3::Y), &white);
+        let ball = ball(DVec3::Z, 0.25);
         room.surface("ball", ball, &white);
         room.clock(Clock::new(11, 1.0).unwrap());
         mover.into_iter().for_each(|mover| {
@@ -267,15 +268,13 @@ fn scenes_made_in_code_move_as_those_of_files() {
         room.build()
     };
     let made = build(Some(MoverDraft::new("ball", path()).surface("ball"))).unwrap();
-    let typed = radiosity::language::from_toml(
+    let typed = typed(
         "frames = 11\nmaterials.white = { reflectance = 0.5, emission = 1 }\n\
          [[surfaces]]\nname = \"floor\"\nmaterial = \"white\"\nparallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [0,1,0] }\n\
          [[surfaces]]\nname = \"ball\"\nmaterial = \"white\"\nsphere = { center = [0, 0, 1], radius = 0.25 }\n\
          [[motion]]\nsurfaces = [\"ball\"]\nrotate = { center = [1, 1, 1], axis = [0, 0, 1], angles = [0, 40] }\n\
          translate = { points = [[0, 0, 0], [0.3, 0, 0.1], [0.1, 0.2, 0]], curve = \"spline\" }\n",
-        "room.toml",
-    )
-    .unwrap();
+    );
     for frame in 0..11 {
         let [made, typed] = [&made, &typed].map(|scene| bits(&scene.at_frame(frame).unwrap().surfaces[1]));
         assert_eq!(made, typed);
@@ -292,7 +291,7 @@ fn a_source_is_read_as_the_still_scene_of_its_moment() {
     let still = scene.at_moment(3.25).unwrap();
     let source = still.source.clone().unwrap();
     assert_eq!(source.moment, Some(3.25));
-    let again = radiosity::language::parse(&source).unwrap();
+    let again = parsed(&source);
     for (one, other) in still.surfaces.iter().zip(&again.surfaces) {
         assert_eq!(bits(one), bits(other));
     }
@@ -412,13 +411,11 @@ fn frames_that_are_not_there_are_refused() {
 
 #[test]
 fn a_surface_that_moves_into_the_place_of_another_is_refused_with_the_frame() {
-    let scene = radiosity::language::from_toml(
+    let scene = typed(
         "frames = 3\n[[surfaces]]\nname = \"a\"\nsphere = { center = [0, 0, 0], radius = 1 }\n\
          [[surfaces]]\nname = \"b\"\nsphere = { center = [4, 0, 0], radius = 1 }\n\
          [[motion]]\nsurfaces = [\"b\"]\ntranslate = { points = [[0, 0, 0], [-4, 0, 0]] }\n",
-        "balls.toml",
-    )
-    .unwrap();
+    );
     assert!(scene.at_frame(1).is_ok());
     let error = scene.at_frame(2).unwrap_err();
     assert!(
@@ -444,16 +441,12 @@ fn a_surface_that_is_lost_in_rounding_is_refused() {
 
 /// A box over a floor, at rest at a height, that moves along points; in each frame the gap below it, and what lies on what.
 fn box_over_floor(height: f64, points: &str) -> Vec<(f64, String)> {
-    let scene = radiosity::language::from_toml(
-        &format!(
-            "frames = 5\n[[surfaces]]\nname = \"floor\"\n\
+    let scene = typed(&format!(
+        "frames = 5\n[[surfaces]]\nname = \"floor\"\n\
              parallelogram = {{ origin = [-2,-2,0], edge1 = [4,0,0], edge2 = [0,4,0] }}\n\
              [[surfaces]]\nname = \"box\"\nbox = {{ origin = [0,0,{height}], size = [1,1,1] }}\n\
              [[motion]]\nsurfaces = [\"box\"]\ntranslate = {{ points = {points} }}\n"
-        ),
-        "box.toml",
-    )
-    .unwrap();
+    ));
     let frame = |frame: usize| {
         let still = scene.at_frame(frame).unwrap();
         let bottom = &still.surfaces[still.surface_named("box-bottom").unwrap()].shape;
@@ -487,15 +480,13 @@ fn sheets_that_come_into_one_plane_are_set_apart_and_what_stands_still_stays() {
 
 #[test]
 fn what_passes_through_another_is_told_with_its_frames() {
-    let scene = radiosity::language::from_toml(
+    let scene = typed(
         "frames = 21\n[[surfaces]]\nname = \"wall\"\nparallelogram = { origin = [0,-2,-2], edge1 = [0,4,0], edge2 = [0,0,4] }\n\
          [[surfaces]]\nname = \"ball\"\nsphere = { center = [-2, 0, 0], radius = 0.5 }\n\
          [[surfaces]]\nname = \"moon\"\nsphere = { center = [-2, 0, 1], radius = 0.1 }\n\
          [[motion]]\nsurfaces = [\"ball\"]\ntranslate = { points = [[0,0,0], [4,0,0]] }\n\
          [[motion]]\nsurfaces = [\"moon\"]\nrotate = { center = [-2, 0, 0], axis = [1, 0, 0], angles = [0, 90] }\n",
-        "pass.toml",
-    )
-    .unwrap();
+    );
     let found = Inspection::of(&scene);
     // The ball reaches the wall, in steps of 0.2, at 1.5, and leaves it at 2.5.
     let told: Vec<(&str, Option<&str>, &[usize])> = found
@@ -515,14 +506,12 @@ fn what_passes_through_another_is_told_with_its_frames() {
 /// reflects a fifth.
 #[test]
 fn an_opening_that_turns_sees_the_sky_from_where_it_is() {
-    let scene = radiosity::language::from_toml(
+    let scene = typed(
         "frames = 2\nmaterials.glass = { reflectance = 0 }\nsky = { model = \"uniform\", illuminance = 100 }\n\
          [[surfaces]]\nname = \"skylight\"\nmaterial = \"glass\"\nopening = true\n\
          parallelogram = { origin = [0,0,3], edge1 = [0,1,0], edge2 = [1,0,0] }\n\
          [[motion]]\nsurfaces = [\"skylight\"]\nrotate = { center = [0,0,3], axis = [0,1,0], angles = [0, 90] }\n",
-        "sky.toml",
-    )
-    .unwrap();
+    );
     let exitance = |frame: usize| scene.at_frame(frame).unwrap().surfaces[0].material.emission[0];
     assert!((exitance(0) - 100.0).abs() < 1e-6, "{}", exitance(0));
     assert!((exitance(1) - 60.0).abs() < 1e-3, "{}", exitance(1));
@@ -534,8 +523,7 @@ fn motions_of_an_included_file_belong_to_the_scene_and_json_says_the_same() {
     let lamp = format!("{ROOM}[[motion]]\nsurfaces = [\"lamp\"]\n{path}\n");
     let whole =
         format!("frames = 11\ninclude = \"lamp.toml\"\n[[motion]]\nluminaires = [\"bulb\"]\n{path}\n");
-    let scene =
-        radiosity::language::parse(&Source::new("room.toml", &whole).including("lamp.toml", &lamp)).unwrap();
+    let scene = parsed(&Source::new("room.toml", &whole).including("lamp.toml", &lamp));
     let movers = scene.animation.as_ref().unwrap().movers.iter();
     let told: Vec<(usize, usize)> =
         movers.map(|mover| (mover.surfaces.len(), mover.luminaires.len())).collect();
@@ -551,7 +539,7 @@ fn motions_of_an_included_file_belong_to_the_scene_and_json_says_the_same() {
 #[test]
 fn built_in_scenes_that_move_look_right_in_every_frame() {
     let moving: Vec<Scene> = radiosity::language::builtin_names()
-        .map(|name| radiosity::builtin(name).unwrap())
+        .map(|name| builtin(name))
         .filter(|scene| scene.frames() > 0)
         .collect();
     let names: Vec<&str> = moving.iter().map(|scene| scene.name.as_str()).collect();

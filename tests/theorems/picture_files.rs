@@ -1,30 +1,24 @@
 //! Pictures of materials: how they lie on surfaces, what is refused, that a solution and printed scenes keep them, and the example.
 
-use std::fs::{self, File};
+use std::fs::{self};
 use std::path::Path;
 
 use proptest::prelude::*;
 use radiosity::output::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Notation, Scene, SceneError, Source};
 use radiosity::solve::Options;
-use radiosity::solve::solved::Solved;
+use radiosity_test_support::folders::{self, png};
+use radiosity_test_support::grain;
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::solved_of;
 
 use crate::textures::{CORNERS, reflectance, room};
 
-/// Writes an 8-bit PNG.
-fn write_png(path: &Path, [width, height]: [u32; 2], colour: png::ColorType, bytes: &[u8]) {
-    let mut encoder = png::Encoder::new(File::create(path).unwrap(), width, height);
-    encoder.set_color(colour);
-    encoder.write_header().and_then(|mut writer| writer.write_image_data(bytes)).unwrap();
-}
-
 /// A folder with the scene `room.toml` and the picture `wood.png`, by rows from the top red, green | blue, white.
 fn folder(text: &str) -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("room.toml"), text).unwrap();
     let colours = [200, 0, 0, 0, 200, 0, 0, 0, 200, 100, 100, 100];
-    write_png(&folder.path().join("wood.png"), [2, 2], png::ColorType::Rgb, &colours);
-    folder
+    let wood = png([2, 2], png::ColorType::Rgb, &colours);
+    folders::folder(&[("room.toml", text.as_bytes()), ("wood.png", &wood)])
 }
 
 fn load(folder: &Path) -> Result<Scene, SceneError> {
@@ -71,7 +65,7 @@ fn grey_pictures_fit_any_bands_and_are_coloured_by_factors() {
     let text = room(r#"reflectance = { image = "grey.png", encoding = "linear", factor = [0.5, 0.25] }"#);
     let folder =
         folder(&format!("bands = [\"a\", \"b\"]\n{text}").replace("emission = 10", "emission = [1, 2]"));
-    write_png(&folder.path().join("grey.png"), [1, 1], png::ColorType::Grayscale, &[51]);
+    fs::write(folder.path().join("grey.png"), png([1, 1], png::ColorType::Grayscale, &[51])).unwrap();
     let scene = load(folder.path()).unwrap();
     let pattern = reflectance(&scene);
     assert_eq!([0, 1].map(|band| pattern.at(band, [0.0; 2])), [0.1, 0.05]);
@@ -108,7 +102,7 @@ fn pictures_that_cannot_be_read_are_named_with_their_place() {
     }
     // White is too bright for a reflectance.
     let folder = folder(&room("reflectance = { image = \"wood.png\" }"));
-    write_png(&folder.path().join("wood.png"), [1, 1], png::ColorType::Grayscale, &[255]);
+    fs::write(folder.path().join("wood.png"), png([1, 1], png::ColorType::Grayscale, &[255])).unwrap();
     let error = load(folder.path()).expect_err("a reflectance of 1");
     assert!(error.to_string().contains("the reflectance is 1 in the texel of column 1, row 1"), "{error}");
     assert!(error.cure().is_some_and(|cure| cure.contains("factor = 0.90")));
@@ -129,7 +123,8 @@ fn large_pictures_are_averaged_and_told() {
     let folder = folder(&room("reflectance = { image = \"wood.png\", encoding = \"linear\", factor = 0.5 }"));
     let [width, height] = [4096, 2048];
     let bytes: Vec<u8> = (0..width * height).map(|index| if index % 2 == 0 { 255 } else { 0 }).collect();
-    write_png(&folder.path().join("wood.png"), [width, height], png::ColorType::Grayscale, &bytes);
+    fs::write(folder.path().join("wood.png"), png([width, height], png::ColorType::Grayscale, &bytes))
+        .unwrap();
     let scene = load(folder.path()).unwrap();
     let pattern = reflectance(&scene);
     assert_eq!(pattern.grid(), Some([2048, 1024]));
@@ -145,7 +140,7 @@ emission = { polynomial = [[0, 0, 1], [2, 1, 0.3]] }"#;
 fn a_solution_needs_no_picture() {
     let folder = folder(&room(VARIED));
     let scene = load(folder.path()).unwrap();
-    let solved = Solved::new(scene.clone(), Options { threads: 1, ..Options::default() }, &|_| {}).unwrap();
+    let solved = solved_of(scene.clone(), Options { threads: 1, ..Options::default() });
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
     folder.close().unwrap();
     let reread = read(&Source::new("room.json", &text)).unwrap();
@@ -180,7 +175,7 @@ fn other_programs_get_means_and_are_told() {
     let text = room("reflectance = { cells = [[0.2, 0.4]] }\ntransmittance = 0.1")
         .replace("name = \"floor\"", "name = \"floor\"\ntwo_sided = true\nback_material = \"other\"");
     let text = format!("{text}\n[materials.other]\nreflectance = 0.3\ntransmittance = 0.1\n");
-    let model = radiosity::language::model(&radiosity::language::from_toml(&text, "room").unwrap()).unwrap();
+    let model = radiosity::language::model(&typed(&text)).unwrap();
     let floor = model.materials.iter().find(|own| own.name == "floor").expect("it is there");
     assert!((floor.reflectance[0] - 0.3).abs() < 1e-15);
     let notes: Vec<&str> = model.notes.iter().map(|note| note.text.as_str()).collect();
@@ -210,9 +205,6 @@ proptest! {
         }
     }
 }
-
-#[path = "../../examples/wood/grain.rs"]
-mod grain;
 
 #[test]
 fn the_example_shows_what_its_picture_is_made_of() {

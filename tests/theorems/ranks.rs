@@ -15,6 +15,8 @@ use radiosity::work::ranks::journal::{Begin, fingerprint};
 use radiosity::work::ranks::threads::on_ranks;
 use radiosity::work::ranks::{Traffic, current};
 use radiosity::{Options, Solved, ViewFactors};
+use radiosity_test_support::scenes::{builtin, builtin_with, typed};
+use radiosity_test_support::solved::solved_of;
 
 /// Two threads, so that ranks have some.
 fn options() -> Options {
@@ -53,8 +55,8 @@ fn same_on_ranks(what: impl Fn() -> String + Sync) {
 }
 
 fn solved(name: &str, settings: &[(&str, f64)], options: Options) -> Solved {
-    let scene = radiosity::language::builtin_with(name, settings).expect("it is built in");
-    Solved::new(scene, options, &|_| {}).expect("a solution")
+    let scene = builtin_with(name, settings);
+    solved_of(scene, options)
 }
 
 #[test]
@@ -86,7 +88,7 @@ fn solvers_that_need_entries_and_solvers_that_multiply() {
 #[test]
 fn light_of_a_wanted_accuracy() {
     same_on_ranks(|| {
-        let scene = radiosity::builtin("empty-box").expect("it is built in");
+        let scene = builtin("empty-box");
         let points = vec![[DVec3::new(0.5, 0.5, 0.2), DVec3::Z]];
         let goal = Goal::at(1e-2, points);
         let solved = Solved::to_accuracy(scene, &options(), &goal, &|_| {}).expect("a solution");
@@ -103,7 +105,7 @@ fn links() {
 #[test]
 fn view_factors_and_heat() {
     same_on_ranks(|| {
-        let scene = radiosity::builtin("two-boxes").expect("it is built in");
+        let scene = builtin("two-boxes");
         let accuracy = Accuracy { eps: 1e-4, shadow_eps: 1e-2 };
         let options =
             view_factors::Options { subdivide: Some(2), accuracy, shadows: Hiding::Auto, threads: 2 };
@@ -127,7 +129,7 @@ fn frames(mut sequence: Sequence<'_>) -> String {
 
 #[test]
 fn frames_of_what_moves() {
-    let scene = radiosity::builtin("sliding-light").expect("it is built in");
+    let scene = builtin("sliding-light");
     for shadows in [Hiding::Off, Options::default().shadows] {
         let exact = Options {
             transport: Transport::Exact,
@@ -159,11 +161,11 @@ surfaces = [
 
 #[test]
 fn all_work_is_counted_once() {
-    let scene = radiosity::language::from_toml(UNEQUAL, "unequal").expect("it is valid");
+    let scene = typed(UNEQUAL);
     for transport in [Transport::Exact, Transport::Sampled] {
         let options = Options { transport, rays: Some(50_000), order: 1, subdivide: Some(1), ..options() };
         let found = on_ranks(3, || {
-            let solved = Solved::new(scene.clone(), options, &|_| {}).expect("a solution");
+            let solved = solved_of(scene.clone(), options);
             (current().traffic(), solved.outcome)
         });
         let outcome = &found[0].1;
@@ -213,7 +215,7 @@ fn a_run_goes_on_from_its_journal() {
 /// How a run to a wanted accuracy ends, and what it took from its journal.
 fn to_accuracy(folder: &Path, begin: Begin, deadline: Option<Instant>) -> (String, Checkpoint) {
     current().recording(folder, 1, begin).expect("a folder").within(|| {
-        let scene = radiosity::builtin("two-boxes").expect("it is built in");
+        let scene = builtin("two-boxes");
         let goal = Goal::new(3e-2, Aim::Gathered);
         let options = Options { deadline, ..options() };
         let solved = Solved::to_accuracy(scene, &options, &goal, &|_| {}).expect("a solution");
@@ -242,9 +244,7 @@ fn runs_are_told_apart_by_their_scenes() {
     for (name, parameter, values) in
         [("parallel-squares", "distance", [0.5, 0.6]), ("temple", "bays", [3.0, 4.0])]
     {
-        let scene = |value: f64| {
-            radiosity::language::builtin_with(name, &[(parameter, value)]).expect("it is built in")
-        };
+        let scene = |value: f64| builtin_with(name, &[(parameter, value)]);
         let [one, again, other] =
             [values[0], values[0], values[1]].map(|value| fingerprint(&(scene(value), 1)));
         assert_eq!(one, again, "{name}");

@@ -3,9 +3,9 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
 
 use radiosity::scene::{Fault, Scene, SceneError};
+use radiosity_test_support::data;
 
 /// Reads a text that messages call by a name.
 type Reader = fn(&str, &str) -> Result<Scene, SceneError>;
@@ -40,8 +40,7 @@ const TABLES: [(&str, &str); 15] = [
 ];
 
 fn document() -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/scene.md");
-    fs::read_to_string(path).expect("the document is there")
+    data::text("docs/scene.md")
 }
 
 /// The fenced blocks of a language.

@@ -1,11 +1,10 @@
 //! The JSON schema of the scene format: it takes whatever is a scene, tells of every key, and refuses what is wrong.
 
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
 
 use jsonschema::Validator;
 use radiosity::{language::schema, scene::Fault};
+use radiosity_test_support::data;
 use serde_json::{Value, json};
 
 fn validator() -> Validator {
@@ -19,8 +18,7 @@ fn of_toml(text: &str) -> Value {
 
 /// The scenes of the document, in TOML, as files of a scene of several, and in JSON.
 fn documented() -> Vec<Value> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/scene.md");
-    let text = fs::read_to_string(path).expect("the document is there");
+    let text = data::text("docs/scene.md");
     let blocks = text.split("```").skip(1).step_by(2);
     let scene = |block: &str| {
         let (language, text) = block.split_once('\n')?;
@@ -61,7 +59,7 @@ fn whatever_is_a_scene_is_accepted() {
         accepted(&validator, &of_toml(&radiosity::language::text_of(name, &[]).unwrap().text()));
     }
     for file in ["tests/data/every-shape.toml", "examples/office.toml", "examples/textured-room.toml"] {
-        let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
+        let text = data::text(file);
         accepted(&validator, &of_toml(&text));
     }
 }

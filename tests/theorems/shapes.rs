@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, PI};
 
 use radiosity::scene::{Fault, Line, SceneError, SceneSurface};
 use radiosity_geom::DVec3;
+use radiosity_test_support::scenes::typed;
 
 /// A shape as typed, and what it must be.
 struct Case {
@@ -166,9 +167,7 @@ fn toml(options: &str, shape: &str) -> String {
 
 #[track_caller]
 fn surfaces(options: &str, shape: &str) -> Vec<SceneSurface> {
-    radiosity::language::from_toml(&toml(options, shape), "case")
-        .unwrap_or_else(|error| panic!("{error}\n{shape}"))
-        .surfaces
+    typed(&toml(options, shape)).surfaces
 }
 
 #[track_caller]
@@ -219,10 +218,7 @@ fn json_says_the_same() {
         let text = toml("", case.shape);
         let tree: toml::Value = toml::from_str(&text).unwrap();
         let json = serde_json::to_string(&tree).unwrap();
-        let (a, b) = (
-            radiosity::language::from_toml(&text, "").unwrap(),
-            radiosity::language::from_json(&json, "").unwrap(),
-        );
+        let (a, b) = (typed(&text), radiosity::language::from_json(&json, "").unwrap());
         let [a, b] = [a, b].map(|scene| scene.surfaces[0].shape.jet(0.3, -0.6));
         assert_eq!(a, b, "{}", case.shape);
     }

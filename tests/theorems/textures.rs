@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use radiosity::scene::{Pattern, Placement, Polynomial, Scene, Source, Term, Wrap};
+use radiosity_test_support::scenes::{parsed, typed};
 
 /// A scene with a floor of this material, and a lamp.
 pub(crate) fn room(material: &str) -> String {
@@ -25,12 +26,6 @@ disk = {{ center = [1, 1, 1], normal = [0, 0, -1], radius = 0.2 }}
     )
 }
 
-#[track_caller]
-fn typed(material: &str) -> Scene {
-    radiosity::language::from_toml(&room(material), "room")
-        .unwrap_or_else(|error| panic!("{error}\n{material}"))
-}
-
 pub(crate) fn reflectance(scene: &Scene) -> &Pattern {
     let floor = scene.surface_named("floor").expect("it is there");
     scene.surfaces[floor].material.reflectance_pattern.as_deref().expect("it varies")
@@ -40,11 +35,11 @@ pub(crate) const CORNERS: [[f64; 2]; 4] = [[-0.5, 0.5], [0.5, 0.5], [-0.5, -0.5]
 
 #[test]
 fn cells_are_typed_as_one_reads_a_picture() {
-    let scene = typed("reflectance = { cells = [[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]] }");
+    let scene = typed(&room("reflectance = { cells = [[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]] }"));
     let at = |u: f64, v: f64| reflectance(&scene).at(0, [u, v]);
     assert_eq!([-0.8, 0.0, 0.8].map(|u| at(u, 0.5)), [0.1, 0.2, 0.3]);
     assert_eq!([-0.8, 0.0, 0.8].map(|u| at(u, -0.5)), [0.4, 0.5, 0.6]);
-    let scene = typed("reflectance = { cells = [[[0.1]], [[0.2]], [[0.3]]], factor = [1, 2, 3] }");
+    let scene = typed(&room("reflectance = { cells = [[[0.1]], [[0.2]], [[0.3]]], factor = [1, 2, 3] }"));
     assert_eq!(scene.bands.len(), 3, "lists for each band make three");
     let found = [0, 1, 2].map(|band| reflectance(&scene).at(band, [0.0; 2]));
     assert_eq!(found, [0.1, 2.0 * 0.2, 3.0 * 0.3]);
@@ -52,15 +47,16 @@ fn cells_are_typed_as_one_reads_a_picture() {
 
 #[test]
 fn polynomials_are_sums_of_their_terms() {
-    let scene =
-        typed("reflectance = { polynomial = [[0, 0, 0.5], [1, 2, 0.25], [0, 1, -0.125]], factor = 0.5 }");
+    let scene = typed(&room(
+        "reflectance = { polynomial = [[0, 0, 0.5], [1, 2, 0.25], [0, 1, -0.125]], factor = 0.5 }",
+    ));
     for [u, v] in CORNERS {
         let expected = 0.5 * (0.5 + 0.25 * u * v * v - 0.125 * v);
         assert!((reflectance(&scene).at(0, [u, v]) - expected).abs() < 1e-15);
     }
     assert_eq!(reflectance(&scene).degree(), Some(3));
     assert_eq!(scene.surfaces[0].material.reflectance, [0.25]);
-    let scene = typed("reflectance = 0\nemission = { polynomial = [[[0, 0, 1]], [[2, 0, 3]], []] }");
+    let scene = typed(&room("reflectance = 0\nemission = { polynomial = [[[0, 0, 1]], [[2, 0, 3]], []] }"));
     assert_eq!(scene.surfaces[0].material.emission, [1.0, 1.0, 0.0]);
 }
 
@@ -75,7 +71,7 @@ emission = { polynomial = [["=odd", 0, "=white"], [0, 0, 1]] }"#
     );
     let source = Source::new("room", &text);
     for (white, set) in [(0.5, &[][..]), (0.25, &[("white", 0.25)])] {
-        let scene = radiosity::language::parse(&source.clone().set(set.iter().copied())).unwrap();
+        let scene = parsed(&source.clone().set(set.iter().copied()));
         let material = &scene.surfaces[0].material;
         assert_eq!(reflectance(&scene).at(0, [-0.5, 0.0]), white);
         assert_eq!(reflectance(&scene).at(0, [0.5, 0.0]), white / 2.0);
@@ -288,7 +284,7 @@ part = "cube"
 name = "cube"
 array = { count = 3, step = [2, 0, 0] }
 "#;
-    let scene = radiosity::language::from_toml(text, "cubes").unwrap();
+    let scene = typed(&room(text));
     assert_eq!(scene.surfaces.len(), 18);
     let patterns: Vec<_> =
         scene.surfaces.iter().map(|own| own.material.reflectance_pattern.clone().unwrap()).collect();

@@ -7,8 +7,10 @@ use proptest::test_runner::{Config, TestRunner};
 use radiosity::geom::DVec3;
 use radiosity::output::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Fault, Notation, Scene, SceneError, Source, Tree};
-use radiosity::solve::solved::Solved;
-use radiosity::solve::{Options, solve};
+use radiosity::solve::Options;
+use radiosity_test_support::scenes::EVERY_SHAPE;
+use radiosity_test_support::scenes::parsed;
+use radiosity_test_support::solved::{outcome_of, solved_of};
 use serde_json::{Value, json};
 
 /// A value of JSON as a tree; lists of points as such.
@@ -39,7 +41,7 @@ fn points(items: &[Value]) -> Option<Vec<DVec3>> {
 fn rooms() -> Vec<Value> {
     let built_in = radiosity::language::builtin_names()
         .map(|name| radiosity::language::text_of(name, &[]).unwrap().text().into_owned());
-    let texts = built_in.chain([include_str!("../data/every-shape.toml").to_owned()]);
+    let texts = built_in.chain([EVERY_SHAPE.to_owned()]);
     texts.map(|text| serde_json::to_value(toml::from_str::<toml::Value>(&text).unwrap()).unwrap()).collect()
 }
 
@@ -68,7 +70,7 @@ fn a_tree_makes_the_scene_of_its_text_to_the_last_bit() {
         if of_text.surfaces.len() <= SOLVED && of_text.emits() {
             let options = Options { order: 0, subdivide: Some(1), eps: 0.1, ..Options::default() };
             let bits = |scene: &Scene| -> Vec<u64> {
-                let solution = solve(scene, &options, &|_| {}).unwrap().solution;
+                let solution = outcome_of(scene, &options).solution;
                 (0..scene.surfaces.len()).map(|own| solution.mean_irradiance(0, own).to_bits()).collect()
             };
             assert_eq!(bits(&of_tree), bits(&of_text));
@@ -84,7 +86,7 @@ fn the_text_of_a_tree_makes_the_same_scene() {
         let scene = radiosity::language::of_tree("room", tree(&room)).unwrap();
         for notation in [Notation::Json, Notation::Toml] {
             let text = radiosity::language::text(&scene, notation).unwrap();
-            assert_eq!(held(&radiosity::language::parse(&Source::new("room", &text)).unwrap()), held(&scene));
+            assert_eq!(held(&parsed(&Source::new("room", &text))), held(&scene));
         }
     }
 }
@@ -92,8 +94,7 @@ fn the_text_of_a_tree_makes_the_same_scene() {
 #[test]
 fn a_solution_of_a_tree_is_read_back() {
     let source = Source::of_tree("desk.csv", tree(&desk())).unwrap().set([("width", 3.0)]);
-    let solved =
-        Solved::new(radiosity::language::parse(&source).unwrap(), Options::default(), &|_| {}).unwrap();
+    let solved = solved_of(parsed(&source), Options::default());
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
     let again = read(&Source::new("a.json", &text)).unwrap();
     assert_eq!(held(&again.scene), held(&solved.scene));

@@ -3,12 +3,9 @@
 use std::collections::BTreeMap;
 
 use radiosity::output::pictures::tessellation::{Triangulation, tessellation};
-use radiosity::scene::{Scene, SceneSurface};
+use radiosity::scene::SceneSurface;
 use radiosity_geom::DVec3;
-
-fn every_shape() -> Scene {
-    radiosity::language::from_toml(include_str!("../data/every-shape.toml"), "every-shape").expect("a scene")
-}
+use radiosity_test_support::scenes::{builtin, every_shape, typed};
 
 fn corners<'a>(own: &'a Triangulation, triangle: &'a [u32; 3]) -> [DVec3; 3] {
     triangle.map(|corner| own.positions[corner as usize])
@@ -86,7 +83,7 @@ fn open_edges<'a>(triangulations: impl Iterator<Item = &'a Triangulation>) -> us
 #[test]
 fn closed_rooms_of_flat_faces_have_no_cracks() {
     for name in ["furnace-cube", "empty-box"] {
-        let scene = radiosity::builtin(name).expect("built in");
+        let scene = builtin(name);
         assert_eq!(open_edges(tessellation(&scene, 1e-3).iter()), 0, "{name}");
     }
 }
@@ -98,7 +95,7 @@ fn a_body_on_the_floor_cracks_no_edge_of_the_room() {
         { name = "room", box = { origin = [0, 0, 0], size = [4, 5, 2.5], inward = true } },
         { name = "table", box = { origin = [1.2, 2.5, 0], size = [1.6, 0.8, 0.7] } },
     ]"#;
-    let scene = radiosity::language::from_toml(text, "room").expect("a scene");
+    let scene = typed(text);
     let all = tessellation(&scene, 1e-3);
     let room = scene.surfaces.iter().zip(&all).filter(|(surface, _)| surface.name.starts_with("room"));
     assert_eq!(open_edges(room.map(|(_, own)| own)), 4);
@@ -112,7 +109,7 @@ fn what_a_sheet_covers_is_left_out() {
         quad = { vertices = [[0,0,0],[2,0,0],[2,2,0],[0,2,0]] }
         [[surfaces]]
         quad = { vertices = [[0.5,0.5,0],[1,0.5,0],[1,1.5,0],[0.5,1.5,0]] }"#;
-    let scene = radiosity::language::from_toml(text, "sheet").expect("a scene");
+    let scene = typed(text);
     let areas = tessellation(&scene, 1e-3).iter().map(area).collect::<Vec<f64>>();
     assert!((areas[0] - 3.5).abs() < 1e-6 && (areas[1] - 0.5).abs() < 1e-6, "{areas:?}");
 }

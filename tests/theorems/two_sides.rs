@@ -3,6 +3,8 @@
 
 use radiosity::scene::{Fault, Material, Scene, SceneBuilder, SceneError};
 use radiosity_geom::{DVec3, shapes::Parallelogram};
+use radiosity_test_support::scenes::{material, typed};
+use radiosity_test_support::shapes::plate;
 
 const SHADE: &str = r#"
 frames = 3
@@ -44,7 +46,7 @@ translate = { points = [[0, 0, 0], [0, 0, 0.5]] }
 "#;
 
 fn shade() -> Scene {
-    radiosity::language::from_toml(SHADE, "shade").unwrap_or_else(|error| panic!("{error}"))
+    typed(SHADE)
 }
 
 /// Checks that exactly the pairs `name` and `name:back` know each other.
@@ -94,7 +96,7 @@ fn each_side_has_its_material() {
 #[test]
 fn what_a_surface_says_goes_before_both_of_its_materials() {
     let text = SHADE.replace("back_material", "group = \"own\"\nadiabatic = true\nback_material");
-    let scene = radiosity::language::from_toml(&text, "shade").unwrap();
+    let scene = typed(&text);
     for name in ["shade", "shade:back"] {
         let side = &scene.surfaces[scene.surface_named(name).unwrap()];
         assert_eq!(side.group.as_ref().map(|own| own.name.as_str()), Some("own"));
@@ -105,7 +107,7 @@ fn what_a_surface_says_goes_before_both_of_its_materials() {
 #[test]
 fn a_flux_is_that_of_both_sides_whatever_their_materials() {
     let text = SHADE.replace("back_material", "flux = 6\nback_material");
-    let scene = radiosity::language::from_toml(&text, "shade").unwrap();
+    let scene = typed(&text);
     for name in ["shade", "shade:back"] {
         let side = &scene.surfaces[scene.surface_named(name).unwrap()];
         assert_eq!(side.material.emission, [3.0], "half of it from each side of 1 m²");
@@ -123,13 +125,13 @@ fn the_other_side_stays_known() {
     assert_paired(&scene.at_frame(0).unwrap());
     assert_paired(&scene.at_frame(2).unwrap());
     assert_paired(&scene.dimmed(&[("lamp", 0.5)]).unwrap());
-    let red = Material::new(vec![0.1], vec![0.0]).unwrap().with_transmittance(vec![0.4]).unwrap();
+    let red = material(0.1, 0.0).with_transmittance(vec![0.4]).unwrap();
     assert_paired(&scene.with_material("silk", red).unwrap());
     let whole =
         format!("{}\n[[instances]]\npart = \"sheet\"\narray = {{ count = 3, step = [0, 0, 1] }}\n", SHADE)
             + "[[parts.sheet.surfaces]]\nname = \"cloth\"\nmaterial = \"silk\"\ntwo_sided = true\n"
             + "box = { origin = [5, 0, 0], size = [1, 1, 0.5], open = [\"top\"] }\n";
-    let scene = radiosity::language::from_toml(&whole, "sheets").unwrap();
+    let scene = typed(&whole);
     assert_eq!(scene.surfaces.len(), 5 + 3 * 10);
     assert_paired(&scene);
 }
@@ -142,7 +144,7 @@ fn sheets_that_lie_on_others_keep_their_other_side() {
         "[[surfaces]]\nname = \"mat\"\nmaterial = \"silk\"\ntwo_sided = true\n\
         parallelogram = { origin = [0.2, 0.2, 0], edge1 = [0.5, 0, 0], edge2 = [0, 0.5, 0] }\n[[motion]]",
     );
-    let scene = radiosity::language::from_toml(&text, "mat").unwrap();
+    let scene = typed(&text);
     assert!(!scene.fitted.lying.is_empty());
     assert_paired(&scene);
     assert_paired(&scene.at_frame(1).unwrap());
@@ -203,22 +205,22 @@ fn wrong_sides_are_refused_with_a_cure() {
 #[test]
 fn painting_keeps_sheets_alike_on_both_sides() {
     let scene = shade();
-    let opaque = Material::new(vec![0.1], vec![0.0]).unwrap();
+    let opaque = material(0.1, 0.0);
     let error = scene.with_material("silk", opaque).expect_err("its back lets light through");
     assert!(matches!(error.fault, Fault::OtherTransmittance { .. }));
-    let silk = Material::new(vec![0.1], vec![0.0]).unwrap().with_transmittance(vec![0.2]).unwrap();
+    let silk = material(0.1, 0.0).with_transmittance(vec![0.2]).unwrap();
     let error = scene.with_material("lamp", silk.clone()).expect_err("it has one side");
     assert!(matches!(error.fault, Fault::OneSided { .. }));
     assert_paired(&scene.with_material("floor", silk).unwrap());
 }
 
 fn sheet() -> Parallelogram {
-    Parallelogram::new(DVec3::ZERO, DVec3::X, DVec3::Y).unwrap()
+    plate(DVec3::ZERO, DVec3::X, DVec3::Y)
 }
 
 #[test]
 fn sheets_made_in_code_are_checked_as_those_of_files() {
-    let silk = |tau: f64| Material::new(vec![0.3], vec![0.0]).unwrap().with_transmittance(vec![tau]).unwrap();
+    let silk = |tau: f64| material(0.3, 0.0).with_transmittance(vec![tau]).unwrap();
     let build = |tau: f64, is_two_sided: bool| {
         let mut room = SceneBuilder::new("room", ["grey"]);
         let front = room.material("silk", silk(0.4));
@@ -238,15 +240,15 @@ fn sheets_made_in_code_are_checked_as_those_of_files() {
 
 #[test]
 fn materials_of_backs_are_checked_though_nothing_else_has_them() {
-    let build = |material: Material, name: &str| {
+    let build = |own: Material, name: &str| {
         let mut other = SceneBuilder::new("other", ["a", "b"]);
-        let foreign = other.material(name, material);
+        let foreign = other.material(name, own);
         let mut room = SceneBuilder::new("room", ["grey"]);
-        let front = room.material("silk", Material::new(vec![0.3], vec![0.0]).unwrap());
+        let front = room.material("silk", material(0.3, 0.0));
         room.surface("shade", sheet(), &front).two_sided().back_material(&foreign);
         room.build()
     };
-    let grey = || Material::new(vec![0.2], vec![0.0]).unwrap();
+    let grey = || material(0.2, 0.0);
     assert!(build(grey(), "paper").is_ok());
     assert!(matches!(
         build(Material::black(2), "paper").expect_err("two bands").fault,

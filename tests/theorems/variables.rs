@@ -3,7 +3,8 @@
 use radiosity::output::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Fault, Scene, SceneError, Source};
 use radiosity::solve::Options;
-use radiosity::solve::solved::Solved;
+use radiosity_test_support::scenes::{parsed, typed};
+use radiosity_test_support::solved::solved_of;
 
 const ROOM: &str = r#"title = "= a room ="
 [variables]
@@ -35,10 +36,7 @@ fn area(scene: &Scene) -> f64 {
 #[test]
 fn formulas_stand_for_numbers() {
     let json = serde_json::to_string(&toml::from_str::<toml::Value>(ROOM).unwrap()).unwrap();
-    for scene in [
-        radiosity::language::from_toml(ROOM, "room").unwrap(),
-        radiosity::language::from_json(&json, "room").unwrap(),
-    ] {
+    for scene in [typed(ROOM), radiosity::language::from_json(&json, "room").unwrap()] {
         assert_eq!(scene.title.as_deref(), Some("= a room ="), "a text stays one");
         assert_eq!(scene.surfaces[0].name, "=floor");
         assert_eq!(scene.surfaces[0].order, Some(2));
@@ -64,7 +62,7 @@ fn a_formula_of_many_variables_that_stand_below_it_is_read_at_once() {
         })
         .collect();
     let text = ROOM.replace("[variables]\nwidth = 4\n", &(sum + &parts.concat()));
-    let scene = radiosity::language::from_toml(&text, "room").unwrap();
+    let scene = typed(&text);
     let width = scene.variables.iter().find(|(name, _)| name == "width").unwrap().1;
     assert_eq!(width, 0.5 * COUNT as f64);
 }
@@ -72,9 +70,9 @@ fn a_formula_of_many_variables_that_stand_below_it_is_read_at_once() {
 #[test]
 fn variables_are_set_from_outside() {
     let source = || Source::new("room.toml", ROOM);
-    let scene = radiosity::language::parse(&source().set([("width", 6.0)])).unwrap();
+    let scene = parsed(&source().set([("width", 6.0)]));
     assert!((area(&scene) - 6.0 * 3.5).abs() < 1e-12, "what is made of it changes with it");
-    let scene = radiosity::language::parse(&source().set([("half", 1.0), ("half", 7.0)])).unwrap();
+    let scene = parsed(&source().set([("half", 1.0), ("half", 7.0)]));
     assert!((area(&scene) - 4.0 * 7.5).abs() < 1e-12, "the last one counts");
     let scene = radiosity::language::parse_with(&source(), &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
     assert!((area(&scene) - 6.0 * 3.5).abs() < 1e-12);
@@ -101,7 +99,7 @@ fn variables_are_set_from_outside() {
 fn a_solution_keeps_what_was_set() {
     let source = Source::new("room.toml", ROOM);
     let scene = radiosity::language::parse_with(&source, &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
-    let solved = Solved::new(scene, Options { eps: 0.3, ..Options::default() }, &|_| {}).unwrap();
+    let solved = solved_of(scene, Options { eps: 0.3, ..Options::default() });
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
     let again = read(&Source::new("a.json", &text)).unwrap();
     assert!((area(&again.scene) - 6.0 * 3.5).abs() < 1e-12);
@@ -123,7 +121,7 @@ fn long_chains_of_variables_are_followed() {
     let rest = ROOM.split_once("[camera]").unwrap().1;
     let text = text + &rest.replace("=half", "=v0").replace("width", "v0").replace("=lamps", "=v19998");
     let text = text.replace("* lamps", "* 2").replace("sqrt(half)", "v1");
-    let scene = radiosity::language::from_toml(&text, "chain").expect("it is right");
+    let scene = typed(&text);
     assert_eq!(scene.variables[0], ("v0".to_owned(), f64::from(count)));
 }
 

@@ -12,11 +12,12 @@ use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::solve::checks::Checks;
 use radiosity::solve::solution::{Band, Place, Solution};
 use radiosity::solve::system::System;
-use radiosity::solve::{Options, Outcome, solve};
-use radiosity::transport;
+use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
+use radiosity_test_support::scenes::builtin;
+use radiosity_test_support::solved::{blocks_of, outcome_of};
 
 fn options(order: usize, solver: &str) -> Options {
     let method = Method::named(solver).expect("the solver is listed");
@@ -24,8 +25,8 @@ fn options(order: usize, solver: &str) -> Options {
 }
 
 fn solved(scene: &str, options: &Options) -> Outcome {
-    let scene = radiosity::builtin(scene).expect("the scene is built in");
-    solve(&scene, options, &|_| {}).expect("the scene can be solved")
+    let scene = builtin(scene);
+    outcome_of(&scene, options)
 }
 
 /// Largest |B − 2| over a grid on every element that reaches its corners.
@@ -44,12 +45,12 @@ fn furnace_error(solution: &Solution) -> f64 {
 
 /// The furnace cube with given blocks, by one solver; the residual is that of the original system.
 fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)> {
-    let scene = radiosity::builtin("furnace-cube").expect("the scene is built in");
+    let scene = builtin("furnace-cube");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let how =
         Discretization { order, space: Space::Total, subdivide: Subdivide::Uniform(1), layers: Layers::NONE };
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
-    let assemble = |elements: &Elements| transport::assemble(elements, &visibility, accuracy, &|_, _| {});
+    let assemble = |elements: &Elements| blocks_of(elements, &visibility, accuracy);
     let blocks = assemble(&Elements::new(&scene, &how).expect("a cube has area"));
     let solve_with = |method: &'static Method| {
         let elements = Elements::new(&scene, &how).expect("a cube has area");
@@ -167,7 +168,7 @@ fn closed_rooms_lose_no_more_power_than_their_transfers_at_any_order() {
 /// corner's 1/(2π) · 2 a/√(1+a²) atan(a/√(1+a²)).
 #[test]
 fn direct_light_is_exact_at_a_point() {
-    let scene = radiosity::builtin("empty-box").expect("the scene is built in");
+    let scene = builtin("empty-box");
     let outcome = solved("empty-box", &Options { eps: 1e-6, ..options(8, "auto") });
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
     let direct = DirectLight::new(&outcome.solution.emitters(), &visibility);
@@ -188,7 +189,7 @@ fn direct_light_is_exact_at_a_point() {
 fn cells_add_up_to_the_whole() {
     let outcome = solved("cornell-box", &options(3, "lu"));
     let solution = &outcome.solution;
-    let scene = radiosity::builtin("cornell-box").expect("the scene is built in");
+    let scene = builtin("cornell-box");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let reader = Reader::new(solution, &visibility, Read::Basis, 1e-3);
     for cells in [[1, 1], [3, 5]] {
@@ -214,14 +215,14 @@ fn mean_power(solution: &Solution, element: usize) -> f64 {
 /// Total degree 2N contains degree N in each coordinate: on squares, function by function.
 #[test]
 fn tensor_blocks_are_parts_of_the_blocks_of_total_degree() {
-    let scene = radiosity::builtin("furnace-cube").expect("the scene is built in");
+    let scene = builtin("furnace-cube");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let accuracy = Accuracy { eps: 1e-10, shadow_eps: 3e-3 };
     let cut = |order, space| {
         let how = Discretization { order, space, subdivide: Subdivide::Uniform(1), layers: Layers::NONE };
         Elements::new(&scene, &how).expect("a cube has area")
     };
-    let blocks = |elements: &Elements| transport::assemble(elements, &visibility, accuracy, &|_, _| {});
+    let blocks = |elements: &Elements| blocks_of(elements, &visibility, accuracy);
     let (tensor, total) = (cut(3, Space::Tensor), cut(6, Space::Total));
     let (small, large) = (blocks(&tensor), blocks(&total));
     let places: Vec<usize> = tensor.list()[0]

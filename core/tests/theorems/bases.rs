@@ -6,8 +6,8 @@ use radiosity_core::basis::{tensor, total, triangle};
 use radiosity_core::gauss::Rule;
 use radiosity_core::jacobi::{self, Weight};
 
-use crate::oracle::Fixed;
 use crate::tables::{decimals, integer, tables};
+use radiosity_test_support::oracle::Fixed;
 
 type Points = Vec<(f64, f64, f64)>;
 

@@ -8,9 +8,9 @@ use radiosity_core::convert;
 use radiosity_core::jacobi::{self, Weight};
 use radiosity_core::legendre;
 
-use crate::connection::{Connection, norm};
-use crate::oracle::Fixed;
 use crate::tables::{decimals, integer, tables};
+use radiosity_test_support::connection::{Connection, norm};
+use radiosity_test_support::oracle::Fixed;
 
 const N: usize = 31;
 

@@ -5,8 +5,8 @@ use proptest::prelude::*;
 use radiosity_core::gauss::{self, RuleError};
 use radiosity_core::jacobi::{self, Weight, WeightError};
 
-use crate::oracle::{Fixed, Oracle, integral};
 use crate::tables::{decimals, floats, integer, number, tables};
+use radiosity_test_support::oracle::{Fixed, Oracle, integral};
 
 fn legendre(n: usize) -> (Vec<f64>, Vec<f64>) {
     let (mut x, mut w) = (vec![0.0; n], vec![0.0; n]);

@@ -4,8 +4,8 @@ use proptest::prelude::*;
 use radiosity_core::jacobi::{self, Entry, Polynomials, Table, Weight};
 use radiosity_core::legendre;
 
-use crate::oracle::{Fixed, Oracle};
 use crate::tables::{decimals, number, tables};
+use radiosity_test_support::oracle::{Fixed, Oracle};
 
 /// p_0 … p_32 and their derivatives, from the public functions for a weight.
 fn values(weight: Weight, x: f64) -> [[f64; 33]; 2] {

@@ -3,7 +3,7 @@
 //! Tests of segments ignore their ends, and outlines ignore what is nearer to their planes than 1e-9 of the length of
 //! the ray: on a large sheet that length is about its extent. Contours of two small sheets resolve smaller gaps, but
 //! blockers between them must not be ignored either. Measured with plates, pictures and boxes over floors: row sums
-//! hold from about 4e-9 of the larger extent on (`cargo test --release --test rounded gaps` asserts it).
+//! hold from about 4e-9 of the larger extent on (`cargo test --release --test theorems rounded::gaps` asserts it).
 
 /// Least gap as a part of the smaller extent (chosen, not tuned) and of the larger one (`OF_LARGER`, measured, see the
 /// header), at most the part `MOST` of the smaller: the view factor of the two sheets then is 1 less about 4e-5.

@@ -13,7 +13,7 @@ const MOST: usize = 8;
 /// Largest change of one reflectance against that of another for which light is not gathered anew: where a coat
 /// gains so much, what gathering neglected of it grows as much. Chosen; mean irradiances of the Cornell box, repainted
 /// within this range, then differ from those of a new solution by less than half the accuracy of shadows
-/// (`cargo test --release --test light models`).
+/// (`cargo test --release --test theorems light::models`).
 const SPREAD: f64 = 4.0;
 
 /// The coat of each element.

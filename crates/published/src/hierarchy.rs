@@ -19,7 +19,7 @@
 //!
 //! A pair is linked where it carries less than `eps` of all emitted power by an upper estimate without visibility
 //! (`oracle`); else the larger node is split (`refinement`). Links are refined again as radiosities become known. Then
-//! the number of links is of the order of the number of surfaces, not of its square (example `links`).
+//! the number of links is of the order of the number of surfaces, not of its square (study `links`).
 //!
 //! Covered parts of surfaces ([`radiosity_visibility::covers`]) are no leaves of their own: rays find them dark. Footings are cut out.
 //!

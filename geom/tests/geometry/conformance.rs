@@ -1,8 +1,8 @@
 //! Promises of the trait `Surface`, checked on every shape.
 
-use crate::gallery::{Exhibit, gallery};
-use crate::random::Random;
 use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, Surface};
+use radiosity_test_support::gallery::{Exhibit, gallery};
+use radiosity_test_support::random::Random;
 
 /// A surface stripped to what a shape must give, so that the provided methods are what is tested.
 #[derive(Debug)]

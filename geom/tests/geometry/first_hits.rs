@@ -1,10 +1,10 @@
 //! First hits of rays, against all surfaces asked one by one; boxes do not leak, and no surface hides itself.
 
-use crate::gallery::gallery;
-use crate::random::Random;
 use proptest::prelude::*;
 use radiosity_geom::shapes::{Bilinear, Cylinder, Disk, FULL_TURN, Parallelogram, Polygon, Sphere, Triangle};
 use radiosity_geom::{DVec3, Encounter, Flipped, Motion, Placed, Ray, RayTree, Surface};
+use radiosity_test_support::gallery::gallery;
+use radiosity_test_support::random::Random;
 use std::sync::Arc;
 
 type Shape = Arc<dyn Surface>;
@@ -12,7 +12,7 @@ type Shape = Arc<dyn Surface>;
 /// A surface of every kind, in random places of a ball of three times their size; every third with its other
 /// side.
 fn crowd(random: &mut Random, scale: f64, away: DVec3) -> Vec<Shape> {
-    let place = |(k, exhibit): (usize, crate::gallery::Exhibit)| {
+    let place = |(k, exhibit): (usize, radiosity_test_support::gallery::Exhibit)| {
         let (axis, angle) = (random.direction(), random.between(-3.0, 3.0));
         let motion =
             Motion::new(away + scale * random.vector(-4.0, 4.0), axis, angle, scale).expect("a motion");

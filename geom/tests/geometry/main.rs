@@ -4,7 +4,5 @@ mod catalogue;
 mod conformance;
 mod contacts;
 mod first_hits;
-mod gallery;
-mod random;
 mod scenes;
 mod teapot;

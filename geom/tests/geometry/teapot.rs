@@ -1,7 +1,7 @@
 //! Newell's teapot: 32 bicubic patches that share edges.
 
-use crate::random::Random;
 use crate::scenes::Teapot;
+use radiosity_test_support::random::Random;
 use std::sync::Arc;
 
 use radiosity_geom::{Adjacency, Bvh, DVec3, Patch, Ray, RayTree, Rect, Surface};

@@ -5,7 +5,8 @@ use radiosity_solvers::method::{Method, Needs};
 use radiosity_solvers::{Dense, Granularity, Operator, Settings, Sweep};
 
 use crate::exact::norm;
-use crate::systems::{Random, dominant, enclosure, positive_definite};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::{dominant, enclosure, partition, positive_definite};
 
 /// Relative difference allowed between any method and the known solution.
 const AGREEMENT: f64 = 1e-10;
@@ -56,10 +57,10 @@ proptest! {
     #[test]
     fn on_dominant_systems(seed: u64, dim in 1..40usize, largest in 1..9usize) {
         let random = &mut Random(seed);
-        let partition = random.partition(dim, largest);
+        let partition = partition(random, dim, largest);
         let a = dominant(random, partition);
         let system = System { dominant: true, ..System::default() };
-        let truth = random.vector(dim);
+        let truth = random.numbers(dim);
         for settings in variants(1e-14) {
             for method in Method::ALL.iter().filter(|method| suits(method, system, &settings)) {
                 finds(method, &a, &truth, &settings)?;
@@ -70,10 +71,10 @@ proptest! {
     #[test]
     fn on_positive_definite_systems(seed: u64, dim in 1..30usize, largest in 1..9usize, floor in -2.5..0f64) {
         let random = &mut Random(seed);
-        let partition = random.partition(dim, largest);
+        let partition = partition(random, dim, largest);
         let a = positive_definite(random, partition, 10f64.powf(floor));
         let system = System { symmetric: true, ..System::default() };
-        let truth = random.vector(dim);
+        let truth = random.numbers(dim);
         for settings in variants(1e-13) {
             for method in Method::ALL.iter().filter(|method| suits(method, system, &settings)) {
                 finds(method, &a, &truth, &settings)?;
@@ -88,7 +89,7 @@ proptest! {
     #[test]
     fn on_enclosures(seed: u64, dim in 2..24usize, largest in 1..9usize, loss in -3.0..0f64, symmetric: bool) {
         let random = &mut Random(seed);
-        let partition = random.partition(dim, largest);
+        let partition = partition(random, dim, largest);
         let a = enclosure(random, partition, (0.2, 1.0 - 10f64.powf(loss)), symmetric);
         let system = System { symmetric, dominant: !symmetric, near_identity: true };
         let truth: Vec<f64> = (0..dim).map(|_| random.unit()).collect();
@@ -104,7 +105,7 @@ proptest! {
 fn on_an_enclosure_that_loses_a_thousandth() {
     let random = &mut Random(1);
     for symmetric in [false, true] {
-        let partition = random.partition(12, 4);
+        let partition = partition(random, 12, 4);
         let a = enclosure(random, partition, (0.999, 0.999), symmetric);
         let system = System { symmetric, dominant: true, near_identity: true };
         let truth: Vec<f64> = (0..12).map(|_| random.unit()).collect();
@@ -122,9 +123,9 @@ proptest! {
     #[test]
     fn several_right_hand_sides_are_solved_as_one_by_one(seed: u64, dim in 1..20usize, columns in 0..4usize) {
         let random = &mut Random(seed);
-        let partition = random.partition(dim, 5);
+        let partition = partition(random, dim, 5);
         let a = positive_definite(random, partition, 0.1);
-        let b = random.vector(dim * columns);
+        let b = random.numbers(dim * columns);
         let settings = Settings::default();
         for method in Method::ALL {
             let mut together = vec![0.0; b.len()];

@@ -3,11 +3,12 @@
 use radiosity_solvers::method::{Method, Methods, NameTaken};
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Report, Settings};
 
-use crate::systems::{Random, enclosure, matrix};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::{enclosure, matrix};
 
 fn auto(a: &Dense, settings: &Settings<'_>) -> Report {
     let dim = a.values().len().isqrt();
-    let b = Random(59).vector(dim);
+    let b = Random(59).numbers(dim);
     let mut x = vec![0.0; dim];
     Method::named("auto").unwrap().solver.solve(a, &b, &mut x, settings, &mut |_| ()).unwrap()
 }
@@ -59,7 +60,7 @@ fn many_right_hand_sides_share_a_factorisation_only_where_the_entries_are_held()
     let thin = BlockSparse::symmetric(partition(), &blocks).unwrap();
     let operators: [(&dyn Operator, &str); 2] = [(&held, "cholesky"), (&thin, "cg")];
     for (a, method) in operators {
-        let b = Random(73).vector(columns * LARGE);
+        let b = Random(73).numbers(columns * LARGE);
         let mut x = vec![0.0; b.len()];
         let auto = Method::named("auto").unwrap().solver;
         let reports = auto.solve_many(a, &b, &mut x, &Settings::default(), &mut |_| ()).unwrap();

@@ -8,7 +8,8 @@ use radiosity_solvers::lu::Lu;
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Factored, Operator, Partition, Settings, SolveError, Stop};
 
-use crate::systems::{Random, dominant, matrix, positive_definite};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::{dominant, matrix, positive_definite};
 
 #[test]
 fn factors_find_what_the_method_finds_for_every_right_hand_side() {
@@ -22,7 +23,7 @@ fn factors_find_what_the_method_finds_for_every_right_hand_side() {
         ];
         for (name, factored) in &both {
             for _ in 0..3 {
-                let b = random.vector(dim);
+                let b = random.numbers(dim);
                 let (mut x, mut y) = (vec![0.0; dim], vec![0.0; dim]);
                 let report = factored.solve(&b, &mut x).unwrap();
                 let solver = Method::named(name).unwrap().solver;
@@ -58,13 +59,13 @@ fn lu_needs_its_interchanges_in_every_panel() {
     // Zeros on the diagonal: the rows of a cyclic shift, plus a little.
     let random = &mut Random(47);
     for dim in [2, 50, 1023, 1025, 1500] {
-        let noise = random.vector(997);
+        let noise = random.numbers(997);
         let a = matrix(Partition::points(dim), false, |i, j| match (i == j, (i + 1) % dim == j) {
             (true, _) => 0.0,
             (false, true) => 1.0,
             (false, false) => 0.5 * noise[(31 * i + 17 * j) % 997] / dim as f64,
         });
-        let b = random.vector(dim);
+        let b = random.numbers(dim);
         let mut x = vec![0.0; dim];
         let report = Lu.factor(&a, &Settings::default()).unwrap().solve(&b, &mut x).unwrap();
         assert_eq!(report.iterations, 0, "{dim}: it was refined");
@@ -139,7 +140,7 @@ fn refinement_reaches_what_the_factors_miss() {
         std::cmp::Ordering::Less => 0.27 / dim as f64,
     });
     let mut x = vec![0.0; dim];
-    let b = Random(67).vector(dim);
+    let b = Random(67).numbers(dim);
     let report = Cholesky.factor(&Lower(&a), &Settings::default()).unwrap().solve(&b, &mut x).unwrap();
     assert!(report.iterations > 1, "{report:?}");
     assert!(report.history.is_sorted_by(|before, after| after < before), "{report:?}");
@@ -154,7 +155,7 @@ fn cholesky_reads_the_lower_triangle_alone() {
         let a = matrix(Partition::points(dim), true, entry);
         let spoilt = matrix(Partition::points(dim), false, |i, j| if i < j { 1e300 } else { entry(i, j) });
         let settings = Settings::default().with_threads(threads).with_tolerance(1e300);
-        let b = Random(71).vector(dim);
+        let b = Random(71).numbers(dim);
         let (mut x, mut y) = (vec![0.0; dim], vec![0.0; dim]);
         Cholesky.factor(&a, &settings).unwrap().solve(&b, &mut x).unwrap();
         // The first solution, before the product with the whole matrix says that it is none.

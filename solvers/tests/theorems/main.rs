@@ -9,6 +9,5 @@ mod refusals;
 mod settings;
 mod shooting;
 mod stress;
-mod systems;
 mod threads;
 mod variational;

@@ -3,7 +3,8 @@
 use proptest::prelude::*;
 use radiosity_solvers::{Dense, Operator, Partition};
 
-use crate::systems::{Random, matrix};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::matrix;
 
 /// Operator with only the functions that it must bring itself; the rest is provided.
 struct Bare(Dense);
@@ -71,12 +72,12 @@ proptest! {
         let random = &mut Random(seed);
         let partition = Partition::new(&sizes);
         let dim = partition.dim();
-        let entries = random.vector(dim * dim);
+        let entries = random.numbers(dim * dim);
         let a = matrix(partition, symmetric, |i, j| {
             if symmetric { entries[i.max(j) * dim + i.min(j)] } else { entries[i * dim + j] }
         });
         let a = a.with_threads(threads);
-        let x = random.vector(dim);
+        let x = random.numbers(dim);
         let values = a.values().to_vec();
         is_matrix(&a, &values, &x)?;
         is_matrix(&Bare(a), &values, &x)?;

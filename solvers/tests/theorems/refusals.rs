@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 use radiosity_solvers::method::{Method, Needs};
 use radiosity_solvers::{Dense, Operator, Partition, Report, Settings, SolveError, Stop};
 
-use crate::systems::{Random, enclosure, matrix, positive_definite};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::{enclosure, matrix, positive_definite};
 
 fn dense(dim: usize, values: &[f64], symmetric: bool) -> Dense {
     // Given row by row, for the eye.
@@ -367,7 +368,7 @@ fn settings_out_of_range_are_refused() {
 fn too_few_iterations_leave_the_best_iterate_and_its_residual() {
     let random = &mut Random(7);
     let a = positive_definite(random, Partition::new(&[3; 12]), 1e-4);
-    let b = random.vector(36);
+    let b = random.numbers(36);
     let settings = Settings::default().with_max_iterations(3).with_tolerance(1e-12);
     for name in ["jacobi", "gauss-seidel", "southwell", "cg", "gmres"] {
         let mut x = vec![0.0; 36];

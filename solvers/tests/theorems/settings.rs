@@ -6,15 +6,16 @@ use radiosity_solvers::method::{Method, Needs};
 use radiosity_solvers::{Granularity, Operator, Partition, Settings, SolveError, Stop};
 
 use crate::exact::norm;
-use crate::systems::{Random, enclosure, matrix, positive_definite};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::{enclosure, matrix, partition, positive_definite};
 
 #[test]
 fn no_tolerance_is_too_small_to_end() {
     let random = &mut Random(19);
     for floor in [1e-1, 1e-4, 1e-8] {
-        let partition = random.partition(40, 7);
+        let partition = partition(random, 40, 7);
         let a = positive_definite(random, partition, floor);
-        let b = random.vector(40);
+        let b = random.numbers(40);
         let settings = Settings::default().with_tolerance(0.0).with_max_iterations(100_000);
         for method in Method::ALL {
             let mut x = vec![0.0; 40];
@@ -123,7 +124,7 @@ fn nothing_has_no_condition() {
 fn empty_blocks_are_passed_over() {
     let random = &mut Random(71);
     let a = enclosure(random, Partition::new(&[0, 2, 0, 0, 3, 1, 0]), (0.3, 0.8), true);
-    let b = random.vector(6);
+    let b = random.numbers(6);
     for granularity in [Granularity::Block, Granularity::Coefficient] {
         for method in Method::ALL {
             let mut x = vec![0.0; 6];
@@ -198,7 +199,7 @@ fn several_right_hand_sides_share_one_time_budget() {
 fn observers_see_what_the_report_keeps() {
     let random = &mut Random(31);
     let a = enclosure(random, Partition::new(&[2; 9]), (0.5, 0.9), true);
-    let b = random.vector(18);
+    let b = random.numbers(18);
     for method in Method::ALL {
         let (mut x, mut seen) = (vec![0.0; 18], Vec::new());
         let report = method.solver.solve(&a, &b, &mut x, &Settings::default(), &mut |step| {
@@ -215,7 +216,7 @@ fn observers_see_what_the_report_keeps() {
 fn a_residual_that_rises_and_then_falls_slowly_is_not_stuck() {
     // Six walls that see each other alike and reflect all but 10⁻⁵, one of them lit: column sums are 1 − ρ.
     let rho = 1.0 - 1e-5;
-    let partition = Random(1).partition(6, 1);
+    let partition = partition(&mut Random(1), 6, 1);
     let a = matrix(partition, true, |i, j| if i == j { 1.0 } else { -0.2 * rho });
     let b: Vec<f64> = (0..6).map(|i| if i == 0 { 0.0 } else { 0.2 * rho }).collect();
     let settings = Settings::default().with_max_iterations(10_000_000);

@@ -6,7 +6,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Granularity, Operator, Partition, Report, Settings, SolveError, Step};
 
-use crate::systems::{Random, enclosure, matrix};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::{enclosure, matrix, partition};
 
 /// Logs which block columns are shot, and refuses all other access but to diagonal blocks already due.
 struct Counting {
@@ -109,9 +110,9 @@ fn overshooting_shoots_ahead() {
 fn each_shot_is_the_largest_by_definition() {
     let random = &mut Random(11);
     for case in 0..100 {
-        let partition = random.partition(20, 6);
+        let partition = partition(random, 20, 6);
         let a = Counting::new(enclosure(random, partition.clone(), (0.1, 0.9), false));
-        let b = random.vector(20);
+        let b = random.numbers(20);
         let weights: Vec<f64> = (0..20).map(|_| 0.1 + random.unit()).collect();
         let granularity = if case % 2 == 0 { Granularity::Block } else { Granularity::Coefficient };
         let mut steps: Vec<Vec<f64>> = Vec::new();

@@ -10,14 +10,15 @@ use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Granularity, Preconditioner, Settings, SolveError, Sweep};
 
 use crate::exact;
-use crate::systems::{Random, enclosure, exchange, matrix, scaled};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::{enclosure, exchange, matrix, partition, scaled};
 
 /// Kinds of hard systems.
 const KINDS: usize = 8;
 
 /// A hard system of dimension `dim`.
 fn hard(random: &mut Random, kind: usize, dim: usize) -> Dense {
-    let partition = random.partition(dim, 91);
+    let partition = partition(random, dim, 91);
     let symmetric = random.below(2) == 0;
     match kind {
         // ρ up to 1 − 10⁻⁸.
@@ -37,7 +38,7 @@ fn hard(random: &mut Random, kind: usize, dim: usize) -> Dense {
         }
         // Diagonal blocks of rank one but for rounding, in a system that may have an inverse.
         3 => {
-            let parts = random.vector(dim);
+            let parts = random.numbers(dim);
             let weak = exchange(random, dim);
             let blocks: Vec<usize> = (0..partition.len()).flat_map(|b| vec![b; partition.size(b)]).collect();
             matrix(partition, true, |i, j| {
@@ -50,12 +51,12 @@ fn hard(random: &mut Random, kind: usize, dim: usize) -> Dense {
         4 => matrix(partition, false, |_, _| random.signed()),
         // Symmetric, indefinite.
         5 => {
-            let entries = random.vector(dim * dim);
+            let entries = random.numbers(dim * dim);
             matrix(partition, true, |i, j| entries[i.min(j) * dim + i.max(j)])
         }
         // Singular: two equal rows.
         6 => {
-            let mut entries = random.vector(dim * dim);
+            let mut entries = random.numbers(dim * dim);
             (0..dim).for_each(|j| entries[j * dim] = entries[j * dim + dim - 1]);
             matrix(partition, false, |i, j| entries[j * dim + i])
         }
@@ -109,7 +110,7 @@ fn run(seed: u64, count: usize, largest: usize, methods: &[Method]) {
     for case in 0..count * KINDS {
         let dim = if case == 0 { largest } else { 1 + (random.unit().powi(3) * largest as f64) as usize };
         let a = hard(random, case % KINDS, dim);
-        let b = random.vector(dim);
+        let b = random.numbers(dim);
         let settings = settings(random);
         for (method, solved) in methods.iter().zip(&mut solved) {
             *solved += usize::from(keeps_its_word(method, &a, &b, &settings));

@@ -3,14 +3,15 @@
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Operator, Partition, Settings};
 
-use crate::systems::{Random, enclosure, matrix};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::{enclosure, matrix, partition};
 
 #[test]
 fn of_products_and_iterations() {
     let random = &mut Random(13);
-    let partition = random.partition(301, 20);
+    let partition = partition(random, 301, 20);
     let alone = enclosure(random, partition, (0.3, 0.9), true);
-    let b = random.vector(301);
+    let b = random.numbers(301);
     for threads in [2, 3, 7] {
         let shared = alone.clone().with_threads(threads);
         for method in Method::ALL {
@@ -29,7 +30,7 @@ const LARGE: [usize; 3] = [2049, 2500, 3073];
 
 /// 3/2 I plus a symmetric matrix of row sums below 1.
 fn large(dim: usize, random: &mut Random) -> Dense {
-    let entries = random.vector(4096);
+    let entries = random.numbers(4096);
     matrix(Partition::points(dim), true, |i, j| {
         let (low, high) = (i.min(j), i.max(j));
         entries[(low * 31 + high * 17) % 4096] / dim as f64 + if i == j { 1.5 } else { 0.0 }
@@ -41,7 +42,7 @@ fn of_large_factorisations() {
     let random = &mut Random(17);
     for dim in LARGE {
         let a = large(dim, random);
-        let truths = random.vector(3 * dim);
+        let truths = random.numbers(3 * dim);
         let mut b = vec![0.0; 3 * dim];
         a.apply_many(&truths, &mut b);
         for name in ["lu", "cholesky"] {

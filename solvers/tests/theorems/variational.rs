@@ -5,7 +5,8 @@ use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Partition, Preconditioner, Settings, functional};
 
 use crate::exact::norm;
-use crate::systems::{Random, enclosure, positive_definite};
+use radiosity_test_support::random::Random;
+use radiosity_test_support::systems::{enclosure, partition, positive_definite};
 
 fn dot(x: &[f64], y: &[f64]) -> f64 {
     x.iter().zip(y).map(|(x, y)| x * y).sum()
@@ -19,9 +20,9 @@ proptest! {
         seed: u64, dim in 2..40usize, largest in 1..7usize, floor in -4.0..0f64, plain: bool,
     ) {
         let random = &mut Random(seed);
-        let partition = random.partition(dim, largest);
+        let partition = partition(random, dim, largest);
         let a = positive_definite(random, partition, 10f64.powf(floor));
-        let b = random.vector(dim);
+        let b = random.numbers(dim);
         let preconditioner = if plain { Preconditioner::None } else { Preconditioner::Block };
         let settings = Settings::default().with_tolerance(1e-12).with_preconditioner(preconditioner);
         let (mut x, mut energies) = (vec![0.0; dim], Vec::new());
@@ -42,7 +43,7 @@ proptest! {
     ) {
         let random = &mut Random(seed);
         let a = positive_definite(random, Partition::points(dim), 10f64.powf(floor));
-        let (truth, other) = (random.vector(dim), random.vector(dim));
+        let (truth, other) = (random.numbers(dim), random.numbers(dim));
         let mut b = vec![0.0; dim];
         a.apply(&truth, &mut b);
         let error: Vec<f64> = other.iter().zip(&truth).map(|(x, truth)| x - truth).collect();
@@ -56,7 +57,7 @@ proptest! {
     #[test]
     fn richardson_adds_the_terms_of_neumanns_series(seed: u64, dim in 2..20usize, terms in 1..8usize) {
         let random = &mut Random(seed);
-        let partition = random.partition(dim, 4);
+        let partition = partition(random, dim, 4);
         let a = enclosure(random, partition, (0.3, 0.9), false);
         let b: Vec<f64> = (0..dim).map(|_| random.unit()).collect();
         // b + K b + … with K = I − A, by powers.
@@ -96,9 +97,9 @@ proptest! {
             }
         }
         let random = &mut Random(seed);
-        let partition = random.partition(dim, 5);
+        let partition = partition(random, dim, 5);
         let a = Undisclosed(enclosure(random, partition, (0.2, 0.9), symmetric));
-        let truth = random.vector(dim);
+        let truth = random.numbers(dim);
         let mut b = vec![0.0; dim];
         a.apply(&truth, &mut b);
         let settings = Settings::default().with_preconditioner(Preconditioner::None).with_tolerance(1e-13);

@@ -1,11 +1,14 @@
 //! Blocks of moving elements against those of displaced scenes, and what has no series.
 
+use radiosity::elements::Elements;
 use radiosity::elements::space::Space;
-use radiosity::elements::{Discretization, Elements};
 use radiosity::geom::DVec3;
+use radiosity::kernel::Accuracy;
 use radiosity::published::series::{BlockSeries, MovingBlock, SeriesError, Settings, TranslatedPair};
 use radiosity::visibility::{Shadows, Visibility};
-use radiosity::{kernel::Accuracy, transport::assemble};
+use radiosity_test_support::compare::farthest;
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::{blocks_of, elements_of};
 
 use super::quads::{Quad, elements, scene};
 
@@ -27,7 +30,7 @@ fn integrated(quads: &[Quad], space: Space, order: usize) -> Vec<f64> {
     let visibility = Visibility::new(&scene(quads), Shadows::Off);
     let accuracy = Accuracy { eps: 1e-11, shadow_eps: 1e-3 };
     let elements = elements(quads, space, order);
-    let blocks = assemble(&elements, &visibility, accuracy, &|_, _| {});
+    let blocks = blocks_of(&elements, &visibility, accuracy);
     let [rows, columns] = [0, 1].map(|k| elements.list()[k].basis.len());
     let column = |l: usize| {
         let mut unit = vec![0.0; blocks.dim()];
@@ -36,10 +39,6 @@ fn integrated(quads: &[Quad], space: Space, order: usize) -> Vec<f64> {
     };
     let table: Vec<Vec<f64>> = (0..columns).map(column).collect();
     (0..rows).flat_map(|k| table.iter().map(move |column| column[k])).collect()
-}
-
-fn farthest(found: &[f64], exact: &[f64]) -> f64 {
-    found.iter().zip(exact).fold(0.0, |most, (x, y)| most.max((x - y).abs()))
 }
 
 fn pair(elements: &Elements, direction: DVec3) -> TranslatedPair<'_> {
@@ -140,8 +139,8 @@ fn what_has_no_series_is_told() {
 quad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }
 [[surfaces]]
 sphere = { center = [0, 0, 3], radius = 1 }";
-    let scene = radiosity::language::from_toml(ball, "ball").expect("the scene is valid");
-    let curved = Elements::new(&scene, &Discretization::uniform(1, 1)).expect("both have area");
+    let scene = typed(ball);
+    let curved = elements_of(&scene, 1, 1);
     let told = TranslatedPair::new(&curved.list()[0], &curved.list()[1], DVec3::X).unwrap_err();
     assert_eq!(told, SeriesError::Curved { surface: 1 });
 

@@ -4,37 +4,15 @@ use radiosity::geom::DVec3;
 use radiosity::published::series::displacement::DisplacementSeries;
 use radiosity::published::series::point_pair::PointPair;
 use radiosity::published::series::power_series::inverse_square;
+use radiosity_test_support::data::table;
+use radiosity_test_support::random::Random;
 
-use super::quads::read;
-
-/// Numbers of a fixed sequence in [−1, 1] (splitmix64).
-struct Sequence(u64);
-
-impl Sequence {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z >> 11) as f64 * 2f64.powi(-52) - 1.0
-    }
-
-    fn unit(&mut self) -> DVec3 {
-        loop {
-            let v = DVec3::new(self.next(), self.next(), self.next());
-            if (0.01..1.0).contains(&v.length_squared()) {
-                return v.normalize();
-            }
-        }
-    }
-
-    fn pair(&mut self) -> PointPair {
-        let distance = 4f64.powf(self.next());
-        PointPair {
-            offset: distance * self.unit(),
-            receiver_normal: self.unit(),
-            emitter_normal: self.unit(),
-        }
+fn pair(random: &mut Random) -> PointPair {
+    let distance = 4f64.powf(random.signed());
+    PointPair {
+        offset: distance * random.direction(),
+        receiver_normal: random.direction(),
+        emitter_normal: random.direction(),
     }
 }
 
@@ -94,7 +72,7 @@ fn fractions_are_rounded_once() {
 
 #[test]
 fn coefficients_of_the_inverse_square_are_those_of_exact_fractions() {
-    let data = read("animation_xi.json");
+    let data = table("animation_xi.json");
     let cases = data["cases"].as_array().expect("cases");
     assert_eq!(cases.len(), 6);
     for case in cases {
@@ -112,9 +90,9 @@ fn coefficients_of_the_inverse_square_are_those_of_exact_fractions() {
 
 #[test]
 fn two_divisions_give_the_combination_of_the_inverse_square() {
-    let mut sequence = Sequence(1);
+    let mut random = Random(1);
     for _ in 0..200 {
-        let (pair, direction) = (sequence.pair(), sequence.unit());
+        let (pair, direction) = (pair(&mut random), random.direction());
         let (r, x, y) = (pair.offset, pair.receiver_normal, pair.emitter_normal);
         let (mut xi, mut phi) = ([0.0; 21], [0.0; 21]);
         inverse_square(direction.dot(r), 1.0, r.length_squared(), &mut xi);
@@ -136,13 +114,13 @@ fn two_divisions_give_the_combination_of_the_inverse_square() {
 
 #[test]
 fn the_remainder_is_below_its_bound_and_not_far_below() {
-    let mut sequence = Sequence(2);
+    let mut random = Random(2);
     let mut ratios = Vec::new();
     for k in 0..10_000 {
-        let (pair, direction) = (sequence.pair(), 1.5 * sequence.unit());
+        let (pair, direction) = (pair(&mut random), 1.5 * random.direction());
         let orders = k % 13;
-        let h = 0.475 * (1.0 + sequence.next()) + 1e-3;
-        let p = h * pair.offset.length() / direction.length() * sequence.next().signum();
+        let h = 0.475 * (1.0 + random.signed()) + 1e-3;
+        let p = h * pair.offset.length() / direction.length() * random.signed().signum();
         let mut phi = vec![0.0; orders + 1];
         pair.series(direction, &mut phi);
         let exact = pair.kernel(p * direction);
@@ -158,14 +136,14 @@ fn the_remainder_is_below_its_bound_and_not_far_below() {
     ratios.sort_by(f64::total_cmp);
     let median = ratios[ratios.len() / 2];
     assert!(ratios.len() > 5000 && median < 30.0, "{} ratios of median {median}", ratios.len());
-    assert_eq!(sequence.pair().remainder(DVec3::X, 8, 1e3), f64::INFINITY);
+    assert_eq!(pair(&mut random).remainder(DVec3::X, 8, 1e3), f64::INFINITY);
 }
 
 #[test]
 fn the_opposite_direction_changes_the_signs_of_odd_orders() {
-    let mut sequence = Sequence(3);
+    let mut random = Random(3);
     for _ in 0..1000 {
-        let (pair, direction) = (sequence.pair(), sequence.unit());
+        let (pair, direction) = (pair(&mut random), random.direction());
         let (mut there, mut back) = ([0.0; 12], [0.0; 12]);
         pair.series(direction, &mut there);
         pair.series(-direction, &mut back);
@@ -189,10 +167,10 @@ fn the_opposite_direction_changes_the_signs_of_odd_orders() {
 
 #[test]
 fn points_face_each_other_as_long_as_they_are_said_to() {
-    let mut sequence = Sequence(4);
+    let mut random = Random(4);
     let mut numbers = [0; 2];
     for _ in 0..1000 {
-        let (pair, direction) = (sequence.pair(), sequence.unit());
+        let (pair, direction) = (pair(&mut random), random.direction());
         let faces_at = |p: f64| {
             let r = pair.offset + p * direction;
             pair.receiver_normal.dot(r) > 0.0 && pair.emitter_normal.dot(r) < 0.0
@@ -220,9 +198,9 @@ fn orders(error: impl Fn(f64) -> f64) -> f64 {
 #[test]
 fn three_series_along_the_axes_miss_the_products_that_one_in_three_variables_holds() {
     const DEGREE: usize = 5;
-    let mut sequence = Sequence(5);
+    let mut random = Random(5);
     for _ in 0..20 {
-        let (pair, way) = (sequence.pair(), sequence.unit());
+        let (pair, way) = (pair(&mut random), random.direction());
         let length = pair.offset.length();
         let at = |h: f64| h * length * way;
         let all = DisplacementSeries::new(&pair, DEGREE);

@@ -3,9 +3,10 @@
 use radiosity::elements::space::Space;
 use radiosity::geom::DVec3;
 use radiosity::published::series::{MovingBlock, Settings, TranslatedPair};
+use radiosity_test_support::data::{numbers, point, table};
 use serde_json::Value;
 
-use super::quads::{Quad, elements, numbers, read, relative, vector};
+use super::quads::{Quad, elements, relative};
 
 /// Functions of a quad.
 const N: usize = 9;
@@ -28,7 +29,7 @@ fn solved(blocks: &[(usize, usize, Vec<f64>)], reflectances: &[f64], emitted: &[
 
 #[test]
 fn the_solution_of_a_moving_lamp_is_the_exact_one() {
-    let data = read("animation_solve.json");
+    let data = table("animation_solve.json");
     let list = data["quads"].as_array().expect("quads");
     let quads: Vec<Quad> = list.iter().map(Quad::read).collect();
     let number = |value: &Value, key: &str| value[key].as_f64().expect("a number");
@@ -38,7 +39,7 @@ fn the_solution_of_a_moving_lamp_is_the_exact_one() {
     for (k, quad) in list.iter().enumerate() {
         emitted[N * k] = number(quad, "e") * elements.list()[k].area.sqrt();
     }
-    let direction = vector(&data["dir"]);
+    let direction = point(&data["dir"]);
     let of_pair = |i: usize, j: usize| {
         // A pair that stays has a direction too, and no displacement.
         let direction = if j == 2 { direction } else { DVec3::X };

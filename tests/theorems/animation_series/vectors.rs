@@ -4,9 +4,10 @@ use radiosity::elements::Elements;
 use radiosity::elements::space::Space;
 use radiosity::geom::DVec3;
 use radiosity::published::series::{BlockSeries, MovingBlock, SeriesError, Settings, TranslatedPair};
+use radiosity_test_support::data::{numbers, point, table};
 use serde_json::Value;
 
-use super::quads::{Quad, elements, numbers, read, relative, vector};
+use super::quads::{Quad, elements, relative};
 
 const PRECISE: Settings = Settings { orders: 24, tolerance: 2e-13 };
 
@@ -41,13 +42,13 @@ impl Case {
 }
 
 fn cases() -> Vec<Case> {
-    let data = read("animation_series.json");
+    let data = table("animation_series.json");
     let case = |value: &Value| {
         let quads = [Quad::read(&value["static"]), Quad::read(&value["moving"])];
         Case {
             name: value["name"].as_str().expect("a name").to_owned(),
             elements: elements(&quads, Space::Tensor, 2),
-            direction: vector(&value["dir"]),
+            direction: point(&value["dir"]),
             scale: (quads[0].stretch() * quads[1].stretch()).sqrt(),
             value: value.clone(),
         }

@@ -1,8 +1,9 @@
 //! Curved surfaces, most of whose view factors follow from sums and reciprocity.
 
+use radiosity_test_support::compare::assert_close;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::shared::{close, level, lumped_and_curved, of, to_accuracy};
+use super::shared::{level, lumped_and_curved, of, to_accuracy};
 
 /// The inside of a sphere of radius 2 at 300 K around a sphere of radius 1.
 fn spheres(inner: &str, between: &str) -> String {
@@ -58,11 +59,11 @@ fn of_spheres() -> f64 {
 fn concentric_spheres_exchange_what_two_resistances_let_through() {
     let heat = lumped_and_curved(&spheres("temperature = 500", ""));
     let flow = (level(500.0) - level(300.0)) / of_spheres();
-    close(of(&heat, "inner").flow, flow, 1e-10);
-    close(of(&heat, "outer").flow, -flow, 1e-10);
+    assert_close(of(&heat, "inner").flow, flow, 1e-10);
+    assert_close(of(&heat, "outer").flow, -flow, 1e-10);
     assert!(heat.lost.abs() <= 1e-10 * flow);
     let conductances = heat.conductances.unwrap();
-    close(conductances.rows[0][1], 1.0 / of_spheres(), 1e-10);
+    assert_close(conductances.rows[0][1], 1.0 / of_spheres(), 1e-10);
     assert_eq!(conductances.rows[0][1], conductances.rows[1][0]);
     assert!(conductances.lost.iter().all(|lost| lost.abs() < 1e-10));
 }
@@ -71,8 +72,8 @@ fn concentric_spheres_exchange_what_two_resistances_let_through() {
 fn a_heated_sphere_finds_its_temperature() {
     let heat = lumped_and_curved(&spheres("heat_flux = 1000", ""));
     let expected = level(300.0) + 1000.0 * sphere(1.0) * of_spheres();
-    close(level(of(&heat, "inner").temperature), expected, 1e-10);
-    close(of(&heat, "outer").flow, -1000.0 * sphere(1.0), 1e-10);
+    assert_close(level(of(&heat, "inner").temperature), expected, 1e-10);
+    assert_close(of(&heat, "outer").flow, -1000.0 * sphere(1.0), 1e-10);
     assert!(of(&heat, "inner").is_flow_known && !of(&heat, "inner").is_temperature_known);
 }
 
@@ -83,11 +84,11 @@ fn a_foil_between_spheres_is_a_shield() {
     let before = surface_resistance(0.8, inner) + 1.0 / inner + surface_resistance(0.05, foil);
     let after = surface_resistance(0.05, foil) + 1.0 / foil + surface_resistance(0.6, outer);
     let flow = (level(500.0) - level(300.0)) / (before + after);
-    close(of(&heat, "inner").flow, flow, 1e-10);
-    close(of(&heat, "foil").flow, flow, 1e-10);
-    close(of(&heat, "foil:back").flow, -flow, 1e-10);
+    assert_close(of(&heat, "inner").flow, flow, 1e-10);
+    assert_close(of(&heat, "foil").flow, flow, 1e-10);
+    assert_close(of(&heat, "foil:back").flow, -flow, 1e-10);
     for side in ["foil", "foil:back"] {
-        close(level(of(&heat, side).temperature), level(500.0) - flow * before, 1e-10);
+        assert_close(level(of(&heat, side).temperature), level(500.0) - flow * before, 1e-10);
     }
     assert!(heat.lost.abs() <= 1e-10 * flow);
 }
@@ -114,9 +115,9 @@ fn a_shield_may_have_two_materials() {
     let before = surface_resistance(0.8, inner) + 1.0 / inner + surface_resistance(0.9, foil);
     let after = surface_resistance(0.05, foil) + 1.0 / foil + surface_resistance(0.6, outer);
     let flow = (level(500.0) - level(300.0)) / (before + after);
-    close(of(&heat, "inner").flow, flow, 1e-10);
+    assert_close(of(&heat, "inner").flow, flow, 1e-10);
     for side in ["foil", "foil:back"] {
-        close(level(of(&heat, side).temperature), level(500.0) - flow * before, 1e-10);
+        assert_close(level(of(&heat, side).temperature), level(500.0) - flow * before, 1e-10);
     }
 }
 
@@ -148,7 +149,7 @@ fn a_cylinder_in_a_black_room_sends_out_its_own_alone() {
     );
     let flux = 0.3 * (level(800.0) - level(400.0));
     for name in ["side", "top", "bottom"] {
-        close(of(&heat, name).flux, flux, 1e-10);
+        assert_close(of(&heat, name).flux, flux, 1e-10);
     }
 }
 
@@ -199,7 +200,7 @@ fn pipes_closed_by_rings_exchange_what_their_network_lets_through() {
     let between = direct + 1.0 / (1.0 / from_inner + 1.0 / from_outer);
     let resistance = surface_resistance(0.8, inner) + 1.0 / between + surface_resistance(0.6, outer);
     let flow = (level(500.0) - level(300.0)) / resistance;
-    close(of(&heat, "inner").flow, flow, 1e-4);
+    assert_close(of(&heat, "inner").flow, flow, 1e-4);
     assert!(heat.lost.abs() <= 1e-11 * flow, "{}", heat.lost);
 }
 
@@ -232,7 +233,7 @@ fn what_only_looks_closed_is_left_as_it_is() {
     let text = spheres("temperature = 500", "").replace("flip = true", "");
     let heat = lumped_and_curved(&text);
     assert!(heat.moved.is_none() && !heat.is_closed());
-    close(of(&heat, "inner").flux, 0.8 * level(500.0), 1e-12);
+    assert_close(of(&heat, "inner").flux, 0.8 * level(500.0), 1e-12);
     // A lid is missing.
     let (open, _) = PIPES.split_at(PIPES.rfind("[[surfaces]]").unwrap());
     let heat = lumped_and_curved(open);

@@ -1,8 +1,9 @@
 //! Flat enclosures, and what any balance keeps.
 
 use radiosity::solve::solution::Place;
+use radiosity_test_support::compare::assert_close;
 
-use super::shared::{CUBE, at_order, close, level, lumped, of};
+use super::shared::{CUBE, at_order, level, lumped, of};
 
 #[test]
 fn adiabatic_walls_pass_on_what_they_receive() {
@@ -14,11 +15,11 @@ fn adiabatic_walls_pass_on_what_they_receive() {
             - 2.0 * 1.0_f64.atan());
     // The walls are one node by symmetry, in series between floor and ceiling.
     let flow = 0.5 * (1.0 + factor) * (level(1000.0) - level(500.0));
-    close(of(&heat, "floor").flow, flow, 1e-10);
-    close(of(&heat, "ceiling").flow, -flow, 1e-10);
+    assert_close(of(&heat, "floor").flow, flow, 1e-10);
+    assert_close(of(&heat, "ceiling").flow, -flow, 1e-10);
     let walls = heat.surfaces.iter().filter(|own| own.name.starts_with("wall"));
     for wall in walls {
-        close(level(wall.temperature), 0.5 * (level(1000.0) + level(500.0)), 1e-10);
+        assert_close(level(wall.temperature), 0.5 * (level(1000.0) + level(500.0)), 1e-10);
         assert_eq!(wall.flow, 0.0);
     }
 }
@@ -87,7 +88,7 @@ fn the_field_of_levels_has_the_means_of_the_surfaces() {
                     .sum::<f64>()
             })
             .sum();
-        close(sum / area, level(own.temperature), 1e-12);
+        assert_close(sum / area, level(own.temperature), 1e-12);
     }
     // A wall is warmer below, beside the hot floor.
     let wall = heat.surfaces.iter().position(|own| own.name.starts_with("wall")).unwrap();
@@ -111,7 +112,7 @@ fn an_isothermal_room_is_at_rest_at_any_order() {
         assert!(heat.is_closed());
         for own in &heat.surfaces {
             assert!(own.flow.abs() <= 1e-9 * level(1000.0), "{}: {}", own.name, own.flow);
-            close(own.temperature, 1000.0, 1e-9);
+            assert_close(own.temperature, 1000.0, 1e-9);
         }
     }
 }
@@ -130,11 +131,11 @@ fn an_open_plate_loses_its_heat_to_empty_space() {
         )
     };
     let warm = lumped(&plate("temperature = 300"));
-    close(warm.lost, 2.0 * 0.7 * level(300.0), 1e-12);
-    close(warm.conductances.unwrap().lost[0], 1.4, 1e-12);
+    assert_close(warm.lost, 2.0 * 0.7 * level(300.0), 1e-12);
+    assert_close(warm.conductances.unwrap().lost[0], 1.4, 1e-12);
     // Nothing arrives, so the flux alone sets the temperature.
     let heated = lumped(&plate("heat_flux = 350"));
-    close(level(of(&heated, "plate").temperature), 350.0 / 0.7, 1e-12);
+    assert_close(level(of(&heated, "plate").temperature), 350.0 / 0.7, 1e-12);
 }
 
 #[test]
@@ -149,6 +150,6 @@ fn a_small_opening_sets_the_level() {
             "[1,1,1],[1,0,1]], holes = [[[0.4,0.4,1],[0.4,0.6,1],[0.6,0.6,1],[0.6,0.4,1]]] }",
         );
     let heat = at_order(0, &text).unwrap();
-    close(heat.lost, 10.0 * (6.0 - 0.04), 1e-9);
+    assert_close(heat.lost, 10.0 * (6.0 - 0.04), 1e-9);
     assert!(!heat.is_closed() && heat.moved.is_none());
 }

@@ -1,12 +1,8 @@
 //! Scenes, and their heat at an order.
 
-use radiosity::Scene;
 use radiosity::heat::{Heat, HeatError, HeatOptions, STEFAN_BOLTZMANN, SurfaceHeat};
 use radiosity::solve::{Options, Transport};
-
-pub(super) fn scene(text: &str) -> Scene {
-    radiosity::language::from_toml(text, "heat.toml").unwrap_or_else(|error| panic!("{error}"))
-}
+use radiosity_test_support::scenes::typed;
 
 pub(super) fn at_order(order: usize, text: &str) -> Result<Heat, HeatError> {
     to_accuracy(1e-11, order, text)
@@ -22,7 +18,7 @@ pub(super) fn to_accuracy(eps: f64, order: usize, text: &str) -> Result<Heat, He
         tolerance: 1e-13,
         ..Options::default()
     };
-    Heat::of(&scene(text), &HeatOptions { options, conductances: true }, &|_| {})
+    Heat::of(&typed(text), &HeatOptions { options, conductances: true }, &|_| {})
 }
 
 pub(super) fn lumped(text: &str) -> Heat {
@@ -41,11 +37,6 @@ pub(super) fn of<'a>(heat: &'a Heat, name: &str) -> &'a SurfaceHeat {
 
 pub(super) fn level(kelvin: f64) -> f64 {
     STEFAN_BOLTZMANN * kelvin.powi(4)
-}
-
-#[track_caller]
-pub(super) fn close(found: f64, expected: f64, accuracy: f64) {
-    assert!((found - expected).abs() <= accuracy * expected.abs(), "{found} instead of {expected}");
 }
 
 /// A unit cube with a black floor at 1000 K, a black ceiling at 500 K and adiabatic walls.

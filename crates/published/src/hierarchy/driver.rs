@@ -32,7 +32,7 @@ pub struct Round {
 /// `progress` is told of each round. The result does not depend on the number of threads. No error is estimated: a link
 /// carries at most the power `options.eps`, but for the least faces, and links of clusters err the less the larger `separation` is.
 /// In a hall of 1014 surfaces the mean irradiances err by 2 % of the largest at separation 1.5, by 0.9 % at 3
-/// (example `links`).
+/// (study `links`).
 ///
 /// # Errors
 /// Options out of range, and what the solver says.

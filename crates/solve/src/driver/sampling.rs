@@ -45,7 +45,7 @@ const FEWEST: [u64; 2] = [4, 16];
 const EXACT: f64 = 5.0;
 
 /// Part of the accuracy of single exact pairs that is left in mean irradiances: between a tenth and a hundredth in two
-/// rooms (`cargo run --release --example rays -- sooner`).
+/// rooms (`cargo run --release -p radiosity-studies --bin rays -- sooner`).
 const LEFT: f64 = 0.1;
 
 /// Rays of a round: about a second's on two cores.

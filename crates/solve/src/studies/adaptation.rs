@@ -5,7 +5,7 @@
 //! beside them (`estimate`), that of gathered light by walks (`gathered`).
 //! Against exact answers and much finer runs the estimate of polynomials is within a factor of three of the error
 //! (`cargo test --release --test stress -- --ignored`), that of gathered light within two
-//! (`cargo run --release --example estimates`).
+//! (`cargo run --release -p radiosity-studies --bin estimates`).
 //!
 //! Where the goal is gathered light, elements are refined where they are responsible for its error (`local`); where
 //! rays carry the pairs, by more of them (`rays`); for polynomials all alike (`rungs`); for hierarchical radiosity by weaker

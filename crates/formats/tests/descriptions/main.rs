@@ -1,7 +1,0 @@
-//! View3D inputs, Mitsuba scenes, luminaires and side files of materials: right, odd and broken ones.
-
-mod measures;
-mod mutations;
-mod vs3;
-mod mitsuba;
-mod photometry;

@@ -1,0 +1,75 @@
+//! How evenly ranks would share the exact blocks of a scene, for any number of them.
+//!
+//!     cargo run --release -p radiosity-studies --bin ranks -- [SCENE …]
+//!
+//! Each block is integrated once, and what it cost is recorded. The rule that shares blocks between ranks
+//! (`transport/schedule/balance.rs`) is then run for so many ranks, without any process: it sees what it would see. Efficiency
+//! is the mean work of a rank over the time that all take, in which ranks wait for each other after each round.
+
+#![allow(clippy::print_stdout, reason = "the table is what it is for")]
+
+use radiosity::elements::Discretization;
+use radiosity::elements::Subdivide;
+use radiosity::transport::{Work, cost, shared, work};
+use radiosity::visibility::Visibility;
+use radiosity::{Options, Scene};
+
+/// Numbers of ranks.
+const RANKS: [usize; 8] = [2, 3, 4, 10, 30, 100, 1000, 10_000];
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut names: Vec<String> = std::env::args().skip(1).collect();
+    if names.is_empty() {
+        names = ["cornell-box", "two-boxes", "temple"].map(str::to_owned).to_vec();
+    }
+    for name in names {
+        let scene = radiosity::load(&name)?;
+        let costs = costs(&scene)?;
+        let total = |of: fn(&Work) -> u64| costs.iter().map(of).sum::<u64>();
+        let (samples, rays) = (total(Work::samples), total(Work::rays));
+        println!("{name}: {} blocks, {samples} kernel samples, {rays} rays", costs.len());
+        println!("{:>7} {:>10} {:>16} {:>13}", "ranks", "efficiency", "samples max/mean", "rays max/mean");
+        for ranks in RANKS.into_iter().filter(|ranks| *ranks <= costs.len()) {
+            row(ranks, &shared(&costs, ranks));
+        }
+        let mut dearest: Vec<f64> = costs.iter().map(|own| cost([own.samples(), own.rays()])).collect();
+        dearest.sort_by(|a, b| b.total_cmp(a));
+        let all: f64 = dearest.iter().sum();
+        let share = |count: usize| 100.0 * dearest.iter().take(count).sum::<f64>() / all;
+        println!(
+            "the dearest block costs {:.3} % of all, the dearest 1 % {:.1} %\n",
+            share(1),
+            share(costs.len() / 100)
+        );
+    }
+    Ok(())
+}
+
+/// What the blocks of a scene cost at default accuracy.
+fn costs(scene: &Scene) -> Result<Vec<Work>, Box<dyn std::error::Error>> {
+    let options = Options::default();
+    let visibility = Visibility::new(scene, (&options).into());
+    let subdivide = Subdivide::Auto { occluded: visibility.any_shadow() };
+    let Options { order, space, layers, .. } = options;
+    let elements = options.elements(scene, &Discretization { order, space, subdivide, layers }, None)?;
+    let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
+    Ok(work(&elements, &sends, &visibility, options.accuracy()))
+}
+
+/// The row of so many ranks, of which each has done so much in each round.
+fn row(ranks: usize, rounds: &[Vec<[u64; 2]>]) {
+    let most = |of: &dyn Fn(&[u64; 2]) -> f64, done: &[[u64; 2]]| done.iter().map(of).fold(0.0, f64::max);
+    let done: Vec<[u64; 2]> = (0..ranks)
+        .map(|rank| rounds.iter().fold([0; 2], |[a, b], round| [a + round[rank][0], b + round[rank][1]]))
+        .collect();
+    let mean = |of: &dyn Fn(&[u64; 2]) -> f64| done.iter().map(of).sum::<f64>() / ranks as f64;
+    let excess = |of: &dyn Fn(&[u64; 2]) -> f64| most(of, &done) / mean(of).max(f64::MIN_POSITIVE);
+    let cost = |own: &[u64; 2]| cost(*own);
+    let time: f64 = rounds.iter().map(|round| most(&cost, round)).sum();
+    println!(
+        "{ranks:>7} {:>10.3} {:>16.3} {:>13.3}",
+        mean(&cost) / time,
+        excess(&|own| own[0] as f64),
+        excess(&|own| own[1] as f64)
+    );
+}

@@ -1,0 +1,41 @@
+//! The figures and the table of H. R. Zatz, "Galerkin radiosity" (1993), computed again.
+//!
+//! `cargo run --release -p radiosity-studies --bin zatz_1993 -- [PART ...]` prints Markdown, the paper's numbers beside ours: `figure-4` and
+//! `figure-5` (error against order of two squares), `table-1` (times and shots, with figure 12), `figure-9` (the two boxes at
+//! orders 0, 1, 3 and 7; figure 11 is the second row of the picture it writes, docs/zatz-two-boxes.png); all unless said.
+//!
+//! Figures 7 and 8 are `studies/src/bin/shadow_pictures.rs`. Figure 13, the temple, is `radiosity solve temple`: 655 surfaces
+//! where the paper has 607. Only the squares are known to the last number: sizes, reflectances, cameras and stopping
+//! rules of the rooms were not published, and the scenes here are stand-ins of the same make.
+
+mod boxes;
+mod memory;
+mod rooms;
+mod squares;
+
+use std::error::Error;
+use std::io::{Write, stdout};
+
+use radiosity_studies::words::words;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let only = words(&["figure-4", "figure-5", "table-1", "figure-9"])?;
+    let wanted = |part: &str| only.is_empty() || only.iter().any(|only| only == part);
+    let mut out = stdout().lock();
+    if wanted("figure-4") {
+        squares::figure_4(&mut out)?;
+        writeln!(out)?;
+    }
+    if wanted("figure-5") {
+        squares::figure_5(&mut out)?;
+        writeln!(out)?;
+    }
+    if wanted("table-1") {
+        rooms::table_1(&mut out)?;
+        writeln!(out)?;
+    }
+    if wanted("figure-9") {
+        boxes::figure_9(&mut out)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,5 @@
+//! What several studies share. Each study is a program of its own: `cargo run --release -p radiosity-studies --bin read_off`.
+
+pub mod boxes;
+pub mod memory;
+pub mod words;

@@ -1,0 +1,21 @@
+//! Direct light at points.
+
+use radiosity::geom::DVec3;
+use radiosity::light::direct::DirectLight;
+use radiosity::light::receiver_point::ReceiverPoint;
+use radiosity::visibility::Visibility;
+use radiosity::{Options, Scene};
+
+use crate::solved::outcome_of;
+
+/// Direct light of a scene's first band in the open at points, each with the normal of the receiver, to this accuracy.
+pub fn in_the_open(scene: &Scene, options: &Options, points: &[(DVec3, DVec3)], eps: f64) -> Vec<f64> {
+    let outcome = outcome_of(scene, options);
+    let visibility = Visibility::new(scene, options.into());
+    let direct = DirectLight::within(&outcome.solution.emitters(), &visibility, eps);
+    let read = |(x, n): &(DVec3, DVec3)| {
+        let point = ReceiverPoint::free(*x, n.normalize());
+        direct.irradiance(&point, &direct.around(&point.site()))[0]
+    };
+    points.iter().map(read).collect()
+}

@@ -1,0 +1,76 @@
+//! Broken copies of files that are right: whatever reads them must read or refuse, never panic.
+
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+
+use crate::random::seeded;
+
+/// One change; places are parts of the length.
+#[derive(Clone, Debug)]
+enum Mutation {
+    Flip(f64, u8),
+    Cut(f64, f64),
+    Repeat(f64, f64),
+    /// Replaces the word at a place.
+    Word(f64, &'static str),
+    /// Overwrites four bytes.
+    Bytes(f64, [u8; 4]),
+}
+
+/// What is put in place of numbers and names in every format.
+const NUMBERS: [&str; 10] = ["1e999", "-1", "NaN", "0", "99999999999", "1e308", "1e-308", "3.5", "", "é"];
+/// Ends of words, besides blanks.
+const ENDS: &[u8] = b"\",:[]{}/=";
+/// Most bytes that are cut or repeated at once.
+const LONGEST: f64 = 120.0;
+
+fn mutation(words: &[&'static str]) -> impl Strategy<Value = Mutation> {
+    let place = || 0.0..1.0f64;
+    let words = [&NUMBERS[..], words].concat();
+    let four = [[0xff; 4], [0; 4], [0, 0, 0x80, 0x7f], [0, 0, 0xc0, 0x7f], [0x7f, 0xff, 0xff, 0xff]];
+    prop_oneof![
+        1 => (place(), any::<u8>()).prop_map(|(at, byte)| Mutation::Flip(at, byte)),
+        1 => (place(), place()).prop_map(|(at, length)| Mutation::Cut(at, length)),
+        1 => (place(), place()).prop_map(|(at, length)| Mutation::Repeat(at, length)),
+        3 => (place(), prop::sample::select(words)).prop_map(|(at, word)| Mutation::Word(at, word)),
+        1 => (place(), prop::sample::select(four.to_vec())).prop_map(|(at, four)| Mutation::Bytes(at, four)),
+    ]
+}
+
+fn mutate(bytes: &mut Vec<u8>, mutation: &Mutation) {
+    let count = bytes.len();
+    let at = |part: f64| (part * count as f64) as usize;
+    let part = |place: f64, length: f64| at(place)..(at(place) + (length * LONGEST) as usize).min(count);
+    match *mutation {
+        _ if bytes.is_empty() => {}
+        Mutation::Flip(place, byte) => bytes[at(place)] = byte,
+        Mutation::Cut(place, length) => drop(bytes.drain(part(place, length))),
+        Mutation::Repeat(place, length) => {
+            let repeated = bytes[part(place, length)].to_vec();
+            drop(bytes.splice(at(place)..at(place), repeated));
+        }
+        Mutation::Word(place, word) => {
+            let ends = |byte: &u8| byte.is_ascii_whitespace() || ENDS.contains(byte);
+            let start = bytes[..at(place)].iter().rposition(ends).map_or(0, |start| start + 1);
+            let end = bytes[start..].iter().position(ends).map_or(count, |end| start + end);
+            drop(bytes.splice(start..end, word.bytes()));
+        }
+        Mutation::Bytes(place, four) => {
+            let start = at(place);
+            let end = (start + 4).min(count);
+            bytes[start..end].copy_from_slice(&four[..end - start]);
+        }
+    }
+}
+
+/// Runs `check` on so many broken copies of a file, whose format has these `words`; panics with the smallest that it fails on.
+pub fn break_often(cases: u32, whole: &[u8], words: &[&'static str], check: impl Fn(&[u8])) {
+    let changes = prop::collection::vec(mutation(words), 1..5);
+    let tried = TestRunner::new(seeded(cases, 27)).run(&changes, |mutations| {
+        let mut bytes = whole.to_vec();
+        mutations.iter().for_each(|mutation| mutate(&mut bytes, mutation));
+        check(&bytes);
+        Ok(())
+    });
+    tried.unwrap_or_else(|error| panic!("{error}"));
+}

@@ -1,0 +1,50 @@
+//! Scenes that are solved, cut and carried: work that succeeds.
+
+use radiosity::elements::{Discretization, Elements};
+use radiosity::kernel::{Accuracy, Blocks};
+use radiosity::solve::view_factors;
+use radiosity::visibility::{Hiding, Shadows, Visibility};
+use radiosity::{Options, Outcome, Scene, Solved, ViewFactors, solve, transport};
+
+/// The outcome of a scene.
+#[track_caller]
+pub fn outcome_of(scene: &Scene, options: &Options) -> Outcome {
+    solve(scene, options, &|_| {}).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// A scene with its outcome.
+#[track_caller]
+pub fn solved_of(scene: Scene, options: Options) -> Solved {
+    Solved::new(scene, options, &|_| {}).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The elements of a scene at one order, so many times cut along each parameter.
+#[track_caller]
+pub fn elements_of(scene: &Scene, order: usize, parts: usize) -> Elements {
+    let how = Discretization::uniform(order, parts);
+    Elements::new(scene, &how).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// All blocks between elements.
+pub fn blocks_of(elements: &Elements, visibility: &Visibility, accuracy: Accuracy) -> Blocks {
+    transport::assemble(elements, visibility, accuracy, &|_, _| {})
+}
+
+/// All blocks between elements of a scene where nothing hides anything.
+pub fn open_blocks_of(scene: &Scene, elements: &Elements, eps: f64) -> Blocks {
+    blocks_of(elements, &Visibility::new(scene, Shadows::Off), Accuracy { eps, shadow_eps: 1e-3 })
+}
+
+/// The view factors of a scene, its surfaces cut as they are by default.
+#[track_caller]
+pub fn factors_of(scene: &Scene, shadows: Hiding, eps: f64, shadow_eps: f64) -> ViewFactors {
+    let accuracy = Accuracy { eps, shadow_eps };
+    let options = view_factors::Options { subdivide: None, accuracy, shadows, threads: 2 };
+    ViewFactors::new(scene, &options, &|_, _| {}).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The view factors of a scene at the accuracies that are usual: of blocks 1e-3, of shadows 3e-3.
+#[track_caller]
+pub fn usual_factors(scene: &Scene) -> ViewFactors {
+    factors_of(scene, Hiding::Auto, 1e-3, 3e-3)
+}

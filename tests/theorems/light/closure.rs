@@ -1,0 +1,63 @@
+//! Row sums in closed rooms: all that leaves a lamp reaches something, whatever curved things stand around it.
+
+use std::fmt::Write;
+
+use radiosity::kernel::Accuracy;
+use radiosity::transport;
+use radiosity::visibility::{Hiding, Visibility};
+use radiosity_test_support::scenes::typed;
+use radiosity_test_support::solved::elements_of;
+
+/// Row sum Σ_j F_ij of the surface `name`, which is one element, at the default accuracies.
+fn row_sum(text: &str, name: &str, order: usize) -> f64 {
+    let scene = typed(text);
+    let accuracy = Accuracy { eps: 1e-3, shadow_eps: 3e-3 };
+    let visibility = Visibility::new(&scene, Hiding::Auto.shadows(accuracy.shadow_eps));
+    let elements = elements_of(&scene, order, 1);
+    let row = elements.of_surface(scene.surface_named(name).expect("it is there")).start;
+    let wanted = |i: usize, j: usize| i == row || j == row;
+    let blocks = transport::assemble_pairs(&elements, &wanted, &visibility, accuracy, &|_, _| {});
+    let transported = blocks.apply(&elements.constant());
+    let element = &elements.list()[row];
+    let own = &transported[blocks.starts()[row]..];
+    element.constant.iter().zip(own).map(|(c, gc)| c * gc).sum::<f64>() / element.area
+}
+
+fn surface(text: &mut String, name: &str, shape: &str) {
+    write!(text, "[[surfaces]]\nname = {name:?}\n{shape}\n").expect("a String takes all text");
+}
+
+/// A room with a pilaster before a wall, which is two pieces, and a cylinder between disks that hangs in the room.
+fn pilaster() -> String {
+    let mut text = String::new();
+    let mut rectangle = |name: &str, [origin, edge1, edge2]: [[f64; 3]; 3]| {
+        let shape =
+            format!("parallelogram = {{ origin = {origin:?}, edge1 = {edge1:?}, edge2 = {edge2:?} }}");
+        surface(&mut text, name, &shape);
+    };
+    let [x, y, z] = [[4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]];
+    rectangle("floor", [[0.0; 3], x, y]);
+    rectangle("ceiling", [z, y, x]);
+    rectangle("x0", [[0.0; 3], y, z]);
+    rectangle("y0", [[0.0; 3], z, x]);
+    rectangle("y1", [y, x, z]);
+    let [piece, width, depth] = [[0.0, 1.7, 0.0], [0.0, 0.6, 0.0], [0.18, 0.0, 0.0]];
+    rectangle("near", [x, z, piece]);
+    rectangle("far", [[4.0, 2.3, 0.0], z, piece]);
+    rectangle("front", [[3.82, 1.7, 0.0], z, width]);
+    rectangle("low-side", [[3.82, 1.7, 0.0], depth, z]);
+    rectangle("high-side", [[3.82, 2.3, 0.0], z, depth]);
+    surface(&mut text, "lamp", "cylinder = { base = [1.6, 3.2, 1.7], axis = [0, 0, 0.6], radius = 0.11 }");
+    surface(&mut text, "foot", "disk = { center = [1.6, 3.2, 1.7], normal = [0, 0, -1], radius = 0.11 }");
+    surface(&mut text, "top", "disk = { center = [1.6, 3.2, 2.3], normal = [0, 0, 1], radius = 0.11 }");
+    text
+}
+
+/// The pilaster hides a narrow strip along an edge of the wall, between the points of coarse grids.
+#[test]
+fn a_strip_behind_a_pilaster_is_not_lit() {
+    for order in [0, 3] {
+        let sum = row_sum(&pilaster(), "lamp", order);
+        assert!((sum - 1.0).abs() < 2e-3, "order {order}: {sum}");
+    }
+}

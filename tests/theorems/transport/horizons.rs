@@ -1,0 +1,148 @@
+//! Disks, rings, cylinders and cones that see polygons past a horizon: as exact as asked, and the same however a scene lists its
+//! surfaces.
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+use radiosity::scene::SceneBuilder;
+use radiosity::solve::view_factors::ViewFactors;
+use radiosity::visibility::Hiding;
+use radiosity_geom::{DVec3, Surface};
+use radiosity_test_support::random::seeded;
+use radiosity_test_support::scenes::material;
+use radiosity_test_support::shapes::{ball, disk, plate, tube};
+use radiosity_test_support::solved::factors_of;
+
+use crate::transport::turned::{
+    disks_over_a_floor, polygon_surface, rings_beside_polygons, tubes_beside_polygons,
+};
+
+type Shape = Arc<dyn Surface>;
+
+/// What is asked of each factor.
+const ACCURACIES: [f64; 3] = [1e-3, 1e-4, 1e-6];
+/// Largest difference of the factors of two listings, relative.
+const SAME: f64 = 1e-12;
+
+/// The same where shadows of curved things are found by rays: sums over their hits are kept in single precision.
+const SAME_BY_RAYS: f64 = 1e-6;
+/// Factors below this are not looked at: of so small ones less is asked.
+const SMALLEST: f64 = 1e-6;
+/// What the reference of tubes may be off by.
+const TUBE_ERROR: f64 = 1e-5;
+
+/// The factors of `shapes` listed in the given order, each named by its place among them.
+fn factors(shapes: &[Shape], order: &[usize], eps: f64) -> ViewFactors {
+    let mut builder = SceneBuilder::new("horizons", ["grey"]);
+    let white = builder.material("white", material(0.5, 1.0));
+    for index in order {
+        builder.surface(format!("{index}"), Arc::clone(&shapes[*index]), &white);
+    }
+    let scene = builder.build().expect("the scene is valid");
+    factors_of(&scene, Hiding::Auto, eps, 3e-3)
+}
+
+/// F from shape i to shape j.
+fn factor(found: &ViewFactors, i: usize, j: usize) -> f64 {
+    let place = |index: usize| found.names.iter().position(|name| *name == index.to_string());
+    found.factor(place(i).expect("it is listed"), place(j).expect("it is listed"))
+}
+
+/// Compares the factor of two shapes in both listings with each other and, if it is known, with the exact one: it may be off by
+/// the accuracy asked and `slack`.
+fn compare(shapes: &[Shape; 2], exact: f64, slack: f64) -> Result<(), TestCaseError> {
+    for eps in ACCURACIES {
+        let listings = [[0, 1], [1, 0]].map(|order| factors(shapes, &order, eps));
+        let [first, second] = listings.each_ref().map(|found| factor(found, 0, 1));
+        prop_assert!(
+            (first - second).abs() <= SAME * first,
+            "{eps:e}: {first} listed first, {second} second"
+        );
+        prop_assert!((first - exact).abs() <= (eps + slack) * exact, "{eps:e}: {first} for {exact}");
+        prop_assert!(
+            listings[0].accuracy_reached <= eps,
+            "{eps:e}: {:e} reached",
+            listings[0].accuracy_reached
+        );
+    }
+    Ok(())
+}
+
+/// Tries so many random cases.
+fn each<T: Debug>(
+    cases: u32,
+    strategy: impl Strategy<Value = T>,
+    check: impl Fn(T) -> Result<(), TestCaseError>,
+) {
+    let seeded = seeded(cases, 6);
+    TestRunner::new(seeded).run(&strategy, check).unwrap_or_else(|why| panic!("{why}"));
+}
+
+#[test]
+fn rings_see_polygons_past_their_horizons_as_exactly_as_asked() {
+    each(60, rings_beside_polygons(), |(ring, polygon)| {
+        let exact = ring.exchange(&polygon) / ring.area();
+        prop_assume!(exact > SMALLEST);
+        compare(&[ring.surface(), polygon_surface(&polygon)], exact, 0.0)
+    });
+}
+
+#[test]
+fn disks_see_a_floor_past_their_horizons_as_exactly_as_asked() {
+    each(40, disks_over_a_floor(), |(disk, floor)| {
+        let exact = disk.exchange(&floor) / disk.area();
+        prop_assume!(exact > SMALLEST);
+        compare(&[disk.surface(), polygon_surface(&floor)], exact, 0.0)
+    });
+}
+
+#[test]
+fn tubes_see_polygons_past_their_horizons_as_exactly_as_asked() {
+    each(30, tubes_beside_polygons(), |(tube, polygon)| {
+        let exact = tube.exchange(&polygon) / tube.area();
+        prop_assume!(exact > SMALLEST);
+        compare(&[tube.surface(), polygon_surface(&polygon)], exact, TUBE_ERROR)
+    });
+}
+
+/// A room with a plate, two panels that stand on the floor, a ball, and a post with a lid, which hide each other from it.
+fn room() -> Vec<Shape> {
+    let [x, y, z] = [4.0 * DVec3::X, 3.0 * DVec3::Y, 2.5 * DVec3::Z];
+    let side = |origin, a, b| -> Shape { Arc::new(plate(origin, a, b)) };
+    let post = DVec3::new(1.2, 1.1, 0.0);
+    vec![
+        side(DVec3::ZERO, x, y),
+        side(z, y, x),
+        side(DVec3::ZERO, z, x),
+        side(y, x, z),
+        side(DVec3::ZERO, y, z),
+        side(x, z, y),
+        side(DVec3::new(1.0, 0.9, 1.7), 0.8 * DVec3::Y, DVec3::new(0.9, 0.0, 0.1)),
+        side(2.0 * DVec3::X, 1.3 * DVec3::Y, 2.0 * DVec3::Z),
+        side(2.1 * DVec3::X, 1.8 * DVec3::Z, 1.1 * DVec3::Y),
+        Arc::new(ball(DVec3::new(2.9, 1.8, 0.9), 0.5)),
+        Arc::new(tube(post, DVec3::Z, 0.3)),
+        Arc::new(disk(post + DVec3::Z, DVec3::Z, 0.3)),
+    ]
+}
+
+#[test]
+fn factors_do_not_depend_on_the_order_of_the_surfaces() {
+    let shapes = room();
+    let count = shapes.len();
+    let listed = factors(&shapes, &(0..count).collect::<Vec<_>>(), 1e-3);
+    let reversed: Vec<usize> = (0..count).rev().collect();
+    let mixed: Vec<usize> = (0..count).map(|k| (5 * k + 3) % count).collect();
+    for order in [reversed, mixed] {
+        let other = factors(&shapes, &order, 1e-3);
+        for (i, j) in (0..count).flat_map(|i| (0..count).map(move |j| (i, j))) {
+            let [first, second] = [&listed, &other].map(|found| factor(found, i, j));
+            assert!(
+                (first - second).abs() <= SAME_BY_RAYS * first,
+                "{order:?}: {i} to {j}: {first} and {second}"
+            );
+        }
+    }
+}
