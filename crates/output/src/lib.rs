@@ -1,4 +1,4 @@
-//! What leaves the library: pictures, charts, values at points, grids of means, view factors, reports.
+//! Output of the library: pictures, charts, values at points, grids of means, view factors, reports.
 
 pub mod drawings;
 pub mod readings;

@@ -10,24 +10,24 @@ pub struct Document {
     pub title: String,
     /// The line below the title.
     pub subtitle: String,
-    /// What it says, in order.
+    /// Parts of the document, in the order of reading.
     pub blocks: Vec<Block>,
 }
 
 /// A part of a document. Texts are plain: nothing in them is markup.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Block {
-    /// The heading of what follows up to the next one.
+    /// Heading of a section, which ends at the next heading.
     Heading(String),
-    /// The heading of a part of that.
+    /// Heading of a part of a section.
     Subheading(String),
     /// A paragraph.
     Text(String),
-    /// Figures to be seen at a glance.
+    /// Numbers to be seen at a glance.
     Highlights(Vec<Highlight>),
     /// Items that want to be heeded.
     Warnings(Vec<String>),
-    /// Items.
+    /// Items of a list without numbers.
     List(Vec<String>),
     /// A table.
     Table(Table),
@@ -37,25 +37,25 @@ pub enum Block {
     Command(String),
 }
 
-/// A figure to be seen at a glance.
+/// A number to be seen at a glance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Highlight {
-    /// What it is.
+    /// Name of the number.
     pub label: String,
     /// The number with its unit.
     pub value: String,
-    /// What belongs to it, small.
+    /// Note in small letters; empty for none.
     pub note: String,
 }
 
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
-    /// What stands in it.
+    /// Heading of the column.
     pub head: String,
     /// The unit of its numbers; empty where they have none.
     pub unit: String,
-    /// Whether it holds numbers, which are set to the right.
+    /// Whether the cells hold numbers, which are set to the right.
     pub is_numeric: bool,
 }
 
@@ -99,7 +99,7 @@ impl Table {
     /// Adds a row at the end.
     ///
     /// # Panics
-    /// If it has not a cell for each column.
+    /// If `cells` has not one entry for each column.
     pub(super) fn row(&mut self, cells: impl Into<Vec<String>>) {
         let cells = cells.into();
         assert_eq!(cells.len(), self.columns.len(), "a cell for each column");
@@ -114,7 +114,7 @@ pub struct Figure {
     pub name: String,
     /// The picture.
     pub picture: Picture,
-    /// What it shows, for those who do not see it.
+    /// Text in place of the picture, for readers who do not see it.
     pub alternative: String,
     /// The text below it.
     pub caption: String,

@@ -13,7 +13,7 @@ use crate::files::npz::Archive;
 /// CSV with a row for each surface; an emissivity that is not known is left empty.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(["surface", "area", "emissivity", "T", "T_error", "q", "Q", "Q_error", "J", "H"])?;
@@ -34,7 +34,7 @@ pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
     writer.flush()
 }
 
-/// Digits of what is given. Chosen.
+/// Digits of given figures. Chosen.
 const GIVEN: usize = 6;
 
 /// The figures for people: given ones as they are, others to so many digits with their errors.
@@ -63,7 +63,7 @@ pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table {
 /// JSON with the figures of each surface, the balance and how good it is.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn json(heat: &Heat, mut out: impl Write) -> io::Result<()> {
     let document = Document {
         surfaces: &heat.surfaces,
@@ -91,10 +91,10 @@ struct Document<'a> {
     accuracy_reached: f64,
 }
 
-/// CSV with the names as header and as first column; the last column is what goes to the surroundings.
+/// CSV with the names as header and as first column; the last column is the conductance to the surroundings.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn conductances_csv(names: &[&str], conductances: &Conductances, out: impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(["surface"].iter().chain(names).chain(&["(surroundings)"]))?;
@@ -105,10 +105,10 @@ pub fn conductances_csv(names: &[&str], conductances: &Conductances, out: impl W
     writer.flush()
 }
 
-/// JSON with the names, the matrix, what goes to the surroundings and the largest asymmetry.
+/// JSON with the names, the matrix, the conductances to the surroundings and the largest asymmetry.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn conductances_json(names: &[&str], conductances: &Conductances, mut out: impl Write) -> io::Result<()> {
     let Conductances { rows, lost, asymmetry } = conductances;
     let document = serde_json::json!({
@@ -121,7 +121,7 @@ pub fn conductances_json(names: &[&str], conductances: &Conductances, mut out: i
 /// NPY, an array of shape (N, N).
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn conductances_npy(conductances: &Conductances, out: impl Write) -> io::Result<()> {
     npy::square(conductances.rows.len(), conductances.rows.iter(), out)
 }
@@ -129,7 +129,7 @@ pub fn conductances_npy(conductances: &Conductances, out: impl Write) -> io::Res
 /// NPZ with `C` of shape (N, N), and `surroundings`, `names`, `areas` of shape (N,).
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn conductances_npz(
     surfaces: &[SurfaceHeat],
     conductances: &Conductances,

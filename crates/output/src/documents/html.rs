@@ -7,10 +7,10 @@ use base64::engine::general_purpose::STANDARD;
 
 use super::document::{Block, Column, Document, Figure, Highlight, Table};
 
-/// For screens, light and dark, and for paper of the size A4.
+/// Style sheet of the page: for screens, light and dark, and for paper of the size A4.
 const STYLE: &str = include_str!("html/style.css");
 
-/// What the page may load: nothing but what stands in it.
+/// Content security policy: the page loads nothing but its own parts.
 const POLICY: &str = "default-src 'none'; img-src data:; style-src 'unsafe-inline'";
 
 /// Writes the document.

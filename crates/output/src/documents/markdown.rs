@@ -6,7 +6,7 @@ use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 
 use super::document::{Block, Column, Document, Figure, Table};
 
-/// What is encoded in the name of a picture's file within a link.
+/// Characters that are percent-encoded in the name of a picture's file within a link.
 const ENCODED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'_').remove(b'.').remove(b'~');
 
 /// The name of the file of a figure of the document whose file is named `stem` without its ending.

@@ -15,7 +15,7 @@ use crate::documents::document::{Block, Document, Figure};
 use crate::readings::shown::Shown;
 pub use light_part::{LightPart, PICTURE, ReportedPlane, plan_name};
 
-/// What is reported of a scene.
+/// Content of a scene's report.
 #[derive(Clone, Debug)]
 pub struct ReportPage<'a> {
     /// The scene.

@@ -32,7 +32,8 @@ const VALUES: usize = 1_000_000;
 const FEWEST: usize = 20_000;
 const MOST: usize = 400_000;
 
-/// How far triangles may lie from curved surfaces, over the diagonal of the scene. Chosen: a third of a pixel in a picture of 1000.
+/// Greatest distance of triangles from curved surfaces, over the diagonal of the scene. Chosen: a third of a
+/// pixel in a picture 1000 pixels wide.
 const TOLERANCE: f64 = 2e-4;
 
 /// The texels of a page on a scene whose light is kept apart in so many parts and bands.

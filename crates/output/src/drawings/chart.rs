@@ -30,7 +30,7 @@ pub const COLOURS: [RGBColor; 6] = [
 /// The content of a chart.
 #[derive(Clone, Debug)]
 pub struct Chart<'a> {
-    /// The line above it.
+    /// Title, above the chart.
     pub title: String,
     /// The line below the title: what the errors are measured against.
     pub caption: String,
@@ -42,7 +42,7 @@ impl Chart<'_> {
     /// The chart as SVG.
     ///
     /// # Errors
-    /// What the drawing library reports.
+    /// Errors of the drawing library.
     pub fn svg(&self) -> Result<String, ChartError> {
         let mut text = String::new();
         let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
@@ -54,7 +54,7 @@ impl Chart<'_> {
     /// The chart as a picture.
     ///
     /// # Errors
-    /// What the drawing library reports.
+    /// Errors of the drawing library.
     pub fn picture(&self) -> Result<Picture, ChartError> {
         let mut picture = Picture::filled(2 * SIZE.0, 2 * SIZE.1, [255; 3]);
         let root = Canvas::new(&mut picture).into_drawing_area();
@@ -154,7 +154,7 @@ type DrawError<B> = DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>;
 /// A run's place in a panel.
 struct Point {
     place: (f64, f64),
-    /// What is written beside it.
+    /// Text beside the point.
     text: String,
 }
 

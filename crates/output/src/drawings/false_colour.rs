@@ -21,7 +21,7 @@ pub fn false_colour(field: &Field, scale: &Scale) -> Picture {
     Picture::new(width, height, field.pixels().map(colour).collect())
 }
 
-/// How numbers become colours.
+/// A map from numbers to colours, with isolines.
 #[derive(Clone, Debug)]
 pub struct FalseColours {
     /// The colours.
@@ -31,7 +31,8 @@ pub struct FalseColours {
 }
 
 impl FalseColours {
-    /// The same with isolines at round values between the ends of `range`, at most 9; none where it has about one value.
+    /// These colours with isolines at round values between the ends of `range`, at most 9; without any where
+    /// it has about one value.
     #[must_use]
     pub fn with_round_isolines(self, [low, high]: [f64; 2]) -> Self {
         if high - low <= TOLD * high.abs() {

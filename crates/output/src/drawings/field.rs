@@ -30,7 +30,7 @@ impl Field {
         self.values.iter().copied().zip(self.coverage.iter().copied())
     }
 
-    /// The same with `f` of each number.
+    /// The field of `f` of each number, with the same coverages.
     #[must_use]
     pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
         Self { values: self.values.iter().map(|value| f(*value)).collect(), ..self.clone() }
@@ -41,7 +41,7 @@ impl Field {
         self.pixels().filter(|(_, coverage)| *coverage > 0.0).map(|(value, _)| value)
     }
 
-    /// The same without the pixels that are `left_out`, of which there is one entry per pixel.
+    /// The field without the pixels that are `left_out`, of which there is one entry per pixel.
     #[must_use]
     pub fn without(&self, left_out: &[bool]) -> Self {
         let kept =

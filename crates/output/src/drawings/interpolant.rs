@@ -13,7 +13,7 @@ pub(crate) struct Interpolant<'a> {
 }
 
 impl<'a> Interpolant<'a> {
-    /// Through `samples`, j fastest.
+    /// The interpolant through `samples`, j fastest.
     ///
     /// # Panics
     /// If there are not n · m samples, at least one.

@@ -132,7 +132,7 @@ impl Ink {
         ink
     }
 
-    /// The same with everything within `radius` of a letter covered.
+    /// The ink with everything within `radius` of a letter covered (pixels of the large letters).
     fn widened(&self, radius: f64) -> Self {
         let margin = radius.ceil() as i32;
         let [width, height] = self.size.map(|length| length + 2 * margin);

@@ -13,7 +13,7 @@ const PIXELS: f64 = 640.0;
 pub(crate) struct Plan<'a> {
     plane: &'a SensorPlane,
     values: &'a [f64],
-    /// How far the second edge goes along the first one, and away from it (scene length).
+    /// Components of the second edge along the first one and away from it (scene length).
     second: [f64; 2],
 }
 

@@ -18,7 +18,7 @@ pub struct Scale {
 /// Least number of a scale of equal ratios over the greatest, where it is chosen. Chosen.
 pub const DEEPEST: f64 = 1e-4;
 
-/// What is equal between neighbouring colours.
+/// The quantity that is equal between neighbouring colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Steps {
     Differences,
@@ -26,8 +26,8 @@ enum Steps {
 }
 
 impl Scale {
-    /// For magnitudes: viridis, dark for the low end. Its lightness ascends, so that it can be read in grey and by the
-    /// colour-blind.
+    /// Scale for magnitudes: viridis, dark for the low end. Its lightness ascends, so that it can be read in
+    /// grey and by the colour-blind.
     ///
     /// # Panics
     /// If `range` does not ascend.
@@ -36,7 +36,7 @@ impl Scale {
         Self { gradient: colorous::VIRIDIS, reversed: false, range, steps: Steps::Differences }
     }
 
-    /// The same with equal ratios instead of equal differences.
+    /// Scale for magnitudes with equal ratios instead of equal differences between neighbouring colours.
     ///
     /// # Panics
     /// If `range` does not ascend from a number above 0.
@@ -45,7 +45,7 @@ impl Scale {
         Self { steps: Steps::Ratios, ..Self::sequential(range) }
     }
 
-    /// For signed numbers from −`size` to `size`: blue, white for zero, red.
+    /// Scale for signed numbers from −`size` to `size`: blue, white for zero, red.
     ///
     /// # Panics
     /// If `size` is not positive.
@@ -80,10 +80,10 @@ impl Scale {
         self.gradient.eval_continuous(if self.reversed { 1.0 - place } else { place }).as_array()
     }
 
-    /// The same steps over another range.
+    /// The scale over another range; one with equal ratios is cut off at a ten-thousandth of its upper end.
     ///
     /// # Panics
-    /// If `range` does not ascend. One with equal ratios is cut off at a ten-thousandth of its upper end.
+    /// If `range` does not ascend.
     #[must_use]
     pub(super) fn over(&self, [low, high]: [f64; 2]) -> Self {
         assert!(low < high, "a range ascends");
@@ -130,8 +130,8 @@ mod tests {
         if luminance > 216.0 / 24389.0 { 116.0 * luminance.cbrt() - 16.0 } else { luminance * 24389.0 / 27.0 }
     }
 
-    /// What a viewer without red (protanopia), green (deuteranopia) or blue cones (tritanopia) sees: Machado, Oliveira
-    /// and Fernandes 2009, severity 1.
+    /// Colours that a viewer without red (protanopia), green (deuteranopia) or blue cones (tritanopia) sees:
+    /// Machado, Oliveira and Fernandes 2009, severity 1.
     const DICHROMATS: [[[f64; 3]; 3]; 3] = [
         [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
         [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],

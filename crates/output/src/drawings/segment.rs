@@ -20,7 +20,7 @@ impl Segment {
         (dx - t * along[0]).hypot(dy - t * along[1])
     }
 
-    /// Least and greatest x, and least and greatest y, of what is nearer to it than `reach`.
+    /// Least and greatest x, and least and greatest y, of the points nearer to the segment than `reach`.
     pub(crate) fn bounds(&self, reach: f64) -> [[f64; 2]; 2] {
         let Self { from, to } = self;
         [0, 1].map(|k| [from[k].min(to[k]) - reach, from[k].max(to[k]) + reach])

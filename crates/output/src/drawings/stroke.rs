@@ -11,7 +11,7 @@ pub(crate) struct Stroke {
 }
 
 impl Stroke {
-    /// No line yet, for a picture of `size`.
+    /// The coverage of no line, for a picture of `size` (pixels across and down).
     pub(crate) fn new(size: [u32; 2]) -> Self {
         Self { size, coverage: vec![0.0; size[0] as usize * size[1] as usize] }
     }

@@ -20,15 +20,15 @@ const COVERAGE: &str = "A";
 /// Why a file is no raster of the bands asked for.
 #[derive(Debug, thiserror::Error)]
 pub enum ExrError {
-    /// It is not OpenEXR, or of a kind that is not read.
+    /// The file is not OpenEXR, or of a kind that is not read.
     #[error("it is no OpenEXR picture: {0}")]
     Format(String),
-    /// A band is missing.
+    /// The file has no channel for a band.
     #[error("it has no channel {wanted:?}; its channels: {present}")]
     Channel {
         /// Name of the channel wanted.
         wanted: String,
-        /// Names of its channels, separated by commas.
+        /// Names of the file's channels, separated by commas.
         present: String,
     },
 }

@@ -8,8 +8,8 @@
 //! | one image | the textures of all surfaces side by side (`glb/atlas.rs`), exposed to sRGB |
 //! | a camera | that of the scene |
 //!
-//! The same texels as they are, linear and per band, are [`Baked::raster`], which goes to an OpenEXR file. Only fronts are
-//! drawn, which alone have light.
+//! The texels before exposure, linear and per band, are [`Baked::raster`], which goes to an OpenEXR file.
+//! Only fronts are drawn, which alone have light.
 //!
 //! Reference: Khronos Group, *glTF 2.0 Specification*, 2.0.1.
 
@@ -74,7 +74,7 @@ impl<'a> Baked<'a> {
     /// Writes the file, with `picture` as the texture: the raster in colours. `about` is kept beside it.
     ///
     /// # Errors
-    /// What `out` reports.
+    /// Errors of writing to `out`.
     pub fn write(&self, picture: &Picture, about: &Value, out: impl Write) -> io::Result<()> {
         let mut binary = Binary::default();
         let (mut nodes, mut meshes) = (vec![Value::Null], Vec::new());
@@ -180,7 +180,7 @@ fn raster(scene: &Scene, lightmap: &Lightmap, atlas: &Atlas, shown: Shown) -> Ra
     Raster::new([width as u32, height as u32], scene.bands.clone(), values, coverage)
 }
 
-/// What is shown of one band of a surface (unit of exitance), by texel.
+/// The `shown` quantity of one band of a surface (unit of exitance), by texel in row order.
 fn light(scene: &Scene, lightmap: &Lightmap, (surface, band): (usize, usize), shown: Shown) -> Vec<f64> {
     let texture = &lightmap.surfaces()[surface];
     let [across, down] = texture.size();
@@ -201,7 +201,7 @@ fn light(scene: &Scene, lightmap: &Lightmap, (surface, band): (usize, usize), sh
     }
 }
 
-/// The light as it is.
+/// The one material: the texture as base colour, unlit.
 fn material() -> Value {
     json!({
         "name": "light",

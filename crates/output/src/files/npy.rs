@@ -24,7 +24,7 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// `NumPy`'s word for it.
+    /// `NumPy`'s type string of the kind, such as `<f8`.
     fn word(self) -> String {
         match self {
             Self::Float64 => "<f8".to_owned(),
@@ -46,10 +46,10 @@ impl Kind {
     }
 }
 
-/// The header of an array; its entries follow.
+/// Writes the header of an array; its entries follow.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub(super) fn header(kind: Kind, shape: &[usize], mut out: impl Write) -> io::Result<()> {
     let shape: String = shape.iter().map(|count| format!("{count}, ")).collect();
     // Python writes (4, 5) and (4,).
@@ -65,10 +65,10 @@ pub(super) fn header(kind: Kind, shape: &[usize], mut out: impl Write) -> io::Re
     writeln!(out, "{header:<width$}", width = length - 1)
 }
 
-/// A square matrix of so many rows, each made when it is written.
+/// Writes a square matrix of `count` rows, each made when it is written.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub(crate) fn square(
     count: usize,
     rows: impl Iterator<Item = impl AsRef<[f64]>>,

@@ -25,10 +25,10 @@ impl<W: Write> Archive<W> {
         Self { zip: ZipWriter::new_stream(out) }
     }
 
-    /// A square matrix of so many rows, each made when it is written.
+    /// Adds a square matrix of `count` rows, each made when it is written.
     ///
     /// # Errors
-    /// What the output reports.
+    /// Errors of writing to the output.
     pub(crate) fn square(
         &mut self,
         name: &str,
@@ -39,10 +39,10 @@ impl<W: Write> Archive<W> {
         npy::square(count, rows, &mut self.zip)
     }
 
-    /// A list of `count` numbers.
+    /// Adds a list of `count` numbers.
     ///
     /// # Errors
-    /// What the output reports.
+    /// Errors of writing to the output.
     pub(crate) fn numbers(
         &mut self,
         name: &str,
@@ -52,10 +52,10 @@ impl<W: Write> Archive<W> {
         self.entries(name, Kind::Float64, count, numbers.map(f64::to_le_bytes))
     }
 
-    /// A list of `count` indices of rows or columns, 32 bits wide.
+    /// Adds a list of `count` indices of rows or columns, 32 bits wide.
     ///
     /// # Errors
-    /// What the output reports.
+    /// Errors of writing to the output.
     pub(super) fn indices(
         &mut self,
         name: &str,
@@ -65,10 +65,10 @@ impl<W: Write> Archive<W> {
         self.entries(name, Kind::Int32, count, indices.map(|index| (index as i32).to_le_bytes()))
     }
 
-    /// A list of `count` counts, 64 bits wide.
+    /// Adds a list of `count` counts, 64 bits wide.
     ///
     /// # Errors
-    /// What the output reports.
+    /// Errors of writing to the output.
     pub(super) fn counts(
         &mut self,
         name: &str,
@@ -78,10 +78,10 @@ impl<W: Write> Archive<W> {
         self.entries(name, Kind::Int64, count, counts.map(|count| (count as i64).to_le_bytes()))
     }
 
-    /// A list of texts.
+    /// Adds a list of texts.
     ///
     /// # Errors
-    /// What the output reports.
+    /// Errors of writing to the output.
     pub(crate) fn texts<'a>(
         &mut self,
         name: &str,
@@ -97,10 +97,10 @@ impl<W: Write> Archive<W> {
         self.entries(name, kind, count, texts.map(padded))
     }
 
-    /// A single word of ASCII letters.
+    /// Adds a single word of ASCII letters.
     ///
     /// # Errors
-    /// What the output reports.
+    /// Errors of writing to the output.
     pub(super) fn word(&mut self, name: &str, word: &str) -> io::Result<()> {
         self.begin(name, word.len())?;
         npy::header(Kind::Bytes(word.len()), &[], &mut self.zip)?;
@@ -110,7 +110,7 @@ impl<W: Write> Archive<W> {
     /// Ends the archive.
     ///
     /// # Errors
-    /// What the output reports.
+    /// Errors of writing to the output.
     pub(crate) fn finish(self) -> io::Result<()> {
         self.zip.finish()?;
         Ok(())

@@ -14,7 +14,7 @@ use crate::files::npz::Archive;
 /// CSV with the names as header and as first column.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn csv(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     let header = ["surface"].into_iter().chain(factors.names.iter().map(String::as_str));
@@ -29,13 +29,13 @@ pub fn csv(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
 /// NPY, an array of shape (N, N).
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn npy(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
     let count = factors.names.len();
     npy::square(count, (0..count).map(|i| factors.row(i)), out)
 }
 
-/// How a matrix without its zeros is kept.
+/// Storage of a matrix without its zeros.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Sparse {
@@ -48,7 +48,7 @@ pub enum Sparse {
 /// NPZ with `F` of shape (N, N), `names` and `areas` of shape (N,).
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn npz(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
     let count = factors.names.len();
     let mut archive = Archive::new(out);
@@ -59,7 +59,7 @@ pub fn npz(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
 /// NPZ with the factors that are not zero, which `scipy.sparse.load_npz` reads, and `names` and `areas` beside them.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn sparse_npz(factors: &ViewFactors, sparse: Sparse, out: impl Write) -> io::Result<()> {
     let rows = factors.names.len();
     let entries = || (0..rows).flat_map(|i| factors.nonzeros(i).map(move |(j, factor)| (i, j, factor)));
@@ -86,7 +86,8 @@ pub fn sparse_npz(factors: &ViewFactors, sparse: Sparse, out: impl Write) -> io:
     named(factors, archive)
 }
 
-/// Adds what the rows and columns of a matrix are, and ends the archive.
+/// Adds the names and areas of the surfaces, which are the rows and columns of a matrix, and ends the
+/// archive.
 fn named<W: Write>(factors: &ViewFactors, mut archive: Archive<W>) -> io::Result<()> {
     archive.texts("names", factors.names.iter().map(String::as_str))?;
     archive.numbers("areas", factors.areas.len(), factors.areas.iter().copied())?;
@@ -106,7 +107,7 @@ const VIEW3D_LINE: usize = 30;
 /// surface; and the `emittances` ε, one for each surface. Numbers have all their digits.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn view3d(factors: &ViewFactors, emittances: &[f64], mut out: impl Write) -> io::Result<()> {
     let count = factors.names.len();
     let first = format!("radiosity {} 0 0 0 {count}", env!("CARGO_PKG_VERSION"));
@@ -125,7 +126,7 @@ fn line(numbers: &[f64], out: &mut impl Write) -> io::Result<()> {
 /// JSON with names, areas, the matrix, its row sums and how good it is.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn json(factors: &ViewFactors, mut out: impl Write) -> io::Result<()> {
     serde_json::to_writer(&mut out, &Document::of(factors))?;
     writeln!(out)
@@ -134,7 +135,7 @@ pub fn json(factors: &ViewFactors, mut out: impl Write) -> io::Result<()> {
 /// The pairs (i, j) only, as CSV with 17 digits.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn pairs_csv(factors: &ViewFactors, pairs: &[[usize; 2]], out: impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(out);
     writer.write_record(["from", "to", "F"])?;
@@ -148,7 +149,7 @@ pub fn pairs_csv(factors: &ViewFactors, pairs: &[[usize; 2]], out: impl Write) -
 /// The pairs (i, j) only, as JSON.
 ///
 /// # Errors
-/// What `out` reports.
+/// Errors of writing to `out`.
 pub fn pairs_json(factors: &ViewFactors, pairs: &[[usize; 2]], mut out: impl Write) -> io::Result<()> {
     let pair = |[i, j]: &[usize; 2]| Pair {
         from: &factors.names[*i],

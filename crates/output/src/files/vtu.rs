@@ -44,7 +44,7 @@ const HIGHEST_DEGREE: usize = 20;
 pub struct Grid<'a> {
     scene: &'a Scene,
     solution: &'a Solution,
-    /// Index of its element, type and end of its points, of each cell.
+    /// Of each cell the index of its element, VTK's type and the end of its points.
     cells: Vec<(usize, u8, usize)>,
     points: Points,
     deviation: f64,
@@ -56,9 +56,9 @@ struct Points {
     positions: Vec<f64>,
     normals: Vec<f64>,
     parameters: Vec<f64>,
-    /// Band after band (W m⁻²).
+    /// Irradiance, band after band (W m⁻²).
     irradiance: Vec<Vec<f64>>,
-    /// Band after band (W m⁻²).
+    /// Radiosity, band after band (W m⁻²).
     radiosity: Vec<Vec<f64>>,
 }
 
@@ -135,7 +135,7 @@ impl<'a> Grid<'a> {
     /// Writes the file: XML with numbers in base64, as VTK writes them.
     ///
     /// # Errors
-    /// What `out` reports.
+    /// Errors of writing to `out`.
     pub fn write(&self, out: impl Write) -> io::Result<()> {
         let mut document = Document::begin(out)?;
         self.write_fields(&mut document)?;
@@ -154,7 +154,8 @@ impl<'a> Grid<'a> {
         document.end()
     }
 
-    /// What the numbers mean.
+    /// Writes the fields of the whole grid: names of the scene, its surfaces and bands, unit, residuals,
+    /// deviation.
     fn write_fields(&self, document: &mut Document<impl Write>) -> io::Result<()> {
         let Scene { surfaces, bands, unit, name, .. } = self.scene;
         document.open("FieldData")?;

@@ -36,7 +36,7 @@ impl Raster {
         Self { width, height, bands, values, coverage, samples: BTreeMap::new() }
     }
 
-    /// The same with the samples of pixels that average several, by their places in row order.
+    /// The raster with the samples of pixels that average several, by their places in row order.
     #[must_use]
     pub(super) fn with_samples(self, samples: BTreeMap<usize, Samples>) -> Self {
         Self { samples, ..self }
@@ -57,7 +57,7 @@ impl Raster {
         self.values.chunks_exact(self.bands.len())
     }
 
-    /// What the pixel at a place in row order averages, if that is several samples.
+    /// The samples that the pixel at a place in row order averages, if it averages several.
     pub fn samples(&self, pixel: usize) -> Option<&Samples> {
         self.samples.get(&pixel)
     }

@@ -22,7 +22,7 @@ pub struct Samples {
 pub struct Part {
     /// Its share in the pixel.
     pub share: f64,
-    /// What is seen through it (W m⁻²), per band.
+    /// Radiosity seen through the part (W m⁻²), per band.
     pub radiosity: Vec<f64>,
 }
 

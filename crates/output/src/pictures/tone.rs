@@ -18,13 +18,13 @@
 //! References: H. Uchimura, *HDR theory and practice*, CEDEC 2017 (the shoulder); Khronos Group, *PBR Neutral tone mapper*,
 //! 2024 (the greatest channel, K, g and D).
 
-/// K.
+/// K, as a share of white.
 const KNEE: f64 = 0.8;
 
-/// D.
+/// D, the pace at which bright colours turn towards white.
 const DESATURATION: f64 = 0.15;
 
-/// How bright light is shown.
+/// A map from linear light to the light that a screen shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tone {
     /// In proportion, cut off at white channel by channel.

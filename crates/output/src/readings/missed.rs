@@ -4,7 +4,7 @@ use radiosity_kernel::Miss;
 use radiosity_transport::FINEST_BY_RAYS;
 use radiosity_work::wording::{Wording, option, words};
 
-/// What is missed between two surfaces, and the cure.
+/// Words for the error that is left in the transfers between two surfaces, and the cure.
 pub fn missed(miss: &Miss, [one, other]: [&str; 2]) -> Wording {
     let place = match one == other {
         true => format!("of '{one}' to itself"),
@@ -32,7 +32,7 @@ pub fn missed(miss: &Miss, [one, other]: [&str; 2]) -> Wording {
     words(told) + cure
 }
 
-/// What errors of heat leave out where there is no memory to solve at the next order too.
+/// Words for the part that errors of heat leave out where there is no memory to solve at the next order too.
 pub fn no_error_of_order(order: usize) -> Wording {
     let told = format!(
         "the errors are those of the transfers alone: there is no memory for order {} beside order {order}, which tells what even \
@@ -42,7 +42,7 @@ pub fn no_error_of_order(order: usize) -> Wording {
     words(told) + option("memory")
 }
 
-/// What was done to transfers of a closed scene whose row sums missed 1 by `moved` at the most.
+/// Words for the correction of transfers of a closed scene whose row sums missed 1 by `moved` at the most.
 pub fn corrected(moved: f64) -> String {
     format!(
         "row sums of view factors were within {moved:.1e} of 1, and transfers were corrected to make them 1"

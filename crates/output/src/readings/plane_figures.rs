@@ -10,16 +10,16 @@ use super::warning::Warning;
 /// Part of the greatest irradiance of a plane below which there is no light: it is the rounding of gathered light.
 const DARK: f64 = 1e-9;
 
-/// What the sensors of a plane read, in short.
+/// Figures of the readings of a plane's sensors.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PlaneFigures {
     /// Name of the plane.
     pub name: String,
     /// Number of its sensors.
     pub points: usize,
-    /// How many of them get no light: those within a body, as a rule.
+    /// Number of sensors that get no light: those within a body, as a rule.
     pub dark: usize,
-    /// The figures.
+    /// Figures by band.
     #[serde(flatten)]
     pub figures: BandFigures,
 }
@@ -28,9 +28,9 @@ pub struct PlaneFigures {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum BandFigures {
-    /// Of the only band.
+    /// Figures of the only band.
     One(Uniformity),
-    /// Of several bands.
+    /// Figures of several bands.
     Several {
         /// The bands in the scene's order.
         bands: Vec<NamedFigures>,
@@ -89,7 +89,7 @@ impl PlaneFigures {
     }
 }
 
-/// How many of the readings get no light in any band.
+/// Number of readings without light in any band.
 fn dark(readings: &[Reading]) -> usize {
     let greatest = |reading: &Reading| reading.irradiance.iter().copied().fold(0.0, f64::max);
     let most = readings.iter().map(greatest).fold(0.0, f64::max);

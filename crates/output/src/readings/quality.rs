@@ -34,12 +34,12 @@ pub enum Quality {
     Finest,
 }
 
-/// How light is read.
+/// Settings by which light is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
     /// The source of light at cells and points.
     pub read: Read,
-    /// By what it is gathered.
+    /// Way of gathering light: by cells or by rays.
     pub by: By,
     /// Relative accuracy of gathered light.
     pub eps: f64,
@@ -59,7 +59,7 @@ impl Quality {
         Options { order, eps, shadow_eps, ..Options::default() }
     }
 
-    /// How to read a scene that was solved with [`Quality::options`].
+    /// Settings to read a scene that was solved with [`Quality::options`].
     pub fn reading(self) -> Reading {
         let (read, eps, direct, indirect) = match self {
             Self::Quick => (Read::Gather, 2e-3, 3, 1),

@@ -1,4 +1,4 @@
-//! What light gathered by rays is in error by, over all points or cells.
+//! Errors of light gathered by rays, over all points or cells.
 
 use std::fmt;
 
@@ -15,16 +15,16 @@ const MISSED: f64 = 1.5;
 /// Standard deviations of readings by rays, relative to each.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ReadError {
-    /// Root of the mean square.
+    /// Root mean square of the relative deviations.
     pub rms: f64,
-    /// The largest.
+    /// Largest relative deviation.
     pub largest: f64,
     /// Number of readings of less than 2 % of the scene's mean radiosity in a band; theirs are relative to these 2 %.
     pub dark: usize,
 }
 
 impl ReadError {
-    /// Of these readings; None where light was not gathered by rays.
+    /// The errors of these readings; None where light was not gathered by rays.
     pub fn of(readings: impl Iterator<Item = Option<Deviation>>) -> Option<Self> {
         let deviations: Vec<Deviation> = readings.flatten().collect();
         let squares: f64 = deviations.iter().map(|deviation| deviation.relative.powi(2)).sum();

@@ -1,4 +1,5 @@
-//! What the row sums Σ_j F_ij of view factors tell: whether a scene is closed, and whether a surface sends more than it has.
+//! Row sums Σ_j F_ij of view factors: whether a scene is closed, and whether a surface sends more than it
+//! has.
 
 use radiosity_kernel::Accuracy;
 use radiosity_solve::view_factors::ViewFactors;
@@ -24,12 +25,12 @@ pub struct RowSums {
     pub most: (String, f64),
     /// Surfaces that lose part of what leaves them.
     pub losing: usize,
-    /// By how much sums may miss 1.
+    /// Distance from 1 up to which sums count as 1.
     pub tolerance: f64,
 }
 
 impl RowSums {
-    /// Those of factors that were to be found to this accuracy.
+    /// The row sums of `factors` that were to be found to this accuracy.
     pub fn of(factors: &ViewFactors, accuracy: Accuracy) -> Self {
         let sums = factors.row_sums();
         let by_sum = |a: &usize, b: &usize| sums[*a].total_cmp(&sums[*b]);

@@ -1,4 +1,4 @@
-//! What a picture shows of the light.
+//! Quantities of light that a picture shows.
 
 use radiosity_elements::coating::Coating;
 use serde::Deserialize;
@@ -24,7 +24,7 @@ pub(crate) struct Here {
     pub parameters: [f64; 2],
     /// Irradiance (unit of exitance).
     pub irradiance: f64,
-    /// Irradiance of the other side, where the element lets light through.
+    /// Irradiance of the other side, where the element lets light through (unit of exitance).
     pub behind: f64,
     /// Radiance of its own light towards the eye, over that of a diffuse emitter.
     pub directed: f64,
@@ -73,7 +73,7 @@ pub fn band_name(bands: &[String], shown: Option<usize>) -> Option<String> {
     (bands.len() > 1).then(|| shown.map_or_else(|| "mean of bands".to_owned(), |band| bands[band].clone()))
 }
 
-/// What is shown of the values of all bands: that of the band, or the mean.
+/// The value that is shown: that of the band `shown`, or the mean of the values of all bands.
 pub fn of_bands(values: &[f64], shown: Option<usize>) -> f64 {
     shown.map_or_else(|| values.iter().sum::<f64>() / values.len() as f64, |band| values[band])
 }

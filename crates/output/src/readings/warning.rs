@@ -16,18 +16,18 @@ pub struct Warning {
     pub surface: Option<String>,
     /// The other surface, where it concerns a pair.
     pub other: Option<String>,
-    /// How large it is: the error that is left, or a row sum above 1.
+    /// Size of the fault: the error that is left, or a row sum above 1.
     pub size: Option<f64>,
 }
 
 impl Warning {
-    /// One that is about no surface.
+    /// A warning about no surface in particular.
     pub(super) fn general(code: &str, message: impl Into<Wording>) -> Self {
         Self { code: code.to_owned(), message: message.into(), surface: None, other: None, size: None }
     }
 }
 
-/// As a line of a summary.
+/// The warning as a line of a summary.
 impl fmt::Display for Warning {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         write!(to, "warning: {}", self.message)

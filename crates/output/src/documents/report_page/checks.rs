@@ -1,4 +1,4 @@
-//! Self-checks: what is found, and what it would be without errors.
+//! Self-checks: the figures found, and those of a computation without errors.
 
 use radiosity_scene::Scene;
 

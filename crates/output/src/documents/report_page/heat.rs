@@ -6,10 +6,10 @@ use crate::documents::document::Block;
 use crate::documents::heat::table;
 use crate::drawings::round::significant;
 
-/// Digits of what was computed. Chosen: errors of a thousandth are usual.
+/// Digits of computed figures. Chosen: errors of a thousandth are usual.
 const DIGITS: usize = 4;
 
-/// Where the heat goes.
+/// The loss of heat of the scene, in a sentence (W).
 fn whole(heat: &Heat) -> String {
     let lost = significant(heat.lost, 2);
     match heat.is_closed() {

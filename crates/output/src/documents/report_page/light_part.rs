@@ -1,4 +1,4 @@
-//! What a report says of light, ready to be set.
+//! The light in a report: figures, pictures and plans, ready to be set.
 
 use radiosity_scene::SensorPlane;
 use radiosity_solve::Options;
@@ -22,11 +22,11 @@ pub fn plan_name(plane: usize) -> String {
 pub struct LightPart<'a> {
     /// Counts and self-checks, with the figures of the planes.
     pub report: &'a Report,
-    /// How it was solved.
+    /// Options by which the light was solved.
     pub options: &'a Options,
-    /// How it was read.
+    /// Way in which the light of planes and surfaces was read.
     pub reading: Reading,
-    /// What the camera sees, if there is one.
+    /// Picture of the scene's camera, if there is one.
     pub picture: Option<Picture>,
     /// The planes, in the order of the report's.
     pub plans: Vec<ReportedPlane<'a>>,
@@ -43,7 +43,7 @@ pub struct ReportedPlane<'a> {
     pub plane: &'a SensorPlane,
     /// The figures of what the plan shows: of the only band, of the one chosen, or of the mean of all.
     pub shown: Uniformity,
-    /// The name of that, where there are several bands.
+    /// Name of the band or of the mean, where there are several bands.
     pub band: Option<String>,
     /// The plan.
     pub picture: Picture,

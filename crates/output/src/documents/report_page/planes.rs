@@ -63,7 +63,7 @@ struct Row<'a> {
     figures: Uniformity,
 }
 
-/// A row for each band, and one for what the plan shows where that is none of them.
+/// A row for each band, and one for the values of the plan where they are of none of these bands.
 fn rows<'a>(reported: &ReportedPlane, plane: &'a PlaneFigures) -> Vec<Row<'a>> {
     let row = |band: Option<String>, figures: Uniformity| Row { plane, band, figures };
     match &plane.figures {
@@ -76,7 +76,7 @@ fn rows<'a>(reported: &ReportedPlane, plane: &'a PlaneFigures) -> Vec<Row<'a>> {
     }
 }
 
-/// Where the plane is.
+/// Place and grid of the plane, in a line.
 fn caption(plane: &SensorPlane) -> String {
     let point = |p: radiosity_geom::DVec3| p.to_array().map(|x| short(significant_value(x))).join(", ");
     let ([n, m], [a, b]) = (plane.counts(), plane.edges());

@@ -63,7 +63,7 @@ fn sum(values: &[f64]) -> f64 {
     values.iter().sum()
 }
 
-/// A column with its cells and what stands below them.
+/// A column with its cells and the total below them.
 struct Filled {
     column: Column,
     cells: Vec<String>,

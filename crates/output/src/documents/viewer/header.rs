@@ -1,4 +1,4 @@
-//! What the numbers of a page belong to, as JSON.
+//! The header of a page as JSON: scene, surfaces, camera and colours, to which its packed numbers belong.
 
 use std::io;
 
@@ -25,9 +25,9 @@ pub(super) struct Header<'a> {
     /// Name of the irradiance in this unit.
     irradiance: &'a str,
     parts: Vec<PartHeader<'a>>,
-    /// Irradiance per unit of what is stored.
+    /// Irradiance (unit of exitance) per unit of the stored light.
     scale: f32,
-    /// To be added to all coordinates that are shown.
+    /// Vector to be added to all coordinates that are shown (scene length).
     middle: [f64; 3],
     camera: View,
     samples: u32,
@@ -36,7 +36,7 @@ pub(super) struct Header<'a> {
     exposure: Option<f64>,
     quantity: &'a str,
     colours: Option<ColoursHeader>,
-    /// sRGB, from the low end of the scale.
+    /// sRGB codes of the scale, from its low end.
     gradient: Vec<[u8; 3]>,
     surfaces: Vec<SurfaceHeader<'a>>,
 }
@@ -70,7 +70,7 @@ struct SurfaceHeader<'a> {
     /// The part that its own emission belongs to; none where it emits nothing.
     part: Option<usize>,
     reflectance: &'a [f64],
-    /// Per band, at the factor 1 of its part.
+    /// Exitance per band (W m⁻²), at the factor 1 of its part.
     emission: Vec<f64>,
     /// Texels along u and along v.
     texels: [usize; 2],

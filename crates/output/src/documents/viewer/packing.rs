@@ -24,7 +24,7 @@ const GREATEST: f32 = 32_752.0;
 
 /// The numbers of a page.
 pub(super) struct Packed {
-    /// Irradiance per unit of what `light` holds.
+    /// Irradiance (unit of exitance) per unit of the numbers in `light`.
     pub scale: f32,
     pub light: String,
     pub shape: String,

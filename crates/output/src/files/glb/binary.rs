@@ -6,16 +6,16 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-/// What a vertex has.
+/// A quantity at each vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Component {
     Position,
     Normal,
-    /// In the texture.
+    /// Place in the texture, in [0, 1]².
     Place,
 }
 
-/// glTF's numbers of types and of what a view is for.
+/// glTF's codes of component types, and of the targets of buffer views.
 const FLOAT: u32 = 5126;
 const UNSIGNED_INT: u32 = 5125;
 const VERTICES: u32 = 34962;

@@ -22,20 +22,20 @@ pub(super) struct SavedElement {
     surface: String,
     /// Parameter rectangle [[u0, u1], [v0, v1]].
     rectangle: [[f64; 2]; 2],
-    /// Whether it is the part of the surface that another surface covers.
+    /// Whether the element is the part of the surface that another surface covers.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     covered: bool,
     order: usize,
     basis: Basis,
     frame: SavedFrame,
     area: f64,
-    /// Per band.
+    /// Reflectance per band.
     reflectance: Vec<f64>,
-    /// Per band (W m⁻²).
+    /// Emitted exitance per band (W m⁻²).
     exitance: Vec<f64>,
     /// Coefficients in products of Legendre polynomials (W m⁻²), per band.
     irradiance: Vec<Vec<f64>>,
-    /// In the orthonormal basis.
+    /// Coefficients in the orthonormal basis.
     pub(super) orthonormal: Orthonormal,
 }
 
@@ -44,12 +44,12 @@ pub(super) struct SavedElement {
 pub(super) struct Orthonormal {
     pub(super) irradiance: Vec<Vec<f64>>,
     pub(super) direct: Vec<Vec<f64>>,
-    /// The same for each light group, not dimmed, where the scene has any.
+    /// Coefficients of each light group, not dimmed, where the scene has any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) groups: Vec<Apart>,
 }
 
-/// The part of one light group.
+/// Coefficients of one light group per band (W m⁻² times scene length).
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Apart {
     pub(super) irradiance: Vec<Vec<f64>>,
@@ -160,7 +160,7 @@ fn fits(holds: bool, what: &'static str) -> Result<(), Mismatch> {
     if holds { Ok(()) } else { Err(Mismatch(what)) }
 }
 
-/// Whether the two are the same but for rounding.
+/// Whether `a` and `b` agree up to rounding.
 pub(super) fn same(a: &[f64], b: &[f64]) -> bool {
     let largest = a.iter().chain(b).map(|x| x.abs()).fold(0.0, f64::max);
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * largest)

@@ -1,4 +1,4 @@
-//! What can be wrong with a solution file.
+//! Errors of solution files.
 
 use radiosity_elements::ElementError;
 use radiosity_scene::SceneError;
@@ -12,12 +12,12 @@ use super::version::VERSION;
 pub struct SolutionError {
     /// File name, or `<stdin>`.
     pub origin: String,
-    /// What is wrong.
+    /// Fault of the file.
     #[source]
     pub fault: SolutionFault,
 }
 
-/// What is wrong, without the file.
+/// A fault of a solution file, without the name of the file.
 #[derive(Debug, Error)]
 pub enum SolutionFault {
     /// Not the JSON of a solution file.
@@ -33,7 +33,7 @@ pub enum SolutionFault {
     /// A version that this program does not read.
     #[error("the format's version is {found}, this program reads version {VERSION}")]
     Version {
-        /// What the file says.
+        /// Version that the file states.
         found: u32,
     },
     /// A solution of a scene that was built in code.
@@ -42,18 +42,18 @@ pub enum SolutionFault {
     /// The scene in it is wrong.
     #[error("the scene in it: {0}")]
     Scene(Box<SceneError>),
-    /// The scene in it cannot be cut as it says.
+    /// The scene in the file cannot be cut into elements as the file says.
     #[error("the scene in it: {0}")]
     Cut(#[from] ElementError),
-    /// Something does not fit the scene in it.
+    /// A part of the file other than an element does not fit the scene in it.
     #[error("{0} is not that of its scene")]
     Whole(Mismatch),
     /// An element does not fit the scene in it.
     #[error("element {index}: {what} is not that of its scene")]
     Element {
-        /// Which, counted from 0.
+        /// Index of the element, counted from 0.
         index: usize,
-        /// What differs.
+        /// Part of the element that differs.
         what: Mismatch,
     },
 }
@@ -64,7 +64,7 @@ pub enum SolutionFault {
 pub struct Mismatch(pub(super) &'static str);
 
 impl SolutionError {
-    /// How to mend it.
+    /// The way to mend the fault, in a sentence.
     pub fn cure(&self) -> &'static str {
         match self.fault {
             SolutionFault::Version { .. } => {

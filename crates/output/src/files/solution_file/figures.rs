@@ -33,11 +33,11 @@ pub(super) struct Figures {
     /// The accuracy that the run reached, where one was wanted.
     #[serde(default)]
     pub(super) achieved: Option<Achieved>,
-    /// What carried the pairs of elements.
+    /// The transport that carried the pairs of elements, and why.
     choice: Choice,
-    /// Cost and error of the rays, where they did.
+    /// Cost and error of the rays, where rays carried the pairs.
     sampling: Option<Sampling>,
-    /// What was linked, where hierarchical radiosity found the light.
+    /// Numbers of nodes, links and pairs, where hierarchical radiosity found the light.
     #[serde(default)]
     links: Option<Counts>,
     /// Number of coefficients per band, where it is not that of the elements.

@@ -15,7 +15,7 @@ pub(super) struct SavedGroup {
 }
 
 impl SavedGroup {
-    /// That of a solution's group.
+    /// The file's entry of a solution's light group.
     pub(super) fn of(light: &GroupLight) -> Self {
         let residuals = light.bands.iter().map(|band| band.residual).collect();
         Self { name: light.group.clone(), residuals, powers: light.powers }

@@ -15,7 +15,7 @@ use super::figures::Figures;
 use super::group::SavedGroup;
 use super::version::{FORMAT, VERSION};
 
-/// How to read the numbers, for whoever opens the file.
+/// Instructions for reading the numbers, for whoever opens the file.
 const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1, 1]^2, irradiance = sum over k of \
      irradiance[band][k] p_i(a) p_j(b), with p_n(x) = sqrt(n + 1/2) P_n(x) (Legendre) and k running over total degree \
      d = 0..N ascending, within d over j = 0..d with i = d - j (basis total-degree-legendre), or k = i (N + 1) + j with \

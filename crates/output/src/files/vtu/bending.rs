@@ -1,4 +1,4 @@
-//! How far the polynomials through a curved patch's nodes are from the patch, and the cells that come near enough.
+//! Cells near enough to a curved patch, by the distance of the polynomials through the cells' nodes from it.
 //!
 //! With (p + 1)² even nodes the interpolant's error is largest about half-way between nodes next to the sides. It is
 //! measured at all points half-way between nodes along one direction or both.
@@ -52,7 +52,7 @@ impl Bent {
 /// The distance of an interpolant from its patch.
 struct Deviation {
     largest: f64,
-    /// The direction along which it is worse.
+    /// The direction along which the distance is larger.
     worse: Direction,
 }
 

@@ -1,4 +1,4 @@
-//! What a grid of VTK cannot hold.
+//! Errors of solutions that a grid of VTK cannot hold.
 
 use radiosity_work::wording::{Wording, option, set, words};
 use thiserror::Error;
@@ -16,7 +16,7 @@ pub enum VtuError {
     Degree {
         /// Name of the surface.
         surface: String,
-        /// Its total degree.
+        /// Total degree of the polynomial.
         degree: usize,
         /// The highest degree that is written.
         highest: usize,
@@ -24,7 +24,7 @@ pub enum VtuError {
 }
 
 impl VtuError {
-    /// What is wrong.
+    /// The fault in words.
     pub fn message(&self) -> Wording {
         match self {
             Self::Masked => {
@@ -36,7 +36,7 @@ impl VtuError {
         }
     }
 
-    /// How to mend it.
+    /// The way to mend the fault, in words.
     pub fn cure(&self) -> Wording {
         match self {
             Self::Masked => words("solve with ") + set("shadows", "auto"),

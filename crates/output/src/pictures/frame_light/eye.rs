@@ -1,4 +1,4 @@
-//! What camera rays see.
+//! The places that camera rays see.
 
 use radiosity_elements::Elements;
 use radiosity_geom::{DVec3, Encounter, Ray};
@@ -43,12 +43,12 @@ impl Seen {
     }
 }
 
-/// What meets camera rays.
+/// The elements and obstacles that camera rays meet.
 #[derive(Debug)]
 pub(crate) struct Eye<'a> {
     pub elements: &'a Elements,
     pub visibility: &'a Visibility,
-    /// Diagonal of the scene's bounding box.
+    /// Diagonal of the scene's bounding box (scene length).
     pub diagonal: f64,
 }
 

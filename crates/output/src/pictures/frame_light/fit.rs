@@ -35,7 +35,7 @@ struct Value<'a> {
     error: f64,
 }
 
-/// What is found.
+/// The result of a fit.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     /// The value per band.
@@ -44,14 +44,14 @@ pub(crate) struct Found {
     pub residual: f64,
     /// Root mean square of the values' own errors.
     pub noise: f64,
-    /// a, at most 1.
+    /// Share a by which the places lie on one side, at most 1.
     pub aside: f64,
-    /// What a fit of degree 1 differs by, the sum over the bands; None if this one has that degree.
+    /// Difference from the fit of degree 1, the sum over the bands; None if this one has that degree.
     pub bend: Option<f64>,
 }
 
 impl<'a> Fit<'a> {
-    /// Nothing yet.
+    /// A fit without values.
     pub(crate) fn new() -> Self {
         Self { values: SmallVec::new() }
     }
@@ -115,7 +115,7 @@ impl<'a> Fit<'a> {
         (all, (squares / all).sqrt())
     }
 
-    /// a.
+    /// The share a by which the places lie on one side, at most 1.
     fn aside(&self) -> f64 {
         let (mut all, mut x, mut y, mut squares) = (0.0, 0.0, 0.0, 0.0);
         for value in &self.values {

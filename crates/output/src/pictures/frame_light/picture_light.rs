@@ -27,15 +27,16 @@ pub(crate) const AVERAGED: f64 = 2.0;
 /// Error of direct light in penumbrae, over the accuracy asked for. Chosen: the eye finds no steps there.
 const IN_PENUMBRA: f64 = 2.0;
 
-/// How direct light is looked for on the other side of what lets light through: there is no frame to compare it with.
+/// Care of the search for direct light on the other side of an element that lets light through: there is no
+/// frame to compare it with.
 const BEHIND: Care = Care { rough: 1.0, sure: true };
 
 /// Direct irradiance at a place.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Lit {
-    /// Per band (W m⁻²).
+    /// Irradiance per band (W m⁻²).
     pub bands: Vec<f64>,
-    /// Which emitters were seen, where rays looked for them.
+    /// Emitters that were seen, where rays looked for them.
     pub shade: Option<Shade>,
 }
 
@@ -44,7 +45,7 @@ pub(crate) struct Lit {
 pub(crate) struct PictureLight<'a> {
     solution: &'a Solution,
     shown: Shown,
-    /// Where it is seen from, in a picture.
+    /// Point that it is seen from, in a picture (scene length).
     eye: Option<DVec3>,
     direct: Direct<'a>,
     rest: Rest<'a>,
@@ -52,7 +53,7 @@ pub(crate) struct PictureLight<'a> {
 
 #[derive(Debug)]
 enum Direct<'a> {
-    /// Polynomials have it.
+    /// Direct light is in the polynomials.
     None,
     Exact(DirectLight<'a>),
     Rays(Penumbra<'a>),
@@ -88,7 +89,7 @@ impl<'a> PictureLight<'a> {
         Self { solution, shown: Shown::default(), eye: None, direct, rest }
     }
 
-    /// The same light, of which a picture shows this, as seen from the point `eye`.
+    /// This light, of which a picture shows the quantity `shown`, as seen from the point `eye`.
     pub(crate) fn showing(self, shown: Shown, eye: DVec3) -> Self {
         Self { shown, eye: Some(eye), ..self }
     }
@@ -141,7 +142,8 @@ impl<'a> PictureLight<'a> {
         }
     }
 
-    /// What polynomials know: all light, or what was reflected at least once, which is not negative.
+    /// Irradiance per band (W m⁻²) by the polynomials: all of it, or the part that was reflected at least
+    /// once, cut off at 0.
     fn polynomials(&self, seen: &Seen) -> Vec<f64> {
         let bands = 0..self.solution.bands().len();
         match self.direct {
@@ -156,7 +158,7 @@ impl<'a> PictureLight<'a> {
         }
     }
 
-    /// What is shown per band under this irradiance.
+    /// The shown quantity per band (unit of exitance) under this irradiance.
     pub(crate) fn shown(&self, seen: &Seen, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
         let bands = self.solution.bands().iter();
         let (directed, behind) = (self.directed(seen), self.behind(seen));
@@ -189,7 +191,7 @@ impl<'a> PictureLight<'a> {
         })
     }
 
-    /// The solution that is seen.
+    /// The solution whose light it is.
     pub(crate) fn solution(&self) -> &'a Solution {
         self.solution
     }

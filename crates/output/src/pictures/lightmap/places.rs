@@ -7,11 +7,12 @@ use radiosity_solve::gather::spot::Spot;
 
 use crate::pictures::frame_light::eye::Seen;
 
-/// How far from borders light is computed, over the surface's extent: three times as far as a [`Spot`] moves a point.
+/// Distance that computed points keep from borders, over the surface's extent: three times as far as a
+/// [`Spot`] moves a point.
 const INWARDS: f64 = 3e-5;
 
-/// How far from the open part the centre of a texel may lie that takes the light of its nearest point, over the diagonal of
-/// a texel: interpolation inside asks for texels up to 1 away.
+/// Greatest distance from the open part to the centre of a texel that takes the light of its nearest point,
+/// over the diagonal of a texel: interpolation inside asks for texels up to 1 away.
 const REACH: f64 = 1.001;
 
 /// The parameters of texel (i, j) of so many.
@@ -27,18 +28,18 @@ pub(super) struct Places<'a> {
     size: [usize; 2],
     /// Diagonal of the scene (scene length).
     diagonal: f64,
-    /// None of a curved surface.
+    /// The open part of a flat surface; None of a curved one.
     open: Option<Open>,
 }
 
 impl<'a> Places<'a> {
-    /// Of so many texels of a surface in a scene of this diagonal.
+    /// The places of so many texels of a surface in a scene of this diagonal.
     pub(super) fn of(elements: &'a Elements, surface: usize, size: [usize; 2], diagonal: f64) -> Self {
         let open = elements.shape(surface).region().map(|_| Open::of(elements, surface, size));
         Self { elements, surface, size, diagonal, open }
     }
 
-    /// Where the light of a texel is computed; None where no place in the open is near to it.
+    /// The place at which the light of a texel is computed; None where no place in the open is near to it.
     pub(super) fn at(&self, texel: [usize; 2]) -> Option<Seen> {
         let Self { elements, surface, size, .. } = *self;
         let shape = elements.shape(surface);
@@ -55,21 +56,21 @@ impl<'a> Places<'a> {
         is_open.then_some(Seen { element, place, normal })
     }
 
-    /// All, in rows of constant v.
+    /// The places of all texels, in rows of constant v.
     pub(super) fn all(&self) -> Vec<Option<Seen>> {
         let [columns, rows] = self.size;
         (0..rows).flat_map(|j| (0..columns).map(move |i| [i, j])).map(|texel| self.at(texel)).collect()
     }
 }
 
-/// The open part of a flat surface: what no body stands on and no sheet covers.
+/// The open part of a flat surface: no body stands on it and no sheet covers it.
 struct Open {
-    /// Convex and disjoint, counter-clockwise about the normal.
+    /// Convex and disjoint polygons, counter-clockwise about the normal.
     pieces: Vec<Vec<DVec3>>,
     normal: DVec3,
-    /// How far inside points are kept (scene length).
+    /// Distance that points keep from the border (scene length).
     inwards: f64,
-    /// How far outside a point may lie (scene length).
+    /// Greatest distance of a point outside from its nearest open point (scene length).
     reach: f64,
 }
 

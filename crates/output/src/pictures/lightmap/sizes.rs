@@ -34,9 +34,9 @@ pub(super) fn sizes(scene: &Scene, texels: usize) -> Vec<[usize; 2]> {
     extents.iter().map(|extent| extent.size(coarse)).collect()
 }
 
-/// How far a surface extends.
+/// The extent of a surface along its parameter lines.
 struct Extent {
-    /// Of the longest lines along u and along v (scene length).
+    /// Lengths of the longest lines along u and along v (scene length).
     lengths: [f64; 2],
     fewest: usize,
 }

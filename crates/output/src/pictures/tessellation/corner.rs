@@ -7,6 +7,6 @@ use radiosity_geom::DVec3;
 pub(super) struct Corner {
     /// The point.
     pub position: DVec3,
-    /// (u, v) ∈ [−1, 1]².
+    /// Parameters (u, v) ∈ [−1, 1]².
     pub parameters: [f64; 2],
 }

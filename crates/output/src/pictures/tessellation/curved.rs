@@ -28,7 +28,7 @@ pub(super) fn facets(shape: &dyn Surface, tolerance: f64) -> Vec<Vec<Corner>> {
 
 struct Grid<'a> {
     shape: &'a dyn Surface,
-    /// Along u and along v.
+    /// Number of cells along u and along v.
     cells: [usize; 2],
 }
 

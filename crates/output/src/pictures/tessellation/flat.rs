@@ -32,7 +32,8 @@ fn corner(shape: &dyn Surface, position: DVec3) -> Corner {
     Corner { position, parameters: [foot.u, foot.v] }
 }
 
-/// How far the mean parameters of a triangle of the fan lie from its middle, at the most.
+/// Greatest distance of the point at a triangle's mean parameters from the triangle's middle, over the fan of
+/// a facet (scene length).
 fn skew(shape: &dyn Surface, facet: &[Corner]) -> f64 {
     let apart = |k: usize| {
         let corners = [facet[0], facet[k], facet[k + 1]];

@@ -1,4 +1,4 @@
-//! What a report warns of.
+//! Warnings of a report.
 
 use radiosity_core::dot;
 use radiosity_kernel::Miss;
@@ -29,8 +29,8 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
         .collect()
 }
 
-/// What an inspection finds wrong with a scene that loses power, or elements of which send more than they have. Scenes
-/// of many surfaces are left to `radiosity check`.
+/// Faults that an inspection finds in a scene that loses power, or elements of which send more than they
+/// have. Scenes of many surfaces are left to `radiosity check`.
 fn geometry(scene: &Scene, outcome: &Outcome) -> Vec<Warning> {
     let checks = &outcome.checks;
     let is_odd = checks.energy_lost.abs() > ODD * checks.energy_in || checks.row_sum_max > 1.0 + ODD;
