@@ -49,9 +49,9 @@ impl FromStr for Range {
 /// `--isolines`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Isolines {
-    /// At round values.
+    /// Isolines at round values.
     Round,
-    /// At these values.
+    /// Isolines at these values.
     At(Vec<f64>),
 }
 
@@ -114,7 +114,8 @@ impl ColourArgs {
         self.lined(self.scale(usual), usual)
     }
 
-    /// The same of values such as temperatures, of which 0 is no natural end: from the lowest to the highest.
+    /// The colours of values such as temperatures, of which 0 is no natural end: from the lowest to the
+    /// highest.
     pub(crate) fn colours_between(&self, usual: [f64; 2]) -> FalseColours {
         let is_open = self.range.is_none() && !self.log;
         let scale = if is_open { Scale::sequential(round_around(usual)) } else { self.scale(usual) };
@@ -133,7 +134,7 @@ impl ColourArgs {
         }
     }
 
-    /// The same for a plan, which has round isolines where none were typed.
+    /// The colours of a plan with values in `range`, which has round isolines where none were typed.
     pub(crate) fn of_plan(&self, range: [f64; 2]) -> FalseColours {
         let colours = self.colours(range);
         if self.isolines.is_none() { colours.with_round_isolines(range) } else { colours }

@@ -61,7 +61,7 @@ pub(crate) enum CliError {
     Unwritable {
         /// The output as typed.
         path: PathBuf,
-        /// What the system said.
+        /// The system's error.
         reason: io::Error,
     },
     /// An output that failed while it was written; the file is unchanged.
@@ -69,7 +69,7 @@ pub(crate) enum CliError {
     Unwritten {
         /// The output as typed.
         path: PathBuf,
-        /// What the system said.
+        /// The system's error.
         reason: io::Error,
     },
     /// The scene could not be solved.
@@ -80,7 +80,7 @@ pub(crate) enum CliError {
     Frame {
         /// The moment, in frames.
         moment: f64,
-        /// Why.
+        /// Error of the frame.
         cause: Box<CliError>,
     },
     /// The heat of the scene has no balance.
@@ -119,12 +119,12 @@ pub(crate) enum CliError {
     /// A picture was asked of a scene without a camera.
     #[error(transparent)]
     NoCamera(#[from] NoCamera),
-    /// What was asked for cannot be done.
+    /// A request that cannot be fulfilled.
     #[error("{message}")]
     Refused {
-        /// What is wrong.
+        /// The fault, in a sentence.
         message: String,
-        /// How to mend it.
+        /// The way to mend it, in a sentence.
         cure: String,
     },
     /// A solution is no grid of VTK.
@@ -132,7 +132,7 @@ pub(crate) enum CliError {
     Vtu {
         /// The output as typed.
         path: PathBuf,
-        /// Why not.
+        /// Reason why it is none.
         reason: VtuError,
     },
     /// A chart could not be drawn.
@@ -141,7 +141,7 @@ pub(crate) enum CliError {
     /// A value of `--pairs` without two names.
     #[error("--pairs {text}: two names are needed")]
     NoPair {
-        /// What was typed.
+        /// Value of the option as typed.
         text: String,
     },
     /// An output whose ending names no format.
@@ -155,7 +155,7 @@ pub(crate) enum CliError {
     /// A few pairs were asked for in a format that holds a matrix.
     #[error("--pairs are no matrix, which is all that {format} holds")]
     PairsAsArray {
-        /// Its name.
+        /// Name of the format.
         format: String,
     },
     /// A run cannot be recorded, or does not go on from what was recorded.

@@ -1,4 +1,4 @@
-//! What was typed, as far as results hang on it.
+//! The options and arguments of a command line on which results depend.
 
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
@@ -6,16 +6,18 @@ use std::path::Path;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Command};
 
-/// What was typed, as far as results hang on it: a run that resumes may differ in all else.
+/// Options and arguments on which results depend, with their values: a run that resumes may differ in all
+/// others.
 #[derive(Debug, Default)]
 pub(crate) struct Given(#[expect(dead_code, reason = "it is printed")] Vec<(String, Vec<OsString>)>);
 
-/// Options on which no number hangs: means, messages, and where a run is recorded. Names of outputs may differ, their endings not.
+/// Options on which no number depends: means, messages, and where a run is recorded. Names of outputs may
+/// differ, their endings not.
 const FREE: [&str; 9] =
     ["checkpoint", "keep_partial", "memory", "quiet", "report", "resume", "threads", "time_limit", "verbose"];
 
 impl Given {
-    /// What was typed after a verb of `command`, and the verb.
+    /// The options and arguments that were typed after a verb of `command`, and the verb.
     pub(crate) fn of(command: &Command, matches: &ArgMatches) -> Self {
         let Some((verb, typed)) = matches.subcommand() else { return Self::default() };
         let known = command.find_subcommand(verb).into_iter().flat_map(Command::get_arguments);
@@ -27,7 +29,7 @@ impl Given {
     }
 }
 
-/// What was typed after an option.
+/// The values that were typed after an option; of an output its ending only.
 fn values(typed: &ArgMatches, id: &str) -> Vec<OsString> {
     let values = typed.get_raw(id).into_iter().flatten();
     let kept = |value: &OsStr| match id {

@@ -48,7 +48,7 @@ pub(crate) struct ImportArgs {
 }
 
 impl ImportArgs {
-    /// What is asked for.
+    /// The request for reading a scene of another program.
     pub(crate) fn request(&self) -> ImportRequest {
         let sides = match (self.one_sided, self.two_sided) {
             (true, _) => Some(Sides::Front),

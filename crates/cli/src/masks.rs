@@ -19,7 +19,7 @@ pub(crate) struct MaskArgs {
 }
 
 impl MaskArgs {
-    /// As the library has it.
+    /// The masking of the library with these options.
     pub(crate) fn masking(&self) -> Masking {
         Masking { cells: self.mask_cells, average: self.mask_average }
     }

@@ -1,4 +1,4 @@
-//! What `check` tells of materials that vary over surfaces, or let light through.
+//! Lines of `check` on materials that vary over surfaces, or let light through.
 
 use std::collections::BTreeMap;
 
@@ -25,7 +25,7 @@ pub(crate) fn lines(scene: &Scene) -> Vec<String> {
     materials(scene).into_iter().flat_map(of_material).collect()
 }
 
-/// The same for programs, with all digits.
+/// The materials with their patterns as JSON, by name, with all digits.
 pub(crate) fn as_json(scene: &Scene) -> Value {
     let pattern = |(what, pattern): (&'static str, &Pattern)| {
         let bands = 0..pattern.bands();
@@ -61,7 +61,7 @@ fn patterns(material: &Material) -> impl Iterator<Item = (&'static str, &Pattern
     all.into_iter().filter_map(|(what, pattern)| Some((what, pattern.as_deref()?)))
 }
 
-/// What kind of pattern it is, and how large.
+/// Kind and size of a pattern, in words.
 fn title(pattern: &Pattern) -> String {
     match (pattern.picture(), pattern.grid(), pattern.degree()) {
         (Some(picture), Some([columns, rows]), _) => {
@@ -76,7 +76,7 @@ fn remarks(pattern: &Pattern) -> String {
     pattern.picture().map(|own| format!(" ({})", own.remarks.join("; "))).unwrap_or_default()
 }
 
-/// Numbers of four digits; one where all are the same.
+/// Numbers with four digits; one where all are the same.
 fn numbers(all: impl Iterator<Item = f64>) -> String {
     let mut all: Vec<String> = all.map(rounded).collect();
     if all.iter().all(|own| *own == all[0]) {
@@ -85,7 +85,7 @@ fn numbers(all: impl Iterator<Item = f64>) -> String {
     all.join(", ")
 }
 
-/// Four digits; what is as small as the bounds of polynomials are near is 0.
+/// A number with four digits; 0 for numbers below 1e-8, which is the error of bounds of polynomials.
 fn rounded(value: f64) -> String {
     if value.abs() < 1e-8 {
         "0".to_owned()

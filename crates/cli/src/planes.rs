@@ -18,7 +18,7 @@ pub(crate) struct PlaneArgs {
     pub(crate) planes: bool,
 }
 
-/// How a plane is typed.
+/// Form in which a plane is typed.
 const FORM: &str = "write origin, edge, edge and spacing between semicolons, such as --plane \"0,0,0.75; 4,0,0; 0,3,0; 0.25\"";
 
 impl PlaneArgs {

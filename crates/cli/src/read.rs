@@ -1,4 +1,4 @@
-//! What values are read from: options that reading verbs share.
+//! Options for reading values, which several verbs share.
 
 use std::str::FromStr;
 
@@ -16,7 +16,7 @@ use crate::numbers::accuracy;
 use crate::options::MethodArgs;
 use crate::run::Run;
 
-/// What a summary says of light that was not gathered because that would have taken long.
+/// A summary's words on light that was not gathered because that would have taken long.
 pub(crate) const ROUGH: &str = " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)";
 
 /// `--read` and the accuracy of it.
@@ -37,7 +37,7 @@ pub(crate) struct ReadArgs {
 }
 
 impl ReadArgs {
-    /// What is asked for.
+    /// The request for reading.
     pub(crate) fn request(&self) -> ReadRequest {
         ReadRequest { read: self.read, by: self.read_by, eps: self.read_eps, samples: None }
     }
@@ -47,17 +47,17 @@ impl ReadArgs {
         Ok(self.request().check(options, &method.request())?)
     }
 
-    /// By what light is gathered.
+    /// Way of gathering light.
     pub(crate) fn by(&self) -> By {
         self.read_by.unwrap_or_default()
     }
 
-    /// As typed, the rest as the quality says.
+    /// Settings of reading: those that were typed, the others from the quality.
     pub(crate) fn plain(&self, method: &MethodArgs) -> Reading {
         self.request().plain(&method.request())
     }
 
-    /// As typed, the rest as the quality and the solution say.
+    /// Settings of reading: those that were typed, the others from the quality and the solution.
     pub(crate) fn reading(&self, method: &MethodArgs, run: &Run) -> Reading {
         self.request().reading(&method.request(), &run.solved, run.is_saved())
     }

@@ -1,4 +1,4 @@
-//! Where a probe reads: at the points of a file, or on planes.
+//! Sensors of a probe: the points of a file, or those of planes.
 
 use radiosity_output::readings::probe::{Probe, ProbeFault};
 use radiosity_scene::SensorPlane;
@@ -8,7 +8,7 @@ use crate::{
     points::{Points, PointsError},
 };
 
-/// Points of a file, or planes one after the other.
+/// Sensors: points of a file, or planes one after the other.
 #[derive(Debug)]
 pub(crate) enum Sensors {
     /// The points of a file.

@@ -35,7 +35,7 @@ impl SolutionFormat {
         }
     }
 
-    /// Writes `solved` to the file at `path`; what a summary says of it.
+    /// Writes `solved` to the file at `path`; returns the words of the summary.
     pub(crate) fn write(self, solved: &Solved, path: &Path, output: &OutputFile) -> Result<String, CliError> {
         if self == Self::Json {
             let file = SolutionFile::new(solved);

@@ -42,7 +42,7 @@ pub(crate) struct TransferArgs {
 }
 
 impl TransferArgs {
-    /// What is asked for.
+    /// The request for transfers.
     pub(crate) fn request(&self) -> TransferRequest {
         TransferRequest {
             subdivide: self.subdivide.0,

@@ -13,7 +13,7 @@ use crate::error::CliError;
 use crate::interrupt::{dismiss, employ};
 use crate::output_file::{Draft, OutputFile};
 
-/// The program.
+/// Name of the program.
 const PROGRAM: &str = "ffmpeg";
 
 /// The kind of a film's file.
@@ -27,16 +27,16 @@ pub(super) enum Container {
 #[derive(Debug)]
 pub(super) struct Encoder {
     output: OutputFile,
-    /// None when it is in place.
+    /// Temporary file of the film; None when the film is in place.
     draft: Option<Draft>,
     size: [u32; 2],
     pipe: Option<ChildStdin>,
-    /// What the program says.
+    /// Messages of the program, read to their end in a thread.
     complaints: Option<JoinHandle<String>>,
 }
 
 impl Container {
-    /// That of a file with this ending.
+    /// The container that the `ending` of a file names; None for others.
     pub(super) fn of(ending: &str) -> Option<Self> {
         match ending {
             "mp4" => Some(Self::Mp4),
@@ -45,10 +45,10 @@ impl Container {
         }
     }
 
-    /// Its name for the program, and what else has to be said.
+    /// Arguments of the program: the container's format and coding.
     fn arguments(self) -> &'static [&'static str] {
         match self {
-            // What a player needs first stands at the beginning.
+            // The index stands at the beginning, where players need it first.
             Self::Mp4 => &["-movflags", "+faststart", "-f", "mp4"],
             Self::WebM => &["-f", "webm"],
         }

@@ -1,4 +1,4 @@
-//! Which frames: `--frames A..B`.
+//! The range of frames `--frames A..B`.
 
 use std::ops::RangeInclusive;
 use std::str::FromStr;
@@ -43,17 +43,17 @@ impl FrameRange {
         Ok(asked.unwrap_or(Self { first: 0, last: scene.frames() - 1 }))
     }
 
-    /// The first and the last.
+    /// Numbers of the first and the last frame.
     pub(super) fn ends(&self) -> [usize; 2] {
         [self.first, self.last]
     }
 
-    /// All of them, in order.
+    /// Numbers of all frames, in order.
     pub(super) fn numbers(&self) -> RangeInclusive<usize> {
         self.first..=self.last
     }
 
-    /// How many there are.
+    /// Number of frames.
     pub(super) fn count(&self) -> usize {
         self.last - self.first + 1
     }

@@ -1,11 +1,11 @@
-//! What frames took, and what is wrong with them.
+//! Lines of a summary on frames: cost and warnings.
 
 use radiosity_output::readings::missed::missed;
 use radiosity_solve::animation::account::Account;
 use radiosity_solve::animation::follower::Follower;
 use radiosity_transport::RayCounts;
 
-/// The lines on so many frames that were made in so many seconds: one on what they took, and one for each thing that is wrong.
+/// Lines on so many frames that were made in so many seconds: one on their cost, and one for each warning.
 pub(super) fn lines(follower: &Follower<'_>, frames: usize, seconds: f64) -> Vec<String> {
     let account = follower.account();
     std::iter::once(cost(follower, frames, seconds)).chain(warnings(account)).collect()
@@ -36,7 +36,7 @@ fn cost(follower: &Follower<'_>, frames: usize, seconds: f64) -> String {
     line
 }
 
-/// How many rays were sent, and how many of them did not have to be traced.
+/// Number of rays, and the share of them that was traced anew where others were recalled, in words.
 fn told(RayCounts { traced, recalled }: &RayCounts) -> String {
     match traced + recalled {
         0 => String::new(),
@@ -45,7 +45,7 @@ fn told(RayCounts { traced, recalled }: &RayCounts) -> String {
     }
 }
 
-/// A line for each thing that is wrong at any moment.
+/// A line for each fault at any moment.
 fn warnings(account: &Account) -> Vec<String> {
     let Account { moments, unconverged: (unconverged, residual), missing, worst, .. } = account;
     let of_moments = |count: &usize| format!("warning: at {count} of {moments} moments");

@@ -74,7 +74,7 @@ impl Files {
         }
     }
 
-    /// What is written, for the summary.
+    /// Path of the report and number of pictures beside it, for the summary.
     pub(super) fn written(&self) -> String {
         match &self.kind {
             Kind::Markdown { figures, .. } => match figures.len() {
