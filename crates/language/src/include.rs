@@ -133,7 +133,7 @@ impl Files<'_> {
             return Err(Fault::NoIncludes { file: file.to_owned() });
         }
         let bytes =
-            input::bytes(if file == "-" { "./-" } else { file }).map_err(|error| unreadable(file, &error))?;
+            input::of_file(file).map_err(|error| unreadable(file, &error))?;
         self.source.add_picture(file, bytes.into());
         Ok(())
     }
