@@ -147,8 +147,7 @@ impl Cli {
             Verb::Relight(args) => relight::run(args, ranks),
             Verb::Render(args) => {
                 let fixing = self.fixing.iter().filter(|option| !(args.importance && *option == "--for"));
-                let loaded =
-                    Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>(), ranks)?;
+                let loaded = Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>(), ranks)?;
                 let reads = [args.method.points_file(), args.style.difference.as_deref()];
                 let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
                 render::run(args, loaded, &ranks)
@@ -158,8 +157,7 @@ impl Cli {
                 let points = args.load_points(ranks)?;
                 let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
                 let reads = [args.method.points_file()];
-                let ranks =
-                    args.checkpoint.recording(given, &(loaded.content(), &points), &reads, ranks)?;
+                let ranks = args.checkpoint.recording(given, &(loaded.content(), &points), &reads, ranks)?;
                 probe::run(args, points, loaded, &ranks)
             }
             Verb::Grid(args) => {

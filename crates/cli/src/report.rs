@@ -77,12 +77,7 @@ fn run_in_the_dark(
 }
 
 /// The balance of heat, as `radiosity heat` computes it unless told otherwise.
-fn heat(
-    args: &ReportPageArgs,
-    scene: &Scene,
-    progress: &Progress,
-    ranks: &Ranks,
-) -> Result<Heat, HeatError> {
+fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress, ranks: &Ranks) -> Result<Heat, HeatError> {
     let show = |event| {
         if let Event::Done { stage: Stage::Blocks | Stage::Comparison, done, of } = event {
             progress.show("blocks of heat", done, of);

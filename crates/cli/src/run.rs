@@ -78,11 +78,7 @@ impl Loaded {
     }
 
     /// The same, whether it has light or not.
-    pub(crate) fn dark_or_lit(
-        source: &SceneArg,
-        fixed: &[String],
-        ranks: &Ranks,
-    ) -> Result<Self, CliError> {
+    pub(crate) fn dark_or_lit(source: &SceneArg, fixed: &[String], ranks: &Ranks) -> Result<Self, CliError> {
         let started = Instant::now();
         let request = source.request();
         let text = request.text(ranks)?;
@@ -99,11 +95,7 @@ impl Loaded {
     }
 
     /// Reads a solution file, with its light groups at the factors that were set.
-    pub(crate) fn solved(
-        path: &str,
-        settings: &[(String, f64)],
-        ranks: &Ranks,
-    ) -> Result<Self, CliError> {
+    pub(crate) fn solved(path: &str, settings: &[(String, f64)], ranks: &Ranks) -> Result<Self, CliError> {
         let started = Instant::now();
         let text = radiosity_language::text_by(path, &[], &Import::default(), ranks)?;
         if !is_solution(&text.text()) {

@@ -212,12 +212,7 @@ struct Solved {
 }
 
 /// The model of a scene, with rows that close, and its light with the shields at their levels.
-fn solved(
-    scene: &Scene,
-    roles: &Roles,
-    options: &Options,
-    work: &Work<'_>,
-) -> Result<Solved, HeatError> {
+fn solved(scene: &Scene, roles: &Roles, options: &Options, work: &Work<'_>) -> Result<Solved, HeatError> {
     let model = Model::assemble(&all_emit(scene, roles), options, work)?;
     levels::require(scene, roles, &model, options)?;
     let (model, closure) = options.in_threads(work.ranks, || close(scene, model, options))?;

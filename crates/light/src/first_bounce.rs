@@ -146,7 +146,13 @@ impl CoatedBounce {
     }
 
     /// The first bounce of any direct light `lit`, from elements alone.
-    pub fn of(sources: &Emitters<'_>, visibility: &Visibility, lit: Lit<'_>, eps: f64, ranks: &Ranks) -> Self {
+    pub fn of(
+        sources: &Emitters<'_>,
+        visibility: &Visibility,
+        lit: Lit<'_>,
+        eps: f64,
+        ranks: &Ranks,
+    ) -> Self {
         Self::reflected(sources, visibility, lit, coefficients(sources, lit, ranks), eps, ranks)
     }
 

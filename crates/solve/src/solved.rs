@@ -53,11 +53,7 @@ impl Solved {
     ///
     /// # Errors
     /// As for [`solve`].
-    pub fn new(
-        scene: Scene,
-        options: Options,
-        work: &Work<'_>,
-    ) -> Result<Self, Failure> {
+    pub fn new(scene: Scene, options: Options, work: &Work<'_>) -> Result<Self, Failure> {
         let outcome = solve(&scene, &options, work)?;
         Ok(Self::of(scene, options, outcome, None))
     }

@@ -70,11 +70,7 @@ impl ViewFactors {
     ///
     /// # Errors
     /// A surface without area, or threads that cannot be started.
-    pub fn new(
-        scene: &Scene,
-        options: &Options,
-        work: &Work<'_>,
-    ) -> Result<Self, Failure> {
+    pub fn new(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Self, Failure> {
         Self::of_pairs(scene, &|_, _| true, options, work)
     }
 

@@ -12,12 +12,7 @@ use crate::unreached;
 use crate::unreached::Whole;
 
 /// The blocks of all pairs.
-pub fn assemble(
-    elements: &Elements,
-    visibility: &Visibility,
-    accuracy: Accuracy,
-    work: &Work<'_>,
-) -> Blocks {
+pub fn assemble(elements: &Elements, visibility: &Visibility, accuracy: Accuracy, work: &Work<'_>) -> Blocks {
     assemble_pairs(elements, &|_, _| true, visibility, accuracy, work)
 }
 

@@ -115,8 +115,7 @@ pub(crate) fn by_rules(
     }
     let goals = scene.goals(&tasks);
     let sources = scene.share(&tasks, &goals);
-    let mut integrated =
-        scene.integrate(&tasks, &goals, &sources, (memory.as_deref(), blocks.held()), work);
+    let mut integrated = scene.integrate(&tasks, &goals, &sources, (memory.as_deref(), blocks.held()), work);
     let scales = Scales::new(list.len(), &tasks, &sources, &integrated);
     let is_left = |task: &Task, block: &Account| {
         block.untried || (scales.relative(task, block) > accuracy.eps && scene.is_left(task))
@@ -478,17 +477,18 @@ impl Scene<'_> {
         let sample: Vec<(usize, usize)> =
             pairs.into_iter().filter(|(_, place)| cost(*place) <= mean).step_by(step).collect();
         let makers: Vec<usize> = sample.iter().map(|(_, place)| integrated.makers[*place]).collect();
-        let differences: Vec<Option<f64>> = integrated.ranks.map_by(PartName::ExchangedBlocks, &makers, |number| {
-            let (index, place) = sample[number];
-            let task = &tasks[index];
-            let [a, b] = [task.row, task.column].map(|element| self.list[element as usize].area);
-            let answer = integrated.answer(place);
-            let again = *answer.exchanged.get_or_init(|| {
-                let again = self.block_from(!self.is_turned(task), task, goals[index]);
-                (!again.untried).then(|| again.values[0])
+        let differences: Vec<Option<f64>> =
+            integrated.ranks.map_by(PartName::ExchangedBlocks, &makers, |number| {
+                let (index, place) = sample[number];
+                let task = &tasks[index];
+                let [a, b] = [task.row, task.column].map(|element| self.list[element as usize].area);
+                let answer = integrated.answer(place);
+                let again = *answer.exchanged.get_or_init(|| {
+                    let again = self.block_from(!self.is_turned(task), task, goals[index]);
+                    (!again.untried).then(|| again.values[0])
+                });
+                again.map(|again| (again - answer.block.values[0]).abs() * (a * b).sqrt() / a.min(b))
             });
-            again.map(|again| (again - answer.block.values[0]).abs() * (a * b).sqrt() / a.min(b))
-        });
         let mut told = Reciprocity::default();
         differences.into_iter().flatten().for_each(|difference| told.take(difference));
         told

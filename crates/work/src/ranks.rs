@@ -398,7 +398,8 @@ mod tests {
     fn what_an_earlier_version_recorded_is_refused_by_name() {
         let folder = tempfile::tempdir().expect("a folder");
         let old = folder.path().join("000000-000000.journal");
-        fs::write(&old, [&b"RADJRNL1"[..], &7u64.to_le_bytes(), &[0; 40]].concat()).expect("it can be written");
+        fs::write(&old, [&b"RADJRNL1"[..], &7u64.to_le_bytes(), &[0; 40]].concat())
+            .expect("it can be written");
         let opened = Ranks::alone().recording(folder.path(), 7, Begin::Resume).map(drop);
         let refused = opened.expect_err("its pieces are of no use");
         assert!(matches!(&refused, JournalError::Earlier { path } if *path == old), "{refused}");

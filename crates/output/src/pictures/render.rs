@@ -15,13 +15,13 @@ use radiosity_work::ranks::PartName;
 use radiosity_work::{Progress, Stage, Work};
 use serde::{Deserialize, Serialize};
 
+use super::frame_light::FrameLight;
 use super::frame_light::eye::Eye;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::{AVERAGED, PictureLight};
 use super::frame_light::smooth::COARSEST;
 use super::frame_light::tally::Tally;
 use super::frame_light::trial::{INTERPOLATED, seconds};
-use super::frame_light::FrameLight;
 use super::pinhole::Pinhole;
 use super::raster::Raster;
 use super::samples::Samples;
@@ -67,14 +67,8 @@ pub fn render(
     let light = PictureLight::new(solution, visibility, read, GATHERED).showing(shown, camera.eye);
     let eye = Eye { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() };
     let [width, height] = [camera.width as usize, camera.height as usize];
-    let shot = Shot {
-        light: &light,
-        eye: &eye,
-        view: Pinhole::new(camera),
-        size: [width, height],
-        samples,
-        work,
-    };
+    let shot =
+        Shot { light: &light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples, work };
     work.tell(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
     let at_once = (AT_ONCE / width).div_ceil(COARSEST).max(1) * COARSEST;
     let done = Tally::new(width * height, Stage::Picture, work);

@@ -79,12 +79,7 @@ const AT_ONCE: usize = 8;
 /// The means over `cells` = [along u, along v] of every surface, v fastest.
 ///
 /// Cells without area are left out.
-pub fn grid(
-    reader: &Reader,
-    cells: [usize; 2],
-    rates: Rates,
-    work: &Work<'_>,
-) -> Vec<Cell> {
+pub fn grid(reader: &Reader, cells: [usize; 2], rates: Rates, work: &Work<'_>) -> Vec<Cell> {
     let surfaces = reader.solution().elements().surfaces();
     let outlines: Vec<Option<Vec<Vec<DVec3>>>> =
         (0..surfaces).map(|surface| outline(reader.solution().elements().shape(surface))).collect();

@@ -127,11 +127,7 @@ impl<'a> Course<'a> {
     ///
     /// # Errors
     /// As [`Sequence::at`].
-    pub(super) fn frame(
-        &mut self,
-        frame: usize,
-        work: &Work<'_>,
-    ) -> Result<Frame, AnimationError> {
+    pub(super) fn frame(&mut self, frame: usize, work: &Work<'_>) -> Result<Frame, AnimationError> {
         let moment = frame as f64;
         let holds = |segment: &Segment| (segment.ends[0]..=segment.ends[1]).contains(&moment);
         while !self.segments.iter().any(holds) {
@@ -165,11 +161,7 @@ impl<'a> Course<'a> {
     }
 
     /// Solves a segment, or halves it.
-    fn solve(
-        &mut self,
-        frames @ [first, last]: [usize; 2],
-        work: &Work<'_>,
-    ) -> Result<(), AnimationError> {
+    fn solve(&mut self, frames @ [first, last]: [usize; 2], work: &Work<'_>) -> Result<(), AnimationError> {
         // What was solved before is behind.
         self.nodes.retain(|bits, _| f64::from_bits(*bits) >= first as f64);
         let solved = self.segment(frames, work)?;
@@ -249,11 +241,7 @@ impl<'a> Course<'a> {
     }
 
     /// The light at a moment.
-    fn node(
-        &mut self,
-        moment: f64,
-        work: &Work<'_>,
-    ) -> Result<Arc<Node>, AnimationError> {
+    fn node(&mut self, moment: f64, work: &Work<'_>) -> Result<Arc<Node>, AnimationError> {
         if let Some(known) = self.nodes.get(&moment.to_bits()) {
             return Ok(Arc::clone(known));
         }

@@ -66,11 +66,7 @@ impl<'a> Follower<'a> {
     ///
     /// # Errors
     /// As [`Sequence::at`].
-    pub fn frame(
-        &mut self,
-        frame: usize,
-        work: &Work<'_>,
-    ) -> Result<Frame, AnimationError> {
+    pub fn frame(&mut self, frame: usize, work: &Work<'_>) -> Result<Frame, AnimationError> {
         let (now, spent) = match &mut self.kind {
             Kind::Frames(sequence) => {
                 let now = sequence.at(frame as f64, work)?;

@@ -38,19 +38,13 @@ pub(super) fn carried(
     Ok((blocks(scene, subject, memory)?, None))
 }
 
-fn blocks(
-    scene: &Scene,
-    subject: &Subject,
-    memory: Option<&mut Memory>,
-) -> Result<Blocks, Failure> {
+fn blocks(scene: &Scene, subject: &Subject, memory: Option<&mut Memory>) -> Result<Blocks, Failure> {
     let Subject { elements, visibility, options, work, .. } = *subject;
     let Some(rules) = options.kernel else {
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
         let accuracy = options.accuracy();
         return Ok(match memory {
-            Some(memory) => {
-                transport::assemble_again(elements, &sends, visibility, accuracy, memory, work)
-            }
+            Some(memory) => transport::assemble_again(elements, &sends, visibility, accuracy, memory, work),
             None => transport::assemble_senders(elements, &sends, visibility, accuracy, work),
         });
     };

@@ -38,19 +38,11 @@ const FARTHER: f64 = 0.3;
 ///
 /// # Errors
 /// As for [`super::solve`].
-pub(super) fn solve_by_links(
-    scene: &Scene,
-    options: &Options,
-    work: &Work<'_>,
-) -> Result<Outcome, Failure> {
+pub(super) fn solve_by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
     options.in_threads(work.ranks, || by_links(scene, options, work))?
 }
 
-fn by_links(
-    scene: &Scene,
-    options: &Options,
-    work: &Work<'_>,
-) -> Result<Outcome, Failure> {
+fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
     let (mut seconds, how) = (Stages::default(), linking(options));
     let found = timed(&mut seconds.blocks, || solve_hierarchically(scene, &how, work.observer))?;
     work.tell(Progress::Finished { stage: Stage::Blocks, took: seconds.blocks });

@@ -78,11 +78,7 @@ impl Model {
     ///
     /// # Errors
     /// A scene that cannot be cut into elements, memory that does not suffice, or threads that cannot be started.
-    pub fn assemble(
-        scene: &Scene,
-        options: &Options,
-        work: &Work<'_>,
-    ) -> Result<Self, Failure> {
+    pub fn assemble(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Self, Failure> {
         let choice = Choice::of(scene, options);
         options.in_threads(work.ranks, || Self::assembled(scene, options, Plan::of(choice), None, work))?
     }
@@ -163,8 +159,7 @@ impl Model {
         let elements = Arc::new(elements);
         work.tell(Progress::Finished { stage: Step::Elements, took: seconds.elements });
         let emissions = Emission::all(scene, elements.list());
-        let stage =
-            Stage { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
+        let stage = Stage { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
         let by_rules = options.kernel.is_none() && !choice.sampled;
         let first = timed(&mut seconds.direct, || FirstLight::of(&stage, emissions, by_rules));
         if first.is_split {
@@ -177,8 +172,7 @@ impl Model {
         if let Some(memory) = &mut memory {
             memory.turn_to(scene, &elements, &visibility);
         }
-        let (blocks, sampling) =
-            timed(&mut seconds.blocks, || carried(scene, &subject, rays, memory))?;
+        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, memory))?;
         work.tell(Progress::Finished { stage: Step::Blocks, took: seconds.blocks });
         Ok(Self {
             scene: scene.clone(),

@@ -17,9 +17,9 @@ use serde::{Deserialize, Serialize};
 use super::algorithm::Algorithm;
 use super::choice::{MOST_RAYS, Transport, usual_rays};
 use super::direct::Direct;
-use super::preconditioning::Preconditioning;
 use super::failure::Failure;
 use super::pool::in_threads;
+use super::preconditioning::Preconditioning;
 
 /// What to solve and how well.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]

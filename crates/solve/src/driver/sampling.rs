@@ -82,18 +82,16 @@ pub(super) struct Subject<'a> {
 
 impl Subject<'_> {
     /// The blocks by `rays` rays after the pilot, and what they are worth; what `memory` knows is not found again.
-    pub(super) fn sample(
-        &self,
-        rays: u64,
-        mut memory: Option<&mut Memory>,
-    ) -> (Blocks, Sampling) {
+    pub(super) fn sample(&self, rays: u64, mut memory: Option<&mut Memory>) -> (Blocks, Sampling) {
         let work = self.work;
         let _listening = work.deadline.map(Deadline::listen);
         let (elements, visibility) = (self.elements, self.visibility);
         let mut transport =
             SampledTransport::remembering(elements, visibility, memory.as_deref_mut(), work.ranks);
         let pilot = (PILOT * rays as f64).min(ROUND as f64);
-        transport.send(&self.by_area(pilot), &mut |done| self.goes_on(Progress::Rays { done, of: rays, error: None }));
+        transport.send(&self.by_area(pilot), &mut |done| {
+            self.goes_on(Progress::Rays { done, of: rays, error: None })
+        });
         // Where the pilot tells nothing, all elements count as equally bright.
         let bright = self
             .brightness(&transport.blocks(Rays::All))
@@ -141,9 +139,8 @@ impl Subject<'_> {
                 |round: u64, count: u64| (u128::from(count) * u128::from(round) / u128::from(rounds)) as u64;
             let now: Vec<u64> =
                 planned.iter().map(|count| until(round, *count) - until(round - 1, *count)).collect();
-            transport.send(&now, &mut |more| {
-                self.goes_on(Progress::Rays { done: done + more, of: total, error })
-            });
+            transport
+                .send(&now, &mut |more| self.goes_on(Progress::Rays { done: done + more, of: total, error }));
             if self.work.is_ended() {
                 return;
             }

@@ -54,12 +54,7 @@ const NO_ERROR_OF_ELEMENTS: &str =
 ///
 /// # Errors
 /// Any error of the first run; of later runs those that do not end the sequence.
-pub fn adapt(
-    scene: &Scene,
-    options: &Options,
-    goal: &Goal,
-    work: &Work<'_>,
-) -> Result<Adapted, Failure> {
+pub fn adapt(scene: &Scene, options: &Options, goal: &Goal, work: &Work<'_>) -> Result<Adapted, Failure> {
     if options.algorithm == Algorithm::Hierarchical {
         return by_links(scene, options, goal, work);
     }

@@ -75,12 +75,7 @@ pub(crate) struct Smooth<'a> {
 
 impl<'a> Smooth<'a> {
     /// The light of all pixels of a frame in so many bands; those computed at one spacing are told.
-    pub(crate) fn over(
-        frame: &'a Frame,
-        bands: usize,
-        source: &impl Source,
-        work: &Work<'_>,
-    ) -> Self {
+    pub(crate) fn over(frame: &'a Frame, bands: usize, source: &impl Source, work: &Work<'_>) -> Self {
         let mut known: Vec<Option<Known>> = vec![None; frame.len()];
         let mut values = vec![0.0; frame.len() * bands];
         let mut open: Vec<usize> = (0..frame.len()).filter(|pixel| frame.seen(*pixel).is_some()).collect();

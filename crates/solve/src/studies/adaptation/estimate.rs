@@ -83,12 +83,7 @@ pub(super) fn estimate(
 }
 
 /// Error of the polynomials, by light gathered to `eps`.
-fn unresolved(
-    solution: &Solution,
-    visibility: &Visibility,
-    eps: f64,
-    work: &Work<'_>,
-) -> f64 {
+fn unresolved(solution: &Solution, visibility: &Visibility, eps: f64, work: &Work<'_>) -> f64 {
     let gather = Gather::new(solution, visibility, eps);
     let points = points(solution.elements().list());
     let done = AtomicUsize::new(0);

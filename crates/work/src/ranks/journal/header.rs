@@ -74,7 +74,8 @@ mod tests {
         let before = [&b"RADJRNL1"[..], &7u64.to_le_bytes(), &[5, 0, 0, 0]].concat();
         assert_eq!(owner(&before, 7), Owner::Earlier);
         assert_eq!(owner(&before[..16], 7), Owner::Earlier);
-        let of_pieces = |version: u32| [&b"RADJRNL2"[..], &version.to_le_bytes(), &7u64.to_le_bytes()].concat();
+        let of_pieces =
+            |version: u32| [&b"RADJRNL2"[..], &version.to_le_bytes(), &7u64.to_le_bytes()].concat();
         assert_eq!(owner(&of_pieces(PIECES - 1), 7), Owner::Earlier);
         assert_eq!(owner(&of_pieces(PIECES + 1), 7), Owner::Other);
         assert_eq!(owner(b"something else", 7), Owner::Other);
