@@ -199,7 +199,8 @@ impl Ranks {
         shared.comm.complete(values, ends);
     }
 
-    /// All `make(k)` for the pieces k of a part, of these costs, in order. Each rank makes some of them, in parallel.
+    /// All `make(k)` for the pieces k of a part, of these costs, in order. Each rank makes some of them, in parallel. What a piece
+    /// would share by itself it has to share with [`Ranks::alone`]: others are at other pieces.
     pub fn map<T>(&self, part: PartName, costs: &[f64], make: impl Fn(usize) -> T + Sync) -> Vec<T>
     where
         T: Serialize + DeserializeOwned + Send,
