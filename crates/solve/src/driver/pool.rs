@@ -1,6 +1,7 @@
 //! Work with a number of threads.
 
 use radiosity_work::interruption;
+use radiosity_work::ranks::Ranks;
 
 use super::failure::Failure;
 
@@ -10,6 +11,7 @@ use super::failure::Failure;
 /// # Errors
 /// Threads that cannot be started.
 pub fn in_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+    let threads = Ranks::alone().threads(threads);
     let heard = interruption::current();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
