@@ -6,10 +6,10 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use ::mpi::collective::SystemOperation;
-use ::mpi::request::scope;
-use ::mpi::topology::SimpleCommunicator;
-use ::mpi::traits::CommunicatorCollectives;
+use mpi::collective::SystemOperation;
+use mpi::request::scope;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::CommunicatorCollectives;
 
 /// What a rank is about to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
