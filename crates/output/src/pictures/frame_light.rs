@@ -1,4 +1,4 @@
-//! Light at the places of a frame, such as what the pixels of a picture see, or the texels of a surface.
+//! Light at the places of a frame: those that the pixels of a picture see, or the texels of a surface.
 //!
 //! Direct light is computed at every place. Other light, where it is gathered, is computed at few of them and interpolated
 //! between neighbours in the frame (`smooth`).
@@ -24,16 +24,16 @@ use smooth::{Known, Smooth, Source};
 pub(crate) struct FrameLight<'a> {
     frame: &'a Frame,
     light: &'a PictureLight<'a>,
-    /// Per place and band.
+    /// Direct irradiance per place and band (W m⁻²).
     direct: Vec<Vec<f64>>,
-    /// None where other light is not gathered.
+    /// Other light; None where it is not gathered.
     smooth: Option<Smooth<'a>>,
 }
 
 /// The light of places beside their direct light.
 struct Rest<'a> {
     light: &'a PictureLight<'a>,
-    /// Per place and band.
+    /// Direct irradiance per place and band (W m⁻²).
     direct: &'a [Vec<f64>],
 }
 

@@ -142,7 +142,8 @@ impl Lightmap {
         sizes(scene, texels)
     }
 
-    /// The parts of the light: of groups, and of what has no group; one for all light where it is not kept apart.
+    /// The parts of the light: of each group, and of light without a group; one for all light where it is not
+    /// kept apart.
     pub fn parts(&self) -> &[Part] {
         &self.parts
     }
@@ -196,7 +197,8 @@ impl LightTexture {
         (1.0 - t) * row(j) + t * row(j + 1)
     }
 
-    /// The texture of so many bands of what its texels see, under the light of each part; `tell` gets the texels that are done.
+    /// The texture in so many bands at the places that its texels see, under the light of each part; `tell`
+    /// gets the texels that are done.
     fn of(
         bands: usize,
         seen: Vec<Option<Seen>>,

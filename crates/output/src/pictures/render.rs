@@ -54,7 +54,7 @@ const CORNERS: [[u32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 
 /// Renders `solution` through `camera`; about how long that takes is told first.
 ///
-/// The pixels hold what is `shown`, W m⁻² (radiosity is radiance times π), in the bands of the solution.
+/// The pixels hold the quantity `shown`, W m⁻² (radiosity is radiance times π), in the bands of the solution.
 pub fn render(
     solution: &Solution,
     visibility: &Visibility,
@@ -82,8 +82,8 @@ pub fn render(
     Raster::new([camera.width, camera.height], bands, values, coverage).with_samples(samples)
 }
 
-/// How a picture of so many pixels is read unless told otherwise: gathered, if two threads do that within
-/// some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
+/// Source of light of a picture of so many pixels unless told otherwise: gathered, if two threads do that
+/// within some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
 pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> Read {
     let seconds = seconds_to_gather(solution, visibility, AVERAGED * GATHERED);
     let gathered = pixels as f64 / INTERPOLATED / THREADS * seconds;
@@ -93,11 +93,11 @@ pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> 
 /// The radiosity seen through a pixel.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 struct Pixel {
-    /// Mean over the pixel, per band.
+    /// Mean of the shown quantity over the pixel, per band (W m⁻²).
     radiosity: Vec<f64>,
     /// Part of the pixel in which a front is seen.
     coverage: f64,
-    /// What is averaged, if that is more than the middle.
+    /// Samples that are averaged, if they are more than the middle.
     samples: Option<Samples>,
 }
 
@@ -145,7 +145,7 @@ impl Shot<'_> {
         ranks.map_even(PartName::Pixels, rows.len() * width, width, |place| pixel(start + place))
     }
 
-    /// What the middle of a pixel sees.
+    /// The pixel as its middle sees it.
     fn middle(&self, lit: &FrameLight, pixel: usize) -> Pixel {
         let (Some(seen), Some(irradiance)) = (lit.frame().seen(pixel), lit.irradiance(pixel)) else {
             return self.nothing();
@@ -177,15 +177,15 @@ impl Shot<'_> {
             })
     }
 
-    /// Where one point of the regular grid of a pixel lies in the frame.
+    /// The place in the frame of one point of the regular grid of a pixel.
     fn point(&self, frame: &Frame, pixel: usize, place: [u32; 2]) -> [f64; 2] {
         let [column, row] = frame.place(pixel);
         let [x, y] = place.map(|k| (f64::from(k) + 0.5) / f64::from(self.samples));
         [column as f64 + x, row as f64 + y]
     }
 
-    /// The mean over a pixel of a frame that begins with the row `first`; `middle` is what its middle sees. Where the corners
-    /// see about the same, they and the middle are enough.
+    /// The mean over a pixel of a frame that begins with the row `first`; `middle` is the pixel as its middle
+    /// sees it. Where the corners see about the same, they and the middle are enough.
     fn sampled(&self, lit: &FrameLight, pixel: usize, first: usize, middle: &Pixel) -> Pixel {
         let sample = |place: [u32; 2]| self.sample(lit, pixel, first, place);
         let most = self.samples - 1;
@@ -200,7 +200,7 @@ impl Shot<'_> {
         self.mean(&[&few[..4], &rest].concat())
     }
 
-    /// What one point of the regular grid of a pixel sees.
+    /// The pixel as one point of its regular grid sees it.
     fn sample(&self, lit: &FrameLight, pixel: usize, first: usize, place: [u32; 2]) -> Pixel {
         let at = self.point(lit.frame(), pixel, place);
         let seen = self.eye.along(&self.view.ray(at[0], at[1] + first as f64));
@@ -211,7 +211,7 @@ impl Shot<'_> {
         Pixel { radiosity, coverage: 1.0, samples: None }
     }
 
-    /// A pixel of which these are samples.
+    /// The pixel that averages these samples.
     fn mean(&self, pixels: &[Pixel]) -> Pixel {
         let mut mean = self.nothing();
         let scale = 1.0 / pixels.len() as f64;

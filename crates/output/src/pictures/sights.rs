@@ -1,4 +1,4 @@
-//! What a camera sees in each pixel: one surface or several, and whether an emitter is among them.
+//! Sights: one surface or several that a camera sees in each pixel, and whether an emitter is among them.
 
 use radiosity_geom::Encounter;
 use radiosity_scene::{Camera, Scene};
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::pinhole::Pinhole;
 
-/// What is seen through the pixels of a picture, in row order.
+/// Surfaces and emitters seen through the pixels of a picture, in row order.
 #[derive(Clone, Debug)]
 pub struct Sights {
     /// The surface that is seen all over a pixel, if it is one and does not emit.
@@ -17,7 +17,7 @@ pub struct Sights {
     emitters: Vec<bool>,
 }
 
-/// One pixel.
+/// Surface and emitter seen through one pixel.
 #[derive(Serialize, Deserialize)]
 struct Sight {
     part: Option<u32>,
@@ -25,7 +25,7 @@ struct Sight {
 }
 
 impl Sights {
-    /// What `camera` sees by `samples × samples` rays a pixel.
+    /// The sights of `camera` by `samples × samples` rays a pixel.
     pub fn through(
         camera: &Camera,
         samples: u32,

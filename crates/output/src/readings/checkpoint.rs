@@ -1,4 +1,4 @@
-//! What a run took from its checkpoint, and what it added.
+//! Counts of the work that a run took from its checkpoint, and of the work that it added.
 
 use std::fmt;
 
@@ -8,21 +8,21 @@ use serde::Serialize;
 
 use crate::readings::warning::Warning;
 
-/// What all ranks of a run took from its checkpoint, and what they added.
+/// Counts of the work that all ranks of a run took from its checkpoint, and of the work that they added.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Checkpoint {
-    /// Pieces of work that were there, and were not done again.
+    /// Number of pieces of work that were recorded before, and were not done again.
     pub recalled: u64,
-    /// Pieces that were done, and written.
+    /// Number of pieces that were done and written.
     pub recorded: u64,
-    /// Bytes of the latter.
+    /// Bytes written.
     pub bytes: u64,
-    /// Why some that were done were not written, if so.
+    /// Reason why some pieces that were done were not written, if so.
     pub incomplete: Option<String>,
 }
 
 impl Checkpoint {
-    /// That of these ranks so far; None where they record nothing. All ranks ask together.
+    /// The counts of these ranks so far; None where they record nothing. All ranks ask together.
     pub fn so_far(ranks: &Ranks) -> Option<Self> {
         let own = ranks.journal().map(Journal::tally)?;
         let all = ranks.all(own);
@@ -35,7 +35,7 @@ impl Checkpoint {
         })
     }
 
-    /// A warning where it is incomplete.
+    /// A warning where the record is incomplete.
     pub fn warning(&self) -> Option<Warning> {
         let why = self.incomplete.as_ref()?;
         let message = format!(
@@ -46,7 +46,7 @@ impl Checkpoint {
     }
 }
 
-/// One line.
+/// One line of a summary.
 impl fmt::Display for Checkpoint {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let Self { recalled, recorded, bytes, .. } = self;

@@ -45,7 +45,7 @@ pub struct Cell {
     pub radiosity: Vec<f64>,
     /// Mean absorbed flux per band (W m⁻²): (1 − ρ − τ) E.
     pub absorbed: Vec<f64>,
-    /// Standard deviation of an irradiance by rays.
+    /// Standard deviation of the irradiance, where rays gathered it.
     pub deviation: Option<Deviation>,
     /// Area of the cell within the outer outline (scene length²).
     pub area: f64,
@@ -60,9 +60,9 @@ pub struct Cell {
 /// Points along each side of a cell for recomputed light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rates {
-    /// Direct light.
+    /// Points for direct light.
     pub direct: usize,
-    /// Gathered light.
+    /// Points for gathered light.
     pub indirect: usize,
 }
 
@@ -128,14 +128,14 @@ struct Deviations {
 }
 
 impl Deviations {
-    /// Adds that of the integral `size` (W).
+    /// Adds the deviation of the integral `size` (W).
     fn add(&mut self, deviation: Deviation, size: f64) {
         self.squares += (deviation.relative * size).powi(2);
         self.is_dark |= deviation.is_dark;
         self.are_rays = true;
     }
 
-    /// That of all, where all integrals together are `size` (W).
+    /// The deviation of all integrals, which together are `size` (W); None where rays gathered nothing.
     fn over(&self, size: f64) -> Option<Deviation> {
         let relative = if size > 0.0 { self.squares.sqrt() / size } else { 0.0 };
         self.are_rays.then_some(Deviation { relative, is_dark: self.is_dark })

@@ -106,7 +106,7 @@ pub fn probe(
     found.into_iter().enumerate().map(reading).collect()
 }
 
-/// What was read at a probe.
+/// The values read at a probe, which ranks send each other.
 #[derive(Serialize, Deserialize)]
 struct Found {
     irradiance: Vec<f64>,

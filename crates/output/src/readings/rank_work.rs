@@ -1,4 +1,4 @@
-//! What each rank of a run has done and sent.
+//! Work done and bytes sent by each rank of a run.
 
 use std::fmt;
 
@@ -7,10 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::readings::peak_memory::peak_bytes;
 
-/// What one rank has done and sent.
+/// Work done and bytes sent by one rank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RankWork {
-    /// Its threads.
+    /// Number of threads.
     pub threads: usize,
     /// Terms of the kernel's quadrature rules.
     pub kernel_samples: u64,
@@ -18,20 +18,20 @@ pub struct RankWork {
     pub rays: u64,
     /// Bytes sent to others: pieces of work, and numbers that products with distributed matrices complete.
     pub bytes_sent: u64,
-    /// Bytes of the latter alone.
+    /// Bytes sent for products alone.
     pub bytes_of_products: u64,
-    /// Those products.
+    /// Number of products with distributed matrices.
     pub products: u64,
     /// Peak memory, where the system reports it.
     pub peak_bytes: Option<u64>,
 }
 
-/// What all ranks of a run have done and sent, in their order; two at the least.
+/// Work done and bytes sent by all ranks of a run, in their order; two at the least.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct RanksWork(Vec<RankWork>);
 
 impl RankWork {
-    /// That of this rank so far, which works with so many threads, 0 for all that it may use.
+    /// The work of this rank so far, which has so many threads, 0 for all that it may use.
     fn so_far(ranks: &Ranks, threads: usize) -> Self {
         let Traffic { samples, rays, pieces, numbers, products } = ranks.traffic();
         Self {
@@ -47,13 +47,14 @@ impl RankWork {
 }
 
 impl RanksWork {
-    /// That of these ranks so far, of which this one works with so many threads, 0 for all that it may use; None where it is alone.
-    /// All ranks ask together.
+    /// The work of these ranks so far, of which this one has so many threads, 0 for all that it may use; None
+    /// where it is alone. All ranks ask together.
     pub fn so_far(ranks: &Ranks, threads: usize) -> Option<Self> {
         (!ranks.are_alone()).then(|| Self(ranks.all(RankWork::so_far(ranks, threads))))
     }
 
-    /// By how much the rank that is farthest from it is off the mean, relative to that; None where nothing was counted.
+    /// Greatest distance of a rank's count from the mean, relative to the mean; None where nothing was
+    /// counted.
     fn imbalance(&self, count: impl Fn(&RankWork) -> u64) -> Option<f64> {
         let counts: Vec<f64> = self.0.iter().map(|rank| count(rank) as f64).collect();
         let mean = counts.iter().sum::<f64>() / counts.len() as f64;
@@ -62,10 +63,10 @@ impl RanksWork {
     }
 }
 
-/// A figure of a rank.
+/// A count of a rank.
 type Count = fn(&RankWork) -> u64;
 
-/// One line: how many ranks, how evenly they worked, and what they sent.
+/// One line: number of ranks, evenness of their work, and bytes sent.
 impl fmt::Display for RanksWork {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let threads: usize = self.0.iter().map(|rank| rank.threads).sum();

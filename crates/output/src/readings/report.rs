@@ -30,10 +30,10 @@ pub struct Report {
     pub unit: String,
     /// Number of surfaces.
     pub surfaces: usize,
-    /// What was done to the file of another program that it was read from; none for other scenes.
+    /// Changes to the file of another program that the scene was read from; none for other scenes.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub imported: Option<Imported>,
-    /// How their shapes were changed to fit together when the scene was read.
+    /// Changes that made the shapes of surfaces fit together when the scene was read.
     pub fitted: Fitted,
     /// Its light groups with their factors.
     pub light_groups: Vec<LightGroup>,
@@ -41,7 +41,7 @@ pub struct Report {
     pub elements: usize,
     /// Number of coefficients per band.
     pub unknowns: usize,
-    /// The functions that are summed.
+    /// Name of the basis whose functions are summed.
     pub basis: &'static str,
     /// The variational functional at the solution, for each band and light group; empty where nothing was solved for, or a file was read.
     pub functionals: Vec<Functional>,
@@ -53,10 +53,10 @@ pub struct Report {
     pub solver: String,
     /// Threads used.
     pub threads: usize,
-    /// What each rank has done and sent, where several share the work.
+    /// Work done and bytes sent by each rank, where several share the work.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ranks: Option<RanksWork>,
-    /// What came from a checkpoint, and what was added to it, where work is recorded.
+    /// Counts of work taken from a checkpoint and added to it, where work is recorded.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub checkpoint: Option<Checkpoint>,
     /// Version of the program.
@@ -65,7 +65,7 @@ pub struct Report {
     pub seconds: Seconds,
     /// Peak memory, where the system reports it.
     pub peak_bytes: Option<u64>,
-    /// What carried the pairs of elements, why, and how well.
+    /// Transport that carried the pairs of elements, with its reason and error.
     pub transport: Transport,
     /// Numbers of pairs of elements by how they were treated.
     pub pairs: PairCounts,
@@ -80,7 +80,7 @@ pub struct Report {
     pub accuracy_reached: f64,
     /// Estimated relative error of the radiosity, where an accuracy was wanted.
     pub accuracy_estimate: Option<f64>,
-    /// How direct light entered: `split` or `projected`.
+    /// Way in which direct light entered: `split` or `projected`.
     pub direct: &'static str,
     /// Iterations of the solver, largest over the bands.
     pub iterations: usize,
@@ -90,7 +90,7 @@ pub struct Report {
     pub converged: bool,
     /// Self-checks.
     pub checks: Checks,
-    /// What the sensors of planes read.
+    /// Figures of the sensors of planes.
     pub planes: Vec<PlaneFigures>,
     /// Errors of light that rays gathered at points.
     pub read_error: Option<ReadError>,
@@ -98,12 +98,12 @@ pub struct Report {
     pub warnings: Vec<Warning>,
 }
 
-/// What carried the pairs of elements.
+/// The transport that carried the pairs of elements.
 #[derive(Clone, Debug, Serialize)]
 pub struct Transport {
     /// `exact`, `sampled` or `hierarchical`.
     pub kind: &'static str,
-    /// Why it was chosen.
+    /// Reason of the choice.
     pub why: String,
     /// Rays sent; 0 if exact.
     pub rays: u64,
@@ -112,7 +112,7 @@ pub struct Transport {
     /// Estimate of the relative error that rays leave in the mean irradiances of the elements (L2, largest of the
     /// bands); none if exact.
     pub error: Option<f64>,
-    /// What was linked, if hierarchical.
+    /// Numbers of nodes, links and pairs, if hierarchical.
     pub links: Option<Counts>,
 }
 
@@ -149,13 +149,13 @@ pub struct Seconds {
     pub estimate: f64,
     /// Pictures, grids and files.
     pub output: f64,
-    /// Everything.
+    /// The whole run.
     pub total: f64,
 }
 
 impl Report {
-    /// The report of a scene that was solved with so many threads; the caller sets the times of loading and output, the total, and what planes
-    /// read.
+    /// The report of a scene that was solved with so many threads; the caller sets the times of loading and
+    /// output, the total, and the figures of planes.
     pub fn new(solved: &Solved, threads: usize) -> Self {
         let Solved { scene, options, outcome, achieved, .. } = solved;
         let elements = outcome.solution.elements();
@@ -204,13 +204,13 @@ impl Report {
         self.read_error = error;
     }
 
-    /// Adds what came from a checkpoint and was added to it, with a warning where that is incomplete.
+    /// Adds the counts of a checkpoint, with a warning where its record is incomplete.
     pub fn add_checkpoint(&mut self, checkpoint: Option<Checkpoint>) {
         self.warnings.extend(checkpoint.as_ref().and_then(Checkpoint::warning));
         self.checkpoint = checkpoint;
     }
 
-    /// Adds what planes read, with warnings of sensors without light.
+    /// Adds the figures of planes, with warnings of sensors without light.
     pub fn add_planes(&mut self, planes: Vec<PlaneFigures>) {
         self.warnings.extend(planes.iter().filter_map(PlaneFigures::warning));
         self.planes.extend(planes);

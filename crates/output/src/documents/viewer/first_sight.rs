@@ -1,4 +1,4 @@
-//! The view that a page opens with, by the light of its textures: what its exposure is chosen for.
+//! The view that a page opens with, by the light of its textures. The exposure of the page is chosen for it.
 //!
 //! Pixels average samples where they or a neighbour see another surface, as those of pictures do: where a lamp fills about a
 //! fiftieth of the view, its borders decide on the exposure.

@@ -1,4 +1,4 @@
-//! From the file back to the solved scene.
+//! Reading of a solution file: from its text back to the solved scene.
 //!
 //! The scene is read and cut again, and every element of the file is compared with it, so that a damaged or changed
 //! file is refused. The coefficients are taken as they are.
@@ -155,12 +155,12 @@ fn together<'a>(saved: &'a [SavedElement], own: impl Fn(&'a SavedElement) -> &'a
     saved.iter().flat_map(|element| own(element).iter().copied()).collect()
 }
 
-/// What shadow masks are made again from.
+/// The inputs from which shadow masks are made again.
 struct Masks<'a> {
     scene: &'a Scene,
     elements: &'a Elements,
     options: &'a Options,
-    /// None where there are no masks.
+    /// Obstacles of the scene; None where there are no masks.
     visibility: Option<Visibility>,
     ranks: &'a Ranks,
 }

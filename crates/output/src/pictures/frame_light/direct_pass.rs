@@ -16,7 +16,8 @@ const BESIDE: isize = 2;
 /// Pixels that one thread looks at after each other. Chosen: they take some microseconds each.
 const TOGETHER: usize = 64;
 
-/// The direct irradiance of all pixels; nothing where nothing is seen. Pixels are told twice.
+/// The direct irradiance of all pixels; nothing where nothing is seen. All pixels are told, then those that
+/// are computed again.
 pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<Vec<f64>> {
     let look = |pixel: usize, sure: bool, tally: &Tally| {
         let care = Care { rough: 1.0, sure };

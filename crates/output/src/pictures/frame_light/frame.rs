@@ -1,4 +1,5 @@
-//! Places in rows: what the middles of the pixels see, in some rows of a picture, or the texels of a surface.
+//! Places in rows: those that the middles of pixels see in some rows of a picture, or the texels of a
+//! surface.
 
 use std::ops::Range;
 
@@ -20,7 +21,7 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// The rows `rows` of a picture of so many columns.
+    /// The frame of the rows `rows` of a picture of so many columns.
     pub(crate) fn new(eye: &Eye, view: &Pinhole, width: usize, rows: Range<usize>, ranks: &Ranks) -> Self {
         let first = rows.start * width;
         let seen = ranks.map_even(PartName::Seen, rows.len() * width, TOGETHER, |index| {
@@ -30,7 +31,7 @@ impl Frame {
         Self { width, rows, seen }
     }
 
-    /// These places, row by row of so many columns.
+    /// The frame of these places, row by row of so many columns.
     pub(crate) fn of(width: usize, seen: Vec<Option<Seen>>) -> Self {
         Self { width, rows: 0..seen.len() / width, seen }
     }
@@ -52,7 +53,7 @@ impl Frame {
         is_within.then(|| row as usize * self.width + column as usize)
     }
 
-    /// What a pixel sees.
+    /// The place that a pixel sees; None where it sees nothing.
     pub(crate) fn seen(&self, pixel: usize) -> Option<&Seen> {
         self.seen[pixel].as_ref()
     }

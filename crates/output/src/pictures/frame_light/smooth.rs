@@ -22,20 +22,21 @@ use super::tally::Tally;
 /// Pixels from one computed value to the next at first: a power of two. Chosen.
 pub(crate) const COARSEST: usize = 16;
 
-/// What a linear fit may differ by from a quadratic one, over what a fit may leave. Chosen: what remains is smaller by about as
-/// much; fits of few values leave little even where light peaks between them.
+/// Most difference between a linear fit and a quadratic one, over the most residual of a fit. Chosen: the
+/// error that remains is smaller by about as much; fits of few values leave little even where light peaks
+/// between them.
 const BENT: f64 = 3.0;
 
-/// What a fit may leave, over all light of the place, and the pixels between computed values up to which it may leave twice
-/// as much: such places are small. Both are chosen.
+/// Most residual of a fit, over all light of the place, and the pixels between computed values up to which
+/// twice as much is allowed: such places are small. Both are chosen.
 const ROUGH: f64 = 4e-3;
 const SMALL: usize = 4;
 
 /// Pixels between computed values up to which linear fits are trusted. Chosen.
 const IN_A_ROW: usize = 2;
 
-/// How far on one side values may lie; and between pixels. Chosen: without the former, light was 5 % off at the border of a
-/// ceiling.
+/// Most share `aside` by which values lie on one side, at pixels and between pixels. Chosen: without the
+/// former, light was 5 % off at the border of a ceiling.
 const ASIDE: f64 = 0.25;
 const ASIDE_BETWEEN: f64 = 0.8;
 
@@ -60,7 +61,7 @@ pub(crate) trait Source: Sync {
 pub(crate) struct Known {
     /// Irradiance per band (W m⁻²).
     pub bands: Vec<f64>,
-    /// Standard deviation of their sum.
+    /// Standard deviation of the sum over the bands (W m⁻²).
     pub error: f64,
 }
 
@@ -108,7 +109,7 @@ impl<'a> Smooth<'a> {
         Self { frame, bands, values }
     }
 
-    /// The light of a pixel.
+    /// Irradiance per band of a pixel (W m⁻²).
     pub(crate) fn at(&self, pixel: usize) -> &[f64] {
         &self.values[pixel * self.bands..(pixel + 1) * self.bands]
     }
@@ -184,7 +185,7 @@ fn fitted(
     found.or_else(|| own.map(|own| own.bands.clone()))
 }
 
-/// What is known around a pixel, on the same smooth surface.
+/// The fit of the known values around a pixel, on the same smooth surface.
 fn fit_of<'a>(
     frame: &Frame,
     known: &'a [Option<Known>],
@@ -206,7 +207,8 @@ fn fit_of<'a>(
     fit
 }
 
-/// What is found, if it is trusted beside `other` light. Light below 0 by no more than a fit may leave is none.
+/// The value of a fit, if it is trusted beside `other` light. Light below 0 by no more than a fit may leave
+/// is none.
 fn trusted(found: Found, spacing: usize, other: f64) -> Option<Vec<f64>> {
     let Found { value, residual, noise, aside, bend } = found;
     let size = value.iter().map(|value| value.max(0.0)).sum::<f64>() + other;

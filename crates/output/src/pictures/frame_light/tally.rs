@@ -1,10 +1,10 @@
-//! A count of what is done of one stage, for those who wait.
+//! A count of the pixels that are done in one stage, told to a listener.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_work::{Stage, Work};
 
-/// What is done between two calls to the listener: a call takes a microsecond. Chosen.
+/// Pixels between two calls to the listener: a call takes a microsecond. Chosen.
 const OFTEN: usize = 1024;
 
 /// Counts pixels, from any thread.
@@ -16,12 +16,12 @@ pub(crate) struct Tally<'a> {
 }
 
 impl<'a> Tally<'a> {
-    /// None of `total` is done in a stage of this work.
+    /// A count of `total` pixels in a stage of this work, none of which is done.
     pub(crate) fn new(total: usize, stage: Stage, work: &'a Work<'a>) -> Self {
         Self { done: AtomicUsize::new(0), total, stage, work }
     }
 
-    /// One more is done.
+    /// Counts one more pixel as done.
     pub(crate) fn add(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         if done.is_multiple_of(OFTEN) || done == self.total {

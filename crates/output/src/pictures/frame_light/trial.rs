@@ -1,4 +1,4 @@
-//! How long the light of a frame will take, from that of a few of its places.
+//! Forecast of the time that the light of a frame takes, from the time of a few of its places.
 
 use std::time::Instant;
 
@@ -32,7 +32,7 @@ pub(crate) fn seconds(
     ranks.of_first(tried) / ranks.count() as f64
 }
 
-/// The same of one rank.
+/// About the seconds that the light of so many places takes one rank.
 fn tried(light: &PictureLight, places: usize, seen: &(dyn Fn(usize) -> Option<Seen> + Sync)) -> f64 {
     let start = Instant::now();
     let trial: Vec<(Seen, Vec<f64>)> = (0..TRIAL)
