@@ -1,4 +1,4 @@
-//! `--for`: of what an accuracy is wanted.
+//! `--for`: the light of which an accuracy is wanted.
 
 use std::ffi::OsString;
 use std::str::FromStr;
@@ -13,10 +13,10 @@ use crate::error::CliError;
 use crate::planes::plane;
 use crate::points::Points;
 
-/// What is typed.
+/// Forms that are accepted.
 const FORM: &str = "expected gathered, solution, picture, points FILE or plane NAME";
 
-/// What is to be accurate.
+/// Light that is to be accurate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Wanted {
     /// Light as sensors and pictures read it, on all surfaces.
@@ -47,7 +47,7 @@ impl FromStr for Wanted {
 }
 
 impl Wanted {
-    /// Of what the accuracy is.
+    /// The aim of the accuracy.
     pub(crate) fn aim(&self) -> Aim {
         match self {
             Self::Gathered => Aim::Gathered,
@@ -72,7 +72,8 @@ impl Wanted {
     }
 }
 
-/// What was typed, with `--for points FILE` and `--for plane NAME` written as one word after `--for`.
+/// The words that were typed, with `--for points FILE` and `--for plane NAME` written as one word after
+/// `--for`.
 pub(crate) fn joined(typed: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut words: Vec<OsString> = Vec::new();
     for word in typed {

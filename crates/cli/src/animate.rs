@@ -110,7 +110,7 @@ pub(crate) struct AnimateArgs {
     quiet: bool,
 }
 
-/// How frames follow each other.
+/// Way in which frames follow each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Follow {
     /// Each frame by itself, with nothing kept.
@@ -159,7 +159,7 @@ impl AnimateArgs {
         Ok(())
     }
 
-    /// Where pictures go; None where none were asked for.
+    /// The files or the film of the pictures; None where none were asked for.
     fn film(&self, loaded: &Loaded, first: usize, ranks: &Ranks) -> Result<Option<Film>, CliError> {
         let output = match (&self.output, &self.probe) {
             (Some(output), _) => output.clone(),
@@ -179,12 +179,12 @@ impl AnimateArgs {
     }
 }
 
-/// What takes pictures, all alike.
+/// A camera that takes all pictures alike.
 struct Shutter<'a> {
     args: &'a AnimateArgs,
-    /// The radiosity that is white is 1 over it; that of the first picture unless told.
+    /// Exposure of all pictures, 1 over the radiosity that is white; that of the first picture unless told.
     exposure: Option<f64>,
-    /// What is read, as for the first picture unless told.
+    /// Source of the light, as for the first picture unless told.
     read: Option<Read>,
 }
 
@@ -200,7 +200,8 @@ impl Shutter<'_> {
         Ok(render(&frame.solution, visibility, &camera, samples, read, shown, &work))
     }
 
-    /// The same in colours. Without a typed exposure white is approached softly, as in a photograph.
+    /// The picture of a frame in colours. Without a typed exposure white is approached softly, as in a
+    /// photograph.
     fn developed(&mut self, raster: &Raster, frame: &Frame) -> Picture {
         let image = Image::new(raster, white_balance(&frame.solution));
         let exposure = *self.exposure.get_or_insert_with(|| image.automatic_exposure());
@@ -271,7 +272,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     Ok(())
 }
 
-/// Where the frames stand: `done` of `count` are behind, of which so many were made.
+/// Progress of the frames in words: `done` of `count` are behind, of which so many were made.
 fn standing(done: usize, count: usize, made: usize, begun: Instant) -> String {
     let rate = made as f64 / begun.elapsed().as_secs_f64();
     let rate = if made > 0 { format!(", {rate:.2} a second") } else { String::new() };

@@ -35,14 +35,14 @@ const SIZE: [u32; 2] = [1024, 1024];
 /// Distance of triangles from a curved surface, over the diagonal of the scene. Chosen: half a pixel of a picture of the whole.
 const NEAR: f64 = 5e-4;
 
-/// What is baked, and how.
+/// A scene with its light to be written as a file, with the options.
 #[derive(Debug)]
 pub(crate) struct Bake<'a> {
-    /// The file.
+    /// Path of the .glb file.
     pub(crate) path: &'a Path,
     /// The number of texels, as that of a picture.
     pub(crate) size: Option<Counts>,
-    /// What the light is read from.
+    /// Source of the light.
     pub(crate) read: Option<Read>,
     pub(crate) style: &'a StyleArgs,
     pub(crate) method: &'a MethodArgs,
@@ -83,7 +83,7 @@ impl Bake<'_> {
         run.finish(progress, Some(&format!("{} ({figures}) and {}{note}", files[0], files[1])))
     }
 
-    /// The texture in colours, and what the file says of it; `beside` has the light as it is.
+    /// The texture in colours, and the remarks on it in the file; `beside` is the file of the light as it is.
     fn coloured(&self, baked: &Baked, solved: &Solved, beside: &Path) -> (Picture, Value) {
         let (scene, balance) = (&solved.scene, white_balance(&solved.outcome.solution));
         let image = Image::new(baked.raster(), balance);

@@ -34,7 +34,7 @@ pub(crate) struct CheckArgs {
 /// So many names, or warnings of a kind, are written as text; JSON names all. Chosen; not tuned.
 const LISTED: usize = 20;
 
-/// How the findings are written.
+/// Form of the findings.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(crate) enum Format {
     /// For people.
@@ -206,7 +206,7 @@ fn near_line(near: &NearPoint) -> String {
     )
 }
 
-/// Six digits.
+/// A number with six digits.
 fn rounded(number: f64) -> f64 {
     format!("{number:.5e}").parse().unwrap_or(number)
 }
@@ -270,7 +270,7 @@ fn footing_line(scene: &Scene, footing: &Footing) -> String {
     format!("{:.6} of {}, where {} stand", area, name(&footing.surface), listed(&standing))
 }
 
-/// How many frames there are, and what moves in them.
+/// Lines on the animation: number of frames, and the things that move.
 fn motion_lines(scene: &Scene) -> Vec<String> {
     let Some(Animation { frames, rate, movers, .. }) = &scene.animation else { return Vec::new() };
     let motion = |mover: &Mover| format!("motion: {} moves {}", mover.name, listed(&moved(scene, mover)));
@@ -319,7 +319,7 @@ fn plane_line(plane: &SensorPlane) -> String {
     format!("{}, {along_first} × {along_second} sensors that face {normal}", plane.name())
 }
 
-/// The same content as the text, numbers in full.
+/// The content of the text as JSON, numbers in full.
 fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
     let name = |index: &usize| scene.surfaces[*index].name.as_str();
     let surfaces = scene.surfaces.iter().zip(&inspection.areas).map(|(surface, area)| {
@@ -376,7 +376,7 @@ fn touch_key(touch: Adjacency) -> &'static str {
     }
 }
 
-/// Three decimals, without the −0 of rounding.
+/// A vector with three decimals, without the −0 of rounding.
 fn vector(numbers: [f64; 3]) -> String {
     let [x, y, z] = numbers.map(|number| (number * 1e3).round() / 1e3 + 0.0);
     format!("({x}, {y}, {z})")

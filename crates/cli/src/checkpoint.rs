@@ -28,8 +28,8 @@ pub(crate) struct CheckpointArgs {
 }
 
 impl CheckpointArgs {
-    /// The ranks, which record their work if that was asked for. Its results hang on what was `given`, on `content`, and on
-    /// the files that it `reads` besides: all ranks must have the same.
+    /// The ranks, which record their work if `--checkpoint` was typed. Results depend on the options `given`,
+    /// on `content`, and on the files that the verb `reads` besides: all ranks must have the same.
     ///
     /// # Errors
     /// Ranks that differ; a folder that does not hold what was asked for, or cannot be written.
@@ -61,7 +61,7 @@ impl CheckpointArgs {
     }
 }
 
-/// A number of this program: builds of one version may differ in numbers.
+/// A hash of this program's file: builds of one version may differ in numbers.
 fn program() -> Result<u64, CliError> {
     current_exe().and_then(|path| number(&path)).map_err(|reason| CliError::Refused {
         message: format!("the program cannot be told from others, its file cannot be read: {reason}"),
@@ -69,7 +69,7 @@ fn program() -> Result<u64, CliError> {
     })
 }
 
-/// A number of what a file holds; None where it cannot be read, which is told where it is needed.
+/// A hash of a file's content; None where it cannot be read, which is told where it is needed.
 fn file(path: &Path) -> Result<Option<u64>, CliError> {
     if path == Path::new("-") {
         return Err(CliError::Refused {

@@ -1,4 +1,4 @@
-//! `radiosity completions`: what a shell needs to complete the command line.
+//! `radiosity completions`: scripts by which shells complete the command line.
 
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};

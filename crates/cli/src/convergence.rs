@@ -150,14 +150,14 @@ impl ConvergenceArgs {
     }
 }
 
-/// A way other than that of all runs.
+/// Parser of a way other than rising orders, which every study runs.
 fn other_way() -> impl TypedValueParser<Value = Way> {
     let others = Way::value_variants().iter().filter(|way| **way != Way::Uniform);
     PossibleValuesParser::new(others.map(|way| way.name()))
         .map(|name| Way::from_str(&name, false).expect("the parser lets only listed names pass"))
 }
 
-/// What kind of file a chart is.
+/// File format of a chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Kind {
     Svg,

@@ -121,7 +121,7 @@ fn grid(args: &ConvertArgs, ranks: &Ranks) -> Result<(), CliError> {
     Ok(())
 }
 
-/// What is written and what is told.
+/// Texts of the files to be written, and remarks to be told.
 struct Texts {
     scene: String,
     materials: Option<String>,

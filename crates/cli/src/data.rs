@@ -1,4 +1,4 @@
-//! Data that a verb prints: their form, and where they go.
+//! Data that a verb prints: their form and destination.
 
 use std::io;
 use std::path::PathBuf;
@@ -46,7 +46,7 @@ impl DataArgs {
     }
 }
 
-/// Where data go, and in what form.
+/// Form and destination of data.
 #[derive(Debug)]
 pub(crate) struct Data {
     format: Format,
@@ -55,7 +55,7 @@ pub(crate) struct Data {
 }
 
 impl Data {
-    /// Writes the form that was asked for.
+    /// Writes the data in the form that was asked for.
     pub(crate) fn write<D: Serialize>(
         &self,
         csv: impl FnOnce() -> io::Result<Vec<u8>>,
@@ -72,7 +72,7 @@ impl Data {
         self.destination.write(|writer| writer.write_all(&table))
     }
 
-    /// The file they go to, if any, as it was typed.
+    /// The file of the data, if any, as it was typed.
     pub(crate) fn written(&self) -> Option<&str> {
         self.written.as_deref()
     }

@@ -1,4 +1,4 @@
-//! Where a table goes: a file, or standard output.
+//! Destinations of tables: a file, or standard output.
 
 use std::io::{self, BufWriter, ErrorKind, Write, stdout};
 
@@ -13,12 +13,12 @@ pub(crate) enum Destination {
     File(OutputFile),
     /// Standard output.
     Stdout,
-    /// That of another rank.
+    /// Standard output of another rank: nothing is written here.
     Elsewhere,
 }
 
 impl Destination {
-    /// This file, or the standard output of the first of these ranks.
+    /// The destination `file`, or else the standard output of the first of these ranks.
     pub(crate) fn of(file: Option<OutputFile>, ranks: &Ranks) -> Self {
         match file {
             Some(file) => Self::File(file),

@@ -1,4 +1,4 @@
-//! What results will need, before the work.
+//! Memory that results will need, reckoned before the work.
 
 use radiosity_request::memory::require;
 use radiosity_scene::Scene;

@@ -61,7 +61,7 @@ pub(crate) struct GridArgs {
 }
 
 impl GridArgs {
-    /// How the solution is to be read.
+    /// The request for reading.
     fn request(&self) -> ReadRequest {
         ReadRequest { samples: self.read_samples.map(|samples| samples.0), ..self.read.request() }
     }
@@ -126,7 +126,7 @@ struct Row<'a> {
     j: usize,
     irradiance: &'a [f64],
     radiosity: &'a [f64],
-    /// Standard deviation of the irradiance over it, where rays gathered it.
+    /// Standard deviation of the irradiance, relative to it, where rays gathered it.
     deviation: Option<f64>,
     area: f64,
     position: [f64; 3],

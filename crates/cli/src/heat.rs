@@ -132,7 +132,7 @@ pub(crate) fn run(args: &HeatArgs, given: &Given, ranks: &Ranks) -> Result<(), C
     of_scene(args, &scene, start, &ranks)
 }
 
-/// The same for a scene that was read; the command began at `start`.
+/// Computes and writes the balance of a scene that was read; the command began at `start`.
 fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant, ranks: &Ranks) -> Result<(), CliError> {
     let format = format::chosen(args.format, args.output.as_deref(), Format::Text)?;
     let matrix_format = args.conductances.as_deref().map(format::of_file::<MatrixFormat>);
@@ -188,7 +188,7 @@ fn write(heat: &Heat, format: Format, writer: &mut dyn Write) -> io::Result<()> 
 }
 
 impl HeatArgs {
-    /// What is asked for.
+    /// The request for a balance of heat.
     fn request(&self) -> HeatRequest {
         HeatRequest {
             transfers: self.transfers.request(),

@@ -23,13 +23,14 @@ static TEMPORARY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 /// A program that works for this one.
 static EMPLOYED: Mutex<Option<Child>> = Mutex::new(None);
 
-/// Whether another rank says what happens.
+/// Whether messages are left to another rank.
 static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
-/// The deadline of work whose end Ctrl-C wishes first; None where it ends the program at once.
+/// The deadline of work that the first Ctrl-C asks to finish; None where Ctrl-C ends the program at once.
 static DEADLINE: OnceLock<Deadline> = OnceLock::new();
 
-/// From now on Ctrl-C lets work that has this deadline, at an instant too if there is one, finish with what it has.
+/// The deadline at the instant `at`, if there is one; from now on Ctrl-C lets work that has this deadline
+/// finish with its results so far.
 pub(crate) fn soften(at: Option<Instant>) -> &'static Deadline {
     DEADLINE.get_or_init(|| Deadline::at(at))
 }
@@ -39,7 +40,7 @@ pub(crate) fn temporary_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ctrl-C ends this program as well, before it removes the files that it may be writing.
+/// Lets Ctrl-C end `program` as well, before it removes the files that this program may be writing.
 pub(crate) fn employ(program: Child) {
     *employed() = Some(program);
 }
@@ -53,7 +54,8 @@ fn employed() -> MutexGuard<'static, Option<Child>> {
     EMPLOYED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// From now on Ctrl-C, of which the first of these ranks tells, removes the temporary files and ends the program.
+/// Lets Ctrl-C from now on remove the temporary files and end the program; the first of these ranks tells of
+/// it.
 pub(crate) fn watch(ranks: &Ranks) {
     IS_QUIET.store(!ranks.is_first(), Ordering::Relaxed);
     // Where signals cannot be watched Ctrl-C still ends the program, as it always does.

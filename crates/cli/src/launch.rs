@@ -20,7 +20,7 @@ use crate::{Cli, CliError};
 /// Variables of which one holds the number of a process: set by Open MPI, by PMI (MPICH and what is made of it), by PMIx.
 const NUMBERS: [&str; 3] = ["OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"];
 
-/// Does what was typed, and says why where that fails.
+/// Runs the command line, and says why where it fails.
 pub fn launch() -> ExitCode {
     match NUMBERS.iter().find_map(|name| var(name).ok()) {
         Some(number) => among_others(&number),
@@ -28,7 +28,7 @@ pub fn launch() -> ExitCode {
     }
 }
 
-/// Does it in this process.
+/// Runs the command line in this process.
 fn alone() -> ExitCode {
     match Cli::typed().and_then(|cli| cli.run(Ranks::alone())) {
         Ok(()) => ExitCode::SUCCESS,
@@ -48,7 +48,7 @@ fn tell(error: &CliError) {
     }
 }
 
-/// Does it on all ranks.
+/// Runs the command line on all ranks.
 #[cfg(feature = "mpi")]
 fn among_others(_number: &str) -> ExitCode {
     let Some(world) = World::join() else { return alone() };
@@ -83,10 +83,11 @@ fn same_arguments(ranks: &Ranks) -> Result<(), Failure> {
     Err(Failure { code: error.exit_code(), message: error.explain() })
 }
 
-/// Refuses to do the same several times.
+/// Refuses to run one command several times.
 #[cfg(not(feature = "mpi"))]
 fn among_others(number: &str) -> ExitCode {
-    /// How many processes there are; that of Slurm is for steps that it starts itself, by PMIx.
+    /// Variables of which one holds the number of processes; that of Slurm is for steps that it starts
+    /// itself, by PMIx.
     const COUNTS: [&str; 3] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"];
     let count = COUNTS.iter().find_map(|name| var(name).ok()?.parse::<usize>().ok());
     if count.is_none_or(|count| count < 2) {

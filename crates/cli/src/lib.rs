@@ -120,10 +120,10 @@ enum Verb {
 }
 
 impl Cli {
-    /// What was typed.
+    /// The command line as it was typed.
     ///
     /// # Errors
-    /// [`CliError::Typed`] where that makes no sense, or asks for help.
+    /// [`CliError::Typed`] where it makes no sense, or asks for help.
     pub(crate) fn typed() -> Result<Self, CliError> {
         let mut command = Self::command();
         let matches = command.try_get_matches_from_mut(joined(std::env::args_os()))?;
@@ -133,7 +133,7 @@ impl Cli {
         Ok(cli)
     }
 
-    /// Does what was asked, on these ranks.
+    /// Runs the verb, on these ranks.
     pub(crate) fn run(&self, ranks: &Ranks) -> Result<(), CliError> {
         interrupt::watch(ranks);
         let given = &self.given;

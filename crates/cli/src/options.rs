@@ -67,7 +67,7 @@ pub(crate) struct SceneArg {
 }
 
 impl SceneArg {
-    /// What is asked for.
+    /// The request of these options.
     pub(crate) fn request(&self) -> SceneRequest {
         SceneRequest {
             source: self.scene.clone(),
@@ -223,7 +223,7 @@ pub(crate) struct MethodArgs {
 }
 
 impl MethodArgs {
-    /// What is asked for.
+    /// The request of these options.
     pub(crate) fn request(&self) -> MethodRequest {
         MethodRequest {
             quality: self.quality,
@@ -262,12 +262,12 @@ impl MethodArgs {
         }
     }
 
-    /// When the time allowed ends, if it does; it counts from now.
+    /// The deadline of the time limit, if there is one; the time counts from now.
     pub(crate) fn deadline(&self) -> Option<Deadline> {
         self.request().deadline().map(|at| Deadline::at(Some(at)))
     }
 
-    /// The accuracy wanted in a scene, and of what, if one is.
+    /// The accuracy that is wanted in a scene, and its aim, if one is wanted.
     pub(crate) fn goal(&self, scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
         let aim = self.aim.as_ref().unwrap_or(&Wanted::Gathered);
         self.request().wanted_accuracy().map(|accuracy| aim.goal(accuracy, scene, ranks)).transpose()

@@ -27,7 +27,7 @@ enum Target {
     Regular(PathBuf),
     /// A device or a pipe, which cannot be replaced.
     Special,
-    /// What another rank writes.
+    /// A file that another rank writes.
     Elsewhere,
 }
 
@@ -53,7 +53,7 @@ impl OutputFile {
         Ok(OutputFile { typed: path.to_owned(), target, ranks: ranks.clone() })
     }
 
-    /// Whether another rank writes it.
+    /// Whether another rank writes the output.
     pub(crate) fn is_elsewhere(&self) -> bool {
         matches!(self.target, Target::Elsewhere)
     }
@@ -121,12 +121,12 @@ impl OutputFile {
         Filled { output: self, temporary: draft.temporary }.put()
     }
 
-    /// That writing failed.
+    /// The error of an output whose writing failed.
     pub(crate) fn unwritten(&self, reason: io::Error) -> CliError {
         CliError::Unwritten { path: self.typed.clone(), reason }
     }
 
-    /// The temporary file; none where it needs none.
+    /// Writes the temporary file; None where the output needs none.
     fn try_fill(
         &self,
         write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
@@ -169,7 +169,7 @@ pub(crate) struct Filled<'a> {
 }
 
 impl Filled<'_> {
-    /// Puts it in place.
+    /// Puts the output in place.
     ///
     /// # Errors
     /// [`CliError::Unwritten`]; the old file at the path is then unchanged.
@@ -215,7 +215,7 @@ struct Temporary {
 }
 
 impl Temporary {
-    /// In the folder of `path`.
+    /// A temporary file in the folder of `path`.
     fn beside(path: &Path) -> io::Result<Self> {
         let mut files = temporary_files();
         let file = temporary_beside(path)?;
@@ -223,7 +223,7 @@ impl Temporary {
         Ok(Self { file })
     }
 
-    /// Takes the place of `path`.
+    /// Gives the file the name `path`, in place of an older one.
     fn take_name(self, path: &Path) -> io::Result<()> {
         let mut files = temporary_files();
         let own = self.file.path().to_owned();

@@ -57,7 +57,7 @@ pub(crate) fn write(
     run.finish(progress, Some(&written))
 }
 
-/// What a page does not show of the materials of a scene.
+/// Words on the materials of a scene that a page does not show in full; empty for none.
 fn left_out(scene: &Scene) -> &'static str {
     let any = |is: fn(&Material) -> bool| scene.surfaces.iter().any(|surface| is(&surface.material));
     match (any(Material::is_patterned), any(Material::transmits)) {

@@ -20,11 +20,11 @@ pub(crate) struct Points {
     pub(crate) origin: String,
     /// The points, in the order of the file.
     pub(crate) probes: Vec<Probe>,
-    /// The line of each, from 1.
+    /// The line of each point, from 1.
     pub(crate) lines: Vec<usize>,
 }
 
-/// What is wrong with a file of points.
+/// An error of a file of points.
 #[derive(Debug, Error)]
 #[error("{origin}{}: {fault}", place.map(|line| format!(":{line}")).unwrap_or_default())]
 pub(crate) struct PointsError {
@@ -32,9 +32,9 @@ pub(crate) struct PointsError {
     pub(crate) origin: String,
     /// The line, from 1.
     pub(crate) place: Option<usize>,
-    /// What is wrong there.
+    /// The fault, in words.
     pub(crate) fault: String,
-    /// What can be done.
+    /// The way to mend it, in words.
     pub(crate) cure: String,
 }
 
@@ -110,13 +110,13 @@ impl Points {
 /// Largest coordinate, as in scenes.
 const FARTHEST: f64 = 1e30;
 
-/// What lines of a file should look like.
+/// Form of the lines of a file.
 const FORM: &str = "write six numbers a line, x,y,z,nx,ny,nz: a point and its normal";
 
-/// What to do about a file with other marks between its numbers.
+/// Cure of a file with other marks between its numbers.
 const COMMAS: &str = "part the numbers by commas, with points in them: 0.5,1,0,0,0,1";
 
-/// Where the columns stand, and how many there are.
+/// Indices of the six columns in a line, and number of all columns.
 struct Columns {
     places: [usize; 6],
     count: usize,

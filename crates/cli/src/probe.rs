@@ -223,7 +223,7 @@ struct Row<'a> {
     position: [f64; 3],
     normal: [f64; 3],
     irradiance: &'a [f64],
-    /// Standard deviation of the irradiance over it, where rays gathered it.
+    /// Standard deviation of the irradiance, relative to it, where rays gathered it.
     deviation: Option<f64>,
     surface: Option<&'a str>,
     parameters: Option<[f64; 2]>,

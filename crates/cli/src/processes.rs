@@ -1,8 +1,9 @@
 //! Ranks that are processes, started by `mpirun`, `srun` or the like and connected by MPI (Message Passing Interface Forum,
 //! *MPI: A Message-Passing Interface Standard*, version 3.1, 2015).
 //!
-//! Before ranks share anything they pass a [gate](gate): it tells whether all are about to do the same, and whether one of them
-//! has failed. What completes a vector has no gate, as iterative solvers do it again and again.
+//! Before ranks share anything they pass a [gate](gate): it tells whether all are about to make the same
+//! call, and whether one of them has failed. The completion of a vector has no gate, as iterative solvers
+//! call it again and again.
 
 mod gate;
 mod messages;
@@ -24,7 +25,7 @@ use radiosity_work::ranks::{Ranks, shares};
 use gate::{Call, Passed, fail, pass};
 use messages::{all_gather, complete, exchange};
 
-/// How long a rank that failed waits for the others before it ends them. Chosen.
+/// Time that a rank that failed waits for the others before it ends them. Chosen.
 const PATIENCE: Duration = Duration::from_secs(3);
 
 /// The processes of this run, until it is dropped.
@@ -34,7 +35,7 @@ pub(crate) struct World {
     _universe: Universe,
 }
 
-/// One of them.
+/// The process of one rank.
 #[derive(Clone, Debug)]
 struct Processes {
     rank: usize,
@@ -61,13 +62,14 @@ impl World {
         Some(Self { processes, _universe: universe })
     }
 
-    /// All of its ranks.
+    /// All ranks of the world.
     fn ranks(&self) -> Ranks {
         Ranks::of(self.processes.clone())
     }
 
-    /// Does `work` on all ranks, and returns how all of them end: where one fails, all do, within seconds. `tell` says why, on one
-    /// of them. A panic counts as a failure; it is not printed where it happens.
+    /// Does `work` on all ranks, and returns the exit code of all of them: where one fails, all do, within
+    /// seconds. `tell` says why, on one of them. A panic counts as a failure; it is not printed where it
+    /// happens.
     pub(crate) fn run(
         self,
         work: impl FnOnce(&Ranks) -> Result<(), Failure>,
@@ -100,7 +102,7 @@ impl World {
     }
 }
 
-/// What of its machine this process may use.
+/// The share of this process in its machine.
 fn place(world: &SimpleCommunicator) -> Place {
     let machine = world.split_shared(world.rank());
     let own: Vec<u8> = allowed().into_iter().flat_map(|number| (number as u32).to_le_bytes()).collect();
@@ -111,13 +113,13 @@ fn place(world: &SimpleCommunicator) -> Place {
     Place::among(&all, machine.rank() as usize)
 }
 
-/// What a mutex holds, whoever panicked.
+/// The content of a mutex, also after a panic of its holder.
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl Processes {
-    /// Does `share` with all ranks, once they are all about to.
+    /// Does `share` with all ranks, once all are about to make the same call.
     fn shared<T>(&self, call: Call, share: impl FnOnce(&SimpleCommunicator) -> T) -> T {
         let mut calls = locked(&self.calls);
         *calls += 1;
@@ -132,7 +134,7 @@ impl Processes {
         }
     }
 
-    /// Ends together with all ranks: with `own`, or with how another failed.
+    /// Ends together with all ranks: with the failure `own`, or with that of another rank.
     fn end(&self, own: Option<Failure>, tell: &impl Fn(&str)) -> Option<Failure> {
         let calls = *locked(&self.calls) + 1;
         let world = SimpleCommunicator::world();
@@ -155,7 +157,7 @@ impl Processes {
     }
 }
 
-/// How all ranks end, of which some have failed; `own` is how this one has.
+/// The failure with which all ranks end, of which some have failed; `own` is that of this rank.
 fn failed(world: &SimpleCommunicator, own: Option<&Failure>) -> Option<Failure> {
     let own = postcard::to_allocvec(&own).expect("a failure is two plain values");
     let all = all_gather(world, &own).into_iter();

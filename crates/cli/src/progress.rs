@@ -18,7 +18,7 @@ pub(crate) struct Progress {
     quiet: bool,
     /// Whether finished stages are told.
     verbose: bool,
-    /// What stands at the end of every line.
+    /// Words at the end of every line.
     whole: Mutex<String>,
 }
 
@@ -31,7 +31,7 @@ impl Progress {
         Self::telling(quiet, false, ranks)
     }
 
-    /// As the messages of a run were asked for.
+    /// A bar with the messages that `report` asks for.
     pub(crate) fn of(report: &ReportArgs, ranks: &Ranks) -> Self {
         Self::telling(report.quiet, report.verbose, ranks)
     }
@@ -65,7 +65,7 @@ impl Progress {
         self.show_with("rays", &error.unwrap_or_default(), done, total);
     }
 
-    /// From now on says of what whole the stages are a part, at the end of every line.
+    /// Ends every line from now on with words on the whole of which stages are a part.
     pub(crate) fn say_whole(&self, whole: String) {
         *self.whole.lock().unwrap_or_else(PoisonError::into_inner) = whole;
     }

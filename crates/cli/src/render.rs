@@ -173,7 +173,7 @@ impl RenderArgs {
         }
     }
 
-    /// What a page shows first.
+    /// The first view of a page.
     fn start(&self, scene: &Scene, camera: Camera) -> Result<Start, CliError> {
         if self.importance {
             return Err(CliError::Refused {
@@ -184,7 +184,7 @@ impl RenderArgs {
         self.style.start(scene, camera, self.samples())
     }
 
-    /// What light is to be worth something to, where its importance is shown.
+    /// The goal to which light is worth something, where its importance is shown.
     fn wanted(&self, scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
         let aim = self.method.aim.as_ref().unwrap_or(&Wanted::Gathered);
         // No accuracy follows from the sensors alone; any stands for none.

@@ -90,7 +90,7 @@ fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress, ranks: &Ranks
     Heat::of(scene, &wanted, &Work::among(ranks).told(&show))
 }
 
-/// What is told in the report where a balance fails, if that is a matter of the scene.
+/// The balance, or the error of the scene that the report tells; failures of the solver end the command.
 fn told(heat: Result<Heat, HeatError>) -> Result<Result<Heat, HeatError>, CliError> {
     match heat {
         Err(HeatError::Solve(failure)) => Err(failure.into()),
@@ -106,7 +106,7 @@ fn command() -> String {
     ["radiosity".to_owned()].into_iter().chain(words).collect::<Vec<_>>().join(" ")
 }
 
-/// What was typed, without what says where the run is recorded.
+/// The words that were typed, without the options of a checkpoint.
 fn unrecorded(typed: &[String]) -> Vec<&str> {
     let mut words = typed.iter().map(String::as_str);
     let mut kept = Vec::new();

@@ -1,4 +1,4 @@
-//! What every verb that needs light does first: solve, with progress and a report.
+//! The run of every verb that needs light: it solves first, with progress and a report.
 
 use std::fmt::Debug;
 use std::path::{Path, PathBuf};
@@ -49,7 +49,7 @@ pub(crate) struct Loaded {
     seconds: f64,
 }
 
-/// What a solution file holds in addition to the scene.
+/// Content of a solution file besides the scene.
 #[derive(Debug)]
 struct Saved {
     options: Options,
@@ -77,7 +77,7 @@ impl Loaded {
         Self::dark_or_lit(source, fixed, ranks)?.required()
     }
 
-    /// The same, whether it has light or not.
+    /// Reads a scene, dark or lit, or a solution file as [`Loaded::readable`] does.
     pub(crate) fn dark_or_lit(source: &SceneArg, fixed: &[String], ranks: &Ranks) -> Result<Self, CliError> {
         let started = Instant::now();
         let request = source.request();
@@ -126,7 +126,7 @@ impl Loaded {
         self.saved.as_ref().map_or_else(|| options(method, ranks), |saved| saved.options)
     }
 
-    /// All that results hang on besides what was typed.
+    /// All inputs on which results depend besides the command line.
     pub(crate) fn content(&self) -> impl Debug {
         let saved = self.saved.as_ref();
         (&self.scene, saved.map(|saved| (saved.options.neutral(), &saved.outcome, &saved.achieved)))
@@ -163,7 +163,7 @@ fn relit(solved: Solved, factors: &[(&str, f64)]) -> Result<Solved, CliError> {
 /// Most remarks on a scene of another program that a summary spells out. Chosen.
 const SPELT: usize = 12;
 
-/// What was done to a scene of another program when it was read.
+/// Remarks on the changes to a scene of another program when it was read.
 pub(crate) fn remarks(scene: &Scene) -> Vec<String> {
     let all: Vec<String> = scene.imported().map(|imported| imported.lines().collect()).unwrap_or_default();
     let count = all.len();
@@ -194,20 +194,20 @@ pub(crate) struct Run {
     ready: Instant,
 }
 
-/// What is known of a run before it solves.
+/// Figures of a run that are known before it solves.
 struct Start {
     threads: usize,
     ranks: Ranks,
     /// Whether the solution was read from a file.
     is_saved: bool,
     started: Instant,
-    /// Time of reading.
+    /// Seconds of reading.
     seconds: f64,
     report_file: Option<OutputFile>,
 }
 
 impl Start {
-    /// That of what was loaded; finds out whether the report can be written.
+    /// The start of a run on a loaded scene; finds out whether the report can be written.
     fn of(loaded: &Loaded, threads: usize, report: &ReportArgs, ranks: &Ranks) -> Result<Self, CliError> {
         let report_file = report.reserve(ranks)?.map(|file| loaded.apart(file)).transpose()?;
         let Loaded { saved, started, seconds, .. } = loaded;
@@ -233,7 +233,7 @@ impl Run {
         Self::with_options(loaded, method, options(method, work.ranks), report, work)
     }
 
-    /// The same for light that is gathered by cells or rays.
+    /// Solves as [`Run::solve`], for light that is then gathered by cells or rays.
     pub(crate) fn to_gather(
         loaded: Loaded,
         method: &MethodArgs,
@@ -245,7 +245,8 @@ impl Run {
         Self::to(goal, loaded, method, options(method, work.ranks), report, work)
     }
 
-    /// The same; where an accuracy is wanted and nothing says of what, it is that of these sensors.
+    /// Solves as [`Run::to_gather`]; where an accuracy is wanted and nothing says of what, it is that of the
+    /// light at these sensors.
     pub(crate) fn for_sensors(
         loaded: Loaded,
         sensors: &[Probe],
@@ -334,12 +335,12 @@ impl Run {
         &self.report
     }
 
-    /// Tells of planes in the summary and in the report.
+    /// Adds the figures of planes to the summary and to the report.
     pub(crate) fn add_planes(&mut self, planes: Vec<PlaneFigures>) {
         self.report.add_planes(planes);
     }
 
-    /// Tells the errors of readings by rays that were to err by `asked`.
+    /// Adds the errors of readings by rays that were to err by `asked`.
     pub(crate) fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
         self.report.add_read_error(error, asked);
     }
@@ -366,12 +367,12 @@ impl Run {
         }
     }
 
-    /// What the estimated error is of, where there is one.
+    /// Aim of the estimated error, where there is one.
     fn aim(&self) -> Option<Aim> {
         self.solved.achieved.map(|achieved| achieved.of)
     }
 
-    /// The same in words.
+    /// Name of the estimated error by its aim.
     fn estimated(&self) -> &'static str {
         match self.aim() {
             Some(Aim::Gathered) => "gathered light",
@@ -430,7 +431,7 @@ impl Run {
         }
     }
 
-    /// How many reflections the light was limited to, if it was.
+    /// Words on the number of reflections that the light was limited to; empty without a limit.
     fn bounces(&self) -> String {
         let limited = |bounces: usize| format!("; light of {bounces} reflections at the most");
         self.solved.options.bounces.map_or_else(String::new, limited)
@@ -487,7 +488,7 @@ fn minimum(Functional { band, group, value }: &Functional) -> String {
     format!("variational functional of band '{band}'{group}: {value:.9e}")
 }
 
-/// Where the emitted power went.
+/// The line about the balance of power.
 fn balance(checks: &Checks) -> String {
     if checks.energy_in == 0.0 {
         return "all lights are off".to_owned();

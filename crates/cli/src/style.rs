@@ -1,4 +1,4 @@
-//! How a picture shows what was computed: as a photograph, in false colours, as a difference, with wires.
+//! Styles of a picture: a photograph, false colours, a difference, with wires.
 
 use std::path::{Path, PathBuf};
 
@@ -57,12 +57,12 @@ pub(crate) struct StyleArgs {
     pub(crate) colours: ColourArgs,
 }
 
-/// What kind of file a picture is.
+/// File format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// 8-bit colours.
     Png,
-    /// The values.
+    /// Values as they are, in 32 bits.
     Exr,
     /// The surfaces with their light in textures.
     Glb,
@@ -82,7 +82,7 @@ pub(crate) struct Style<'a> {
     other: Option<Other>,
 }
 
-/// What a picture is compared with.
+/// The picture or solution that a picture is compared with.
 #[derive(Debug)]
 enum Other {
     /// A picture that was read from a file.
@@ -141,7 +141,7 @@ impl StyleArgs {
         }
     }
 
-    /// What a page shows first through `camera`, with so many samples along each side of a pixel.
+    /// The first view of a page through `camera`, with so many samples along each side of a pixel.
     pub(crate) fn start(&self, scene: &Scene, camera: Camera, samples: u32) -> Result<Start, CliError> {
         self.check_colours()?;
         self.colours.check()?;

@@ -81,7 +81,7 @@ pub(crate) enum Format {
 }
 
 impl Format {
-    /// Whether it has a place for a list of pairs.
+    /// Whether the format has a place for a list of pairs.
     fn holds_pairs(self) -> bool {
         matches!(self, Self::Csv | Self::Json)
     }
@@ -97,7 +97,7 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &Given, ranks: &Ranks) -> Resul
     of_scene(args, &scene, format, start, &ranks)
 }
 
-/// The same for a scene that was read; the command began at `start`.
+/// Computes and writes the factors of a scene that was read; the command began at `start`.
 fn of_scene(
     args: &ViewFactorsArgs,
     scene: &Scene,
@@ -128,11 +128,11 @@ fn of_scene(
     Ok(())
 }
 
-/// What is written of the factors, and how.
+/// Form in which factors are written, and the pairs.
 struct Form {
     format: Format,
     sparse: Option<Sparse>,
-    /// Those that were asked for; none for all.
+    /// Pairs (i, j) that were asked for; none for all.
     pairs: Vec<[usize; 2]>,
 }
 
@@ -234,7 +234,7 @@ impl ViewFactorsArgs {
         console::tell(&(lines.join("\n") + "\n"), ranks);
     }
 
-    /// What row sums and reciprocity say.
+    /// Lines on row sums and reciprocity.
     fn sums(&self, factors: &ViewFactors) -> Vec<String> {
         let sums = RowSums::of(factors, self.transfers.request().accuracy());
         let [range, closed] = sums.lines();

@@ -1,4 +1,4 @@
-//! Where pictures of frames go: files of their own, or one film.
+//! Files of the pictures of frames: one for each, or one film.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -23,13 +23,14 @@ const GIF_UNITS: f64 = 100.0;
 /// Most pictures a second of a GIF: viewers slow down shorter ones.
 const FASTEST: f64 = 50.0;
 
-/// How finely GIF looks for its 256 colours, from 1 to 30; chosen: 10 is three times as fast, and hardly seen.
+/// Speed of the search for the 256 colours of a GIF, from 1 to 30, coarsest; chosen: 10 is three times as
+/// fast, and the loss is hardly seen.
 const SPEED: i32 = 10;
 
-/// Where pictures of frames go.
+/// Files of the pictures of frames.
 #[derive(Debug)]
 pub(super) enum Film {
-    /// A file each.
+    /// A file for each frame.
     Files(Pattern),
     /// One animated GIF, written at the end.
     Gif { output: OutputFile, fps: f64, size: [u16; 2], frames: Vec<gif::Frame<'static>> },
@@ -47,8 +48,8 @@ pub(super) struct Pattern {
 }
 
 impl Film {
-    /// For a name as typed; finds out whether it can be written. Pictures a second are those that were typed, or those of the
-    /// scene.
+    /// The files of a name as typed; finds out whether they can be written. Pictures a second are those that
+    /// were typed, or those of the scene.
     pub(super) fn new(
         name: &Path,
         (typed, of_scene): (Option<f64>, Option<f64>),
@@ -110,7 +111,7 @@ impl Film {
         ranks.of_first(pattern.path(frame).exists())
     }
 
-    /// Whether it holds values rather than colours.
+    /// Whether the files hold values rather than colours.
     pub(super) fn is_exr(&self) -> bool {
         matches!(self, Self::Files(pattern) if pattern.is_exr)
     }
@@ -175,7 +176,7 @@ impl Film {
 }
 
 impl Pattern {
-    /// None without a run of #, or with several.
+    /// The pattern of a name; None without a run of #, or with several.
     fn of(name: &Path, is_exr: bool) -> Option<Self> {
         let text = name.to_str()?;
         let start = text.find('#')?;

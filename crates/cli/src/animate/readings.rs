@@ -15,7 +15,7 @@ use crate::error::CliError;
 use crate::points::{COLUMNS, Points};
 use crate::sensors::Sensors;
 
-/// The readings so far.
+/// The readings of all frames so far.
 #[derive(Debug)]
 pub(super) struct Readings {
     sensors: Sensors,
@@ -24,7 +24,7 @@ pub(super) struct Readings {
 }
 
 impl Readings {
-    /// None yet.
+    /// Readings of no frame yet.
     pub(super) fn new(points: Points, how: quality::Reading) -> Self {
         Self { sensors: Sensors::Points(points), how, frames: Vec::new() }
     }

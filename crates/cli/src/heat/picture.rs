@@ -41,7 +41,7 @@ pub(crate) struct PictureArgs {
     colours: ColourArgs,
 }
 
-/// What is shown.
+/// The quantity of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Quantity {
     /// Temperature, K

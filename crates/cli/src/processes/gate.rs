@@ -1,7 +1,8 @@
 //! A gate that all ranks pass together, or not at all.
 //!
-//! Each says what it is about to do by a number c, the same for all that do the same, or that it has failed. Two maxima over the
-//! ranks, of c and of its complement, tell whether all say the same. A rank that waits sleeps: others may need its processor.
+//! Each rank states the call that it is about to make by a number c, the same for all that make the same
+//! call, or states that it has failed. Two maxima over the ranks, of c and of its complement, tell whether
+//! all state the same. A rank that waits sleeps: others may need its processor.
 
 use std::thread;
 use std::time::{Duration, Instant};
@@ -11,7 +12,7 @@ use mpi::request::scope;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::CommunicatorCollectives;
 
-/// What a rank is about to do.
+/// A call that a rank is about to make.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u64)]
 pub(super) enum Call {
@@ -24,18 +25,18 @@ pub(super) enum Call {
 /// Number of different [`Call`]s, or more.
 const CALLS: u64 = 4;
 
-/// What there is beyond the gate.
+/// The result of the gate, the same for all ranks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Passed {
-    /// All ranks are about to do the same.
+    /// All ranks are about to make the same call.
     Together,
     /// A rank has failed.
     Failed,
-    /// They are about to do different things.
+    /// The ranks are about to make different calls.
     Apart,
 }
 
-/// How long a rank waits busily, and how long it then only lets others go first. Chosen.
+/// Time up to which a rank waits busily, and time up to which it then yields its processor to others. Chosen.
 const BUSY: Duration = Duration::from_micros(50);
 const YIELDING: Duration = Duration::from_millis(1);
 
@@ -43,7 +44,7 @@ const YIELDING: Duration = Duration::from_millis(1);
 const LONGEST: Duration = Duration::from_millis(2);
 const ASLEEP: f64 = 0.1;
 
-/// Waits until all ranks are here, where this one is about to do `call` after so many other calls.
+/// Waits until all ranks are here, where this one is about to make `call`, its call number `before`.
 pub(super) fn pass(world: &SimpleCommunicator, call: Call, before: u64) -> Passed {
     let own = CALLS * before + call as u64;
     passed(world, [own, u64::MAX - own], &|_| ())
@@ -58,7 +59,8 @@ pub(super) fn fail(world: &SimpleCommunicator, patience: Duration, give_up: &dyn
     });
 }
 
-/// Waits until all ranks are here, where this one says `said`; `look` gets the time waited, now and then.
+/// Waits until all ranks are here, where this one states `said`, its number c and the complement; `look` gets
+/// the time waited, now and then.
 fn passed(world: &SimpleCommunicator, said: [u64; 2], look: &dyn Fn(Duration)) -> Passed {
     let mut greatest = [0; 2];
     scope(|scope| {

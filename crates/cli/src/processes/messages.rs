@@ -1,4 +1,4 @@
-//! What ranks send each other, in rounds that MPI can count.
+//! Messages of ranks to each other, in rounds whose lengths MPI can count.
 
 use std::ops::Range;
 
@@ -11,10 +11,10 @@ use radiosity_work::ranks::shares;
 
 use crate::rounds::{parts, room, rounds};
 
-/// Most things that a call moves.
+/// Most entries that a call of MPI moves.
 const MOST: usize = Count::MAX as usize;
 
-/// The bytes of each rank.
+/// Gathers the bytes of each rank, in the order of the ranks.
 pub(super) fn all_gather(comm: &SimpleCommunicator, own: &[u8]) -> Vec<Vec<u8>> {
     let mut lengths = vec![0u64; comm.size() as usize];
     comm.all_gather_into(&(own.len() as u64), &mut lengths[..]);
@@ -31,7 +31,7 @@ pub(super) fn all_gather(comm: &SimpleCommunicator, own: &[u8]) -> Vec<Vec<u8>> 
     (0..ends.len()).map(|rank| all[shares::range(&ends, rank)].to_vec()).collect()
 }
 
-/// Fills `all`, of which rank k has the part that ends at `ends[k]`; `own` is that of this rank.
+/// Fills `all`, of which rank k has the part that ends at `ends[k]`; `own` is the part of this rank.
 pub(super) fn complete<T>(comm: &SimpleCommunicator, own: &[T], ends: &[usize], all: &mut [T])
 where
     T: Equivalence + Copy + Default,
@@ -61,7 +61,8 @@ where
     }
 }
 
-/// The bytes that each rank has for this one; `to[k]` are those of this one for rank k.
+/// Exchanges bytes: returns those that each rank has for this one; `to[k]` are the bytes of this one for rank
+/// k.
 pub(super) fn exchange(comm: &SimpleCommunicator, to: Vec<Vec<u8>>) -> Vec<Vec<u8>> {
     let sent: Vec<u64> = to.iter().map(|bytes| bytes.len() as u64).collect();
     let mut received = vec![0u64; sent.len()];
@@ -93,7 +94,7 @@ pub(super) fn exchange(comm: &SimpleCommunicator, to: Vec<Vec<u8>>) -> Vec<Vec<u
     all
 }
 
-/// Where parts lie that follow each other in a buffer.
+/// Lengths and starts of parts that follow each other in a buffer.
 struct Places {
     counts: Vec<Count>,
     starts: Vec<Count>,

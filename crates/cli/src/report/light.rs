@@ -34,7 +34,7 @@ use crate::{
 const SIDE: usize = 8;
 const MOST: usize = 20_000;
 
-/// What a report shows of light.
+/// Light that a report shows: picture, sensors and cells.
 #[derive(Debug)]
 pub(super) struct Wanted<'a> {
     camera: Option<Camera>,
@@ -54,7 +54,7 @@ pub(super) struct Read {
 }
 
 impl<'a> Wanted<'a> {
-    /// What was asked for of `scene`.
+    /// The light of `scene` that was asked for.
     pub(super) fn of(args: &'a ReportPageArgs, scene: &Scene, ranks: &Ranks) -> Result<Self, CliError> {
         args.colours.check()?;
         let camera = scene.camera.clone().map(|camera| sized(camera, args.size.map(|Counts(size)| size)));
@@ -119,7 +119,7 @@ fn picture(run: &Run, camera: &Camera, work: &Work<'_>) -> Result<Picture, CliEr
 }
 
 impl Read {
-    /// Its part of the report.
+    /// The part of the report on light.
     pub(super) fn part<'a>(&'a self, wanted: &'a Wanted, run: &'a Run) -> LightPart<'a> {
         let scene = &run.solved.scene;
         let plans = wanted.sensors.by_plane(&self.sensed).map(|on| ReportedPlane {
