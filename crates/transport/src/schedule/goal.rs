@@ -36,7 +36,7 @@ const LARGEST_NEAR_FACTOR: f64 = 8.0;
 pub(super) struct Goal {
     /// Relative to the block's largest entry.
     pub(super) accuracy: Accuracy,
-    /// The same where surfaces of the pair hide part of it themselves.
+    /// Accuracy relative to the block's largest entry where surfaces of the pair hide part of it themselves.
     pub(super) bent: Accuracy,
     /// [`ROW_SHARE`] times a lower bound of the row's largest entry: the scale of the error where the block is smaller.
     pub(super) least: f64,
@@ -54,7 +54,7 @@ pub(super) struct Goal {
 }
 
 impl Goal {
-    /// What is asked of the block of a task with this goal.
+    /// The request for the block of a task with this goal, as a memory compares it.
     pub(super) fn request(&self, task: &Task, visibility: &Visibility) -> Request {
         let faces = |surface| visibility.faces(surface).iter().copied();
         let surfaces = task.blockers.iter().chain(&task.own).flat_map(faces).collect();
