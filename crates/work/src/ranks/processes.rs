@@ -25,7 +25,7 @@ use super::shares;
 use gate::{Call, Passed, fail, pass};
 use messages::{all_gather, complete, exchange};
 
-/// How long a rank that failed waits for the others before it ends them. Chosen.
+/// Longest time that a rank that failed waits for the others before it ends them. Chosen.
 const PATIENCE: Duration = Duration::from_secs(3);
 
 /// The processes of this run, until it is dropped.
@@ -35,7 +35,7 @@ pub struct World {
     _universe: Universe,
 }
 
-/// One of them.
+/// One process of the run.
 #[derive(Clone, Debug)]
 struct Processes {
     rank: usize,
@@ -97,7 +97,7 @@ impl World {
     }
 }
 
-/// What of its machine this process may use.
+/// The share of its machine that this process may use.
 fn place(world: &SimpleCommunicator) -> Place {
     let machine = world.split_shared(world.rank());
     let own: Vec<u8> = allowed().into_iter().flat_map(|number| (number as u32).to_le_bytes()).collect();
@@ -108,7 +108,7 @@ fn place(world: &SimpleCommunicator) -> Place {
     Place::among(&all, machine.rank() as usize)
 }
 
-/// What a mutex holds, whoever panicked.
+/// The value in a mutex, whoever panicked.
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -152,7 +152,7 @@ impl Processes {
     }
 }
 
-/// How all ranks end, of which some have failed; `own` is how this one has.
+/// The failure that all ranks end with, of which some have failed; `own` is that of this one.
 fn failed(world: &SimpleCommunicator, own: Option<&Failure>) -> Option<Failure> {
     let own = postcard::to_allocvec(&own).expect("a failure is two plain values");
     let all = all_gather(world, &own).into_iter();

@@ -11,7 +11,7 @@ use ::mpi::request::scope;
 use ::mpi::topology::SimpleCommunicator;
 use ::mpi::traits::CommunicatorCollectives;
 
-/// What a rank is about to do.
+/// The call that a rank is about to make.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u64)]
 pub(super) enum Call {
@@ -24,18 +24,18 @@ pub(super) enum Call {
 /// Number of different [`Call`]s, or more.
 const CALLS: u64 = 4;
 
-/// What there is beyond the gate.
+/// The answer of the gate, the same on all ranks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Passed {
-    /// All ranks are about to do the same.
+    /// All ranks are about to make the same call.
     Together,
     /// A rank has failed.
     Failed,
-    /// They are about to do different things.
+    /// The ranks are about to make different calls.
     Apart,
 }
 
-/// How long a rank waits busily, and how long it then only lets others go first. Chosen.
+/// Time waited up to which a rank waits busily, and up to which it then only lets others go first. Chosen.
 const BUSY: Duration = Duration::from_micros(50);
 const YIELDING: Duration = Duration::from_millis(1);
 

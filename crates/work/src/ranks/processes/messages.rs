@@ -1,4 +1,4 @@
-//! What ranks send each other, in rounds that MPI can count.
+//! Messages between ranks, in rounds that MPI can count.
 
 use std::ops::Range;
 
