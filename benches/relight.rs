@@ -7,7 +7,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
 use radiosity::solve::{Direct, Model, Options};
-use radiosity::{Material, Scene, SceneBuilder};
+use radiosity::{Material, Scene, SceneBuilder, Work};
 use radiosity_test_support::shapes::plate;
 use radiosity_test_support::solved::{outcome_of, solved_of};
 
@@ -75,11 +75,11 @@ fn dimming(criterion: &mut Criterion) {
 fn reflectance(criterion: &mut Criterion) {
     for (name, direct) in [("projected", Direct::Projected), ("split", Direct::Split)] {
         let scene = room(false);
-        let model = Model::assemble(&scene, &options(direct), &|_| {}).expect("it has blocks");
+        let model = Model::assemble(&scene, &options(direct), &Work::alone()).expect("it has blocks");
         let white = Material::new(vec![0.7; 3], vec![0.0; 3]).expect("it is valid");
         let painted = scene.with_material("wall", white).expect("the walls have it");
         criterion.bench_function(&format!("reflectance, {name}"), |bench| {
-            bench.iter(|| model.solve(black_box(&painted), &|_| {}).expect("it is solved"));
+            bench.iter(|| model.solve(black_box(&painted), &Work::alone()).expect("it is solved"));
         });
     }
 }

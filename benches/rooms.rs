@@ -4,6 +4,7 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use radiosity::Work;
 use radiosity::output::pictures::render::render;
 use radiosity::output::readings::reader::Read;
 use radiosity::output::readings::shown::Shown;
@@ -61,7 +62,8 @@ fn pictures(criterion: &mut Criterion) {
     let camera = scene.camera.clone().expect("the scene has a camera");
     let camera = Camera { width: 64, height: 48, ..camera };
     for (name, read) in [("basis", Read::Basis), ("direct", Read::Direct), ("gather", Read::Gather)] {
-        let picture = || render(&outcome.solution, &visibility, &camera, 1, read, Shown::Radiosity, &|_| {});
+        let picture =
+            || render(&outcome.solution, &visibility, &camera, 1, read, Shown::Radiosity, &Work::alone());
         criterion.bench_function(&format!("picture read by {name}"), |bench| {
             bench.iter(|| in_threads(1, || black_box(picture())).expect("a thread can be started"));
         });

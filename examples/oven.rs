@@ -8,6 +8,7 @@
 
 use std::error::Error;
 
+use radiosity::Work;
 use radiosity::heat::{Heat, HeatOptions};
 use radiosity::language;
 
@@ -32,7 +33,7 @@ sphere = { center = [0.5, 0.5, 0.4], radius = 0.2 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let scene = language::from_toml(OVEN, "oven.toml")?;
-    let heat = Heat::of(&scene, &HeatOptions::default(), &|_stage| {})?;
+    let heat = Heat::of(&scene, &HeatOptions::default(), &Work::alone())?;
     for own in &heat.surfaces {
         let (kelvin, watts) = (own.temperature, own.flow);
         println!("{:12} {kelvin:6.1} ± {:.1} K {watts:9.1} W", own.name, own.temperature_error);

@@ -12,7 +12,7 @@ use std::error::Error;
 
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{Disk, FULL_TURN, Parallelogram, Sphere};
-use radiosity::{Material, Options, SceneBuilder, Solved};
+use radiosity::{Material, Options, SceneBuilder, Solved, Work};
 
 fn main() -> Result<(), Box<dyn Error>> {
     // Metres; fronts face inwards: a front is on the side that edge1 × edge2 points to.
@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let on_the_floor = DVec3::new(1.0, 1.5, 0.4);
     room.surface("ball", Sphere::new(on_the_floor, 0.4, DVec3::Z, [-0.4, 0.4], FULL_TURN)?, &white).order(4);
 
-    let solved = Solved::new(room.build()?, Options::default(), &|_| {})?;
+    let solved = Solved::new(room.build()?, Options::default(), &Work::alone())?;
     let (floor, solution) = (solved.scene.surface_named("floor")?, &solved.outcome.solution);
     println!("floor: {:.1} W/m² on average", solution.mean_irradiance(0, floor));
     let desk = solved.irradiance_at(DVec3::new(3.0, 1.5, 0.75), DVec3::Z);

@@ -9,7 +9,7 @@
 use std::error::Error;
 
 use radiosity::geom::{Aabb, DVec3, Hit, Jet, Ray, Rect, Surface, shapes::Disk, shapes::FULL_TURN};
-use radiosity::{Material, Options, SceneBuilder, solve};
+use radiosity::{Material, Options, SceneBuilder, Work, solve};
 
 /// The saddle z = x y over the square |x|, |y| ≤ 1, with the parameters u = x and v = y.
 #[derive(Debug)]
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     scene.surface("saddle", Saddle, &white);
     scene.surface("lamp", Disk::new(2.0 * DVec3::Z, -DVec3::Z, 0.5, 0.0, FULL_TURN)?, &glow);
     let scene = scene.build()?;
-    let outcome = solve(&scene, &Options::default(), &|_progress| {})?;
+    let outcome = solve(&scene, &Options::default(), &Work::alone())?;
     let saddle = scene.surface_named("saddle")?;
     println!("area: {:.6}", scene.surfaces[saddle].shape.area());
     println!("irradiance: {:.2} W/m² on average", outcome.solution.mean_irradiance(0, saddle));

@@ -10,7 +10,7 @@ use std::error::Error;
 
 use radiosity::solvers::method::{Access, Method, Needs};
 use radiosity::solvers::{Operator, Report, Settings, SolveError, Solver, Step};
-use radiosity::{Options, builtin, solve};
+use radiosity::{Options, Work, builtin, solve};
 
 /// Steepest descent: x ← x + (r·r / r·A r) r with the residual r = b − A x.
 struct Descent;
@@ -55,7 +55,7 @@ static DESCENT: Method = Method {
 fn main() -> Result<(), Box<dyn Error>> {
     let scene = builtin("cornell-box")?;
     for method in [&DESCENT, &Method::CG] {
-        let outcome = solve(&scene, &Options { method, ..Options::default() }, &|_progress| {})?;
+        let outcome = solve(&scene, &Options { method, ..Options::default() }, &Work::alone())?;
         println!("{}: {} iterations, residual {:.1e}", method.name, outcome.iterations, outcome.residual);
     }
     Ok(())

@@ -8,6 +8,7 @@
 
 use std::error::Error;
 
+use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::visibility::Hiding;
 use radiosity::{ViewFactors, language, solve::view_factors::Options};
@@ -34,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         shadows: Hiding::Auto,
         threads: 2,
     };
-    let factors = ViewFactors::new(&scene, &options, &|_done, _of| {})?;
+    let factors = ViewFactors::new(&scene, &options, &Work::alone())?;
     for (i, from) in factors.names.iter().enumerate() {
         for (j, factor) in factors.nonzeros(i) {
             println!("{from:5} to {:5} {factor:.5}", factors.names[j]);

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! This crate passes on those that do the work, each with a module here; each imports only what is listed before it: [`work`]
-//! (interruption, ranks, sentences of messages) → [`fit`] (rounded shapes made to agree) → [`photometry`] → [`formats`] (scenes of
+//! (interruption, ranks, progress, deadlines, sentences of messages) → [`fit`] (rounded shapes made to agree) → [`photometry`] → [`formats`] (scenes of
 //! other programs) → [`scene`] (the model) → [`language`] (its texts) → [`visibility`] → [`elements`] → [`kernel`] (integrals over
 //! pairs) → [`transport`] (all blocks) → [`light`] (direct, first bounce) → [`published`] (methods of four papers) → [`mod@solve`]
 //! (systems, solutions, the driver, animation) → [`heat`] → [`output`] → [`request`] (what is typed, checked). Below them stand
@@ -16,11 +16,11 @@
 //!
 //! ```
 //! use radiosity::geom::DVec3;
-//! use radiosity::{Options, Solved};
+//! use radiosity::{Options, Solved, Work};
 //!
 //! // A built-in scene; your own by `radiosity::load("office.toml")?`.
 //! let scene = radiosity::builtin("furnace-cube")?;
-//! let solved = Solved::new(scene, Options::default(), &|_progress| {})?;
+//! let solved = Solved::new(scene, Options::default(), &Work::alone())?;
 //! let lux = solved.irradiance_at(DVec3::new(0.5, 0.5, 0.5), DVec3::Z)[0];
 //! println!("{lux:.3} lx");
 //! // In a closed room of reflectance ½ that emits 1 everywhere, 2 arrives at every point.
@@ -33,7 +33,7 @@
 //! ```
 //! use radiosity::geom::DVec3;
 //! use radiosity::geom::shapes::{Disk, FULL_TURN, Parallelogram};
-//! use radiosity::{Material, Options, SceneBuilder, solve};
+//! use radiosity::{Material, Options, SceneBuilder, Work, solve};
 //!
 //! let mut desk = SceneBuilder::new("desk", ["grey"]);
 //! let wood = desk.material("wood", Material::new(vec![0.4], vec![0.0])?);
@@ -42,7 +42,7 @@
 //! let above = DVec3::new(0.5, 0.5, 1.0);
 //! desk.surface("lamp", Disk::new(above, -DVec3::Z, 0.1, 0.0, FULL_TURN)?, &glow).order(1);
 //! let scene = desk.build()?;
-//! let outcome = solve(&scene, &Options::default(), &|_progress| {})?;
+//! let outcome = solve(&scene, &Options::default(), &Work::alone())?;
 //! assert!(outcome.solution.mean_irradiance(0, scene.surface_named("top")?) > 0.0);
 //! // Energy is kept: what the lamp emits is absorbed or lost.
 //! let checks = outcome.checks;
@@ -76,3 +76,4 @@ pub use radiosity_solve::solution::Solution;
 pub use radiosity_solve::solved::Solved;
 pub use radiosity_solve::view_factors::ViewFactors;
 pub use radiosity_solve::{Failure, Model, Options, Outcome, solve};
+pub use radiosity_work::Work;

@@ -7,12 +7,12 @@ use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
 use radiosity::kernel::Miss;
 use radiosity::output::readings::missed::{corrected, missed, no_error_of_order};
-use radiosity::solve::Progress as Step;
+use radiosity::work::Work;
+use radiosity::work::ranks::Ranks;
 
 use crate::arguments::Arguments;
 use crate::arrays::array;
 use crate::error::{Trouble, warn};
-use crate::progress::Progress;
 use crate::requests;
 use crate::scene::{Scene, remarks};
 use crate::work::work;
@@ -37,7 +37,7 @@ pub(crate) fn heat_of(
     given.finish("heat")?;
     request.transfers.check().map_err(Trouble::from)?;
     let heat = work(py, observer.as_ref(), |progress| {
-        library::Heat::of(&scene.scene, &request.options(), &|stage| show(progress, stage))
+        library::Heat::of(&scene.scene, &request.options(Ranks::alone()), &Work::alone().told(progress))
     })?;
     if let Some(miss) = heat.outcome.miss.filter(Miss::is_real) {
         let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
@@ -52,13 +52,6 @@ pub(crate) fn heat_of(
     let moved = heat.moved.map(corrected);
     let remarks = remarks(&scene.scene).into_iter().chain(moved).collect();
     Ok(Heat { heat, remarks })
-}
-
-fn show(progress: &Progress, stage: library::Stage) {
-    match stage {
-        library::Stage::Error(Step::Blocks(done, total)) => progress.step("for the error", done, total),
-        library::Stage::Solution(stage) | library::Stage::Error(stage) => progress.stage(stage, 1),
-    }
 }
 
 impl Heat {

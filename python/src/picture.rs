@@ -4,7 +4,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
 use radiosity::output::pictures::raster::Raster;
-use radiosity::output::pictures::render::{Stage, render, usual_read};
+use radiosity::output::pictures::render::{render, usual_read};
 use radiosity::output::readings::reader::Read;
 use radiosity::output::readings::shown::Shown;
 use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels, sized};
@@ -12,6 +12,8 @@ use radiosity::request::{check_aim, ranges};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::solution::Solution as Light;
 use radiosity::visibility::Visibility;
+use radiosity::work::Work;
+use radiosity::work::ranks::Ranks;
 
 use crate::arguments::Arguments;
 use crate::error::Trouble;
@@ -66,7 +68,7 @@ impl Shot {
         let memory = given.bytes("memory")?.or(solution.method.memory);
         given.finish("render")?;
         check_aim(shot.read, &solution.method).map_err(Trouble::from)?;
-        require_pixels(&shot.camera, scene, memory).map_err(Trouble::from)?;
+        require_pixels(&shot.camera, scene, memory, Ranks::alone()).map_err(Trouble::from)?;
         Ok(shot)
     }
 
@@ -74,12 +76,7 @@ impl Shot {
     pub(crate) fn take(&self, light: &Light, visibility: &Visibility, progress: &Progress) -> Raster {
         let usual = || usual_read(light, visibility, pixels(&self.camera));
         let read = self.read.unwrap_or_else(usual);
-        let observe = |stage| match stage {
-            Stage::Expected(_) => {}
-            Stage::Direct(done, total) => progress.step("direct light", done, total),
-            Stage::Gather(done, total) => progress.step("gathering", done, total),
-            Stage::Pixels(done, total) => progress.step("picture", done, total),
-        };
-        render(light, visibility, &self.camera, self.samples, read, self.show, &observe)
+        let work = Work::alone().told(progress);
+        render(light, visibility, &self.camera, self.samples, read, self.show, &work)
     }
 }

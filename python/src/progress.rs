@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use radiosity::solve::Progress as Stage;
+use radiosity::work::{Observer, Progress as Event, Stage};
 
 /// A stage of the work with what is done of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,19 +30,19 @@ impl Progress {
         }
     }
 
-    /// Says how much of a stage of a solution in so many bands is done, from any thread.
-    pub(crate) fn stage(&self, stage: Stage, bands: usize) {
-        match stage {
-            Stage::Blocks(done, total) => self.step("blocks", done, total),
-            Stage::Rays { done, total, .. } => self.step("rays", done as usize, total as usize),
-            Stage::Estimate(done, total) => self.step("estimate", done, total),
-            Stage::Solve(band, _, _) => self.step("solve", band, bands),
-            Stage::Finished(..) => {}
-        }
-    }
-
     /// The latest step since the last call; none if there is none.
     pub(crate) fn news(&self) -> Option<Step> {
         self.latest.lock().ok()?.take()
+    }
+}
+
+impl Observer for Progress {
+    fn hear(&self, event: Event) {
+        match event {
+            Event::Done { stage, done, of } => self.step(stage.name(), done, of),
+            Event::Rays { done, of, .. } => self.step("rays", done as usize, of as usize),
+            Event::Iteration { band, of, .. } => self.step(Stage::Solve.name(), band, of),
+            Event::Expected { .. } | Event::Finished { .. } => {}
+        }
     }
 }

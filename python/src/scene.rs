@@ -15,6 +15,8 @@ use radiosity::scene::Notation;
 use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::{Failure, Options};
+use radiosity::work::ranks::Ranks;
+use radiosity::work::{Deadline, Work};
 
 use crate::arguments::Arguments;
 use crate::arrays::probes;
@@ -53,7 +55,7 @@ pub(crate) fn load(
         import: requests::import(&mut given)?,
     };
     given.finish("load")?;
-    Ok(Scene { scene: work(py, None, |_| request.load_lit())? })
+    Ok(Scene { scene: work(py, None, |_| request.load_lit(Ranks::alone()))? })
 }
 
 /// The scene in a text in TOML or JSON; `name` stands before messages. Files that it names are looked for in the current folder.
@@ -159,13 +161,13 @@ impl Scene {
         }
         method.check().map_err(Trouble::from)?;
         self.scene.require_light().map_err(Trouble::from)?;
-        let options = Options { keep_partial, ..method.options() };
+        let options = Options { keep_partial, ..method.options(Ranks::alone()) };
         // Shapes, patterns and what it was read from are shared; names and numbers of the surfaces are copied.
         let scene = self.scene.clone();
-        let bands = scene.bands.len();
         let found = work(py, observer.as_ref(), |progress| -> Result<_, Trouble> {
-            let show = |stage| progress.stage(stage, bands);
-            Ok(Found::of(solved(scene, options, wanted.goal(&method, &self.scene)?, &show)?)?)
+            let deadline = method.deadline().map(|at| Deadline::at(Some(at)));
+            let work = Work { deadline: deadline.as_ref(), ..Work::alone().told(progress) };
+            Ok(Found::of(solved(scene, options, wanted.goal(&method, &self.scene)?, &work)?)?)
         })?;
         Solution::new(py, found, method, false)
     }
@@ -181,11 +183,11 @@ fn solved(
     scene: scene::Scene,
     options: Options,
     goal: Option<Goal>,
-    show: &(dyn Fn(radiosity::solve::Progress) + Sync),
+    work: &Work<'_>,
 ) -> Result<Solved, Failure> {
     match goal {
-        Some(goal) => Solved::to_accuracy(scene, &options, &goal, show),
-        None => Solved::new(scene, options, show),
+        Some(goal) => Solved::to_accuracy(scene, &options, &goal, work),
+        None => Solved::new(scene, options, work),
     }
 }
 

@@ -19,7 +19,9 @@ use radiosity::output::readings::report::Report;
 use radiosity::request::cells::require_cells;
 use radiosity::request::{KEPT, MethodRequest, ReadRequest, ranges, require_all_bounces};
 use radiosity::solve::solved::Solved;
-use radiosity::solve::{Failure, Options, in_threads};
+use radiosity::solve::{Failure, in_threads};
+use radiosity::work::Work;
+use radiosity::work::ranks::Ranks;
 use radiosity::work::wording::{option, words};
 
 use crate::arguments::Arguments;
@@ -56,7 +58,8 @@ pub(crate) struct Found {
 impl Found {
     /// A solution with its report, computed by as many threads as the solution.
     pub(crate) fn of(solved: Solved) -> Result<Self, Failure> {
-        let report = in_threads(solved.options.threads, || Report::new(&solved))?;
+        let threads = Ranks::alone().threads(solved.options.threads);
+        let report = in_threads(threads, || Report::new(&solved, threads))?;
         Ok(Self { solved, report })
     }
 }
@@ -68,7 +71,7 @@ pub(crate) fn load_solution(
     path: &str,
     factors: BTreeMap<String, f64>,
 ) -> PyResult<Solution> {
-    let found = work(py, None, |_| in_threads(Options::default().threads, || read_file(path, &factors))?)?;
+    let found = work(py, None, |_| in_threads(0, || read_file(path, &factors))?)?;
     Solution::new(py, found, MethodRequest::default(), true)
 }
 
@@ -78,7 +81,7 @@ fn read_file(path: &str, factors: &BTreeMap<String, f64>) -> Result<Found, Troub
         let cure = "solve it first: load(…).solve()";
         return Err(Trouble::new(format!("{}: this is no solution", text.origin), cure));
     }
-    let solved = solution_file::read(&text)?;
+    let solved = solution_file::read(&text, Ranks::alone())?;
     let solved = if factors.is_empty() { solved } else { solved.relight(&borrowed(factors))? };
     Ok(Found::of(solved)?)
 }
@@ -127,8 +130,8 @@ impl Solution {
         let (how, threads) = self.reading(&mut given, request)?;
         given.finish(function)?;
         let readings = self.read(py, observer, threads, |progress| {
-            let tell = |done, total| progress.step("points", done, total);
-            probe(&self.reader(&how), sensors, self.solved.scene.middle, &tell)
+            let work = Work::alone().told(progress);
+            probe(&self.reader(&how), sensors, self.solved.scene.middle, &work)
         })?;
         let readings = readings.map_err(|(index, fault)| {
             let cure =
@@ -144,7 +147,7 @@ impl Solution {
     }
 
     fn cells(&self, how: &How, sides: [usize; 2], progress: &Progress) -> Vec<Cell> {
-        grid(&self.reader(how), sides, how.rates, &|done, total| progress.step("cells", done, total))
+        grid(&self.reader(how), sides, how.rates, &Work::alone().told(progress))
     }
 }
 
@@ -241,7 +244,7 @@ impl Solution {
         let (how, threads) = self.reading(&mut given, request)?;
         given.finish("grid")?;
         let scene = &self.solved.scene;
-        require_cells(sides, scene, memory).map_err(Trouble::from)?;
+        require_cells(sides, scene, memory, Ranks::alone()).map_err(Trouble::from)?;
         let cells =
             self.read(py, observer.as_ref(), threads, |progress| self.cells(&how, sides, progress))?;
         warn_of(py, ReadError::of(cells.iter().map(|cell| cell.deviation)), how.eps)?;

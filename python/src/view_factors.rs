@@ -12,6 +12,7 @@ use radiosity::output::readings::missed::missed;
 use radiosity::output::readings::row_sums::RowSums;
 use radiosity::request::TransferRequest;
 use radiosity::scene::{Material, Scene as Whole, SceneError};
+use radiosity::work::{Progress as Event, Work};
 use radiosity::{SceneBuilder, solve::view_factors as library};
 
 use crate::arguments::Arguments;
@@ -98,8 +99,12 @@ fn factors(
         pairs.iter().map(indices).collect::<Result<BTreeSet<_>, SceneError>>().map_err(Trouble::from)?;
     let wanted = |i, j| pairs.is_empty() || pairs.contains(&[i, j]);
     let factors = work(py, observer, |progress| {
-        let tell = |done, total| progress.step("pairs", done, total);
-        library::ViewFactors::of_pairs(scene, &wanted, &request.factors(), &tell)
+        let tell = |event| {
+            if let Event::Done { done, of, .. } = event {
+                progress.step("pairs", done, of);
+            }
+        };
+        library::ViewFactors::of_pairs(scene, &wanted, &request.factors(), &Work::alone().told(&tell))
     })?;
     if let Some(miss) = factors.miss.filter(Miss::is_real) {
         warn(py, &missed(&miss, miss.pair.map(|surface| &factors.names[surface][..])))?;

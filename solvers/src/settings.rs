@@ -55,10 +55,12 @@ pub struct Settings<'a> {
     pub max_shots: Option<usize>,
     /// Threads of the direct methods, 0 for all there are. Never changes a bit of the result.
     pub threads: usize,
-    /// Time after which a solve gives up, all right-hand sides and fall-backs together; looked at between
-    /// iterations, and between the panels of a factorisation.
+    /// The deadline, as time from its beginning: a solve gives up there, and x holds the best so far
+    /// ([`Stop::Time`](crate::Stop::Time)); all right-hand sides and fall-backs together. Looked at between iterations,
+    /// and between the panels of a factorisation.
     pub time_budget: Option<Duration>,
-    /// Raised by the caller to stop; looked at between iterations, and between the panels of a factorisation.
+    /// The interrupt, raised by the caller where nothing is wanted any more ([`SolveError::Cancelled`]); looked at between
+    /// iterations, and between the panels of a factorisation.
     pub cancel: Option<&'a AtomicBool>,
     /// southwell: weight w_l > 0 of each unknown; the one with the largest w_l |r_l|, or the block with the
     /// largest sum of them, is shot next. All ones when absent.

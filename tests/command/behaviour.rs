@@ -2,6 +2,7 @@
 
 use std::{fs, path::Path, process::Command};
 
+use radiosity::work::ranks::Ranks;
 use radiosity::{elements::Discretization, solve::driver::memory::Footprint};
 use radiosity_solvers::method::Method;
 use radiosity_test_support::folders::{folder, json, names};
@@ -210,7 +211,7 @@ fn a_wanted_accuracy_that_memory_forbids_keeps_the_best_run() {
     let here = folder.path();
     let how = Discretization::uniform(3, 1);
     let scene = builtin("empty-box");
-    let peak = Footprint::of(&scene, &how, Method::named("auto").unwrap()).peak().to_string();
+    let peak = Footprint::of(&scene, &how, Method::named("auto").unwrap(), Ranks::alone()).peak().to_string();
     let args =
         ["solve", "empty-box", "--accuracy", "1e-6", "--subdivide", "1", "--report", "r.json", "--memory"];
     let output = radiosity(here, &[&args[..], &[&peak]].concat());
@@ -445,7 +446,7 @@ fn peak_and_estimate(order: usize, subdivide: usize, solver: &str) -> [f64; 2] {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let scene = builtin("empty-box");
     let how = Discretization::uniform(order, subdivide);
-    let estimate = Footprint::of(&scene, &how, Method::named(solver).unwrap()).peak();
+    let estimate = Footprint::of(&scene, &how, Method::named(solver).unwrap(), Ranks::alone()).peak();
     [json(&folder.path().join("r.json"))["peak_bytes"].as_f64().unwrap(), estimate as f64]
 }
 

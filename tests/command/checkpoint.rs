@@ -111,6 +111,22 @@ fn a_folder_that_holds_something_else_is_refused() {
 }
 
 #[test]
+fn what_an_earlier_version_recorded_is_refused_by_name() {
+    let folder = folder();
+    let folder = folder.path();
+    // The header of the first format: eight bytes of its name, eight of the fingerprint of a run.
+    fs::create_dir(folder.join("kept")).expect("it can be made");
+    fs::write(folder.join("kept/000000-000000.journal"), b"RADJRNL1\x01\x02\x03\x04\x05\x06\x07\x08")
+        .expect("it can be written");
+    refused(
+        folder,
+        &solve(&[&RESUME]),
+        &["000000.journal: this was recorded by an earlier version", "start anew in another folder"],
+    );
+    assert_eq!(fs::read_dir(folder.join("kept")).expect("it is there").count(), 1, "it is left as it was");
+}
+
+#[test]
 fn a_run_of_another_scene_or_with_other_options_is_refused() {
     let folder = folder();
     let folder = folder.path();

@@ -11,6 +11,7 @@ use radiosity::output::files::exr_file::read_exr;
 use radiosity::output::pictures::sights::Sights;
 use radiosity::output::pictures::wireframe::wireframe;
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity::work::ranks::Ranks;
 use radiosity_test_support::folders::folder;
 use radiosity_test_support::scenes::typed;
 use radiosity_test_support::solved::elements_of;
@@ -223,7 +224,7 @@ fn pixels_know_whether_they_see_an_emitter_or_one_surface() {
     let scene = typed(&below_a_lamp());
     let visibility = Visibility::new(&scene, Shadows::Off);
     let camera = scene.camera.clone().expect("there is one");
-    let sights = Sights::through(&camera, 3, &scene, &visibility);
+    let sights = Sights::through(&camera, 3, &scene, &visibility, Ranks::alone());
     // The lamp is seen from x = (½ − 0.2/0.9) 48 = 13.33 to (½ + 0.1/0.9) 48 = 29.33, and as high as broad.
     let lamp = 17 * 17;
     assert_eq!(sights.emitters().iter().filter(|emitter| **emitter).count(), lamp);
@@ -265,7 +266,7 @@ fn borders_cover_a_pixel_along_their_length() {
     for (cuts, length) in [(1, 0.0), (2, 96.0), (3, 192.0)] {
         let elements = elements_of(&scene, 0, cuts);
         for samples in [1, 3, 4] {
-            let coverage = wireframe(&elements, &visibility, &camera, samples);
+            let coverage = wireframe(&elements, &visibility, &camera, samples, Ranks::alone());
             let sum: f64 = coverage.iter().sum();
             // Crossings are counted once.
             assert!((sum - length).abs() <= 0.04 * length, "{cuts} cuts, {samples} samples: {sum}");

@@ -2,11 +2,13 @@
 
 use std::fs;
 
+use radiosity::Work;
 use radiosity::output::files::solution_file::{SolutionFile, is_solution, read};
 use radiosity::scene::Source;
 use radiosity::solve::Options;
 use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
+use radiosity::work::ranks::Ranks;
 use radiosity_test_support::folders::folder;
 use radiosity_test_support::scenes::{builtin, typed};
 use radiosity_test_support::solved::solved_of;
@@ -88,7 +90,7 @@ fn text_of(solved: &Solved) -> String {
 fn what_was_read_is_written_as_it_was() {
     let text = text_of(&solved());
     assert!(is_solution(&text));
-    let again = read(&Source::new("a.json", &text)).unwrap();
+    let again = read(&Source::new("a.json", &text), Ranks::alone()).unwrap();
     assert_eq!(again.scene.name, "room");
     assert_eq!(text_of(&again), text);
 }
@@ -97,10 +99,10 @@ fn what_was_read_is_written_as_it_was() {
 fn refined_elements_are_read_as_they_were() {
     let scene = builtin("empty-box");
     let goal = Goal::new(1e-3, Aim::Gathered);
-    let solved = Solved::to_accuracy(scene, &Options::default(), &goal, &|_| {}).unwrap();
+    let solved = Solved::to_accuracy(scene, &Options::default(), &goal, &Work::alone()).unwrap();
     assert!(solved.outcome.solution.elements().refined_mesh().is_some(), "the box needs refined elements");
     let text = text_of(&solved);
-    let again = read(&Source::new("a.json", &text)).unwrap();
+    let again = read(&Source::new("a.json", &text), Ranks::alone()).unwrap();
     assert_eq!(
         again.outcome.solution.elements().refined_mesh(),
         solved.outcome.solution.elements().refined_mesh()
@@ -108,7 +110,7 @@ fn refined_elements_are_read_as_they_were() {
     assert_eq!(text_of(&again), text);
     let mut file: Value = serde_json::from_str(&text).unwrap();
     file["mesh"][0] = json!({ "cut": { "across": "u", "at": 3.0, "parts": [{ "leaf": 2 }, { "leaf": 2 }] } });
-    let message = read(&Source::new("a.json", &file.to_string())).unwrap_err().to_string();
+    let message = read(&Source::new("a.json", &file.to_string()), Ranks::alone()).unwrap_err().to_string();
     assert!(message.contains("the mesh"), "{message}");
 }
 
@@ -143,7 +145,7 @@ fn a_reader_needs_nothing_but_the_file_to_evaluate_it() {
 fn refused(change: impl Fn(&mut Value)) -> String {
     let mut file: Value = serde_json::from_str(&text_of(&solved())).unwrap();
     change(&mut file);
-    read(&Source::new("a.json", &file.to_string())).unwrap_err().to_string()
+    read(&Source::new("a.json", &file.to_string()), Ranks::alone()).unwrap_err().to_string()
 }
 
 #[test]

@@ -3,6 +3,7 @@
 //! The errors are ‖B − B′‖/‖B′ − E₀‖. Where B is a polynomial of every run, what is left is what the transfers miss, and the
 //! estimate may only be too large.
 
+use radiosity::Work;
 use radiosity::elements::cells::Layers;
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
@@ -76,7 +77,7 @@ impl Case {
     /// Estimate and error of the run that is taken for `accuracy`; prints them.
     fn run(&self, accuracy: f64) -> [f64; 2] {
         let options = Options { order: 0, ..Options::default() };
-        let adapted = adapt(&self.scene, &options, &Goal::new(accuracy, Aim::Solution), &|_| {})
+        let adapted = adapt(&self.scene, &options, &Goal::new(accuracy, Aim::Solution), &Work::alone())
             .expect("it can be solved");
         let estimate = adapted.achieved.estimate.expect("the solver converges");
         let solution = &adapted.outcome.solution;

@@ -1,5 +1,6 @@
 //! Frames that follow each other against frames that are solved alone.
 
+use radiosity::Work;
 use radiosity::scene::Scene;
 use radiosity::solve::animation::follower::{Follower, Way};
 use radiosity::solve::animation::frame::Frame;
@@ -81,7 +82,7 @@ fn bits(frame: &Frame) -> Vec<u64> {
 
 fn frames(scene: &Scene, options: &Options, way: Way, numbers: &[usize]) -> Vec<Frame> {
     let mut follower = Follower::new(scene, options, way, [0, scene.frames() - 1]);
-    numbers.iter().map(|frame| follower.frame(*frame, &|_| ()).expect("it can be solved")).collect()
+    numbers.iter().map(|frame| follower.frame(*frame, &Work::alone()).expect("it can be solved")).collect()
 }
 
 #[test]
@@ -126,8 +127,8 @@ translate = { points = [[0, 0, 0], [0.1, 0, 0]] }
     let options = options(Direct::Projected);
     let mut sequence = Sequence::new(&scene, &options);
     for moment in [0.0, 1.0, 4.0] {
-        let followed = sequence.at(moment, &|_| ()).expect("it can be solved");
-        let alone = Sequence::fresh(&scene, &options).at(moment, &|_| ()).expect("it can be solved");
+        let followed = sequence.at(moment, &Work::alone()).expect("it can be solved");
+        let alone = Sequence::fresh(&scene, &options).at(moment, &Work::alone()).expect("it can be solved");
         assert!(bits(&followed) == bits(&alone));
     }
     // No ball comes between the shelf and the board.
@@ -184,13 +185,13 @@ fn rays_that_are_kept_give_what_fresh_ones_would_to_the_bit() {
         let mut alone = Follower::new(&scene, &by_rays(), Way::Fresh, [0, 39]);
         let alone: Vec<Vec<u64>> = numbers
             .iter()
-            .map(|frame| bits(&alone.frame(*frame, &|_| ()).expect("it can be solved")))
+            .map(|frame| bits(&alone.frame(*frame, &Work::alone()).expect("it can be solved")))
             .collect();
         for threads in [1, 3] {
             let options = Options { threads, ..by_rays() };
             let mut follower = Follower::new(&scene, &options, Way::Selective, [0, 39]);
             for (number, alone) in numbers.iter().zip(&alone) {
-                let frame = follower.frame(*number, &|_| ()).expect("it can be solved");
+                let frame = follower.frame(*number, &Work::alone()).expect("it can be solved");
                 assert!(bits(&frame) == *alone, "{motion} {threads} {number}");
             }
             let rays = follower.account().rays;
@@ -207,10 +208,10 @@ fn no_more_rays_are_traced_than_meet_what_moves() {
 [[motion]]\nsurfaces = 'speck'\ntranslate = { points = [[0, 0, 0], [0.01, 0, 0]] }";
     let scene = things(5, motion);
     let mut sequence = Sequence::new(&scene, &by_rays());
-    sequence.at(0.0, &|_| ()).expect("it can be solved");
+    sequence.at(0.0, &Work::alone()).expect("it can be solved");
     let first = sequence.account().rays;
     assert_eq!(first.recalled, 0);
-    sequence.at(1.0, &|_| ()).expect("it can be solved");
+    sequence.at(1.0, &Work::alone()).expect("it can be solved");
     let traced = sequence.account().rays.traced - first.traced;
     // A speck sends the fewest rays there are, 4 in the pilot round and 16 after it; what else is traced are rays of elements that send
     // some more than before.
@@ -224,8 +225,8 @@ fn rays_of_pairs_that_no_rule_reaches_are_kept_as_well() {
     let options = Options { eps: 1e-2, shadow_eps: 1e-1, ..options(Direct::Projected) };
     let mut sequence = Sequence::new(&scene, &options);
     for moment in [3.0, 4.0, 9.0] {
-        let frame = sequence.at(moment, &|_| ()).expect("it can be solved");
-        let alone = Sequence::fresh(&scene, &options).at(moment, &|_| ()).expect("it can be solved");
+        let frame = sequence.at(moment, &Work::alone()).expect("it can be solved");
+        let alone = Sequence::fresh(&scene, &options).at(moment, &Work::alone()).expect("it can be solved");
         assert!(bits(&frame) == bits(&alone), "{moment}");
     }
     let rays = sequence.account().rays;
@@ -240,15 +241,15 @@ rotate = { center = [0.25, 0.65, 0.6], axis = [1, 1, 0], angles = [0, 25, 25, 50
     let scene = room(13, pause);
     for options in [options(Direct::Projected), by_rays()] {
         let mut sequence = Sequence::new(&scene, &options);
-        let known = sequence.at(5.0, &|_| ()).expect("it can be solved");
+        let known = sequence.at(5.0, &Work::alone()).expect("it can be solved");
         let rays = sequence.account().rays;
-        let again = sequence.at(7.0, &|_| ()).expect("it can be solved");
+        let again = sequence.at(7.0, &Work::alone()).expect("it can be solved");
         assert!(bits(&known) == bits(&again));
         assert_eq!(sequence.integrated(), 0);
         assert!(sequence.recalled() > 0);
         assert_eq!(sequence.account().rays.traced, rays.traced);
         // Gone on, it is integrated.
-        sequence.at(9.0, &|_| ()).expect("it can be solved");
+        sequence.at(9.0, &Work::alone()).expect("it can be solved");
         assert!(sequence.integrated() > 0);
     }
 }
@@ -273,7 +274,7 @@ rotate = { center = [0.5, 0.5, 0.5], axis = [0, 0, 1], angles = [0, 90] }
     let options = Options { subdivide: None, ..options(Direct::Projected) };
     let alone = |frame: usize| {
         let still = scene.at_frame(frame).expect("there is such a frame");
-        radiosity::solve(&still, &options, &|_| ())
+        radiosity::solve(&still, &options, &Work::alone())
             .expect("it can be solved")
             .solution
             .elements()
@@ -318,7 +319,7 @@ fn light_along_a_path_is_interpolated_to_what_is_told() {
         let (scene, options) = (room(60, motion), Options { eps: 1e-5, ..options(Direct::Projected) });
         let mut follower = Follower::new(&scene, &options, Way::Path { tolerance: 1e-3 }, [0, 59]);
         for number in 0..60 {
-            let frame = follower.frame(number, &|_| ()).expect("it can be solved");
+            let frame = follower.frame(number, &Work::alone()).expect("it can be solved");
             if number % 7 != 3 {
                 continue;
             }
@@ -341,7 +342,7 @@ fn light_along_a_path_is_interpolated_to_what_is_told() {
 fn what_cannot_be_interpolated_is_solved_frame_by_frame() {
     let (scene, options) = (room(12, PANEL), options(Direct::Projected));
     let mut follower = Follower::new(&scene, &options, Way::Path { tolerance: 1e-9 }, [0, 11]);
-    let frame = follower.frame(7, &|_| ()).expect("it can be solved");
+    let frame = follower.frame(7, &Work::alone()).expect("it can be solved");
     assert_eq!((frame.interpolated, follower.error()), (None, None));
     assert!(bits(&frame) == bits(&frames(&scene, &options, Way::Fresh, &[7])[0]));
 }
@@ -354,7 +355,7 @@ translate = { points = [[0, 0, 0], [0, 0, 0], [0.3, 0, 0], [0, 0, 0], [0, 0, 0]]
     let (scene, options) = (room(101, away), options(Direct::Projected));
     let mut follower = Follower::new(&scene, &options, Way::Path { tolerance: 1e-4 }, [0, 100]);
     for number in [5, 25, 60] {
-        let frame = follower.frame(number, &|_| ()).expect("it can be solved");
+        let frame = follower.frame(number, &Work::alone()).expect("it can be solved");
         let alone = &frames(&scene, &options, Way::Fresh, &[number])[0];
         assert!(apart(&frame.solution, &alone.solution) <= 1e-4, "{number}");
     }

@@ -1,5 +1,6 @@
 //! Frames whose blocks are sums of power series against frames that are solved alone.
 
+use radiosity::Work;
 use radiosity::scene::Scene;
 use radiosity::solve::animation::follower::{Follower, Way};
 use radiosity::solve::animation::frame::Frame;
@@ -25,7 +26,7 @@ fn options(shadows: bool) -> Options {
 }
 
 fn frame(follower: &mut Follower<'_>, number: usize) -> Frame {
-    follower.frame(number, &|_| ()).expect("it can be solved")
+    follower.frame(number, &Work::alone()).expect("it can be solved")
 }
 
 fn alone(scene: &Scene, options: &Options, number: usize) -> Frame {
@@ -74,7 +75,7 @@ fn compared(scene: &Scene, options: &Options, tolerance: f64) -> usize {
     let mut sequence = Sequence::by_series(scene, options, tolerance);
     let mut summed = 0;
     for number in 0..scene.frames() {
-        let found = sequence.at(number as f64, &|_| ()).expect("it can be solved");
+        let found = sequence.at(number as f64, &Work::alone()).expect("it can be solved");
         summed += sequence.summed();
         if number % 10 != 7 {
             continue;
@@ -104,7 +105,7 @@ fn nothing_is_left_of_where_things_were_meanwhile() {
     let (scene, options) = (random_room(5), options(false));
     let mut sequence = Sequence::by_series(&scene, &options, 1e-4);
     let mut light = |number: usize| {
-        let solved = sequence.at(number as f64, &|_| ()).expect("it can be solved");
+        let solved = sequence.at(number as f64, &Work::alone()).expect("it can be solved");
         let bands = solved.solution.bands().iter();
         let light: Vec<f64> = bands.flat_map(|band| band.coefficients.irradiance.clone()).collect();
         (light, sequence.expanded())

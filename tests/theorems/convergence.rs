@@ -3,6 +3,7 @@
 use std::sync::Mutex;
 
 use proptest::prelude::*;
+use radiosity::Work;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::rule::UnitRule;
@@ -19,6 +20,8 @@ use radiosity::solve::studies::error_norm::{Incomparable, distance};
 use radiosity::solve::system::Coefficients;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;
+use radiosity::work::ranks::Ranks;
+use radiosity::work::{Progress, Stage};
 use radiosity_geom::DVec3;
 use radiosity_test_support::data::{number, table};
 use radiosity_test_support::scenes::{builtin, typed};
@@ -142,18 +145,22 @@ fn a_series_finds_the_known_errors_of_the_empty_box() {
     let fine = Options { order: 5, layers, threads: 2, ..Options::default() };
     let fine = outcome_of(&scene, &fine).solution;
     let error = |solution: &Solution| distance(solution, &fine).expect("one scene");
-    let heard = Mutex::new(vec![0.0]);
-    let hear = |part| heard.lock().expect("nobody panics").push(part);
+    let heard = Mutex::new(vec![0]);
+    let hear = |progress| {
+        let Progress::Done { stage: Stage::Runs, done, of: 1000 } = progress else { panic!("{progress:?}") };
+        heard.lock().expect("nobody panics").push(done);
+    };
+    let work = Work::alone().told(&hear);
     let options = Options { order: 6, threads: 2, ..Options::default() };
     let runs =
-        convergence(&scene, &options, &[], &Reference::Given(&error), &hear).expect("it can be solved");
+        convergence(&scene, &options, &[], &Reference::Given(&error), &work).expect("it can be solved");
     assert_eq!(runs.iter().map(|run| run.order).collect::<Vec<_>>(), [0, 1, 2, 3, 4, 5, 6]);
     for (order, known) in WHOLE_WALLS {
         let error = runs[order].error.expect("there is a reference");
         assert!((error / known - 1.0).abs() < 0.1, "order {order}: {error} instead of {known}");
     }
     let heard = heard.into_inner().expect("nobody panicked");
-    assert!(heard.is_sorted() && heard.last() == Some(&1.0), "progress rises to the end");
+    assert!(heard.is_sorted() && heard.last() == Some(&1000), "progress rises to the end");
 }
 
 #[test]
@@ -161,7 +168,8 @@ fn the_finest_run_has_no_error_of_its_own() {
     let scene = builtin("furnace-cube");
     let layers = Layers { count: 1, ratio: 0.25 };
     let options = Options { order: 1, layers, threads: 2, ..Options::default() };
-    let runs = convergence(&scene, &options, &[], &Reference::FinestRun, &|_| {}).expect("it can be solved");
+    let runs =
+        convergence(&scene, &options, &[], &Reference::FinestRun, &Work::alone()).expect("it can be solved");
     let places: Vec<(usize, usize)> = runs.iter().map(|run| (run.layers, run.order)).collect();
     assert_eq!(places, [(0, 0), (0, 1), (1, 0), (1, 1)]);
     assert_eq!(runs[3].error, None);
@@ -172,7 +180,7 @@ fn the_finest_run_has_no_error_of_its_own() {
 fn adapted(name: &str, goal: Goal) -> Adapted {
     let scene = builtin(name);
     let options = Options { order: 0, threads: 2, ..Options::default() };
-    adapt(&scene, &options, &goal, &|_| {}).expect("it can be solved")
+    adapt(&scene, &options, &goal, &Work::alone()).expect("it can be solved")
 }
 
 fn radiosity(adapted: &Adapted, surface: usize, position: [f64; 3]) -> f64 {
@@ -314,13 +322,15 @@ fn what_cannot_be_reached_is_told() {
 fn a_finer_run_that_fails_leaves_the_one_before() {
     // What order 3 needs is enough for order 2, the first, but not for order 4, the second.
     let scene = builtin("empty-box");
-    let whole =
-        |order| Footprint::of(&scene, &Discretization::uniform(order, 1), Options::default().method).peak();
+    let whole = |order| {
+        Footprint::of(&scene, &Discretization::uniform(order, 1), Options::default().method, Ranks::alone())
+            .peak()
+    };
     let memory = Some(whole(3));
     assert!(whole(2) < whole(3) && whole(3) < whole(4));
     let options = Options { order: 2, subdivide: Some(1), memory, ..Options::default() };
     let adapted =
-        adapt(&scene, &options, &Goal::new(1e-6, Aim::Solution), &|_| {}).expect("the first run fits");
+        adapt(&scene, &options, &Goal::new(1e-6, Aim::Solution), &Work::alone()).expect("the first run fits");
     let Achieved { estimate, end, .. } = adapted.achieved;
     assert!(end == End::Memory && estimate.is_some());
     assert_eq!(adapted.options.order, 2);
@@ -336,6 +346,6 @@ fn runs_of_equal_size_have_no_rate() {
     let scene = typed(&text);
     let against = |_: &Solution| 0.1;
     let options = Options { order: 2, ..Options::default() };
-    let runs = convergence(&scene, &options, &[], &Reference::Given(&against), &|_| {}).unwrap();
+    let runs = convergence(&scene, &options, &[], &Reference::Given(&against), &Work::alone()).unwrap();
     assert!(runs.iter().all(|run| run.unknowns == runs[0].unknowns && run.rate.is_none()));
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use proptest::prelude::*;
+use radiosity::Work;
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements};
@@ -231,7 +232,8 @@ fn runs_by_links_tell_the_error_of_gathered_light() {
     let scene = builtin("two-boxes");
     let options = Options { algorithm: Algorithm::Hierarchical, ..Options::default() };
     let goal = Goal::new(2e-2, Aim::Gathered);
-    let rough = Solved::to_accuracy(scene.clone(), &options, &goal, &|_| {}).expect("it can be solved");
+    let rough =
+        Solved::to_accuracy(scene.clone(), &options, &goal, &Work::alone()).expect("it can be solved");
     let told = rough.achieved.and_then(|achieved| achieved.estimate).expect("it is told");
     let exact = Options { order: 5, eps: 1e-4, shadow_eps: 1e-3, ..Options::default() };
     let exact = solved_of(scene, exact);

@@ -14,8 +14,9 @@ use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::{Algorithm, Transport, in_threads};
 use radiosity::visibility::{Hiding, Visibility};
+use radiosity::work::Progress;
 use radiosity::work::interruption::{Interrupted, Interruption};
-use radiosity::{Options, Scene, Solution, Solved, ViewFactors, solve, solve::view_factors};
+use radiosity::{Options, Scene, Solution, Solved, ViewFactors, Work, solve, solve::view_factors};
 use radiosity_test_support::scenes::builtin;
 use radiosity_test_support::solved::{outcome_of, solved_of};
 
@@ -50,7 +51,7 @@ fn ends_soon(name: &str, work: &(dyn Fn() + Sync)) {
 
 /// Does what would take long with one scene or another.
 fn solves(scene: &Scene, options: Options) -> impl Fn() + Sync {
-    move || drop(solve(scene, &options, &|_| {}))
+    move || drop(solve(scene, &options, &Work::alone()))
 }
 
 #[test]
@@ -73,7 +74,7 @@ fn solutions_end_soon() {
     ends_soon("links", &solves(&cornell, by_links));
     ends_soon("an accuracy", &|| {
         let options = Options { threads: 2, ..Options::default() };
-        drop(Solved::to_accuracy(cornell.clone(), &options, &Goal::new(1e-7, Aim::Gathered), &|_| {}));
+        drop(Solved::to_accuracy(cornell.clone(), &options, &Goal::new(1e-7, Aim::Gathered), &Work::alone()));
     });
 }
 
@@ -82,11 +83,11 @@ fn transfers_end_soon() {
     let accuracy = Accuracy { eps: 1e-3, shadow_eps: 3e-3 };
     let options = view_factors::Options { subdivide: Some(24), accuracy, shadows: Hiding::Auto, threads: 2 };
     let cornell = builtin("cornell-box");
-    ends_soon("view factors", &|| drop(ViewFactors::new(&cornell, &options, &|_, _| {})));
+    ends_soon("view factors", &|| drop(ViewFactors::new(&cornell, &options, &Work::alone())));
     let oven = builtin("oven");
     let wanted =
         HeatOptions { options: Options { subdivide: Some(12), ..exact(7, 1e-6) }, conductances: true };
-    ends_soon("heat", &|| drop(Heat::of(&oven, &wanted, &|_| {})));
+    ends_soon("heat", &|| drop(Heat::of(&oven, &wanted, &Work::alone())));
 }
 
 /// A solution of the Cornell box in a moment.
@@ -103,7 +104,8 @@ fn pictures_end_soon() {
     let large = Camera { width: 4000, height: 4000, ..camera };
     for read in [Read::Gather, Read::GatherTwice] {
         ends_soon("a picture", &|| {
-            let picture = || render(&solution, &visibility, &large, 8, read, Shown::Radiosity, &|_| {});
+            let picture =
+                || render(&solution, &visibility, &large, 8, read, Shown::Radiosity, &Work::alone());
             drop(in_threads(2, picture));
         });
     }
@@ -119,7 +121,7 @@ fn what_is_done_after_an_interruption_finds_the_same_bits() {
     let cornell = builtin("cornell-box");
     ends_soon("dear pairs", &solves(&cornell, Options { subdivide: Some(3), ..exact(9, 1e-6) }));
     assert_eq!(coefficients(&quick()), before);
-    let solved = Solved::new(cornell, Options { order: 2, threads: 2, ..Options::default() }, &|_| {});
+    let solved = Solved::new(cornell, Options { order: 2, threads: 2, ..Options::default() }, &Work::alone());
     let solved = solved.expect("a solution");
     let read = || in_threads(1, || solved.irradiance_at(DVec3::splat(100.0), DVec3::Y));
     let interruption = Interruption::new();
@@ -135,7 +137,7 @@ fn a_frame_that_was_interrupted_leaves_nothing_to_the_next() {
     let sliding = builtin("sliding-light");
     let options = Options { subdivide: Some(1), ..exact(1, 1e-6) };
     let light = |sequence: &mut Sequence<'_>, moment: f64| {
-        let frame = sequence.at(moment, &|_| {}).expect("a frame");
+        let frame = sequence.at(moment, &Work::alone()).expect("a frame");
         format!("{:?}", frame.solution.bands().iter().map(|band| &band.coefficients).collect::<Vec<_>>())
     };
     let alone = [1.0, 2.0].map(|moment| light(&mut Sequence::fresh(&sliding, &options), moment));
@@ -143,7 +145,8 @@ fn a_frame_that_was_interrupted_leaves_nothing_to_the_next() {
     for (mut sequence, frames) in ways.into_iter().zip([2, 1]) {
         (0..3).for_each(|frame| drop(light(&mut sequence, f64::from(frame))));
         let interruption = Interruption::new();
-        let ended = interruption.within(|| sequence.at(5.0, &|_| interruption.raise()).map(drop));
+        let raise = |_: Progress| interruption.raise();
+        let ended = interruption.within(|| sequence.at(5.0, &Work::alone().told(&raise)).map(drop));
         assert!(matches!(ended, Err(Interrupted)));
         // A series begins anew, with blocks that are integrated.
         for (moment, alone) in [1.0, 2.0].into_iter().zip(&alone).take(frames) {
@@ -160,10 +163,11 @@ fn segments_of_a_path_are_those_of_one_that_was_not_interrupted() {
     let course = || Follower::new(&sliding, &options, Way::Path { tolerance: 1e-2 }, ends);
     let (mut whole, mut torn) = (course(), course());
     let interruption = Interruption::new();
-    let ended = interruption.within(|| torn.frame(0, &|_| interruption.raise()).map(drop));
+    let raise = |_: Progress| interruption.raise();
+    let ended = interruption.within(|| torn.frame(0, &Work::alone().told(&raise)).map(drop));
     assert!(matches!(ended, Err(Interrupted)));
     let [found, right] = [&mut torn, &mut whole].map(|course| {
-        let frame = course.frame(3, &|_| {}).expect("a frame");
+        let frame = course.frame(3, &Work::alone()).expect("a frame");
         format!("{:?}", frame.solution.bands().iter().map(|band| &band.coefficients).collect::<Vec<_>>())
     });
     assert_eq!((found, torn.segments()), (right, whole.segments()));

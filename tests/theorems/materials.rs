@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
+use radiosity::Work;
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
 use radiosity::scene::{Material, Pattern, Placement, Polynomial, Scene, SceneBuilder, SurfaceDraft, Term};
@@ -242,13 +243,13 @@ fn another_pattern_needs_no_new_blocks() {
         builder.build().expect("a scene")
     };
     let before = scene([0.2, 0.7, 0.5, 0.0]);
-    let model = Model::assemble(&before, &exact(), &|_| {}).expect("a model");
+    let model = Model::assemble(&before, &exact(), &Work::alone()).expect("a model");
     let mut after = before;
     for wall in 0..6 {
         let paint = patterned(grid(vec![0.9, 0.1, 0.3, 0.6]), grid(vec![1.0; 4]));
         after = after.with_material(&format!("paint {wall}"), paint).expect("it has that material");
     }
-    let repainted = model.solve(&after, &|_| {}).expect("a solution");
+    let repainted = model.solve(&after, &Work::alone()).expect("a solution");
     let anew = outcome_of(&scene([0.9, 0.1, 0.3, 0.6]), &exact());
     let light = |outcome: &Outcome| outcome.solution.bands()[0].coefficients.irradiance.clone();
     for (a, b) in light(&repainted).iter().zip(light(&anew)) {

@@ -11,12 +11,12 @@ use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::view_factors;
 use radiosity::solve::{Direct, Transport};
 use radiosity::visibility::Hiding;
+use radiosity::work::Deadline;
 use radiosity::work::ranks::journal::{Begin, fingerprint};
 use radiosity::work::ranks::threads::on_ranks;
-use radiosity::work::ranks::{Traffic, current};
-use radiosity::{Options, Solved, ViewFactors};
+use radiosity::work::ranks::{Ranks, Traffic};
+use radiosity::{Options, Solved, ViewFactors, Work};
 use radiosity_test_support::scenes::{builtin, builtin_with, typed};
-use radiosity_test_support::solved::solved_of;
 
 /// Two threads, so that ranks have some.
 fn options() -> Options {
@@ -43,55 +43,54 @@ fn told(solved: &Solved) -> String {
 }
 
 /// That every one of two, three and four ranks finds what one process does.
-fn same_on_ranks(what: impl Fn() -> String + Sync) {
-    let alone = what();
+fn same_on_ranks(what: impl Fn(&Work<'_>) -> String + Sync) {
+    let alone = what(&Work::alone());
     assert!(alone.len() > 40, "{alone}");
     for ranks in 2..=4 {
-        for (rank, found) in on_ranks(ranks, &what).into_iter().enumerate() {
+        for (rank, found) in on_ranks(ranks, |ranks| what(&Work::among(ranks))).into_iter().enumerate() {
             let differs = alone.bytes().zip(found.bytes()).position(|(a, b)| a != b);
             assert!(alone == found, "rank {rank} of {ranks}: from character {differs:?} on");
         }
     }
 }
 
-fn solved(name: &str, settings: &[(&str, f64)], options: Options) -> Solved {
-    let scene = builtin_with(name, settings);
-    solved_of(scene, options)
+fn solved(name: &str, options: Options, work: &Work<'_>) -> Solved {
+    Solved::new(builtin(name), options, work).expect("a solution")
 }
 
 #[test]
 fn exact_pairs() {
-    same_on_ranks(|| told(&solved("cornell-box", &[], options())));
+    same_on_ranks(|work| told(&solved("cornell-box", options(), work)));
 }
 
 #[test]
 fn curved_pairs_and_pairs_that_no_rule_reaches() {
-    same_on_ranks(|| told(&solved("teapot", &[], Options { order: 1, eps: 1e-2, ..options() })));
+    same_on_ranks(|work| told(&solved("teapot", Options { order: 1, eps: 1e-2, ..options() }, work)));
 }
 
 #[test]
 fn rays() {
     let sampled = Options { transport: Transport::Sampled, rays: Some(60_000), ..options() };
-    same_on_ranks(|| told(&solved("two-boxes", &[], sampled)));
+    same_on_ranks(|work| told(&solved("two-boxes", sampled, work)));
     let few = Options { rays: Some(2_000), order: 1, ..sampled };
-    same_on_ranks(|| told(&solved("cornell-box", &[], few)));
+    same_on_ranks(|work| told(&solved("cornell-box", few, work)));
 }
 
 #[test]
 fn solvers_that_need_entries_and_solvers_that_multiply() {
     for name in ["cholesky", "gauss-seidel", "southwell", "gmres", "jacobi", "cg"] {
         let method = radiosity::solvers::method::Method::named(name).expect("it is listed");
-        same_on_ranks(|| told(&solved("cornell-box", &[], Options { method, order: 1, ..options() })));
+        same_on_ranks(|work| told(&solved("cornell-box", Options { method, order: 1, ..options() }, work)));
     }
 }
 
 #[test]
 fn light_of_a_wanted_accuracy() {
-    same_on_ranks(|| {
+    same_on_ranks(|work| {
         let scene = builtin("empty-box");
         let points = vec![[DVec3::new(0.5, 0.5, 0.2), DVec3::Z]];
         let goal = Goal::at(1e-2, points);
-        let solved = Solved::to_accuracy(scene, &options(), &goal, &|_| {}).expect("a solution");
+        let solved = Solved::to_accuracy(scene, &options(), &goal, work).expect("a solution");
         told(&solved)
     });
 }
@@ -99,26 +98,26 @@ fn light_of_a_wanted_accuracy() {
 #[test]
 fn links() {
     let linked = Options { algorithm: radiosity::solve::Algorithm::Hierarchical, order: 0, ..options() };
-    same_on_ranks(|| told(&solved("two-boxes", &[], linked)));
+    same_on_ranks(|work| told(&solved("two-boxes", linked, work)));
 }
 
 #[test]
 fn view_factors_and_heat() {
-    same_on_ranks(|| {
+    same_on_ranks(|work| {
         let scene = builtin("two-boxes");
         let accuracy = Accuracy { eps: 1e-4, shadow_eps: 1e-2 };
         let options =
             view_factors::Options { subdivide: Some(2), accuracy, shadows: Hiding::Auto, threads: 2 };
-        let factors = ViewFactors::new(&scene, &options, &|_, _| {}).expect("all have area");
+        let factors = ViewFactors::new(&scene, &options, work).expect("all have area");
         let rows: Vec<Vec<f64>> = (0..factors.names.len()).map(|row| factors.row(row)).collect();
         format!("{rows:?} {:?} {} {}", factors.pairs, factors.samples, factors.rays)
     });
 }
 
 /// Irradiance of a few frames, back and forth, and what they took.
-fn frames(mut sequence: Sequence<'_>) -> String {
+fn frames(mut sequence: Sequence<'_>, work: &Work<'_>) -> String {
     let told = [0.0, 1.0, 2.0, 3.0, 1.0, 1.0, 7.0].map(|moment| {
-        let frame = sequence.at(moment, &|_| ()).expect("it can be solved");
+        let frame = sequence.at(moment, work).expect("it can be solved");
         let bands: Vec<_> = frame.solution.bands().iter().map(|band| &band.coefficients).collect();
         let rays = sequence.account().rays;
         let counts = [sequence.integrated(), sequence.recalled(), sequence.summed(), sequence.expanded()];
@@ -139,11 +138,11 @@ fn frames_of_what_moves() {
             shadows,
             ..options()
         };
-        same_on_ranks(|| frames(Sequence::new(&scene, &exact)));
-        same_on_ranks(|| frames(Sequence::by_series(&scene, &exact, 1e-4)));
+        same_on_ranks(|work| frames(Sequence::new(&scene, &exact), work));
+        same_on_ranks(|work| frames(Sequence::by_series(&scene, &exact, 1e-4), work));
     }
     let sampled = Options { transport: Transport::Sampled, rays: Some(60_000), order: 1, ..options() };
-    same_on_ranks(|| frames(Sequence::new(&scene, &sampled)));
+    same_on_ranks(|work| frames(Sequence::new(&scene, &sampled), work));
 }
 
 /// A tetrahedron seen from within, and a lamp in it: no two pairs are congruent.
@@ -164,9 +163,9 @@ fn all_work_is_counted_once() {
     let scene = typed(UNEQUAL);
     for transport in [Transport::Exact, Transport::Sampled] {
         let options = Options { transport, rays: Some(50_000), order: 1, subdivide: Some(1), ..options() };
-        let found = on_ranks(3, || {
-            let solved = solved_of(scene.clone(), options);
-            (current().traffic(), solved.outcome)
+        let found = on_ranks(3, |ranks| {
+            let solved = Solved::new(scene.clone(), options, &Work::among(ranks)).expect("a solution");
+            (ranks.traffic(), solved.outcome)
         });
         let outcome = &found[0].1;
         let sum = |of: fn(&Traffic) -> u64| found.iter().map(|(own, _)| of(own)).sum::<u64>();
@@ -188,12 +187,12 @@ fn a_run_goes_on_from_its_journal() {
     let folder = tempfile::tempdir().expect("a folder");
     let sampled = Options { transport: Transport::Sampled, rays: Some(20_000), order: 1, ..options() };
     let run = |begin: Begin, ranks: usize| {
-        on_ranks(ranks, || {
-            current().recording(folder.path(), 1, begin).expect("a folder").within(|| {
-                let told =
-                    told(&solved("two-boxes", &[], sampled)) + &told(&solved("cornell-box", &[], options()));
-                (told, Checkpoint::so_far().expect("it is kept"))
-            })
+        on_ranks(ranks, |ranks| {
+            let ranks = ranks.recording(folder.path(), 1, begin).expect("a folder");
+            let work = &Work::among(&ranks);
+            let told =
+                told(&solved("two-boxes", sampled, work)) + &told(&solved("cornell-box", options(), work));
+            (told, Checkpoint::so_far(&ranks).expect("it is kept"))
         })
     };
     let first = run(Begin::Anew, 2);
@@ -213,14 +212,12 @@ fn a_run_goes_on_from_its_journal() {
 }
 
 /// How a run to a wanted accuracy ends, and what it took from its journal.
-fn to_accuracy(folder: &Path, begin: Begin, deadline: Option<Instant>) -> (String, Checkpoint) {
-    current().recording(folder, 1, begin).expect("a folder").within(|| {
-        let scene = builtin("two-boxes");
-        let goal = Goal::new(3e-2, Aim::Gathered);
-        let options = Options { deadline, ..options() };
-        let solved = Solved::to_accuracy(scene, &options, &goal, &|_| {}).expect("a solution");
-        (told(&solved), Checkpoint::so_far().expect("it is kept"))
-    })
+fn to_accuracy(folder: &Path, begin: Begin, deadline: Option<&Deadline>) -> (String, Checkpoint) {
+    let ranks = Ranks::alone().recording(folder, 1, begin).expect("a folder");
+    let goal = Goal::new(3e-2, Aim::Gathered);
+    let work = Work { deadline, ..Work::among(&ranks) };
+    let solved = Solved::to_accuracy(builtin("two-boxes"), &options(), &goal, &work).expect("a solution");
+    (told(&solved), Checkpoint::so_far(&ranks).expect("it is kept"))
 }
 
 #[test]
@@ -228,7 +225,7 @@ fn a_run_whose_time_was_up_goes_on_as_if_it_had_not_been() {
     let folders = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
     let [folder, other] = folders.each_ref().map(|folder| folder.path());
     let (whole, made) = to_accuracy(other, Begin::Anew, None);
-    let (ended, first) = to_accuracy(folder, Begin::Anew, Some(Instant::now()));
+    let (ended, first) = to_accuracy(folder, Begin::Anew, Some(&Deadline::at(Some(Instant::now()))));
     assert_ne!(ended, whole, "time was up after the first of several runs");
     let (resumed, rest) = to_accuracy(folder, Begin::Resume, None);
     assert_eq!(resumed, whole);

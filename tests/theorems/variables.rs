@@ -3,6 +3,7 @@
 use radiosity::output::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Fault, Scene, SceneError, Source};
 use radiosity::solve::Options;
+use radiosity::work::ranks::Ranks;
 use radiosity_test_support::scenes::{parsed, typed};
 use radiosity_test_support::solved::solved_of;
 
@@ -101,7 +102,7 @@ fn a_solution_keeps_what_was_set() {
     let scene = radiosity::language::parse_with(&source, &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
     let solved = solved_of(scene, Options { eps: 0.3, ..Options::default() });
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
-    let again = read(&Source::new("a.json", &text)).unwrap();
+    let again = read(&Source::new("a.json", &text), Ranks::alone()).unwrap();
     assert!((area(&again.scene) - 6.0 * 3.5).abs() < 1e-12);
     assert_eq!(again.scene.surfaces[1].factor(), 0.5);
     assert_eq!(serde_json::to_string(&SolutionFile::new(&again)).unwrap(), text);

@@ -7,6 +7,7 @@ use radiosity_output::readings::probe::Probe;
 use radiosity_request::aim::{at_probes, of_picture};
 use radiosity_scene::Scene;
 use radiosity_solve::studies::adaptation::{Aim, Goal};
+use radiosity_work::ranks::Ranks;
 
 use crate::error::CliError;
 use crate::planes::plane;
@@ -57,11 +58,11 @@ impl Wanted {
     }
 
     /// The goal of this accuracy in a scene.
-    pub(crate) fn goal(&self, accuracy: f64, scene: &Scene) -> Result<Goal, CliError> {
+    pub(crate) fn goal(&self, accuracy: f64, scene: &Scene, ranks: &Ranks) -> Result<Goal, CliError> {
         match self {
             Self::Gathered => Ok(Goal::new(accuracy, Aim::Gathered)),
             Self::Solution => Ok(Goal::new(accuracy, Aim::Solution)),
-            Self::Points(file) => Ok(at_probes(accuracy, &Points::load(file)?.probes, scene)),
+            Self::Points(file) => Ok(at_probes(accuracy, &Points::load(file, ranks)?.probes, scene)),
             Self::Plane(name) => {
                 let sensors: Vec<Probe> = Probe::of_plane(&plane(name, 0, scene)?).collect();
                 Ok(at_probes(accuracy, &sensors, scene))

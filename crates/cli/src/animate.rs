@@ -22,7 +22,9 @@ use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_request::require_all_bounces;
 use radiosity_solve::animation::follower::{Follower, Way};
 use radiosity_solve::animation::frame::Frame;
-use radiosity_solve::{Algorithm, Options, in_threads};
+use radiosity_solve::{Algorithm, Options};
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     console,
@@ -158,7 +160,7 @@ impl AnimateArgs {
     }
 
     /// Where pictures go; None where none were asked for.
-    fn film(&self, loaded: &Loaded, first: usize) -> Result<Option<Film>, CliError> {
+    fn film(&self, loaded: &Loaded, first: usize, ranks: &Ranks) -> Result<Option<Film>, CliError> {
         let output = match (&self.output, &self.probe) {
             (Some(output), _) => output.clone(),
             (None, Some(_)) => return Ok(None),
@@ -166,7 +168,7 @@ impl AnimateArgs {
         };
         let rate = loaded.scene.animation.as_ref().map(|animation| animation.rate);
         let of_scene = rate.filter(|rate| *rate != 1.0);
-        let film = Film::new(&output, (self.fps, of_scene), first, loaded)?;
+        let film = Film::new(&output, (self.fps, of_scene), first, loaded, ranks)?;
         if film.is_exr() && self.exposure.is_some() {
             return Err(CliError::Refused {
                 message: "--exposure: an .exr holds the values and nothing else".to_owned(),
@@ -188,13 +190,14 @@ struct Shutter<'a> {
 
 impl Shutter<'_> {
     /// The picture of a frame, through its own camera.
-    fn take(&mut self, frame: &Frame) -> Result<Raster, CliError> {
+    fn take(&mut self, frame: &Frame, ranks: &Ranks) -> Result<Raster, CliError> {
         let camera = camera(self.args.size.map(|Counts(size)| size), &frame.scene)?;
         let visibility = &frame.visibility;
         let usual = || usual_read(&frame.solution, visibility, pixels(&camera));
         let read = *self.read.get_or_insert_with(usual);
         let samples = self.args.samples.unwrap_or(SAMPLES);
-        Ok(render(&frame.solution, visibility, &camera, samples, read, Shown::Radiosity, &|_| ()))
+        let (shown, work) = (Shown::Radiosity, Work::among(ranks));
+        Ok(render(&frame.solution, visibility, &camera, samples, read, shown, &work))
     }
 
     /// The same in colours. Without a typed exposure white is approached softly, as in a photograph.
@@ -206,21 +209,23 @@ impl Shutter<'_> {
 }
 
 /// Solves the frames and writes what was asked for.
-pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
+pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let begun = Instant::now();
     let scene = &loaded.scene;
     args.method.request().check()?;
     let frames = "frames that follow each other hold all light";
     require_all_bounces(&args.method.request(), frames, "take single frames: render --frame K --bounces …")?;
-    let asked = options(&args.method);
+    let asked = options(&args.method, ranks);
     args.refuse_methods(&asked)?;
     let range = FrameRange::within(args.frames, scene)?;
-    let points = args.probe.as_deref().map(Points::load).transpose()?;
-    let mut film = args.film(&loaded, range.ends()[0])?;
+    let points = args.probe.as_deref().map(|points| Points::load(points, ranks)).transpose()?;
+    let mut film = args.film(&loaded, range.ends()[0], ranks)?;
     if film.is_some() {
-        require_pixels(&camera(args.size.map(|Counts(size)| size), scene)?, scene, args.method.memory)?;
+        let camera = camera(args.size.map(|Counts(size)| size), scene)?;
+        require_pixels(&camera, scene, args.method.memory, ranks)?;
     }
-    let progress = Progress::new(args.quiet);
+    let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
+    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
     let mut follower = Follower::new(scene, &asked, args.way(), range.ends());
     let mut readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
     let mut shutter = Shutter { args, exposure: args.exposure, read: args.read.read };
@@ -228,40 +233,40 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
     for (done, number) in range.numbers().enumerate() {
         progress.say_whole(standing(done, range.count(), made, begun));
         // The first picture exposes all others.
-        let is_there = args.resume && film.as_ref().is_some_and(|film| film.has(number));
+        let is_there = args.resume && film.as_ref().is_some_and(|film| film.has(number, ranks));
         let is_unset = shutter.exposure.is_none() || shutter.read.is_none();
         let is_needed = readings.is_some() || !is_there || (done == 0 && is_unset);
         if !is_needed {
             continue;
         }
-        let frame = follower.frame(number, &|stage| progress.show_stage(stage, scene.bands.len()))?;
+        let frame = follower.frame(number, &work)?;
         made += 1;
-        in_threads(asked.threads, || {
+        asked.in_threads(ranks, || {
             if let Some(readings) = &mut readings {
-                readings.read(number, &frame)?;
+                readings.read(number, &frame, ranks)?;
             }
             let Some(film) = &mut film else { return Ok(()) };
             if is_there && done > 0 {
                 return Ok(());
             }
-            let raster = shutter.take(&frame)?;
+            let raster = shutter.take(&frame, ranks)?;
             let mut develop = || shutter.developed(&raster, &frame);
             if is_there {
                 drop(develop());
                 return Ok(());
             }
-            film.add(number, &raster, develop)
+            film.add(number, &raster, develop, ranks)
         })??;
     }
     film.map_or(Ok(()), Film::finish)?;
     let read_error = readings.as_ref().and_then(Readings::error);
-    readings.map_or(Ok(()), |readings| readings.write(&scene.bands))?;
+    readings.map_or(Ok(()), |readings| readings.write(&scene.bands, ranks))?;
     drop(progress);
     if !args.quiet {
         let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());
-        lines.extend(RanksWork::so_far(asked.threads).map(|work| work.to_string()));
+        lines.extend(RanksWork::so_far(ranks, asked.threads).map(|work| work.to_string()));
         lines.extend(read_error.map(|error| error.to_string()));
-        console::tell(&(lines.join("\n") + "\n"));
+        console::tell(&(lines.join("\n") + "\n"), ranks);
     }
     Ok(())
 }

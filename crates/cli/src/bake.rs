@@ -14,6 +14,8 @@ use radiosity_output::pictures::tone::Tone;
 use radiosity_output::readings::reader::Read;
 use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
 use crate::{
@@ -21,7 +23,6 @@ use crate::{
     forecast,
     numbers::Counts,
     options::{MethodArgs, ReportArgs},
-    page,
     progress::Progress,
     read::ROUGH,
     run::{Loaded, Run},
@@ -50,23 +51,23 @@ pub(crate) struct Bake<'a> {
 
 impl Bake<'_> {
     /// Solves the scene and writes it with its light; the light as it is goes to an .exr beside it.
-    pub(crate) fn run(&self, loaded: Loaded) -> Result<(), CliError> {
+    pub(crate) fn run(&self, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
         let beside = self.path.with_extension("exr");
-        let output = loaded.reserve(self.path, self.report)?;
-        let linear = loaded.reserve(&beside, self.report)?.apart_from(self.path, "the triangles")?;
+        let output = loaded.reserve(self.path, self.report, ranks)?;
+        let linear = loaded.reserve(&beside, self.report, ranks)?.apart_from(self.path, "the triangles")?;
         let [across, down] = self.size.map_or(SIZE, |Counts(size)| size);
         let texels = u64::from(across) * u64::from(down);
         let [width, height] = texture_size(Lightmap::sizes(&loaded.scene, texels as usize));
         let less = "ask for fewer with --size";
-        forecast::require_texels(width * height, &loaded.scene, self.method, less)?;
-        let progress = Progress::new(self.report.quiet);
-        let run = Run::solve(loaded, self.method, self.report, &progress)?;
+        forecast::require_texels(width * height, &loaded.scene, self.method, less, ranks)?;
+        let (progress, deadline) = (Progress::of(self.report, ranks), self.method.deadline());
+        let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
+        let run = Run::solve(loaded, self.method, self.report, &work)?;
         let (scene, solution) = (&run.solved.scene, &run.solved.outcome.solution);
         let usual = || usual_read(solution, run.solved.visibility(), texels);
         let read = self.read.unwrap_or_else(usual);
-        let show = |stage| page::show(&progress, stage);
         let (triangles, lightmap) = run.in_threads(|| {
-            let lightmap = Lightmap::new(&run.solved, read, texels as usize, &show);
+            let lightmap = Lightmap::new(&run.solved, read, texels as usize, &work);
             (tessellation(scene, NEAR * diagonal(scene)), lightmap)
         })?;
         let baked = Baked::new(scene, &triangles, &lightmap, self.style.show);

@@ -14,6 +14,7 @@ use radiosity_scene::{
 };
 use radiosity_visibility::footings::Footing;
 use radiosity_visibility::inspection::{Contact, Fronts, Inspection, NearPoint, Passage, Shell, Warning};
+use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
 use crate::{console, error::CliError, materials, options::SceneArg, table::Table};
@@ -43,7 +44,7 @@ pub(crate) enum Format {
 }
 
 /// Prints the scene's bands, surfaces, contacts and camera, then the warnings.
-pub(crate) fn run(args: &CheckArgs, scene: &Scene) -> Result<(), CliError> {
+pub(crate) fn run(args: &CheckArgs, scene: &Scene, ranks: &Ranks) -> Result<(), CliError> {
     let inspection = Inspection::of(scene);
     let text = match args.format {
         Format::Text => {
@@ -53,7 +54,7 @@ pub(crate) fn run(args: &CheckArgs, scene: &Scene) -> Result<(), CliError> {
         }
         Format::Json => format!("{:#}\n", as_json(scene, &inspection)),
     };
-    console::print(text.as_bytes())?;
+    console::print(text.as_bytes(), ranks)?;
     let is_wrong = |warning: &&Warning| !warning.is_of_something_missing();
     let repairs = scene.imported().map_or(0, |imported| imported.repairs.len());
     match inspection.warnings.iter().filter(is_wrong).count() + repairs {

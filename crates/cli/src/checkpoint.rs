@@ -8,8 +8,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use radiosity_work::ranks::Ranks;
 use radiosity_work::ranks::journal::{Begin, fingerprint};
-use radiosity_work::ranks::{self, Ranks};
 
 use crate::error::CliError;
 use crate::given::Given;
@@ -28,20 +28,20 @@ pub(crate) struct CheckpointArgs {
 }
 
 impl CheckpointArgs {
-    /// The current ranks, which record their work if that was asked for. Its results hang on what was `given`, on `content`, and on
+    /// The ranks, which record their work if that was asked for. Its results hang on what was `given`, on `content`, and on
     /// the files that it `reads` besides: all ranks must have the same.
     ///
     /// # Errors
     /// Ranks that differ; a folder that does not hold what was asked for, or cannot be written.
-    pub(crate) fn ranks(
+    pub(crate) fn recording(
         &self,
         given: &Given,
         content: &dyn Debug,
         reads: &[Option<&Path>],
+        ranks: &Ranks,
     ) -> Result<Ranks, CliError> {
-        let ranks = ranks::current();
         if self.checkpoint.is_none() && ranks.are_alone() {
-            return Ok(ranks);
+            return Ok(ranks.clone());
         }
         let reads =
             reads.iter().flatten().filter(|path| self.checkpoint.is_some() || **path != Path::new("-"));
@@ -55,7 +55,7 @@ impl CheckpointArgs {
                 cure: "start the same build on all nodes, and let all ranks read the same files".to_owned(),
             });
         }
-        let Some(folder) = &self.checkpoint else { return Ok(ranks) };
+        let Some(folder) = &self.checkpoint else { return Ok(ranks.clone()) };
         let begin = if self.resume { Begin::Resume } else { Begin::Anew };
         Ok(ranks.recording(folder, run, begin)?)
     }

@@ -2,6 +2,7 @@
 
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
+use radiosity_work::ranks::Ranks;
 
 use crate::console;
 use crate::error::CliError;
@@ -18,9 +19,9 @@ pub(crate) struct CompletionsArgs {
 }
 
 /// Prints the script for `command`, the whole command line.
-pub(crate) fn run(args: &CompletionsArgs, mut command: Command) -> Result<(), CliError> {
+pub(crate) fn run(args: &CompletionsArgs, mut command: Command, ranks: &Ranks) -> Result<(), CliError> {
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     generate(args.shell, &mut command, name, &mut script);
-    Ok(console::print(&script)?)
+    Ok(console::print(&script, ranks)?)
 }

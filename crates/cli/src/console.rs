@@ -2,16 +2,16 @@
 
 use std::io::{self, Write, stderr, stdout};
 
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 
 /// Writes to standard output.
-pub(crate) fn print(text: &[u8]) -> io::Result<()> {
-    if ranks::current().is_first() { stdout().write_all(text) } else { Ok(()) }
+pub(crate) fn print(text: &[u8], ranks: &Ranks) -> io::Result<()> {
+    if ranks.is_first() { stdout().write_all(text) } else { Ok(()) }
 }
 
 /// Writes to stderr. A closed one is no error: nobody would see a message.
-pub(crate) fn tell(text: &str) {
-    if ranks::current().is_first() {
+pub(crate) fn tell(text: &str, ranks: &Ranks) {
+    if ranks.is_first() {
         drop(stderr().write_all(text.as_bytes()));
     }
 }

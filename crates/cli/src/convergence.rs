@@ -13,6 +13,8 @@ use radiosity_solve::solution::Solution;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::convergence::{Reference, Run, Way, convergence};
 use radiosity_solve::studies::error_norm::distance;
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     console,
@@ -80,7 +82,7 @@ pub(crate) enum Format {
 }
 
 /// Solves the scene again and again, prints the table and draws the errors.
-pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliError> {
+pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let scene = &loaded.scene;
     if args.method.request().wanted_accuracy().is_some() {
         return Err(CliError::Refused {
@@ -93,19 +95,19 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
     check_ways(&args.method.request(), &args.other_ways())?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = kind(&path)?;
-    let output = args.scene.kept_apart(OutputFile::reserve(&path)?)?;
-    let reference = args.reference.as_deref().map(|path| same_scene(path, scene)).transpose()?;
-    let progress = Progress::new(args.quiet);
-    let advance = |part: f64| progress.show("runs", (1000.0 * part) as usize, 1000);
-    let options = options(&args.method);
+    let output = args.scene.kept_apart(OutputFile::reserve(&path, ranks)?)?;
+    let reference = args.reference.as_deref().map(|path| same_scene(path, scene, ranks)).transpose()?;
+    let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
+    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
+    let options = options(&args.method, ranks);
     let other = args.other_ways();
     let runs = match &reference {
-        None => convergence(scene, &options, &other, &Reference::FinestRun, &advance)?,
+        None => convergence(scene, &options, &other, &Reference::FinestRun, &work)?,
         Some(Solved { outcome, .. }) => {
             let error = |solution: &Solution| {
                 distance(solution, &outcome.solution).expect("surfaces and bands were compared")
             };
-            convergence(scene, &options, &other, &Reference::Given(&error), &advance)?
+            convergence(scene, &options, &other, &Reference::Given(&error), &work)?
         }
     };
     drop(progress);
@@ -113,10 +115,10 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
         Format::Text => text(&runs),
         Format::Csv => csv(&runs),
     };
-    draw(&chart(args, scene, &runs), kind, &output)?;
-    Destination::Stdout.write(|writer| writer.write_all(table.as_bytes()))?;
+    draw(&chart(args, scene, options.eps, &runs), kind, &output)?;
+    Destination::of(None, ranks).write(|writer| writer.write_all(table.as_bytes()))?;
     if !args.quiet {
-        console::tell(&format!("wrote {}\n", path.display()));
+        console::tell(&format!("wrote {}\n", path.display()), ranks);
     }
     Ok(())
 }
@@ -170,8 +172,8 @@ fn kind(path: &Path) -> Result<Kind, CliError> {
 }
 
 /// The reference solution, of the same surfaces, bands and materials.
-fn same_scene(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
-    let solved = reference::solution(path, scene)?;
+fn same_scene(path: &Path, scene: &Scene, ranks: &Ranks) -> Result<Solved, CliError> {
+    let solved = reference::solution(path, scene, ranks)?;
     if !solved.outcome.converged {
         return Err(CliError::Refused {
             message: format!("{}: its solver did not converge, which makes it no reference", path.display()),
@@ -187,7 +189,7 @@ fn same_scene(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
     })
 }
 
-fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, runs: &'a [Run]) -> Chart<'a> {
+fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &'a [Run]) -> Chart<'a> {
     let title = scene.title.as_ref().unwrap_or(&scene.name);
     let uniform = runs.iter().rfind(|run| run.way == Way::Uniform);
     let finest = uniform.map_or_else(String::new, |run| match run.layers {
@@ -200,7 +202,7 @@ fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, runs: &'a [Run]) -> Chart<'a
     };
     let accuracy = match args.method.kernel.rules() {
         Some(_) => "the rules of 1993".to_owned(),
-        None => format!("transfers to {:e}", options(&args.method).eps),
+        None => format!("transfers to {eps:e}"),
     };
     Chart {
         title: format!("{title}: error by order"),

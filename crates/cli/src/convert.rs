@@ -11,6 +11,7 @@ use radiosity_formats::{
 };
 use radiosity_output::files::solution_file::{is_solution, read};
 use radiosity_scene::{Notation, Scene, Source};
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     console, error::CliError, options::SceneArg, output_file::OutputFile, solution_format::SolutionFormat,
@@ -71,19 +72,19 @@ impl Target {
 }
 
 /// Reads the scene, or the solution, and writes it.
-pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
+pub(crate) fn run(args: &ConvertArgs, ranks: &Ranks) -> Result<(), CliError> {
     if SolutionFormat::of(&args.output) == SolutionFormat::Vtu {
-        return grid(args);
+        return grid(args, ranks);
     }
     let target = Target::of(&args.output)?;
     let beside = args.output.with_extension("mtl");
-    let output = args.scene.kept_apart(OutputFile::reserve(&args.output)?)?;
+    let output = args.scene.kept_apart(OutputFile::reserve(&args.output, ranks)?)?;
     let materials = match target {
-        Target::Foreign(Format::Obj) => Some(args.scene.kept_apart(OutputFile::reserve(&beside)?)?),
+        Target::Foreign(Format::Obj) => Some(args.scene.kept_apart(OutputFile::reserve(&beside, ranks)?)?),
         _ => None,
     };
     let name = beside.file_name().unwrap_or_default().to_string_lossy();
-    let texts = texts(args, target, &name)?;
+    let texts = texts(args, target, &name, ranks)?;
     if let (Some(file), Some(text)) = (&materials, &texts.materials) {
         file.write(|writer| writer.write_all(text.as_bytes()))?;
     }
@@ -94,15 +95,15 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     }
     let also = materials.map(|_| format!(" and {}", beside.display())).unwrap_or_default();
     told += &format!("wrote {}{also}\n", args.output.display());
-    console::tell(&told);
+    console::tell(&told, ranks);
     Ok(())
 }
 
 /// Reads a solution and writes its grid.
-fn grid(args: &ConvertArgs) -> Result<(), CliError> {
-    let output = args.scene.kept_apart(OutputFile::reserve(&args.output)?)?;
+fn grid(args: &ConvertArgs, ranks: &Ranks) -> Result<(), CliError> {
+    let output = args.scene.kept_apart(OutputFile::reserve(&args.output, ranks)?)?;
     let request = args.scene.request();
-    let text = request.text()?;
+    let text = request.text(ranks)?;
     if !is_solution(&text.text()) {
         return Err(CliError::Refused {
             message: format!("{}: a scene has no light yet, and a grid holds light", text.origin),
@@ -112,11 +113,11 @@ fn grid(args: &ConvertArgs) -> Result<(), CliError> {
     if args.scene.frame.is_some() {
         return Err(CliError::Fixed { origin: text.origin.to_string(), option: "--frame".to_owned() });
     }
-    let solved = read(&text)?;
+    let solved = read(&text, ranks)?;
     let factors = request.later();
     let solved = if factors.is_empty() { solved } else { solved.relight(&factors)? };
     let written = SolutionFormat::Vtu.write(&solved, &args.output, &output)?;
-    console::tell(&format!("wrote {written}\n"));
+    console::tell(&format!("wrote {written}\n"), ranks);
     Ok(())
 }
 
@@ -127,8 +128,8 @@ struct Texts {
     remarks: Vec<String>,
 }
 
-fn texts(args: &ConvertArgs, target: Target, materials: &str) -> Result<Texts, CliError> {
-    let scene = args.scene.request().load()?;
+fn texts(args: &ConvertArgs, target: Target, materials: &str, ranks: &Ranks) -> Result<Texts, CliError> {
+    let scene = args.scene.request().load(ranks)?;
     let mut remarks: Vec<String> = scene.imported().map(|own| own.lines().collect()).unwrap_or_default();
     match target {
         Target::Own(notation) => {

@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use clap::Args;
+use radiosity_work::ranks::Ranks;
 use serde::Serialize;
 
 use crate::{
@@ -34,10 +35,11 @@ impl DataArgs {
         &self,
         loaded: &Loaded,
         report: &ReportArgs,
+        ranks: &Ranks,
         apart: impl Fn(OutputFile) -> Result<OutputFile, CliError>,
     ) -> Result<Data, CliError> {
-        let reserve = |path| apart(loaded.reserve(path, report)?);
-        let destination = Destination::from(self.output.as_deref().map(reserve).transpose()?);
+        let reserve = |path| apart(loaded.reserve(path, report, ranks)?);
+        let destination = Destination::of(self.output.as_deref().map(reserve).transpose()?, ranks);
         let format = format::chosen(self.format, self.output.as_deref(), Format::Csv)?;
         let written = self.output.as_ref().map(|path| path.display().to_string());
         Ok(Data { format, destination, written })

@@ -2,6 +2,7 @@
 
 use radiosity_request::memory::require;
 use radiosity_scene::Scene;
+use radiosity_work::ranks::Ranks;
 
 use crate::error::CliError;
 use crate::options::MethodArgs;
@@ -18,8 +19,9 @@ pub(crate) fn require_texels(
     scene: &Scene,
     method: &MethodArgs,
     less: &str,
+    ranks: &Ranks,
 ) -> Result<(), CliError> {
     let parts = 1 + scene.light_groups().len() as u64;
     let texel = TEXEL + scene.bands.len() as u64 * (BAND + parts * OF_GROUP);
-    Ok(require(texels as u64 * texel, method.memory, "the texels", less)?)
+    Ok(require(texels as u64 * texel, method.memory, "the texels", less, ranks)?)
 }

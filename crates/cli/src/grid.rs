@@ -10,6 +10,8 @@ use radiosity_request::ReadRequest;
 use radiosity_request::cells::require_cells;
 use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 use serde::Serialize;
 
 use crate::{
@@ -66,21 +68,21 @@ impl GridArgs {
 }
 
 /// Solves the scene and prints the means.
-pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
+pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let sides = args.cells.0.map(|count| count as usize);
-    require_cells(sides, &loaded.scene, args.method.memory)?;
+    require_cells(sides, &loaded.scene, args.method.memory, ranks)?;
     let (method, request) = (args.method.request(), args.request());
-    request.check(&loaded.options(&args.method), &method)?;
-    let data = args.data.reserve(&loaded, &args.report, Ok)?;
-    let progress = Progress::new(args.report.quiet);
-    let mut run = Run::to_gather(loaded, &args.method, args.read.by(), &args.report, &progress)?;
+    request.check(&loaded.options(&args.method, ranks), &method)?;
+    let data = args.data.reserve(&loaded, &args.report, ranks, Ok)?;
+    let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
+    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
+    let mut run = Run::to_gather(loaded, &args.method, args.read.by(), &args.report, &work)?;
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
-    let observe = |done, total| progress.show("cells", done, total);
     let reading = request.reading(&method, &run.solved, run.is_saved());
     let cells = run.in_threads(|| {
         let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
-        grid(&reader, sides, reading.rates, &observe)
+        grid(&reader, sides, reading.rates, &work)
     })?;
     data.write(|| csv(scene, &cells), || Document::new(scene, &cells))?;
     run.add_read_error(ReadError::of(cells.iter().map(|cell| cell.deviation)), reading.eps);

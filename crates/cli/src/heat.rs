@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use radiosity_heat::{Heat, Stage};
+use radiosity_heat::Heat;
 use radiosity_kernel::Miss;
 use radiosity_output::documents::heat as output;
 use radiosity_output::drawings::round::significant;
@@ -16,9 +16,11 @@ use radiosity_output::readings::missed::{corrected, missed, no_error_of_order};
 use radiosity_output::readings::rank_work::RanksWork;
 use radiosity_request::{HeatRequest, ranges};
 use radiosity_scene::{MAX_ORDER, Scene};
-use radiosity_solve::{Progress as Step, Transport, in_threads};
+use radiosity_solve::Transport;
 use radiosity_solvers::method::Method;
 use radiosity_visibility::Visibility;
+use radiosity_work::ranks::Ranks;
+use radiosity_work::{Observer, Progress as Event, Stage, Work};
 
 use crate::{
     console,
@@ -122,21 +124,21 @@ enum MatrixFormat {
 const DIGITS: usize = 6;
 
 /// Computes the balance of heat and writes it.
-pub(crate) fn run(args: &HeatArgs, given: &Given) -> Result<(), CliError> {
+pub(crate) fn run(args: &HeatArgs, given: &Given, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
     args.transfers.request().check()?;
-    let scene = args.scene.request().load_lit()?;
-    let ranks = args.transfers.checkpoint.ranks(given, &scene, &[])?;
-    ranks.within(|| of_scene(args, &scene, start))
+    let scene = args.scene.request().load_lit(ranks)?;
+    let ranks = args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
+    of_scene(args, &scene, start, &ranks)
 }
 
 /// The same for a scene that was read; the command began at `start`.
-fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant) -> Result<(), CliError> {
+fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant, ranks: &Ranks) -> Result<(), CliError> {
     let format = format::chosen(args.format, args.output.as_deref(), Format::Text)?;
     let matrix_format = args.conductances.as_deref().map(format::of_file::<MatrixFormat>);
     let matrix_format = matrix_format.transpose()?;
-    let reserve = |path: &Path| args.scene.kept_apart(OutputFile::reserve(path)?);
-    let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
+    let reserve = |path: &Path| args.scene.kept_apart(OutputFile::reserve(path, ranks)?);
+    let destination = Destination::of(args.output.as_deref().map(reserve).transpose()?, ranks);
     let matrix = args.conductances.as_deref().map(reserve).transpose()?;
     let others =
         [(args.output.as_deref(), "the figures"), (args.conductances.as_deref(), "the conductances")];
@@ -145,18 +147,15 @@ fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant) -> Result<(), CliErr
         (Some(output), Some(matrix)) => Some(matrix.apart_from(output, "the figures")?),
         (_, matrix) => matrix,
     };
-    let progress = Progress::new(args.transfers.quiet);
-    let show = |stage| match stage {
-        Stage::Solution(Step::Blocks(done, total)) => progress.show("blocks", done, total),
-        Stage::Error(Step::Blocks(done, total)) => progress.show("for the error", done, total),
-        Stage::Solution(Step::Rays { done, total, error }) => progress.show_rays(done, total, error),
-        Stage::Error(Step::Rays { done, total, .. }) => {
-            progress.show("for the error", done as usize, total as usize);
+    let progress = Progress::new(args.transfers.quiet, ranks);
+    let show = |event| {
+        if let Event::Done { stage: Stage::Blocks | Stage::Comparison, .. } | Event::Rays { .. } = event {
+            progress.hear(event);
         }
-        _ => {}
     };
-    let wanted = args.request().options();
-    let heat = Heat::of(scene, &wanted, &show)?;
+    let work = Work::among(ranks).told(&show);
+    let wanted = args.request().options(ranks);
+    let heat = Heat::of(scene, &wanted, &work)?;
     destination.write(|writer| write(&heat, format, writer))?;
     if let (Some(file), Some(format), Some(conductances)) = (matrix, matrix_format, &heat.conductances) {
         let names: Vec<&str> = heat.surfaces.iter().map(|surface| surface.name.as_str()).collect();
@@ -169,12 +168,13 @@ fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant) -> Result<(), CliErr
     }
     if let Some(picture) = picture {
         let visibility = Visibility::new(scene, (&wanted.options).into());
-        let taken = in_threads(wanted.options.threads, || picture.take(scene, &visibility, &heat))?;
+        let take = || picture.take(scene, &visibility, &heat, ranks);
+        let taken = wanted.options.in_threads(ranks, take)?;
         picture.file.write(|writer| taken.write_png(writer))?;
     }
     drop(progress);
     if !args.transfers.quiet {
-        args.tell(scene, &heat, start);
+        args.tell(scene, &heat, start, ranks);
     }
     Ok(())
 }
@@ -201,13 +201,14 @@ impl HeatArgs {
     }
 
     /// The summary on stderr.
-    fn tell(&self, scene: &Scene, heat: &Heat, start: Instant) {
+    fn tell(&self, scene: &Scene, heat: &Heat, start: Instant, ranks: &Ranks) {
         let elapsed = start.elapsed().as_secs_f64();
         let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
         let (given, taken) = (sum(1.0), sum(-1.0));
         let mut lines = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
-        lines.extend(RanksWork::so_far(self.transfers.request().threads()).map(|work| work.to_string()));
-        let checkpoint = Checkpoint::so_far();
+        let threads = self.transfers.request().threads();
+        lines.extend(RanksWork::so_far(ranks, threads).map(|work| work.to_string()));
+        let checkpoint = Checkpoint::so_far(ranks);
         lines.extend(checkpoint.as_ref().map(Checkpoint::to_string));
         lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
@@ -239,6 +240,6 @@ impl HeatArgs {
         lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
         let files = self.output.iter().chain(&self.conductances).chain(&self.picture.picture);
         lines.extend(files.map(|path| format!("wrote {}", path.display())));
-        console::tell(&(lines.join("\n") + "\n"));
+        console::tell(&(lines.join("\n") + "\n"), ranks);
     }
 }

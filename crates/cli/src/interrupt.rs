@@ -9,10 +9,11 @@ use std::io::{Write, stderr};
 use std::path::PathBuf;
 use std::process::Child;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::Instant;
 
-use radiosity_solve::Stop;
-use radiosity_work::ranks;
+use radiosity_work::Deadline;
+use radiosity_work::ranks::Ranks;
 
 /// The exit code of a program that Ctrl-C ended, by convention of shells: 128 plus the number of the signal, 2.
 const EXIT_CODE: i32 = 130;
@@ -25,8 +26,13 @@ static EMPLOYED: Mutex<Option<Child>> = Mutex::new(None);
 /// Whether another rank says what happens.
 static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
-/// Raised by Ctrl-C to let work finish with what it has.
-pub(crate) static STOP: Stop = Stop::new();
+/// The deadline of work whose end Ctrl-C wishes first; None where it ends the program at once.
+static DEADLINE: OnceLock<Deadline> = OnceLock::new();
+
+/// From now on Ctrl-C lets work that has this deadline, at an instant too if there is one, finish with what it has.
+pub(crate) fn soften(at: Option<Instant>) -> &'static Deadline {
+    DEADLINE.get_or_init(|| Deadline::at(at))
+}
 
 /// All temporary files; the set has to be locked while one is made, renamed or removed.
 pub(crate) fn temporary_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
@@ -47,12 +53,12 @@ fn employed() -> MutexGuard<'static, Option<Child>> {
     EMPLOYED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// From now on Ctrl-C removes the temporary files and ends the program.
-pub(crate) fn watch() {
-    IS_QUIET.store(!ranks::current().is_first(), Ordering::Relaxed);
+/// From now on Ctrl-C, of which the first of these ranks tells, removes the temporary files and ends the program.
+pub(crate) fn watch(ranks: &Ranks) {
+    IS_QUIET.store(!ranks.is_first(), Ordering::Relaxed);
     // Where signals cannot be watched Ctrl-C still ends the program, as it always does.
     let _ = ctrlc::set_handler(|| {
-        if STOP.raise() {
+        if DEADLINE.get().is_some_and(Deadline::wish) {
             tell("\nfinishing with the rays sent so far; Ctrl-C again ends at once\n");
             return;
         }

@@ -9,9 +9,12 @@ use std::env::var;
 use std::io::{Write, stderr};
 use std::process::ExitCode;
 
+use radiosity_work::ranks::Ranks;
 #[cfg(feature = "mpi")]
-use radiosity_work::ranks::{self, Ranks, failure::Failure, processes::World};
+use radiosity_work::ranks::failure::Failure;
 
+#[cfg(feature = "mpi")]
+use crate::processes::World;
 use crate::{Cli, CliError};
 
 /// Variables of which one holds the number of a process: set by Open MPI, by PMI (MPICH and what is made of it), by PMIx.
@@ -27,7 +30,7 @@ pub fn launch() -> ExitCode {
 
 /// Does it in this process.
 fn alone() -> ExitCode {
-    match Cli::typed().and_then(|cli| cli.run()) {
+    match Cli::typed().and_then(|cli| cli.run(Ranks::alone())) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             tell(&error);
@@ -49,12 +52,11 @@ fn tell(error: &CliError) {
 #[cfg(feature = "mpi")]
 fn among_others(_number: &str) -> ExitCode {
     let Some(world) = World::join() else { return alone() };
-    let work = || {
-        let ranks = ranks::current();
+    let work = |ranks: &Ranks| {
         // Nobody has begun threads before.
         drop(rayon::ThreadPoolBuilder::new().num_threads(ranks.place().threads).build_global());
-        same_arguments(&ranks)?;
-        let Err(error) = Cli::typed().and_then(|cli| cli.run()) else { return Ok(()) };
+        same_arguments(ranks)?;
+        let Err(error) = Cli::typed().and_then(|cli| cli.run(ranks)) else { return Ok(()) };
         let is_told = matches!(error, CliError::Typed(_));
         if is_told && ranks.is_first() {
             tell(&error);

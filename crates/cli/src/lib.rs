@@ -47,6 +47,10 @@ mod transfers;
 mod view_factors;
 mod heat;
 mod report;
+#[cfg(any(test, feature = "mpi"))]
+mod rounds;
+#[cfg(feature = "mpi")]
+mod processes;
 mod launch;
 
 use aim::joined;
@@ -56,6 +60,7 @@ pub(crate) use error::CliError;
 use given::Given;
 pub use launch::launch;
 use options::MethodArgs;
+use radiosity_work::ranks::Ranks;
 use run::Loaded;
 
 const EXAMPLES: &str = "\
@@ -128,50 +133,53 @@ impl Cli {
         Ok(cli)
     }
 
-    /// Does what was asked.
-    pub(crate) fn run(&self) -> Result<(), CliError> {
-        interrupt::watch();
+    /// Does what was asked, on these ranks.
+    pub(crate) fn run(&self, ranks: &Ranks) -> Result<(), CliError> {
+        interrupt::watch(ranks);
         let given = &self.given;
         match &self.verb {
             Verb::Solve(args) => {
-                let loaded = Loaded::lit(&args.scene)?;
-                let ranks = args.checkpoint.ranks(given, &loaded.content(), &[args.method.points_file()])?;
-                ranks.within(|| solve::run(args, loaded))
+                let loaded = Loaded::lit(&args.scene, ranks)?;
+                let reads = [args.method.points_file()];
+                let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
+                solve::run(args, loaded, &ranks)
             }
-            Verb::Relight(args) => relight::run(args),
+            Verb::Relight(args) => relight::run(args, ranks),
             Verb::Render(args) => {
                 let fixing = self.fixing.iter().filter(|option| !(args.importance && *option == "--for"));
-                let loaded = Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>())?;
+                let loaded = Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>(), ranks)?;
                 let reads = [args.method.points_file(), args.style.difference.as_deref()];
-                let ranks = args.checkpoint.ranks(given, &loaded.content(), &reads)?;
-                ranks.within(|| render::run(args, loaded))
+                let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
+                render::run(args, loaded, &ranks)
             }
-            Verb::Animate(args) => animate::run(args, Loaded::lit(&args.scene)?),
+            Verb::Animate(args) => animate::run(args, Loaded::lit(&args.scene, ranks)?, ranks),
             Verb::Probe(args) => {
-                let points = args.load_points()?;
-                let loaded = Loaded::readable(&args.scene, &self.fixing)?;
+                let points = args.load_points(ranks)?;
+                let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
                 let reads = [args.method.points_file()];
-                let ranks = args.checkpoint.ranks(given, &(loaded.content(), &points), &reads)?;
-                ranks.within(|| probe::run(args, points, loaded))
+                let ranks = args.checkpoint.recording(given, &(loaded.content(), &points), &reads, ranks)?;
+                probe::run(args, points, loaded, &ranks)
             }
             Verb::Grid(args) => {
-                let loaded = Loaded::readable(&args.scene, &self.fixing)?;
-                let ranks = args.checkpoint.ranks(given, &loaded.content(), &[args.method.points_file()])?;
-                ranks.within(|| grid::run(args, loaded))
+                let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
+                let reads = [args.method.points_file()];
+                let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
+                grid::run(args, loaded, &ranks)
             }
-            Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene)?),
-            Verb::ViewFactors(args) => view_factors::run(args, given),
-            Verb::Heat(args) => heat::run(args, given),
+            Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene, ranks)?, ranks),
+            Verb::ViewFactors(args) => view_factors::run(args, given, ranks),
+            Verb::Heat(args) => heat::run(args, given, ranks),
             Verb::Report(args) => {
-                let loaded = Loaded::dark_or_lit(&args.scene, &self.fixing)?;
-                let ranks = args.checkpoint.ranks(given, &loaded.content(), &[args.method.points_file()])?;
-                ranks.within(|| report::run(args, loaded))
+                let loaded = Loaded::dark_or_lit(&args.scene, &self.fixing, ranks)?;
+                let reads = [args.method.points_file()];
+                let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
+                report::run(args, loaded, &ranks)
             }
-            Verb::Check(args) => check::run(args, &args.scene.request().load_repaired()?),
-            Verb::Convert(args) => convert::run(args),
-            Verb::Scenes(args) => scenes::run(args),
-            Verb::Schema(args) => schema::run(args),
-            Verb::Completions(args) => completions::run(args, Self::command()),
+            Verb::Check(args) => check::run(args, &args.scene.request().load_repaired(ranks)?, ranks),
+            Verb::Convert(args) => convert::run(args, ranks),
+            Verb::Scenes(args) => scenes::run(args, ranks),
+            Verb::Schema(args) => schema::run(args, ranks),
+            Verb::Completions(args) => completions::run(args, Self::command(), ranks),
         }
     }
 }

@@ -15,6 +15,8 @@ use radiosity_scene::Scene;
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_solve::{Algorithm, Direct, MOST_RAYS, Preconditioning, Transport};
 use radiosity_solvers::method::Method;
+use radiosity_work::Deadline;
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     aim::Wanted,
@@ -260,10 +262,15 @@ impl MethodArgs {
         }
     }
 
+    /// When the time allowed ends, if it does; it counts from now.
+    pub(crate) fn deadline(&self) -> Option<Deadline> {
+        self.request().deadline().map(|at| Deadline::at(Some(at)))
+    }
+
     /// The accuracy wanted in a scene, and of what, if one is.
-    pub(crate) fn goal(&self, scene: &Scene) -> Result<Option<Goal>, CliError> {
+    pub(crate) fn goal(&self, scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
         let aim = self.aim.as_ref().unwrap_or(&Wanted::Gathered);
-        self.request().wanted_accuracy().map(|accuracy| aim.goal(accuracy, scene)).transpose()
+        self.request().wanted_accuracy().map(|accuracy| aim.goal(accuracy, scene, ranks)).transpose()
     }
 }
 
@@ -286,8 +293,8 @@ pub(crate) struct ReportArgs {
 
 impl ReportArgs {
     /// Finds out, before the work, whether the report can be written.
-    pub(crate) fn reserve(&self) -> Result<Option<OutputFile>, CliError> {
-        self.report.as_deref().map(OutputFile::reserve).transpose()
+    pub(crate) fn reserve(&self, ranks: &Ranks) -> Result<Option<OutputFile>, CliError> {
+        self.report.as_deref().map(|path| OutputFile::reserve(path, ranks)).transpose()
     }
 }
 

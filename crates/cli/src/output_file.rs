@@ -6,7 +6,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use radiosity_work::ranks::{self, Ranks};
+use radiosity_work::ranks::Ranks;
 use tempfile::{Builder, NamedTempFile};
 
 use crate::error::CliError;
@@ -18,6 +18,7 @@ use crate::interrupt::temporary_files;
 pub(crate) struct OutputFile {
     typed: PathBuf,
     target: Target,
+    ranks: Ranks,
 }
 
 #[derive(Debug)]
@@ -31,26 +32,25 @@ enum Target {
 }
 
 impl OutputFile {
-    /// Finds out whether `path` can be written, before any long work. Leaves no file behind.
+    /// Finds out whether `path` can be written by the first of these ranks, before any long work. Leaves no file behind.
     ///
     /// # Errors
     /// [`CliError::Refused`] for `-`; [`CliError::Unwritable`] for a folder, or a file in a folder that does not exist
     /// or cannot be written to.
-    pub(crate) fn reserve(path: &Path) -> Result<Self, CliError> {
+    pub(crate) fn reserve(path: &Path, ranks: &Ranks) -> Result<Self, CliError> {
         if path == Path::new("-") {
             return Err(CliError::Refused {
                 message: "-: an output needs a name".to_owned(),
                 cure: "without -o tables go to standard output; ./- is a file of that name".to_owned(),
             });
         }
-        let ranks = ranks::current();
         let target = match ranks.is_first() {
             true => target(path).map_err(|reason| CliError::Unwritable { path: path.to_owned(), reason })?,
             false => Target::Elsewhere,
         };
         // Where the first fails, no other goes on.
         ranks.meet();
-        Ok(OutputFile { typed: path.to_owned(), target })
+        Ok(OutputFile { typed: path.to_owned(), target, ranks: ranks.clone() })
     }
 
     /// Whether another rank writes it.
@@ -67,7 +67,7 @@ impl OutputFile {
             Target::Regular(own) => resolved(path).is_ok_and(|path| path == *own),
             Target::Special | Target::Elsewhere => false,
         };
-        if ranks::current().of_first(is_same) {
+        if self.ranks.of_first(is_same) {
             return Err(CliError::Refused {
                 message: format!("{}: this is the file of {what} as well", self.typed.display()),
                 cure: "choose another name".to_owned(),
@@ -136,8 +136,6 @@ impl OutputFile {
             write(&mut writer)?;
             writer.flush()
         };
-        // What is written is made here alone.
-        let fill = |file: &File| Ranks::alone().within(|| fill(file));
         match &self.target {
             Target::Elsewhere => Ok(None),
             Target::Special => fill(&OpenOptions::new().write(true).open(&self.typed)?).map(|()| None),
@@ -266,7 +264,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("out.txt");
         fs::write(&path, "old").unwrap();
-        let output = OutputFile::reserve(&path).unwrap();
+        let output = OutputFile::reserve(&path, Ranks::alone()).unwrap();
         let failed = output.write(|file| {
             file.write_all(b"half of it")?;
             Err(io::Error::other("no more"))
@@ -284,7 +282,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let [first, second] = ["a", "b"].map(|name| folder.path().join(name));
         fs::write(&first, "old").unwrap();
-        let [one, other] = [&first, &second].map(|path| OutputFile::reserve(path).unwrap());
+        let [one, other] = [&first, &second].map(|path| OutputFile::reserve(path, Ranks::alone()).unwrap());
         let filled = one.filled(|file| file.write_all(b"new")).unwrap();
         assert!(other.filled(|_| Err(io::Error::other("no more"))).is_err());
         drop(filled);
@@ -295,7 +293,7 @@ mod tests {
     #[test]
     fn reserving_creates_nothing() {
         let folder = tempfile::tempdir().unwrap();
-        OutputFile::reserve(&folder.path().join("out.txt")).unwrap();
+        OutputFile::reserve(&folder.path().join("out.txt"), Ranks::alone()).unwrap();
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
     }
 
@@ -303,7 +301,7 @@ mod tests {
     fn folders_and_files_in_no_folder_are_refused() {
         let folder = tempfile::tempdir().unwrap();
         for path in [folder.path().to_owned(), folder.path().join("none/out.txt")] {
-            assert!(matches!(OutputFile::reserve(&path), Err(CliError::Unwritable { .. })));
+            assert!(matches!(OutputFile::reserve(&path, Ranks::alone()), Err(CliError::Unwritable { .. })));
         }
     }
 
@@ -312,7 +310,7 @@ mod tests {
     fn devices_are_written_to_not_replaced() {
         use std::os::unix::fs::FileTypeExt;
         let null = Path::new("/dev/null");
-        OutputFile::reserve(null).unwrap().write(|file| file.write_all(b"gone")).unwrap();
+        OutputFile::reserve(null, Ranks::alone()).unwrap().write(|file| file.write_all(b"gone")).unwrap();
         assert!(fs::metadata(null).unwrap().file_type().is_char_device());
     }
 }

@@ -3,10 +3,12 @@
 use std::path::Path;
 
 use radiosity_output::documents::viewer::{Start, texels, write_viewer};
-use radiosity_output::pictures::lightmap::{Lightmap, Stage};
+use radiosity_output::pictures::lightmap::Lightmap;
 use radiosity_output::pictures::render::usual_read;
 use radiosity_output::readings::reader::Read;
 use radiosity_scene::{Material, Scene};
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     error::CliError,
@@ -22,14 +24,6 @@ use crate::{
 /// can be interpolated.
 const PIXELS: u64 = 2;
 
-/// Shows how far the light of textures is.
-pub(crate) fn show(progress: &Progress, stage: Stage) {
-    match stage {
-        Stage::Expected(seconds) => progress.expect("texels", seconds),
-        Stage::Texels(done, all) => progress.show("texels", done, all),
-    }
-}
-
 /// Solves the scene and writes the page of its light, read by `read` or as that takes little time.
 pub(crate) fn write(
     loaded: Loaded,
@@ -38,21 +32,22 @@ pub(crate) fn write(
     (path, output): (&Path, &OutputFile),
     start: &Start,
     read: Option<Read>,
+    ranks: &Ranks,
 ) -> Result<(), CliError> {
     let scene = &loaded.scene;
     let reckoned = Lightmap::sizes(scene, texels(scene.light_groups().len().max(1), scene.bands.len()));
     let reckoned = reckoned.iter().map(|[across, down]| across * down).sum();
-    forecast::require_texels(reckoned, scene, method, "choose a file ending in .png")?;
-    let progress = Progress::new(report.quiet);
-    let run = Run::solve(loaded, method, report, &progress)?;
+    forecast::require_texels(reckoned, scene, method, "choose a file ending in .png", ranks)?;
+    let (progress, deadline) = (Progress::of(report, ranks), method.deadline());
+    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
+    let run = Run::solve(loaded, method, report, &work)?;
     let solution = &run.solved.outcome.solution;
     let parts = solution.groups().len().max(1);
     let texels = texels(parts, solution.bands().len());
     let pixels = PIXELS * (texels * parts) as u64;
     let usual = || usual_read(solution, run.solved.visibility(), pixels);
     let read_by = read.unwrap_or_else(usual);
-    let tell = |stage| show(&progress, stage);
-    let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &tell))?;
+    let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &work))?;
     output.write(|writer| write_viewer(&run.solved, &lightmap, start, writer))?;
     let mut written = path.display().to_string();
     if read.is_none() && read_by == Read::Direct {

@@ -6,6 +6,7 @@ use clap::Args;
 use radiosity_output::documents::plan_page::plan_page;
 use radiosity_output::readings::probe::Reading;
 use radiosity_scene::Scene;
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     colours::ColourArgs,
@@ -43,6 +44,7 @@ impl PictureArgs {
         loaded: &Loaded,
         report: &ReportArgs,
         sensors: &Sensors,
+        ranks: &Ranks,
     ) -> Result<Option<Drawing<'_>>, CliError> {
         let Some(path) = &self.picture else { return self.without() };
         if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
@@ -59,7 +61,7 @@ impl PictureArgs {
         }
         self.colours.check()?;
         let band = self.colours.band(&loaded.scene)?;
-        let output = loaded.reserve(path, report)?;
+        let output = loaded.reserve(path, report, ranks)?;
         Ok(Some(Drawing { colours: &self.colours, band, output, written: path.display().to_string() }))
     }
 

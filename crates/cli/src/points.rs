@@ -7,6 +7,7 @@ use radiosity_geom::DVec3;
 use radiosity_language::csv_rows::{Row, Unreadable, rows};
 use radiosity_language::input;
 use radiosity_output::readings::probe::Probe;
+use radiosity_work::ranks::Ranks;
 use thiserror::Error;
 
 /// Names of the columns.
@@ -38,10 +39,10 @@ pub(crate) struct PointsError {
 }
 
 impl Points {
-    /// Reads a file, or standard input for `-`.
-    pub(crate) fn load(source: &str) -> Result<Self, PointsError> {
+    /// Reads a file, or standard input for `-`, which the first of these ranks shares.
+    pub(crate) fn load(source: &str, ranks: &Ranks) -> Result<Self, PointsError> {
         let origin = if source == "-" { "<stdin>" } else { source };
-        let text = input::bytes(source).map_err(|reason| PointsError {
+        let text = input::bytes(source, ranks).map_err(|reason| PointsError {
             origin: origin.to_owned(),
             place: None,
             fault: format!("cannot be read: {reason}"),

@@ -10,6 +10,8 @@ use radiosity_output::readings::read_error::ReadError;
 use radiosity_output::readings::reader::Reader;
 use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 use serde::Serialize;
 
 use crate::{
@@ -76,7 +78,7 @@ pub(crate) struct ProbeArgs {
 
 impl ProbeArgs {
     /// Reads the points, if any are given, before the scene, so that a fault in them is reported before any work.
-    pub(crate) fn load_points(&self) -> Result<Option<Points>, CliError> {
+    pub(crate) fn load_points(&self, ranks: &Ranks) -> Result<Option<Points>, CliError> {
         let Some(points) = &self.points else {
             return if self.planes.is_typed() { Ok(None) } else { Err(nowhere()) };
         };
@@ -94,7 +96,7 @@ impl ProbeArgs {
                 cure: "save one of them to a file".to_owned(),
             }));
         }
-        Ok(Some(Points::load(points)?))
+        Ok(Some(Points::load(points, ranks)?))
     }
 
     /// `output`, if it is not the file of the points.
@@ -114,25 +116,30 @@ fn nowhere() -> CliError {
 }
 
 /// Solves the scene and prints the readings.
-pub(crate) fn run(args: &ProbeArgs, points: Option<Points>, loaded: Loaded) -> Result<(), CliError> {
+pub(crate) fn run(
+    args: &ProbeArgs,
+    points: Option<Points>,
+    loaded: Loaded,
+    ranks: &Ranks,
+) -> Result<(), CliError> {
     let sensors = match points {
         Some(points) => Sensors::Points(points),
         None => Sensors::Planes(args.planes.of(&loaded.scene)?),
     };
-    args.read.check(&loaded.options(&args.method), &args.method)?;
-    args.report.reserve()?.map(|report| args.apart(report)).transpose()?;
-    let data = args.data.reserve(&loaded, &args.report, |output| args.apart(output))?;
-    let picture = args.picture.reserve(&loaded, &args.report, &sensors)?;
-    let progress = Progress::new(args.report.quiet);
+    args.read.check(&loaded.options(&args.method, ranks), &args.method)?;
+    args.report.reserve(ranks)?.map(|report| args.apart(report)).transpose()?;
+    let data = args.data.reserve(&loaded, &args.report, ranks, |output| args.apart(output))?;
+    let picture = args.picture.reserve(&loaded, &args.report, &sensors, ranks)?;
+    let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
+    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
     let mut run =
-        Run::for_sensors(loaded, &sensors.probes(), &args.method, args.read.by(), &args.report, &progress)?;
+        Run::for_sensors(loaded, &sensors.probes(), &args.method, args.read.by(), &args.report, &work)?;
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
-    let observe = |done, total| progress.show("points", done, total);
     let reading = args.read.reading(&args.method, &run);
     let readings = run.in_threads(|| {
         let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
-        probe(&reader, &sensors.probes(), scene.middle, &observe)
+        probe(&reader, &sensors.probes(), scene.middle, &work)
     })?;
     let readings = readings.map_err(|(index, fault)| sensors.unreadable(index, fault))?;
     let table = Table { scene, sensors: &sensors, readings: &readings };

@@ -6,14 +6,18 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use radiosity_output::drawings::round::round_above;
-use radiosity_solve::Progress as Stage;
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
+use radiosity_work::{Observer, Progress as Event, Stage};
+
+use crate::options::ReportArgs;
 
 /// A progress bar; silent if stderr is not a terminal or the user wants quiet. It has no colours.
 #[derive(Debug)]
 pub(crate) struct Progress {
     bar: ProgressBar,
     quiet: bool,
+    /// Whether finished stages are told.
+    verbose: bool,
     /// What stands at the end of every line.
     whole: Mutex<String>,
 }
@@ -22,9 +26,18 @@ pub(crate) struct Progress {
 const LONG: f64 = 1.0;
 
 impl Progress {
-    /// A bar that shows nothing yet; on the rank that writes only.
-    pub(crate) fn new(quiet: bool) -> Self {
-        let quiet = quiet || !ranks::current().is_first();
+    /// A bar that shows nothing yet; on the first of these ranks only.
+    pub(crate) fn new(quiet: bool, ranks: &Ranks) -> Self {
+        Self::telling(quiet, false, ranks)
+    }
+
+    /// As the messages of a run were asked for.
+    pub(crate) fn of(report: &ReportArgs, ranks: &Ranks) -> Self {
+        Self::telling(report.quiet, report.verbose, ranks)
+    }
+
+    fn telling(quiet: bool, verbose: bool, ranks: &Ranks) -> Self {
+        let quiet = quiet || !ranks.is_first();
         let shown = !quiet && stderr().is_terminal();
         let target =
             if shown { ProgressDrawTarget::stderr_with_hz(10) } else { ProgressDrawTarget::hidden() };
@@ -36,6 +49,7 @@ impl Progress {
         Progress {
             bar: ProgressBar::with_draw_target(Some(0), target).with_style(style),
             quiet,
+            verbose,
             whole: Mutex::default(),
         }
     }
@@ -46,20 +60,9 @@ impl Progress {
     }
 
     /// Shows that `done` of `total` rays are sent, and the error that they leave so far.
-    pub(crate) fn show_rays(&self, done: u64, total: u64, error: Option<f64>) {
+    fn show_rays(&self, done: u64, total: u64, error: Option<f64>) {
         let error = error.map(|error| format!(", error so far {error:.1e}"));
         self.show_with("rays", &error.unwrap_or_default(), done, total);
-    }
-
-    /// Shows how far a stage of a solution is, in so many bands.
-    pub(crate) fn show_stage(&self, stage: Stage, bands: usize) {
-        match stage {
-            Stage::Blocks(done, total) => self.show("blocks", done, total),
-            Stage::Rays { done, total, error } => self.show_rays(done, total, error),
-            Stage::Estimate(done, total) => self.show("estimate", done, total),
-            Stage::Solve(band, _, _) => self.show("solve", band, bands),
-            Stage::Finished(..) => {}
-        }
     }
 
     /// From now on says of what whole the stages are a part, at the end of every line.
@@ -80,14 +83,14 @@ impl Progress {
     }
 
     /// Announces, also without a terminal, about how long a stage will take, where that is long.
-    pub(crate) fn expect(&self, stage: &str, seconds: f64) {
+    fn expect(&self, stage: Stage, seconds: f64) {
         if !self.quiet && seconds >= LONG {
             self.write(format!("{stage}: about {} s\n", round_above(seconds)));
         }
     }
 
     /// Writes a line about a finished stage, also without a terminal.
-    pub(crate) fn tell(&self, stage: &str, took: Duration) {
+    fn tell(&self, stage: Stage, took: Duration) {
         if !self.quiet {
             self.write(format!("{stage}: {:.3} s\n", took.as_secs_f64()));
         }
@@ -96,6 +99,19 @@ impl Progress {
     fn write(&self, line: String) {
         // A closed stderr is no error: nobody would see a message.
         self.bar.suspend(|| drop(stderr().write_all(line.as_bytes())));
+    }
+}
+
+impl Observer for Progress {
+    fn hear(&self, event: Event) {
+        match event {
+            Event::Expected { stage, seconds } => self.expect(stage, seconds),
+            Event::Done { stage, done, of } => self.show(stage.name(), done, of),
+            Event::Rays { done, of, error } => self.show_rays(done, of, error),
+            Event::Iteration { band, of, .. } => self.show(Stage::Solve.name(), band, of),
+            Event::Finished { stage, took } if self.verbose => self.tell(stage, took),
+            Event::Finished { .. } => {}
+        }
     }
 }
 

@@ -6,24 +6,26 @@ use radiosity_language::input;
 use radiosity_output::files::solution_file::{is_solution, read};
 use radiosity_scene::{Scene, Source};
 use radiosity_solve::solved::Solved;
+use radiosity_work::ranks::Ranks;
 
 use crate::error::CliError;
 
 /// Areas of the same surface differ by less than this part. Chosen; not tuned.
 const SAME_AREA: f64 = 1e-9;
 
-/// Reads the solution file at `path`, which has to have the surfaces and bands of `scene`.
-pub(crate) fn solution(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
+/// Reads the solution file at `path` with these ranks, which has to have the surfaces and bands of `scene`.
+pub(crate) fn solution(path: &Path, scene: &Scene, ranks: &Ranks) -> Result<Solved, CliError> {
     let refused = |reason: &str, cure: &str| CliError::Refused {
         message: format!("{}: {reason}", path.display()),
         cure: cure.to_owned(),
     };
     let cure = "give a file that `radiosity solve` wrote for this scene";
-    let text = input::text(&path.to_string_lossy()).map_err(|error| refused(&error.to_string(), cure))?;
+    let text = input::text(&path.to_string_lossy(), ranks);
+    let text = text.map_err(|error| refused(&error.to_string(), cure))?;
     if !is_solution(&text) {
         return Err(refused("it is no solution file", cure));
     }
-    let solved = read(&Source::new(&path.to_string_lossy(), &text))?;
+    let solved = read(&Source::new(&path.to_string_lossy(), &text), ranks)?;
     if solved.scene.bands != scene.bands {
         return Err(refused("it has other bands than the scene", cure));
     }

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     error::CliError,
@@ -44,12 +45,12 @@ pub(crate) struct RelightArgs {
 }
 
 /// Reads the solution and writes it at the new factors.
-pub(crate) fn run(args: &RelightArgs) -> Result<(), CliError> {
-    let loaded = Loaded::solved(&args.solution, &args.settings)?;
+pub(crate) fn run(args: &RelightArgs, ranks: &Ranks) -> Result<(), CliError> {
+    let loaded = Loaded::solved(&args.solution, &args.settings, ranks)?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.relit.json", loaded.scene.name).into());
-    let output = loaded.reserve(&path, &args.report)?;
-    let progress = Progress::new(args.report.quiet);
-    let run = Run::read(loaded, &args.report)?;
+    let output = loaded.reserve(&path, &args.report, ranks)?;
+    let progress = Progress::of(&args.report, ranks);
+    let run = Run::read(loaded, &args.report, ranks)?;
     let written = SolutionFormat::of(&path).write(&run.solved, &path, &output)?;
     run.finish(progress, Some(&written))
 }

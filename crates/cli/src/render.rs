@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use radiosity_output::documents::viewer::Start;
 use radiosity_output::files::exr_file::write_exr;
-use radiosity_output::pictures::render::{Stage, render, usual_read, white_balance};
+use radiosity_output::pictures::render::{render, usual_read, white_balance};
 use radiosity_output::pictures::sights::Sights;
 use radiosity_output::pictures::wireframe::wireframe;
 use radiosity_output::readings::reader::Read;
@@ -16,6 +16,8 @@ use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solution::Solution;
 use radiosity_solve::studies::adaptation::{Goal, importance};
 use radiosity_visibility::Visibility;
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     aim::Wanted,
@@ -76,29 +78,29 @@ pub(crate) struct RenderArgs {
 }
 
 /// Solves the scene and writes a picture.
-pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
+pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
     check_aim(args.read, &args.method.request())?;
     let kind = args.style.kind(&path)?;
     if kind == Kind::Glb {
-        return args.bake(&path)?.run(loaded);
+        return args.bake(&path)?.run(loaded, ranks);
     }
-    let output = loaded.reserve(&path, &args.report)?;
+    let output = loaded.reserve(&path, &args.report, ranks)?;
     let camera = camera(args.size(), &loaded.scene)?;
     if kind == Kind::Html {
         let start = args.start(&loaded.scene, camera)?;
-        return page::write(loaded, &args.method, &args.report, (&path, &output), &start, args.read);
+        return page::write(loaded, &args.method, &args.report, (&path, &output), &start, args.read, ranks);
     }
-    require_pixels(&camera, &loaded.scene, args.method.memory)?;
+    require_pixels(&camera, &loaded.scene, args.method.memory, ranks)?;
     let [quantity, unit] = args.shown(&loaded.scene);
-    let mut style = args.style.prepare(&loaded.scene, &camera, [quantity, unit])?;
-    let wanted = args.wanted(&loaded.scene)?;
-    let progress = Progress::new(args.report.quiet);
-    let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
+    let mut style = args.style.prepare(&loaded.scene, &camera, [quantity, unit], ranks)?;
+    let wanted = args.wanted(&loaded.scene, ranks)?;
+    let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
+    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
+    let run = Run::solve(loaded, &args.method, &args.report, &work)?;
     let visibility = run.solved.visibility();
-    let observe = |stage| show(&progress, stage);
-    let threads = run.threads();
-    let worth = wanted.map(|goal| importance(&run.solved.outcome.solution, visibility, &goal, threads));
+    let found = &run.solved.outcome.solution;
+    let worth = wanted.map(|goal| importance(found, visibility, &goal, run.threads, ranks));
     let worth = worth.transpose()?;
     let solution = worth.as_ref().unwrap_or(&run.solved.outcome.solution);
     let (read, show) = match args.importance {
@@ -110,12 +112,12 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     };
     let samples = args.samples();
     let take = |solution: &Solution, visibility: &Visibility| {
-        render(solution, visibility, &camera, samples, read, show, &observe)
+        render(solution, visibility, &camera, samples, read, show, &work)
     };
     let (raster, borders, sights) = run.in_threads(|| {
         style.take_other(|other| take(&other.outcome.solution, other.visibility()));
-        let borders = || wireframe(solution.elements(), visibility, &camera, samples);
-        let sights = || Sights::through(&camera, samples, &run.solved.scene, visibility);
+        let borders = || wireframe(solution.elements(), visibility, &camera, samples, ranks);
+        let sights = || Sights::through(&camera, samples, &run.solved.scene, visibility, ranks);
         let (borders, sights) = (args.style.wireframe.then(borders), args.style.false_colour.then(sights));
         (take(solution, visibility), borders, sights)
     })?;
@@ -132,16 +134,6 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
         output.write(|writer| picture.write_png(writer))?;
     }
     run.finish(progress, Some(&written))
-}
-
-/// Shows how far a picture is.
-pub(crate) fn show(progress: &Progress, stage: Stage) {
-    match stage {
-        Stage::Expected(seconds) => progress.expect("picture", seconds),
-        Stage::Direct(done, total) => progress.show("direct light", done, total),
-        Stage::Gather(done, total) => progress.show("gathering", done, total),
-        Stage::Pixels(done, total) => progress.show("picture", done, total),
-    }
 }
 
 impl RenderArgs {
@@ -193,9 +185,9 @@ impl RenderArgs {
     }
 
     /// What light is to be worth something to, where its importance is shown.
-    fn wanted(&self, scene: &Scene) -> Result<Option<Goal>, CliError> {
+    fn wanted(&self, scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
         let aim = self.method.aim.as_ref().unwrap_or(&Wanted::Gathered);
         // No accuracy follows from the sensors alone; any stands for none.
-        self.importance.then(|| aim.goal(1.0, scene)).transpose()
+        self.importance.then(|| aim.goal(1.0, scene, ranks)).transpose()
     }
 }

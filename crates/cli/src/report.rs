@@ -6,12 +6,14 @@ mod light;
 
 use std::path::Path;
 
-use radiosity_heat::{Heat, HeatError, HeatOptions, Stage as HeatStage};
+use radiosity_heat::{Heat, HeatError, HeatOptions};
 use radiosity_output::documents::report_page::ReportPage;
 use radiosity_output::readings::checkpoint::Checkpoint;
 use radiosity_request::memory::usable;
 use radiosity_scene::Scene;
-use radiosity_solve::{Options, Progress as Stage};
+use radiosity_solve::Options;
+use radiosity_work::ranks::Ranks;
+use radiosity_work::{Progress as Event, Stage, Work};
 
 use crate::{console, error::CliError, progress::Progress, run::Loaded};
 pub(crate) use args::ReportPageArgs;
@@ -19,20 +21,22 @@ use kind::Files;
 use light::Wanted;
 
 /// Solves the scene and writes the report.
-pub(crate) fn run(args: &ReportPageArgs, loaded: Loaded) -> Result<(), CliError> {
+pub(crate) fn run(args: &ReportPageArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.html", loaded.scene.name).into());
     let is_lit = loaded.scene.require_light().is_ok();
     if !is_lit && Heat::is_known(&loaded.scene) {
-        return run_in_the_dark(args, &path, &loaded);
+        return run_in_the_dark(args, &path, &loaded, ranks);
     }
     let loaded = loaded.required()?;
-    let wanted = Wanted::of(args, &loaded.scene)?;
-    args.read.check(&loaded.options(&args.method), &args.method)?;
-    let files = Files::reserve(&path, &wanted.figures(), |path| loaded.reserve(path, &args.report))?;
-    let progress = Progress::new(args.report.quiet);
-    let (run, read) = wanted.read(args, loaded, &progress)?;
+    let wanted = Wanted::of(args, &loaded.scene, ranks)?;
+    args.read.check(&loaded.options(&args.method, ranks), &args.method)?;
+    let reserve = |path: &Path| loaded.reserve(path, &args.report, ranks);
+    let files = Files::reserve(&path, &wanted.figures(), reserve)?;
+    let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
+    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
+    let (run, read) = wanted.read(args, loaded, &work)?;
     let scene = &run.solved.scene;
-    let heat = Heat::is_known(scene).then(|| heat(args, scene, &progress));
+    let heat = Heat::is_known(scene).then(|| heat(args, scene, &progress, ranks));
     let heat = heat.map(told).transpose()?;
     let command = command();
     let light = Some(read.part(&wanted, &run));
@@ -43,43 +47,47 @@ pub(crate) fn run(args: &ReportPageArgs, loaded: Loaded) -> Result<(), CliError>
 }
 
 /// Writes the report of a scene that has heat and no light.
-fn run_in_the_dark(args: &ReportPageArgs, path: &Path, loaded: &Loaded) -> Result<(), CliError> {
+fn run_in_the_dark(
+    args: &ReportPageArgs,
+    path: &Path,
+    loaded: &Loaded,
+    ranks: &Ranks,
+) -> Result<(), CliError> {
     if args.report.report.is_some() {
         return Err(CliError::Refused {
             message: "--report has the figures of light, and no surface of this scene emits any".to_owned(),
             cure: "leave it out; `radiosity heat -o FILE.json` has those of heat".to_owned(),
         });
     }
-    let files = Files::reserve(path, &[], |path| loaded.reserve(path, &args.report))?;
-    let progress = Progress::new(args.report.quiet);
-    let heat = heat(args, &loaded.scene, &progress)?;
+    let files = Files::reserve(path, &[], |path| loaded.reserve(path, &args.report, ranks))?;
+    let progress = Progress::of(&args.report, ranks);
+    let heat = heat(args, &loaded.scene, &progress, ranks)?;
     let command = command();
     let page = ReportPage { scene: &loaded.scene, light: None, heat: Some(Ok(&heat)), command: &command };
     files.write(&page.document())?;
     drop(progress);
-    let checkpoint = Checkpoint::so_far();
+    let checkpoint = Checkpoint::so_far(ranks);
     if !args.report.quiet {
         let mut lines: Vec<String> = checkpoint.iter().map(Checkpoint::to_string).collect();
         lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
         lines.push(format!("wrote {}\n", files.written()));
-        console::tell(&lines.join("\n"));
+        console::tell(&lines.join("\n"), ranks);
     }
     Ok(())
 }
 
 /// The balance of heat, as `radiosity heat` computes it unless told otherwise.
-fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress) -> Result<Heat, HeatError> {
-    let show = |stage| {
-        if let HeatStage::Solution(Stage::Blocks(done, total))
-        | HeatStage::Error(Stage::Blocks(done, total)) = stage
-        {
-            progress.show("blocks of heat", done, total);
+fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress, ranks: &Ranks) -> Result<Heat, HeatError> {
+    let show = |event| {
+        if let Event::Done { stage: Stage::Blocks | Stage::Comparison, done, of } = event {
+            progress.show("blocks of heat", done, of);
         }
     };
     let usual = HeatOptions::default();
     let threads = args.method.threads.unwrap_or(usual.options.threads);
-    let memory = args.method.memory.or_else(usable);
-    Heat::of(scene, &HeatOptions { options: Options { memory, threads, ..usual.options }, ..usual }, &show)
+    let memory = args.method.memory.or_else(|| usable(ranks));
+    let wanted = HeatOptions { options: Options { memory, threads, ..usual.options }, ..usual };
+    Heat::of(scene, &wanted, &Work::among(ranks).told(&show))
 }
 
 /// What is told in the report where a balance fails, if that is a matter of the scene.

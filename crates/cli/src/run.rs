@@ -4,6 +4,7 @@ use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use radiosity_language::Import;
 use radiosity_output::drawings::round::decimals;
 use radiosity_output::files::solution_file::{is_solution, read};
 use radiosity_output::readings::checkpoint::Checkpoint;
@@ -21,8 +22,9 @@ use radiosity_solve::checks::Checks;
 use radiosity_solve::gather::choice::By;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::{Achieved, Aim, Goal};
-use radiosity_solve::{Functional, Options, Outcome, Progress as Stage, in_threads};
-use radiosity_work::ranks;
+use radiosity_solve::{Functional, Options, Outcome, in_threads};
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 
 use crate::console;
 use crate::error::CliError;
@@ -64,24 +66,24 @@ impl Saved {
 
 impl Loaded {
     /// Reads a scene that has light.
-    pub(crate) fn lit(source: &SceneArg) -> Result<Self, CliError> {
+    pub(crate) fn lit(source: &SceneArg, ranks: &Ranks) -> Result<Self, CliError> {
         let started = Instant::now();
-        Self::new(source.path(), source.request().load_lit()?, None, started).required()
+        Self::new(source.path(), source.request().load_lit(ranks)?, None, started).required()
     }
 
     /// Reads a scene that has light, or a solution file; with a solution file the options in `fixed`, which were typed
     /// and change the method, are refused.
-    pub(crate) fn readable(source: &SceneArg, fixed: &[String]) -> Result<Self, CliError> {
-        Self::dark_or_lit(source, fixed)?.required()
+    pub(crate) fn readable(source: &SceneArg, fixed: &[String], ranks: &Ranks) -> Result<Self, CliError> {
+        Self::dark_or_lit(source, fixed, ranks)?.required()
     }
 
     /// The same, whether it has light or not.
-    pub(crate) fn dark_or_lit(source: &SceneArg, fixed: &[String]) -> Result<Self, CliError> {
+    pub(crate) fn dark_or_lit(source: &SceneArg, fixed: &[String], ranks: &Ranks) -> Result<Self, CliError> {
         let started = Instant::now();
         let request = source.request();
-        let text = request.text()?;
+        let text = request.text(ranks)?;
         if !is_solution(&text.text()) {
-            let scene = request.parse(&text)?;
+            let scene = request.parse(&text, ranks)?;
             return Ok(Self::new(source.path(), scene, None, started));
         }
         let tolerance = source.tolerance_length.map(|_| "--tolerance-length".to_owned());
@@ -89,18 +91,18 @@ impl Loaded {
         if let Some(option) = fixed.first().or(tolerance.as_ref()).or(frame.as_ref()) {
             return Err(CliError::Fixed { origin: text.origin.to_string(), option: option.clone() });
         }
-        Ok(Self::saved(source.path(), relit(read(&text)?, &request.later())?, started))
+        Ok(Self::saved(source.path(), relit(read(&text, ranks)?, &request.later())?, started))
     }
 
     /// Reads a solution file, with its light groups at the factors that were set.
-    pub(crate) fn solved(path: &str, settings: &[(String, f64)]) -> Result<Self, CliError> {
+    pub(crate) fn solved(path: &str, settings: &[(String, f64)], ranks: &Ranks) -> Result<Self, CliError> {
         let started = Instant::now();
-        let text = radiosity_language::text_of(path, &[])?;
+        let text = radiosity_language::text_by(path, &[], &Import::default(), ranks)?;
         if !is_solution(&text.text()) {
             return Err(CliError::NotSolved { origin: text.origin.to_string() });
         }
         let file = (path != "-").then(|| Path::new(path));
-        Self::saved(file, relit(read(&text)?, &borrowed(settings))?, started).required()
+        Self::saved(file, relit(read(&text, ranks)?, &borrowed(settings))?, started).required()
     }
 
     fn saved(file: Option<&Path>, solved: Solved, started: Instant) -> Self {
@@ -120,8 +122,8 @@ impl Loaded {
     }
 
     /// The options that the scene was or will be solved with.
-    pub(crate) fn options(&self, method: &MethodArgs) -> Options {
-        self.saved.as_ref().map_or_else(|| options(method), |saved| saved.options)
+    pub(crate) fn options(&self, method: &MethodArgs, ranks: &Ranks) -> Options {
+        self.saved.as_ref().map_or_else(|| options(method, ranks), |saved| saved.options)
     }
 
     /// All that results hang on besides what was typed.
@@ -131,8 +133,13 @@ impl Loaded {
     }
 
     /// Finds out, before the work, whether `output` can be written, and is neither the input nor the report.
-    pub(crate) fn reserve(&self, output: &Path, report: &ReportArgs) -> Result<OutputFile, CliError> {
-        let output = self.apart(OutputFile::reserve(output)?)?;
+    pub(crate) fn reserve(
+        &self,
+        output: &Path,
+        report: &ReportArgs,
+        ranks: &Ranks,
+    ) -> Result<OutputFile, CliError> {
+        let output = self.apart(OutputFile::reserve(output, ranks)?)?;
         match &report.report {
             Some(report) => output.apart_from(report, "the report"),
             None => Ok(output),
@@ -176,6 +183,7 @@ pub(crate) struct Run {
     pub(crate) solved: Solved,
     /// Threads to work with.
     pub(crate) threads: usize,
+    ranks: Ranks,
     report: Report,
     report_file: Option<OutputFile>,
     quiet: bool,
@@ -189,6 +197,7 @@ pub(crate) struct Run {
 /// What is known of a run before it solves.
 struct Start {
     threads: usize,
+    ranks: Ranks,
     /// Whether the solution was read from a file.
     is_saved: bool,
     started: Instant,
@@ -199,22 +208,29 @@ struct Start {
 
 impl Start {
     /// That of what was loaded; finds out whether the report can be written.
-    fn of(loaded: &Loaded, threads: usize, report: &ReportArgs) -> Result<Self, CliError> {
-        let report_file = report.reserve()?.map(|file| loaded.apart(file)).transpose()?;
+    fn of(loaded: &Loaded, threads: usize, report: &ReportArgs, ranks: &Ranks) -> Result<Self, CliError> {
+        let report_file = report.reserve(ranks)?.map(|file| loaded.apart(file)).transpose()?;
         let Loaded { saved, started, seconds, .. } = loaded;
-        Ok(Self { threads, is_saved: saved.is_some(), started: *started, seconds: *seconds, report_file })
+        Ok(Self {
+            threads: ranks.threads(threads),
+            ranks: ranks.clone(),
+            is_saved: saved.is_some(),
+            started: *started,
+            seconds: *seconds,
+            report_file,
+        })
     }
 }
 
 impl Run {
-    /// Solves the scene, unless its solution was read; the bar shows how far it is.
+    /// Solves the scene, unless its solution was read.
     pub(crate) fn solve(
         loaded: Loaded,
         method: &MethodArgs,
         report: &ReportArgs,
-        progress: &Progress,
+        work: &Work<'_>,
     ) -> Result<Self, CliError> {
-        Self::with_options(loaded, method, options(method), report, progress)
+        Self::with_options(loaded, method, options(method, work.ranks), report, work)
     }
 
     /// The same for light that is gathered by cells or rays.
@@ -223,10 +239,10 @@ impl Run {
         method: &MethodArgs,
         by: By,
         report: &ReportArgs,
-        progress: &Progress,
+        work: &Work<'_>,
     ) -> Result<Self, CliError> {
-        let goal = method.goal(&loaded.scene)?.map(|goal| goal.read_by(by));
-        Self::to(goal, loaded, method, options(method), report, progress)
+        let goal = method.goal(&loaded.scene, work.ranks)?.map(|goal| goal.read_by(by));
+        Self::to(goal, loaded, method, options(method, work.ranks), report, work)
     }
 
     /// The same; where an accuracy is wanted and nothing says of what, it is that of these sensors.
@@ -236,13 +252,14 @@ impl Run {
         method: &MethodArgs,
         by: By,
         report: &ReportArgs,
-        progress: &Progress,
+        work: &Work<'_>,
     ) -> Result<Self, CliError> {
         let goal = match (&method.aim, method.request().wanted_accuracy()) {
             (None, Some(accuracy)) => Some(at_probes(accuracy, sensors, &loaded.scene)),
-            _ => method.goal(&loaded.scene)?,
+            _ => method.goal(&loaded.scene, work.ranks)?,
         };
-        Self::to(goal.map(|goal| goal.read_by(by)), loaded, method, options(method), report, progress)
+        let asked = options(method, work.ranks);
+        Self::to(goal.map(|goal| goal.read_by(by)), loaded, method, asked, report, work)
     }
 
     /// As [`Run::solve`], with options that no longer follow from the command line alone.
@@ -251,10 +268,10 @@ impl Run {
         method: &MethodArgs,
         asked: Options,
         report: &ReportArgs,
-        progress: &Progress,
+        work: &Work<'_>,
     ) -> Result<Self, CliError> {
-        let goal = method.goal(&loaded.scene)?;
-        Self::to(goal, loaded, method, asked, report, progress)
+        let goal = method.goal(&loaded.scene, work.ranks)?;
+        Self::to(goal, loaded, method, asked, report, work)
     }
 
     /// Solves until the goal is reached, if there is one.
@@ -264,39 +281,34 @@ impl Run {
         method: &MethodArgs,
         asked: Options,
         report: &ReportArgs,
-        progress: &Progress,
+        work: &Work<'_>,
     ) -> Result<Self, CliError> {
         method.request().check()?;
-        let start = Start::of(&loaded, asked.threads, report)?;
-        let bands = loaded.scene.bands.len();
-        let observe = |stage| match stage {
-            Stage::Finished(name, duration) if report.verbose => progress.tell(name, duration),
-            stage => progress.show_stage(stage, bands),
-        };
+        let start = Start::of(&loaded, asked.threads, report, work.ranks)?;
         let scene = loaded.scene;
         let solved = match (loaded.saved, goal) {
             (Some(saved), _) => saved.with(scene),
-            (None, Some(goal)) => Solved::to_accuracy(scene, &asked, &goal, &observe)?,
-            (None, None) => Solved::new(scene, asked, &observe)?,
+            (None, Some(goal)) => Solved::to_accuracy(scene, &asked, &goal, work)?,
+            (None, None) => Solved::new(scene, asked, work)?,
         };
         Ok(Self::new(solved, start, report))
     }
 
     /// Takes a solution file as it was read.
-    pub(crate) fn read(loaded: Loaded, report: &ReportArgs) -> Result<Self, CliError> {
-        let start = Start::of(&loaded, Options::default().threads, report)?;
+    pub(crate) fn read(loaded: Loaded, report: &ReportArgs, ranks: &Ranks) -> Result<Self, CliError> {
+        let start = Start::of(&loaded, 0, report, ranks)?;
         let saved = loaded.saved.expect("a solution file was read");
         Ok(Self::new(saved.with(loaded.scene), start, report))
     }
 
     fn new(solved: Solved, start: Start, report: &ReportArgs) -> Self {
-        let Start { threads, is_saved, started, seconds, report_file } = start;
-        let mut summary = Report::new(&solved);
+        let Start { threads, ranks, is_saved, started, seconds, report_file } = start;
+        let mut summary = Report::new(&solved, threads);
         summary.seconds.load = seconds;
-        summary.threads = threads;
         Self {
             solved,
             threads,
+            ranks,
             saved: is_saved,
             report: summary,
             report_file,
@@ -310,14 +322,6 @@ impl Run {
     /// Whether the solution was read from a file.
     pub(crate) fn is_saved(&self) -> bool {
         self.saved
-    }
-
-    /// Number of threads that work.
-    pub(crate) fn threads(&self) -> usize {
-        match self.threads {
-            0 => ranks::current().place().threads,
-            threads => threads,
-        }
     }
 
     /// Runs long work with as many threads as were asked for.
@@ -345,8 +349,8 @@ impl Run {
     pub(crate) fn finish(mut self, progress: Progress, written: Option<&str>) -> Result<(), CliError> {
         self.report.seconds.output = self.ready.elapsed().as_secs_f64();
         self.report.seconds.total = self.started.elapsed().as_secs_f64();
-        self.report.ranks = RanksWork::so_far(self.threads());
-        self.report.add_checkpoint(Checkpoint::so_far());
+        self.report.ranks = RanksWork::so_far(&self.ranks, self.threads);
+        self.report.add_checkpoint(Checkpoint::so_far(&self.ranks));
         drop(progress);
         if let Some(file) = &self.report_file {
             file.write(|writer| Ok(serde_json::to_writer_pretty(writer, &self.report)?))?;
@@ -473,7 +477,7 @@ impl Run {
         lines.extend(self.report.planes.iter().flat_map(|plane| plane.lines(&self.report.unit)));
         lines.extend(self.report.warnings.iter().map(Warning::to_string));
         lines.extend(written.map(|path| format!("wrote {path}")));
-        console::tell(&(lines.join("\n") + "\n"));
+        console::tell(&(lines.join("\n") + "\n"), &self.ranks);
     }
 }
 
@@ -501,7 +505,7 @@ fn groups(groups: &[LightGroup]) -> Option<String> {
     (!list.is_empty()).then(|| format!("light groups: {}", list.join(", ")))
 }
 
-/// The library's options of a method as typed.
-pub(crate) fn options(method: &MethodArgs) -> Options {
-    method.request().options()
+/// The library's options of a method as typed, on these ranks.
+pub(crate) fn options(method: &MethodArgs, ranks: &Ranks) -> Options {
+    method.request().options(ranks)
 }

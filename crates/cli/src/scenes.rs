@@ -2,6 +2,7 @@
 
 use clap::Args;
 use radiosity_language::Parameter;
+use radiosity_work::ranks::Ranks;
 
 use crate::{console, error::CliError, table::Table};
 
@@ -11,7 +12,7 @@ use crate::{console, error::CliError, table::Table};
 pub(crate) struct ScenesArgs {}
 
 /// Prints name, number of surfaces and title of every built-in scene, then their parameters.
-pub(crate) fn run(_: &ScenesArgs) -> Result<(), CliError> {
+pub(crate) fn run(_: &ScenesArgs, ranks: &Ranks) -> Result<(), CliError> {
     let mut scenes = Table::new(["scene", "surfaces", "title"]);
     let mut parameters = Table::new(["scene", "parameter", "default", "from", "to", "meaning"]);
     for builtin in radiosity_language::builtins() {
@@ -24,5 +25,5 @@ pub(crate) fn run(_: &ScenesArgs) -> Result<(), CliError> {
         }
     }
     let hint = "for example: radiosity render teapot --set height=1.3";
-    Ok(console::print(format!("{scenes}\n{parameters}\n{hint}\n").as_bytes())?)
+    Ok(console::print(format!("{scenes}\n{parameters}\n{hint}\n").as_bytes(), ranks)?)
 }

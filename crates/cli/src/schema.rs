@@ -2,6 +2,7 @@
 
 use clap::Args;
 use radiosity_language::schema;
+use radiosity_work::ranks::Ranks;
 
 use crate::console;
 use crate::error::CliError;
@@ -17,6 +18,6 @@ Example:
 pub(crate) struct SchemaArgs {}
 
 /// Prints the schema.
-pub(crate) fn run(_: &SchemaArgs) -> Result<(), CliError> {
-    Ok(console::print(format!("{:#}\n", schema()).as_bytes())?)
+pub(crate) fn run(_: &SchemaArgs, ranks: &Ranks) -> Result<(), CliError> {
+    Ok(console::print(format!("{:#}\n", schema()).as_bytes(), ranks)?)
 }

@@ -5,11 +5,13 @@ use std::path::PathBuf;
 use clap::Args;
 use radiosity_request::{KEPT, require_all_bounces};
 use radiosity_solve::{Options, Outcome, Sampling};
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     checkpoint::CheckpointArgs,
     error::CliError,
-    interrupt::STOP,
+    interrupt,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SceneArg},
     progress::Progress,
     run::{Loaded, Run, options},
@@ -45,7 +47,7 @@ pub(crate) struct SolveArgs {
 }
 
 /// Solves the scene and writes the coefficients.
-pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
+pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
     require_all_bounces(
         &args.method.request(),
         KEPT,
@@ -53,12 +55,16 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
     )?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
     let format = SolutionFormat::of(&path);
-    format.check(&path, &options(&args.method))?;
-    let output = loaded.reserve(&path, &args.report)?;
-    let progress = Progress::new(args.report.quiet);
-    let stop = args.keep_partial.then_some(&STOP);
-    let options = Options { keep_partial: args.keep_partial, stop, ..options(&args.method) };
-    let run = Run::with_options(loaded, &args.method, options, &args.report, &progress)?;
+    format.check(&path, &options(&args.method, ranks))?;
+    let output = loaded.reserve(&path, &args.report, ranks)?;
+    let (progress, limit) = (Progress::of(&args.report, ranks), args.method.deadline());
+    let deadline = match args.keep_partial {
+        true => Some(interrupt::soften(args.method.request().deadline())),
+        false => limit.as_ref(),
+    };
+    let work = Work { ranks, observer: &progress, deadline };
+    let options = Options { keep_partial: args.keep_partial, ..options(&args.method, ranks) };
+    let run = Run::with_options(loaded, &args.method, options, &args.report, &work)?;
     let Outcome { converged, residual, sampling, .. } = run.solved.outcome;
     let written = format.write(&run.solved, &path, &output)?;
     run.finish(progress, Some(&written))?;

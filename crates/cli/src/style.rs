@@ -19,6 +19,7 @@ use radiosity_output::readings::difference::Difference;
 use radiosity_output::readings::shown::{Shown, band_name};
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solved::Solved;
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     colours::{ColourArgs, Range},
@@ -160,13 +161,14 @@ impl StyleArgs {
         scene: &Scene,
         camera: &Camera,
         [quantity, unit]: [String; 2],
+        ranks: &Ranks,
     ) -> Result<Style<'_>, CliError> {
         self.check_colours()?;
         self.colours.check()?;
         let band = self.colours.band(scene)?;
         let band_name = band_name(&scene.bands, band);
         let title = [quantity].into_iter().chain(band_name.clone()).chain([unit]).collect();
-        let other = self.difference.as_deref().map(|path| other(path, scene, camera)).transpose()?;
+        let other = self.difference.as_deref().map(|path| other(path, scene, camera, ranks)).transpose()?;
         Ok(Style { args: self, band, title, band_name, other })
     }
 
@@ -196,9 +198,9 @@ impl StyleArgs {
     }
 }
 
-fn other(path: &Path, scene: &Scene, camera: &Camera) -> Result<Other, CliError> {
+fn other(path: &Path, scene: &Scene, camera: &Camera, ranks: &Ranks) -> Result<Other, CliError> {
     if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("exr")) {
-        return Ok(Other::Solved(Box::new(reference::solution(path, scene)?)));
+        return Ok(Other::Solved(Box::new(reference::solution(path, scene, ranks)?)));
     }
     let refused = |reason: String, cure: &str| CliError::Refused {
         message: format!("{}: {reason}", path.display()),

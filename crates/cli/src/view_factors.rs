@@ -15,6 +15,8 @@ use radiosity_output::readings::rank_work::RanksWork;
 use radiosity_output::readings::row_sums::RowSums;
 use radiosity_scene::Scene;
 use radiosity_solve::view_factors::ViewFactors;
+use radiosity_work::ranks::Ranks;
+use radiosity_work::{Progress as Event, Work};
 
 use crate::{
     console, destination::Destination, error::CliError, format, given::Given, options::SceneArg,
@@ -86,31 +88,42 @@ impl Format {
 }
 
 /// Computes the factors and writes them.
-pub(crate) fn run(args: &ViewFactorsArgs, given: &Given) -> Result<(), CliError> {
+pub(crate) fn run(args: &ViewFactorsArgs, given: &Given, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
     let format = args.format()?;
     args.transfers.request().check()?;
-    let scene = args.scene.request().load()?;
-    let ranks = args.transfers.checkpoint.ranks(given, &scene, &[])?;
-    ranks.within(|| of_scene(args, &scene, format, start))
+    let scene = args.scene.request().load(ranks)?;
+    let ranks = args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
+    of_scene(args, &scene, format, start, &ranks)
 }
 
 /// The same for a scene that was read; the command began at `start`.
-fn of_scene(args: &ViewFactorsArgs, scene: &Scene, format: Format, start: Instant) -> Result<(), CliError> {
+fn of_scene(
+    args: &ViewFactorsArgs,
+    scene: &Scene,
+    format: Format,
+    start: Instant,
+    ranks: &Ranks,
+) -> Result<(), CliError> {
     let pairs: Vec<[usize; 2]> =
         args.pairs.iter().map(|pair| named_pair(scene, pair)).collect::<Result<_, _>>()?;
-    let reserve = |path| args.scene.kept_apart(OutputFile::reserve(path)?);
-    let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
-    let progress = Progress::new(args.transfers.quiet);
+    let reserve = |path| args.scene.kept_apart(OutputFile::reserve(path, ranks)?);
+    let destination = Destination::of(args.output.as_deref().map(reserve).transpose()?, ranks);
+    let progress = Progress::new(args.transfers.quiet, ranks);
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
-    let show = |done, total| progress.show("pairs", done, total);
-    let factors = ViewFactors::of_pairs(scene, &wanted, &args.transfers.request().factors(), &show)?;
+    let show = |event| {
+        if let Event::Done { done, of, .. } = event {
+            progress.show("pairs", done, of);
+        }
+    };
+    let work = Work::among(ranks).told(&show);
+    let factors = ViewFactors::of_pairs(scene, &wanted, &args.transfers.request().factors(), &work)?;
     let form = Form { format, sparse: args.sparse, pairs };
     destination.write(|writer| form.write(scene, &factors, writer))?;
     drop(progress);
     if !args.transfers.quiet {
-        args.tell(scene, &factors, start);
+        args.tell(scene, &factors, start, ranks);
     }
     Ok(())
 }
@@ -192,7 +205,7 @@ impl ViewFactorsArgs {
     }
 
     /// The summary on stderr.
-    fn tell(&self, scene: &Scene, factors: &ViewFactors, start: Instant) {
+    fn tell(&self, scene: &Scene, factors: &ViewFactors, start: Instant, ranks: &Ranks) {
         let mut lines = vec![
             format!("{}: {} surfaces", scene.name, factors.names.len()),
             format!(
@@ -203,8 +216,9 @@ impl ViewFactorsArgs {
                 factors.rays
             ),
         ];
-        lines.extend(RanksWork::so_far(self.transfers.request().threads()).map(|work| work.to_string()));
-        let checkpoint = Checkpoint::so_far();
+        let threads = self.transfers.request().threads();
+        lines.extend(RanksWork::so_far(ranks, threads).map(|work| work.to_string()));
+        let checkpoint = Checkpoint::so_far(ranks);
         lines.extend(checkpoint.as_ref().map(Checkpoint::to_string));
         lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
@@ -217,7 +231,7 @@ impl ViewFactorsArgs {
         }
         lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
         lines.extend(self.output.as_ref().map(|path| format!("wrote {}", path.display())));
-        console::tell(&(lines.join("\n") + "\n"));
+        console::tell(&(lines.join("\n") + "\n"), ranks);
     }
 
     /// What row sums and reciprocity say.

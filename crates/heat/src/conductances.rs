@@ -11,7 +11,8 @@
 //! C_ij = A_i ε_i B_ij with Gebhart's factors B_ij (Gebhart 1961); σ C_ij is the radiative conductor of thermal networks.
 
 use radiosity_scene::{LightGroup, Scene};
-use radiosity_solve::{Model, Progress};
+use radiosity_solve::Model;
+use radiosity_work::Work;
 use rayon::prelude::*;
 
 use super::coats::coated;
@@ -36,11 +37,11 @@ impl Conductances {
         scene: &Scene,
         roles: &Roles,
         model: &Model,
-        progress: &(dyn Fn(Progress) + Sync),
+        work: &Work<'_>,
     ) -> Result<Self, HeatError> {
         let grey = emissivities(scene, roles)?;
         let lit = each_alone(scene, roles)?;
-        let outcome = model.solve(&lit, progress)?;
+        let outcome = model.solve(&lit, work)?;
         let elements = outcome.solution.elements();
         let mut raw = vec![vec![0.0; grey.len()]; grey.len()];
         let rows = outcome.solution.groups().par_iter().filter_map(|group| {

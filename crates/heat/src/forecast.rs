@@ -8,6 +8,7 @@
 
 use radiosity_scene::Scene;
 use radiosity_solve::{Model, Options};
+use radiosity_work::ranks::Ranks;
 
 use super::coats::all_emit;
 use super::conductances::each_alone;
@@ -22,12 +23,13 @@ pub(super) struct Forecast<'a> {
     scene: &'a Scene,
     roles: &'a Roles,
     options: &'a Options,
+    ranks: &'a Ranks,
 }
 
 impl<'a> Forecast<'a> {
-    /// Forecast for the balance of `scene`.
-    pub(super) fn of(scene: &'a Scene, roles: &'a Roles, options: &'a Options) -> Self {
-        Self { scene, roles, options }
+    /// Forecast for the balance of `scene` on each of these ranks.
+    pub(super) fn of(scene: &'a Scene, roles: &'a Roles, options: &'a Options, ranks: &'a Ranks) -> Self {
+        Self { scene, roles, options, ranks }
     }
 
     /// Refuses conductances that need more memory than allowed.
@@ -35,7 +37,7 @@ impl<'a> Forecast<'a> {
         let Some(allowed) = self.options.memory else { return Ok(()) };
         let lit = each_alone(self.scene, self.roles)?;
         let surfaces = self.scene.surfaces.len();
-        let needed = Model::peak_memory(&lit, self.options) + PAIR * (surfaces as u64).pow(2);
+        let needed = Model::peak_memory(&lit, self.options, self.ranks) + PAIR * (surfaces as u64).pow(2);
         if needed <= allowed { Ok(()) } else { Err(HeatError::Conductances { surfaces, needed, allowed }) }
     }
 
@@ -44,7 +46,8 @@ impl<'a> Forecast<'a> {
     pub(super) fn within_memory(&self, orders: &[usize]) -> Vec<usize> {
         let emitting = all_emit(self.scene, self.roles);
         let fits = |order: &usize| {
-            let needed = || Model::peak_memory(&emitting, &Options { order: *order, ..*self.options });
+            let options = Options { order: *order, ..*self.options };
+            let needed = || Model::peak_memory(&emitting, &options, self.ranks);
             *order < self.options.order || self.options.memory.is_none_or(|allowed| needed() <= allowed)
         };
         orders.iter().copied().filter(fits).collect()

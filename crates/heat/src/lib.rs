@@ -30,11 +30,11 @@ mod field;
 mod shields;
 mod conductances;
 mod forecast;
-mod stage;
 
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
-use radiosity_solve::{Direct, Model, Options, Outcome, Progress, Transport, in_threads};
+use radiosity_solve::{Direct, Model, Options, Outcome, Transport};
+use radiosity_work::{Progress, Stage, Work};
 
 pub use black_body::{STEFAN_BOLTZMANN, kelvin};
 use closure::{Closure, close};
@@ -45,7 +45,6 @@ pub use figures::SurfaceHeat;
 use figures::{add_errors_of_blocks, add_errors_of_order, figures};
 use forecast::Forecast;
 use roles::Roles;
-pub use stage::Stage;
 
 /// Largest share of the heat exchanged that may be lost in a scene that counts as closed. Chosen.
 const CLOSED: f64 = 1e-3;
@@ -99,33 +98,28 @@ impl Heat {
     }
 
     /// The temperatures and flows of `scene`, with errors from what lower orders find (two below, or the next above 0). In
-    /// closed scenes the transfers are made to close (`heat/closure.rs`).
+    /// closed scenes the transfers are made to close (`heat/closure.rs`). What the latter take is told as [`Stage::Comparison`].
     ///
     /// # Errors
     /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature sets; more heat
     /// drawn than arrives; too little memory; what [`radiosity_solve::solve()`] refuses.
-    pub fn of(
-        scene: &Scene,
-        wanted: &HeatOptions,
-        progress: &(dyn Fn(Stage) + Sync),
-    ) -> Result<Self, HeatError> {
+    pub fn of(scene: &Scene, wanted: &HeatOptions, work: &Work<'_>) -> Result<Self, HeatError> {
         let roles = Roles::of(scene)?;
         let options = Options { direct: Direct::Projected, ..wanted.options };
-        let forecast = Forecast::of(scene, &roles, &options);
+        let forecast = Forecast::of(scene, &roles, &options, work.ranks);
         if wanted.conductances {
             forecast.require_conductances()?;
         }
         let error_orders = forecast.within_memory(&error_orders(options.order));
         let (surfaces, outcome, moved, conductances) = {
-            let show = |stage| progress(Stage::Solution(stage));
-            let Solved { model, mut outcome, closure } = solved(scene, &roles, &options, &show)?;
+            let Solved { model, mut outcome, closure } = solved(scene, &roles, &options, work)?;
             let mut surfaces = figures(scene, &roles, &outcome)?;
             // What rules or rays missed does not matter where sums tell it.
             outcome.miss = outcome.miss.filter(|_| !closure.is_exact);
             let reached = options.eps.max(outcome.accuracy_reached);
             add_errors_of_blocks(&mut surfaces, if closure.is_exact { options.tolerance } else { reached });
             let conductances =
-                || in_threads(options.threads, || Conductances::of(scene, &roles, &model, &show))?;
+                || options.in_threads(work.ranks, || Conductances::of(scene, &roles, &model, work))?;
             let conductances = wanted.conductances.then(conductances).transpose()?;
             (surfaces, outcome, closure.moved, conductances)
         };
@@ -137,7 +131,8 @@ impl Heat {
             conductances,
             outcome,
         };
-        heat.add_errors_of_orders(scene, &roles, &options, &|stage| progress(Stage::Error(stage)))?;
+        let compared = |progress| work.tell(of_comparison(progress));
+        heat.add_errors_of_orders(scene, &roles, &options, &work.told(&compared))?;
         Ok(heat)
     }
 
@@ -147,11 +142,11 @@ impl Heat {
         scene: &Scene,
         roles: &Roles,
         options: &Options,
-        progress: &(dyn Fn(Progress) + Sync),
+        work: &Work<'_>,
     ) -> Result<(), HeatError> {
         for order in self.error_orders.clone() {
             let coarse = at_order(scene, order);
-            let outcome = solved(&coarse, roles, &Options { order, ..*options }, progress)?.outcome;
+            let outcome = solved(&coarse, roles, &Options { order, ..*options }, work)?.outcome;
             let rough = figures(&coarse, roles, &outcome)?;
             add_errors_of_order(&mut self.surfaces, &rough, share_left(options.order, order));
         }
@@ -168,6 +163,16 @@ impl Heat {
     /// temperature there would emit. It varies over surfaces of known flux.
     pub fn levels(&self) -> Solution {
         field::levels(&self.outcome.solution, &self.surfaces)
+    }
+}
+
+/// How far a solution is that tells the error of another one.
+fn of_comparison(progress: Progress) -> Progress {
+    let stage = Stage::Comparison;
+    match progress {
+        Progress::Done { stage: Stage::Blocks, done, of } => Progress::Done { stage, done, of },
+        Progress::Rays { done, of, .. } => Progress::Done { stage, done: done as usize, of: of as usize },
+        other => other,
     }
 }
 
@@ -207,17 +212,12 @@ struct Solved {
 }
 
 /// The model of a scene, with rows that close, and its light with the shields at their levels.
-fn solved(
-    scene: &Scene,
-    roles: &Roles,
-    options: &Options,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Solved, HeatError> {
-    let model = Model::assemble(&all_emit(scene, roles), options, progress)?;
+fn solved(scene: &Scene, roles: &Roles, options: &Options, work: &Work<'_>) -> Result<Solved, HeatError> {
+    let model = Model::assemble(&all_emit(scene, roles), options, work)?;
     levels::require(scene, roles, &model, options)?;
-    let (model, closure) = in_threads(options.threads, || close(scene, model, options))?;
+    let (model, closure) = options.in_threads(work.ranks, || close(scene, model, options))?;
     let radiant = radiant(scene, roles);
-    let outcome = model.solve(&radiant, progress)?;
+    let outcome = model.solve(&radiant, work)?;
     if roles.shields.is_empty() {
         return Ok(Solved { model, outcome, closure });
     }

@@ -17,7 +17,7 @@ use std::ops::Range;
 
 use radiosity_core::dot;
 use radiosity_work::interruption::heed;
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -123,12 +123,12 @@ impl List {
 }
 
 impl Blocks {
-    /// No blocks yet. `starts` are the first coefficients of the elements, and the dimension at the end. If G is
-    /// `symmetric`, each block also stands for its transpose.
-    pub fn empty(starts: Vec<usize>, symmetric: bool) -> Self {
+    /// No blocks yet, to be held by these ranks. `starts` are the first coefficients of the elements, and the dimension at the end.
+    /// If G is `symmetric`, each block also stands for its transpose.
+    pub fn empty(starts: Vec<usize>, symmetric: bool, ranks: &Ranks) -> Self {
         Self {
             complete: vec![true; starts.len() - 1],
-            held: Held::of(&ranks::current(), &starts),
+            held: Held::of(ranks, &starts),
             starts,
             stored: List::default(),
             crosses: List::default(),
@@ -279,7 +279,7 @@ impl Blocks {
         }
         let stored = in_order(ranks.all(self.rows(&self.stored, Self::entries)));
         let crosses = in_order(ranks.all(self.rows(&self.crosses, Self::line_and_rest)));
-        let alone = ranks::Ranks::alone().within(|| Self::empty(self.starts.clone(), self.symmetric));
+        let alone = Self::empty(self.starts.clone(), self.symmetric, Ranks::alone());
         let mut all = Self { complete: self.complete.clone(), ..alone };
         stored.iter().for_each(|Row { pair: [row, column], values, .. }| all.keep(*row, *column, values));
         crosses

@@ -18,6 +18,7 @@ use radiosity_formats::{
 };
 use radiosity_photometry::{error::Refusal, note::Note, place::Place};
 use radiosity_scene::{Fault, Imported, Notation, SceneError, Source};
+use radiosity_work::ranks::Ranks;
 
 use crate::{input, model_tree};
 
@@ -51,19 +52,19 @@ impl Import {
         self.format.or_else(|| Format::of(file))
     }
 
-    /// Reads and repairs the scene in `file`, or in standard input for `-`.
+    /// Reads and repairs the scene in `file`, or in standard input for `-`, which the first of these ranks shares.
     ///
     /// # Errors
     /// A file that cannot be read, or is against the rules of the format; with [`Import::strict`] what needs
     /// repairs.
-    fn model(&self, file: &str, format: Format) -> Result<(Model, Imported), SceneError> {
+    fn model(&self, file: &str, format: Format, ranks: &Ranks) -> Result<(Model, Imported), SceneError> {
         let unreadable = |error: io::Error| SceneError {
             origin: file.to_owned(),
             place: None,
             owner: None,
             fault: Fault::Unreadable { kind: error.kind(), reason: error.to_string() },
         };
-        let bytes = input::bytes(file).map_err(unreadable)?;
+        let bytes = input::bytes(file, ranks).map_err(unreadable)?;
         let files: &dyn Files = if file == "-" { &NoFiles } else { &Beside::scene(Path::new(file)) };
         let name = if file == "-" { "<stdin>" } else { file };
         self.of_bytes(name, &bytes, format, files)
@@ -117,8 +118,8 @@ impl Import {
     ///
     /// # Errors
     /// As [`Import::model`].
-    pub(super) fn source(&self, file: &str, format: Format) -> Result<Source, SceneError> {
-        let (model, imported) = self.model(file, format)?;
+    pub(super) fn source(&self, file: &str, format: Format, ranks: &Ranks) -> Result<Source, SceneError> {
+        let (model, imported) = self.model(file, format, ranks)?;
         let text = Notation::Json.text(model_tree::tree(&model).top());
         // Places in messages are those of this text, not of the file.
         let origin = format!("{} (as read)", imported.file);

@@ -132,8 +132,7 @@ impl Files<'_> {
         if !self.source.reads_files() {
             return Err(Fault::NoIncludes { file: file.to_owned() });
         }
-        let bytes =
-            input::bytes(if file == "-" { "./-" } else { file }).map_err(|error| unreadable(file, &error))?;
+        let bytes = input::of_file(file).map_err(|error| unreadable(file, &error))?;
         self.source.add_picture(file, bytes.into());
         Ok(())
     }

@@ -4,33 +4,39 @@ use std::fs::File;
 use std::io::{self, Read};
 
 use radiosity_photometry::text::decode_western;
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 
 /// Most bytes that are read: some million surfaces. An endless input ends here.
 const MOST: u64 = 1 << 30;
 
-/// The bytes of a file, or of standard input for `-`: that of the first rank, which shares it.
+/// The bytes of a file, or of standard input for `-`: that of the first of these ranks, which shares it.
 ///
 /// # Errors
 /// A file that cannot be opened or read, or is longer than 2³⁰ bytes.
-pub fn bytes(source: &str) -> io::Result<Vec<u8>> {
+pub fn bytes(source: &str, ranks: &Ranks) -> io::Result<Vec<u8>> {
     match source {
         "-" => {
-            let ranks = ranks::current();
             let own = if ranks.is_first() { all(io::stdin(), MOST)? } else { Vec::new() };
             Ok(ranks.of_first(own))
         }
-        path => all(File::open(path)?, MOST),
+        path => of_file(path),
     }
+}
+
+/// The bytes of a file, whatever it is called.
+///
+/// # Errors
+/// As [`bytes`].
+pub(super) fn of_file(path: &str) -> io::Result<Vec<u8>> {
+    all(File::open(path)?, MOST)
 }
 
 /// The text of a file, or of standard input for `-`.
 ///
 /// # Errors
 /// As [`bytes`], and text that is not UTF-8.
-pub fn text(source: &str) -> io::Result<String> {
-    let no_text = |_| io::Error::new(io::ErrorKind::InvalidData, "stream did not contain valid UTF-8");
-    String::from_utf8(bytes(source)?).map_err(no_text)
+pub fn text(source: &str, ranks: &Ranks) -> io::Result<String> {
+    decoded(bytes(source, ranks)?)
 }
 
 /// The text of a file, whatever it is called.
@@ -38,10 +44,12 @@ pub fn text(source: &str) -> io::Result<String> {
 /// # Errors
 /// As [`text`].
 pub(super) fn file(path: &str) -> io::Result<String> {
-    match path {
-        "-" => text("./-"),
-        path => text(path),
-    }
+    decoded(of_file(path)?)
+}
+
+fn decoded(bytes: Vec<u8>) -> io::Result<String> {
+    let no_text = |_| io::Error::new(io::ErrorKind::InvalidData, "stream did not contain valid UTF-8");
+    String::from_utf8(bytes).map_err(no_text)
 }
 
 /// The text of a file, whatever it is called; text that is not UTF-8 is read as Latin-1.
@@ -49,8 +57,7 @@ pub(super) fn file(path: &str) -> io::Result<String> {
 /// # Errors
 /// As [`bytes`], and zero bytes.
 pub(super) fn western(path: &str) -> io::Result<String> {
-    let bytes = bytes(if path == "-" { "./-" } else { path })?;
-    decode_western(&bytes).map_err(|fault| io::Error::new(io::ErrorKind::InvalidData, fault.cause))
+    decode_western(&of_file(path)?).map_err(|fault| io::Error::new(io::ErrorKind::InvalidData, fault.cause))
 }
 
 fn all(input: impl Read, most: u64) -> io::Result<Vec<u8>> {

@@ -9,6 +9,7 @@ use radiosity_scene::{
     surfaces::{Surfaces, fitted_surfaces},
     tree::{Node, Value, entry},
 };
+use radiosity_work::ranks::Ranks;
 
 use crate::builtin::{self, Builtin};
 use crate::export::Export;
@@ -46,24 +47,30 @@ pub fn load_with(source: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneE
 /// # Errors
 /// A file that cannot be read, an unknown name of a scene or a parameter.
 pub fn text_of(source: &str, settings: &[(&str, f64)]) -> Result<Source, SceneError> {
-    text_by(source, settings, &Import::default())
+    text_by(source, settings, &Import::default(), Ranks::alone())
 }
 
-/// The text that [`load_with`] reads; `import` are the options for a file of another program.
+/// The text that [`load_with`] reads; `import` are the options for a file of another program, and the first of these ranks shares its
+/// standard input.
 ///
 /// # Errors
 /// As [`text_of`], and what is against the rules of the format; with [`Import::strict`] what needs repairs.
-pub fn text_by(source: &str, settings: &[(&str, f64)], import: &Import) -> Result<Source, SceneError> {
+pub fn text_by(
+    source: &str,
+    settings: &[(&str, f64)],
+    import: &Import,
+    ranks: &Ranks,
+) -> Result<Source, SceneError> {
     if let Some(scene) = builtin::named(source) {
         let text = scene.text(settings).map_err(|fault| whole_file(source, fault))?;
         return Ok(Source::new(source, &text));
     }
     if let Some(format) = import.format_of(source) {
-        return Ok(import.source(source, format)?.set(settings.iter().copied()));
+        return Ok(import.source(source, format, ranks)?.set(settings.iter().copied()));
     }
     let (origin, text) = match source {
-        "-" => ("<stdin>", input::text(source)),
-        path => (path, input::text(path)),
+        "-" => ("<stdin>", input::text(source, ranks)),
+        path => (path, input::text(path, ranks)),
     };
     let text = text.map_err(|error| unreadable(source, origin, &error))?;
     Ok(Source::new(origin, &text).with_files().set(settings.iter().copied()))

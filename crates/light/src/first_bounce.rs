@@ -20,7 +20,7 @@ use radiosity_elements::{Element, starts};
 use radiosity_geom::DVec3;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::heed;
-use radiosity_work::ranks;
+use radiosity_work::ranks::{PartName, Ranks};
 
 use crate::coats::Coats;
 use crate::direct::DirectLight;
@@ -70,7 +70,7 @@ pub enum Entry {
 }
 
 /// The coefficients of the irradiance from luminaires on `elements`, per band (W m⁻² times scene length).
-pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility) -> Vec<Vec<f64>> {
+pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility, ranks: &Ranks) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, points, .. } = *sources;
     let peaks = Peaks {
         lamps: &points.ends().collect::<Vec<_>>(),
@@ -86,16 +86,16 @@ pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility) -> Vec<Vec<f64>> 
         };
         of_direct(&elements[index], &peaks, bands, &lit)
     };
-    projected(elements.len(), bands, &of_element)
+    projected(elements.len(), bands, &of_element, ranks)
 }
 
 /// The coefficients of the irradiance `lit`, from elements, per band (W m⁻² times scene length).
-fn coefficients(sources: &Emitters<'_>, lit: Lit<'_>) -> Vec<Vec<f64>> {
+fn coefficients(sources: &Emitters<'_>, lit: Lit<'_>, ranks: &Ranks) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, .. } = *sources;
     let bands = coatings.len();
     let peaks = Peaks { lamps: &[], halvings: DIRECT_HALVINGS };
     let of_element = |index: usize| of_direct(&elements[index], &peaks, bands, &|node| lit(index, node));
-    projected(elements.len(), bands, &of_element)
+    projected(elements.len(), bands, &of_element, ranks)
 }
 
 /// Where direct light wants small cells.
@@ -111,8 +111,9 @@ fn projected(
     elements: usize,
     channels: usize,
     project: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync),
+    ranks: &Ranks,
 ) -> Vec<Vec<f64>> {
-    let parts = ranks::current().map(&vec![1.0; elements], project);
+    let parts = ranks.map(PartName::FirstBounce, &vec![1.0; elements], project);
     let together = |channel: usize| parts.iter().flat_map(|part| &part[channel]).copied().collect();
     (0..channels).map(together).collect()
 }
@@ -130,23 +131,29 @@ pub struct CoatedBounce {
 impl CoatedBounce {
     /// The first bounce of exact direct light from `sources`; its relative accuracy is about the smaller of `eps` and
     /// `LOOSEST`.
-    pub fn new(sources: &Emitters<'_>, visibility: &Visibility, eps: f64) -> Self {
+    pub fn new(sources: &Emitters<'_>, visibility: &Visibility, eps: f64, ranks: &Ranks) -> Self {
         let eps = eps.min(LOOSEST);
         let direct = DirectLight::within(sources, visibility, eps);
         let lit = |element: usize, node: &Node| direct.at(element, node.position, node.normal);
         let of_elements = |element: usize, node: &Node| direct.of_elements_at(element, node);
-        let mut d = coefficients(sources, &of_elements);
+        let mut d = coefficients(sources, &of_elements, ranks);
         if !sources.points.is_empty() {
-            let of_points = lit_by(sources, visibility);
+            let of_points = lit_by(sources, visibility, ranks);
             let pairs = d.iter_mut().flatten().zip(of_points.iter().flatten());
             pairs.for_each(|(sum, own)| *sum += own);
         }
-        Self::reflected(sources, visibility, &lit, d, eps)
+        Self::reflected(sources, visibility, &lit, d, eps, ranks)
     }
 
     /// The first bounce of any direct light `lit`, from elements alone.
-    pub fn of(sources: &Emitters<'_>, visibility: &Visibility, lit: Lit<'_>, eps: f64) -> Self {
-        Self::reflected(sources, visibility, lit, coefficients(sources, lit), eps)
+    pub fn of(
+        sources: &Emitters<'_>,
+        visibility: &Visibility,
+        lit: Lit<'_>,
+        eps: f64,
+        ranks: &Ranks,
+    ) -> Self {
+        Self::reflected(sources, visibility, lit, coefficients(sources, lit, ranks), eps, ranks)
     }
 
     /// The first bounce of the direct light `lit` with the coefficients d.
@@ -156,6 +163,7 @@ impl CoatedBounce {
         lit: Lit<'_>,
         d: Vec<Vec<f64>>,
         eps: f64,
+        ranks: &Ranks,
     ) -> Self {
         let Emitters { elements, ref coatings, .. } = *sources;
         let bands = coatings.len();
@@ -164,7 +172,7 @@ impl CoatedBounce {
         let coats = Coats::of(coatings);
         let light = Light { lit, reflection, coats: &coats };
         let of_element = |index: usize| of_reflected(&elements[index], index, &light);
-        let mut channels = projected(elements.len(), coats.count() * bands, &of_element).into_iter();
+        let mut channels = projected(elements.len(), coats.count() * bands, &of_element, ranks).into_iter();
         let reflected = (0..coats.count()).map(|_| channels.by_ref().take(bands).collect()).collect();
         Self { direct: d, coats, reflected }
     }

@@ -17,7 +17,7 @@ use radiosity_elements::Element;
 use radiosity_geom::DVec3;
 use radiosity_kernel::{Kind, blocks::block::Block};
 use radiosity_transport::{Known, KnownBlocks};
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 
 use super::series::MovedBlock;
 use expansion::Expansion;
@@ -92,10 +92,10 @@ impl Expansions {
         self.expanded.store(0, Ordering::Relaxed);
     }
 
-    /// Numbers of blocks that all ranks together summed and expanded for this frame.
-    pub fn counts(&self) -> SeriesCounts {
+    /// Numbers of blocks that all of these ranks together summed and expanded for this frame.
+    pub fn counts(&self, ranks: &Ranks) -> SeriesCounts {
         let own = [&self.summed, &self.expanded].map(|count| count.load(Ordering::Relaxed) as u64);
-        let sums = ranks::current().sums(own.to_vec());
+        let sums = ranks.sums(own.to_vec());
         SeriesCounts { summed: sums[0] as usize, expanded: sums[1] as usize }
     }
 

@@ -49,7 +49,7 @@ pub mod two_scale;
 pub mod linked_blocks;
 
 pub use band_system::BandSystem;
-pub use driver::{Round, solve_hierarchically};
+pub use driver::solve_hierarchically;
 pub use error::HierarchyError;
 pub use fields::Fields;
 pub use leaf_elements::{LinkedElements, leaf_elements};

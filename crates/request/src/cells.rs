@@ -1,6 +1,7 @@
 //! Means over cells: the memory that they need.
 
 use radiosity_scene::Scene;
+use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, words};
 
 use super::memory;
@@ -15,8 +16,13 @@ const BAND: u64 = 85;
 ///
 /// # Errors
 /// Where there is no room.
-pub fn require_cells(sides: [usize; 2], scene: &Scene, allowed: Option<u64>) -> Result<(), Refusal> {
+pub fn require_cells(
+    sides: [usize; 2],
+    scene: &Scene,
+    allowed: Option<u64>,
+    ranks: &Ranks,
+) -> Result<(), Refusal> {
     let cells = (sides[0] * sides[1] * scene.surfaces.len()) as u64;
     let needed = cells * (CELL + BAND * scene.bands.len() as u64);
-    memory::require(needed, allowed, "the cells", words("ask for fewer with ") + option("cells"))
+    memory::require(needed, allowed, "the cells", words("ask for fewer with ") + option("cells"), ranks)
 }

@@ -3,7 +3,7 @@
 use std::fs::read_to_string;
 use std::path::Path;
 
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{Wording, option};
 
 use super::refusal::Refusal;
@@ -11,11 +11,10 @@ use super::refusal::Refusal;
 /// Part of the free memory that is used unless the user says otherwise. Chosen.
 const SHARE: f64 = 0.8;
 
-/// 80 % of the free memory of the machine, or of the control group of this process, whichever is less; None if unknown. Ranks of
-/// one machine share it, and all take what the one with the least has.
-pub fn usable() -> Option<u64> {
+/// 80 % of the free memory of the machine, or of the control group of this process, whichever is less; None if unknown. These ranks
+/// share it where they are on one machine, and all take what the one with the least has.
+pub fn usable(ranks: &Ranks) -> Option<u64> {
     let free = [machine(), confined()].into_iter().flatten().min();
-    let ranks = ranks::current();
     let own = free.map(|free| free / ranks.place().companions as u64);
     let free = ranks.all(own).into_iter().flatten().min()?;
     Some((SHARE * free as f64) as u64)
@@ -31,8 +30,9 @@ pub fn require(
     allowed: Option<u64>,
     what: &str,
     less: impl Into<Wording>,
+    ranks: &Ranks,
 ) -> Result<(), Refusal> {
-    match allowed.or_else(usable) {
+    match allowed.or_else(|| usable(ranks)) {
         Some(allowed) if allowed < needed => Err(Refusal::new(
             format!(
                 "not enough memory: {what} need about {:.0} MB, {:.0} MB allowed",

@@ -10,6 +10,7 @@ use radiosity_published::zatz1993::masked_light::Masking;
 use radiosity_solve::studies::adaptation::Aim;
 use radiosity_solve::{Algorithm, Direct, Options, Preconditioning, Transport};
 use radiosity_solvers::method::Method;
+use radiosity_work::ranks::Ranks;
 
 use super::memory;
 use super::modes::{Kernel, Order, Shadows};
@@ -112,8 +113,8 @@ impl MethodRequest {
         self.accuracy.or_else(|| (self.order == Some(Order::Auto)).then_some(AUTO_ACCURACY))
     }
 
-    /// The library's options; a time limit counts from now.
-    pub fn options(&self) -> Options {
+    /// The library's options on these ranks.
+    pub fn options(&self, ranks: &Ranks) -> Options {
         let usual = self.quality.options();
         Options {
             algorithm: self.algorithm,
@@ -135,8 +136,7 @@ impl MethodRequest {
             bounces: self.bounces,
             tolerance: self.tolerance,
             max_iterations: self.max_iterations,
-            memory: self.memory.or_else(memory::usable),
-            deadline: self.deadline(),
+            memory: self.memory.or_else(|| memory::usable(ranks)),
             threads: self.threads.unwrap_or(usual.threads),
             ..usual
         }
@@ -153,8 +153,8 @@ impl MethodRequest {
         }
     }
 
-    /// Time at which the time limit ends; none without a limit.
-    fn deadline(&self) -> Option<Instant> {
+    /// Time at which the time limit ends, from now on; none without a limit.
+    pub fn deadline(&self) -> Option<Instant> {
         let limit = Duration::try_from_secs_f64(self.time_limit?).ok()?;
         Instant::now().checked_add(limit)
     }

@@ -2,6 +2,7 @@
 
 use radiosity_geom::{Aabb, DVec3, Ray, Rect};
 use radiosity_scene::{Camera, Scene};
+use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, words};
 
 use super::memory;
@@ -61,10 +62,15 @@ pub fn pixels(camera: &Camera) -> u64 {
 ///
 /// # Errors
 /// Where there is no room.
-pub fn require_pixels(camera: &Camera, scene: &Scene, allowed: Option<u64>) -> Result<(), Refusal> {
+pub fn require_pixels(
+    camera: &Camera,
+    scene: &Scene,
+    allowed: Option<u64>,
+    ranks: &Ranks,
+) -> Result<(), Refusal> {
     let pixels = pixels(camera);
     let needed = pixels * (PIXEL + BAND * scene.bands.len() as u64) + pixels.min(AT_ONCE) * IN_WORK;
-    memory::require(needed, allowed, "the pixels", words("ask for fewer with ") + option("size"))
+    memory::require(needed, allowed, "the pixels", words("ask for fewer with ") + option("size"), ranks)
 }
 
 /// A camera for a scene without one, in one line: inside what looks like a room, outside of anything else.

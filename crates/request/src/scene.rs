@@ -6,7 +6,7 @@ use radiosity_formats::{format::Format, materials::SideFile, model::Sides, unit:
 use radiosity_language::{Import, input};
 use radiosity_output::files::solution_file::is_solution;
 use radiosity_scene::{Scene, SceneError, Source};
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 use radiosity_work::ranks::journal::fingerprint;
 use radiosity_work::wording::{option, set, words};
 
@@ -76,8 +76,8 @@ impl SceneRequest {
     /// # Errors
     /// Faults of the scene or of its file, a solution in place of a scene, options that do not go with the
     /// file.
-    pub fn load(&self) -> Result<Scene, LoadError> {
-        self.agreed(radiosity_language::parse(&unsolved(self.text_with(&self.settings, self.strict)?)?)?)
+    pub fn load(&self, ranks: &Ranks) -> Result<Scene, LoadError> {
+        self.parameterised(self.strict, ranks)
     }
 
     /// The scene as [`SceneRequest::load`] reads it, even if it needs repairs.
@@ -85,8 +85,8 @@ impl SceneRequest {
     /// # Errors
     /// Faults of the scene or of its file, a solution in place of a scene, options that do not go with the
     /// file.
-    pub fn load_repaired(&self) -> Result<Scene, LoadError> {
-        self.agreed(radiosity_language::parse(&unsolved(self.text_with(&self.settings, false)?)?)?)
+    pub fn load_repaired(&self, ranks: &Ranks) -> Result<Scene, LoadError> {
+        self.parameterised(false, ranks)
     }
 
     /// The scene with its light groups at the factors that were set.
@@ -94,21 +94,26 @@ impl SceneRequest {
     /// # Errors
     /// Faults of the scene or of its file, a solution in place of a scene, options that do not go with the
     /// file.
-    pub fn load_lit(&self) -> Result<Scene, LoadError> {
-        self.parse(&unsolved(self.text()?)?)
+    pub fn load_lit(&self, ranks: &Ranks) -> Result<Scene, LoadError> {
+        self.parse(&unsolved(self.text(ranks)?)?, ranks)
     }
 
     /// The scene of a text that [`SceneRequest::text`] gave, with its variables and light groups as they were set.
     ///
     /// # Errors
     /// Faults of the scene; ranks that have read different ones.
-    pub fn parse(&self, text: &Source) -> Result<Scene, LoadError> {
-        self.agreed(radiosity_language::parse_with(text, &self.later())?)
+    pub fn parse(&self, text: &Source, ranks: &Ranks) -> Result<Scene, LoadError> {
+        self.agreed(radiosity_language::parse_with(text, &self.later())?, ranks)
+    }
+
+    /// The scene with its parameters or variables as they were set.
+    fn parameterised(&self, strict: bool, ranks: &Ranks) -> Result<Scene, LoadError> {
+        let text = unsolved(self.text_with(&self.settings, strict, ranks)?)?;
+        self.agreed(radiosity_language::parse(&text)?, ranks)
     }
 
     /// The scene, if all ranks have read the same one: they would do different things, and wait for each other.
-    fn agreed(&self, scene: Scene) -> Result<Scene, LoadError> {
-        let ranks = ranks::current();
+    fn agreed(&self, scene: Scene, ranks: &Ranks) -> Result<Scene, LoadError> {
         let differing = if ranks.are_alone() { None } else { ranks.differing(fingerprint(&scene)) };
         let Some(other) = differing else { return Ok(scene) };
         Err(Refusal::new(
@@ -122,8 +127,8 @@ impl SceneRequest {
     ///
     /// # Errors
     /// A file that cannot be read.
-    pub fn text(&self) -> Result<Source, LoadError> {
-        self.text_with(if self.is_builtin() { &self.settings } else { &[] }, self.strict)
+    pub fn text(&self, ranks: &Ranks) -> Result<Source, LoadError> {
+        self.text_with(if self.is_builtin() { &self.settings } else { &[] }, self.strict, ranks)
     }
 
     /// The settings of variables and light groups, which a scene has that is not built in.
@@ -131,9 +136,14 @@ impl SceneRequest {
         if self.is_builtin() { Vec::new() } else { borrowed(&self.settings) }
     }
 
-    fn text_with(&self, settings: &[(String, f64)], strict: bool) -> Result<Source, LoadError> {
-        let import = self.import(strict)?;
-        let text = radiosity_language::text_by(&self.source, &borrowed(settings), &import)?;
+    fn text_with(
+        &self,
+        settings: &[(String, f64)],
+        strict: bool,
+        ranks: &Ranks,
+    ) -> Result<Source, LoadError> {
+        let import = self.import(strict, ranks)?;
+        let text = radiosity_language::text_by(&self.source, &borrowed(settings), &import, ranks)?;
         let text = text.within(self.tolerance);
         Ok(match self.frame {
             Some(frame) => text.at(frame),
@@ -142,12 +152,12 @@ impl SceneRequest {
     }
 
     /// Options of the import; refuses options for a file that is not of another program.
-    fn import(&self, strict: bool) -> Result<Import, Refusal> {
+    fn import(&self, strict: bool, ranks: &Ranks) -> Result<Import, Refusal> {
         let own = &self.import;
         let import = Import {
             format: own.format,
             sides: own.sides,
-            materials: own.materials.as_deref().map(side_file).transpose()?,
+            materials: own.materials.as_deref().map(|path| side_file(path, ranks)).transpose()?,
             unit: own.unit,
             up: own.up,
             tolerance: self.tolerance,
@@ -197,11 +207,11 @@ fn unsolved(text: Source) -> Result<Source, LoadError> {
     }
 }
 
-fn side_file(path: &Path) -> Result<SideFile, Refusal> {
+fn side_file(path: &Path, ranks: &Ranks) -> Result<SideFile, Refusal> {
     let name = path.display().to_string();
     // A file called `-` is one, too: standard input is for the scene.
     let source = if name == "-" { "./-" } else { &name };
-    match input::text(source) {
+    match input::text(source, ranks) {
         Ok(text) => Ok(SideFile { name, text }),
         Err(error) => Err(Refusal::new(
             set("materials", name) + format!(": cannot be read: {error}"),

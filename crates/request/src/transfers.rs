@@ -5,6 +5,7 @@ use radiosity_kernel::Accuracy;
 use radiosity_solve::view_factors;
 use radiosity_solve::{Options, Transport};
 use radiosity_solvers::method::Method;
+use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::set;
 
 use super::memory;
@@ -43,9 +44,9 @@ impl TransferRequest {
         Accuracy { eps: self.eps, shadow_eps: self.shadow_eps.unwrap_or(self.eps) }
     }
 
-    /// Number of threads to use.
+    /// Number of threads to use, 0 for all.
     pub fn threads(&self) -> usize {
-        self.threads.unwrap_or(Options::default().threads)
+        self.threads.unwrap_or(0)
     }
 
     /// Refuses masks, which carry light.
@@ -100,8 +101,8 @@ impl Default for HeatRequest {
 }
 
 impl HeatRequest {
-    /// The library's options of a balance of heat.
-    pub fn options(&self) -> HeatOptions {
+    /// The library's options of a balance of heat on these ranks.
+    pub fn options(&self, ranks: &Ranks) -> HeatOptions {
         let usual = HeatOptions::default().options;
         let Accuracy { eps, shadow_eps } = self.transfers.accuracy();
         let options = Options {
@@ -112,7 +113,7 @@ impl HeatRequest {
             shadows: self.transfers.shadows.hiding(),
             transport: self.transport,
             method: self.solver,
-            memory: self.memory.or_else(memory::usable),
+            memory: self.memory.or_else(|| memory::usable(ranks)),
             threads: self.transfers.threads(),
             ..usual
         };

@@ -27,7 +27,7 @@ use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
 use radiosity_light::first_bounce::Entry;
 use radiosity_transport::Carrier;
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
 use crate::solution::powers::Powers;
@@ -68,17 +68,22 @@ pub struct Checks {
 }
 
 impl Checks {
-    /// The checks of a solution computed with `blocks`, into which direct light entered by `entry`.
-    pub fn of(solution: &Solution, blocks: &dyn Carrier, entry: &Entry) -> Self {
+    /// The checks of a solution computed with `blocks`, which these ranks hold, into which direct light entered by `entry`.
+    pub fn of(solution: &Solution, blocks: &dyn Carrier, entry: &Entry, ranks: &Ranks) -> Self {
         let points = solution.emitters().points;
         let bands = solution.bands().iter().enumerate();
         let light: Vec<Lit<'_>> = bands.map(|(index, band)| lit(band, points.flux(index))).collect();
         let powers = Balance::of(solution.elements(), blocks).powers(&light, entry);
-        Self::with_powers(solution, blocks, powers)
+        Self::with_powers(solution, blocks, powers, ranks)
     }
 
     /// The checks of a solution computed with `blocks`, whose balance of power is known.
-    pub(crate) fn with_powers(solution: &Solution, blocks: &dyn Carrier, powers: Powers) -> Self {
+    pub(crate) fn with_powers(
+        solution: &Solution,
+        blocks: &dyn Carrier,
+        powers: Powers,
+        ranks: &Ranks,
+    ) -> Self {
         let list = solution.elements().list();
         let ones = solution.elements().constant();
         let transported = blocks.integrated_constant(&ones);
@@ -87,8 +92,8 @@ impl Checks {
         let counts = |i: &usize| blocks.is_complete(*i) && list[*i].contact.is_none();
         let complete: Vec<usize> = (0..list.len()).filter(counts).collect();
         let sums = row_sums(list, &complete, blocks.starts(), &transported);
-        let bound = |band: &Band| spectral_bound(blocks, &band.coating, &ones);
-        let bounds = ranks::current().each(solution.bands(), bound);
+        let bound = |band: &Band, _: &Ranks| spectral_bound(blocks, &band.coating, &ones);
+        let bounds = ranks.each(solution.bands(), bound);
         Self {
             closure_max: closure(&complete, blocks.starts(), &ones, &open),
             reciprocity_max: blocks.reciprocity(list),
@@ -209,6 +214,7 @@ mod tests {
     use radiosity_scene::{Material, SceneBuilder};
     use radiosity_transport as transport;
     use radiosity_visibility::{Shadows, Visibility};
+    use radiosity_work::Work;
 
     use super::*;
     use crate::driver::{Options, solve};
@@ -237,16 +243,16 @@ mod tests {
         }
         let scene = cube.build().expect("a scene");
         let options = Options { order: 1, eps: 1e-6, ..Options::default() };
-        let outcome = solve(&scene, &options, &|_| {}).expect("a solution");
+        let outcome = solve(&scene, &options, &Work::alone()).expect("a solution");
         let elements = outcome.solution.elements();
         let visibility = Visibility::new(&scene, Shadows::Off);
-        let whole = transport::assemble(elements, &visibility, options.accuracy(), &|_, _| {});
-        let mut blocks = Blocks::empty(elements.starts(), true);
+        let whole = transport::assemble(elements, &visibility, options.accuracy(), &Work::alone());
+        let mut blocks = Blocks::empty(elements.starts(), true, Ranks::alone());
         for (row, column, values) in whole.iter() {
             let scaled: Vec<f64> = values.iter().map(|value| factor(row, column) * value).collect();
             blocks.push(row, column, &scaled);
         }
-        Checks::of(&outcome.solution, &blocks, &Entry::Carried)
+        Checks::of(&outcome.solution, &blocks, &Entry::Carried, Ranks::alone())
     }
 
     #[test]

@@ -8,6 +8,7 @@
 //! ```
 //! use radiosity_work::interruption::{Interrupted, Interruption};
 //! use radiosity_solve::{Options, solve};
+//! use radiosity_work::Work;
 //! use std::thread;
 //! use std::time::Duration;
 //!
@@ -20,7 +21,7 @@
 //!         thread::sleep(Duration::from_millis(50));
 //!         interruption.raise();
 //!     });
-//!     interruption.within(|| solve(&scene, &options, &|_progress| {}))
+//!     interruption.within(|| solve(&scene, &options, &Work::alone()))
 //! });
 //! assert!(matches!(found, Err(Interrupted)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -36,10 +37,8 @@ mod pool;
 mod stopwatch;
 mod algorithm;
 mod choice;
-mod stop;
 mod options;
 mod decision;
-mod progress;
 mod allowance;
 mod emission;
 mod band;
@@ -54,6 +53,7 @@ mod by_links;
 
 use radiosity_elements::mesh::Mesh;
 use radiosity_scene::Scene;
+use radiosity_work::Work;
 
 pub use algorithm::Algorithm;
 use by_links::solve_by_links;
@@ -68,24 +68,18 @@ pub use options::Options;
 pub use outcome::{Functional, Outcome, Stages};
 pub use pool::in_threads;
 pub use preconditioning::Preconditioning;
-pub use progress::Progress;
 pub use sampling::Sampling;
-pub use stop::Stop;
 pub(crate) use stopwatch::timed;
 
-/// Solves `scene`; `progress` may be called from any thread.
+/// Solves `scene`.
 ///
 /// # Errors
 /// A scene that cannot be cut into elements, a linear solver that fails or does not converge, or threads
 /// that cannot be started.
-pub fn solve(
-    scene: &Scene,
-    options: &Options,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Outcome, Failure> {
+pub fn solve(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
     match options.algorithm {
-        Algorithm::Galerkin => Model::assemble(scene, options, progress)?.solve(scene, progress),
-        Algorithm::Hierarchical => solve_by_links(scene, options, progress),
+        Algorithm::Galerkin => Model::assemble(scene, options, work)?.solve(scene, work),
+        Algorithm::Hierarchical => solve_by_links(scene, options, work),
     }
 }
 
@@ -98,7 +92,7 @@ pub(crate) fn solve_exactly(
     options: &Options,
     why: &str,
     mesh: Option<&Mesh>,
-    progress: &(dyn Fn(Progress) + Sync),
+    work: &Work<'_>,
 ) -> Result<Outcome, Failure> {
-    Model::assemble_exactly(scene, options, why, mesh, progress)?.solve(scene, progress)
+    Model::assemble_exactly(scene, options, why, mesh, work)?.solve(scene, work)
 }

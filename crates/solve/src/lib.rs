@@ -18,5 +18,5 @@ pub mod view_factors;
 
 pub use driver::{
     Algorithm, Choice, Direct, Failure, Fit, Functional, MOST_RAYS, Model, Options, Outcome, Preconditioning,
-    Progress, Sampling, Stages, Stop, Transport, in_threads, solve,
+    Sampling, Stages, Transport, in_threads, solve,
 };

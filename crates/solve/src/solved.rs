@@ -6,8 +6,9 @@ use radiosity_geom::DVec3;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_scene::{Scene, SceneError};
 use radiosity_visibility::Visibility;
+use radiosity_work::Work;
 
-use crate::driver::{Failure, Options, Outcome, Progress, solve};
+use crate::driver::{Failure, Options, Outcome, solve};
 use crate::gather::Gather;
 use crate::solution::Place;
 use crate::studies::adaptation::{Achieved, Adapted, Goal, adapt};
@@ -52,12 +53,8 @@ impl Solved {
     ///
     /// # Errors
     /// As for [`solve`].
-    pub fn new(
-        scene: Scene,
-        options: Options,
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> Result<Self, Failure> {
-        let outcome = solve(&scene, &options, progress)?;
+    pub fn new(scene: Scene, options: Options, work: &Work<'_>) -> Result<Self, Failure> {
+        let outcome = solve(&scene, &options, work)?;
         Ok(Self::of(scene, options, outcome, None))
     }
 
@@ -69,9 +66,9 @@ impl Solved {
         scene: Scene,
         options: &Options,
         goal: &Goal,
-        progress: &(dyn Fn(Progress) + Sync),
+        work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        let Adapted { outcome, options, achieved } = adapt(&scene, options, goal, progress)?;
+        let Adapted { outcome, options, achieved } = adapt(&scene, options, goal, work)?;
         Ok(Self::of(scene, options, outcome, Some(achieved)))
     }
 
@@ -80,7 +77,7 @@ impl Solved {
     ///
     /// ```
     /// use radiosity_solve::{Options, solved::Solved};
-    /// use radiosity_scene::Scene;
+    /// use radiosity_work::Work;
     ///
     /// let room = r#"
     ///     bands = ["lm"]
@@ -90,7 +87,8 @@ impl Solved {
     ///         { material = "floor", disk = { center = [0, 0, 0], normal = [0, 0, 1], radius = 2 } },
     ///         { material = "lamp", disk = { center = [0, 0, 1], normal = [0, 0, -1], radius = 0.2 } },
     ///     ]"#;
-    /// let solved = Solved::new(radiosity_language::from_toml(room, "room")?, Options::default(), &|_progress| {})?;
+    /// let room = radiosity_language::from_toml(room, "room")?;
+    /// let solved = Solved::new(room, Options::default(), &Work::alone())?;
     /// let evening = solved.relight(&[("lamps", 0.25)])?;
     /// let [day, dim] = [&solved, &evening].map(|light| light.outcome.solution.mean_irradiance(0, 0));
     /// assert!((dim - 0.25 * day).abs() < 1e-12 * day);

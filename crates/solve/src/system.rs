@@ -60,6 +60,7 @@ use radiosity_light::first_bounce::{Bounce, Entry};
 use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
+use radiosity_work::ranks::Ranks;
 
 use vector::{distance, per_element, sum};
 
@@ -222,6 +223,11 @@ impl<'a> System<'a> {
             return Ok(Box::new(Product::new(self)));
         }
         Ok(Box::new(self.block_sparse()?.with_threads(threads)))
+    }
+
+    /// Who holds the blocks.
+    fn ranks(&self) -> &Ranks {
+        self.blocks.held().ranks()
     }
 
     fn unknown_count(&self) -> usize {

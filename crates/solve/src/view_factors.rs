@@ -22,6 +22,7 @@ use radiosity_kernel::{Accuracy, Blocks, Miss, PairCounts, Reciprocity};
 use radiosity_scene::Scene;
 use radiosity_transport as transport;
 use radiosity_visibility::{Hiding, Visibility};
+use radiosity_work::Work;
 
 use crate::driver::{Failure, in_threads};
 
@@ -35,7 +36,7 @@ pub struct Options {
     pub accuracy: Accuracy,
     /// How surfaces hide each other.
     pub shadows: Hiding,
-    /// Threads; the result does not depend on it.
+    /// Threads, 0 for all that a rank may use; the result does not depend on it.
     pub threads: usize,
 }
 
@@ -65,16 +66,12 @@ pub struct ViewFactors {
 }
 
 impl ViewFactors {
-    /// Computes the factors of all pairs of surfaces. `progress` gets (pairs done, pairs in all), from any thread.
+    /// Computes the factors of all pairs of surfaces.
     ///
     /// # Errors
     /// A surface without area, or threads that cannot be started.
-    pub fn new(
-        scene: &Scene,
-        options: &Options,
-        progress: &(dyn Fn(usize, usize) + Sync),
-    ) -> Result<Self, Failure> {
-        Self::of_pairs(scene, &|_, _| true, options, progress)
+    pub fn new(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Self, Failure> {
+        Self::of_pairs(scene, &|_, _| true, options, work)
     }
 
     /// Computes the factors of the pairs of surfaces that are `wanted` in either order; all others are zero.
@@ -85,11 +82,11 @@ impl ViewFactors {
         scene: &Scene,
         wanted: &(dyn Fn(usize, usize) -> bool + Sync),
         options: &Options,
-        progress: &(dyn Fn(usize, usize) + Sync),
+        work: &Work<'_>,
     ) -> Result<Self, Failure> {
         let start = Instant::now();
         let (elements, blocks) =
-            in_threads(options.threads, || constants(scene, wanted, options, progress))??;
+            in_threads(work.ranks.threads(options.threads), || constants(scene, wanted, options, work))??;
         let areas = areas(scene, &elements);
         Ok(Self {
             names: scene.surfaces.iter().map(|surface| surface.name.clone()).collect(),
@@ -139,7 +136,7 @@ fn constants(
     scene: &Scene,
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     options: &Options,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    work: &Work<'_>,
 ) -> Result<(Elements, Blocks), Failure> {
     let mut scene = scene.clone();
     scene.surfaces.iter_mut().for_each(|surface| surface.order = None);
@@ -152,7 +149,7 @@ fn constants(
     let elements = Elements::new(&scene, &how)?;
     let surface = |element: usize| elements.list()[element].surface;
     let wanted = |a, b| wanted(surface(a), surface(b)) || wanted(surface(b), surface(a));
-    let blocks = transport::assemble_factors(&elements, &wanted, &visibility, accuracy, progress);
+    let blocks = transport::assemble_factors(&elements, &wanted, &visibility, accuracy, work);
     Ok((elements, blocks))
 }
 
@@ -193,7 +190,7 @@ mod tests {
     fn factors(scene: &Scene, subdivide: usize) -> ViewFactors {
         let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-2 };
         let options = Options { subdivide: Some(subdivide), accuracy, shadows: Hiding::Auto, threads: 2 };
-        ViewFactors::new(scene, &options, &|_, _| {}).expect("all have area")
+        ViewFactors::new(scene, &options, &Work::alone()).expect("all have area")
     }
 
     #[test]
@@ -215,8 +212,8 @@ mod tests {
         let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-2 };
         let options = Options { subdivide: Some(1), accuracy, shadows: Hiding::Auto, threads: 1 };
         let wanted = |i, j| (i, j) == (4, 1);
-        let some = ViewFactors::of_pairs(&scene, &wanted, &options, &|_, _| {}).expect("all have area");
-        let all = ViewFactors::new(&scene, &options, &|_, _| {}).expect("all have area");
+        let some = ViewFactors::of_pairs(&scene, &wanted, &options, &Work::alone()).expect("all have area");
+        let all = ViewFactors::new(&scene, &options, &Work::alone()).expect("all have area");
         assert_eq!([some.factor(4, 1), some.factor(1, 4)], [all.factor(4, 1), all.factor(1, 4)]);
         assert_eq!(some.row(0), vec![0.0; 6]);
     }

@@ -4,20 +4,16 @@ use radiosity_elements::Elements;
 use radiosity_kernel::Accuracy;
 use radiosity_kernel::Blocks;
 use radiosity_visibility::Visibility;
+use radiosity_work::Work;
 
 use crate::memory::Memory;
 use crate::schedule::{Unreached, by_rules};
 use crate::unreached;
 use crate::unreached::Whole;
 
-/// The blocks of all pairs. `progress` is called with (pairs done, pairs to do), from any thread.
-pub fn assemble(
-    elements: &Elements,
-    visibility: &Visibility,
-    accuracy: Accuracy,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Blocks {
-    assemble_pairs(elements, &|_, _| true, visibility, accuracy, progress)
+/// The blocks of all pairs.
+pub fn assemble(elements: &Elements, visibility: &Visibility, accuracy: Accuracy, work: &Work<'_>) -> Blocks {
+    assemble_pairs(elements, &|_, _| true, visibility, accuracy, work)
 }
 
 /// The blocks of all pairs of which at least one element `sends` light.
@@ -26,9 +22,9 @@ pub fn assemble_senders(
     sends: &(dyn Fn(usize) -> bool + Sync),
     visibility: &Visibility,
     accuracy: Accuracy,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    work: &Work<'_>,
 ) -> Blocks {
-    assemble_pairs(elements, &|a, b| sends(a) || sends(b), visibility, accuracy, progress)
+    assemble_pairs(elements, &|a, b| sends(a) || sends(b), visibility, accuracy, work)
 }
 
 /// The blocks of the pairs that are `wanted`.
@@ -37,9 +33,9 @@ pub fn assemble_pairs(
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     visibility: &Visibility,
     accuracy: Accuracy,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    work: &Work<'_>,
 ) -> Blocks {
-    assembled(elements, wanted, visibility, (Whole::Element, accuracy), None, progress)
+    assembled(elements, wanted, visibility, (Whole::Element, accuracy), None, work)
 }
 
 /// The same as [`assemble_senders`], to the bit; blocks that `memory` holds, which was turned to this scene, are not integrated
@@ -50,10 +46,10 @@ pub fn assemble_again(
     visibility: &Visibility,
     accuracy: Accuracy,
     memory: &mut Memory,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    work: &Work<'_>,
 ) -> Blocks {
     let wanted = |a: usize, b: usize| sends(a) || sends(b);
-    assembled(elements, &wanted, visibility, (Whole::Element, accuracy), Some(memory), progress)
+    assembled(elements, &wanted, visibility, (Whole::Element, accuracy), Some(memory), work)
 }
 
 /// The same for elements that carry constants, accurate for the view factors of their surfaces.
@@ -62,9 +58,9 @@ pub fn assemble_factors(
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     visibility: &Visibility,
     accuracy: Accuracy,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    work: &Work<'_>,
 ) -> Blocks {
-    assembled(elements, wanted, visibility, (Whole::Surface, accuracy), None, progress)
+    assembled(elements, wanted, visibility, (Whole::Surface, accuracy), None, work)
 }
 
 fn assembled(
@@ -73,13 +69,13 @@ fn assembled(
     visibility: &Visibility,
     (whole, accuracy): (Whole, Accuracy),
     mut memory: Option<&mut Memory>,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    work: &Work<'_>,
 ) -> Blocks {
     let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
     let how = (accuracy, unreached);
-    let (mut blocks, left) = by_rules(elements, wanted, visibility, how, memory.as_deref_mut(), progress);
+    let (mut blocks, left) = by_rules(elements, wanted, visibility, how, memory.as_deref_mut(), work);
     if !left.is_empty() {
-        unreached::add(elements, visibility, &mut blocks, &left, (whole, accuracy), memory, progress);
+        unreached::add(elements, visibility, &mut blocks, &left, (whole, accuracy), memory, work);
     }
     blocks
 }

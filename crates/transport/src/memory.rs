@@ -16,7 +16,7 @@ use radiosity_geom::RayTree;
 use radiosity_kernel::blocks::block::Block;
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
 use crate::known::KnownBlocks;
@@ -156,17 +156,23 @@ impl Memory {
     }
 
     /// Lends what is known of a sequence of rays, one of so many, until [`Memory::take`]: the rays of each element of this number.
-    pub(crate) fn lend(&mut self, sequence: usize, sequences: usize, numbers: Vec<u64>) -> Option<KnownRays> {
+    pub(crate) fn lend(
+        &mut self,
+        sequence: usize,
+        sequences: usize,
+        numbers: Vec<u64>,
+        ranks: &Ranks,
+    ) -> Option<KnownRays> {
         let obstacles = Arc::clone(self.obstacles.as_ref()?);
         let before = self.sent.remove(&sequence).map(|sent| sent.elements).unwrap_or_default();
-        let room = MOST / (sequences * ranks::current().count()) as u64;
+        let room = MOST / (sequences * ranks.count()) as u64;
         Some(KnownRays::new(before, &numbers, obstacles, room))
     }
 
     /// Keeps what the rays of a sequence met in this scene; all ranks together, each those that it sent.
-    pub(crate) fn take(&mut self, sequence: usize, rays: KnownRays) {
+    pub(crate) fn take(&mut self, sequence: usize, rays: KnownRays, ranks: &Ranks) {
         let (elements, counts) = rays.into_sent();
-        let sums = ranks::current().sums(vec![counts.traced, counts.recalled]);
+        let sums = ranks.sums(vec![counts.traced, counts.recalled]);
         self.rays.traced += sums[0];
         self.rays.recalled += sums[1];
         self.sent.insert(sequence, SentAll { scene: self.scenes, elements });
@@ -189,7 +195,7 @@ impl Memory {
     }
 
     /// Keeps the answers to the requests of this scene, and forgets all others; all ranks together, each those that it made.
-    pub(crate) fn keep(&mut self, answers: Vec<(Request, Arc<Answer>)>) {
+    pub(crate) fn keep(&mut self, answers: Vec<(Request, Arc<Answer>)>, ranks: &Ranks) {
         let mut blocks = HashMap::with_capacity(answers.len());
         let (mut integrated, mut recalled) = (0, 0);
         for (request, answer) in answers {
@@ -201,7 +207,7 @@ impl Memory {
             blocks.insert((request.row, request.column), Kept { request, scene, answer });
         }
         self.blocks = blocks;
-        let sums = ranks::current().sums(vec![integrated, recalled]);
+        let sums = ranks.sums(vec![integrated, recalled]);
         (self.integrated, self.recalled) = (sums[0] as usize, sums[1] as usize);
     }
 

@@ -42,9 +42,9 @@ use radiosity_kernel::Blocks;
 use radiosity_kernel::blocks::held::Held;
 use radiosity_kernel::rules::covering;
 use radiosity_visibility::Visibility;
+use radiosity_work::Work;
 use radiosity_work::interruption::heed_at;
-use radiosity_work::ranks;
-use radiosity_work::ranks::{Ranks, shares};
+use radiosity_work::ranks::{PartName, Ranks, shares};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -76,6 +76,8 @@ pub struct SampledTransport<'a> {
     sent: Vec<u64>,
     starts: Vec<usize>,
     counts: Counts,
+    /// Who sends them.
+    ranks: &'a Ranks,
     /// Which elements' pairs each rank counts; all of them where they are few.
     held: Held,
     tally: Tally,
@@ -125,9 +127,9 @@ impl Landed {
 }
 
 impl<'a> SampledTransport<'a> {
-    /// No rays yet.
-    pub fn new(elements: &'a Elements, visibility: &'a Visibility) -> Self {
-        Self::numbered(elements, visibility, &|place| place as u64)
+    /// No rays yet, to be sent by these ranks.
+    pub fn new(elements: &'a Elements, visibility: &'a Visibility, ranks: &'a Ranks) -> Self {
+        Self::numbered(elements, visibility, &|place| place as u64, ranks)
     }
 
     /// For these pairs only, the element that comes first in front. The rays of element k are those of number
@@ -137,12 +139,13 @@ impl<'a> SampledTransport<'a> {
         visibility: &'a Visibility,
         pairs: HashSet<(u32, u32)>,
         numbers: &[u64],
+        ranks: &'a Ranks,
     ) -> Self {
         let starts = elements.starts();
         Self {
             only: Some(pairs),
-            held: Held::of(&Ranks::alone(), &starts),
-            ..Self::numbered(elements, visibility, &|element| numbers[element])
+            held: Held::of(Ranks::alone(), &starts),
+            ..Self::numbered(elements, visibility, &|element| numbers[element], ranks)
         }
     }
 
@@ -151,6 +154,7 @@ impl<'a> SampledTransport<'a> {
         elements: &'a Elements,
         visibility: &'a Visibility,
         number: &(dyn Fn(usize) -> u64 + Sync),
+        ranks: &'a Ranks,
     ) -> Self {
         let list = elements.list();
         let senders = list.par_iter().enumerate().map(|(place, element)| Sender::new(element, number(place)));
@@ -160,7 +164,8 @@ impl<'a> SampledTransport<'a> {
             visibility,
             senders: senders.collect(),
             sent: vec![0; list.len()],
-            held: Held::of(&ranks::current(), &starts),
+            ranks,
+            held: Held::of(ranks, &starts),
             starts,
             counts: Counts::new(list.len(), elements.coefficients()),
             tally: Tally::new(list.len()),
@@ -185,15 +190,17 @@ impl<'a> SampledTransport<'a> {
         elements: &'a Elements,
         visibility: &'a Visibility,
         memory: Option<&mut Memory>,
+        ranks: &'a Ranks,
     ) -> Self {
         let numbers = || (0..elements.list().len() as u64).collect();
-        Self::new(elements, visibility).knowing(memory.and_then(|memory| memory.lend(0, 1, numbers())))
+        let known = memory.and_then(|memory| memory.lend(0, 1, numbers(), ranks));
+        Self::new(elements, visibility, ranks).knowing(known)
     }
 
     /// Leaves to `memory` what its rays met.
     pub fn remember(self, memory: Option<&mut Memory>) {
         if let (Some(memory), Some(known)) = (memory, self.known) {
-            memory.take(0, known);
+            memory.take(0, known, self.ranks);
         }
     }
 
@@ -252,8 +259,8 @@ impl<'a> SampledTransport<'a> {
     /// rays that would land on them, and of pairs with few hits to come only a part of their entries is counted. The
     /// pilot's own hits
     /// are forgotten: pairs that got many by chance are among those chosen.
-    pub fn settle(&mut self, planned: &[u64], accuracy: Accuracy, progress: &(dyn Fn(usize, usize) + Sync)) {
-        self.settle_again(planned, accuracy, None, progress);
+    pub fn settle(&mut self, planned: &[u64], accuracy: Accuracy, work: &Work<'_>) {
+        self.settle_again(planned, accuracy, None, work);
     }
 
     /// The same, to the bit; exact pairs that `memory` holds are not integrated again.
@@ -262,7 +269,7 @@ impl<'a> SampledTransport<'a> {
         planned: &[u64],
         accuracy: Accuracy,
         memory: Option<&mut Memory>,
-        progress: &(dyn Fn(usize, usize) + Sync),
+        work: &Work<'_>,
     ) {
         let list = self.elements.list();
         let density = |index: usize| {
@@ -277,7 +284,7 @@ impl<'a> SampledTransport<'a> {
             f64::from(sums.hits) * (a + c) / (b + d)
         };
         let pairs = Strong::worth(self.elements, self.visibility, &self.tally, &self.held, &expected);
-        self.strong = Strong::new(pairs, self.elements, self.visibility, (accuracy, memory), progress);
+        self.strong = Strong::new(pairs, self.elements, self.visibility, (accuracy, memory), work);
         self.tally.settle(list, &expected);
         self.counts = Counts::new(list.len(), self.elements.coefficients());
     }
@@ -294,9 +301,9 @@ impl<'a> SampledTransport<'a> {
 
     /// Sends the rays of these tasks, each rank those of some of them, and counts what became of all.
     fn run(&mut self, tasks: &[Task]) {
-        let ranks = ranks::current();
+        let ranks = self.ranks;
         let makers = self.makers(tasks, ranks.count());
-        let sent = ranks.made(&makers, |task| self.sent_by(&tasks[task]));
+        let sent = ranks.made(PartName::Rays, &makers, |task| self.sent_by(&tasks[task]));
         let own = tasks.iter().zip(&makers).filter(|(_, maker)| **maker == ranks.number());
         let own: Vec<&Task> = own.map(|(task, _)| task).collect();
         ranks.count_work(0, own.iter().map(|task| task.count).sum());
@@ -402,7 +409,7 @@ impl<'a> SampledTransport<'a> {
 
     /// Blocks of the pairs on which rays count, given those of all others.
     pub(crate) fn beside(&self, others: &Fixed) -> Blocks {
-        let mut blocks = self.held.ranks().within(|| Blocks::empty(self.starts.clone(), true));
+        let mut blocks = Blocks::empty(self.starts.clone(), true, self.held.ranks());
         self.estimate(others, Rays::All).push(&mut blocks);
         blocks
     }
@@ -416,7 +423,7 @@ impl<'a> SampledTransport<'a> {
     /// Estimate of G by the rays sent since the pilot round, or so far, if that has not ended.
     pub fn blocks(&self, rays: Rays) -> Blocks {
         let list = self.elements.list();
-        let mut blocks = Blocks::empty(self.starts.clone(), true);
+        let mut blocks = Blocks::empty(self.starts.clone(), true, self.ranks);
         self.strong.append_to(&mut blocks);
         self.push_covered(&mut blocks);
         let exact = blocks.apply(&self.elements.constant());

@@ -39,7 +39,8 @@ use radiosity_kernel::{
 };
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::heed;
-use radiosity_work::ranks;
+use radiosity_work::ranks::{PartName, Ranks};
+use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 
 use crate::memory::{Answer, Memory};
@@ -53,7 +54,7 @@ use integrated::{Integrated, Told};
 use source::Source;
 pub(crate) use task::Unreached;
 use task::{Scene, Task};
-pub use work::{Work, cost, shared, work};
+pub use work::{BlockWork, cost, shared, work};
 
 /// Factor that turns a coarse estimate of a curved pair into a lower bound. Chosen; not tuned.
 const ESTIMATE_SHARE: f64 = 0.5;
@@ -95,27 +96,26 @@ pub(crate) struct Left {
 }
 
 /// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave; what `memory` holds, which was turned to
-/// this scene, is not integrated again. `progress` is called with (pairs done, pairs to do), from any thread.
+/// this scene, is not integrated again.
 pub(crate) fn by_rules(
     elements: &Elements,
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     visibility: &Visibility,
     (accuracy, unreached): (Accuracy, Unreached),
     memory: Option<&mut Memory>,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    work: &Work<'_>,
 ) -> (Blocks, Vec<Left>) {
     let list = elements.list();
     let scene = Scene::new(elements, visibility, wanted, accuracy, unreached);
-    let mut blocks = Blocks::empty(elements.starts(), true);
-    let (tasks, counts) = scene.sort();
+    let mut blocks = Blocks::empty(elements.starts(), true, work.ranks);
+    let (tasks, counts) = scene.sort(work.ranks);
     blocks.pairs = counts;
     if blocks.pairs.skipped_black > 0 {
         scene.open_rows().into_iter().for_each(|row| blocks.leave_open(row));
     }
     let goals = scene.goals(&tasks);
     let sources = scene.share(&tasks, &goals);
-    let mut integrated =
-        scene.integrate(&tasks, &goals, &sources, (memory.as_deref(), blocks.held()), progress);
+    let mut integrated = scene.integrate(&tasks, &goals, &sources, (memory.as_deref(), blocks.held()), work);
     let scales = Scales::new(list.len(), &tasks, &sources, &integrated);
     let is_left = |task: &Task, block: &Account| {
         block.untried || (scales.relative(task, block) > accuracy.eps && scene.is_left(task))
@@ -156,7 +156,8 @@ pub(crate) fn by_rules(
             .into_iter()
             .zip(integrated.makers)
             .map(|(answer, maker)| answer.filter(|_| maker == me));
-        memory.keep(requests.zip(own).filter_map(|(request, answer)| Some((request, answer?))).collect());
+        let answers = requests.zip(own).filter_map(|(request, answer)| Some((request, answer?)));
+        memory.keep(answers.collect(), work.ranks);
     }
     (blocks, left)
 }
@@ -188,9 +189,10 @@ impl Scales {
 
 impl Scene<'_> {
     /// Sorts all pairs and counts those that need no block.
-    fn sort(&self) -> (Vec<Task>, PairCounts) {
+    fn sort(&self, ranks: &Ranks) -> (Vec<Task>, PairCounts) {
         let lengths: Vec<f64> = (1..=self.list.len()).rev().map(|length| length as f64).collect();
-        let rows: Vec<(Vec<Task>, PairCounts)> = ranks::current().map(&lengths, |row| self.sort_row(row));
+        let rows: Vec<(Vec<Task>, PairCounts)> =
+            ranks.map(PartName::SortedPairs, &lengths, |row| self.sort_row(row));
         let mut tasks = Vec::with_capacity(rows.iter().map(|(row, _)| row.len()).sum());
         let mut pairs = PairCounts::default();
         for (row, counts) in rows {
@@ -395,12 +397,12 @@ impl Scene<'_> {
         goals: &[Goal],
         sources: &[Source],
         (memory, held): (Option<&Memory>, &Held),
-        progress: &(dyn Fn(usize, usize) + Sync),
+        work: &Work<'_>,
     ) -> Integrated {
         let own: Vec<usize> =
             (0..tasks.len()).filter(|index| matches!(sources[*index], Source::Own(_))).collect();
         let (done, total) = (AtomicUsize::new(0), own.len());
-        let ranks = ranks::current();
+        let ranks = work.ranks;
         let answer = |place: usize| {
             let (task, goal) = (&tasks[own[place]], goals[own[place]]);
             let known = memory.and_then(|memory| self.recalled(task, goal, memory));
@@ -410,7 +412,8 @@ impl Scene<'_> {
                 Arc::new(Answer::of(block))
             });
             // Others do about as much in the same time.
-            progress((ranks.count() * (done.fetch_add(1, Ordering::Relaxed) + 1)).min(total), total);
+            let done = ranks.count() * (done.fetch_add(1, Ordering::Relaxed) + 1);
+            work.tell_done(Stage::Blocks, done.min(total), total);
             answer
         };
         if memory.is_some() {
@@ -474,17 +477,18 @@ impl Scene<'_> {
         let sample: Vec<(usize, usize)> =
             pairs.into_iter().filter(|(_, place)| cost(*place) <= mean).step_by(step).collect();
         let makers: Vec<usize> = sample.iter().map(|(_, place)| integrated.makers[*place]).collect();
-        let differences: Vec<Option<f64>> = integrated.ranks.map_by(&makers, |number| {
-            let (index, place) = sample[number];
-            let task = &tasks[index];
-            let [a, b] = [task.row, task.column].map(|element| self.list[element as usize].area);
-            let answer = integrated.answer(place);
-            let again = *answer.exchanged.get_or_init(|| {
-                let again = self.block_from(!self.is_turned(task), task, goals[index]);
-                (!again.untried).then(|| again.values[0])
+        let differences: Vec<Option<f64>> =
+            integrated.ranks.map_by(PartName::ExchangedBlocks, &makers, |number| {
+                let (index, place) = sample[number];
+                let task = &tasks[index];
+                let [a, b] = [task.row, task.column].map(|element| self.list[element as usize].area);
+                let answer = integrated.answer(place);
+                let again = *answer.exchanged.get_or_init(|| {
+                    let again = self.block_from(!self.is_turned(task), task, goals[index]);
+                    (!again.untried).then(|| again.values[0])
+                });
+                again.map(|again| (again - answer.block.values[0]).abs() * (a * b).sqrt() / a.min(b))
             });
-            again.map(|again| (again - answer.block.values[0]).abs() * (a * b).sqrt() / a.min(b))
-        });
         let mut told = Reciprocity::default();
         differences.into_iter().flatten().for_each(|difference| told.take(difference));
         told

@@ -25,6 +25,7 @@ use radiosity_kernel::Accuracy;
 use radiosity_kernel::Miss;
 use radiosity_kernel::{Blocks, blocks::FirstEntry};
 use radiosity_visibility::Visibility;
+use radiosity_work::{Stage, Work};
 
 use crate::memory::Memory;
 use crate::sampled::{Fixed, SampledTransport};
@@ -72,15 +73,15 @@ pub(crate) fn add(
     left: &[Left],
     (whole, accuracy): (Whole, Accuracy),
     mut memory: Option<&mut Memory>,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    work: &Work<'_>,
 ) {
     let wholes = Wholes::new(elements.list(), whole);
     let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
-    let ranks = ranks(elements.list());
+    let places = ranks(elements.list());
     let mut batch = |batch: usize| {
-        let numbers: Vec<u64> = ranks.iter().map(|rank| (batch * ranks.len() + rank) as u64).collect();
-        let rays = SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers);
-        rays.knowing(memory.as_mut().and_then(|memory| memory.lend(batch, BATCHES, numbers)))
+        let numbers: Vec<u64> = places.iter().map(|place| (batch * places.len() + place) as u64).collect();
+        let rays = SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers, work.ranks);
+        rays.knowing(memory.as_mut().and_then(|memory| memory.lend(batch, BATCHES, numbers, work.ranks)))
     };
     let mut batches: Vec<SampledTransport> = (0..BATCHES).map(&mut batch).collect();
     let touched: HashSet<usize> = left.iter().flat_map(|pair| [pair.row, pair.column]).collect();
@@ -98,7 +99,7 @@ pub(crate) fn add(
         for batch in &mut batches {
             batch.send(&now, &mut |_| true);
             sent += senders.len() as u64 * rays;
-            progress((left.len() as u64 * sent / most.max(sent)) as usize, left.len());
+            work.tell_done(Stage::Blocks, (left.len() as u64 * sent / most.max(sent)) as usize, left.len());
         }
         let each = (BATCHES * senders.len()) as u64;
         let fixed = Fixed { sums: &sums, error, blocks };
@@ -120,7 +121,7 @@ pub(crate) fn add(
         let known = batches.into_iter().map(SampledTransport::into_known).enumerate();
         known
             .filter_map(|(batch, known)| Some((batch, known?)))
-            .for_each(|(batch, known)| memory.take(batch, known));
+            .for_each(|(batch, known)| memory.take(batch, known, work.ranks));
     }
     blocks.rays += sent;
     blocks.pairs.by_rays += left.len();

@@ -26,8 +26,8 @@
 //! them; those of other pools hear nothing, or what a piece of work hears that they take over while they wait. So functions that take no number of threads, such as those that read a solution,
 //! are to be called through `in_threads`. A program built with `panic = "abort"` ends instead.
 //!
-//! A `Stop` is something else: the wish that the sending of rays finishes with the rays sent so far, whose
-//! result is then of use. [Ranks](crate::ranks) wait for each other: those that share work are to be ended as processes.
+//! A [`Deadline`](crate::Deadline) is something else: there work ends with the best that it has, which is then of use.
+//! [Ranks](crate::ranks) wait for each other: those that share work are to be ended as processes.
 
 use std::cell::RefCell;
 use std::error::Error;

@@ -1,10 +1,21 @@
 //! Work: who shares it, what ends it, and how it is told of.
 //!
-//! In order: `wording` (sentences of messages, with the names of options as data), `interruption` (ends work at the next
-//! possible place), `ranks` (processes or threads that share work, and the journal of what they have done).
+//! In order: `wording` (sentences of messages, with the names of options as data), `interruption` (ends work of which nothing is
+//! wanted any more), `ranks` (processes or threads that share work, and the journal of what they have done), `progress` and
+//! `observer` (how far it is, and who hears it), `deadline` (ends it with the best so far), `work` (ranks, observer and deadline
+//! together, as they are handed down).
 //!
 //! Imports nothing of the house.
 
 pub mod wording;
 pub mod interruption;
 pub mod ranks;
+mod progress;
+mod observer;
+mod deadline;
+mod work;
+
+pub use deadline::{Deadline, Listening};
+pub use observer::{Observer, Silent};
+pub use progress::{Progress, Stage};
+pub use work::Work;

@@ -5,24 +5,20 @@
 //! need them ([`Ranks::map`], [`Ranks::exchange`]). A piece is the same whoever makes it, and sums are taken in an order that
 //! does not depend on how the pieces were shared, so that the number of ranks changes no bit of a result.
 //!
-//! As with a pool of threads, work runs within ranks ([`Ranks::within`]) and finds them ([`current`]) where it has something to
-//! share. Threads that a rank starts for its own pieces are alone: nothing is shared within a piece.
+//! Ranks are handed down to whatever has something to share ([`Work`](crate::Work)). Nothing is shared within a piece: what makes
+//! it, and would share something by itself, is given [`Ranks::alone`].
 
-mod place;
+pub mod place;
 mod bytes;
-mod comm;
+pub mod comm;
+mod part_name;
 pub mod journal;
 pub mod shares;
 pub mod threads;
 mod traffic;
 pub mod failure;
 pub mod vector;
-#[cfg(any(test, feature = "mpi"))]
-mod rounds;
-#[cfg(feature = "mpi")]
-pub mod processes;
 
-use std::cell::RefCell;
 use std::fmt::Debug;
 use std::path::Path;
 use std::sync::Arc;
@@ -35,14 +31,13 @@ use crate::interruption::heed;
 use bytes::{decoded, encoded};
 use comm::Comm;
 use journal::{Begin, Journal, JournalError, RecordedPart};
+pub use part_name::PartName;
 use place::Place;
 use traffic::Counter;
 pub use traffic::Traffic;
 
-thread_local! {
-    /// The ranks within which this thread works.
-    static CURRENT: RefCell<Option<Ranks>> = const { RefCell::new(None) };
-}
+/// One rank, which shares nothing.
+static ALONE: Ranks = Ranks { shared: None, journal: None };
 
 /// The ranks of a run, as one of them sees them.
 #[derive(Clone, Debug)]
@@ -58,28 +53,14 @@ struct Shared {
     sent: Counter,
 }
 
-/// The ranks within which the current thread works; it is alone unless [`Ranks::within`] says otherwise.
-pub fn current() -> Ranks {
-    CURRENT.with_borrow(|current| current.clone().unwrap_or_else(Ranks::alone))
-}
-
-/// Sets back the ranks of a thread, whatever happens.
-struct Before(Option<Ranks>);
-
-impl Drop for Before {
-    fn drop(&mut self) {
-        CURRENT.set(self.0.take());
-    }
-}
-
 impl Ranks {
-    /// One rank, which shares nothing.
-    pub fn alone() -> Self {
-        Self { shared: None, journal: None }
+    /// One rank, which shares nothing and records nothing.
+    pub fn alone() -> &'static Self {
+        &ALONE
     }
 
     /// The ranks that `comm` connects.
-    fn of(comm: impl Comm + 'static) -> Self {
+    pub fn of(comm: impl Comm + 'static) -> Self {
         let shared =
             (comm.size() > 1).then(|| Arc::new(Shared { comm: Box::new(comm), sent: Counter::default() }));
         Self { shared, journal: None }
@@ -108,12 +89,6 @@ impl Ranks {
         }
     }
 
-    /// Does `work` within these ranks: each of them does it, and all of them share the same things in the same order.
-    pub fn within<T>(&self, work: impl FnOnce() -> T) -> T {
-        let _before = Before(CURRENT.replace(Some(self.clone())));
-        work()
-    }
-
     /// The number of this rank, from 0.
     pub fn number(&self) -> usize {
         self.shared.as_ref().map_or(0, |shared| shared.comm.rank())
@@ -137,6 +112,11 @@ impl Ranks {
     /// What of its machine this rank may use.
     pub fn place(&self) -> Place {
         self.shared.as_ref().map_or_else(Place::alone, |shared| shared.comm.place())
+    }
+
+    /// The threads to run where so many are `asked` for; 0 asks for all that this rank may use.
+    pub fn threads(&self, asked: usize) -> usize {
+        if asked == 0 { self.place().threads } else { asked }
     }
 
     /// Waits for all of them.
@@ -219,20 +199,21 @@ impl Ranks {
         shared.comm.complete(values, ends);
     }
 
-    /// All `make(k)` for the pieces k of these costs, in order. Each rank makes some of them, in parallel.
-    pub fn map<T>(&self, costs: &[f64], make: impl Fn(usize) -> T + Sync) -> Vec<T>
+    /// All `make(k)` for the pieces k of a part, of these costs, in order. Each rank makes some of them, in parallel. What a piece
+    /// would share by itself it has to share with [`Ranks::alone`]: others are at other pieces.
+    pub fn map<T>(&self, part: PartName, costs: &[f64], make: impl Fn(usize) -> T + Sync) -> Vec<T>
     where
         T: Serialize + DeserializeOwned + Send,
     {
-        self.map_by(&shares::by_cost(costs, self.count()), make)
+        self.map_by(part, &shares::by_cost(costs, self.count()), make)
     }
 
-    /// All `make(k)`, in order; that of piece k is made by the rank `makers[k]`.
-    pub fn map_by<T>(&self, makers: &[usize], make: impl Fn(usize) -> T + Sync) -> Vec<T>
+    /// All `make(k)` of a part, in order; that of piece k is made by the rank `makers[k]`.
+    pub fn map_by<T>(&self, part: PartName, makers: &[usize], make: impl Fn(usize) -> T + Sync) -> Vec<T>
     where
         T: Serialize + DeserializeOwned + Send,
     {
-        self.merged(makers, self.made(makers, make))
+        self.merged(makers, self.made(part, makers, make))
     }
 
     /// All pieces in order, of which each rank has `own`.
@@ -245,22 +226,28 @@ impl Ranks {
     }
 
     /// Those that this rank makes.
-    pub fn made<T>(&self, makers: &[usize], make: impl Fn(usize) -> T + Sync) -> Vec<T>
+    pub fn made<T>(&self, part: PartName, makers: &[usize], make: impl Fn(usize) -> T + Sync) -> Vec<T>
     where
         T: Serialize + DeserializeOwned + Send,
     {
         let own: Vec<usize> = (0..makers.len()).filter(|piece| makers[*piece] == self.number()).collect();
-        self.part::<T>(makers.len()).made(&own, make)
+        self.part(part, makers.len()).made(&own, make)
     }
 
-    /// The next part of the run, of so many pieces, each a T.
-    pub fn part<T>(&self, pieces: usize) -> Part<'_> {
-        Part { recorded: self.journal.as_ref().map(|journal| journal.part::<T>(pieces)) }
+    /// The next part of the run, of so many pieces.
+    pub fn part(&self, name: PartName, pieces: usize) -> Part<'_> {
+        Part { recorded: self.journal.as_ref().map(|journal| journal.part(name, pieces)) }
     }
 
     /// All `make(k)` for k below `count`, in order, where each costs about the same: as [`Ranks::map`], with `together` of them as one
     /// piece.
-    pub fn map_even<T>(&self, count: usize, together: usize, make: impl Fn(usize) -> T + Sync) -> Vec<T>
+    pub fn map_even<T>(
+        &self,
+        part: PartName,
+        count: usize,
+        together: usize,
+        make: impl Fn(usize) -> T + Sync,
+    ) -> Vec<T>
     where
         T: Serialize + DeserializeOwned + Send,
     {
@@ -271,16 +258,16 @@ impl Ranks {
             };
             (piece * together..((piece + 1) * together).min(count)).map(make).collect()
         };
-        self.map(&vec![1.0; count.div_ceil(together)], piece).into_iter().flatten().collect()
+        self.map(part, &vec![1.0; count.div_ceil(together)], piece).into_iter().flatten().collect()
     }
 
-    /// What `make` makes of every item, where that may share things between ranks: in parallel if this rank is alone, else one after
-    /// the other. It is not recorded, as parts that follow each other in any order have no numbers.
-    pub fn each<I: Sync, T: Send>(&self, items: &[I], make: impl Fn(&I) -> T + Sync) -> Vec<T> {
+    /// What `make` makes of every item, where that may share things between the ranks that it is given: in parallel if this rank is
+    /// alone, else one after the other. They record nothing, as parts that follow each other in any order have no numbers.
+    pub fn each<I: Sync, T: Send>(&self, items: &[I], make: impl Fn(&I, &Self) -> T + Sync) -> Vec<T> {
         let unrecorded = Self { journal: None, ..self.clone() };
         let make = |item: &I| {
             heed();
-            unrecorded.within(|| make(item))
+            make(item, &unrecorded)
         };
         if self.are_alone() { items.par_iter().map(make).collect() } else { items.iter().map(make).collect() }
     }
@@ -310,7 +297,7 @@ impl Part<'_> {
                 None => make(*piece),
             }
         };
-        Ranks::alone().within(|| pieces.par_iter().with_max_len(1).map(&known).collect())
+        pieces.par_iter().with_max_len(1).map(known).collect()
     }
 }
 
@@ -324,15 +311,13 @@ mod tests {
 
     /// Squares of 20 numbers, twice, on so many ranks; how many were made.
     fn run(folder: &Path, begin: Begin, ranks: usize, made: &AtomicUsize) -> Vec<Vec<f64>> {
-        let found = on_ranks(ranks, || {
-            let recording = current().recording(folder, 7, begin);
-            recording.expect("a folder that can be written").within(|| {
-                let square = |piece: usize| {
-                    made.fetch_add(1, Ordering::Relaxed);
-                    (piece as f64 / 7.0).powi(2)
-                };
-                [current().map(&[1.0; 20], square), current().map(&[1.0; 20], square)].concat()
-            })
+        let found = on_ranks(ranks, |ranks| {
+            let ranks = ranks.recording(folder, 7, begin).expect("a folder that can be written");
+            let square = |piece: usize| {
+                made.fetch_add(1, Ordering::Relaxed);
+                (piece as f64 / 7.0).powi(2)
+            };
+            [(); 2].map(|()| ranks.map(PartName::Points, &[1.0; 20], square)).concat()
         });
         let all: Vec<f64> = (0..40).map(|k| (f64::from(k % 20) / 7.0).powi(2)).collect();
         assert!(found.iter().all(|found| *found == all));
@@ -358,7 +343,7 @@ mod tests {
     #[test]
     fn ranks_that_differ_are_named() {
         for (rank, differing) in [(2, Some(2)), (0, Some(1)), (9, None)] {
-            let found = on_ranks(3, || current().differing(current().number() == rank));
+            let found = on_ranks(3, |ranks| ranks.differing(ranks.number() == rank));
             assert_eq!(found, [differing; 3], "{rank}");
         }
     }
@@ -370,9 +355,9 @@ mod tests {
         let open = |fingerprint, begin| Ranks::alone().recording(folder, fingerprint, begin).map(drop);
         assert!(matches!(open(1, Begin::Resume), Err(JournalError::Empty { .. })));
         open(1, Begin::Anew).expect("nothing is there");
-        current().recording(folder, 1, Begin::Anew).expect("nothing is there").within(|| {
-            current().map(&[1.0; 2], |piece| piece);
-        });
+        let recording = Ranks::alone().recording(folder, 1, Begin::Anew).expect("nothing is there");
+        recording.map(PartName::Points, &[1.0; 2], |piece| piece);
+        drop(recording);
         assert!(matches!(open(1, Begin::Anew), Err(JournalError::Used { .. })));
         assert!(matches!(open(2, Begin::Resume), Err(JournalError::Other { .. })));
         open(1, Begin::Resume).expect("it is the same run");
@@ -382,7 +367,7 @@ mod tests {
     fn a_run_that_did_nothing_leaves_nothing() {
         let parent = tempfile::tempdir().expect("a folder");
         let folder = parent.path().join("of-the-run");
-        on_ranks(3, || drop(current().recording(&folder, 1, Begin::Anew).expect("it can be made")));
+        on_ranks(3, |ranks| drop(ranks.recording(&folder, 1, Begin::Anew).expect("it can be made")));
         assert!(!folder.exists());
         fs::create_dir(&folder).expect("it can be made");
         drop(Ranks::alone().recording(&folder, 1, Begin::Anew).expect("it is there"));
@@ -394,7 +379,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let (folder, made) = (folder.path(), AtomicUsize::new(0));
         run(folder, Begin::Anew, 2, &made);
-        let header = fs::read(folder.join("000000-000000.journal")).expect("it was written")[..16].to_vec();
+        let header = fs::read(folder.join("000000-000000.journal")).expect("it was written")[..20].to_vec();
         for (rank, begun) in [&[][..], &header[..7], &header[..12], &[0; 40]].into_iter().enumerate() {
             fs::write(folder.join(format!("000004-{rank:06}.journal")), begun).expect("it can be written");
         }
@@ -410,14 +395,25 @@ mod tests {
         assert!(matches!(opened, Err(JournalError::Other { path }) if path == other));
     }
 
-    /// What three parts find whose pieces are as many and of one type, where something is chosen before the second.
+    #[test]
+    fn what_an_earlier_version_recorded_is_refused_by_name() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let old = folder.path().join("000000-000000.journal");
+        fs::write(&old, [&b"RADJRNL1"[..], &7u64.to_le_bytes(), &[0; 40]].concat())
+            .expect("it can be written");
+        let opened = Ranks::alone().recording(folder.path(), 7, Begin::Resume).map(drop);
+        let refused = opened.expect_err("its pieces are of no use");
+        assert!(matches!(&refused, JournalError::Earlier { path } if *path == old), "{refused}");
+        assert!(refused.cure().contains("another folder"), "{}", refused.cure());
+    }
+
+    /// What three parts find whose pieces are as many and of one name, where something is chosen before the second.
     fn chosen(folder: &Path, begin: Begin, choice: u64) -> Vec<u64> {
-        Ranks::alone().recording(folder, 1, begin).expect("a folder").within(|| {
-            let part = |of: u64| current().map(&[1.0; 4], |piece| 100 * of + piece as u64);
-            let first = part(0);
-            current().note_choice(&choice);
-            [first, part(choice), part(choice + 1)].concat()
-        })
+        let ranks = Ranks::alone().recording(folder, 1, begin).expect("a folder");
+        let part = |of: u64| ranks.map(PartName::Points, &[1.0; 4], |piece| 100 * of + piece as u64);
+        let first = part(0);
+        ranks.note_choice(&choice);
+        [first, part(choice), part(choice + 1)].concat()
     }
 
     #[test]
@@ -432,11 +428,12 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         for ranks in [1, 2] {
             let begin = if ranks == 1 { Begin::Anew } else { Begin::Resume };
-            let found = on_ranks(ranks, || {
-                current().recording(folder.path(), 1, begin).expect("a folder").within(|| {
-                    let inner = |item: &u64| current().map(&[1.0; 3], |piece| item + piece as u64);
-                    (current().each(&[10, 20], inner).concat(), current().map(&[1.0], |piece| piece))
-                })
+            let found = on_ranks(ranks, |ranks| {
+                let ranks = ranks.recording(folder.path(), 1, begin).expect("a folder");
+                let inner = |item: &u64, ranks: &Ranks| {
+                    ranks.map(PartName::Points, &[1.0; 3], |piece| item + piece as u64)
+                };
+                (ranks.each(&[10, 20], inner).concat(), ranks.map(PartName::Cells, &[1.0], |piece| piece))
             });
             assert_eq!(found, vec![(vec![10, 11, 12, 20, 21, 22], vec![0]); ranks]);
         }

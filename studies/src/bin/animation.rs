@@ -19,6 +19,7 @@
 
 use cpu_time::ProcessTime;
 
+use radiosity::Work;
 use radiosity::scene::Scene;
 use radiosity::solve::animation::follower::{Follower, Way};
 use radiosity::solve::animation::frame::Frame;
@@ -229,7 +230,7 @@ fn frames_or_never(frames: Option<usize>) -> String {
 }
 
 fn frame_of(follower: &mut Follower<'_>, frame: usize) -> Frame {
-    follower.frame(frame, &|_| ()).expect("the frame can be solved")
+    follower.frame(frame, &Work::alone()).expect("the frame can be solved")
 }
 
 fn bits(frame: &Frame) -> Vec<u64> {

@@ -13,7 +13,7 @@ use radiosity::elements::rule::UnitRule;
 use radiosity::geom::DVec3;
 use radiosity::solve::solution::Place;
 use radiosity::solve::{Direct, Options, Outcome, solve};
-use radiosity::{Basis, Solution};
+use radiosity::{Basis, Solution, Work};
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Partition, Settings};
 
@@ -168,7 +168,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let scene = radiosity::language::from_toml(&text, name)?;
         let solved = |options: Options| -> Result<Outcome, Box<dyn Error>> {
             let options = Options { direct: Direct::Projected, eps: 1e-7, ..options };
-            Ok(solve(&scene, &options, &|_| {})?)
+            Ok(solve(&scene, &options, &Work::alone())?)
         };
         let layers = Layers { count: 4, ratio: 0.2 };
         let exact = solved(Options { order: 6, layers, subdivide: Some(1), ..Options::default() })?.solution;

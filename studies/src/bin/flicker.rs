@@ -18,6 +18,7 @@
 
 use cpu_time::ProcessTime;
 
+use radiosity::Work;
 use radiosity::geom::Encounter;
 use radiosity::output::pictures::pinhole::Pinhole;
 use radiosity::output::pictures::render::render;
@@ -74,11 +75,12 @@ fn row(name: &str, asked: &Asked) -> String {
     let mut sums = Sums::default();
     for number in first..=last {
         let start = ProcessTime::now();
-        let frame = follower.frame(number, &|_| ()).expect("it is solved");
+        let frame = follower.frame(number, &Work::alone()).expect("it is solved");
         light += start.elapsed().as_secs_f64();
         let start = ProcessTime::now();
         let visibility = Visibility::new(&frame.scene, (&options).into());
-        let raster = render(&frame.solution, &visibility, &camera, 3, asked.read, Shown::Radiosity, &|_| ());
+        let raster =
+            render(&frame.solution, &visibility, &camera, 3, asked.read, Shown::Radiosity, &Work::alone());
         picture += start.elapsed().as_secs_f64();
         let view = Pinhole::new(&camera);
         let pixels = 0..(width * height) as usize;

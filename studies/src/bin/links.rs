@@ -14,7 +14,7 @@ use std::time::Instant;
 
 use radiosity::published::hierarchy::{Counts, Hierarchical, HierarchyOptions, solve_hierarchically};
 use radiosity::solve::{Options, Outcome, solve};
-use radiosity::{Scene, Solution};
+use radiosity::{Scene, Solution, Work};
 
 use radiosity_studies::boxes::room;
 use radiosity_studies::words::words;
@@ -81,7 +81,7 @@ fn halls() {
 fn errors_of_hall() {
     let scene = room(GRIDS[0]);
     let options = Options { order: 0, rays: Some(RAYS), ..Options::default() };
-    let Outcome { solution, .. } = solve(&scene, &options, &|_| {}).expect("the scene can be solved");
+    let Outcome { solution, .. } = solve(&scene, &options, &Work::alone()).expect("the scene can be solved");
     for separation in [1.5, 3.0] {
         let options = HierarchyOptions { separation, ..hall_options() };
         let (solved, seconds) = timed(&scene, &options);
@@ -97,7 +97,7 @@ fn errors_of_hall() {
 fn cornell() {
     let scene = radiosity::builtin("cornell-box").expect("the scene is built in");
     let options = Options { order: 5, eps: 1e-4, shadow_eps: 1e-4, ..Options::default() };
-    let Outcome { solution, .. } = solve(&scene, &options, &|_| {}).expect("the scene can be solved");
+    let Outcome { solution, .. } = solve(&scene, &options, &Work::alone()).expect("the scene can be solved");
     println!("| eps | leaves | links | links per leaf | links / leaves² | error | rounds | seconds |");
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     let mut rows: Vec<[f64; 2]> = Vec::new();

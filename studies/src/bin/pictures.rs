@@ -15,6 +15,7 @@
 
 use std::time::Instant;
 
+use radiosity::Work;
 use radiosity::geom::{DVec3, Encounter};
 use radiosity::output::pictures::pinhole::Pinhole;
 use radiosity::output::pictures::render::{render, usual_read};
@@ -48,13 +49,13 @@ fn row(name: &str) -> String {
     let camera = if name == "temple" { Camera { width: 240, height: 192, ..camera } } else { camera };
     let options = Options::default();
     let start = Instant::now();
-    let solution = solve(&scene, &options, &|_| {}).expect("it is solved").solution;
+    let solution = solve(&scene, &options, &Work::alone()).expect("it is solved").solution;
     let solved = start.elapsed().as_secs_f64();
     let visibility = Visibility::new(&scene, (&options).into());
     let pixels = u64::from(camera.width) * u64::from(camera.height);
     let read = usual_read(&solution, &visibility, pixels);
     let start = Instant::now();
-    let _ = render(&solution, &visibility, &camera, 3, read, Shown::Radiosity, &|_| {});
+    let _ = render(&solution, &visibility, &camera, 3, read, Shown::Radiosity, &Work::alone());
     let taken = start.elapsed().as_secs_f64();
     let errors = Errors::of(name, &solution, &visibility, &camera, read);
     let [width, height] = [camera.width, camera.height];
@@ -91,7 +92,7 @@ impl<'a> Errors<'a> {
         camera: &Camera,
         read: Read,
     ) -> Self {
-        let raster = render(solution, visibility, camera, 1, read, Shown::Radiosity, &|_| {});
+        let raster = render(solution, visibility, camera, 1, read, Shown::Radiosity, &Work::alone());
         let reader = |by: By, eps: f64| Reader::by(by, solution, visibility, Read::Gather, eps);
         let view = Pinhole::new(camera);
         let width = camera.width as usize;

@@ -10,7 +10,7 @@
 
 use radiosity::elements::Discretization;
 use radiosity::elements::Subdivide;
-use radiosity::transport::{Work, cost, shared, work};
+use radiosity::transport::{BlockWork, cost, shared, work};
 use radiosity::visibility::Visibility;
 use radiosity::{Options, Scene};
 
@@ -25,8 +25,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for name in names {
         let scene = radiosity::load(&name)?;
         let costs = costs(&scene)?;
-        let total = |of: fn(&Work) -> u64| costs.iter().map(of).sum::<u64>();
-        let (samples, rays) = (total(Work::samples), total(Work::rays));
+        let total = |of: fn(&BlockWork) -> u64| costs.iter().map(of).sum::<u64>();
+        let (samples, rays) = (total(BlockWork::samples), total(BlockWork::rays));
         println!("{name}: {} blocks, {samples} kernel samples, {rays} rays", costs.len());
         println!("{:>7} {:>10} {:>16} {:>13}", "ranks", "efficiency", "samples max/mean", "rays max/mean");
         for ranks in RANKS.into_iter().filter(|ranks| *ranks <= costs.len()) {
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 /// What the blocks of a scene cost at default accuracy.
-fn costs(scene: &Scene) -> Result<Vec<Work>, Box<dyn std::error::Error>> {
+fn costs(scene: &Scene) -> Result<Vec<BlockWork>, Box<dyn std::error::Error>> {
     let options = Options::default();
     let visibility = Visibility::new(scene, (&options).into());
     let subdivide = Subdivide::Auto { occluded: visibility.any_shadow() };

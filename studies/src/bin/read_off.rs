@@ -11,6 +11,7 @@
 use std::num::NonZeroUsize;
 use std::time::Instant;
 
+use radiosity::Work;
 use radiosity::output::readings::grid::{Cell, grid};
 use radiosity::output::readings::quality::{Quality, Reading};
 use radiosity::output::readings::reader::{Read, Reader};
@@ -44,7 +45,7 @@ fn main() -> Result<(), String> {
         println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
         for way in ways.iter().filter(|way| only.is_empty() || only.iter().any(|only| only == way.name)) {
             let start = Instant::now();
-            let outcome = solve(&scene, &way.options, &|_| {}).expect("the box can be solved");
+            let outcome = solve(&scene, &way.options, &Work::alone()).expect("the box can be solved");
             let solved = start.elapsed().as_secs_f64();
             for reading in &way.readings {
                 let (middle, cells) = read(&scene, &outcome, &way.options, *reading);
@@ -52,7 +53,7 @@ fn main() -> Result<(), String> {
             }
         }
     };
-    in_threads(Options::default().threads, work).map_err(|failure| failure.to_string())
+    in_threads(0, work).map_err(|failure| failure.to_string())
 }
 
 /// The presets, and the default with direct light as it was in 1993: in the polynomials, and times masks.
@@ -85,7 +86,7 @@ fn read(scene: &Scene, outcome: &Outcome, options: &Options, reading: Reading) -
     let visibility = Visibility::new(scene, options.into());
     let start = Instant::now();
     let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);
-    let cells = grid(&reader, [16, 16], reading.rates, &|_, _| {});
+    let cells = grid(&reader, [16, 16], reading.rates, &Work::alone());
     let seconds = start.elapsed().as_secs_f64();
     let [floor, wall, both] = errors(scene, &cells);
     let name = format!("{:?} {}, {}", reading.read, reading.rates.direct, reading.rates.indirect);

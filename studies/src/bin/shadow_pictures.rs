@@ -19,6 +19,7 @@ use std::fs::File;
 use std::io::{BufWriter, Result};
 use std::num::NonZeroUsize;
 
+use radiosity::Work;
 use radiosity::output::drawings::false_colour::false_colour;
 use radiosity::output::drawings::picture::Picture;
 use radiosity::output::drawings::scale::Scale;
@@ -57,7 +58,7 @@ struct Way {
 
 fn main() -> Result<()> {
     let prefix = std::env::args().nth(1).unwrap_or_else(|| "docs/occluder-box".to_owned());
-    in_threads(Options::default().threads, || {
+    in_threads(0, || {
         let reference = Way {
             name: "finest",
             orders: [None; 2],
@@ -134,9 +135,17 @@ fn camera(scene: &Scene) -> Camera {
 
 fn picture(way: &Way) -> Raster {
     let scene = scene(way.orders);
-    let outcome = solve(&scene, &way.options, &|_| {}).expect("the box can be solved");
+    let outcome = solve(&scene, &way.options, &Work::alone()).expect("the box can be solved");
     let visibility = Visibility::new(&scene, (&way.options).into());
-    render(&outcome.solution, &visibility, &camera(&scene), SAMPLES, way.read, Shown::Radiosity, &|_| {})
+    render(
+        &outcome.solution,
+        &visibility,
+        &camera(&scene),
+        SAMPLES,
+        way.read,
+        Shown::Radiosity,
+        &Work::alone(),
+    )
 }
 
 /// For each pixel whether all of its rays meet the floor.

@@ -15,6 +15,7 @@
 use std::process::Command;
 use std::time::Duration;
 
+use radiosity::Work;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::space::Space;
@@ -24,6 +25,7 @@ use radiosity::solve::system::System;
 use radiosity::solve::{Options, in_threads};
 use radiosity::transport;
 use radiosity::visibility::Visibility;
+use radiosity::work::ranks::Ranks;
 use radiosity_solvers::Settings;
 
 use radiosity_studies::boxes::room;
@@ -99,7 +101,7 @@ fn figures(row: &str) -> [f64; 3] {
 /// Why a row is not begun.
 fn refusal(grid: [usize; 3], order: usize, done: &[Row]) -> Option<String> {
     let scene = room(grid);
-    let bytes = Footprint::of(&scene, &how(order), Options::default().method).peak();
+    let bytes = Footprint::of(&scene, &how(order), Options::default().method, Ranks::alone()).peak();
     if bytes > MOST_BYTES {
         return Some(format!("about {:.1} GB", bytes as f64 / 1e9));
     }
@@ -138,7 +140,7 @@ fn measure(grid: [usize; 3], order: usize) {
     let elements = Elements::new(&scene, &how(order)).expect("all have area");
     let visibility = Visibility::new(&scene, (&options).into());
     let start = processor();
-    let blocks = transport::assemble(&elements, &visibility, options.accuracy(), &|_, _| {});
+    let blocks = transport::assemble(&elements, &visibility, options.accuracy(), &Work::alone());
     let integrated = processor();
     let coating = Coating::of(&scene, elements.list(), 0);
     let system = System::new(elements.list(), &blocks, &coating);

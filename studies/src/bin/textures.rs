@@ -14,7 +14,7 @@ use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{Disk, FULL_TURN, Parallelogram};
 use radiosity::scene::{Pattern, Placement};
 use radiosity::solve::{Direct, Model, Transport, solve};
-use radiosity::{Material, Options, Scene, SceneBuilder, SceneError};
+use radiosity::{Material, Options, Scene, SceneBuilder, SceneError, Work};
 
 /// Fields along each side of the floor.
 const FIELDS: usize = 8;
@@ -67,7 +67,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (T, Duration) {
 
 /// Mean irradiances of walls and ceiling.
 fn means(scene: &Scene, order: usize) -> Result<(Vec<f64>, usize), Box<dyn Error>> {
-    let outcome = solve(scene, &Options { order, ..exact() }, &|_| {})?;
+    let outcome = solve(scene, &Options { order, ..exact() }, &Work::alone())?;
     let names = ["x0", "x1", "y0", "y1", "ceiling"];
     let mean = |name| Ok(outcome.solution.mean_irradiance(0, scene.surface_named(name)?));
     let means = names.into_iter().map(mean).collect::<Result<_, SceneError>>()?;
@@ -88,11 +88,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (name, direct) in [("projected", Direct::Projected), ("split", Direct::Split)] {
         let scene = room(false)?;
         let options = Options { order: 3, direct, ..exact() };
-        let (model, blocks) = timed(|| Model::assemble(&scene, &options, &|_| {}));
+        let (model, blocks) = timed(|| Model::assemble(&scene, &options, &Work::alone()));
         let model = model?;
         let board = Material::black(1).with_reflectance_pattern(texels(0.5)?)?;
         let other = scene.with_material("board", board)?;
-        let (outcome, again) = timed(|| model.solve(&other, &|_| {}));
+        let (outcome, again) = timed(|| model.solve(&other, &Work::alone()));
         outcome?;
         let ratio = again.as_secs_f64() / blocks.as_secs_f64();
         println!("{name:12}  {:8.1} ms  {:12.2} ms  {ratio:5.3}", millis(blocks), millis(again));

@@ -6,6 +6,7 @@
 
 use std::time::Instant;
 
+use radiosity::Work;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::Accuracy;
 use radiosity::solve::in_threads;
@@ -31,7 +32,7 @@ fn measure(cuts: usize, order: usize, eps: f64) {
     let how = Discretization::uniform(order, cuts);
     let elements = Elements::new(&scene, &how).expect("a box has area");
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
-    let assemble = || transport::assemble(&elements, &visibility, accuracy, &|_, _| {});
+    let assemble = || transport::assemble(&elements, &visibility, accuracy, &Work::alone());
     let (blocks, seconds) = in_threads(1, || {
         let warm = assemble();
         let start = Instant::now();
@@ -66,7 +67,7 @@ quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }";
         let start = Instant::now();
         let mut samples = 0;
         for _ in 0..TIMES {
-            samples += transport::assemble(&elements, &visibility, accuracy, &|_, _| {}).distinct;
+            samples += transport::assemble(&elements, &visibility, accuracy, &Work::alone()).distinct;
         }
         (samples, start.elapsed().as_secs_f64())
     })

@@ -4,18 +4,18 @@ use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::solve::view_factors;
 use radiosity::visibility::{Hiding, Shadows, Visibility};
-use radiosity::{Options, Outcome, Scene, Solved, ViewFactors, solve, transport};
+use radiosity::{Options, Outcome, Scene, Solved, ViewFactors, Work, solve, transport};
 
 /// The outcome of a scene.
 #[track_caller]
 pub fn outcome_of(scene: &Scene, options: &Options) -> Outcome {
-    solve(scene, options, &|_| {}).unwrap_or_else(|error| panic!("{error}"))
+    solve(scene, options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// A scene with its outcome.
 #[track_caller]
 pub fn solved_of(scene: Scene, options: Options) -> Solved {
-    Solved::new(scene, options, &|_| {}).unwrap_or_else(|error| panic!("{error}"))
+    Solved::new(scene, options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The elements of a scene at one order, so many times cut along each parameter.
@@ -27,7 +27,7 @@ pub fn elements_of(scene: &Scene, order: usize, parts: usize) -> Elements {
 
 /// All blocks between elements.
 pub fn blocks_of(elements: &Elements, visibility: &Visibility, accuracy: Accuracy) -> Blocks {
-    transport::assemble(elements, visibility, accuracy, &|_, _| {})
+    transport::assemble(elements, visibility, accuracy, &Work::alone())
 }
 
 /// All blocks between elements of a scene where nothing hides anything.
@@ -40,7 +40,7 @@ pub fn open_blocks_of(scene: &Scene, elements: &Elements, eps: f64) -> Blocks {
 pub fn factors_of(scene: &Scene, shadows: Hiding, eps: f64, shadow_eps: f64) -> ViewFactors {
     let accuracy = Accuracy { eps, shadow_eps };
     let options = view_factors::Options { subdivide: None, accuracy, shadows, threads: 2 };
-    ViewFactors::new(scene, &options, &|_, _| {}).unwrap_or_else(|error| panic!("{error}"))
+    ViewFactors::new(scene, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The view factors of a scene at the accuracies that are usual: of blocks 1e-3, of shadows 3e-3.

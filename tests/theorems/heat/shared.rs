@@ -1,5 +1,6 @@
 //! Scenes, and their heat at an order.
 
+use radiosity::Work;
 use radiosity::heat::{Heat, HeatError, HeatOptions, STEFAN_BOLTZMANN, SurfaceHeat};
 use radiosity::solve::{Options, Transport};
 use radiosity_test_support::scenes::typed;
@@ -18,7 +19,7 @@ pub(super) fn to_accuracy(eps: f64, order: usize, text: &str) -> Result<Heat, He
         tolerance: 1e-13,
         ..Options::default()
     };
-    Heat::of(&typed(text), &HeatOptions { options, conductances: true }, &|_| {})
+    Heat::of(&typed(text), &HeatOptions { options, conductances: true }, &Work::alone())
 }
 
 pub(super) fn lumped(text: &str) -> Heat {

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::output::readings::probe::{Probe, probe};
 use radiosity::output::readings::reader::{Read, Reader};
@@ -97,12 +98,12 @@ fn look(random: &mut Random, case: usize, curved: bool) -> Result<Found, String>
 
 fn furnace(scene: &Scene, writing: &Writing, sensors: &[Probe]) -> Result<(f64, Option<Probe>), String> {
     let options = Options { eps: EPS, ..Options::default() };
-    let outcome = solve(scene, &options, &|_| {}).map_err(|error| error.to_string())?;
+    let outcome = solve(scene, &options, &Work::alone()).map_err(|error| error.to_string())?;
     let visibility = Visibility::new(scene, (&options).into());
     let reader = Reader::new(&outcome.solution, &visibility, Read::Gather, 1.25 * EPS);
     let probes: Vec<Probe> = sensors.iter().map(|sensor| writing.probe(sensor)).collect();
     let readings =
-        probe(&reader, &probes, scene.middle, &|_, _| {}).map_err(|(_, fault)| fault.to_string())?;
+        probe(&reader, &probes, scene.middle, &Work::alone()).map_err(|(_, fault)| fault.to_string())?;
     let offs = readings.iter().map(|reading| 0.5 * (reading.irradiance[0] - 2.0).abs());
     let worst = offs.zip(&probes).max_by(|a, b| a.0.total_cmp(&b.0));
     Ok(worst.map_or((0.0, None), |(off, probe)| (off, Some(*probe))))
@@ -115,7 +116,7 @@ fn rows(scene: &Scene) -> Result<(f64, String), String> {
         shadows: Hiding::Auto,
         threads: 2,
     };
-    let factors = ViewFactors::new(scene, &options, &|_, _| {}).map_err(|error| error.to_string())?;
+    let factors = ViewFactors::new(scene, &options, &Work::alone()).map_err(|error| error.to_string())?;
     let told = factors.accuracy_reached.max(EPS);
     let offs = factors.row_sums().into_iter().map(|sum| (sum - 1.0).abs() * EPS / told);
     let worst = offs.zip(&factors.names).max_by(|a, b| a.0.total_cmp(&b.0)).expect("a scene has surfaces");

@@ -12,7 +12,7 @@ use radiosity::solve::gather::by_rays::{RayGather, Receiver};
 use radiosity::solve::gather::choice::By;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;
-use radiosity::{Scene, SceneBuilder};
+use radiosity::{Scene, SceneBuilder, Work};
 use radiosity_test_support::scenes::{builtin, material};
 use radiosity_test_support::shapes::ball;
 use radiosity_test_support::solved::outcome_of;
@@ -108,7 +108,7 @@ fn rays_from_all_of_a_cell_give_its_mean() {
     let (outcome, visibility) = solved(&scene);
     let read = |by, eps| {
         let reader = Reader::by(by, &outcome.solution, &visibility, Read::Gather, eps);
-        grid(&reader, [2, 2], Rates { direct: 8, indirect: 4 }, &|_, _| {})
+        grid(&reader, [2, 2], Rates { direct: 8, indirect: 4 }, &Work::alone())
     };
     let (exact, found) = (read(By::Cells, 1e-3), read(By::Rays, 5e-3));
     let sum = |values: &[f64]| values.iter().sum::<f64>();

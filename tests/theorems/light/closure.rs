@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::transport;
 use radiosity::visibility::{Hiding, Visibility};
@@ -16,7 +17,7 @@ fn row_sum(text: &str, name: &str, order: usize) -> f64 {
     let elements = elements_of(&scene, order, 1);
     let row = elements.of_surface(scene.surface_named(name).expect("it is there")).start;
     let wanted = |i: usize, j: usize| i == row || j == row;
-    let blocks = transport::assemble_pairs(&elements, &wanted, &visibility, accuracy, &|_, _| {});
+    let blocks = transport::assemble_pairs(&elements, &wanted, &visibility, accuracy, &Work::alone());
     let transported = blocks.apply(&elements.constant());
     let element = &elements.list()[row];
     let own = &transported[blocks.starts()[row]..];

@@ -6,6 +6,7 @@
 
 #![expect(clippy::print_stdout, reason = "the figures are worth a line in the log")]
 
+use radiosity::Work;
 use radiosity::output::readings::grid::{Cell, Rates, grid};
 use radiosity::output::readings::quality::Quality;
 use radiosity::output::readings::reader::{Read, Reader};
@@ -26,7 +27,7 @@ fn cells(order: usize, subdivide: usize, surface: &str) -> Vec<Cell> {
     let outcome = outcome_of(&scene, &options);
     let visibility = Visibility::new(&scene, Shadows::Off);
     let reader = Reader::new(&outcome.solution, &visibility, Read::Basis, 1e-3);
-    let all = grid(&reader, [16, 16], Rates::default(), &|_, _| {});
+    let all = grid(&reader, [16, 16], Rates::default(), &Work::alone());
     all.into_iter().filter(|cell| cell.surface == index).collect()
 }
 
@@ -94,7 +95,7 @@ fn gathered(quality: Quality) -> f64 {
     let visibility = Visibility::new(&scene, (&options).into());
     let reading = quality.reading();
     let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);
-    let all = grid(&reader, [16, 16], reading.rates, &|_, _| {});
+    let all = grid(&reader, [16, 16], reading.rates, &Work::alone());
     let of = |name: &str| -> [[f64; 2]; 3] {
         let index = scene.surfaces.iter().position(|s| s.name == name).expect("the surface is there");
         sums(name, &all.iter().filter(|cell| cell.surface == index).cloned().collect::<Vec<_>>())

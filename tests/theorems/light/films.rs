@@ -1,5 +1,6 @@
 //! Pictures of frames that follow each other: they change by as much as things move, and no more.
 
+use radiosity::Work;
 use radiosity::output::pictures::raster::Raster;
 use radiosity::output::pictures::render::render;
 use radiosity::output::readings::reader::Read;
@@ -49,9 +50,9 @@ fn film(scene: &Scene, transport: Transport, read: Read) -> Vec<Raster> {
     let frames = scene.frames();
     let mut follower = Follower::new(scene, &options, Way::Selective, [0, frames - 1]);
     let picture = |number: usize| {
-        let frame = follower.frame(number, &|_| ()).expect("it is solved");
+        let frame = follower.frame(number, &Work::alone()).expect("it is solved");
         let visibility = Visibility::new(&frame.scene, (&options).into());
-        render(&frame.solution, &visibility, &camera, 2, read, Shown::Radiosity, &|_| ())
+        render(&frame.solution, &visibility, &camera, 2, read, Shown::Radiosity, &Work::alone())
     };
     (0..frames).map(picture).collect()
 }

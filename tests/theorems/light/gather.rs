@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
 
 use proptest::prelude::*;
+use radiosity::Work;
 use radiosity::elements::cells::Layers;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::receiver_point::ReceiverPoint;
@@ -259,7 +260,7 @@ fn cells_of_the_furnace_are_two_times_what_is_uncovered() {
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
     for read in [Read::Basis, Read::Direct, Read::Gather] {
         let reader = Reader::new(&solution, &visibility, read, 1e-2);
-        let cells = grid(&reader, [4, 4], Rates { direct: 2, indirect: 1 }, &|_, _| {});
+        let cells = grid(&reader, [4, 4], Rates { direct: 2, indirect: 1 }, &Work::alone());
         for cell in cells.iter().filter(|cell| cell.surface < 11) {
             let [low, high] = [0, 1].map(|k| [cell.index[0], cell.index[1]].map(|i| 0.25 * (i + k) as f64));
             let shared = |k: usize, from: f64, to: f64| (high[k].min(to) - low[k].max(from)).max(0.0);

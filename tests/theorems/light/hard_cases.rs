@@ -1,5 +1,6 @@
 //! Scenes on which an earlier version was wrong, dark or slow.
 
+use radiosity::Work;
 use radiosity::output::pictures::render::{Read, render};
 use radiosity::output::readings::shown::Shown;
 use radiosity::scene::Scene;
@@ -85,7 +86,7 @@ fn two_sided_panels_are_seen_from_both_sides() {
         let camera = scene.camera.clone().expect("there is a camera");
         let visibility = Visibility::new(&scene, Shadows::Off);
         let image =
-            render(&outcome.solution, &visibility, &camera, 1, Read::Basis, Shown::Radiosity, &|_| {});
+            render(&outcome.solution, &visibility, &camera, 1, Read::Basis, Shown::Radiosity, &Work::alone());
         assert!(image.pixels().all(|pixel| *pixel == [1.0]), "the panel fills the picture");
     }
 }

@@ -1,5 +1,6 @@
 //! Light textures: constants, values at single points, groups, borders.
 
+use radiosity::Work;
 use radiosity::output::pictures::lightmap::Lightmap;
 use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::scene::Scene;
@@ -16,7 +17,7 @@ fn solved(scene: Scene) -> Solved {
 }
 
 fn lightmap(solved: &Solved, texels: usize) -> Lightmap {
-    Lightmap::new(solved, Read::Gather, texels, &|_| {})
+    Lightmap::new(solved, Read::Gather, texels, &Work::alone())
 }
 
 /// A closed room in which everything emits 1 and reflects ½, bodies on its floor, a sheet on a wall and a ceiling of two parts

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use radiosity::Work;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::output::readings::grid::{Rates, grid};
@@ -113,7 +114,7 @@ fn means_over_cells_are_those_of_the_closed_form() {
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
     for (read, by, error) in [(Read::Direct, By::Cells, 1e-5), (Read::Gather, By::Rays, 3e-3)] {
         let reader = Reader::by(by, &outcome.solution, &visibility, read, 1e-3);
-        for cell in grid(&reader, [8, 8], Rates::default(), &|_, _| {}) {
+        for cell in grid(&reader, [8, 8], Rates::default(), &Work::alone()) {
             // The mean by a Gauss rule of 3 × 3 points on 4 × 4 parts.
             let side = 2.0 * half / 8.0;
             let (nodes, weights) =

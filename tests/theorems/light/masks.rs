@@ -2,6 +2,7 @@
 
 use std::num::NonZeroUsize;
 
+use radiosity::Work;
 use radiosity::light::direct::DirectLight;
 use radiosity::output::readings::grid::{Cell, Rates, grid};
 use radiosity::output::readings::reader::{Read, Reader};
@@ -29,7 +30,7 @@ fn weighted(count: usize) -> Option<Masking> {
 fn means(scene: &Scene, outcome: &Outcome, read: Read) -> Vec<Cell> {
     let visibility = Visibility::new(scene, (&Options::default()).into());
     let reader = Reader::new(&outcome.solution, &visibility, read, 1e-3);
-    grid(&reader, [16, 16], Rates::default(), &|_, _| {})
+    grid(&reader, [16, 16], Rates::default(), &Work::alone())
 }
 
 /// Relative L2 difference over the floor.

@@ -1,5 +1,6 @@
 //! Models: blocks that are solved for other materials give what a new solution gives.
 
+use radiosity::Work;
 use radiosity::scene::{Material, Scene};
 use radiosity::solve::{Direct, Failure, Model, Options, Outcome};
 use radiosity_solvers::method::Method;
@@ -13,7 +14,7 @@ fn options(direct: Direct) -> Options {
 }
 
 fn model(scene: &Scene, options: &Options) -> Model {
-    Model::assemble(scene, options, &|_| {}).expect("the scene has blocks")
+    Model::assemble(scene, options, &Work::alone()).expect("the scene has blocks")
 }
 
 /// `scene` with the reflectance of the material `name` multiplied by `factor`, and its emission by `brightness`.
@@ -51,7 +52,7 @@ fn a_furnace_of_any_reflectance_comes_from_one_model() {
     for reflectance in [0.0, 0.1, 0.5, 0.9, 0.99] {
         let material = material(reflectance, 1.0);
         let painted = scene.with_material(&wall, material).expect("walls have it");
-        let outcome = model.solve(&painted, &|_| {}).expect("it is solved");
+        let outcome = model.solve(&painted, &Work::alone()).expect("it is solved");
         let exact = 1.0 / (1.0 - reflectance);
         for surface in 0..scene.surfaces.len() {
             let found = outcome.solution.mean_irradiance(0, surface);
@@ -70,7 +71,7 @@ fn new_materials_give_the_solution_of_the_new_scene() {
     let model = model(&scene, &options);
     for (name, factor, brightness) in [("white", 1.2, 1.0), ("red", 0.0, 1.0), ("light", 0.5, 3.0)] {
         let painted = painted(&scene, name, factor, brightness);
-        let again = model.solve(&painted, &|_| {}).expect("it is solved");
+        let again = model.solve(&painted, &Work::alone()).expect("it is solved");
         let far = difference(&scene, &again, &outcome_of(&painted, &options));
         assert!(far < 1e-12, "{name}: {far:e}");
     }
@@ -86,7 +87,7 @@ fn new_reflectances_keep_the_accuracy_of_light_that_is_split_off() {
         [("white", 1.25), ("white", 0.25), ("red", 1.5), ("green", 0.25), ("light", 0.26), ("red", 0.0)];
     for (name, factor) in changes {
         let painted = painted(&scene, name, factor, 1.0);
-        let again = model.solve(&painted, &|_| {}).expect("it is solved");
+        let again = model.solve(&painted, &Work::alone()).expect("it is solved");
         let far = difference(&scene, &again, &outcome_of(&painted, &options));
         assert!(far < 0.5 * options.shadow_eps, "{name}: {far:e}");
     }
@@ -97,7 +98,7 @@ fn new_emission_gives_the_solution_of_the_new_scene_where_direct_light_is_split_
     let scene = builtin("cornell-box");
     let options = options(Direct::Split);
     let painted = painted(&scene, "light", 1.0, 3.0);
-    let again = model(&scene, &options).solve(&painted, &|_| {}).expect("it is solved");
+    let again = model(&scene, &options).solve(&painted, &Work::alone()).expect("it is solved");
     let far = difference(&scene, &again, &outcome_of(&painted, &options));
     assert!(far < 1e-12, "{far:e}");
 }
@@ -106,15 +107,15 @@ fn new_emission_gives_the_solution_of_the_new_scene_where_direct_light_is_split_
 fn scenes_that_a_model_is_not_made_for_are_refused() {
     let scene = builtin("cornell-box");
     let model = model(&scene, &options(Direct::Auto));
-    let other = model.solve(&builtin("empty-box"), &|_| {}).expect_err("it is another scene");
+    let other = model.solve(&builtin("empty-box"), &Work::alone()).expect_err("it is another scene");
     assert!(matches!(&other, Failure::OtherSurface { .. }), "{other}");
     // The same text read again has surfaces of its own, which may have been changed.
-    let again = model.solve(&builtin("cornell-box"), &|_| {}).expect_err("it was read again");
+    let again = model.solve(&builtin("cornell-box"), &Work::alone()).expect_err("it was read again");
     assert!(matches!(&again, Failure::OtherSurface { surface } if surface == "floor"), "{again}");
     let black = Material::new(vec![0.0; 3], vec![0.0; 3]).expect("it is in range");
     let dark = scene.with_material("red", black).expect("a wall has it");
     let unlit = self::model(&dark, &options(Direct::Auto));
-    let unlit = unlit.solve(&painted_from(&dark, &scene), &|_| {}).expect_err("a wall had no blocks");
+    let unlit = unlit.solve(&painted_from(&dark, &scene), &Work::alone()).expect_err("a wall had no blocks");
     assert!(matches!(&unlit, Failure::Unlit { surface } if surface == "left_wall"), "{unlit}");
 }
 

@@ -4,6 +4,7 @@
 use std::collections::HashMap;
 
 use proptest::prelude::*;
+use radiosity::Work;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::{Accuracy, polygon_exchange};
 use radiosity::scene::Scene;
@@ -118,7 +119,7 @@ fn a_ball_in_a_sphere_hides_a_part_of_it() {
     for (hiding, eps, most) in [(Hiding::Rays, 1e-3, 1e-3), (Hiding::Auto, 1e-6, 1e-5)] {
         let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
         let options = Options { subdivide: None, accuracy, shadows: hiding, threads: 2 };
-        let found = ViewFactors::new(&scene, &options, &|_, _| {}).expect("both have area");
+        let found = ViewFactors::new(&scene, &options, &Work::alone()).expect("both have area");
         for (i, j, exact) in [(0, 0, 0.0), (0, 1, 1.0), (1, 0, 0.25), (1, 1, 0.75)] {
             let own = found.factor(i, j);
             assert!((own - exact).abs() <= most, "{hiding:?} {i} {j}: {own} instead of {exact}");
@@ -240,7 +241,7 @@ fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
     let elements = Elements::new(scene, &how).expect("all have area");
     let blocks = |accuracy: Accuracy| {
         let visibility = Visibility::new(scene, Shadows::Outlines(accuracy.shadow_eps));
-        transport::assemble_pairs(&elements, &|_, _| true, &visibility, accuracy, &|_, _| {})
+        transport::assemble_pairs(&elements, &|_, _| true, &visibility, accuracy, &Work::alone())
     };
     let usual = blocks(Accuracy { eps: 1e-3, shadow_eps: 3e-3 });
     let exact = blocks(Accuracy { eps: finest, shadow_eps: finest });

@@ -12,7 +12,7 @@ use radiosity::output::readings::shown::Shown;
 use radiosity::solve::solution::Place;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;
-use radiosity::{Scene, SceneBuilder, scene::Camera};
+use radiosity::{Scene, SceneBuilder, Work, scene::Camera};
 use radiosity_test_support::scenes::{material, typed};
 use radiosity_test_support::shapes::{ball, plate};
 use radiosity_test_support::solved::outcome_of;
@@ -54,7 +54,8 @@ fn taken(scene: Scene, samples: u32) -> Taken {
     let visibility = Visibility::new(&scene, (&options).into());
     let camera = scene.camera.clone().expect("a camera");
     let read = Read::Direct;
-    let raster = render(&outcome.solution, &visibility, &camera, samples, read, Shown::Irradiance, &|_| {});
+    let raster =
+        render(&outcome.solution, &visibility, &camera, samples, read, Shown::Irradiance, &Work::alone());
     Taken { scene, outcome, visibility, raster }
 }
 
@@ -262,7 +263,7 @@ sphere = { center = [1.5,1.5,1.0], radius = 0.2 }
     let Taken { outcome, visibility, scene, raster } = taken(scene, 1);
     let camera = scene.camera.clone().expect("a camera");
     let read = Read::Basis;
-    let smooth = render(&outcome.solution, &visibility, &camera, 1, read, Shown::Irradiance, &|_| {});
+    let smooth = render(&outcome.solution, &visibility, &camera, 1, read, Shown::Irradiance, &Work::alone());
     let [direct, basis] = [&raster, &smooth].map(|own| own.pixels().map(|pixel| pixel[0]).sum::<f64>());
     assert!((direct - basis).abs() < 0.03 * basis, "{direct} {basis}");
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use radiosity::Work;
 use radiosity::geom::{DVec3, Encounter};
 use radiosity::output::pictures::pinhole::Pinhole;
 use radiosity::output::pictures::render::render;
@@ -26,8 +27,15 @@ fn fitted_light_is_that_of_every_pixel() {
         let visibility = Visibility::new(&scene, (&options).into());
         let camera =
             Camera { width: SIZE as u32, height: SIZE as u32, ..scene.camera.clone().expect("a camera") };
-        let raster =
-            render(&outcome.solution, &visibility, &camera, 1, Read::Gather, Shown::Radiosity, &|_| {});
+        let raster = render(
+            &outcome.solution,
+            &visibility,
+            &camera,
+            1,
+            Read::Gather,
+            Shown::Radiosity,
+            &Work::alone(),
+        );
         let reader = Reader::new(&outcome.solution, &visibility, Read::Gather, 1e-3);
         let view = Pinhole::new(&camera);
         let (mut squares, mut sum) = (0.0, 0.0);
@@ -68,7 +76,8 @@ fn luminous_areas_are_as_bright_as_they_are_towards_the_eye() {
         let camera =
             Camera { width: 3, height: 3, up: DVec3::Y, fov: 1.0, ..Camera::new(eye, 2.0 * DVec3::Z) };
         let shot = |shown: Shown| {
-            let raster = render(&outcome.solution, &visibility, &camera, 1, Read::Gather, shown, &|_| {});
+            let raster =
+                render(&outcome.solution, &visibility, &camera, 1, Read::Gather, shown, &Work::alone());
             raster.pixels().nth(4).expect("nine pixels")[0]
         };
         let (found, exact) = (shot(Shown::Radiosity), PI * 10.0 * gamma.cos().powi(2) / 0.4);
@@ -90,8 +99,15 @@ fn openings_are_as_bright_as_the_sky_behind_them() {
         let eye = DVec3::new(0.2 + height.cos(), 0.1, 3.0 - height.sin());
         let target = DVec3::new(0.2, 0.1, 3.0);
         let camera = Camera { width: 3, height: 3, up: DVec3::Y, fov: 1.0, ..Camera::new(eye, target) };
-        let raster =
-            render(&outcome.solution, &visibility, &camera, 1, Read::Gather, Shown::Radiosity, &|_| {});
+        let raster = render(
+            &outcome.solution,
+            &visibility,
+            &camera,
+            1,
+            Read::Gather,
+            Shown::Radiosity,
+            &Work::alone(),
+        );
         let found = raster.pixels().nth(4).expect("nine pixels")[0];
         let exact = 9.0 * 700.0 / 7.0 * (1.0 + 2.0 * height.sin()) / 3.0;
         assert!((found - exact).abs() < 1e-4 * exact, "{height}: {found}, not {exact}");

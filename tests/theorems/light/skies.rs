@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use radiosity::Work;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::scene::{Radiance, Scene};
@@ -250,6 +251,6 @@ fn openings_that_look_alike_share_what_they_see() {
 fn what_takes_light_for_diffuse_is_refused() {
     let scene = open_air("model = \"overcast\"\nilluminance = 1000");
     let options = Options { direct: radiosity::solve::Direct::Projected, ..Options::default() };
-    let refused = solve(&scene, &options, &|_| {}).expect_err("it is refused");
+    let refused = solve(&scene, &options, &Work::alone()).expect_err("it is refused");
     assert!(matches!(refused, Failure::NotDiffuse { .. }), "{refused}");
 }

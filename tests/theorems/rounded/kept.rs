@@ -1,5 +1,6 @@
 //! What must not be welded, or seen as one: small gaps beside far skies, rooms side by side, whole metres on a map.
 
+use radiosity::Work;
 use radiosity::scene::{Scene, SceneBuilder};
 use radiosity::solve::view_factors::ViewFactors;
 use radiosity_geom::shapes::Polygon;
@@ -141,8 +142,11 @@ fn a_plate_casts_its_shadow_however_far_the_sun_is() {
         let found = factors(&scene);
         let exact = 0.2666f64.to_radians().sin().powi(2);
         assert!((factor(&found, "plate", "sun") / exact - 1.0).abs() < 1e-4, "at {distance:e}");
-        let solved =
-            radiosity::solve::solved::Solved::new(scene, radiosity::solve::Options::default(), &|_| {});
+        let solved = radiosity::solve::solved::Solved::new(
+            scene,
+            radiosity::solve::Options::default(),
+            &Work::alone(),
+        );
         let solved = solved.expect("a solution");
         let visibility = solved.visibility();
         let gather = radiosity::solve::gather::Gather::new(&solved.outcome.solution, visibility, 1e-3);

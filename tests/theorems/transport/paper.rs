@@ -8,6 +8,7 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
+use radiosity::Work;
 use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
@@ -209,7 +210,7 @@ fn ours(elements: &Elements, visibility: &Visibility, eps: f64) -> Blocks {
 }
 
 fn as_1993(elements: &Elements, visibility: &Visibility, rules: Rules, extra: usize) -> Blocks {
-    let blocks = assemble(elements, visibility, rules, extra, &|_, _| {});
+    let blocks = assemble(elements, visibility, rules, extra, &Work::alone());
     blocks.expect("all surfaces have charts")
 }
 
@@ -420,6 +421,6 @@ fn a_panel_over_half_hides_half() {
 fn other_polygons_are_refused_by_name() {
     let scene = builtin("cornell-box");
     let options = Options { kernel: Some(H1), threads: 2, ..Options::default() };
-    let failure = solve(&scene, &options, &|_| {}).expect_err("the floor is no parallelogram");
+    let failure = solve(&scene, &options, &Work::alone()).expect_err("the floor is no parallelogram");
     assert!(matches!(&failure, Failure::NoChart { surface } if surface == "floor"), "{failure}");
 }

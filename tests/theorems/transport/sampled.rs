@@ -3,11 +3,14 @@
 use std::f64::consts::PI;
 
 use radiosity::SceneBuilder;
+use radiosity::Work;
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{FULL_TURN, Sphere};
 use radiosity::scene::Scene;
-use radiosity::solve::{Options, Outcome, Progress, Stop, Transport, solve};
+use radiosity::solve::{Options, Outcome, Transport, solve};
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity::work::ranks::Ranks;
+use radiosity::work::{Deadline, Progress};
 use radiosity::{
     kernel::{Accuracy, Blocks},
     transport::{Rays, SampledTransport},
@@ -21,7 +24,7 @@ use radiosity_test_support::solved::{blocks_of, elements_of, outcome_of};
 fn sampled(scene: &Scene, order: usize, rays: u64) -> Blocks {
     let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
     let elements = elements_of(scene, order, 1);
-    let mut transport = SampledTransport::new(&elements, &visibility);
+    let mut transport = SampledTransport::new(&elements, &visibility, Ranks::alone());
     transport.send(&vec![rays; elements.list().len()], &mut |_| true);
     transport.blocks(Rays::All)
 }
@@ -97,7 +100,7 @@ fn no_ray_leaves_a_closed_room() {
     for scene in [builtin("furnace-cube"), can(), turned_room()] {
         let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
         let elements = elements_of(&scene, 0, 2);
-        let mut transport = SampledTransport::new(&elements, &visibility);
+        let mut transport = SampledTransport::new(&elements, &visibility, Ranks::alone());
         transport.send(&vec![20_000; elements.list().len()], &mut |_| true);
         for (element, share) in elements.list().iter().zip(transport.shares_lost()) {
             assert!(share == 0.0, "{}: surface {} loses {share}", scene.name, element.surface);
@@ -133,7 +136,7 @@ fn what_crosses_a_wall_hides_what_it_encloses() {
     let scene = builder.build().expect("a room");
     let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
     let elements = elements_of(&scene, 0, 1);
-    let mut transport = SampledTransport::new(&elements, &visibility);
+    let mut transport = SampledTransport::new(&elements, &visibility, Ranks::alone());
     transport.send(&vec![20_000; elements.list().len()], &mut |_| true);
     let shares = transport.shares_lost();
     let below = 0.5 * (1.0 - height / radius);
@@ -157,23 +160,23 @@ fn what_crosses_a_wall_hides_what_it_encloses() {
 
 #[test]
 fn a_stopped_run_counts_the_rays_that_were_sent() {
-    static STOP: Stop = Stop::new();
     let scene = builtin("occluder-box");
     let planned = 8_000_000;
     let options = Options {
         transport: Transport::Sampled,
         rays: Some(planned),
         subdivide: Some(1),
-        stop: Some(&STOP),
         ..Options::default()
     };
     // The second round is the last.
-    let outcome = solve(&scene, &options, &|stage| {
-        if let Progress::Rays { error: Some(error), .. } = stage {
+    let deadline = Deadline::default();
+    let hear = |progress| {
+        if let Progress::Rays { error: Some(error), .. } = progress {
             assert!(error < 0.1, "{error}");
-            STOP.raise();
+            deadline.wish();
         }
-    });
+    };
+    let outcome = solve(&scene, &options, &Work::alone().told(&hear).until(&deadline));
     let outcome = outcome.expect("the scene can be solved");
     let sampling = outcome.sampling.expect("rays carried the light");
     assert!(sampling.planned > planned && sampling.rays < sampling.planned, "{sampling:?}");

@@ -7,7 +7,7 @@ use gif::Repeat;
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::files::exr_file::write_exr;
 use radiosity_output::pictures::raster::Raster;
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 
 use super::encoder::{Container, Encoder, require_program};
 use crate::error::CliError;
@@ -54,6 +54,7 @@ impl Film {
         (typed, of_scene): (Option<f64>, Option<f64>),
         first: usize,
         loaded: &Loaded,
+        ranks: &Ranks,
     ) -> Result<Self, CliError> {
         let fps = typed.or(of_scene).unwrap_or(FPS);
         let ending = name.extension().map(|ending| ending.to_string_lossy().to_lowercase());
@@ -69,7 +70,7 @@ impl Film {
                 "add --fps 50, or write pictures of their own: frame-####.png",
             ),
             Some("gif") => Ok(Self::Gif {
-                output: loaded.apart(OutputFile::reserve(name)?)?,
+                output: loaded.apart(OutputFile::reserve(name, ranks)?)?,
                 fps,
                 size: [0; 2],
                 frames: Vec::new(),
@@ -80,7 +81,7 @@ impl Film {
             ),
             Some(ending @ ("png" | "exr")) => match Pattern::of(name, ending == "exr") {
                 Some(pattern) => {
-                    loaded.apart(OutputFile::reserve(&pattern.path(first))?)?;
+                    loaded.apart(OutputFile::reserve(&pattern.path(first), ranks)?)?;
                     Ok(Self::Files(pattern))
                 }
                 None => refused(
@@ -89,10 +90,10 @@ impl Film {
                 ),
             },
             Some(ending) if let Some(container) = Container::of(ending) => {
-                if ranks::current().is_first() {
+                if ranks.is_first() {
                     require_program(name)?;
                 }
-                let output = Some(loaded.apart(OutputFile::reserve(name)?)?);
+                let output = Some(loaded.apart(OutputFile::reserve(name, ranks)?)?);
                 Ok(Self::Encoded { output, container, fps, encoder: None })
             }
             _ => refused(
@@ -103,10 +104,10 @@ impl Film {
     }
 
     /// Whether the picture of a frame is there already.
-    pub(super) fn has(&self, frame: usize) -> bool {
+    pub(super) fn has(&self, frame: usize, ranks: &Ranks) -> bool {
         // Others may look when it has just been written.
         let Self::Files(pattern) = self else { return false };
-        ranks::current().of_first(pattern.path(frame).exists())
+        ranks.of_first(pattern.path(frame).exists())
     }
 
     /// Whether it holds values rather than colours.
@@ -120,10 +121,11 @@ impl Film {
         frame: usize,
         raster: &Raster,
         picture: impl FnOnce() -> Picture,
+        ranks: &Ranks,
     ) -> Result<(), CliError> {
         match self {
             Self::Files(pattern) => {
-                let output = OutputFile::reserve(&pattern.path(frame))?;
+                let output = OutputFile::reserve(&pattern.path(frame), ranks)?;
                 if pattern.is_exr {
                     return output.write(|writer| write_exr(raster, writer));
                 }

@@ -7,6 +7,8 @@ use radiosity_output::readings::quality;
 use radiosity_output::readings::read_error::ReadError;
 use radiosity_output::readings::reader::Reader;
 use radiosity_solve::animation::frame::Frame;
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 
 use crate::destination::Destination;
 use crate::error::CliError;
@@ -28,10 +30,10 @@ impl Readings {
     }
 
     /// Reads the points in a frame.
-    pub(super) fn read(&mut self, number: usize, frame: &Frame) -> Result<(), CliError> {
+    pub(super) fn read(&mut self, number: usize, frame: &Frame, ranks: &Ranks) -> Result<(), CliError> {
         let how = &self.how;
         let reader = Reader::by(how.by, &frame.solution, &frame.visibility, how.read, how.eps);
-        let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, &|_, _| ());
+        let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, &Work::among(ranks));
         let read = read.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
         self.frames.push((number, read));
         Ok(())
@@ -44,7 +46,7 @@ impl Readings {
     }
 
     /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…`, a row for each frame and point.
-    pub(super) fn write(&self, bands: &[String]) -> Result<(), CliError> {
+    pub(super) fn write(&self, bands: &[String], ranks: &Ranks) -> Result<(), CliError> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let names = ["frame", "point"].into_iter().chain(COLUMNS).map(str::to_owned);
         let light = bands.iter().map(|band| format!("E_{band}"));
@@ -58,6 +60,6 @@ impl Readings {
             }
         }
         let table = writer.into_inner().map_err(|error| error.into_error())?;
-        Destination::Stdout.write(|writer| writer.write_all(&table))
+        Destination::of(None, ranks).write(|writer| writer.write_all(&table))
     }
 }

@@ -13,6 +13,8 @@ use radiosity_output::readings::shown::Shown;
 use radiosity_request::picture::{SAMPLES, camera};
 use radiosity_scene::{Camera, Scene};
 use radiosity_visibility::Visibility;
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 
 use crate::{
     colours::ColourArgs, error::CliError, format, numbers::Counts, output_file::OutputFile,
@@ -97,11 +99,12 @@ impl PictureArgs {
 
 impl Wanted<'_> {
     /// The picture of this balance.
-    pub(crate) fn take(&self, scene: &Scene, visibility: &Visibility, heat: &Heat) -> Picture {
+    pub(crate) fn take(&self, scene: &Scene, visibility: &Visibility, heat: &Heat, ranks: &Ranks) -> Picture {
         let PictureArgs { show, colours, .. } = self.args;
         let levels = heat.levels();
-        let raster =
-            render(&levels, visibility, &self.camera, SAMPLES, Read::Basis, Shown::Radiosity, &|_| {});
+        let (read, shown) = (Read::Basis, Shown::Radiosity);
+        let work = Work::among(ranks);
+        let raster = render(&levels, visibility, &self.camera, SAMPLES, read, shown, &work);
         let (field, title) = match show {
             Quantity::Temperature => (raster.field(None).map(kelvin), ["temperature", "K"]),
             Quantity::Exitance => (raster.field(None), ["σT⁴", "W/m²"]),
@@ -109,7 +112,7 @@ impl Wanted<'_> {
         // No surface is left out of the range for its light.
         let mut dark = scene.clone();
         dark.surfaces.iter_mut().for_each(|surface| surface.material.emission.fill(0.0));
-        let sights = Sights::through(&self.camera, SAMPLES, &dark, visibility);
+        let sights = Sights::through(&self.camera, SAMPLES, &dark, visibility, ranks);
         let usual = field.usual_range().unwrap_or_default();
         let colours = match show {
             Quantity::Temperature => colours.colours_between(usual),

@@ -17,6 +17,8 @@ use radiosity_output::readings::uniformity::Uniformity;
 use radiosity_request::picture::{SAMPLES, pixels, require_pixels, sized};
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solved::Solved;
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 
 use super::args::ReportPageArgs;
 use crate::{
@@ -24,8 +26,6 @@ use crate::{
     error::CliError,
     numbers::Counts,
     planes::plane,
-    progress::Progress,
-    render,
     run::{Loaded, Run},
     sensors::Sensors,
 };
@@ -55,10 +55,10 @@ pub(super) struct Read {
 
 impl<'a> Wanted<'a> {
     /// What was asked for of `scene`.
-    pub(super) fn of(args: &'a ReportPageArgs, scene: &Scene) -> Result<Self, CliError> {
+    pub(super) fn of(args: &'a ReportPageArgs, scene: &Scene, ranks: &Ranks) -> Result<Self, CliError> {
         args.colours.check()?;
         let camera = scene.camera.clone().map(|camera| sized(camera, args.size.map(|Counts(size)| size)));
-        camera.iter().try_for_each(|camera| require_pixels(camera, scene, args.method.memory))?;
+        camera.iter().try_for_each(|camera| require_pixels(camera, scene, args.method.memory, ranks))?;
         let mut planes = scene.planes.clone();
         for (index, text) in args.plane.iter().enumerate() {
             let typed = plane(text, index, scene)?;
@@ -84,22 +84,20 @@ impl<'a> Wanted<'a> {
         &self,
         args: &ReportPageArgs,
         loaded: Loaded,
-        progress: &Progress,
+        work: &Work<'_>,
     ) -> Result<(Run, Read), CliError> {
-        let mut run = Run::solve(loaded, &args.method, &args.report, progress)?;
+        let mut run = Run::solve(loaded, &args.method, &args.report, work)?;
         let reading = args.read.reading(&args.method, &run);
         let visibility = run.solved.visibility();
         let Solved { scene, outcome, .. } = &run.solved;
         let solution = &outcome.solution;
         let (sensed, cells) = run.in_threads(|| {
             let reader = Reader::by(reading.by, solution, visibility, reading.read, reading.eps);
-            let points = |done, total| progress.show("points", done, total);
-            let sensed = probe(&reader, &self.sensors.probes(), scene.middle, &points);
-            let cells = |done, total| progress.show("cells", done, total);
-            (sensed, grid(&reader, self.cells, reading.rates, &cells))
+            let sensed = probe(&reader, &self.sensors.probes(), scene.middle, work);
+            (sensed, grid(&reader, self.cells, reading.rates, work))
         })?;
         let sensed = sensed.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
-        let picture = self.camera.as_ref().map(|camera| picture(&run, camera, progress)).transpose()?;
+        let picture = self.camera.as_ref().map(|camera| picture(&run, camera, work)).transpose()?;
         let surfaces = SurfaceLight::of(solution, &cells);
         let planes = self.sensors.by_plane(&sensed);
         let figures = planes.map(|on| PlaneFigures::of(on.plane, &scene.bands, on.items)).collect();
@@ -112,11 +110,10 @@ impl<'a> Wanted<'a> {
 }
 
 /// The picture through the camera, as `radiosity render` takes it.
-fn picture(run: &Run, camera: &Camera, progress: &Progress) -> Result<Picture, CliError> {
+fn picture(run: &Run, camera: &Camera, work: &Work<'_>) -> Result<Picture, CliError> {
     let (solution, visibility) = (&run.solved.outcome.solution, run.solved.visibility());
     let read = usual_read(solution, visibility, pixels(camera));
-    let observe = |stage| render::show(progress, stage);
-    let take = || render(solution, visibility, camera, SAMPLES, read, Shown::Radiosity, &observe);
+    let take = || render(solution, visibility, camera, SAMPLES, read, Shown::Radiosity, work);
     let raster = run.in_threads(take)?;
     Ok(Image::new(&raster, white_balance(solution)).photograph())
 }

@@ -62,10 +62,6 @@ impl Deficit {
 /// The blocks with rows that sum to 1 where these are known; every rank has all of them.
 pub(super) fn corrected(elements: &Elements, blocks: &Blocks, pairs: &Pairs, rows: &[bool]) -> Blocks {
     let blocks = &*blocks.gathered();
-    Ranks::alone().within(|| settled(elements, blocks, pairs, rows))
-}
-
-fn settled(elements: &Elements, blocks: &Blocks, pairs: &Pairs, rows: &[bool]) -> Blocks {
     let integrated = blocks.apply(&elements.constant());
     let mut now = copied(elements, blocks, |_, _, values| values.to_vec());
     for _ in 0..TURNS {
@@ -109,9 +105,9 @@ fn turn(elements: &Elements, blocks: &Blocks, pairs: &Pairs, Deficit(deficit): &
     })
 }
 
-/// Blocks with other values, their accounts kept.
+/// Blocks with other values, held by every rank, their accounts kept.
 fn copied(elements: &Elements, blocks: &Blocks, values: impl Fn(usize, usize, &[f64]) -> Vec<f64>) -> Blocks {
-    let mut copy = Blocks::empty(elements.starts(), true);
+    let mut copy = Blocks::empty(elements.starts(), true, Ranks::alone());
     blocks.iter().for_each(|(row, column, own)| copy.push(row, column, &values(row, column, &own)));
     let open = (0..elements.list().len()).filter(|element| !blocks.is_complete(*element));
     open.for_each(|element| copy.leave_open(element));

@@ -12,20 +12,13 @@ pub(crate) mod picture_light;
 mod direct_pass;
 pub(crate) mod trial;
 
+use radiosity_work::Work;
+
 use direct_pass::lit;
 use eye::Seen;
 use frame::Frame;
 use picture_light::PictureLight;
 use smooth::{Known, Smooth, Source};
-
-/// What is computed at the places of a frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Pass {
-    /// Direct light, at every place.
-    Direct,
-    /// Reflected light, at those places that are so far known to want it.
-    Gather,
-}
 
 /// The irradiance of a frame.
 pub(crate) struct FrameLight<'a> {
@@ -55,17 +48,12 @@ impl Source for Rest<'_> {
 }
 
 impl<'a> FrameLight<'a> {
-    /// The light of all places of a frame; `tell` gets (done, all) of each pass, from any thread.
-    pub(crate) fn over(
-        frame: &'a Frame,
-        light: &'a PictureLight<'a>,
-        tell: &(dyn Fn(Pass, usize, usize) + Sync),
-    ) -> Self {
-        let direct = lit(frame, light, &|done, all| tell(Pass::Direct, done, all));
+    /// The light of all places of a frame.
+    pub(crate) fn over(frame: &'a Frame, light: &'a PictureLight<'a>, work: &Work<'_>) -> Self {
+        let direct = lit(frame, light, work);
         let rest = Rest { light, direct: &direct };
         let bands = light.solution().bands().len();
-        let gathered = |done, all| tell(Pass::Gather, done, all);
-        let smooth = light.gathers().then(|| Smooth::over(frame, bands, &rest, &gathered));
+        let smooth = light.gathers().then(|| Smooth::over(frame, bands, &rest, work));
         Self { frame, light, direct, smooth }
     }
 

@@ -33,7 +33,8 @@ use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use radiosity_solve::solution::group_light::GroupLight;
 use radiosity_solve::solved::Solved;
-use radiosity_work::ranks;
+use radiosity_work::ranks::{PartName, Ranks};
+use radiosity_work::{Progress, Stage, Work};
 use serde::{Deserialize, Serialize};
 
 use super::frame_light::FrameLight;
@@ -48,15 +49,6 @@ use sizes::sizes;
 
 /// Relative accuracy of recomputed light: that of pictures.
 const GATHERED: f64 = 3e-3;
-
-/// How far the light of textures is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stage {
-    /// Nothing is done; it takes about so many seconds.
-    Expected(f64),
-    /// Texels that are done, and all.
-    Texels(usize, usize),
-}
 
 /// The irradiance of all surfaces of a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,8 +104,8 @@ impl Lightmap {
     }
 
     /// The light of `solved`, in about `texels` texels together, shared among the surfaces by area: every one has two along each
-    /// parameter at the least, a curved one nine. `observe` hears how far it is, from any thread.
-    pub fn new(solved: &Solved, read: Read, texels: usize, observe: &(dyn Fn(Stage) + Sync)) -> Self {
+    /// parameter at the least, a curved one nine. About how long that takes is told first.
+    pub fn new(solved: &Solved, read: Read, texels: usize, work: &Work<'_>) -> Self {
         let solution = &solved.outcome.solution;
         let (parts, alone): (Vec<Part>, Vec<Solution>) = parts(&solved.scene, solution).into_iter().unzip();
         let (parts, solutions) = match parts.is_empty() {
@@ -127,18 +119,20 @@ impl Lightmap {
         let sizes = sizes(&solved.scene, texels);
         let diagonal = solved.visibility().bounds().diagonal();
         let all = All { elements: solution.elements(), sizes: &sizes, diagonal };
-        observe(Stage::Expected(lights.iter().map(|light| all.seconds(light)).sum()));
+        let seconds = lights.iter().map(|light| all.seconds(light, work.ranks)).sum();
+        work.tell(Progress::Expected { stage: Stage::Texels, seconds });
         let count = parts.len() * all.count();
         let done = AtomicUsize::new(0);
         let texture = |surface: usize| {
             let size = sizes[surface];
-            let tell =
-                |own: usize| observe(Stage::Texels(done.fetch_add(own, Ordering::Relaxed) + own, count));
+            let tell = |own: usize| {
+                work.tell_done(Stage::Texels, done.fetch_add(own, Ordering::Relaxed) + own, count);
+            };
             let places = Places::of(solution.elements(), surface, size, diagonal);
             LightTexture::of(solution.bands().len(), places.all(), size, &lights, &tell)
         };
         let texels: Vec<f64> = sizes.iter().map(|[along_u, along_v]| (along_u * along_v) as f64).collect();
-        let surfaces = ranks::current().map(&texels, texture);
+        let surfaces = work.ranks.map(PartName::Textures, &texels, texture);
         Self { parts, surfaces }
     }
 
@@ -215,7 +209,7 @@ impl LightTexture {
         let count = frame.len();
         let mut values = vec![0.0; lights.len() * bands * count];
         for (light, part) in lights.iter().zip(values.chunks_exact_mut(bands * count)) {
-            let lit = FrameLight::over(&frame, light, &|_, _, _| ());
+            let lit = FrameLight::over(&frame, light, &Work::alone());
             for (texel, irradiance) in (0..count).filter_map(|texel| Some((texel, lit.irradiance(texel)?))) {
                 for (band, value) in irradiance.into_iter().enumerate() {
                     part[band * count + texel] = value.max(0.0) as f32;
@@ -244,7 +238,7 @@ impl All<'_> {
     }
 
     /// About the seconds that their light takes.
-    fn seconds(&self, light: &PictureLight) -> f64 {
+    fn seconds(&self, light: &PictureLight, ranks: &Ranks) -> f64 {
         let counts = self.sizes.iter().map(|[columns, rows]| columns * rows);
         let ends: Vec<usize> = counts
             .scan(0, |end, count| {
@@ -259,7 +253,7 @@ impl All<'_> {
             let places = Places::of(self.elements, surface, size, self.diagonal);
             places.at([own % columns, own / columns])
         };
-        seconds(light, self.count(), &seen)
+        seconds(light, self.count(), &seen, ranks)
     }
 }
 

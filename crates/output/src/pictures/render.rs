@@ -11,16 +11,17 @@ use radiosity_scene::Camera;
 use radiosity_solve::gather::choice::seconds_to_gather;
 use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
-use radiosity_work::ranks;
+use radiosity_work::ranks::PartName;
+use radiosity_work::{Progress, Stage, Work};
 use serde::{Deserialize, Serialize};
 
+use super::frame_light::FrameLight;
 use super::frame_light::eye::Eye;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::{AVERAGED, PictureLight};
 use super::frame_light::smooth::COARSEST;
 use super::frame_light::tally::Tally;
 use super::frame_light::trial::{INTERPOLATED, seconds};
-use super::frame_light::{FrameLight, Pass};
 use super::pinhole::Pinhole;
 use super::raster::Raster;
 use super::samples::Samples;
@@ -51,20 +52,7 @@ const ONE_OF_SEVERAL: Care = Care { rough: 3.0, sure: false };
 /// The corners of the unit square.
 const CORNERS: [[u32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 
-/// How far a picture is. Counts are (done, all).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stage {
-    /// Nothing is done; the picture takes about so many seconds.
-    Expected(f64),
-    /// Pixels whose direct light is computed.
-    Direct(usize, usize),
-    /// Pixels at which reflected light is gathered, of those that are so far known to want it.
-    Gather(usize, usize),
-    /// Pixels that are done.
-    Pixels(usize, usize),
-}
-
-/// Renders `solution` through `camera`; `observe` hears how far the picture is, from any thread.
+/// Renders `solution` through `camera`; about how long that takes is told first.
 ///
 /// The pixels hold what is `shown`, W m⁻² (radiosity is radiance times π), in the bands of the solution.
 pub fn render(
@@ -74,23 +62,16 @@ pub fn render(
     samples: u32,
     read: Read,
     shown: Shown,
-    observe: &(dyn Fn(Stage) + Sync),
+    work: &Work<'_>,
 ) -> Raster {
     let light = PictureLight::new(solution, visibility, read, GATHERED).showing(shown, camera.eye);
     let eye = Eye { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() };
     let [width, height] = [camera.width as usize, camera.height as usize];
-    let shot = Shot {
-        light: &light,
-        eye: &eye,
-        view: Pinhole::new(camera),
-        size: [width, height],
-        samples,
-        observe,
-    };
-    observe(Stage::Expected(shot.seconds()));
+    let shot =
+        Shot { light: &light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples, work };
+    work.tell(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
     let at_once = (AT_ONCE / width).div_ceil(COARSEST).max(1) * COARSEST;
-    let tell = |done, all| observe(Stage::Pixels(done, all));
-    let done = Tally::new(width * height, &tell);
+    let done = Tally::new(width * height, Stage::Picture, work);
     let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));
     let mut pixels: Vec<Pixel> = strips.flat_map(|rows| shot.strip(rows, &done)).collect();
     let bands = solution.bands().iter().map(|band| band.name.clone()).collect();
@@ -128,7 +109,7 @@ struct Shot<'a> {
     /// Pixels across and down.
     size: [usize; 2],
     samples: u32,
-    observe: &'a (dyn Fn(Stage) + Sync),
+    work: &'a Work<'a>,
 }
 
 impl Shot<'_> {
@@ -139,7 +120,7 @@ impl Shot<'_> {
             let [column, row] = [pixel % width, pixel / width].map(|at| at as f64 + 0.5);
             self.eye.along(&self.view.ray(column, row))
         };
-        seconds(self.light, width * height, &seen)
+        seconds(self.light, width * height, &seen, self.work.ranks)
     }
 
     /// The pixels of some rows.
@@ -147,16 +128,11 @@ impl Shot<'_> {
         let [width, height] = self.size;
         let first = rows.start.saturating_sub(MARGIN);
         let around = first..(rows.end + MARGIN).min(height);
-        let frame = Frame::new(self.eye, &self.view, width, around);
-        let tell = |pass, done, all| {
-            (self.observe)(match pass {
-                Pass::Direct => Stage::Direct(done, all),
-                Pass::Gather => Stage::Gather(done, all),
-            });
-        };
-        let lit = FrameLight::over(&frame, self.light, &tell);
-        let ranks = ranks::current();
-        let middles: Vec<Pixel> = ranks.map_even(frame.len(), width, |pixel| self.middle(&lit, pixel));
+        let ranks = self.work.ranks;
+        let frame = Frame::new(self.eye, &self.view, width, around, ranks);
+        let lit = FrameLight::over(&frame, self.light, self.work);
+        let middles: Vec<Pixel> =
+            ranks.map_even(PartName::Middles, frame.len(), width, |pixel| self.middle(&lit, pixel));
         let pixel = |pixel: usize| {
             let is_fine =
                 self.samples > 1 && (self.is_edge(&frame, pixel, first) || differs(&frame, &middles, pixel));
@@ -166,7 +142,7 @@ impl Shot<'_> {
             value
         };
         let start = (rows.start - first) * width;
-        ranks.map_even(rows.len() * width, width, |place| pixel(start + place))
+        ranks.map_even(PartName::Pixels, rows.len() * width, width, |place| pixel(start + place))
     }
 
     /// What the middle of a pixel sees.

@@ -3,7 +3,7 @@
 use radiosity_geom::Encounter;
 use radiosity_scene::{Camera, Scene};
 use radiosity_visibility::Visibility;
-use radiosity_work::ranks;
+use radiosity_work::ranks::{PartName, Ranks};
 use serde::{Deserialize, Serialize};
 
 use super::pinhole::Pinhole;
@@ -26,10 +26,16 @@ struct Sight {
 
 impl Sights {
     /// What `camera` sees by `samples × samples` rays a pixel.
-    pub fn through(camera: &Camera, samples: u32, scene: &Scene, visibility: &Visibility) -> Self {
+    pub fn through(
+        camera: &Camera,
+        samples: u32,
+        scene: &Scene,
+        visibility: &Visibility,
+        ranks: &Ranks,
+    ) -> Self {
         let view = Pinhole::new(camera);
         let count = camera.width as usize * camera.height as usize;
-        let sights = ranks::current().map_even(count, camera.width as usize, |index| {
+        let sights = ranks.map_even(PartName::Sights, count, camera.width as usize, |index| {
             let pixel = [index as u32 % camera.width, index as u32 / camera.width];
             sight(
                 view.rays(pixel, samples).map(|ray| {

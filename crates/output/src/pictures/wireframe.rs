@@ -15,7 +15,7 @@ use radiosity_geom::Encounter;
 use radiosity_scene::Camera;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::heed;
-use radiosity_work::ranks;
+use radiosity_work::ranks::{PartName, Ranks};
 use rayon::prelude::*;
 
 use super::pinhole::Pinhole;
@@ -24,10 +24,16 @@ use super::pinhole::Pinhole;
 const NOTHING: u32 = u32::MAX;
 
 /// The part of each pixel that borders cover, in row order.
-pub fn wireframe(elements: &Elements, visibility: &Visibility, camera: &Camera, samples: u32) -> Vec<f64> {
+pub fn wireframe(
+    elements: &Elements,
+    visibility: &Visibility,
+    camera: &Camera,
+    samples: u32,
+    ranks: &Ranks,
+) -> Vec<f64> {
     let view = Pinhole::new(camera);
     let [columns, rows] = [camera.width, camera.height].map(|pixels| (pixels * samples) as usize);
-    let seen: Vec<Vec<u32>> = ranks::current().map_even(rows + 1, 1, |row| {
+    let seen: Vec<Vec<u32>> = ranks.map_even(PartName::Borders, rows + 1, 1, |row| {
         let at = |k: usize| (k as f64 + 0.5) / f64::from(samples);
         (0..=columns).map(|column| element(elements, visibility, &view, at(column), at(row))).collect()
     });

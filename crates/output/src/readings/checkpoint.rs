@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 use radiosity_work::ranks::journal::{Journal, Tally};
 use serde::Serialize;
 
@@ -22,9 +22,8 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
-    /// That of the current ranks so far; None where they record nothing. All ranks ask together.
-    pub fn so_far() -> Option<Self> {
-        let ranks = ranks::current();
+    /// That of these ranks so far; None where they record nothing. All ranks ask together.
+    pub fn so_far(ranks: &Ranks) -> Option<Self> {
         let own = ranks.journal().map(Journal::tally)?;
         let all = ranks.all(own);
         let sum = |count: fn(&Tally) -> u64| all.iter().map(count).sum();
@@ -58,7 +57,7 @@ impl fmt::Display for Checkpoint {
 
 #[cfg(test)]
 mod tests {
-    use radiosity_work::ranks::current;
+    use radiosity_work::ranks::PartName;
     use radiosity_work::ranks::journal::Begin;
     use radiosity_work::ranks::threads::on_ranks;
 
@@ -68,12 +67,10 @@ mod tests {
     fn it_sums_up_what_ranks_took_and_added() {
         let folder = tempfile::tempdir().expect("a folder");
         let told = |begin| {
-            on_ranks(3, || {
-                let recording = current().recording(folder.path(), 1, begin).expect("a folder");
-                recording.within(|| {
-                    current().map(&[1.0; 8], |piece| piece);
-                    Checkpoint::so_far().expect("it is recorded")
-                })
+            on_ranks(3, |ranks| {
+                let ranks = ranks.recording(folder.path(), 1, begin).expect("a folder");
+                ranks.map(PartName::Points, &[1.0; 8], |piece| piece);
+                Checkpoint::so_far(&ranks).expect("it is recorded")
             })
         };
         for (begin, [recalled, recorded]) in [(Begin::Anew, [0, 8]), (Begin::Resume, [8, 0])] {
@@ -82,6 +79,6 @@ mod tests {
                 assert_eq!((rank.bytes > 0, rank.incomplete), (recorded > 0, None));
             }
         }
-        assert_eq!(Checkpoint::so_far(), None);
+        assert_eq!(Checkpoint::so_far(Ranks::alone()), None);
     }
 }

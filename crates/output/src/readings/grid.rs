@@ -26,8 +26,8 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::reflected::Reflection;
 use radiosity_solve::gather::by_rays::{Deviation, Receiver};
 use radiosity_solve::solution::Place;
-use radiosity_work::ranks;
-use radiosity_work::ranks::vector;
+use radiosity_work::ranks::{PartName, vector};
+use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
 use crate::readings::reader::{Light, Reader, Value};
@@ -76,25 +76,19 @@ impl Default for Rates {
 /// Most cells that a thread gets at once: cells in shadow take many times as long as others. Chosen; not tuned.
 const AT_ONCE: usize = 8;
 
-/// The means over `cells` = [along u, along v] of every surface, v fastest; `progress` gets (done, all) from any
-/// thread.
+/// The means over `cells` = [along u, along v] of every surface, v fastest.
 ///
 /// Cells without area are left out.
-pub fn grid(
-    reader: &Reader,
-    cells: [usize; 2],
-    rates: Rates,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Vec<Cell> {
+pub fn grid(reader: &Reader, cells: [usize; 2], rates: Rates, work: &Work<'_>) -> Vec<Cell> {
     let surfaces = reader.solution().elements().surfaces();
     let outlines: Vec<Option<Vec<Vec<DVec3>>>> =
         (0..surfaces).map(|surface| outline(reader.solution().elements().shape(surface))).collect();
     let rects: Vec<Rect> = cells_of(cells).collect();
     let (total, done) = (surfaces * rects.len(), AtomicUsize::new(0));
-    let all = ranks::current().map_even(total, AT_ONCE, |place| {
+    let all = work.ranks.map_even(PartName::Cells, total, AT_ONCE, |place| {
         let (surface, k) = (place / rects.len(), place % rects.len());
         let integrals = Integrals::over(reader, surface, &rects[k], rates);
-        progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+        work.tell_done(Stage::Cells, done.fetch_add(1, Ordering::Relaxed) + 1, total);
         let shape = reader.solution().elements().shape(surface);
         let area = outlines[surface]
             .as_ref()

@@ -8,7 +8,8 @@ use radiosity_scene::SensorPlane;
 use radiosity_solve::gather::by_rays::Deviation;
 use radiosity_solve::gather::spot::Spot;
 use radiosity_solve::solution::Place;
-use radiosity_work::ranks;
+use radiosity_work::ranks::PartName;
+use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
 use crate::readings::reader::{Light, Reader, Value};
@@ -82,7 +83,7 @@ pub enum ProbeFault {
 const TOGETHER: usize = 4;
 
 /// Reads every probe; `middle` was subtracted from the scene's coordinates
-/// ([`Scene::middle`](radiosity_scene::Scene::middle)), and `progress` gets (probes done, probes in all), from any thread.
+/// ([`Scene::middle`](radiosity_scene::Scene::middle)).
 ///
 /// # Errors
 /// The index of the first probe that polynomials cannot answer, unless all light is gathered.
@@ -90,12 +91,12 @@ pub fn probe(
     reader: &Reader,
     probes: &[Probe],
     middle: DVec3,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    work: &Work<'_>,
 ) -> Result<Vec<Reading>, (usize, ProbeFault)> {
     let done = AtomicUsize::new(0);
-    let found = ranks::current().map_even(probes.len(), TOGETHER, |number| {
+    let found = work.ranks.map_even(PartName::Points, probes.len(), TOGETHER, |number| {
         let found = read(reader, &probes[number], middle);
-        progress(done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
+        work.tell_done(Stage::Points, done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
         found
     });
     let reading = |(number, found): (usize, Result<Found, ProbeFault>)| {

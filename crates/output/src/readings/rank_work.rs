@@ -2,8 +2,7 @@
 
 use std::fmt;
 
-use radiosity_work::ranks;
-use radiosity_work::ranks::Traffic;
+use radiosity_work::ranks::{Ranks, Traffic};
 use serde::{Deserialize, Serialize};
 
 use crate::readings::peak_memory::peak_bytes;
@@ -32,11 +31,11 @@ pub struct RankWork {
 pub struct RanksWork(Vec<RankWork>);
 
 impl RankWork {
-    /// That of this rank so far, which works with so many threads.
-    fn so_far(threads: usize) -> Self {
-        let Traffic { samples, rays, pieces, numbers, products } = ranks::current().traffic();
+    /// That of this rank so far, which works with so many threads, 0 for all that it may use.
+    fn so_far(ranks: &Ranks, threads: usize) -> Self {
+        let Traffic { samples, rays, pieces, numbers, products } = ranks.traffic();
         Self {
-            threads,
+            threads: ranks.threads(threads),
             kernel_samples: samples,
             rays,
             bytes_sent: pieces + numbers,
@@ -48,11 +47,10 @@ impl RankWork {
 }
 
 impl RanksWork {
-    /// That of the current ranks so far, of which this one works with so many threads; None where it is alone. All ranks ask
-    /// together.
-    pub fn so_far(threads: usize) -> Option<Self> {
-        let ranks = ranks::current();
-        (!ranks.are_alone()).then(|| Self(ranks.all(RankWork::so_far(threads))))
+    /// That of these ranks so far, of which this one works with so many threads, 0 for all that it may use; None where it is alone.
+    /// All ranks ask together.
+    pub fn so_far(ranks: &Ranks, threads: usize) -> Option<Self> {
+        (!ranks.are_alone()).then(|| Self(ranks.all(RankWork::so_far(ranks, threads))))
     }
 
     /// By how much the rank that is farthest from it is off the mean, relative to that; None where nothing was counted.
@@ -86,18 +84,17 @@ impl fmt::Display for RanksWork {
 
 #[cfg(test)]
 mod tests {
-    use radiosity_work::ranks::current;
     use radiosity_work::ranks::threads::on_ranks;
 
     use super::*;
 
     #[test]
     fn a_rank_alone_tells_nothing_and_several_tell_how_even_they_are() {
-        assert_eq!(RanksWork::so_far(2), None);
-        let told = on_ranks(3, || {
+        assert_eq!(RanksWork::so_far(Ranks::alone(), 2), None);
+        let told = on_ranks(3, |ranks| {
             // 1, 2 and 3 thousand samples: the mean is 2, and a half of it is missed.
-            current().count_work(1000 * (current().number() as u64 + 1), 0);
-            RanksWork::so_far(2).expect("there are three").to_string()
+            ranks.count_work(1000 * (ranks.number() as u64 + 1), 0);
+            RanksWork::so_far(ranks, 2).expect("there are three").to_string()
         });
         for line in told {
             let expected = "3 ranks with 6 threads in all, kernel samples within 50.0 % of the mean; ";

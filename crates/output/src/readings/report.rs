@@ -154,9 +154,9 @@ pub struct Seconds {
 }
 
 impl Report {
-    /// The report of a solved scene; the caller sets the times of loading and output, the total, and what planes
+    /// The report of a scene that was solved with so many threads; the caller sets the times of loading and output, the total, and what planes
     /// read.
-    pub fn new(solved: &Solved) -> Self {
+    pub fn new(solved: &Solved, threads: usize) -> Self {
         let Solved { scene, options, outcome, achieved, .. } = solved;
         let elements = outcome.solution.elements();
         Self {
@@ -174,7 +174,7 @@ impl Report {
             order: options.order,
             orders: orders(elements),
             solver: outcome.solver.to_owned(),
-            threads: options.threads,
+            threads,
             ranks: None,
             checkpoint: None,
             version: env!("CARGO_PKG_VERSION"),

@@ -26,7 +26,9 @@ use radiosity_light::emitters::{Emitters, Radiances};
 use radiosity_light::point_lights::PointLights;
 use radiosity_transport as transport;
 use radiosity_visibility::Visibility;
+use radiosity_work::Work;
 use radiosity_work::interruption::heed;
+use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -98,7 +100,8 @@ pub struct Setting<'a> {
 
 impl MaskedLight {
     /// The masked light of a scene.
-    pub fn new(setting: &Setting, how: Masking) -> Self {
+    pub fn new(setting: &Setting, how: Masking, ranks: &Ranks) -> Self {
+        let work = Work::among(ranks);
         let Setting { elements, coatings, visibility, open, accuracy } = *setting;
         let list = elements.list();
         let eps = accuracy.shadow_eps;
@@ -114,9 +117,9 @@ impl MaskedLight {
         let is_masked = |i: usize, h: usize| masks[i].iter().any(|(other, _)| *other == h);
         let either = |i: usize, h: usize| is_masked(i, h) || is_masked(h, i);
         let emits = |i: usize| coatings.iter().any(|coating| coating.exitance[i] > 0.0);
-        let free = transport::assemble_pairs(elements, &either, open, accuracy, &|_, _| {});
+        let free = transport::assemble_pairs(elements, &either, open, accuracy, &work);
         let sends = |i: usize, h: usize| emits(i) && !is_masked(h, i) || emits(h) && !is_masked(i, h);
-        let rest = transport::assemble_pairs(elements, &sends, visibility, accuracy, &|_, _| {});
+        let rest = transport::assemble_pairs(elements, &sends, visibility, accuracy, &work);
         let mut light = Self::dark(list, coatings.len());
         for emitter in (0..list.len()).filter(|i| emits(*i)) {
             let exitance: Vec<f64> = coatings.iter().map(|coating| coating.exitance[emitter]).collect();

@@ -25,8 +25,8 @@ use radiosity_core::dot;
 use radiosity_elements::{Element, Elements};
 use radiosity_scene::Animation;
 use radiosity_visibility::Visibility;
+use radiosity_work::Work;
 
-use crate::driver::Progress;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 
@@ -123,21 +123,16 @@ impl<'a> Course<'a> {
         self.segments.iter().filter_map(|segment| segment.error).reduce(f64::max)
     }
 
-    /// The light of a frame; segments up to it are solved where they are not yet. `progress` may be called from any thread, for
-    /// each moment that is solved. A frame outside of those that were asked for is solved by itself.
+    /// The light of a frame; segments up to it are solved where they are not yet. A frame outside of those that were asked for is solved by itself.
     ///
     /// # Errors
     /// As [`Sequence::at`].
-    pub(super) fn frame(
-        &mut self,
-        frame: usize,
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> Result<Frame, AnimationError> {
+    pub(super) fn frame(&mut self, frame: usize, work: &Work<'_>) -> Result<Frame, AnimationError> {
         let moment = frame as f64;
         let holds = |segment: &Segment| (segment.ends[0]..=segment.ends[1]).contains(&moment);
         while !self.segments.iter().any(holds) {
             let next = self.ahead.last().copied();
-            self.solve(next.unwrap_or([frame, frame]), progress)?;
+            self.solve(next.unwrap_or([frame, frame]), work)?;
         }
         let segment = self.segments.iter().find(|segment| holds(segment)).expect("it was just found");
         if segment.error.is_some() {
@@ -151,29 +146,25 @@ impl<'a> Course<'a> {
                 return Ok(Frame { scene, visibility, solution, interpolated: segment.error, rays });
             }
         }
-        self.alone(moment, progress)
+        self.alone(moment, work)
     }
 
     /// The light of a frame that is not interpolated.
-    fn alone(&mut self, moment: f64, progress: &(dyn Fn(Progress) + Sync)) -> Result<Frame, AnimationError> {
+    fn alone(&mut self, moment: f64, work: &Work<'_>) -> Result<Frame, AnimationError> {
         if let Some(node) = self.nodes.get(&moment.to_bits()) {
             let scene = self.sequence.scene().at_moment(moment)?;
             let solution = Solution::of_groups(Arc::clone(&node.elements), &scene, node.light.clone());
             let visibility = Visibility::new(&scene, self.sequence.options().into());
             return Ok(Frame { scene, visibility, solution, interpolated: None, rays: node.noise });
         }
-        self.sequence.at(moment, progress)
+        self.sequence.at(moment, work)
     }
 
     /// Solves a segment, or halves it.
-    fn solve(
-        &mut self,
-        frames @ [first, last]: [usize; 2],
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> Result<(), AnimationError> {
+    fn solve(&mut self, frames @ [first, last]: [usize; 2], work: &Work<'_>) -> Result<(), AnimationError> {
         // What was solved before is behind.
         self.nodes.retain(|bits, _| f64::from_bits(*bits) >= first as f64);
-        let solved = self.segment(frames, progress)?;
+        let solved = self.segment(frames, work)?;
         // Not before: what fails or is interrupted is still ahead.
         self.ahead.pop_if(|ahead| *ahead == frames);
         match solved {
@@ -190,7 +181,7 @@ impl<'a> Course<'a> {
     fn segment(
         &mut self,
         [first, last]: [usize; 2],
-        progress: &(dyn Fn(Progress) + Sync),
+        work: &Work<'_>,
     ) -> Result<Option<Segment>, AnimationError> {
         let ends = [first as f64, last as f64];
         let frames = last - first + 1;
@@ -201,7 +192,7 @@ impl<'a> Course<'a> {
             }
             let point =
                 |k: usize| 0.5 * (ends[0] + ends[1] + (ends[1] - ends[0]) * chebyshev::point(k, intervals));
-            let nodes = (0..=intervals).map(|k| self.node(point(k), progress));
+            let nodes = (0..=intervals).map(|k| self.node(point(k), work));
             // Between frames things may be where they cannot be.
             let nodes: Vec<Arc<Node>> = match nodes.collect() {
                 Ok(nodes) => nodes,
@@ -220,7 +211,7 @@ impl<'a> Course<'a> {
             let tolerance = self.tolerance.max(OF_NOISE * segment.noise());
             if error <= tolerance {
                 let points: Vec<f64> = (0..=intervals).map(point).collect();
-                let checked = self.checked(segment, farthest([first, last], &points), progress)?;
+                let checked = self.checked(segment, farthest([first, last], &points), work)?;
                 if checked.error.is_some_and(|error| error <= tolerance) {
                     return Ok(Some(checked));
                 }
@@ -239,9 +230,9 @@ impl<'a> Course<'a> {
         &mut self,
         segment: Segment,
         frame: usize,
-        progress: &(dyn Fn(Progress) + Sync),
+        work: &Work<'_>,
     ) -> Result<Segment, AnimationError> {
-        let node = self.node(frame as f64, progress)?;
+        let node = self.node(frame as f64, work)?;
         let apart = match carry_alike(&node.elements, &segment.nodes[0].elements) {
             true => apart(&segment.light(frame as f64), &node.light),
             false => f64::INFINITY,
@@ -250,15 +241,11 @@ impl<'a> Course<'a> {
     }
 
     /// The light at a moment.
-    fn node(
-        &mut self,
-        moment: f64,
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> Result<Arc<Node>, AnimationError> {
+    fn node(&mut self, moment: f64, work: &Work<'_>) -> Result<Arc<Node>, AnimationError> {
         if let Some(known) = self.nodes.get(&moment.to_bits()) {
             return Ok(Arc::clone(known));
         }
-        let Frame { solution, rays: noise, .. } = self.sequence.at(moment, progress)?;
+        let Frame { solution, rays: noise, .. } = self.sequence.at(moment, work)?;
         let light = solution.light().ok_or(AnimationError::Masked)?;
         let node = Arc::new(Node { light, elements: solution.shared_elements(), noise });
         self.nodes.insert(moment.to_bits(), Arc::clone(&node));

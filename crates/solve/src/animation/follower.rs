@@ -1,8 +1,9 @@
 //! The light of frames, in one of several ways.
 
 use radiosity_scene::Scene;
+use radiosity_work::Work;
 
-use crate::driver::{Options, Progress};
+use crate::driver::Options;
 
 use super::account::Account;
 use super::course::Course;
@@ -61,22 +62,18 @@ impl<'a> Follower<'a> {
         Self { kind, ledger: Ledger::default(), error: None }
     }
 
-    /// The light of a frame, one of those that were asked for; `progress` may be called from any thread.
+    /// The light of a frame, one of those that were asked for.
     ///
     /// # Errors
     /// As [`Sequence::at`].
-    pub fn frame(
-        &mut self,
-        frame: usize,
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> Result<Frame, AnimationError> {
+    pub fn frame(&mut self, frame: usize, work: &Work<'_>) -> Result<Frame, AnimationError> {
         let (now, spent) = match &mut self.kind {
             Kind::Frames(sequence) => {
-                let now = sequence.at(frame as f64, progress)?;
+                let now = sequence.at(frame as f64, work)?;
                 self.error = larger(self.error, now.interpolated);
                 (now, sequence.spent())
             }
-            Kind::Path(course) => (course.frame(frame, progress)?, course.spent()),
+            Kind::Path(course) => (course.frame(frame, work)?, course.spent()),
         };
         self.ledger.take(spent);
         Ok(now)

@@ -11,8 +11,9 @@ use std::sync::Arc;
 use radiosity_published::expansions::{Expansions, ORDERS, SeriesCounts, known};
 use radiosity_scene::{Scene, Stills};
 use radiosity_transport::{Memory, RayCounts};
+use radiosity_work::Work;
 
-use crate::driver::{Failure, Layout, Model, Options, Progress};
+use crate::driver::{Failure, Layout, Model, Options};
 
 use super::account::Account;
 use super::error::AnimationError;
@@ -108,11 +109,11 @@ impl<'a> Sequence<'a> {
         &self.options
     }
 
-    /// The light at a moment, a real number of frames; `progress` may be called from any thread.
+    /// The light at a moment, a real number of frames.
     ///
     /// # Errors
     /// As [`Scene::at_moment`] and [`solve`](crate::driver::solve); series where rays carry the pairs.
-    pub fn at(&mut self, moment: f64, progress: &(dyn Fn(Progress) + Sync)) -> Result<Frame, AnimationError> {
+    pub fn at(&mut self, moment: f64, work: &Work<'_>) -> Result<Frame, AnimationError> {
         if self.has_series() && self.layout.is_by_rays() {
             return Err(AnimationError::ByRays);
         }
@@ -124,10 +125,11 @@ impl<'a> Sequence<'a> {
         let failed = |failure: Failure| AnimationError::of(moment, failure);
         let memory = kept.memory.as_mut();
         let model =
-            Model::assemble_again(&still, &self.options, &self.layout, memory, progress).map_err(failed)?;
-        let outcome = model.solve(&still, progress).map_err(failed)?;
+            Model::assemble_again(&still, &self.options, &self.layout, memory, work).map_err(failed)?;
+        let outcome = model.solve(&still, work).map_err(failed)?;
         self.kept = kept;
-        self.counts = self.kept.expansions.as_ref().map(|expansions| expansions.counts()).unwrap_or_default();
+        let counts = self.kept.expansions.as_ref().map(|expansions| expansions.counts(work.ranks));
+        self.counts = counts.unwrap_or_default();
         let traced =
             || RayCounts { traced: outcome.sampling.map_or(0, |sampling| sampling.rays), recalled: 0 };
         let rays = self.kept.memory.as_ref().map_or_else(traced, Memory::rays);

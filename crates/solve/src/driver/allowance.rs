@@ -5,6 +5,7 @@ use radiosity_elements::mesh::Mesh;
 use radiosity_elements::{Discretization, Subdivide, mesh_sizes};
 use radiosity_scene::Scene;
 use radiosity_solvers::method::Method;
+use radiosity_work::ranks::Ranks;
 
 use super::failure::Failure;
 use super::fit::Fit;
@@ -21,16 +22,18 @@ pub(super) struct Need<'a> {
     pub rays: Option<u64>,
     /// Whether a memory of it is kept for the next scene.
     pub is_kept: bool,
+    /// Those that share it.
+    pub ranks: &'a Ranks,
 }
 
 impl Need<'_> {
     /// Bytes that it takes at the most.
     pub(super) fn peak(&self) -> u64 {
-        let Self { scene, how, options, .. } = self;
+        let Self { scene, how, options, ranks, .. } = self;
         let footprint = match self.rays {
-            Some(rays) => Footprint::of_rays(scene, how, options.method, rays),
+            Some(rays) => Footprint::of_rays(scene, how, options.method, rays, ranks),
             None if options.kernel.is_some() => Footprint::of_1993(scene, how, options.method),
-            None => Footprint::of(scene, how, options.method),
+            None => Footprint::of(scene, how, options.method, ranks),
         };
         if self.is_kept { footprint.peak_with_memory() } else { footprint.peak() }
     }
@@ -87,8 +90,14 @@ impl Need<'_> {
 }
 
 /// Bytes that a run on elements of such a mesh takes at the most.
-pub(super) fn peak_of_mesh(scene: &Scene, how: &Discretization, mesh: &Mesh, options: &Options) -> u64 {
-    Footprint::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.method).peak()
+pub(super) fn peak_of_mesh(
+    scene: &Scene,
+    how: &Discretization,
+    mesh: &Mesh,
+    options: &Options,
+    ranks: &Ranks,
+) -> u64 {
+    Footprint::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.method, ranks).peak()
 }
 
 /// Refuses a run on elements of a refined mesh that needs more memory than allowed.
@@ -97,8 +106,9 @@ pub(super) fn require_memory_of_mesh(
     how: &Discretization,
     mesh: &Mesh,
     options: &Options,
+    ranks: &Ranks,
 ) -> Result<(), Failure> {
     let Some(allowed) = options.memory else { return Ok(()) };
-    let needed = peak_of_mesh(scene, how, mesh, options);
+    let needed = peak_of_mesh(scene, how, mesh, options, ranks);
     if needed <= allowed { Ok(()) } else { Err(Failure::Memory { needed, allowed, fits: Vec::new() }) }
 }

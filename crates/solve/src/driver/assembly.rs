@@ -11,7 +11,6 @@ use radiosity_visibility::Visibility;
 
 use super::failure::Failure;
 use super::options::Options;
-use super::progress::Progress;
 use super::sampling::{Sampling, Subject};
 
 /// How the scene is cut, given the rays that carry its pairs, if any: into elements that hold the functions of the basis.
@@ -31,33 +30,24 @@ pub(super) fn carried(
     subject: &Subject,
     rays: Option<u64>,
     memory: Option<&mut Memory>,
-    progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<(Blocks, Option<Sampling>), Failure> {
     if let Some(rays) = rays {
-        let (blocks, sampling) = subject.sample(rays, memory, progress);
+        let (blocks, sampling) = subject.sample(rays, memory);
         return Ok((blocks, Some(sampling)));
     }
-    let report = |done, total| progress(Progress::Blocks(done, total));
-    Ok((blocks(scene, subject, memory, &report)?, None))
+    Ok((blocks(scene, subject, memory)?, None))
 }
 
-fn blocks(
-    scene: &Scene,
-    subject: &Subject,
-    memory: Option<&mut Memory>,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Result<Blocks, Failure> {
-    let Subject { elements, visibility, options, .. } = *subject;
+fn blocks(scene: &Scene, subject: &Subject, memory: Option<&mut Memory>) -> Result<Blocks, Failure> {
+    let Subject { elements, visibility, options, work, .. } = *subject;
     let Some(rules) = options.kernel else {
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
         let accuracy = options.accuracy();
         return Ok(match memory {
-            Some(memory) => {
-                transport::assemble_again(elements, &sends, visibility, accuracy, memory, progress)
-            }
-            None => transport::assemble_senders(elements, &sends, visibility, accuracy, progress),
+            Some(memory) => transport::assemble_again(elements, &sends, visibility, accuracy, memory, work),
+            None => transport::assemble_senders(elements, &sends, visibility, accuracy, work),
         });
     };
-    transfers::assemble(elements, visibility, rules, transfers::EXTRA_POINTS, progress)
+    transfers::assemble(elements, visibility, rules, transfers::EXTRA_POINTS, work)
         .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
 }

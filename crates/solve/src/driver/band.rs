@@ -1,12 +1,19 @@
 //! The linear systems of one band: one matrix, a right-hand side for each light group.
 
+use std::time::Duration;
+
 use radiosity_solvers::method::Access;
 use radiosity_solvers::{Report, Settings, SolveError, Step};
+use radiosity_work::Work;
 use radiosity_work::interruption::{self, Interruption, heed};
 
 use crate::system::ritz::{Found, Ritz};
 
 use super::options::Options;
+
+/// Least time of a linear system, after a deadline too, so that a small scene has a result. Chosen: a person waits as long without
+/// noticing.
+const LEAST: Duration = Duration::from_secs(1);
 
 /// The cost of a band's linear system.
 pub(super) struct Effort {
@@ -33,13 +40,14 @@ fn effort(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<
 }
 
 /// Solves the systems of one band, which differ in their emission alone. Without light there is nothing to solve, and
-/// no effort.
+/// no effort. Several ranks, whose clocks differ, go on to the end.
 ///
 /// # Errors
 /// Those of the solver.
 pub(super) fn solve_band(
     systems: &[Ritz<'_>],
     options: &Options,
+    work: &Work<'_>,
     observe: &mut dyn FnMut(&Step<'_>),
 ) -> Result<(Vec<Found>, Option<Effort>), SolveError> {
     let rights: Vec<Vec<f64>> = systems.iter().map(Ritz::right_hand_side).collect();
@@ -48,8 +56,9 @@ pub(super) fn solve_band(
     let mut unknowns = vec![0.0; lit.len()];
     let mut needed = None;
     if let Some(first) = systems.first().filter(|_| !lit.is_empty()) {
+        let threads = work.ranks.threads(options.threads);
         let (operator, preconditioner) =
-            first.operator(options.method, options.preconditioner.into(), options.threads)?;
+            first.operator(options.method, options.preconditioner.into(), threads)?;
         let method = first.method(options.method, operator.symmetric());
         // Only shooting needs it, and it costs as much as a basis.
         let measure = (method.access == Access::Columns).then(|| first.shooting_measure());
@@ -57,10 +66,10 @@ pub(super) fn solve_band(
         let mut settings = Settings::default()
             .with_tolerance(options.tolerance)
             .with_max_iterations(options.max_iterations)
-            .with_threads(options.threads)
+            .with_threads(threads)
             .with_preconditioner(preconditioner)
             .with_cancel(interruption.as_ref().map(Interruption::flag))
-            .with_time_budget(options.solving_time());
+            .with_time_budget(work.left().map(|left| left.max(LEAST)));
         settings.measure = measure.as_deref();
         let mut observe = |step: &Step<'_>| {
             heed();

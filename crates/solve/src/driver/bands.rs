@@ -5,6 +5,7 @@ use radiosity_kernel::Blocks;
 use radiosity_published::bases::Subspace;
 use radiosity_solvers::Step;
 use radiosity_solvers::method::Method;
+use radiosity_work::{Progress, Work};
 
 use crate::system::ritz::{Found, Ritz};
 use crate::system::{Coefficients, System};
@@ -15,7 +16,6 @@ use super::failure::Failure;
 use super::first_light::Reflected;
 use super::options::Options;
 use super::outcome::Functional;
-use super::progress::Progress;
 
 /// What the light of all bands follows from.
 #[derive(Clone, Copy, Debug)]
@@ -47,15 +47,17 @@ impl Bands<'_> {
         &self,
         emissions: &[Emission],
         first: &[Reflected],
-        progress: &(dyn Fn(Progress) + Sync),
+        work: &Work<'_>,
     ) -> Result<Light, Failure> {
         let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
         let (mut efforts, mut functionals) = (Vec::new(), Vec::new());
         for (band, name) in self.names.iter().enumerate() {
             let systems = self.systems(band, emissions, first);
-            let mut observe =
-                |step: &Step<'_>| progress(Progress::Solve(band, step.iteration, step.residual));
-            let (solved, effort) = solve_band(&systems, self.options, &mut observe)
+            let mut observe = |step: &Step<'_>| {
+                let Step { iteration, residual, .. } = *step;
+                work.tell(Progress::Iteration { band, of: self.names.len(), iteration, residual });
+            };
+            let (solved, effort) = solve_band(&systems, self.options, work, &mut observe)
                 .map_err(|source| Failure::Solver { band: name.clone(), source })?;
             for ((light, emission), found) in light.iter_mut().zip(emissions).zip(solved) {
                 let Found { coefficients, functional } = found;

@@ -7,19 +7,19 @@ use radiosity_elements::coating::Coating;
 use radiosity_kernel::PairCounts;
 use radiosity_light::first_bounce::Entry;
 use radiosity_published::hierarchy::{
-    BandSystem, Hierarchy, HierarchyOptions, LinkedElements, Round, leaf_elements, solve_hierarchically,
+    BandSystem, Hierarchy, HierarchyOptions, LinkedElements, leaf_elements, solve_hierarchically,
 };
 use radiosity_scene::Scene;
 use radiosity_solvers::Settings;
 use radiosity_solvers::method::{Access, Method};
+use radiosity_work::ranks::Ranks;
+use radiosity_work::{Progress, Stage, Work};
 
 use super::choice::Choice;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::options::Options;
 use super::outcome::{Outcome, Stages};
-use super::pool::in_threads;
-use super::progress::Progress;
 use super::stopwatch::timed;
 use crate::checks::{Balance, Checks, Lit};
 use crate::solution::Solution;
@@ -38,31 +38,23 @@ const FARTHER: f64 = 0.3;
 ///
 /// # Errors
 /// As for [`super::solve`].
-pub(super) fn solve_by_links(
-    scene: &Scene,
-    options: &Options,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Outcome, Failure> {
-    in_threads(options.threads, || by_links(scene, options, progress))?
+pub(super) fn solve_by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
+    options.in_threads(work.ranks, || by_links(scene, options, work))?
 }
 
-fn by_links(
-    scene: &Scene,
-    options: &Options,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Outcome, Failure> {
+fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
     let (mut seconds, how) = (Stages::default(), linking(options));
-    let told = |round: Round| progress(Progress::Blocks(round.number, how.rounds));
-    let found = timed(&mut seconds.blocks, || solve_hierarchically(scene, &how, &told))?;
-    progress(Progress::Finished("blocks", seconds.blocks));
+    let found = timed(&mut seconds.blocks, || solve_hierarchically(scene, &how, work.observer))?;
+    work.tell(Progress::Finished { stage: Stage::Blocks, took: seconds.blocks });
     let hierarchy = found.hierarchy();
     let elements = Arc::new(timed(&mut seconds.elements, || leaf_elements(scene, hierarchy))?);
     let links = LinkedElements::new(hierarchy, &elements);
-    let run = Run { scene, options, method: how.method, hierarchy, links: &links, elements: &elements };
+    let (method, ranks) = (how.method, work.ranks);
+    let run = Run { scene, options, method, hierarchy, links: &links, elements: &elements, ranks };
     let (groups, efforts) = timed(&mut seconds.solve, || run.groups())?;
-    progress(Progress::Finished("solve", seconds.solve));
+    work.tell(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
     let solution = Solution::of_groups(Arc::clone(&elements), scene, groups);
-    let checks = Checks::with_powers(&solution, &links, solution.powers().unwrap_or_default());
+    let checks = Checks::with_powers(&solution, &links, solution.powers().unwrap_or_default(), work.ranks);
     let slowest = efforts.into_iter().max_by_key(|(_, iterations)| *iterations);
     let (solver, iterations) = slowest.unwrap_or((how.method.name, 0));
     let counts = found.counts();
@@ -112,6 +104,7 @@ struct Run<'a> {
     hierarchy: &'a Hierarchy,
     links: &'a LinkedElements<'a>,
     elements: &'a Elements,
+    ranks: &'a Ranks,
 }
 
 /// Name of a solver and its iterations.
@@ -153,7 +146,7 @@ impl Run<'_> {
         let settings = Settings::default()
             .with_tolerance(self.options.tolerance)
             .with_max_iterations(self.options.max_iterations)
-            .with_threads(self.options.threads);
+            .with_threads(self.ranks.threads(self.options.threads));
         let solved = system.solve(self.method, &settings);
         let failed = |source| Failure::Solver { band: self.scene.bands[band].clone(), source };
         let (radiosity, report) = solved.map_err(failed)?;

@@ -11,6 +11,7 @@ use radiosity_published::bases::Subspace;
 use radiosity_published::zatz1993::masked_light::{MaskedLight, Setting};
 use radiosity_scene::Scene;
 use radiosity_visibility::{Shadows, Visibility};
+use radiosity_work::ranks::Ranks;
 
 use super::emission::Emission;
 use super::options::Options;
@@ -25,6 +26,7 @@ pub(super) struct Stage<'a> {
     pub elements: &'a Elements,
     pub visibility: &'a Visibility,
     pub options: &'a Options,
+    pub ranks: &'a Ranks,
 }
 
 /// The first light of all emissions of a scene.
@@ -108,17 +110,17 @@ impl FirstLight {
 impl Source {
     /// That of an emission; `is_split` says whether direct light is masked or split off.
     fn of(stage: &Stage<'_>, emission: &Emission, is_split: bool) -> Self {
-        let Stage { scene, elements, visibility, options } = *stage;
+        let Stage { scene, elements, visibility, options, ranks } = *stage;
         let sources = emission.emitters(elements.list());
-        let masked = masked_light(scene, elements, &sources.coatings, visibility, options);
+        let masked = masked_light(scene, elements, &sources.coatings, visibility, options, ranks);
         let direct = match &masked {
             Some(masked) => Direct::Split(through_masks(stage, &sources, masked)),
             None if is_split => {
                 let eps = AT_A_POINT * options.shadow_eps;
-                Direct::Split(CoatedBounce::new(&sources, visibility, eps))
+                Direct::Split(CoatedBounce::new(&sources, visibility, eps, ranks))
             }
             None if sources.points.is_empty() => Direct::Carried,
-            None => Direct::Lit(lit_by(&sources, visibility)),
+            None => Direct::Lit(lit_by(&sources, visibility, ranks)),
         };
         Self { masked: masked.map(Arc::new), direct }
     }
@@ -144,7 +146,7 @@ fn through_masks(stage: &Stage<'_>, sources: &Emitters<'_>, masked: &MaskedLight
         let at = |band| masked.at(band, list, element, node.position, parameters);
         (0..sources.coatings.len()).map(at).collect()
     };
-    CoatedBounce::of(sources, stage.visibility, &lit, stage.options.shadow_eps)
+    CoatedBounce::of(sources, stage.visibility, &lit, stage.options.shadow_eps, stage.ranks)
 }
 
 /// The masked direct light, where masks are asked for.
@@ -154,9 +156,10 @@ pub fn masked_light(
     coatings: &[&Coating],
     visibility: &Visibility,
     options: &Options,
+    ranks: &Ranks,
 ) -> Option<MaskedLight> {
     let how = options.masks?;
     let open = Visibility::new(scene, Shadows::Off);
     let setting = Setting { elements, coatings, visibility, open: &open, accuracy: options.accuracy() };
-    Some(MaskedLight::new(&setting, how))
+    Some(MaskedLight::new(&setting, how, ranks))
 }

@@ -23,7 +23,7 @@ use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::method::{Access, Method};
 use radiosity_transport::memory::met::{BYTES as KEPT_RAY, MOST as MOST_KEPT};
 use radiosity_transport::price::LEAST;
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 
 use crate::driver::outline::Outline;
 
@@ -72,15 +72,15 @@ pub struct Footprint {
 }
 
 impl Footprint {
-    /// The footprint of `scene`, cut as `how` says and solved by `method`.
-    pub fn of(scene: &Scene, how: &Discretization, method: &Method) -> Self {
-        Self::of_sizes(scene, &cut_sizes(scene, how), method)
+    /// The footprint of `scene`, cut as `how` says and solved by `method`, on each of these ranks.
+    pub fn of(scene: &Scene, how: &Discretization, method: &Method, ranks: &Ranks) -> Self {
+        Self::of_sizes(scene, &cut_sizes(scene, how), method, ranks)
     }
 
     /// The same for surfaces that are cut into so many elements.
-    pub(super) fn of_sizes(scene: &Scene, sizes: &[CutSize], method: &Method) -> Self {
+    pub(super) fn of_sizes(scene: &Scene, sizes: &[CutSize], method: &Method, ranks: &Ranks) -> Self {
         let own = Self::of_blocks(scene, sizes);
-        let (unknowns, ranks) = (most_unknowns(scene, sizes), ranks::current().count() as u64);
+        let (unknowns, ranks) = (most_unknowns(scene, sizes), ranks.count() as u64);
         let gathered = gathered(method, unknowns, own.blocks, ranks);
         let system = system(method, unknowns, own.blocks) + gathered + groups(scene, sizes);
         Self { blocks: held(own.blocks, ranks), system, ..own }
@@ -124,7 +124,13 @@ impl Footprint {
     }
 
     /// The footprint of `scene`, cut as `how` says and carried by so many rays: an upper bound.
-    pub(super) fn of_rays(scene: &Scene, how: &Discretization, method: &Method, rays: u64) -> Self {
+    pub(super) fn of_rays(
+        scene: &Scene,
+        how: &Discretization,
+        method: &Method,
+        rays: u64,
+        ranks: &Ranks,
+    ) -> Self {
         let sizes = cut_sizes(scene, how);
         let elements =
             sizes.iter().map(|cut| cut.elements * (NUMBER * cut.functions * cut.functions + ELEMENT));
@@ -134,7 +140,7 @@ impl Footprint {
         let all = 0.5 * (unknowns as f64).powi(2);
         let entries = (rays as f64 * functions * functions / HITS_PER_PAIR).min(all);
         let numbers = (NUMBER as f64 * entries) as u64;
-        let ranks = ranks::current().count() as u64;
+        let ranks = ranks.count() as u64;
         let own = held(numbers, ranks);
         // Sums of two halves while rays are sent; then the blocks, of each half at its time, and the system.
         let gathered = gathered(method, unknowns, numbers, ranks);

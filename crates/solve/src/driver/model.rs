@@ -16,8 +16,9 @@ use radiosity_published::bases::basis::Ground;
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_transport::Memory;
 use radiosity_visibility::Visibility;
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set};
+use radiosity_work::{Progress, Stage as Step, Work};
 
 use crate::checks::{Balance, Checks, Lit};
 use crate::solution::Solution;
@@ -35,8 +36,6 @@ use super::first_light::{FirstLight, Reflected, Stage};
 use super::layout::Layout;
 use super::options::Options;
 use super::outcome::{Outcome, Stages};
-use super::pool::in_threads;
-use super::progress::Progress;
 use super::sampling::{Sampling, Subject};
 use super::stopwatch::timed;
 
@@ -45,13 +44,14 @@ use super::stopwatch::timed;
 /// ```
 /// use radiosity_scene::{Material, Scene};
 /// use radiosity_solve::{Model, Options};
+/// use radiosity_work::Work;
 ///
 /// let scene = radiosity_language::builtin("furnace-cube")?;
-/// let model = Model::assemble(&scene, &Options::default(), &|_progress| {})?;
+/// let model = Model::assemble(&scene, &Options::default(), &Work::alone())?;
 /// // A closed room of reflectance ρ that emits 1 everywhere: 1 / (1 − ρ) arrives.
 /// for reflectance in [0.25, 0.5, 0.75] {
 ///     let painted = scene.with_material("wall", Material::new(vec![reflectance], vec![1.0])?)?;
-///     let outcome = model.solve(&painted, &|_progress| {})?;
+///     let outcome = model.solve(&painted, &Work::alone())?;
 ///     assert!((outcome.solution.mean_irradiance(0, 0) - 1.0 / (1.0 - reflectance)).abs() < 1e-2);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -74,17 +74,13 @@ pub struct Model {
 }
 
 impl Model {
-    /// Cuts `scene` into elements and computes the blocks between them; `progress` may be called from any thread.
+    /// Cuts `scene` into elements and computes the blocks between them.
     ///
     /// # Errors
     /// A scene that cannot be cut into elements, memory that does not suffice, or threads that cannot be started.
-    pub fn assemble(
-        scene: &Scene,
-        options: &Options,
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> Result<Self, Failure> {
+    pub fn assemble(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Self, Failure> {
         let choice = Choice::of(scene, options);
-        in_threads(options.threads, || Self::assembled(scene, options, Plan::of(choice), None, progress))?
+        options.in_threads(work.ranks, || Self::assembled(scene, options, Plan::of(choice), None, work))?
     }
 
     /// One of this layout; what `memory` knows of earlier scenes, which differ in the places of some surfaces, is not found again.
@@ -96,19 +92,19 @@ impl Model {
         options: &Options,
         layout: &Layout,
         memory: Option<&mut Memory>,
-        progress: &(dyn Fn(Progress) + Sync),
+        work: &Work<'_>,
     ) -> Result<Self, Failure> {
         let plan = Plan { choice: layout.choice.clone(), how: Some(layout.how), mesh: Some(&layout.mesh) };
-        in_threads(options.threads, || Self::assembled(scene, options, plan, memory, progress))?
+        options.in_threads(work.ranks, || Self::assembled(scene, options, plan, memory, work))?
     }
 
-    /// Bytes that the model of `scene` and its solution take at the most, estimated.
-    pub fn peak_memory(scene: &Scene, options: &Options) -> u64 {
+    /// Bytes that the model of `scene` and its solution take at the most on each of these ranks, estimated.
+    pub fn peak_memory(scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
         let rays = Choice::of(scene, options).sampled.then(|| options.ray_budget(scene));
         let Ground { how, mesh } = ground(scene, &Visibility::new(scene, options.into()), options, rays);
         match mesh {
-            Some(mesh) => peak_of_mesh(scene, &how, &mesh, options),
-            None => (Need { scene, how, options, rays, is_kept: false }).peak(),
+            Some(mesh) => peak_of_mesh(scene, &how, &mesh, options, ranks),
+            None => (Need { scene, how, options, rays, is_kept: false, ranks }).peak(),
         }
     }
 
@@ -118,10 +114,10 @@ impl Model {
         options: &Options,
         why: &str,
         mesh: Option<&Mesh>,
-        progress: &(dyn Fn(Progress) + Sync),
+        work: &Work<'_>,
     ) -> Result<Self, Failure> {
         let plan = Plan { mesh, ..Plan::of(Choice { sampled: false, why: why.to_owned() }) };
-        in_threads(options.threads, || Self::assembled(scene, options, plan, None, progress))?
+        options.in_threads(work.ranks, || Self::assembled(scene, options, plan, None, work))?
     }
 
     fn assembled(
@@ -129,11 +125,11 @@ impl Model {
         options: &Options,
         Plan { choice, how, mesh }: Plan<'_>,
         mut memory: Option<&mut Memory>,
-        progress: &(dyn Fn(Progress) + Sync),
+        work: &Work<'_>,
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
         // What is solved next may hang on time or memory.
-        ranks::current().note_choice(&(options.neutral(), choice.sampled));
+        work.ranks.note_choice(&(options.neutral(), choice.sampled));
         let mut seconds = Stages::default();
         let rays = choice.sampled.then(|| options.ray_budget(scene));
         let is_known = how.is_some();
@@ -145,10 +141,13 @@ impl Model {
         });
         let is_refined = (mesh.is_some() && !is_known) || own.is_some();
         let mesh = mesh.or(own.as_ref());
-        progress(Progress::Finished("visibility", seconds.visibility));
+        work.tell(Progress::Finished { stage: Step::Visibility, took: seconds.visibility });
         match mesh {
-            Some(mesh) if is_refined => require_memory_of_mesh(scene, &how, mesh, options)?,
-            _ => (Need { scene, how, options, rays, is_kept: memory.is_some() }).require()?,
+            Some(mesh) if is_refined => require_memory_of_mesh(scene, &how, mesh, options, work.ranks)?,
+            _ => {
+                let is_kept = memory.is_some();
+                (Need { scene, how, options, rays, is_kept, ranks: work.ranks }).require()?;
+            }
         }
         let before =
             memory.as_ref().and_then(|memory| memory.elements()).filter(|_| options.kernel.is_none());
@@ -158,24 +157,23 @@ impl Model {
         })?;
         let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
         let elements = Arc::new(elements);
-        progress(Progress::Finished("elements", seconds.elements));
+        work.tell(Progress::Finished { stage: Step::Elements, took: seconds.elements });
         let emissions = Emission::all(scene, elements.list());
-        let stage = Stage { scene, elements: &elements, visibility: &visibility, options };
+        let stage = Stage { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
         let by_rules = options.kernel.is_none() && !choice.sampled;
         let first = timed(&mut seconds.direct, || FirstLight::of(&stage, emissions, by_rules));
         if first.is_split {
-            progress(Progress::Finished("direct", seconds.direct));
+            work.tell(Progress::Finished { stage: Step::Direct, took: seconds.direct });
         }
         let bands = &Emission::by_band(first.emissions());
         let entries = first.reflected(first.emissions()).expect("the emission is the same");
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
-        let subject = Subject { elements: &elements, bands, entries, visibility: &visibility, options };
+        let subject = Subject { elements: &elements, bands, entries, visibility: &visibility, options, work };
         if let Some(memory) = &mut memory {
             memory.turn_to(scene, &elements, &visibility);
         }
-        let (blocks, sampling) =
-            timed(&mut seconds.blocks, || carried(scene, &subject, rays, memory, progress))?;
-        progress(Progress::Finished("blocks", seconds.blocks));
+        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, memory))?;
+        work.tell(Progress::Finished { stage: Step::Blocks, took: seconds.blocks });
         Ok(Self {
             scene: scene.clone(),
             options: *options,
@@ -190,16 +188,15 @@ impl Model {
         })
     }
 
-    /// Solves for the materials of `scene`, and the factors of its light groups; `progress` may be called from any
-    /// thread. Its surfaces are those of the scene from which the model was assembled, such as
+    /// Solves for the materials of `scene`, and the factors of its light groups. Its surfaces are those of the scene from which the model was assembled, such as
     /// [`Scene::with_material`] and [`Scene::dimmed`] keep them.
     ///
     /// # Errors
     /// [`Failure::OtherSurface`] and [`Failure::Unlit`] for a scene that the model is not made for; a linear solver that
     /// fails or does not converge, or threads that cannot be started.
-    pub fn solve(&self, scene: &Scene, progress: &(dyn Fn(Progress) + Sync)) -> Result<Outcome, Failure> {
+    pub fn solve(&self, scene: &Scene, work: &Work<'_>) -> Result<Outcome, Failure> {
         self.check(scene)?;
-        in_threads(self.options.threads, || self.solved(scene, progress))?
+        self.options.in_threads(work.ranks, || self.solved(scene, work))?
     }
 
     /// The elements.
@@ -246,18 +243,18 @@ impl Model {
         Ok(())
     }
 
-    fn solved(&self, scene: &Scene, progress: &(dyn Fn(Progress) + Sync)) -> Result<Outcome, Failure> {
+    fn solved(&self, scene: &Scene, work: &Work<'_>) -> Result<Outcome, Failure> {
         let mut seconds = self.seconds;
         let emissions = Emission::all(scene, self.elements.list());
         let mut again = Duration::ZERO;
-        let first = timed(&mut again, || self.first_light(scene, &emissions));
+        let first = timed(&mut again, || self.first_light(scene, &emissions, work.ranks));
         seconds.direct += again;
         let bands = self.bands(scene);
         let lit = timed(&mut seconds.solve, || match self.options.bounces {
-            None => bands.solved(&emissions, &first, progress),
+            None => bands.solved(&emissions, &first, work),
             Some(bounces) => Ok(bands.bounced(&emissions, &first, bounces)),
         })?;
-        progress(Progress::Finished("solve", seconds.solve));
+        work.tell(Progress::Finished { stage: Step::Solve, took: seconds.solve });
         let Light { light, before, efforts, functionals } = lit;
         let slowest = efforts.iter().max_by_key(|effort| effort.iterations);
         let (solver, iterations) =
@@ -272,7 +269,7 @@ impl Model {
         };
         let powers = solution.powers().unwrap_or_default();
         let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
-        let checks = Checks::with_powers(&solution, &self.blocks, powers);
+        let checks = Checks::with_powers(&solution, &self.blocks, powers, work.ranks);
         let Blocks { pairs, samples, distinct, rays, accuracy_reached, miss, .. } = self.blocks;
         Ok(Outcome {
             solution,
@@ -304,13 +301,14 @@ impl Model {
 
     /// The first light of each emission: that of the scene it was assembled from, if it emits as much. In a subspace what enters
     /// apart lies in it.
-    fn first_light(&self, scene: &Scene, emissions: &[Emission]) -> Vec<Reflected> {
+    fn first_light(&self, scene: &Scene, emissions: &[Emission], ranks: &Ranks) -> Vec<Reflected> {
         let first = self.first.reflected(emissions).unwrap_or_else(|| {
             let stage = Stage {
                 scene,
                 elements: &self.elements,
                 visibility: &self.visibility,
                 options: &self.options,
+                ranks,
             };
             let anew = Emission::all(scene, self.elements.list());
             let first = FirstLight::as_split(&stage, anew, self.first.is_split);

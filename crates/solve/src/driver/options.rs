@@ -1,7 +1,5 @@
 //! What to solve and how well.
 
-use std::time::{Duration, Instant};
-
 use radiosity_elements::cells::Layers;
 use radiosity_elements::mesh::Mesh;
 use radiosity_elements::space::Space;
@@ -13,17 +11,15 @@ use radiosity_published::zatz1993::transfers;
 use radiosity_scene::Scene;
 use radiosity_solvers::method::Method;
 use radiosity_visibility::{Hiding, Shadows};
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
 use super::algorithm::Algorithm;
 use super::choice::{MOST_RAYS, Transport, usual_rays};
 use super::direct::Direct;
+use super::failure::Failure;
+use super::pool::in_threads;
 use super::preconditioning::Preconditioning;
-use super::stop::Stop;
-
-/// Least time of a linear system, after a deadline too. Chosen: a person waits as long without noticing.
-const LEAST_SOLVING: Duration = Duration::from_secs(1);
 
 /// What to solve and how well.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -78,15 +74,8 @@ pub struct Options {
     /// begins.
     #[serde(skip)]
     pub memory: Option<u64>,
-    /// Raised by another thread to end the sending of rays; what was sent counts.
+    /// Threads, 0 for all that a rank may use; the result does not depend on it.
     #[serde(skip)]
-    pub stop: Option<&'static Stop>,
-    /// When the sending of rays ends; what was sent counts. A solver gives up there, or a second after it has begun. An
-    /// adaptation begins no run that would end later.
-    #[serde(skip)]
-    pub deadline: Option<Instant>,
-    /// Threads; the result does not depend on it.
-    #[serde(skip, default = "all_threads")]
     pub threads: usize,
 }
 
@@ -115,9 +104,7 @@ impl Default for Options {
             max_iterations: 1000,
             keep_partial: false,
             memory: None,
-            stop: None,
-            deadline: None,
-            threads: all_threads(),
+            threads: 0,
         }
     }
 }
@@ -148,32 +135,17 @@ impl Options {
 }
 
 impl Options {
-    /// The same for all that changes no bit of a result: threads, memory, and when to end early.
+    /// The same for all that changes no bit of a result: threads, memory, and what counts as a solution.
     pub fn neutral(&self) -> Self {
-        Self { threads: 0, memory: None, stop: None, deadline: None, keep_partial: false, ..*self }
+        Self { threads: 0, memory: None, keep_partial: false, ..*self }
     }
 
-    /// Whether rays are no longer wanted, on any rank.
-    pub(super) fn is_stopped(&self) -> bool {
-        let is_raised = self.stop.is_some_and(|stop| ranks::current().any(stop.is_raised()));
-        is_raised || self.is_late()
-    }
-
-    /// Whether the deadline has passed on any rank.
-    pub(crate) fn is_late(&self) -> bool {
-        self.deadline.is_some() && ranks::current().any(self.is_late_here())
-    }
-
-    /// Whether the deadline has passed, by the clock of this rank.
-    pub(crate) fn is_late_here(&self) -> bool {
-        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
-    }
-
-    /// The time that a linear system may take; None for any. It is at least [`LEAST_SOLVING`], so that a small scene has
-    /// a result after the deadline too. Several ranks, whose clocks differ, go on to the end.
-    pub(super) fn solving_time(&self) -> Option<Duration> {
-        let deadline = self.deadline.filter(|_| ranks::current().count() == 1)?;
-        Some(deadline.saturating_duration_since(Instant::now()).max(LEAST_SOLVING))
+    /// Does `work` with its threads on one of these ranks, as [`in_threads`].
+    ///
+    /// # Errors
+    /// Threads that cannot be started.
+    pub fn in_threads<T: Send>(&self, ranks: &Ranks, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+        in_threads(ranks.threads(self.threads), work)
     }
 
     /// Rays of the sampled transport of `scene`.
@@ -188,10 +160,6 @@ impl From<&Options> for Shadows {
     fn from(options: &Options) -> Self {
         options.shadows.shadows(options.accuracy().shadow_eps)
     }
-}
-
-fn all_threads() -> usize {
-    ranks::current().place().threads
 }
 
 /// A solver, (de)serialised by its name.

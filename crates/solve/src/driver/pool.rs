@@ -1,24 +1,24 @@
 //! Work with a number of threads.
 
 use radiosity_work::interruption;
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 
 use super::failure::Failure;
 
-/// Runs `work` with that many threads, within the current ranks; all of them hear the current
+/// Runs `work` with that many threads, 0 for all that this process may use; all of them hear the current
 /// [interruption](radiosity_work::interruption).
 ///
 /// # Errors
 /// Threads that cannot be started.
 pub fn in_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+    let threads = Ranks::alone().threads(threads);
     let heard = interruption::current();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .start_handler(move |_| interruption::hear(heard.clone()))
         .build();
     let pool = pool.map_err(|source| Failure::Threads { threads, source })?;
-    let ranks = ranks::current();
-    Ok(pool.install(|| ranks.within(work)))
+    Ok(pool.install(work))
 }
 
 #[cfg(test)]

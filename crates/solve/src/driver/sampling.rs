@@ -20,6 +20,7 @@ use radiosity_solvers::SolveError;
 use radiosity_solvers::method::Method;
 use radiosity_transport::{Memory, Rays, SampledTransport};
 use radiosity_visibility::Visibility;
+use radiosity_work::{Deadline, Progress, Work};
 use serde::{Deserialize, Serialize};
 
 use crate::system::ritz::Ritz;
@@ -27,8 +28,6 @@ use crate::system::{Coefficients, System};
 
 use super::band::solve_band;
 use super::options::Options;
-use super::progress::Progress;
-use super::stop::Stop;
 
 /// Share of the rays that the pilot sends, one round of them at most. Chosen; between 0.05 and 0.2 errors changed by less than a
 /// tenth of themselves.
@@ -78,22 +77,21 @@ pub(super) struct Subject<'a> {
     pub entries: &'a [Entry],
     pub visibility: &'a Visibility,
     pub options: &'a Options,
+    pub work: &'a Work<'a>,
 }
 
 impl Subject<'_> {
     /// The blocks by `rays` rays after the pilot, and what they are worth; what `memory` knows is not found again.
-    pub(super) fn sample(
-        &self,
-        rays: u64,
-        mut memory: Option<&mut Memory>,
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> (Blocks, Sampling) {
-        let _listening = self.options.stop.map(Stop::listen);
+    pub(super) fn sample(&self, rays: u64, mut memory: Option<&mut Memory>) -> (Blocks, Sampling) {
+        let work = self.work;
+        let _listening = work.deadline.map(Deadline::listen);
+        let (elements, visibility) = (self.elements, self.visibility);
         let mut transport =
-            SampledTransport::remembering(self.elements, self.visibility, memory.as_deref_mut());
-        let sent = |done: u64| progress(Progress::Rays { done, total: rays, error: None });
+            SampledTransport::remembering(elements, visibility, memory.as_deref_mut(), work.ranks);
         let pilot = (PILOT * rays as f64).min(ROUND as f64);
-        transport.send(&self.by_area(pilot), &mut |done| self.goes_on(|| sent(done)));
+        transport.send(&self.by_area(pilot), &mut |done| {
+            self.goes_on(Progress::Rays { done, of: rays, error: None })
+        });
         // Where the pilot tells nothing, all elements count as equally bright.
         let bright = self
             .brightness(&transport.blocks(Rays::All))
@@ -101,10 +99,9 @@ impl Subject<'_> {
         let planned = self.by_brightness(rays as f64, &bright);
         let accuracy = self.accuracy(rays);
         let total = transport.sent().iter().sum::<u64>() + planned.iter().sum::<u64>();
-        if !self.options.is_stopped() {
-            let report = |done, total| progress(Progress::Blocks(done, total));
-            transport.settle_again(&planned, accuracy, memory.as_deref_mut(), &report);
-            self.send_in_rounds(&mut transport, &planned, progress);
+        if !work.is_ended() {
+            transport.settle_again(&planned, accuracy, memory.as_deref_mut(), work);
+            self.send_in_rounds(&mut transport, &planned);
         }
         // The halves first: their blocks are gone when the whole ones are made.
         let error = self.error(&transport).ok();
@@ -125,19 +122,14 @@ impl Subject<'_> {
     }
 
     /// Tells how far the work is; returns whether it goes on.
-    fn goes_on(&self, tell: impl FnOnce()) -> bool {
-        tell();
-        !self.options.is_stopped()
+    fn goes_on(&self, progress: Progress) -> bool {
+        self.work.tell(progress);
+        !self.work.is_ended()
     }
 
     /// Sends the planned rays, unless the work is stopped. The error so far is told after rounds
     /// 1, 2, 4, 8, …: what this costs is a part of what the rays do.
-    fn send_in_rounds(
-        &self,
-        transport: &mut SampledTransport,
-        planned: &[u64],
-        progress: &(dyn Fn(Progress) + Sync),
-    ) {
+    fn send_in_rounds(&self, transport: &mut SampledTransport, planned: &[u64]) {
         let before: u64 = transport.sent().iter().sum();
         let total = before + planned.iter().sum::<u64>();
         let rounds = (total - before).div_ceil(ROUND);
@@ -147,10 +139,9 @@ impl Subject<'_> {
                 |round: u64, count: u64| (u128::from(count) * u128::from(round) / u128::from(rounds)) as u64;
             let now: Vec<u64> =
                 planned.iter().map(|count| until(round, *count) - until(round - 1, *count)).collect();
-            transport.send(&now, &mut |more| {
-                self.goes_on(|| progress(Progress::Rays { done: done + more, total, error }))
-            });
-            if self.options.is_stopped() {
+            transport
+                .send(&now, &mut |more| self.goes_on(Progress::Rays { done: done + more, of: total, error }));
+            if self.work.is_ended() {
                 return;
             }
             done += now.iter().sum::<u64>();
@@ -256,9 +247,8 @@ impl Subject<'_> {
                 .map(|(coating, entry)| System::entered(list, blocks, (band, coating), entry))
                 .map(|system| Ritz::new(system, None))
                 .collect();
-            all.extend(
-                solve_band(&systems, &rough, &mut |_| ())?.0.into_iter().map(|found| found.coefficients),
-            );
+            let (found, _) = solve_band(&systems, &rough, self.work, &mut |_| ())?;
+            all.extend(found.into_iter().map(|found| found.coefficients));
         }
         Ok(all)
     }

@@ -26,8 +26,9 @@ mod smoothness;
 mod local;
 
 use radiosity_scene::Scene;
+use radiosity_work::Work;
 
-use crate::driver::{Algorithm, Choice, Failure, Options, Progress, Transport, in_threads};
+use crate::driver::{Algorithm, Choice, Failure, Options, Transport};
 
 pub use achieved::{Achieved, Adapted, End};
 pub use goal::{Aim, Goal};
@@ -48,28 +49,23 @@ const NO_ERROR_OF_ELEMENTS: &str =
 /// Solves `scene` on finer and finer discretisations until the estimated error is small enough, or the next run would
 /// be too large or end too late. A finer run that does not fit into memory, or whose solver does not converge, also ends the sequence.
 ///
-/// Order and layers in `options` are lower bounds, `eps` and `shadow_eps` upper bounds; given cuts stay. `progress` is
-/// called for every run from its beginning.
+/// Order and layers in `options` are lower bounds, `eps` and `shadow_eps` upper bounds; given cuts stay. Every run
+/// is told from its beginning.
 ///
 /// # Errors
 /// Any error of the first run; of later runs those that do not end the sequence.
-pub fn adapt(
-    scene: &Scene,
-    options: &Options,
-    goal: &Goal,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Adapted, Failure> {
+pub fn adapt(scene: &Scene, options: &Options, goal: &Goal, work: &Work<'_>) -> Result<Adapted, Failure> {
     if options.algorithm == Algorithm::Hierarchical {
-        return by_links(scene, options, goal, progress);
+        return by_links(scene, options, goal, work);
     }
-    let choice = in_threads(options.threads, || Choice::of(scene, options))?;
+    let choice = options.in_threads(work.ranks, || Choice::of(scene, options))?;
     if is_by_rays(scene, options, goal, &choice) {
-        return by_rays(scene, options, goal, progress);
+        return by_rays(scene, options, goal, work);
     }
     let why = if choice.sampled { NO_ERROR_OF_ELEMENTS } else { &choice.why };
     match goal.of {
-        Aim::Solution => by_rungs(scene, options, goal, why, progress),
-        Aim::Gathered | Aim::Points | Aim::Seen => locally(scene, options, goal, why, progress),
+        Aim::Solution => by_rungs(scene, options, goal, why, work),
+        Aim::Gathered | Aim::Points | Aim::Seen => locally(scene, options, goal, why, work),
     }
 }
 

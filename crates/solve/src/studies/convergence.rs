@@ -22,8 +22,9 @@ use std::time::Instant;
 use radiosity_elements::cells::Layers;
 use radiosity_published::bases::Basis;
 use radiosity_scene::Scene;
+use radiosity_work::{Progress, Stage, Work};
 
-use crate::driver::{Algorithm, Failure, Options, Outcome, Progress, Transport, solve};
+use crate::driver::{Algorithm, Failure, Options, Outcome, Transport, solve};
 use crate::solution::Solution;
 use crate::studies::adaptation::{Aim, Goal, adapt};
 use crate::studies::error_norm::distance;
@@ -116,6 +117,9 @@ pub enum Reference<'a> {
     Given(&'a dyn Fn(&Solution) -> f64),
 }
 
+/// Parts of the whole work that are told.
+const PARTS: usize = 1000;
+
 /// A run to be made.
 struct Trial {
     way: Way,
@@ -133,7 +137,7 @@ struct Made {
 /// Solves `scene` at orders 0 to `options.order` on 0 to `options.layers.count` layers, layers slowest, and then in the
 /// `other` ways.
 ///
-/// `progress` gets the finished part of the work, from 0 to 1; from any thread.
+/// The finished part of all runs is told, in thousandths.
 ///
 /// # Errors
 /// The first run that fails.
@@ -142,23 +146,24 @@ pub fn convergence(
     options: &Options,
     other: &[Way],
     reference: &Reference,
-    progress: &(dyn Fn(f64) + Sync),
+    work: &Work<'_>,
 ) -> Result<Vec<Run>, Failure> {
     let plan = plan(options, other);
-    let work: Vec<f64> = plan.iter().map(Trial::work).collect();
-    let all: f64 = work.iter().sum();
+    let costs: Vec<f64> = plan.iter().map(Trial::cost).collect();
+    let all: f64 = costs.iter().sum();
     let mut made = Vec::with_capacity(plan.len());
     let mut before = 0.0;
-    for (trial, work) in plan.iter().zip(work) {
+    for (trial, cost) in plan.iter().zip(costs) {
         let furthest = AtomicUsize::new(0);
-        let hear = |stage| {
-            if let Progress::Blocks(done, total) = stage {
+        let hear = |progress| {
+            if let Progress::Done { stage: Stage::Blocks, done, of } = progress {
                 let done = furthest.fetch_max(done, Ordering::Relaxed).max(done);
-                progress((before + work * (done as f64 / total.max(1) as f64).min(1.0)) / all);
+                let part = (before + cost * (done as f64 / of.max(1) as f64).min(1.0)) / all;
+                work.tell_done(Stage::Runs, (PARTS as f64 * part) as usize, PARTS);
             }
         };
-        made.push(trial.solve(scene, &hear)?);
-        before += work;
+        made.push(trial.solve(scene, &work.told(&hear))?);
+        before += cost;
     }
     Ok(runs(&plan, &made, reference))
 }
@@ -192,22 +197,22 @@ fn plan(options: &Options, other: &[Way]) -> Vec<Trial> {
 }
 
 impl Trial {
-    /// Work of the run: about the number of pairs of basis functions, for uniform runs.
-    fn work(&self) -> f64 {
+    /// Cost of the run: about the number of pairs of basis functions, for uniform runs.
+    fn cost(&self) -> f64 {
         let cells = (self.options.subdivide.unwrap_or(1) + 2 * self.options.layers.count).pow(2);
         ((cells * self.options.space.count(self.options.order)) as f64).powi(2)
     }
 
-    fn solve(&self, scene: &Scene, progress: &(dyn Fn(Progress) + Sync)) -> Result<Made, Failure> {
+    fn solve(&self, scene: &Scene, work: &Work<'_>) -> Result<Made, Failure> {
         let begun = Instant::now();
         let Some(wanted) = self.wanted else {
-            let outcome = solve(scene, &self.options, progress)?;
+            let outcome = solve(scene, &self.options, work)?;
             let stages = outcome.seconds;
             let seconds = stages.elements + stages.visibility + stages.blocks + stages.direct + stages.solve;
             return Ok(Made { outcome, seconds: seconds.as_secs_f64() });
         };
         let goal = Goal::new(wanted, Aim::Gathered);
-        let outcome = adapt(scene, &self.options, &goal, progress)?.outcome;
+        let outcome = adapt(scene, &self.options, &goal, work)?.outcome;
         Ok(Made { outcome, seconds: begun.elapsed().as_secs_f64() })
     }
 }

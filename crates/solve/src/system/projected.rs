@@ -1,7 +1,7 @@
 //! I − Qᵀ √ρ G √ρ Q: the matrix of a subspace, by products with that of the elements.
 
 use radiosity_solvers::{Dense, Operator, Partition, SolveError};
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 
 use super::reduction::Reduction;
 
@@ -27,13 +27,13 @@ impl<'a> Projected<'a> {
         self.reduction.restricted(&image)
     }
 
-    /// The same matrix entry by entry.
+    /// The same matrix entry by entry, where these ranks hold the blocks of the elements.
     ///
     /// # Errors
     /// Values that are not finite.
-    pub(super) fn entries(&self) -> Result<Dense, SolveError> {
+    pub(super) fn entries(&self, ranks: &Ranks) -> Result<Dense, SolveError> {
         let dim = self.partition.dim();
-        let column = |j: &usize| {
+        let column = |j: &usize, _: &Ranks| {
             let mut unit = vec![0.0; dim];
             unit[*j] = 1.0;
             let mut image = vec![0.0; dim];
@@ -41,7 +41,7 @@ impl<'a> Projected<'a> {
             image
         };
         let columns: Vec<usize> = (0..dim).collect();
-        let mut values = ranks::current().each(&columns, column).concat();
+        let mut values = ranks.each(&columns, column).concat();
         if self.symmetric() {
             mirror(&mut values, dim);
         }

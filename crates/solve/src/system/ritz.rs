@@ -100,7 +100,7 @@ impl<'a> Ritz<'a> {
             // Diagonal blocks would cost as much as the whole matrix; those of flat surfaces are the identity.
             return Ok((Box::new(product), Preconditioner::None));
         }
-        Ok((Box::new(product.entries()?), asked))
+        Ok((Box::new(product.entries(self.system.ranks())?), asked))
     }
 
     /// Qᵀ f.

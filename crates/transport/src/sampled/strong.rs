@@ -11,6 +11,7 @@ use radiosity_kernel::Accuracy;
 use radiosity_kernel::Blocks;
 use radiosity_kernel::blocks::held::Held;
 use radiosity_visibility::Visibility;
+use radiosity_work::Work;
 use radiosity_work::interruption::heed;
 
 use crate::memory::Memory;
@@ -57,15 +58,15 @@ impl Strong {
         elements: &Elements,
         visibility: &Visibility,
         (accuracy, memory): (Accuracy, Option<&mut Memory>),
-        progress: &(dyn Fn(usize, usize) + Sync),
+        work: &Work<'_>,
     ) -> Self {
         if pairs.is_empty() {
-            memory.into_iter().for_each(|memory| memory.keep(Vec::new()));
+            memory.into_iter().for_each(|memory| memory.keep(Vec::new(), work.ranks));
             return Self::default();
         }
         let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
         let how = (accuracy, Unreached::Left);
-        let (blocks, left) = by_rules(elements, &wanted, visibility, how, memory, progress);
+        let (blocks, left) = by_rules(elements, &wanted, visibility, how, memory, work);
         for pair in left {
             pairs.remove(&(pair.row as u32, pair.column as u32));
         }

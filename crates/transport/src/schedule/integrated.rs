@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use radiosity_kernel::blocks::block::{Account, Block};
 use radiosity_kernel::blocks::held::Held;
-use radiosity_work::ranks::{Part, Ranks};
+use radiosity_work::ranks::{Part, PartName, Ranks};
 use serde::{Deserialize, Serialize};
 
 use crate::memory::Answer;
@@ -36,7 +36,7 @@ impl Integrated {
     pub(super) fn made(ranks: Ranks, pieces: &[Piece], make: impl Fn(usize) -> Arc<Answer> + Sync) -> Self {
         let mut balance = Balance::new(ranks.count());
         let mut all = Self::none(ranks.clone(), pieces.len());
-        let part = ranks.part::<Arc<Answer>>(pieces.len());
+        let part = ranks.part(PartName::Blocks, pieces.len());
         for round in rounds(pieces.len(), ranks.count()) {
             let makers = balance.share(&round, pieces);
             all.make(&part, &round, &makers, &make);

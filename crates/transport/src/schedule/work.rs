@@ -4,7 +4,8 @@ use radiosity_elements::Elements;
 use radiosity_kernel::blocks::held::Held;
 use radiosity_kernel::{Accuracy, blocks::block::Account};
 use radiosity_visibility::Visibility;
-use radiosity_work::ranks;
+use radiosity_work::Work;
+use radiosity_work::ranks::Ranks;
 
 pub use crate::schedule::balance::cost;
 use crate::schedule::balance::{Balance, Piece, rounds};
@@ -12,12 +13,12 @@ use crate::schedule::task::{Scene, Unreached};
 
 /// The work that a block was.
 #[derive(Clone, Copy, Debug)]
-pub struct Work {
+pub struct BlockWork {
     piece: Piece,
     account: Account,
 }
 
-impl Work {
+impl BlockWork {
     /// Terms of its rules.
     pub fn samples(&self) -> u64 {
         self.account.samples
@@ -35,21 +36,21 @@ pub fn work(
     sends: &(dyn Fn(usize) -> bool + Sync),
     visibility: &Visibility,
     accuracy: Accuracy,
-) -> Vec<Work> {
+) -> Vec<BlockWork> {
     let wanted = |a: usize, b: usize| sends(a) || sends(b);
     let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
     let scene = Scene::new(elements, visibility, &wanted, accuracy, unreached);
-    let (tasks, _) = scene.sort();
+    let (tasks, _) = scene.sort(Ranks::alone());
     let goals = scene.goals(&tasks);
     let sources = scene.share(&tasks, &goals);
-    let held = Held::of(&ranks::current(), &elements.starts());
-    let integrated = scene.integrate(&tasks, &goals, &sources, (None, &held), &|_, _| {});
+    let held = Held::of(Ranks::alone(), &elements.starts());
+    let integrated = scene.integrate(&tasks, &goals, &sources, (None, &held), &Work::alone());
     let pieces = scene.pieces(&tasks, &sources).into_iter().enumerate();
-    pieces.map(|(place, piece)| Work { piece, account: integrated.told(place).block }).collect()
+    pieces.map(|(place, piece)| BlockWork { piece, account: integrated.told(place).block }).collect()
 }
 
 /// Kernel samples and rays of each of so many ranks that share this work, round by round: ranks wait for each other between rounds.
-pub fn shared(work: &[Work], ranks: usize) -> Vec<Vec<[u64; 2]>> {
+pub fn shared(work: &[BlockWork], ranks: usize) -> Vec<Vec<[u64; 2]>> {
     let pieces: Vec<Piece> = work.iter().map(|work| work.piece).collect();
     let mut balance = Balance::new(ranks);
     let round = |round: Vec<usize>| {

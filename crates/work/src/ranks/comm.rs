@@ -6,7 +6,7 @@ use super::place::Place;
 
 /// Messages between ranks. All ranks call the same functions in the same order; a call ends when the others have made theirs.
 /// Only one thread of a rank calls at a time.
-pub(super) trait Comm: Debug + Send + Sync {
+pub trait Comm: Debug + Send + Sync {
     /// The number of this rank, from 0.
     fn rank(&self) -> usize;
 

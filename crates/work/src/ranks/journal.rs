@@ -1,7 +1,7 @@
 //! What was made of a run so far, in files: a run that was killed goes on from there, on any number of ranks.
 //!
 //! The shared parts of a run follow each other in the same order every time ([`super`]). A journal keeps each piece under its own
-//! number and that of its part, which hangs on all that went before: types and numbers of pieces of earlier parts, and what was
+//! number and that of its part, which hangs on all that went before: names and numbers of pieces of earlier parts, and what was
 //! chosen ([`Ranks::note_choice`](super::Ranks::note_choice)). A run that took another way, because its time was up or it had
 //! less memory, therefore finds no foreign pieces.
 //!
@@ -9,7 +9,7 @@
 //! records:
 //!
 //! ```text
-//! header   8 bytes, 8 bytes of the fingerprint of the run
+//! header   8 bytes, 4 bytes of the version of pieces, 8 bytes of the fingerprint of the run
 //! ```
 //!
 //! The last record of a rank that was killed may be torn: it fails its check, and its piece is made again.
@@ -18,11 +18,11 @@ mod begin;
 mod error;
 mod fingerprint;
 mod record;
+mod header;
 mod writer;
 mod kept;
 mod folder;
 
-use std::any::type_name;
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard};
@@ -32,6 +32,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::ranks::bytes::{encoded, strictly_decoded};
+use crate::ranks::part_name::PartName;
 pub use begin::Begin;
 pub use error::JournalError;
 use fingerprint::digest;
@@ -96,10 +97,10 @@ impl Journal {
         })
     }
 
-    /// The next part of the run, of so many pieces, each a T.
-    pub(super) fn part<T>(&self, pieces: usize) -> RecordedPart<'_> {
+    /// The next part of the run, of so many pieces.
+    pub(super) fn part(&self, name: PartName, pieces: usize) -> RecordedPart<'_> {
         let mut way = self.way.lock().expect("nobody panics on the way");
-        *way = digest(&(*way, type_name::<T>(), pieces));
+        *way = digest(&(*way, name, pieces));
         RecordedPart { journal: self, number: *way }
     }
 

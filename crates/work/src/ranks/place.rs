@@ -26,8 +26,7 @@ impl Place {
     /// The place of the rank `own` of a machine on which each rank may run on `processors` of its own; empty
     /// where these are not known. Ranks that are bound to different processors have them for themselves,
     /// others share.
-    #[cfg(any(test, feature = "mpi"))]
-    pub(super) fn among(processors: &[Vec<usize>], own: usize) -> Self {
+    pub fn among(processors: &[Vec<usize>], own: usize) -> Self {
         let companions = processors.len();
         let mine = &processors[own];
         if processors.iter().any(Vec::is_empty) {
@@ -47,15 +46,13 @@ fn available() -> usize {
 }
 
 /// The processors on which Linux lets this process run; none where that is not known.
-#[cfg(feature = "mpi")]
-pub(super) fn allowed() -> Vec<usize> {
+pub fn allowed() -> Vec<usize> {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("Cpus_allowed_list:"));
     line.and_then(listed).unwrap_or_default()
 }
 
 /// The numbers of a list such as `0-3,8`.
-#[cfg(any(test, feature = "mpi"))]
 fn listed(text: &str) -> Option<Vec<usize>> {
     let mut numbers = Vec::new();
     for part in text.trim().split(',') {

@@ -23,11 +23,11 @@ struct Table {
     messages: Vec<Vec<Mutex<Vec<u8>>>>,
 }
 
-/// Does `work` on `count` ranks, each a thread; the results in their order.
+/// Does `work` on `count` ranks, each a thread, which is given them as it sees them; the results in their order.
 ///
 /// # Panics
 /// If one of them does; the others would wait for it, therefore `work` must not panic on some of them only.
-pub fn on_ranks<T: Send>(count: usize, work: impl Fn() -> T + Sync) -> Vec<T> {
+pub fn on_ranks<T: Send>(count: usize, work: impl Fn(&Ranks) -> T + Sync) -> Vec<T> {
     let row = || (0..count).map(|_| Mutex::default()).collect();
     let messages = (0..count).map(|_| row()).collect();
     let table = Arc::new(Table { barrier: Barrier::new(count), messages });
@@ -37,7 +37,7 @@ pub fn on_ranks<T: Send>(count: usize, work: impl Fn() -> T + Sync) -> Vec<T> {
         let started: Vec<_> = (0..count)
             .map(|number| {
                 let rank = rank(number);
-                scope.spawn(move || rank.within(work))
+                scope.spawn(move || work(&rank))
             })
             .collect();
         started.into_iter().map(|thread| thread.join().expect("no rank panics")).collect()
@@ -96,18 +96,15 @@ impl Comm for Thread {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ranks::current;
+    use crate::ranks::PartName;
 
     #[test]
     fn every_rank_gets_all_pieces_in_order() {
         let costs: Vec<f64> = (0..37).map(|k| f64::from(k % 5)).collect();
         let squares: Vec<f64> = (0..37).map(|k| f64::from(k * k) / 3.0).collect();
         for ranks in 1..=4 {
-            let found = on_ranks(ranks, || {
-                current().map(&costs, |piece| {
-                    assert!(current().are_alone(), "nothing is shared within a piece");
-                    (piece as f64).powi(2) / 3.0
-                })
+            let found = on_ranks(ranks, |ranks| {
+                ranks.map(PartName::Points, &costs, |piece| (piece as f64).powi(2) / 3.0)
             });
             assert_eq!(found, vec![squares.clone(); ranks]);
         }
@@ -115,8 +112,7 @@ mod tests {
 
     #[test]
     fn messages_and_numbers_arrive_where_they_belong() {
-        let found = on_ranks(3, || {
-            let ranks = current();
+        let found = on_ranks(3, |ranks| {
             let received = ranks.exchange((0..3).map(|to| (ranks.number(), to)).collect());
             let mut values = vec![f64::NAN; 5];
             let ends = [2, 2, 5];

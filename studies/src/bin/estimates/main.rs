@@ -16,6 +16,7 @@ mod scenes;
 
 use std::time::{Duration, Instant};
 
+use radiosity::Work;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
 use radiosity::solve::gather::Gather;
@@ -24,6 +25,7 @@ use radiosity::solve::solution::Solution;
 use radiosity::solve::studies::adaptation::{Adapted, adapt};
 use radiosity::solve::{Options, Transport, solve};
 use radiosity::visibility::Visibility;
+use radiosity::work::Deadline;
 use rayon::prelude::*;
 
 use scenes::{Case, Fine};
@@ -66,12 +68,12 @@ fn unknowns(asked: &[String]) {
             let alike =
                 Options { order, subdivide: Some(cuts), transport: Transport::Exact, ..Options::default() };
             let begun = Instant::now();
-            let outcome = solve(&case.scene, &alike, &|_| {}).expect("the scene can be solved");
+            let outcome = solve(&case.scene, &alike, &Work::alone()).expect("the scene can be solved");
             row(name, &format!("{cuts} × {cuts}, order {order}"), begun, &outcome.solution, &truth);
         }
         for wanted in [3e-2, 1e-2, 5e-3, 3e-3, 2e-3, 1.5e-3, 1e-3] {
             let begun = Instant::now();
-            let adapted = adapt(&case.scene, &options(), &case.goal(wanted), &|_| {});
+            let adapted = until_limit(|work| adapt(&case.scene, &options(), &case.goal(wanted), work));
             let solution = adapted.expect("the scene can be solved").outcome.solution;
             row(name, &format!("refined to {wanted:.1e}"), begun, &solution, &truth);
         }
@@ -88,7 +90,7 @@ fn rows(case: &Case) {
     let truth = Truth::of(case);
     for wanted in WANTED {
         let begun = Instant::now();
-        let adapted = adapt(&case.scene, &options(), &case.goal(wanted), &|_| {});
+        let adapted = until_limit(|work| adapt(&case.scene, &options(), &case.goal(wanted), work));
         let Adapted { outcome, achieved, .. } = match adapted {
             Ok(adapted) => adapted,
             Err(failure) => {
@@ -109,9 +111,15 @@ fn rows(case: &Case) {
     }
 }
 
-/// As the command line has them where an accuracy is asked for, with a time limit.
+/// As the command line has them where an accuracy is asked for.
 fn options() -> Options {
-    Options { order: 0, deadline: Some(Instant::now() + LIMIT), ..Options::default() }
+    Options { order: 0, ..Options::default() }
+}
+
+/// What is found within the time limit.
+fn until_limit<T>(find: impl FnOnce(&Work<'_>) -> T) -> T {
+    let deadline = Deadline::at(Some(Instant::now() + LIMIT));
+    find(&Work::alone().until(&deadline))
 }
 
 /// Light of a fine run at points.
@@ -142,7 +150,7 @@ impl<'a> Truth<'a> {
                 ..Options::default()
             },
         };
-        let fine = solve(&case.scene, &options, &|_| {}).expect("the scene can be solved").solution;
+        let fine = solve(&case.scene, &options, &Work::alone()).expect("the scene can be solved").solution;
         let by_rays = case.by_rays;
         let mut truth = Self {
             scene: &case.scene,

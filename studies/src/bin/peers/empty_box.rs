@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::io::Write;
 
+use radiosity::Work;
 use radiosity::elements::cells::Layers;
 use radiosity::output::readings::probe::{Probe, probe};
 use radiosity::output::readings::reader::{Read, Reader};
@@ -112,12 +113,12 @@ fn floor(scene: &Scene, way: &Way) -> Result<Floor, Box<dyn Error>> {
         threads: 1,
         ..Options::default()
     };
-    let solution = solve(scene, &options, &|_| {})?.solution;
+    let solution = solve(scene, &options, &Work::alone())?.solution;
     let visibility = Visibility::new(scene, (&options).into());
     let read = if way.gather.is_some() { Read::Gather } else { Read::Basis };
     let readings = in_threads(1, || {
         let reader = Reader::new(&solution, &visibility, read, way.gather.unwrap_or(way.eps));
-        probe(&reader, &centres(), scene.middle, &|_, _| {})
+        probe(&reader, &centres(), scene.middle, &Work::alone())
     })?;
     let readings = readings.map_err(|(_, fault)| fault)?;
     Ok(Floor {

@@ -4,6 +4,7 @@ use std::error::Error;
 use std::hint::black_box;
 use std::io::Write;
 
+use radiosity::Work;
 use radiosity::kernel::{Accuracy, polygon_exchange};
 use radiosity::scene::Scene;
 use radiosity::solve::view_factors::{Options, ViewFactors};
@@ -69,7 +70,7 @@ fn of_scene(scene: &Scene, exact: f64) -> Result<String, Box<dyn Error>> {
         shadows: Hiding::Auto,
         threads: 1,
     };
-    let (seconds, factors) = timed(|| ViewFactors::new(scene, &options, &|_, _| {}));
+    let (seconds, factors) = timed(|| ViewFactors::new(scene, &options, &Work::alone()));
     Ok(cell(factors?.factor(0, 1), exact, seconds))
 }
 

@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::time::Instant;
 
+use radiosity::Work;
 use radiosity::solve::{Options, Transport, solve};
 
 use crate::judge::Points;
@@ -20,13 +21,13 @@ pub(crate) fn against(scene: &str) -> Result<(), Box<dyn Error>> {
     println!("| --- | --- | --- | --- |");
     let scene = radiosity::load(scene)?;
     let sampled = |rays| Options { transport: Transport::Sampled, rays: Some(rays), ..Options::default() };
-    let truth = solve(&scene, &sampled(TRUE), &|_| {})?.solution;
+    let truth = solve(&scene, &sampled(TRUE), &Work::alone())?.solution;
     let points = Points::of(&scene, &truth, POINTS);
     let exact = Options { transport: Transport::Exact, ..Options::default() };
     let runs = RAYS.map(|rays| (format!("{rays} rays"), sampled(rays)));
     for (name, options) in runs.into_iter().chain([("exact".to_owned(), exact)]) {
         let start = Instant::now();
-        let outcome = solve(&scene, &options, &|_| {})?;
+        let outcome = solve(&scene, &options, &Work::alone())?;
         let seconds = start.elapsed().as_secs_f64();
         let [l2, median] = points.errors(&scene, &outcome.solution);
         println!("| {name} | {seconds:.1} | {:.2} % | {:.2} % |", 100.0 * l2, 100.0 * median);

@@ -3,6 +3,7 @@
 use std::error::Error;
 use std::time::Instant;
 
+use radiosity::Work;
 use radiosity::solve::studies::adaptation::{Aim, Goal, adapt};
 use radiosity::solve::{Options, Transport};
 
@@ -23,7 +24,7 @@ pub(crate) fn halls() -> Result<(), Box<dyn Error>> {
         let scene = room(grid);
         let options = Options { transport: Transport::Sampled, ..Options::default() };
         let start = Instant::now();
-        let adapted = adapt(&scene, &options, &Goal::new(WANTED, Aim::Solution), &|_| {})?;
+        let adapted = adapt(&scene, &options, &Goal::new(WANTED, Aim::Solution), &Work::alone())?;
         let seconds = start.elapsed().as_secs_f64();
         let sampling = adapted.outcome.sampling.ok_or("rays were asked for")?;
         println!(

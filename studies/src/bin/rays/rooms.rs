@@ -5,6 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use radiosity::Scene;
+use radiosity::Work;
 use radiosity::solve::{Options, Outcome, Transport, solve};
 
 use crate::diagram;
@@ -65,6 +66,6 @@ pub(crate) fn rooms(folder: &Path, file: &Path) -> Result<(), Box<dyn Error>> {
 fn by_rays(scene: &Scene, rays: u64) -> Result<(Outcome, f64), Box<dyn Error>> {
     let options = Options { transport: Transport::Sampled, rays: Some(rays), ..Options::default() };
     let start = Instant::now();
-    let outcome = solve(scene, &options, &|_| {})?;
+    let outcome = solve(scene, &options, &Work::alone())?;
     Ok((outcome, start.elapsed().as_secs_f64()))
 }

@@ -14,7 +14,9 @@ use radiosity::solve::system::{Coefficients, System};
 use radiosity::solvers::Settings;
 use radiosity::solvers::method::Method;
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity::work::ranks::Ranks;
 use radiosity::{
+    Work,
     kernel::{Accuracy, Blocks},
     transport::{Rays, SampledTransport, assemble},
 };
@@ -117,7 +119,8 @@ impl Subject {
         let visibility = Visibility::new(scene, Shadows::Outlines(TRUE));
         let elements = Elements::new(scene, &Discretization::uniform(2, 2))?;
         let coating = Coating::of(scene, elements.list(), 0);
-        let blocks = assemble(&elements, &visibility, Accuracy { eps: TRUE, shadow_eps: TRUE }, &|_, _| {});
+        let blocks =
+            assemble(&elements, &visibility, Accuracy { eps: TRUE, shadow_eps: TRUE }, &Work::alone());
         let truth = solved(&elements, &coating, &blocks)?;
         Ok(Self { elements, coating, visibility, truth })
     }
@@ -135,7 +138,7 @@ impl Subject {
 
     fn exact(&self, accuracy: f64) -> Blocks {
         let accuracy = Accuracy { eps: accuracy, shadow_eps: accuracy };
-        assemble(&self.elements, &self.visibility, accuracy, &|_, _| {})
+        assemble(&self.elements, &self.visibility, accuracy, &Work::alone())
     }
 
     fn sampled(&self, way: Way, rays: u64) -> (Blocks, usize) {
@@ -151,13 +154,13 @@ impl Subject {
         let plan = |rays: f64| -> Vec<u64> {
             weights.iter().map(|weight| (rays * weight / (1.0 + BRIGHTNESS)).ceil() as u64).collect()
         };
-        let mut transport = SampledTransport::new(&self.elements, &self.visibility);
+        let mut transport = SampledTransport::new(&self.elements, &self.visibility, Ranks::alone());
         transport.send(&plan(PILOT * rays as f64), &mut |_| true);
         let planned = plan((1.0 - PILOT) * rays as f64);
         if way == Way::Both {
             let accuracy = EXACT / (rays as f64).sqrt();
             let accuracy = Accuracy { eps: accuracy, shadow_eps: accuracy };
-            transport.settle(&planned, accuracy, &|_, _| {});
+            transport.settle(&planned, accuracy, &Work::alone());
         }
         transport.send(&planned, &mut |_| true);
         (transport.blocks(Rays::All), transport.exact_pairs())

@@ -4,6 +4,7 @@ use std::error::Error;
 use std::path::Path;
 
 use radiosity::Scene;
+use radiosity::Work;
 use radiosity::solve::{Options, Outcome, Transport, solve};
 
 use crate::apart::{apart, means};
@@ -86,5 +87,5 @@ fn by_rays(scene: &Scene, cuts: usize, rays: u64) -> Result<Outcome, Box<dyn Err
     let transport = Transport::Sampled;
     let options =
         Options { transport, order: 1, subdivide: Some(cuts), rays: Some(rays), ..Options::default() };
-    Ok(solve(scene, &options, &|_| {})?)
+    Ok(solve(scene, &options, &Work::alone())?)
 }

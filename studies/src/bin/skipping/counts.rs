@@ -1,5 +1,6 @@
 //! Pairs by class, and the rays of a program that casts one per kernel sample.
 
+use radiosity::Work;
 use radiosity::solve::{Failure, Options, Outcome, solve};
 use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
@@ -18,7 +19,7 @@ pub(crate) fn print(subjects: &[Subject]) -> Result<(), Failure> {
     );
     println!("|{}", " --- |".repeat(13));
     for subject in subjects {
-        let outcome = solve(&subject.scene, &Options::default(), &|_| {})?;
+        let outcome = solve(&subject.scene, &Options::default(), &Work::alone())?;
         println!("| {} {}", subject.name, row(subject, &outcome));
     }
     Ok(())
@@ -32,7 +33,7 @@ fn naive_samples(subject: &Subject, pairs: usize) -> u64 {
     let wanted = |i, j| (sends(i) || sends(j)) && is_taken([i, j], elements.list().len(), every);
     let open = Visibility::new(scene, Shadows::Off);
     let accuracy = Options::default().accuracy();
-    every as u64 * transport::assemble_pairs(elements, &wanted, &open, accuracy, &|_, _| {}).samples
+    every as u64 * transport::assemble_pairs(elements, &wanted, &open, accuracy, &Work::alone()).samples
 }
 
 /// A row of the table, less its name.

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use cpu_time::ProcessTime;
+use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::transport;
 use radiosity::visibility::{Hiding, Shadows, Visibility};
@@ -121,7 +122,7 @@ impl<'a> Judged<'a> {
         let wanted =
             |i: usize, j: usize| is_taken([i, j], list.len(), self.every) && (self.all || is_apart(i, j));
         let start = ProcessTime::now();
-        let blocks = transport::assemble_pairs(elements, &wanted, &visibility, accuracy, &|_, _| {});
+        let blocks = transport::assemble_pairs(elements, &wanted, &visibility, accuracy, &Work::alone());
         let seconds = start.elapsed().as_secs_f64();
         let rays = blocks.rays;
         Found {

@@ -1,6 +1,7 @@
 //! Runs, timed and judged.
 
 use cpu_time::ProcessTime;
+use radiosity::Work;
 use radiosity::elements::rule::UnitRule;
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
 use radiosity::output::readings::grid::{Cell, Rates, grid};
@@ -42,7 +43,7 @@ pub(crate) fn records(study: &Study, mut tell: impl FnMut(&Record)) -> Vec<Recor
     let finest = match study.judge {
         Judge::Finest(trial) => {
             let shadow_eps = Options::default().shadow_eps.min(SHADOWS * trial.eps);
-            let options = Options { shadow_eps, threads: Options::default().threads, ..trial.options() };
+            let options = Options { shadow_eps, threads: 0, ..trial.options() };
             Some(run(&study.scene, &options).solution)
         }
         Judge::ClosedForm | Judge::PathTracing => None,
@@ -56,7 +57,7 @@ pub(crate) fn records(study: &Study, mut tell: impl FnMut(&Record)) -> Vec<Recor
 }
 
 fn run(scene: &Scene, options: &Options) -> Outcome {
-    solve(scene, options, &|_| {}).expect("every study can be solved")
+    solve(scene, options, &Work::alone()).expect("every study can be solved")
 }
 
 fn record(study: &Study, trial: &Trial, finest: Option<&Solution>) -> Record {
@@ -107,7 +108,7 @@ fn cells(scene: &Scene, outcome: &Outcome, options: &Options, kernel: Kernel) ->
     let read = if kernel == Kernel::Gathered { Read::Gather } else { Read::Basis };
     let read_all = || {
         let reader = Reader::new(&outcome.solution, &visibility, read, 1e-3);
-        grid(&reader, [16, 16], Rates::default(), &|_, _| {})
+        grid(&reader, [16, 16], Rates::default(), &Work::alone())
     };
     in_threads(1, read_all).expect("a thread can be started")
 }

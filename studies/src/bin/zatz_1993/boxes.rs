@@ -6,6 +6,7 @@ use std::io::{BufWriter, Write};
 use std::num::NonZeroUsize;
 
 use cpu_time::ProcessTime;
+use radiosity::Work;
 use radiosity::output::drawings::false_colour::false_colour;
 use radiosity::output::drawings::picture::Picture;
 use radiosity::output::drawings::scale::Scale;
@@ -82,11 +83,11 @@ fn picture(scene: &Scene, options: &Options, read: Read) -> Result<Taken, Box<dy
     let camera = scene.camera.clone().ok_or("the scene has no camera")?;
     let camera = Camera { width: SIZE[0], height: SIZE[1], ..camera };
     let start = ProcessTime::now();
-    let solution = solve(scene, options, &|_| {})?.solution;
+    let solution = solve(scene, options, &Work::alone())?.solution;
     let seconds = start.elapsed().as_secs_f64();
     let visibility = Visibility::new(scene, options.into());
     let raster = in_threads(options.threads, || {
-        render(&solution, &visibility, &camera, 1, read, Shown::Radiosity, &|_| {})
+        render(&solution, &visibility, &camera, 1, read, Shown::Radiosity, &Work::alone())
     })?;
     Ok(Taken { raster, unknowns: solution.elements().coefficients(), seconds })
 }

@@ -4,10 +4,11 @@ use radiosity::elements::{Discretization, Subdivide};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
 use radiosity::solve::driver::memory::Footprint;
+use radiosity::work::ranks::Ranks;
 
 /// Megabytes as reckoned before the run, whole surfaces being elements.
 pub(crate) fn megabytes(scene: &Scene, options: &Options) -> f64 {
     let Options { order, space, layers, method, .. } = *options;
     let how = Discretization { order, space, subdivide: Subdivide::Uniform(1), layers };
-    Footprint::of(scene, &how, method).peak() as f64 / 1e6
+    Footprint::of(scene, &how, method, Ranks::alone()).peak() as f64 / 1e6
 }

@@ -5,6 +5,7 @@ use std::io::Write;
 use std::num::NonZeroUsize;
 
 use cpu_time::ProcessTime;
+use radiosity::Work;
 use radiosity::published::zatz1993::masked_light::{Average, Masking};
 use radiosity::published::zatz1993::transfers::{Reading, Rules};
 use radiosity::scene::Scene;
@@ -37,7 +38,7 @@ pub(crate) fn table_1(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     for room in rooms()? {
         let Room { figure, name, paper: [time, shots], scene, options } = room;
         let start = ProcessTime::now();
-        let outcome = solve(&scene, &options, &|_| {})?;
+        let outcome = solve(&scene, &options, &Work::alone())?;
         let seconds = start.elapsed().as_secs_f64();
         let memory = megabytes(&scene, &options);
         let unknowns = outcome.solution.elements().coefficients();

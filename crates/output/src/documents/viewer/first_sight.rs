@@ -6,7 +6,8 @@
 use radiosity_geom::Encounter;
 use radiosity_scene::Camera;
 use radiosity_solve::solved::Solved;
-use radiosity_work::ranks;
+use radiosity_work::interruption::heed;
+use rayon::prelude::*;
 
 use super::start::Start;
 use crate::pictures::lightmap::Lightmap;
@@ -23,14 +24,15 @@ pub(super) fn first_sight(solved: &Solved, lightmap: &Lightmap, start: &Start) -
     let sight = Sight { solved, lightmap, shown: start.shown, view: Pinhole::new(&camera) };
     let size = [camera.width, camera.height];
     let [count, width] = [camera.width * camera.height, camera.width].map(|number| number as usize);
-    let ranks = ranks::current();
-    let middles: Vec<Option<usize>> =
-        ranks.map_even(count, width, |pixel| Some(sight.meet(place(size, pixel as u32, [0.5; 2]))?.0));
-    let pixels: Vec<(Vec<f64>, f64)> = ranks.map_even(count, width, |pixel| {
+    let all = || (0..count).into_par_iter().with_min_len(width);
+    let middle = |pixel: usize| Some(sight.meet(place(size, pixel as u32, [0.5; 2]))?.0);
+    let middles: Vec<Option<usize>> = all().map(middle).collect();
+    let pixels = all().map(|pixel| {
+        heed();
         let samples = if is_inside(&middles, size, pixel as u32) { 1 } else { start.samples };
         sight.mean(size, pixel as u32, samples)
     });
-    let (values, coverage): (Vec<Vec<f64>>, Vec<f64>) = pixels.into_iter().unzip();
+    let (values, coverage): (Vec<Vec<f64>>, Vec<f64>) = pixels.unzip();
     Raster::new(size, solved.scene.bands.clone(), values.concat(), coverage)
 }
 

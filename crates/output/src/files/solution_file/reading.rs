@@ -15,6 +15,7 @@ use radiosity_solve::solution::group_light::{GroupLight, Incident};
 use radiosity_solve::solved::Solved;
 use radiosity_solve::{Options, driver::masked_light};
 use radiosity_visibility::Visibility;
+use radiosity_work::ranks::Ranks;
 use serde::Deserialize;
 
 use super::element::{SavedElement, same};
@@ -40,13 +41,14 @@ pub fn is_solution(text: &str) -> bool {
     likely && serde_json::from_str(text).map_or(true, |header: Header| header.format == FORMAT)
 }
 
-/// Reads a solution file: the scene, the options and the solution that it was written from, bit by bit.
+/// Reads a solution file: the scene, the options and the solution that it was written from, bit by bit. Shadow
+/// masks are made again, by these ranks.
 ///
 /// # Errors
 /// A text that is damaged, of another version, or does not fit the scene in it.
-pub fn read(source: &Source) -> Result<Solved, SolutionError> {
+pub fn read(source: &Source, ranks: &Ranks) -> Result<Solved, SolutionError> {
     parse(&source.text())
-        .and_then(SolutionFile::solved)
+        .and_then(|file| file.solved(ranks))
         .map_err(|fault| SolutionError { origin: source.origin.to_string(), fault })
 }
 
@@ -67,7 +69,7 @@ fn syntax(error: &serde_json::Error) -> SolutionFault {
 }
 
 impl SolutionFile {
-    fn solved(self) -> Result<Solved, SolutionFault> {
+    fn solved(self, ranks: &Ranks) -> Result<Solved, SolutionFault> {
         let scene = self.scene.read()?;
         if self.bands != scene.bands || self.figures.residuals.len() != scene.bands.len() {
             return Err(SolutionFault::Whole(Mismatch("the list of bands")));
@@ -78,7 +80,7 @@ impl SolutionFile {
         let how = checked(&self.discretization)?;
         let elements = self.options.elements(&scene, how, self.mesh.as_ref())?;
         check_elements(&self.elements, &scene, &elements)?;
-        let groups = self.group_lights(&scene, &elements)?;
+        let groups = self.group_lights(&scene, &elements, ranks)?;
         let solution = Solution::of_groups(elements, &scene, groups);
         for (index, own) in self.elements.iter().enumerate() {
             own.check_coating(&solution, index).map_err(|what| SolutionFault::Element { index, what })?;
@@ -93,14 +95,19 @@ impl SolutionFile {
 
 impl SolutionFile {
     /// The light of each group; all light as that of no group where there are none.
-    fn group_lights(&self, scene: &Scene, elements: &Elements) -> Result<Vec<GroupLight>, SolutionFault> {
+    fn group_lights(
+        &self,
+        scene: &Scene,
+        elements: &Elements,
+        ranks: &Ranks,
+    ) -> Result<Vec<GroupLight>, SolutionFault> {
         let mismatch = || SolutionFault::Whole(Mismatch("the list of light groups"));
         let is_there = |name: &str| self.groups.iter().any(|group| group.name.as_deref() == Some(name));
         if !scene.light_groups().iter().all(|group| is_there(&group.name)) {
             return Err(mismatch());
         }
         let bands = scene.bands.len();
-        let masks = Masks::of(scene, elements, &self.options);
+        let masks = Masks::of(scene, elements, &self.options, ranks);
         if self.groups.is_empty() {
             let band = |band: usize| Incident {
                 irradiance: together(&self.elements, |own| &own.orthonormal.irradiance[band]),
@@ -155,12 +162,13 @@ struct Masks<'a> {
     options: &'a Options,
     /// None where there are no masks.
     visibility: Option<Visibility>,
+    ranks: &'a Ranks,
 }
 
 impl<'a> Masks<'a> {
-    fn of(scene: &'a Scene, elements: &'a Elements, options: &'a Options) -> Self {
+    fn of(scene: &'a Scene, elements: &'a Elements, options: &'a Options, ranks: &'a Ranks) -> Self {
         let visibility = options.masks.map(|_| Visibility::new(scene, options.into()));
-        Self { scene, elements, options, visibility }
+        Self { scene, elements, options, visibility, ranks }
     }
 
     /// The masked light of a group, if there are masks.
@@ -171,7 +179,7 @@ impl<'a> Masks<'a> {
             .map(|band| Coating::of_group(self.scene, list, band, group))
             .collect();
         let coatings: Vec<&Coating> = coatings.iter().collect();
-        masked_light(self.scene, self.elements, &coatings, visibility, self.options).map(Arc::new)
+        masked_light(self.scene, self.elements, &coatings, visibility, self.options, self.ranks).map(Arc::new)
     }
 }
 

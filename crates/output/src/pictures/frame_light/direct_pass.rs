@@ -1,7 +1,8 @@
 //! Direct light at the middles of pixels: by few rays first, and by more where pixels beside each other see other emitters.
 
 use radiosity_light::penumbra::{Care, Shade};
-use radiosity_work::ranks;
+use radiosity_work::ranks::PartName;
+use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 
 use super::frame::Frame;
@@ -15,25 +16,23 @@ const BESIDE: isize = 2;
 /// Pixels that one thread looks at after each other. Chosen: they take some microseconds each.
 const TOGETHER: usize = 64;
 
-/// The direct irradiance of all pixels; nothing where nothing is seen. `tell` gets (done, all) of the pixels, twice.
-pub(crate) fn lit(
-    frame: &Frame,
-    light: &PictureLight,
-    tell: &(dyn Fn(usize, usize) + Sync),
-) -> Vec<Vec<f64>> {
+/// The direct irradiance of all pixels; nothing where nothing is seen. Pixels are told twice.
+pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<Vec<f64>> {
     let look = |pixel: usize, sure: bool, tally: &Tally| {
         let care = Care { rough: 1.0, sure };
         let lit = frame.seen(pixel).map_or_else(Lit::default, |seen| light.direct(seen, care));
         tally.add();
         lit
     };
-    let tally = Tally::new(frame.len(), tell);
-    let ranks = ranks::current();
-    let first: Vec<Lit> = ranks.map_even(frame.len(), TOGETHER, |pixel| look(pixel, false, &tally));
+    let ranks = work.ranks;
+    let tally = Tally::new(frame.len(), Stage::DirectPixels, work);
+    let first: Vec<Lit> =
+        ranks.map_even(PartName::DirectLight, frame.len(), TOGETHER, |pixel| look(pixel, false, &tally));
     let unsure: Vec<usize> =
         (0..frame.len()).into_par_iter().filter(|pixel| is_unsure(frame, &first, *pixel)).collect();
-    let tally = Tally::new(unsure.len(), tell);
-    let again: Vec<Lit> = ranks.map_even(unsure.len(), TOGETHER, |place| look(unsure[place], true, &tally));
+    let tally = Tally::new(unsure.len(), Stage::DirectPixels, work);
+    let sure = |place: usize| look(unsure[place], true, &tally);
+    let again: Vec<Lit> = ranks.map_even(PartName::MoreDirectLight, unsure.len(), TOGETHER, sure);
     let mut all: Vec<Vec<f64>> = first.into_iter().map(|lit| lit.bands).collect();
     unsure.into_iter().zip(again).for_each(|(pixel, lit)| all[pixel] = lit.bands);
     all

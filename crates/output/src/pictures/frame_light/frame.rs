@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use radiosity_work::ranks;
+use radiosity_work::ranks::{PartName, Ranks};
 
 use crate::pictures::pinhole::Pinhole;
 
@@ -21,9 +21,9 @@ pub(crate) struct Frame {
 
 impl Frame {
     /// The rows `rows` of a picture of so many columns.
-    pub(crate) fn new(eye: &Eye, view: &Pinhole, width: usize, rows: Range<usize>) -> Self {
+    pub(crate) fn new(eye: &Eye, view: &Pinhole, width: usize, rows: Range<usize>, ranks: &Ranks) -> Self {
         let first = rows.start * width;
-        let seen = ranks::current().map_even(rows.len() * width, TOGETHER, |index| {
+        let seen = ranks.map_even(PartName::Seen, rows.len() * width, TOGETHER, |index| {
             let (row, column) = ((first + index) / width, (first + index) % width);
             eye.along(&view.ray(column as f64 + 0.5, row as f64 + 0.5))
         });

@@ -10,7 +10,8 @@
 //! References: G. Ward, F. Rubinstein, R. Clear, *A ray tracing solution for diffuse interreflection*, SIGGRAPH 1988
 //! (interpolation of indirect light); there by the distances of what is seen, here by what the fit leaves.
 
-use radiosity_work::ranks;
+use radiosity_work::ranks::PartName;
+use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
 use super::eye::Seen;
@@ -73,31 +74,27 @@ pub(crate) struct Smooth<'a> {
 }
 
 impl<'a> Smooth<'a> {
-    /// The light of all pixels of a frame in so many bands; `tell` gets (done, all) of the pixels computed at one spacing.
-    pub(crate) fn over(
-        frame: &'a Frame,
-        bands: usize,
-        source: &impl Source,
-        tell: &(dyn Fn(usize, usize) + Sync),
-    ) -> Self {
+    /// The light of all pixels of a frame in so many bands; those computed at one spacing are told.
+    pub(crate) fn over(frame: &'a Frame, bands: usize, source: &impl Source, work: &Work<'_>) -> Self {
         let mut known: Vec<Option<Known>> = vec![None; frame.len()];
         let mut values = vec![0.0; frame.len() * bands];
         let mut open: Vec<usize> = (0..frame.len()).filter(|pixel| frame.seen(*pixel).is_some()).collect();
         let mut spacing = COARSEST;
-        let ranks = ranks::current();
+        let ranks = work.ranks;
         while !open.is_empty() && spacing > 0 {
             let wanted = wanted(frame, &known, &open, spacing);
-            let tally = Tally::new(wanted.len(), tell);
+            let tally = Tally::new(wanted.len(), Stage::GatheredPixels, work);
             let compute = |place: usize| {
                 let pixel = wanted[place];
                 let known = frame.seen(pixel).map(|seen| source.smooth(pixel, seen));
                 tally.add();
                 known
             };
-            let computed: Vec<Option<Known>> = ranks.map_even(wanted.len(), DEAR, compute);
+            let computed: Vec<Option<Known>> =
+                ranks.map_even(PartName::GatheredLight, wanted.len(), DEAR, compute);
             wanted.into_iter().zip(computed).for_each(|(pixel, value)| known[pixel] = value);
             let fit = |place: usize| fitted(frame, &known, open[place], spacing, source.other(open[place]));
-            let found: Vec<Option<Vec<f64>>> = ranks.map_even(open.len(), CHEAP, fit);
+            let found: Vec<Option<Vec<f64>>> = ranks.map_even(PartName::FittedLight, open.len(), CHEAP, fit);
             let mut left = Vec::new();
             for (pixel, value) in open.into_iter().zip(found) {
                 match value {

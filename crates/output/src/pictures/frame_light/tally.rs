@@ -2,6 +2,8 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use radiosity_work::{Stage, Work};
+
 /// What is done between two calls to the listener: a call takes a microsecond. Chosen.
 const OFTEN: usize = 1024;
 
@@ -9,21 +11,21 @@ const OFTEN: usize = 1024;
 pub(crate) struct Tally<'a> {
     done: AtomicUsize,
     total: usize,
-    /// Gets (done, all).
-    tell: &'a (dyn Fn(usize, usize) + Sync),
+    stage: Stage,
+    work: &'a Work<'a>,
 }
 
 impl<'a> Tally<'a> {
-    /// None of `total` is done.
-    pub(crate) fn new(total: usize, tell: &'a (dyn Fn(usize, usize) + Sync)) -> Self {
-        Self { done: AtomicUsize::new(0), total, tell }
+    /// None of `total` is done in a stage of this work.
+    pub(crate) fn new(total: usize, stage: Stage, work: &'a Work<'a>) -> Self {
+        Self { done: AtomicUsize::new(0), total, stage, work }
     }
 
     /// One more is done.
     pub(crate) fn add(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         if done.is_multiple_of(OFTEN) || done == self.total {
-            (self.tell)(done, self.total);
+            self.work.tell_done(self.stage, done, self.total);
         }
     }
 }
@@ -32,13 +34,19 @@ impl<'a> Tally<'a> {
 mod tests {
     use std::sync::Mutex;
 
+    use radiosity_work::Progress;
+
     use super::*;
 
     #[test]
     fn the_last_is_told_and_the_count_never_exceeds_all() {
         let heard = Mutex::new(Vec::new());
-        let tell = |done, all| heard.lock().expect("no panic").push((done, all));
-        let tally = Tally::new(2 * OFTEN + 7, &tell);
+        let hear = |progress| {
+            let Progress::Done { stage: Stage::Picture, done, of } = progress else { panic!("{progress:?}") };
+            heard.lock().expect("no panic").push((done, of));
+        };
+        let work = Work::alone().told(&hear);
+        let tally = Tally::new(2 * OFTEN + 7, Stage::Picture, &work);
         (0..2 * OFTEN + 7).for_each(|_| tally.add());
         let all = 2 * OFTEN + 7;
         assert_eq!(*heard.lock().expect("no panic"), [(OFTEN, all), (2 * OFTEN, all), (all, all)]);

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use radiosity_light::penumbra::Care;
-use radiosity_work::ranks;
+use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 
 use super::eye::Seen;
@@ -21,13 +21,13 @@ const MORE: f64 = 1.5;
 pub(crate) const INTERPOLATED: f64 = 20.0;
 
 /// About the seconds that the light of so many places takes, by those of a few, evenly chosen; `seen` gives what a place sees. The
-/// first rank tries it.
+/// first of these ranks tries it.
 pub(crate) fn seconds(
     light: &PictureLight,
     places: usize,
     seen: &(dyn Fn(usize) -> Option<Seen> + Sync),
+    ranks: &Ranks,
 ) -> f64 {
-    let ranks = ranks::current();
     let tried = if ranks.is_first() { tried(light, places, seen) } else { 0.0 };
     ranks.of_first(tried) / ranks.count() as f64
 }

@@ -9,6 +9,7 @@ use radiosity_kernel::contact::planes::Planes;
 use radiosity_kernel::{Kind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::heed;
+use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 
 use crate::zatz1993::transfers::chart::{Chart, NoChart};
@@ -24,7 +25,7 @@ enum Outcome {
 }
 
 /// Integrates each ordered pair with `extra` points per direction above the order, and converts the paper's K to G,
-/// which is then not symmetric. `progress` gets (ordered pairs done, in all), from any thread; pairs count unordered.
+/// which is then not symmetric. Ordered pairs are told; those of the blocks count unordered.
 ///
 /// # Errors
 /// [`NoChart`]: a surface that is neither a parallelogram nor curved.
@@ -33,7 +34,7 @@ pub fn assemble(
     visibility: &Visibility,
     rules: Rules,
     extra: usize,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    work: &Work<'_>,
 ) -> Result<Blocks, NoChart> {
     let list = elements.list();
     let charts = list.iter().map(Chart::of).collect::<Result<Vec<_>, _>>()?;
@@ -45,11 +46,11 @@ pub fn assemble(
         .map(|(i, j)| {
             heed();
             let outcome = integrate(&charts[*i], &charts[*j], i == j, visibility, rules, extra);
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+            work.tell_done(Stage::Blocks, done.fetch_add(1, Ordering::Relaxed) + 1, total);
             outcome
         })
         .collect();
-    let mut blocks = Blocks::empty(elements.starts(), false);
+    let mut blocks = Blocks::empty(elements.starts(), false, work.ranks);
     for ((row, column), outcome) in pairs.into_iter().zip(outcomes) {
         if row <= column {
             count(&mut blocks, row == column, &outcome);

@@ -25,9 +25,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use radiosity_light::occluders::Site;
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
-use radiosity_work::ranks;
+use radiosity_work::ranks::PartName;
+use radiosity_work::{Stage, Work};
 
-use crate::driver::{Failure, Options, Outcome, Progress, in_threads};
+use crate::driver::{Failure, Options, Outcome};
 use crate::gather::Gather;
 use crate::solution::Solution;
 
@@ -56,29 +57,25 @@ pub(super) fn estimate(
     outcome: &Outcome,
     options: &Options,
     (goal, expected): (&Goal, f64),
-    progress: &(dyn Fn(Progress) + Sync),
+    work: &Work<'_>,
 ) -> Result<Estimate, Failure> {
     let visibility = Visibility::new(scene, options.into());
     let solution = &outcome.solution;
-    let goes_on = |done, all| {
-        progress(Progress::Estimate(done, all));
-        !options.is_late_here()
-    };
-    let at = |sensors: &[Sensor]| missed_at(outcome, &visibility, sensors, (goal, expected), &goes_on);
+    let at = |sensors: &[Sensor]| missed_at(outcome, &visibility, sensors, (goal, expected), work);
     match goal.of {
-        Aim::Gathered => return in_threads(options.threads, || at(&Sensor::of_surfaces(solution))),
+        Aim::Gathered => return options.in_threads(work.ranks, || at(&Sensor::of_surfaces(solution))),
         Aim::Points | Aim::Seen => {
             let sensors = Sensor::at(goal, solution, &visibility);
-            return in_threads(options.threads, || at(&sensors));
+            return options.in_threads(work.ranks, || at(&sensors));
         }
         Aim::Solution => {}
     }
     let wanted = goal.accuracy;
-    let error = in_threads(options.threads, || {
-        let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST, progress));
+    let error = options.in_threads(work.ranks, || {
+        let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST, work));
         while error > 0.0 && eps > OF_FOUND * error && eps > OF_WANTED * wanted {
             eps = (SHARPER * eps).max(OF_WANTED * wanted);
-            error = unresolved(&outcome.solution, &visibility, eps, progress);
+            error = unresolved(&outcome.solution, &visibility, eps, work);
         }
         error
     })?;
@@ -86,22 +83,17 @@ pub(super) fn estimate(
 }
 
 /// Error of the polynomials, by light gathered to `eps`.
-fn unresolved(
-    solution: &Solution,
-    visibility: &Visibility,
-    eps: f64,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> f64 {
+fn unresolved(solution: &Solution, visibility: &Visibility, eps: f64, work: &Work<'_>) -> f64 {
     let gather = Gather::new(solution, visibility, eps);
     let points = points(solution.elements().list());
     let done = AtomicUsize::new(0);
     let of = |element: usize| {
         let squares = squares(element, &points[element], solution, &gather);
-        progress(Progress::Estimate(done.fetch_add(1, Ordering::Relaxed) + 1, points.len()));
+        work.tell_done(Stage::Estimate, done.fetch_add(1, Ordering::Relaxed) + 1, points.len());
         squares
     };
     let counts: Vec<f64> = points.iter().map(|own| own.len() as f64).collect();
-    let squares = ranks::current().map(&counts, of);
+    let squares = work.ranks.map(PartName::Missed, &counts, of);
     let [missed, size] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
     if size > 0.0 { (missed / size).sqrt() } else { 0.0 }
 }

@@ -35,8 +35,8 @@ use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
-use radiosity_work::ranks;
-use radiosity_work::ranks::shares;
+use radiosity_work::ranks::{PartName, shares};
+use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
 use crate::driver::Outcome;
@@ -186,21 +186,20 @@ struct Missing<'a> {
 }
 
 /// The estimated error of what `sensors` read; no better than tells whether it is below `wanted`, and not much worse.
-/// Light is gathered as an error of about `expected` needs it. `goes_on` is told the sensors done and to be done, and may end the
-/// work.
+/// Light is gathered as an error of about `expected` needs it, until the deadline.
 pub(super) fn missed(
     outcome: &Outcome,
     visibility: &Visibility,
     sensors: &[Sensor],
     (goal, expected): (&Goal, f64),
-    goes_on: &(dyn Fn(usize, usize) -> bool + Sync),
+    work: &Work<'_>,
 ) -> Estimate {
     let solution = &outcome.solution;
     let unknowns = solution.elements().coefficients();
     let missing = Missing::of(outcome, visibility, goal, (OF_EXPECTED * expected).min(LOOSEST));
-    let ranks = ranks::current();
+    let ranks = work.ranks;
     let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
-    let gathered = ranks.map_by(&makers, |place| missing.gathered(&sensors[place]));
+    let gathered = ranks.map_by(PartName::SensorLight, &makers, |place| missing.gathered(&sensors[place]));
     let begin = |(number, (sensor, gathered))| {
         Found::new(sensor, number_of([number as f64, unknowns as f64]), gathered)
     };
@@ -210,9 +209,10 @@ pub(super) fn missed(
     let (mut made, mut now) = (0, per_half(numbers.first).max(FEWEST));
     loop {
         let (done, is_late) = (AtomicUsize::new(0), AtomicBool::new(false));
-        let light = ranks.map_by(&makers, |place| {
+        let light = ranks.map_by(PartName::SensorWalks, &makers, |place| {
             let light = missing.walked(&found[place], made..made + now);
-            if !goes_on(done.fetch_add(1, Ordering::Relaxed) + 1, sensors.len()) {
+            work.tell_done(Stage::Estimate, done.fetch_add(1, Ordering::Relaxed) + 1, sensors.len());
+            if work.is_late_here() {
                 is_late.store(true, Ordering::Relaxed);
             }
             light
@@ -427,7 +427,7 @@ mod tests {
         let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
         let options =
             Options { transport: Transport::Sampled, rays: Some(400_000), order: 2, ..Options::default() };
-        let solution = solve(&scene, &options, &|_| {}).expect("a solution").solution;
+        let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
         let visibility = Visibility::new(&scene, (&options).into());
         let sensors = Sensor::of_surfaces(&solution);
         let ends = [

@@ -16,7 +16,7 @@ use radiosity_elements::Elements;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
 use radiosity_visibility::Visibility;
-use radiosity_work::ranks;
+use radiosity_work::ranks::{PartName, Ranks};
 
 use crate::driver::{Failure, in_threads};
 use crate::gather::walks::Walks;
@@ -43,17 +43,24 @@ pub fn importance(
     visibility: &Visibility,
     goal: &Goal,
     threads: usize,
+    ranks: &Ranks,
 ) -> Result<Solution, Failure> {
-    in_threads(threads, || {
+    in_threads(ranks.threads(threads), || {
         let sensors = match goal.of {
             Aim::Points | Aim::Seen => Sensor::at(goal, solution, visibility),
             Aim::Gathered | Aim::Solution => Sensor::of_surfaces(solution),
         };
-        of_sensors(solution, visibility, &sensors, WALKS)
+        of_sensors(solution, visibility, &sensors, WALKS, ranks)
     })
 }
 
-fn of_sensors(solution: &Solution, visibility: &Visibility, sensors: &[Sensor], walks: u64) -> Solution {
+fn of_sensors(
+    solution: &Solution,
+    visibility: &Visibility,
+    sensors: &[Sensor],
+    walks: u64,
+    ranks: &Ranks,
+) -> Solution {
     let sizes: Vec<f64> = (0..solution.bands().len())
         .map(|band| sensors.iter().map(|sensor| sensor.weights[band]).sum())
         .collect();
@@ -62,7 +69,7 @@ fn of_sensors(solution: &Solution, visibility: &Visibility, sensors: &[Sensor], 
     let in_part = sensors.len().div_ceil(PARTS).max(1);
     let parts: Vec<&[Sensor]> = sensors.chunks(in_part).collect();
     let lengths: Vec<f64> = parts.iter().map(|part| part.len() as f64).collect();
-    let parts = ranks::current().map(&lengths, |number| ends.of_part(number, parts[number]));
+    let parts = ranks.map(PartName::Importance, &lengths, |number| ends.of_part(number, parts[number]));
     let elements = solution.elements();
     let bands = solution.bands().iter().enumerate().map(|(index, band)| {
         let sum = |element: usize| parts.iter().map(|part| part[index][element]).sum();
@@ -121,6 +128,7 @@ impl Ends<'_> {
 
 #[cfg(test)]
 mod tests {
+    use radiosity_work::Work;
 
     use super::*;
     use crate::driver::{Options, solve};
@@ -131,11 +139,11 @@ mod tests {
     fn importance_times_exitance_is_what_is_read() {
         let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
         let options = Options { order: 2, ..Options::default() };
-        let solution = solve(&scene, &options, &|_| {}).expect("a solution").solution;
+        let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
         let visibility = Visibility::new(&scene, (&options).into());
         let mut sensors = Sensor::of_surfaces(&solution);
         sensors.retain(|sensor| sensor.point.position.z > 0.0);
-        let worth = of_sensors(&solution, &visibility, &sensors, 1 << 21);
+        let worth = of_sensors(&solution, &visibility, &sensors, 1 << 21, Ranks::alone());
         let gather = Gather::new(&solution, &visibility, 1e-3);
         let light: Vec<Vec<f64>> = sensors.iter().map(|sensor| gather.at(&sensor.point)).collect();
         for band in 0..3 {

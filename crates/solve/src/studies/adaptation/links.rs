@@ -3,12 +3,13 @@
 use std::time::Instant;
 
 use radiosity_scene::Scene;
+use radiosity_work::Work;
 
-use crate::driver::{Failure, Options, Progress, solve};
+use crate::driver::{Failure, Options, solve};
 
 use super::achieved::{Achieved, Adapted, End};
 use super::goal::Goal;
-use super::run::{estimated, finer, fits};
+use super::run::{estimated, finer};
 
 /// Greatest power of the first links, in parts of the wanted accuracy; factor from run to run; and the least power. Chosen.
 const FIRST: f64 = 0.1;
@@ -23,25 +24,25 @@ pub(super) fn by_links(
     scene: &Scene,
     options: &Options,
     goal: &Goal,
-    progress: &(dyn Fn(Progress) + Sync),
+    work: &Work<'_>,
 ) -> Result<Adapted, Failure> {
     let mut chosen = Options { eps: options.eps.min(FIRST * goal.accuracy), ..*options };
     let mut begun = Instant::now();
-    let mut outcome = solve(scene, &chosen, progress)?;
+    let mut outcome = solve(scene, &chosen, work)?;
     loop {
-        let error = estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), progress)?.error;
+        let error = estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), work)?.error;
         let weaker = Options { eps: WEAKER * chosen.eps, ..chosen };
         let end = match () {
             () if error <= goal.accuracy => Some(End::Reached),
             () if weaker.eps < LEAST => Some(End::Finest),
-            () if !fits(options.deadline, begun.elapsed().mul_f64(GROWTH)) => Some(End::Time),
+            () if !work.fits(begun.elapsed().mul_f64(GROWTH)) => Some(End::Time),
             () => None,
         };
         let end = match end {
             Some(end) => end,
             None => {
                 begun = Instant::now();
-                match finer(solve(scene, &weaker, progress))? {
+                match finer(solve(scene, &weaker, work))? {
                     Ok(finer) => {
                         (outcome, chosen) = (finer, weaker);
                         continue;

@@ -9,13 +9,14 @@ use std::time::Instant;
 
 use radiosity_elements::mesh::{Mesh, Refinement};
 use radiosity_scene::Scene;
+use radiosity_work::Work;
 
-use crate::driver::{Failure, Options, Progress, solve_exactly};
+use crate::driver::{Failure, Options, solve_exactly};
 use crate::solution::Solution;
 
 use super::achieved::{Achieved, Adapted, End};
 use super::goal::Goal;
-use super::run::{FIRST_ORDER, advise, estimated, finer, fits};
+use super::run::{FIRST_ORDER, advise, estimated, finer};
 use super::smoothness::refinement;
 
 /// Part of the squared error that the refined elements bear, at the least and at the most. Chosen.
@@ -47,7 +48,7 @@ pub(super) fn locally(
     options: &Options,
     goal: &Goal,
     why: &str,
-    progress: &(dyn Fn(Progress) + Sync),
+    work: &Work<'_>,
 ) -> Result<Adapted, Failure> {
     let accurate = |accuracy: f64, sharper: f64| Options {
         order: options.order.max(FIRST_ORDER),
@@ -59,7 +60,7 @@ pub(super) fn locally(
     let mut sharper = 1.0;
     let mut chosen = accurate(expected, sharper);
     let mut begun = Instant::now();
-    let mut outcome = solve_exactly(scene, &chosen, why, None, progress).map_err(advise)?;
+    let mut outcome = solve_exactly(scene, &chosen, why, None, work).map_err(advise)?;
     if !outcome.converged {
         let achieved = Achieved::new(goal, None, End::NotConverged);
         return Ok(Adapted { outcome, options: chosen, achieved });
@@ -67,7 +68,7 @@ pub(super) fn locally(
     let mut error;
     let (mut least, mut vain) = (f64::INFINITY, 0);
     let end = loop {
-        let estimate = estimated(scene, &mut outcome, &chosen, (goal, expected), progress)?;
+        let estimate = estimated(scene, &mut outcome, &chosen, (goal, expected), work)?;
         error = estimate.error;
         if error <= goal.accuracy && expected > goal.accuracy {
             // Light gathered for a larger error may hide as much as is wanted.
@@ -102,11 +103,11 @@ pub(super) fn locally(
             break End::Unknowns;
         }
         let growth = unknowns as f64 / elements.coefficients() as f64;
-        if !fits(options.deadline, begun.elapsed().mul_f64(growth.powi(2))) {
+        if !work.fits(begun.elapsed().mul_f64(growth.powi(2))) {
             break End::Time;
         }
         begun = Instant::now();
-        match finer(solve_exactly(scene, &next, why, Some(&mesh), progress))? {
+        match finer(solve_exactly(scene, &next, why, Some(&mesh), work))? {
             Ok(finer) => (outcome, chosen) = (finer, next),
             Err(end) => break end,
         }

@@ -3,12 +3,13 @@
 use std::time::Instant;
 
 use radiosity_scene::Scene;
+use radiosity_work::Work;
 
-use crate::driver::{Failure, MOST_RAYS, Options, Outcome, Progress, Sampling, solve};
+use crate::driver::{Failure, MOST_RAYS, Options, Outcome, Sampling, solve};
 
 use super::achieved::{Achieved, Adapted, End};
 use super::goal::{Aim, Goal};
-use super::run::{advise, estimated, finer, fits};
+use super::run::{advise, estimated, finer};
 
 /// Highest order of elements that rays carry: the largest that their grades know.
 const RAYS_ORDER: usize = 2;
@@ -22,12 +23,12 @@ pub(super) fn by_rays(
     scene: &Scene,
     options: &Options,
     goal: &Goal,
-    progress: &(dyn Fn(Progress) + Sync),
+    work: &Work<'_>,
 ) -> Result<Adapted, Failure> {
     let order = options.order.max(RAYS_ORDER);
     let mut chosen = Options { order, rays: Some(options.ray_budget(scene)), ..*options };
     let mut begun = Instant::now();
-    let mut outcome = solve(scene, &chosen, progress).map_err(advise)?;
+    let mut outcome = solve(scene, &chosen, work).map_err(advise)?;
     loop {
         let Some(Sampling { rays, planned, error: of_rays, .. }) = outcome.sampling else {
             unreachable!("rays carried the pairs")
@@ -35,14 +36,14 @@ pub(super) fn by_rays(
         let error = match goal.of {
             Aim::Solution => of_rays,
             Aim::Gathered | Aim::Points | Aim::Seen if outcome.converged => {
-                Some(estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), progress)?.error)
+                Some(estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), work)?.error)
             }
             Aim::Gathered | Aim::Points | Aim::Seen => None,
         };
         let end = match () {
             () if !outcome.converged => Some(End::NotConverged),
             () if error.is_some_and(|error| error <= goal.accuracy) => Some(End::Reached),
-            () if rays < planned && options.is_late() => Some(End::Time),
+            () if rays < planned && work.is_late() => Some(End::Time),
             () if rays < planned => Some(End::Stopped),
             () if rays >= MOST_RAYS => Some(End::Finest),
             () => None,
@@ -55,13 +56,13 @@ pub(super) fn by_rays(
         }
         let factor = error.map_or(MORE[1], |error| (error / goal.accuracy).powi(2).clamp(MORE[0], MORE[1]));
         let more = ((rays as f64 * factor) as u64).min(MOST_RAYS);
-        if !fits(options.deadline, begun.elapsed().mul_f64(MORE[0])) {
+        if !work.fits(begun.elapsed().mul_f64(MORE[0])) {
             return ended(outcome, End::Time);
         }
         begun = Instant::now();
-        match finer(solve(scene, &Options { rays: Some(more), ..chosen }, progress))? {
+        match finer(solve(scene, &Options { rays: Some(more), ..chosen }, work))? {
             Ok(finer) if is_worse(&finer, &outcome) => {
-                return ended(outcome, if options.is_late() { End::Time } else { End::Stopped });
+                return ended(outcome, if work.is_late() { End::Time } else { End::Stopped });
             }
             Ok(finer) => (outcome, chosen.rays) = (finer, Some(more)),
             Err(end) => return ended(outcome, end),

@@ -1,12 +1,12 @@
 //! Runs of an adaptation: whether another fits, what ended it, and what its error is.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use radiosity_scene::Scene;
 use radiosity_solvers::{SolveError, Stop};
-use radiosity_work::ranks;
+use radiosity_work::{Progress, Stage, Work};
 
-use crate::driver::{Failure, Fit, Options, Outcome, Progress, timed};
+use crate::driver::{Failure, Fit, Options, Outcome, timed};
 
 use super::achieved::End;
 use super::estimate::estimate;
@@ -22,19 +22,13 @@ pub(super) fn estimated(
     outcome: &mut Outcome,
     options: &Options,
     (goal, expected): (&Goal, f64),
-    progress: &(dyn Fn(Progress) + Sync),
+    work: &Work<'_>,
 ) -> Result<Estimate, Failure> {
     let mut taken = Duration::ZERO;
-    let estimate = timed(&mut taken, || estimate(scene, outcome, options, (goal, expected), progress))?;
+    let estimate = timed(&mut taken, || estimate(scene, outcome, options, (goal, expected), work))?;
     outcome.seconds.estimate = taken;
-    progress(Progress::Finished("estimate", taken));
+    work.tell(Progress::Finished { stage: Stage::Estimate, took: taken });
     Ok(estimate)
-}
-
-/// Whether a run that would take so long ends in time on all ranks.
-pub(super) fn fits(deadline: Option<Instant>, run: Duration) -> bool {
-    let is_late = |deadline: Instant| deadline.saturating_duration_since(Instant::now()) < run;
-    deadline.is_none_or(|deadline| !ranks::current().any(is_late(deadline)))
 }
 
 /// A run after the first, or the reason why it ends the sequence.

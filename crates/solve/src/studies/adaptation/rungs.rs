@@ -11,12 +11,13 @@ use radiosity_elements::cells::Layers;
 use radiosity_elements::{Discretization, Subdivide};
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
+use radiosity_work::Work;
 
-use crate::driver::{Failure, Options, Progress, solve_exactly};
+use crate::driver::{Failure, Options, solve_exactly};
 
 use super::achieved::{Achieved, Adapted, End};
 use super::goal::Goal;
-use super::run::{FIRST_ORDER, advise, estimated, finer, fits};
+use super::run::{FIRST_ORDER, advise, estimated, finer};
 
 /// One discretisation of the sequence.
 #[derive(Clone, Copy, Debug)]
@@ -58,9 +59,9 @@ pub(super) fn by_rungs(
     options: &Options,
     goal: &Goal,
     why: &str,
-    progress: &(dyn Fn(Progress) + Sync),
+    work: &Work<'_>,
 ) -> Result<Adapted, Failure> {
-    let exactly = |options: &Options| solve_exactly(scene, options, why, None, progress);
+    let exactly = |options: &Options| solve_exactly(scene, options, why, None, work);
     let visibility = Visibility::new(scene, options.into());
     let occluded = visibility.any_shadow();
     let rungs: &[Rung] = if occluded || visibility.any_horizon() { &EVEN } else { &GRADED };
@@ -77,7 +78,7 @@ pub(super) fn by_rungs(
     }
     let mut error;
     let end = loop {
-        error = estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), progress)?.error;
+        error = estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), work)?.error;
         if error <= goal.accuracy {
             break End::Reached;
         }
@@ -87,7 +88,7 @@ pub(super) fn by_rungs(
             break End::Unknowns;
         }
         let growth = unknowns as f64 / outcome.solution.elements().coefficients() as f64;
-        if !fits(options.deadline, begun.elapsed().mul_f64(growth.powi(2))) {
+        if !work.fits(begun.elapsed().mul_f64(growth.powi(2))) {
             break End::Time;
         }
         begun = Instant::now();

@@ -26,6 +26,12 @@ pub enum JournalError {
         /// The folder.
         path: PathBuf,
     },
+    /// It holds the journal of an earlier version of the program, whose pieces are of no use.
+    #[error("{}: this was recorded by an earlier version of this program", path.display())]
+    Earlier {
+        /// A file of it.
+        path: PathBuf,
+    },
     /// It holds the journal of another run.
     #[error("{}: this records a run of another scene, or with other options, or of another program", path.display())]
     Other {
@@ -43,6 +49,7 @@ impl JournalError {
             }
             Self::Used { .. } => "add --resume to go on from there, or choose another folder",
             Self::Empty { .. } => "leave --resume out to begin, or give the folder of the run that was ended",
+            Self::Earlier { .. } => "start anew in another folder, or go on with the program that began it",
             Self::Other { .. } => "give the scene and the options of that run, or choose another folder",
         }
     }

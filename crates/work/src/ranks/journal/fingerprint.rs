@@ -4,14 +4,10 @@ use std::fmt;
 use std::fmt::{Debug, Write};
 use std::hash::{DefaultHasher, Hasher};
 
-/// Version of the pieces of runs, to be raised where those of one scene and options change their meaning, as coefficients do with
-/// the order of the functions of an element, or where types of pieces move, whose paths number the parts of a run.
-const PIECES: u32 = 3;
-
-/// A number that tells a run from others: of its scene and options, as they print for programmers, and of the versions of the
-/// program and of its pieces.
+/// A number that tells a run from others: of its scene and options, as they print for programmers, and of the version of the
+/// program.
 pub fn fingerprint(run: &dyn Debug) -> u64 {
-    digest(&(env!("CARGO_PKG_VERSION"), PIECES, run))
+    digest(&(env!("CARGO_PKG_VERSION"), run))
 }
 
 /// A number of what this prints. It is the same in every process of one program.

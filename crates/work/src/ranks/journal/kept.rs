@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use super::error::JournalError;
+use super::header::{HEADER, Owner, owner};
 use super::record::{CHECK, HEAD, Key, next_head, piece};
-use super::writer::{HEADER, header};
 
 /// Files that stay open; others are opened for each piece. Chosen: systems commonly allow 1024.
 const OPEN: usize = 256;
@@ -40,13 +40,19 @@ impl Kept {
     /// Takes note of what a file holds; how it was made says `fingerprint`. A piece is checked when it is wanted.
     ///
     /// # Errors
-    /// One that cannot be read, or is of another run.
+    /// One that cannot be read, or is of another run or of an earlier version of the program.
     pub(super) fn add(&mut self, path: &Path, fingerprint: u64) -> Result<(), JournalError> {
         let file = File::open(path).map_err(JournalError::of(path))?;
         let number = self.files.len() as u32;
-        match records(&file, number, fingerprint).map_err(JournalError::of(path))? {
-            Some(found) => self.places.extend(found),
-            None => return Err(JournalError::Other { path: path.to_owned() }),
+        let mut reader = BufReader::new(&file);
+        match begun(&mut reader, fingerprint).map_err(JournalError::of(path))? {
+            Owner::Own => {
+                let size = file.metadata().map_err(JournalError::of(path))?.len();
+                self.places.extend(records(reader, size, number).map_err(JournalError::of(path))?);
+            }
+            Owner::Begun => {}
+            Owner::Earlier => return Err(JournalError::Earlier { path: path.to_owned() }),
+            Owner::Other => return Err(JournalError::Other { path: path.to_owned() }),
         }
         let open = (self.files.len() < OPEN).then(|| Mutex::new(file));
         self.files.push(KeptFile { path: path.to_owned(), open });
@@ -77,31 +83,25 @@ fn read_at(file: &mut File, place: &RecordPlace) -> io::Result<Vec<u8>> {
     Ok(record)
 }
 
-/// Where the records of a file stand; None where it is of another run.
-fn records(file: &File, number: u32, fingerprint: u64) -> io::Result<Option<HashMap<Key, RecordPlace>>> {
-    let size = file.metadata()?.len();
-    let mut reader = BufReader::new(file);
+/// Whose file it is, by its header.
+fn begun(reader: &mut impl Read, fingerprint: u64) -> io::Result<Owner> {
     let mut begins = Vec::new();
-    reader.by_ref().take(HEADER as u64).read_to_end(&mut begins)?;
-    let header = header(fingerprint);
+    reader.take(HEADER as u64).read_to_end(&mut begins)?;
+    Ok(owner(&begins, fingerprint))
+}
+
+/// Where the records of a file of this size stand, whose header was read.
+fn records(mut reader: BufReader<&File>, size: u64, file: u32) -> io::Result<HashMap<Key, RecordPlace>> {
     let mut found = HashMap::new();
-    if begins.len() < HEADER || begins == [0; HEADER] {
-        // A rank that was killed, or lost its power, before it had written one.
-        let is_begun = header.starts_with(&begins) || begins.iter().all(|byte| *byte == 0);
-        return Ok(is_begun.then_some(found));
-    }
-    if begins != header {
-        return Ok(None);
-    }
     let mut start = HEADER as u64;
     while let Some((key, length)) = next_head(&mut reader) {
         let end = start + u64::from(length) + (HEAD + CHECK) as u64;
         if end > size {
             break;
         }
-        found.insert(key, RecordPlace { start, length, file: number });
+        found.insert(key, RecordPlace { start, length, file });
         reader.seek_relative((end - start) as i64 - HEAD as i64)?;
         start = end;
     }
-    Ok(Some(found))
+    Ok(found)
 }

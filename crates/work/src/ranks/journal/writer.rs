@@ -7,27 +7,14 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use super::header::header;
 use super::record::{Key, record};
-
-/// What a file begins with; the last digit is the version of the format.
-const MAGIC: &[u8; 8] = b"RADJRNL1";
-
-/// Bytes of a file before its records.
-pub(super) const HEADER: usize = 16;
 
 /// Work of threads that a killed rank may lose because it was not handed to the system yet. Chosen.
 const AT_STAKE: Duration = Duration::from_secs(1);
 
 /// Bytes that are handed to the system together. Chosen.
 const TOGETHER: usize = 1 << 16;
-
-/// The header of the files of a run.
-pub(super) fn header(fingerprint: u64) -> [u8; HEADER] {
-    let mut header = [0; HEADER];
-    header[..8].copy_from_slice(MAGIC);
-    header[8..].copy_from_slice(&fingerprint.to_le_bytes());
-    header
-}
 
 /// The file that this rank writes; it goes away where nothing was written into it.
 #[derive(Debug)]

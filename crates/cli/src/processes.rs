@@ -12,16 +12,15 @@ use std::process::ExitCode;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use ::mpi::environment::Universe;
-use ::mpi::topology::SimpleCommunicator;
-use ::mpi::traits::Communicator;
-use ::mpi::{Threading, initialize_with_threading};
+use mpi::environment::Universe;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::Communicator;
+use mpi::{Threading, initialize_with_threading};
+use radiosity_work::ranks::comm::Comm;
+use radiosity_work::ranks::failure::Failure;
+use radiosity_work::ranks::place::{Place, allowed};
+use radiosity_work::ranks::{Ranks, shares};
 
-use super::Ranks;
-use super::comm::Comm;
-use super::failure::Failure;
-use super::place::{Place, allowed};
-use super::shares;
 use gate::{Call, Passed, fail, pass};
 use messages::{all_gather, complete, exchange};
 
@@ -29,7 +28,7 @@ use messages::{all_gather, complete, exchange};
 const PATIENCE: Duration = Duration::from_secs(3);
 
 /// The processes of this run, until it is dropped.
-pub struct World {
+pub(crate) struct World {
     processes: Processes,
     /// Ends MPI when it is dropped.
     _universe: Universe,
@@ -53,7 +52,7 @@ impl World {
     ///
     /// # Panics
     /// If this MPI allows calls from the main thread only.
-    pub fn join() -> Option<Self> {
+    pub(crate) fn join() -> Option<Self> {
         let (universe, threading) = initialize_with_threading(Threading::Serialized)?;
         assert!(threading >= Threading::Serialized, "this MPI takes calls from the main thread only");
         let world = universe.world();
@@ -63,19 +62,23 @@ impl World {
     }
 
     /// All of its ranks.
-    pub fn ranks(&self) -> Ranks {
+    fn ranks(&self) -> Ranks {
         Ranks::of(self.processes.clone())
     }
 
     /// Does `work` on all ranks, and returns how all of them end: where one fails, all do, within seconds. `tell` says why, on one
     /// of them. A panic counts as a failure; it is not printed where it happens.
-    pub fn run(self, work: impl FnOnce() -> Result<(), Failure>, tell: impl Fn(&str)) -> ExitCode {
+    pub(crate) fn run(
+        self,
+        work: impl FnOnce(&Ranks) -> Result<(), Failure>,
+        tell: impl Fn(&str),
+    ) -> ExitCode {
         let noted: Arc<Mutex<Option<String>>> = Arc::default();
         let note = Arc::clone(&noted);
         set_hook(Box::new(move |panic| {
             locked(&note).get_or_insert(panic.to_string());
         }));
-        let own = match catch_unwind(AssertUnwindSafe(|| self.ranks().within(work))) {
+        let own = match catch_unwind(AssertUnwindSafe(|| work(&self.ranks()))) {
             Ok(ended) => ended,
             Err(payload) => match payload.downcast::<Ended>() {
                 Ok(ended) => return self.told(&ended.0, tell),

@@ -6,10 +6,10 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-use ::mpi::collective::SystemOperation;
-use ::mpi::request::scope;
-use ::mpi::topology::SimpleCommunicator;
-use ::mpi::traits::CommunicatorCollectives;
+use mpi::collective::SystemOperation;
+use mpi::request::scope;
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::CommunicatorCollectives;
 
 /// The call that a rank is about to make.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,14 +2,14 @@
 
 use std::ops::Range;
 
-use ::mpi::Count;
-use ::mpi::collective::SystemOperation;
-use ::mpi::datatype::{Partition, PartitionMut};
-use ::mpi::topology::SimpleCommunicator;
-use ::mpi::traits::{Communicator, CommunicatorCollectives, Equivalence};
+use mpi::Count;
+use mpi::collective::SystemOperation;
+use mpi::datatype::{Partition, PartitionMut};
+use mpi::topology::SimpleCommunicator;
+use mpi::traits::{Communicator, CommunicatorCollectives, Equivalence};
+use radiosity_work::ranks::shares;
 
-use crate::ranks::rounds::{parts, room, rounds};
-use crate::ranks::shares;
+use crate::rounds::{parts, room, rounds};
 
 /// Most things that a call moves.
 const MOST: usize = Count::MAX as usize;

@@ -1,0 +1,49 @@
+//! The parts of a run that ranks share.
+
+/// The parts of a run that ranks share. Its name numbers a part in a [journal](super::journal): where one gets another meaning, the
+/// version of pieces is to be raised there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PartName {
+    /// Rows of pairs of elements, sorted by what they need.
+    SortedPairs,
+    /// Blocks of pairs of elements.
+    Blocks,
+    /// First entries of blocks that are integrated with the elements exchanged.
+    ExchangedBlocks,
+    /// Rays of elements.
+    Rays,
+    /// Projections of direct light, and of its first bounce, element by element.
+    FirstBounce,
+    /// Ends of walks by which light from elements is judged.
+    Importance,
+    /// Light gathered at sensors.
+    SensorLight,
+    /// Walks from sensors.
+    SensorWalks,
+    /// What polynomials miss, element by element.
+    Missed,
+    /// Points that are read.
+    Points,
+    /// Cells that are read.
+    Cells,
+    /// What the pixels of a picture see.
+    Seen,
+    /// Direct light of pixels.
+    DirectLight,
+    /// Direct light of those pixels that want more rays.
+    MoreDirectLight,
+    /// Light gathered at some pixels.
+    GatheredLight,
+    /// Gathered light of pixels between these.
+    FittedLight,
+    /// Middles of pixels.
+    Middles,
+    /// Pixels.
+    Pixels,
+    /// Surfaces that are seen in pixels.
+    Sights,
+    /// Elements along the rows of a picture.
+    Borders,
+    /// Textures of light, surface by surface.
+    Textures,
+}
