@@ -1,4 +1,4 @@
-//! Which rank integrates which block, so that all have about as much to do.
+//! The distribution of blocks over ranks, so that all have about as much to do.
 //!
 //! What a block costs is known only afterwards: near and partly hidden pairs cost a hundred times as much as others. The blocks are
 //! therefore made in three rounds. A pilot tells what the blocks of each class cost; by that most are shared; the rest go to the
@@ -10,10 +10,10 @@ use std::collections::HashMap;
 use radiosity_kernel::blocks::block::Account;
 use radiosity_work::ranks::shares;
 
-/// One block in so many is made by the pilot. Chosen.
+/// Blocks for each one that the pilot makes. Chosen.
 const PILOT: usize = 16;
 
-/// One block in so many evens out what ranks have done. Chosen.
+/// Blocks for each one that evens out what ranks have done. Chosen.
 const REST: usize = 5;
 
 /// Kernel samples that take as long as a segment tested for visibility: some 20 ns and .4 µs.

@@ -158,7 +158,7 @@ impl Pose {
 }
 
 impl Turn {
-    /// For each polynomial of the standard form its place in the element's order and its sign.
+    /// Place in the element's order and sign of each polynomial of the standard form.
     fn places(self, order: usize) -> Vec<(usize, f64)> {
         let sign = |reversed: bool, degree: usize| if reversed && degree % 2 == 1 { -1.0 } else { 1.0 };
         let place = |k: usize| {

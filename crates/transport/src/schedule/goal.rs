@@ -144,9 +144,9 @@ impl Scene<'_> {
             && self.visibility.has_outlines(&task.blockers)
     }
 
-    /// For each row the largest `entry(task, [element of the row, other element])`, rounded down: where things move and the
-    /// largest entry of a row changes a little, the goals of its other blocks mostly stay, and so do these
-    /// ([`crate::memory`]).
+    /// The largest `entry(task, [element of the row, other element])` of each row, rounded down: where things
+    /// move and the largest entry of a row changes a little, the goals of its other blocks mostly stay, and
+    /// so do these ([`crate::memory`]).
     fn largest(&self, tasks: &[Task], entry: impl Fn(&Task, [usize; 2]) -> f64) -> Vec<f64> {
         let mut rows = vec![0.0f64; self.list.len()];
         for task in tasks {
