@@ -1,4 +1,4 @@
-//! How many rays find what they meet first in a second, on one core?
+//! Rays per second, on one core, that find the first surface they meet.
 //!
 //! `cargo bench -q --bench first_hits`. Rays start at points of the surfaces, evenly by area, and leave by the cosine law: in
 //! random order, or a thousand from one surface after another. A hall is made here: turned boxes of random sides in the cells of a grid. The rooms
@@ -181,7 +181,7 @@ fn leave(surfaces: &[Shape], own: usize, densest: f64, random: &mut Random) -> S
     }
 }
 
-/// What is in the leaves of obvhs: a surface, or a triangle of one.
+/// A leaf of the hierarchy of obvhs: a surface, or a triangle of one.
 struct Part {
     surface: usize,
     bounds: Aabb,

@@ -1,5 +1,5 @@
-//! What do ten light groups cost in a solution, what does dimming one of them cost then, and a new reflectance? A closed room of
-//! 1060 unknowns a band under ten lamps, three bands, on one thread.
+//! Cost of ten light groups in a solution, of dimming one of them then, and of a new reflectance. A closed
+//! room of 1060 unknowns a band under ten lamps, three bands, on one thread.
 
 use std::hint::black_box;
 
@@ -63,7 +63,7 @@ fn groups(criterion: &mut Criterion) {
     }
 }
 
-/// One of the ten lamps dimmed, self-checks included.
+/// Time of dimming one of the ten lamps, self-checks included.
 fn dimming(criterion: &mut Criterion) {
     let solved = solved_of(room(true), options(Direct::Projected));
     criterion.bench_function("dimming one of ten", |bench| {
@@ -71,7 +71,7 @@ fn dimming(criterion: &mut Criterion) {
     });
 }
 
-/// Another reflectance of all walls, from a model in memory, self-checks included.
+/// Time of solving for another reflectance of all walls, from a model in memory, self-checks included.
 fn reflectance(criterion: &mut Criterion) {
     for (name, direct) in [("projected", Direct::Projected), ("split", Direct::Split)] {
         let scene = room(false);

@@ -1,5 +1,5 @@
-//! What do whole scenes cost, which solver suits a room, what do shadows cost by the way they are found, and a picture by the
-//! way it is read? All on one thread, so that the ratios hold on any machine.
+//! Cost of whole scenes, of solvers in a room, of shadows by the way they are found, and of a picture by the
+//! way it is read. All on one thread, so that the ratios hold on any machine.
 
 use std::hint::black_box;
 
@@ -25,7 +25,7 @@ fn solve_again(criterion: &mut Criterion, name: &str, scene: &Scene, options: &O
     });
 }
 
-/// From the scene in memory to its coefficients, at the defaults.
+/// Time from the scene in memory to its coefficients, at the defaults.
 fn whole_scenes(criterion: &mut Criterion) {
     for name in ["furnace-cube", "furnace-sphere", "empty-box", "occluder-box", "two-boxes"] {
         solve_again(criterion, &format!("whole scene {name}"), &builtin(name), &on_one_thread());

@@ -1,4 +1,4 @@
-//! What does the transfer between elements cost, and what does a whole scene?
+//! Cost of the transfer between elements, and of whole scenes.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::elements::cells::Layers;

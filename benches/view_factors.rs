@@ -1,4 +1,4 @@
-//! What does the exchange of two polygons cost, and that of all cells of a box?
+//! Cost of the exchange of two polygons, and of that of all cells of a box.
 
 #![expect(clippy::print_stdout, reason = "whole boxes are timed once, and their accuracy told")]
 
@@ -97,7 +97,7 @@ fn whole_boxes(_: &mut Criterion) {
     whole_box("box, 16 × 16 uneven cells per wall", &uneven);
 }
 
-/// The same even box as a scene: what the blocks cost beyond the exchange.
+/// Cost of the even box as a scene: what the blocks take beyond the exchange.
 fn assembled_box(_: &mut Criterion) {
     let scene = builtin("empty-box");
     let how = Discretization::uniform(0, CELLS);

@@ -2,7 +2,7 @@
 
 use std::env::args;
 
-/// What was typed, or which word is unknown and what is known.
+/// The words that were typed, or a message that names an unknown word and all known ones.
 pub fn words(known: &[&str]) -> Result<Vec<String>, String> {
     let words: Vec<String> = args().skip(1).collect();
     match words.iter().find(|word| !known.contains(&word.as_str())) {

@@ -13,7 +13,7 @@ fn radiosity(scene: &str, order: usize, eps: &str, places: &[(DVec3, DVec3)]) ->
     radiosity_with(&[], scene, order, eps, places)
 }
 
-/// The same with further options.
+/// Radiosity as by [`radiosity`], with further options of the command.
 fn radiosity_with(
     options: &[&str],
     scene: &str,

@@ -36,7 +36,7 @@ translate = { points = [[0, 0, 0], [0.3, 0, 0]] }
 
 const POINTS: &str = "x,y,z,nx,ny,nz\n0.3,0.5,0,0,0,1\n0.8,0.5,0,0,0,1\n";
 
-/// Each line of a CSV after the first, as numbers.
+/// The rows of a CSV after the first, as numbers.
 fn rows(csv: &str) -> Vec<Vec<f64>> {
     let row = |line: &str| line.split(',').map(|cell| cell.parse().expect("a number")).collect();
     csv.lines().skip(1).map(row).collect()

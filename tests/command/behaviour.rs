@@ -1,4 +1,4 @@
-//! What a user may rely on beside the numbers: exit codes, interruption, partial results, messages.
+//! Behaviour that users may rely on beside the numbers: exit codes, interruption, partial results, messages.
 
 use std::{fs, path::Path, process::Command};
 
@@ -437,7 +437,7 @@ fn progressive_and_shooting_name_southwell() {
     }
 }
 
-/// What the file of a run tells of its memory, and what was foretold for the same scene, cuts and solver.
+/// Bytes of memory that the file of a run tells, and those foretold for the same scene, cuts and solver.
 fn peak_and_estimate(order: usize, subdivide: usize, solver: &str) -> [f64; 2] {
     let folder = tempfile::tempdir().unwrap();
     let (degree, parts) = (order.to_string(), subdivide.to_string());

@@ -83,7 +83,7 @@ fn the_teapot_s_height_is_set() {
     assert!((highest(1.3) - 1.3 * highest(1.0)).abs() < 1e-12);
 }
 
-/// What a ray from the camera meets in a closed room is always a front.
+/// Rays from the camera meet nothing but fronts in a closed room.
 fn sees_fronts_only(name: &str, settings: &[(&str, f64)], directions: &[DVec3]) {
     let scene = builtin_with(name, settings);
     let eye = scene.camera.as_ref().expect("there is a camera").eye;

@@ -46,7 +46,7 @@ fn table(aside: u32) -> String {
     )
 }
 
-/// What a report says of the checkpoint: pieces recalled, and recorded.
+/// Numbers of pieces recalled and recorded, as a report has them.
 fn checkpoint(report: &Path) -> [u64; 2] {
     let report = json(report);
     ["recalled", "recorded"].map(|key| report["checkpoint"][key].as_u64().expect("it is told"))
@@ -215,7 +215,7 @@ fn every_verb_recalls_all_that_it_recorded() {
     }
 }
 
-/// By rays, some seconds of one thread.
+/// A run by rays that takes some seconds of one thread.
 const RAYS: [&str; 7] = ["solve", "cornell-box", "--rays", "3000000", "--order", "1", "-q"];
 
 /// RAYS with more options, on one thread, recorded; it is at work and has written some of it.
@@ -231,7 +231,8 @@ fn at_work(folder: &Path, more: &[&str]) -> Child {
     run
 }
 
-/// That RAYS goes on from what was recorded, does the rest, and leaves the same as if it had not been ended.
+/// Asserts that RAYS goes on from what was recorded, does the rest, and leaves the same as if it had not been
+/// ended.
 #[cfg(unix)]
 #[track_caller]
 fn goes_on(folder: &Path) {

@@ -23,7 +23,7 @@ const ALLOWANCES: [(&str, &str, f64); 5] = [
 /// The case left to the slow test: spheres a tenth apart.
 const SLOW: &str = "concentric_spheres_outer_to_inner#2";
 
-/// One closed form: case, surfaces from and to, F.
+/// A pair with a closed form: case, surfaces from and to, F.
 struct Case {
     id: String,
     pair: [u64; 2],

@@ -55,7 +55,7 @@ fn text(folder: &Path, args: &[&str], name: &str) -> String {
     String::from_utf8(written(folder, args, name)).expect("UTF-8")
 }
 
-/// As many scripts as a page of plain names has, and the names in its header.
+/// A page with hostile names has as many scripts as one with plain names, and the names in its header.
 #[test]
 fn scripts_of_a_page_do_not_end_in_a_name() {
     let folder = folder_with_solution();

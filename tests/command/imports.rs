@@ -1,4 +1,4 @@
-//! How scenes of other programs are read: upward axes, units, what is near to what, what needs repairs.
+//! Imports of scenes of other programs: upward axes, units, what is near to what, what needs repairs.
 
 use std::fs;
 

@@ -1,4 +1,4 @@
-//! What `check` finds: contacts, closed surfaces and their volumes by closed forms, gaps, crossings, fronts.
+//! Findings of `check`: contacts, closed surfaces and their volumes by closed forms, gaps, crossings, fronts.
 
 use std::f64::consts::PI;
 use std::process::Command;

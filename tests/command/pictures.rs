@@ -307,7 +307,7 @@ fn pages_refuse_what_they_do_not_show() {
     refused(&["render", "-o", "box.html", "--false-colour", "--band", "uv"], &["no band \"uv\""]);
 }
 
-/// What stands in a script element of a page.
+/// Text of a script element of a page.
 fn script<'a>(page: &'a str, id: &str) -> &'a str {
     let (_, rest) = page.split_once(&format!("id=\"{id}\">")).expect("the element is there");
     rest.split_once("</script>").expect("it ends").0

@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::program::{self, radiosity};
 
-/// What a command that succeeds prints and tells.
+/// Output of a command that succeeds: its table, standard error and report.
 struct Done {
     lines: Vec<Vec<String>>,
     told: String,

@@ -13,12 +13,12 @@ pub(crate) fn command(folder: &Path, args: &[&str]) -> Command {
     command
 }
 
-/// What the program leaves when it is called in `folder`.
+/// Exit status and output of the program, called in `folder`.
 pub(crate) fn radiosity(folder: &Path, args: &[&str]) -> Output {
     command(folder, args).output().expect("the binary runs")
 }
 
-/// What it leaves when it is given a text on standard input.
+/// Exit status and output of the program, given a text on standard input.
 pub(crate) fn fed(folder: &Path, args: &[&str], text: &str) -> Output {
     let mut command = command(folder, args);
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());

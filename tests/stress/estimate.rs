@@ -119,7 +119,7 @@ fn can() -> String {
     disks() + &surface("wall", "flip = true\ncylinder = { base = [0, 0, 0], axis = [0, 0, 1], radius = 1 }")
 }
 
-/// Both plates with a third between.
+/// A scene of both plates with a third between.
 fn shaded() -> String {
     let between = "two_sided = true\nparallelogram = { origin = [0.3, 0.3, 0.5], edge1 = [0.4, 0, 0], edge2 = [0, 0.4, 0] }";
     plates(1.0) + &surface("wall", between)

@@ -55,7 +55,7 @@ fn room(random: &mut Random) -> Scene {
     typed(&text)
 }
 
-/// How many times as far off as asked a sum over a row may be: it adds up some twenty blocks.
+/// Error that a sum over a row may have, over the accuracy asked: it adds up some twenty blocks.
 const ROW: f64 = 10.0;
 
 fn hunt(count: usize, orders: &[usize], accuracies: &[f64]) {

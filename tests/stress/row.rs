@@ -1,4 +1,5 @@
-//! One row of the table of stability: what was tried, how far, how often, the worst error found, what is allowed.
+//! A row of the table of stability: what was tried, how far, how often, the worst error found, what is
+//! allowed.
 
 use std::cell::Cell;
 

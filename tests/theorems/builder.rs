@@ -155,7 +155,7 @@ fn a_scene_has_a_surface() {
     );
 }
 
-/// What the options of a surface mean in a file they mean in code.
+/// Options of a surface mean in code what they mean in a file.
 #[test]
 fn options_mean_what_they_mean_in_files() {
     let text = "bands = [\"grey\"]
@@ -232,7 +232,7 @@ fn a_ball_in_a_furnace_changes_nothing() {
     assert!((outcome.checks.energy_in / (6.0 + area) - 1.0).abs() < 1e-9);
 }
 
-/// It has no text to be read from again, and the file says so.
+/// A solution file of a built scene has no text to be read from again, and says so.
 #[test]
 fn solution_files_of_built_scenes_hold_no_text() {
     let scene = cube(0.5, 1.0).build().expect("the cube is right");

@@ -134,8 +134,8 @@ fn solutions_of_different_scenes_are_refused() {
     assert_eq!(distance(&back, &one), Err(Incomparable::Surfaces(2, 1)));
 }
 
-/// What whole walls of the empty box err by at orders 4 and 6, for the radiosity less what is emitted: measured with
-/// exact matrices.
+/// Errors of whole walls of the empty box at orders 4 and 6, of the radiosity less what is emitted: measured
+/// with exact matrices.
 const WHOLE_WALLS: [(usize, f64); 2] = [(4, 0.020), (6, 0.0105)];
 
 #[test]

@@ -1,5 +1,5 @@
-//! What the documents name is there: examples, tests and benches that commands run, pictures and links, marks in pairs; and the
-//! packages' examples are those of their documentation, where they are run.
+//! All that the documents name is there: examples, tests and benches that commands run, pictures and links,
+//! marks in pairs; and the packages' examples are those of their documentation, where they are run.
 
 use std::fs;
 use std::path::{Path, PathBuf};

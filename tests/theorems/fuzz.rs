@@ -16,7 +16,7 @@ const EXTREMES: [&str; 24] = [
     "-1e30", "1e-160", "1e-300", "1e-308", "5e-324", "1e308", "nan", "inf", "\"1\"", "[1]",
 ];
 
-/// One thing done to a text; numbers choose places in proportion.
+/// A change of a text; numbers in [0, 1) choose places in proportion.
 #[derive(Clone, Debug)]
 enum Mutation {
     SetByte(f64, u8),

@@ -421,7 +421,7 @@ fn cut(scene: &Scene, order: usize, space: Space, parts: usize) -> Elements {
     Elements::new(scene, &how).expect("surfaces have area")
 }
 
-/// One surface of any shape.
+/// A scene of one surface of any shape.
 fn single(shape: impl radiosity::geom::Surface + 'static) -> Scene {
     let (mut room, grey) = grey();
     room.surface("single", shape, &grey);

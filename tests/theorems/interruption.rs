@@ -20,10 +20,10 @@ use radiosity::{Options, Scene, Solution, Solved, ViewFactors, Work, solve, solv
 use radiosity_test_support::scenes::builtin;
 use radiosity_test_support::solved::{outcome_of, solved_of};
 
-/// How long work goes on before it is interrupted: from none of it to well within.
+/// Times that work goes on before it is interrupted (s): from none of it to well within.
 const BEFORE: [f64; 3] = [0.01, 0.2, 1.0];
 
-/// How soon it has ended (s); the machine may do other things too.
+/// Time in which interrupted work must have ended (s); the machine may do other things too.
 const SOON: f64 = 5.0;
 
 /// Options of exact transfers.

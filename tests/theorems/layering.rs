@@ -94,7 +94,8 @@ impl House {
         (names[..length] != *from).then(|| names[..length].to_vec())
     }
 
-    /// What is wrong with an import: it goes to a room that stands below, or from a child to a parent that imports it.
+    /// The fault of an import, if it has one: it goes to a room that stands below, or from a child to a
+    /// parent that imports it.
     fn fault(&self, import: &Import, all: &[Import]) -> Option<String> {
         let Import { from, of, .. } = import;
         let told = || format!("{} imports {}", from.join("::"), of.join("::"));

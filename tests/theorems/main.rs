@@ -1,4 +1,4 @@
-//! What must hold whatever the numbers, of scenes, whole solutions and the sources themselves.
+//! Properties that must hold whatever the numbers, of scenes, whole solutions and the sources themselves.
 
 mod animation;
 mod animation_by_series;

@@ -62,7 +62,7 @@ proptest! {
         prop_assert!(off_one(&outcome) < 1e-12, "{}", off_one(&outcome));
     }
 
-    /// The same for polynomials of degree 4.
+    /// A furnace stays uniform where reflectance and exitance are polynomials of degree 4.
     #[test]
     fn a_furnace_of_polynomial_reflectance_is_uniform(
         terms in prop::collection::vec(prop::collection::vec(-0.06..0.06f64, 8), 6),
@@ -100,7 +100,8 @@ proptest! {
     }
 }
 
-/// The same where a box stands on a part of the sheet: the covered part of its upper side is an element of its own.
+/// A furnace stays uniform where a box stands on a part of the sheet: the covered part of its upper side is
+/// an element of its own.
 #[test]
 fn a_furnace_with_a_box_on_a_sheet_is_uniform() {
     let room = r#"

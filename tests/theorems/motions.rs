@@ -1,4 +1,4 @@
-//! What moves: rigid paths, the still scene of each frame, and what is refused.
+//! Moving surfaces: rigid paths, the still scene of each frame, and what is refused.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
@@ -612,7 +612,7 @@ proptest! {
         prop_assert!(x.cross(y).distance(z) <= 1e-14);
     }
 
-    /// At the times of its points a path has moved the centre of its turns by them.
+    /// At the time of each of its points a path has moved the centre of its turns by that point.
     #[test]
     fn paths_meet_their_points(keyed in path()) {
         for (point, time) in keyed.points.iter().zip(&keyed.times) {

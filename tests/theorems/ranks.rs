@@ -42,7 +42,7 @@ fn told(solved: &Solved) -> String {
     )
 }
 
-/// That every one of two, three and four ranks finds what one process does.
+/// Asserts that every one of two, three and four ranks finds what one process does.
 fn same_on_ranks(what: impl Fn(&Work<'_>) -> String + Sync) {
     let alone = what(&Work::alone());
     assert!(alone.len() > 40, "{alone}");
@@ -211,7 +211,7 @@ fn a_run_goes_on_from_its_journal() {
     }
 }
 
-/// How a run to a wanted accuracy ends, and what it took from its journal.
+/// The end of a run to a wanted accuracy, as text, and the pieces that it took from its journal.
 fn to_accuracy(folder: &Path, begin: Begin, deadline: Option<&Deadline>) -> (String, Checkpoint) {
     let ranks = Ranks::alone().recording(folder, 1, begin).expect("a folder");
     let goal = Goal::new(3e-2, Aim::Gathered);

@@ -1,5 +1,5 @@
-//! What the document of the scene format says is so: its scenes are read, every key of the language stands in its table, every
-//! shape is shown.
+//! The document of the scene format is true: its scenes are read, every key of the language stands in its
+//! table, every shape is shown.
 
 use std::collections::BTreeSet;
 use std::fs;

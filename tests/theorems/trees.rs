@@ -226,13 +226,13 @@ fn points_are_read_as_lists_of_lists() {
     assert!(matches!(radiosity::language::of_tree("room", deep).unwrap_err().fault, Fault::TooDeep { .. }));
 }
 
-/// What is put in place of a value.
+/// Values that are put in place of another one.
 const EXTREMES: [&str; 18] = [
     "0", "-0.0", "1", "-1", "0.5", "360", "1e-15", "1e15", "1e30", "-1e31", "1e-300", "\"1\"", "\"=1/0\"",
     "\"\"", "[]", "{}", "null", "true",
 ];
 
-/// One thing done to the value at a place, chosen in proportion.
+/// A change of the value at a place, which a number in [0, 1) chooses.
 #[derive(Clone, Debug)]
 enum Damage {
     Set(f64, usize),

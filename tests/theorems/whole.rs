@@ -1,4 +1,5 @@
-//! What must hold whatever the numbers: the white furnace, energy, agreement of solvers, equal bits.
+//! Properties that must hold whatever the numbers: the white furnace, energy, agreement of solvers, equal
+//! bits.
 
 use radiosity::Work;
 use radiosity::elements::cells::Layers;

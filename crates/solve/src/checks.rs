@@ -55,9 +55,9 @@ pub struct Checks {
     pub row_sum_min: f64,
     /// Largest row sum.
     pub row_sum_max: f64,
-    /// Emitted power.
+    /// Power that surfaces and luminaires emit, all bands together.
     pub energy_in: f64,
-    /// Absorbed power.
+    /// Power that surfaces absorb, all bands together.
     pub energy_absorbed: f64,
     /// Power that leaves the scene.
     pub energy_lost: f64,

@@ -83,7 +83,8 @@ pub fn solve(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcom
     }
 }
 
-/// The same by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
+/// Solves `scene` by exact blocks, for the reason `why`, between the elements of a refined mesh if there is
+/// one.
 ///
 /// # Errors
 /// As [`solve`].

@@ -62,7 +62,8 @@ impl<'a> Gather<'a> {
         Self { direct, reflection }
     }
 
-    /// As [`Gather::new`], but the light that surfaces reflect is itself gathered, unless the number of reflections is limited.
+    /// Gathering as by [`Gather::new`], but the light that surfaces reflect is itself gathered, unless the
+    /// number of reflections is limited.
     pub fn twice(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         if solution.is_truncated() {
             return Self::new(solution, visibility, eps);
@@ -87,7 +88,7 @@ impl<'a> Gather<'a> {
         Company { direct: self.direct.around(site), indirect: self.reflection.around(site) }
     }
 
-    /// Direct light.
+    /// The light that comes straight from emitters.
     pub fn direct(&self) -> &DirectLight<'a> {
         &self.direct
     }

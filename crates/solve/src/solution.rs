@@ -33,9 +33,9 @@ use powers::Powers;
 pub struct Place {
     /// Index of the surface.
     pub surface: usize,
-    /// Its parameters there, in [−1, 1]².
+    /// Parameters of the place, in [−1, 1]².
     pub parameters: [f64; 2],
-    /// The point.
+    /// Point of the place (scene length).
     #[serde(with = "vector")]
     pub position: DVec3,
 }
@@ -47,7 +47,7 @@ pub struct Solution {
     bands: Vec<Band>,
     /// The luminaires and the sun, at their factors.
     points: PointLights,
-    /// What openings to a sky see.
+    /// Radiances that openings to a sky see.
     radiances: Radiances,
     masked: Option<MaskedLight>,
     /// The light of each group, where the scene has any.
@@ -57,10 +57,10 @@ pub struct Solution {
     sent: Option<Box<Self>>,
 }
 
-/// One band of the solution.
+/// The solution in one band.
 #[derive(Clone, Debug)]
 pub struct Band {
-    /// Its name.
+    /// Name of the band.
     pub name: String,
     /// Reflectance and exitance per element.
     pub coating: Coating,
@@ -68,7 +68,8 @@ pub struct Band {
     pub coefficients: Coefficients,
     /// Coefficients of the irradiance in the raw polynomials, per element, for evaluation.
     raw: Vec<Vec<f64>>,
-    /// As `raw`, without the light that comes straight from the emitters.
+    /// Coefficients of the reflected irradiance in the raw polynomials, per element: `raw` without the light
+    /// that comes straight from the emitters.
     raw_indirect: Vec<Vec<f64>>,
 }
 
@@ -120,7 +121,7 @@ impl Solution {
         }
     }
 
-    /// Other light over the same elements.
+    /// A solution of other light over the same elements.
     pub fn with_bands(&self, bands: Vec<Band>) -> Self {
         Self::new(Arc::clone(&self.elements), bands)
     }
@@ -176,7 +177,8 @@ impl Solution {
         Self { elements, bands, points, radiances, masked, groups, powers, sent: None }
     }
 
-    /// The same light at the factors of the groups of `scene`. None if the light of its groups is not kept apart.
+    /// The solution at the factors of the groups of `scene`. None if the light of its groups is not kept
+    /// apart.
     pub(crate) fn relit(&self, scene: &Scene) -> Option<Self> {
         let wanted = scene.light_groups();
         if wanted.is_empty() {
@@ -187,8 +189,8 @@ impl Solution {
         all.then(|| Self::of_groups(Arc::clone(&self.elements), scene, Arc::clone(&self.groups)))
     }
 
-    /// The same as light of the first reflections alone; `before` is that of one reflection less, None if nothing was
-    /// reflected. It has no groups.
+    /// The solution as light of the first reflections alone; `before` is that of one reflection less, None if
+    /// nothing was reflected. It has no groups.
     pub(crate) fn truncated(self, before: Option<Self>) -> Self {
         let sent = before.unwrap_or_else(|| {
             let black = |band: &Band| Band { coating: band.coating.black(), ..band.clone() };
@@ -202,7 +204,7 @@ impl Solution {
         self.sent.as_deref().unwrap_or(self)
     }
 
-    /// Whether it is light of the first reflections alone.
+    /// Whether the solution is light of the first reflections alone.
     pub(crate) fn is_truncated(&self) -> bool {
         self.sent.is_some()
     }
@@ -245,7 +247,7 @@ impl Solution {
         &self.elements
     }
 
-    /// The same, to be kept.
+    /// The elements, to be kept.
     pub(crate) fn shared_elements(&self) -> Arc<Elements> {
         Arc::clone(&self.elements)
     }
@@ -260,7 +262,7 @@ impl Solution {
         self.bands.iter().map(|band| &band.coating).collect()
     }
 
-    /// What emits: the elements with their coatings, and the luminaires.
+    /// The emitters: the elements with their coatings, and the luminaires.
     pub fn emitters(&self) -> Emitters<'_> {
         Emitters {
             elements: self.elements.list(),
@@ -298,7 +300,7 @@ impl Solution {
         self.elements.list()[element].evaluate(raw, place.position, place.parameters)
     }
 
-    /// As [`Solution::indirect`], for all bands, into `out`.
+    /// The irradiance of [`Solution::indirect`] of all bands, into `out`.
     pub fn indirect_bands(&self, element: usize, place: &Place, out: &mut [f64]) {
         self.evaluate_bands(element, place, |band| &band.raw_indirect[element], out);
     }

@@ -31,9 +31,9 @@ pub enum RelightError {
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Solved {
-    /// The scene.
+    /// The scene that was solved.
     pub scene: Scene,
-    /// How it was solved.
+    /// The options with which it was solved.
     pub options: Options,
     /// The solution with its cost and self-checks.
     pub outcome: Outcome,
@@ -72,8 +72,9 @@ impl Solved {
         Ok(Self::of(scene, options, outcome, Some(achieved)))
     }
 
-    /// The same scene with light groups at other factors (≥ 0) of the emission that its materials state, from the light
-    /// that each group was solved with: nothing is solved again. Groups that are not named keep their factors.
+    /// The solved scene with its light groups at other factors (≥ 0) of the emission that its materials
+    /// state, from the light that each group was solved with: nothing is solved again. Groups that are not
+    /// named keep their factors.
     ///
     /// ```
     /// use radiosity_solve::{Options, solved::Solved};

@@ -225,7 +225,7 @@ impl<'a> System<'a> {
         Ok(Box::new(self.block_sparse()?.with_threads(threads)))
     }
 
-    /// Who holds the blocks.
+    /// The ranks that hold the blocks.
     fn ranks(&self) -> &Ranks {
         self.blocks.held().ranks()
     }
@@ -234,7 +234,7 @@ impl<'a> System<'a> {
         self.reflecting.iter().map(|i| self.elements[*i].basis.len()).sum()
     }
 
-    /// The same by those of its blocks that differ from zero.
+    /// The matrix by those of its blocks that differ from zero.
     fn block_sparse(&self) -> Result<BlockSparse, SolveError> {
         let sizes: Vec<usize> = self.reflecting.iter().map(|i| self.elements[*i].basis.len()).collect();
         let place = |element: usize| self.reflecting.binary_search(&element).ok();

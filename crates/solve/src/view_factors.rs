@@ -26,7 +26,7 @@ use radiosity_work::Work;
 
 use crate::driver::{Failure, in_threads};
 
-/// How well view factors are computed.
+/// Options of view factors: cuts, accuracies, shadows and threads.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
     /// Cuts along u and v of surfaces that do not state their own; None chooses. The factors are those of whole
@@ -34,7 +34,7 @@ pub struct Options {
     pub subdivide: Option<usize>,
     /// Accuracy of the exchange of two elements.
     pub accuracy: Accuracy,
-    /// How surfaces hide each other.
+    /// Ways to find shadows between surfaces.
     pub shadows: Hiding,
     /// Threads, 0 for all that a rank may use; the result does not depend on it.
     pub threads: usize,
@@ -47,7 +47,8 @@ pub struct ViewFactors {
     pub names: Vec<String>,
     /// Areas of the surfaces (scene length²).
     pub areas: Vec<f64>,
-    /// For each surface i the pairs (j, A_i F_ij), ascending in j; each exchange is stored for i and for j.
+    /// The pairs (j, A_i F_ij) of each surface i (length²), ascending in j; each exchange is stored for i and
+    /// for j.
     exchanges: Vec<Vec<(u32, f64)>>,
     /// Numbers of pairs by how they were treated.
     pub pairs: PairCounts,
@@ -61,7 +62,7 @@ pub struct ViewFactors {
     pub accuracy_reached: f64,
     /// The two surfaces whose error is the largest multiple of what was asked.
     pub miss: Option<Miss>,
-    /// Wall time.
+    /// Wall time of the computation.
     pub elapsed: Duration,
 }
 
@@ -104,7 +105,7 @@ impl ViewFactors {
         })
     }
 
-    /// F_ij.
+    /// F_ij, the share of the power leaving surface i that reaches surface j.
     pub fn factor(&self, i: usize, j: usize) -> f64 {
         let row = &self.exchanges[i];
         row.binary_search_by_key(&j, |(column, _)| *column as usize)

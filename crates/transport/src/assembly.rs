@@ -38,8 +38,8 @@ pub fn assemble_pairs(
     assembled(elements, wanted, visibility, (Whole::Element, accuracy), None, work)
 }
 
-/// The same as [`assemble_senders`], to the bit; blocks that `memory` holds, which was turned to this scene, are not integrated
-/// again.
+/// The blocks of [`assemble_senders`], to the bit; those that `memory` holds, which was turned to this scene,
+/// are not integrated again.
 pub fn assemble_again(
     elements: &Elements,
     sends: &(dyn Fn(usize) -> bool + Sync),
@@ -52,7 +52,7 @@ pub fn assemble_again(
     assembled(elements, &wanted, visibility, (Whole::Element, accuracy), Some(memory), work)
 }
 
-/// The same for elements that carry constants, accurate for the view factors of their surfaces.
+/// The blocks of elements that carry constants, accurate for the view factors of their surfaces.
 pub fn assemble_factors(
     elements: &Elements,
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),

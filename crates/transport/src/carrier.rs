@@ -1,4 +1,5 @@
-//! What carries light between elements, as checks see it.
+//! The transfer matrix G as checks use it, whatever carries light between elements: its products, and which
+//! rows are complete.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

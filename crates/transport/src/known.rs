@@ -8,11 +8,11 @@ use radiosity_kernel::blocks::block::Block;
 /// A block that is known.
 #[derive(Debug)]
 pub enum Known {
-    /// It is that of the scene before, if that was integrated for the same accuracy.
+    /// The block of the scene before, if that was integrated for the same accuracy.
     Same,
-    /// It is this one.
+    /// A block given here.
     Block {
-        /// The block.
+        /// The block itself.
         block: Block,
         /// Bound of the norm of what it differs by from the integrated block.
         remainder: f64,

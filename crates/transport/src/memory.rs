@@ -1,4 +1,4 @@
-//! What is kept of a scene for the next one, in which some things have moved: blocks, and what rays met.
+//! The memory of a scene for the next one, in which some things have moved: blocks, and hits of rays.
 //!
 //! A block follows from its two elements, the surfaces that may stand between them, and the accuracy that the other pairs of
 //! its rows leave to it. Where all these are as they were, to the bit, so is the block: it is taken from memory, and the
@@ -37,11 +37,11 @@ pub struct Memory {
     integrated: usize,
     /// Blocks that the last scene has in common with the one before.
     recalled: usize,
-    /// What the rays of each sequence met.
+    /// Hits of the rays of each sequence.
     sent: HashMap<usize, SentAll>,
     obstacles: Option<Arc<Obstacles>>,
     rays: RayCounts,
-    /// What may know blocks that have changed.
+    /// Source of blocks that have changed, if there is one beside the rules.
     known: Option<Arc<dyn KnownBlocks>>,
 }
 
@@ -69,7 +69,7 @@ struct Kept {
     answer: Arc<Answer>,
 }
 
-/// What is asked of a block beside its elements.
+/// All that a block follows from beside its elements.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Request {
     pub row: u32,
@@ -101,12 +101,12 @@ impl Answer {
 }
 
 impl Memory {
-    /// Nothing yet; blocks that have changed are asked of `known` before they are integrated.
+    /// An empty memory; blocks that have changed are asked of `known` before they are integrated.
     pub fn beside(known: Arc<dyn KnownBlocks>) -> Self {
         Self { known: Some(known), ..Self::default() }
     }
 
-    /// What may know blocks that have changed.
+    /// Source of blocks that have changed, if there is one beside the rules.
     pub(crate) fn known(&self) -> Option<&dyn KnownBlocks> {
         self.known.as_deref()
     }

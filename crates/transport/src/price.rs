@@ -1,4 +1,4 @@
-//! What an exact block costs, in rays of the sampled transport.
+//! Cost of an exact block, in rays of the sampled transport.
 
 use radiosity_geom::DVec3;
 use radiosity_visibility::Visibility;
@@ -30,7 +30,8 @@ pub fn price(couple: &Couple, visibility: &Visibility) -> f64 {
     price_up_to(f64::INFINITY, couple, visibility)
 }
 
-/// The same up to a limit; a price above it may be told as any other one above it. Fewer blockers are looked for the lower it is.
+/// The [`price`] of a couple up to a limit; a price above it may be told as any other one above it. Fewer
+/// blockers are looked for the lower it is.
 pub(crate) fn price_up_to(limit: f64, couple: &Couple, visibility: &Visibility) -> f64 {
     let Couple { surfaces, hulls: [a, b], are_flat } = *couple;
     if !are_flat {
@@ -47,7 +48,7 @@ pub(crate) fn price_up_to(limit: f64, couple: &Couple, visibility: &Visibility) 
     }
 }
 
-/// The same for a couple with these blockers between.
+/// The [`price`] of a couple with these blockers between.
 pub(crate) fn of_blockers(are_flat: bool, blockers: &[usize], visibility: &Visibility) -> f64 {
     match blockers.len() {
         _ if !are_flat => CURVED,

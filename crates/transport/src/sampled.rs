@@ -76,15 +76,15 @@ pub struct SampledTransport<'a> {
     sent: Vec<u64>,
     starts: Vec<usize>,
     counts: Counts,
-    /// Who sends them.
+    /// The ranks that send the rays.
     ranks: &'a Ranks,
-    /// Which elements' pairs each rank counts; all of them where they are few.
+    /// Elements whose pairs each rank counts; all of them where they are few.
     held: Held,
     tally: Tally,
     strong: Strong,
     /// The pairs on which rays count, if not on all but the strong ones.
     only: Option<HashSet<(u32, u32)>>,
-    /// What they met in the scene before, if that is known.
+    /// Hits of these rays in the scene before, if those are known.
     known: Option<KnownRays>,
 }
 
@@ -96,16 +96,16 @@ struct Task {
     count: u64,
 }
 
-/// What became of the rays of a task, as far as a rank counts it.
+/// Sums over the rays of a task, and its hits, as far as a rank counts them.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 struct Landed {
-    /// Sum of their weights, in either half.
+    /// Sum of the weights of the rays, in either half.
     weights: [f64; 2],
-    /// Σ w φ_k(x) of those that met no front, in either half.
+    /// Σ w φ_k(x) over the rays that met no front, in either half.
     missed: [Vec<f64>; 2],
-    /// The same of those that landed on pairs that are carried exactly.
+    /// Σ w φ_k(x) over the rays that landed on pairs that are carried exactly, in either half.
     exact: [Vec<f64>; 2],
-    /// Those that landed on pairs that the rank counts.
+    /// Hits of the rays that landed on pairs that the rank counts.
     hits: Vec<Hit>,
 }
 
@@ -113,13 +113,13 @@ struct Landed {
 #[derive(Debug, Serialize, Deserialize)]
 struct Sent {
     landed: Landed,
-    /// What each of them met, where that is to be kept, and how many were not traced for it.
+    /// Hit of each ray, where that is to be kept, and number of rays that were not traced for it.
     met: Vec<Met>,
     recalled: u64,
 }
 
 impl Landed {
-    /// The same without what landed.
+    /// These sums without the hits.
     fn without_hits(&self) -> Self {
         let Self { weights, missed, exact, .. } = self;
         Self { weights: *weights, missed: missed.clone(), exact: exact.clone(), hits: Vec::new() }
@@ -127,13 +127,13 @@ impl Landed {
 }
 
 impl<'a> SampledTransport<'a> {
-    /// No rays yet, to be sent by these ranks.
+    /// The transport between all elements whose rays these ranks send, before any is sent.
     pub fn new(elements: &'a Elements, visibility: &'a Visibility, ranks: &'a Ranks) -> Self {
         Self::numbered(elements, visibility, &|place| place as u64, ranks)
     }
 
-    /// For these pairs only, the element that comes first in front. The rays of element k are those of number
-    /// `numbers[k]`.
+    /// The transport of these pairs only, the element that comes first in front. The rays of element k are
+    /// those of number `numbers[k]`.
     pub(crate) fn of_pairs(
         elements: &'a Elements,
         visibility: &'a Visibility,
@@ -149,7 +149,7 @@ impl<'a> SampledTransport<'a> {
         }
     }
 
-    /// With rays that depend on the number of each element.
+    /// The transport by rays that depend on the `number` of each element.
     fn numbered(
         elements: &'a Elements,
         visibility: &'a Visibility,
@@ -175,17 +175,18 @@ impl<'a> SampledTransport<'a> {
         }
     }
 
-    /// The same rays, to the bit; those of which `known` tells what they meet are not traced.
+    /// The transport by these rays, to the bit; rays whose hits `known` tells are not traced.
     pub(crate) fn knowing(self, known: Option<KnownRays>) -> Self {
         Self { known, ..self }
     }
 
-    /// What is known of its rays after they were sent.
+    /// The hits of its rays after they were sent.
     pub(crate) fn into_known(self) -> Option<KnownRays> {
         self.known
     }
 
-    /// No rays yet; what `memory` knows of them is not traced again.
+    /// The transport between all elements before any ray is sent; rays that `memory` knows are not traced
+    /// again.
     pub fn remembering(
         elements: &'a Elements,
         visibility: &'a Visibility,
@@ -263,7 +264,8 @@ impl<'a> SampledTransport<'a> {
         self.settle_again(planned, accuracy, None, work);
     }
 
-    /// The same, to the bit; exact pairs that `memory` holds are not integrated again.
+    /// Settles as [`SampledTransport::settle`], to the bit; exact pairs that `memory` holds are not
+    /// integrated again.
     pub fn settle_again(
         &mut self,
         planned: &[u64],
@@ -294,7 +296,7 @@ impl<'a> SampledTransport<'a> {
         self.strong.len()
     }
 
-    /// What these miss, as [`Blocks::accuracy_reached`].
+    /// Largest error of the exact pairs, as [`Blocks::accuracy_reached`].
     pub fn exact_accuracy(&self) -> f64 {
         self.strong.accuracy_reached()
     }
@@ -332,8 +334,8 @@ impl<'a> SampledTransport<'a> {
         self.tally.take(self.elements.list(), &hits);
     }
 
-    /// Which of so many ranks runs each task: as even as can be; or where it is to know what rays meet, the same for all rays of an
-    /// element.
+    /// The rank, of so many, that runs each task: as even as can be; or where it is to know the hits of rays,
+    /// the same for all rays of an element.
     fn makers(&self, tasks: &[Task], ranks: usize) -> Vec<usize> {
         if self.known.is_some() {
             return tasks.iter().map(|task| task.element % ranks).collect();
@@ -343,7 +345,8 @@ impl<'a> SampledTransport<'a> {
         (0..tasks.len()).map(|task| shares::owner(&ends, task)).collect()
     }
 
-    /// What each of so many ranks counts of what became of rays: the hits of elements of which it holds the pairs, and all else.
+    /// The part of `landed` that each of so many ranks counts: the hits of elements of which it holds the
+    /// pairs, and all else.
     fn parcels(&self, landed: Vec<Landed>, ranks: usize) -> Vec<Vec<Landed>> {
         if self.held.ranks().are_alone() {
             return vec![landed; ranks];
@@ -388,7 +391,7 @@ impl<'a> SampledTransport<'a> {
         sent
     }
 
-    /// What a ray meets first: what it is known to meet, or else what it is found to.
+    /// First hit of a ray: as known from the scene before, or else as traced.
     fn met(&self, element: usize, index: u64, departure: &Departure, sent: &mut Sent) -> Option<Encounter> {
         let (origin, direction) = (departure.node.position, departure.direction);
         let surface = self.elements.list()[element].surface;
@@ -414,7 +417,7 @@ impl<'a> SampledTransport<'a> {
         blocks
     }
 
-    /// What some of the rays tell beside what is `fixed`.
+    /// The blocks by some of the rays, beside the `fixed` ones.
     fn estimate(&self, fixed: &Fixed, rays: Rays) -> Estimate<'_> {
         let Self { tally, held, .. } = self;
         Estimate::new(self.elements.list(), &self.starts, Counted { tally, held, rays }, &self.counts, fixed)

@@ -71,11 +71,11 @@ const FEWEST_RAYS: u64 = 16;
 const MOST_RAYS: f64 = 2e4;
 const MOST_OWN_RAYS: f64 = 4e3;
 
-/// One pair in this many is integrated both ways, and at least this many pairs. Chosen; not tuned.
+/// Pairs for each one that is integrated both ways, and the fewest that are. Chosen; not tuned.
 const SAMPLED_SHARE: usize = 100;
 const FEWEST_SAMPLED: usize = 4;
 
-/// What sorting decides about a pair.
+/// Decisions of sorting about a pair.
 enum Sorted {
     Facing,
     Coplanar,
@@ -423,13 +423,13 @@ impl Scene<'_> {
         Integrated::made(ranks.clone(), &self.pieces(tasks, sources), answer)
     }
 
-    /// What is known of the work that the tasks are that are not copies.
+    /// The work of the tasks that are not copies: classes and prices.
     fn pieces(&self, tasks: &[Task], sources: &[Source]) -> Vec<Piece> {
         let own = tasks.iter().zip(sources).filter(|(_, source)| matches!(source, Source::Own(_)));
         own.map(|(task, _)| self.piece(task)).collect()
     }
 
-    /// What is known of the work that a task is.
+    /// The work of a task: its class and price.
     fn piece(&self, task: &Task) -> Piece {
         let ends @ [row, column] = [task.row, task.column].map(|element| element as usize);
         let are_flat = ends.iter().all(|element| self.list[*element].plane.is_some());

@@ -147,7 +147,7 @@ fn most_rays(eps: f64, elements: usize) -> u64 {
     (MOST * share * (MOST_AT / eps.max(FINEST)).powf(MOST_POWER)) as u64
 }
 
-/// What the batches say of each pair, beside `others` with these first entries.
+/// The block of each pair by the batches, beside `others` with these first entries.
 fn judged(
     list: &[Element],
     (wholes, others_firsts): (&Wholes, &[FirstEntry]),

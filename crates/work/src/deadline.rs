@@ -1,9 +1,10 @@
-//! When work ends with the best that it has. What an [interruption](crate::interruption) ends has no result.
+//! Deadlines, at which work ends with the best that it has. What an [interruption](crate::interruption) ends
+//! has no result.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// When work ends with the best that it has: at an instant, or once a person wishes it.
+/// The end of work with the best that it has: at an instant, or once a person wishes it.
 ///
 /// Rays are sent no further, solvers give up, and no finer run begins. The wish ends rays alone: it is heard while they are sent.
 #[derive(Debug, Default)]
@@ -13,12 +14,12 @@ pub struct Deadline {
     is_wished: AtomicBool,
 }
 
-/// Lasts while work listens to wishes.
+/// A guard that lasts while work listens to wishes.
 #[derive(Debug)]
 pub struct Listening<'a>(&'a Deadline);
 
 impl Deadline {
-    /// At this instant; None for the wish alone.
+    /// A deadline at this instant; None for the wish alone.
     pub const fn at(at: Option<Instant>) -> Self {
         Self { at, is_heard: AtomicBool::new(false), is_wished: AtomicBool::new(false) }
     }
@@ -28,7 +29,7 @@ impl Deadline {
         self.is_heard.load(Ordering::Relaxed) && !self.is_wished.swap(true, Ordering::Relaxed)
     }
 
-    /// Whether its end was wished while work listened.
+    /// Whether the end of the work was wished while it listened.
     pub fn is_wished(&self) -> bool {
         self.is_wished.load(Ordering::Relaxed)
     }

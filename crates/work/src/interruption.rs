@@ -37,7 +37,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 thread_local! {
-    /// What this thread hears.
+    /// The interruption that this thread hears.
     static CURRENT: RefCell<Option<Interruption>> = const { RefCell::new(None) };
 }
 
@@ -59,11 +59,11 @@ impl fmt::Display for Interrupted {
 
 impl Error for Interrupted {}
 
-/// What a thread that was interrupted unwinds with: what it heard.
+/// Payload with which a thread that was interrupted unwinds: the interruption that it heard.
 #[derive(Debug)]
 struct Ended(Interruption);
 
-/// Sets back what a thread hears, whatever happens.
+/// Sets back the interruption that a thread hears, whatever happens.
 struct Before(Option<Interruption>);
 
 impl Drop for Before {
@@ -83,12 +83,12 @@ impl Interruption {
         self.is_raised.store(true, Ordering::Relaxed);
     }
 
-    /// Whether it was raised.
+    /// Whether the interruption was raised.
     fn is_raised(&self) -> bool {
         self.is_raised.load(Ordering::Relaxed)
     }
 
-    /// What is raised, for solvers, which stop where it is.
+    /// The flag that raising sets, for solvers, which stop where it is set.
     pub fn flag(&self) -> &AtomicBool {
         &self.is_raised
     }
@@ -112,7 +112,7 @@ impl Interruption {
     }
 }
 
-/// What the current thread hears.
+/// The interruption that the current thread hears.
 pub fn current() -> Option<Interruption> {
     CURRENT.with_borrow(Clone::clone)
 }
@@ -142,7 +142,7 @@ fn end() {
 /// Rays of which one asks: each takes a part of a microsecond.
 const RAYS: u64 = 64;
 
-/// The same before the ray, or sample, of this number.
+/// Heeds the interruption, as [`heed`], before the ray or sample of this number.
 #[inline]
 pub fn heed_at(number: u64) {
     if number.is_multiple_of(RAYS) {

@@ -1,4 +1,4 @@
-//! Who hears how far work is.
+//! Observers, who hear how far work is.
 
 use crate::progress::Progress;
 

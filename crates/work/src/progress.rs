@@ -1,21 +1,21 @@
-//! How far work is.
+//! The progress of work.
 
 use std::fmt;
 use std::time::Duration;
 
-/// How far work is.
+/// News of the progress of work.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Progress {
-    /// Nothing of a stage is done, and it takes about so many seconds.
+    /// Beginning of a stage of which nothing is done yet, with its expected time.
     Expected {
-        /// The stage.
+        /// The stage that begins.
         stage: Stage,
         /// About how long it takes (s).
         seconds: f64,
     },
-    /// So many things of a stage are done.
+    /// Number of things of a stage that are done.
     Done {
-        /// The stage.
+        /// The stage that is counted.
         stage: Stage,
         /// Things that are done.
         done: usize,
@@ -24,7 +24,7 @@ pub enum Progress {
     },
     /// Rays between elements.
     Rays {
-        /// Rays sent.
+        /// Number of rays sent.
         done: u64,
         /// Rays to be sent in all.
         of: u64,
@@ -33,7 +33,7 @@ pub enum Progress {
     },
     /// An iteration of a linear solver.
     Iteration {
-        /// The band.
+        /// Index of the band, from 0.
         band: usize,
         /// Bands in all.
         of: usize,
@@ -44,25 +44,25 @@ pub enum Progress {
     },
     /// A stage of a solution is finished.
     Finished {
-        /// The stage.
+        /// The stage that is finished.
         stage: Stage,
-        /// Its wall time.
+        /// Wall time of the stage.
         took: Duration,
     },
 }
 
-/// A stage of work: what is counted there.
+/// A stage of work, and the things that are counted there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
-    /// What hides what is found out.
+    /// Finding out which surfaces hide others; nothing is counted.
     Visibility,
-    /// Surfaces are cut into elements.
+    /// Cutting surfaces into elements; nothing is counted.
     Elements,
     /// Direct light that is split off, and its first bounce.
     Direct,
     /// Pairs of elements whose blocks are integrated, or rounds in which links are refined.
     Blocks,
-    /// The linear systems.
+    /// Linear systems, band by band.
     Solve,
     /// Elements or sensors whose error is estimated.
     Estimate,
@@ -84,7 +84,7 @@ pub enum Stage {
     Texels,
 }
 
-/// Its name, in few words.
+/// Name of the stage, in few words.
 impl fmt::Display for Stage {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         to.write_str(self.name())
@@ -92,7 +92,7 @@ impl fmt::Display for Stage {
 }
 
 impl Stage {
-    /// Its name, in few words.
+    /// Name of the stage, in few words.
     pub fn name(self) -> &'static str {
         match self {
             Self::Visibility => "visibility",

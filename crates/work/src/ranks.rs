@@ -36,7 +36,7 @@ use place::Place;
 use traffic::Counter;
 pub use traffic::Traffic;
 
-/// One rank, which shares nothing.
+/// A rank that is alone and shares nothing.
 static ALONE: Ranks = Ranks { shared: None, journal: None };
 
 /// The ranks of a run, as one of them sees them.
@@ -54,7 +54,7 @@ struct Shared {
 }
 
 impl Ranks {
-    /// One rank, which shares nothing and records nothing.
+    /// A rank that is alone: it shares nothing and records nothing.
     pub fn alone() -> &'static Self {
         &ALONE
     }
@@ -66,8 +66,8 @@ impl Ranks {
         Self { shared, journal: None }
     }
 
-    /// The same, which write the pieces of work that they make into a journal in `folder`, of the run with this fingerprint, and make
-    /// none again that it knows.
+    /// These ranks, with a journal in `folder`, of the run with this fingerprint: they write each piece of
+    /// work that they make into it, and make none again that it knows.
     ///
     /// # Errors
     /// A folder that cannot be written, or that holds what `begin` does not say.
@@ -94,22 +94,22 @@ impl Ranks {
         self.shared.as_ref().map_or(0, |shared| shared.comm.rank())
     }
 
-    /// How many there are.
+    /// Number of ranks.
     pub fn count(&self) -> usize {
         self.shared.as_ref().map_or(1, |shared| shared.comm.size())
     }
 
-    /// Whether this is the only one.
+    /// Whether this rank is the only one.
     pub fn are_alone(&self) -> bool {
         self.shared.is_none()
     }
 
-    /// Whether this is the one that writes.
+    /// Whether this rank is the first, which writes.
     pub fn is_first(&self) -> bool {
         self.number() == 0
     }
 
-    /// What of its machine this rank may use.
+    /// The share of its machine that this rank may use.
     pub fn place(&self) -> Place {
         self.shared.as_ref().map_or_else(Place::alone, |shared| shared.comm.place())
     }
@@ -119,14 +119,15 @@ impl Ranks {
         if asked == 0 { self.place().threads } else { asked }
     }
 
-    /// Waits for all of them.
+    /// Waits for all ranks.
     pub fn meet(&self) {
         if let Some(shared) = &self.shared {
             shared.comm.meet();
         }
     }
 
-    /// What this rank has done for all, and sent to others, so far; nothing is counted where it is alone.
+    /// Work that this rank has done for all, and bytes sent to others, so far; nothing is counted where it is
+    /// alone.
     pub fn traffic(&self) -> Traffic {
         self.shared.as_ref().map_or_else(Traffic::default, |shared| shared.sent.read())
     }
@@ -138,7 +139,7 @@ impl Ranks {
         }
     }
 
-    /// What each rank has, in their order.
+    /// The value of each rank, in their order.
     ///
     /// # Panics
     /// If the ranks do not share the same things in the same order.
@@ -170,7 +171,7 @@ impl Ranks {
         all.iter().position(|other| *other != all[0])
     }
 
-    /// What the first of them has: for what may differ from rank to rank, such as the time.
+    /// The value of the first rank: for what may differ from rank to rank, such as the time.
     pub fn of_first<T: Serialize + DeserializeOwned>(&self, own: T) -> T {
         if self.are_alone() {
             return own;
@@ -179,7 +180,7 @@ impl Ranks {
         all.into_iter().flatten().next().expect("there is a first rank")
     }
 
-    /// What each rank has for this one, in their order; `to[k]` is what this one has for rank k.
+    /// The value of each rank for this one, in their order; `to[k]` is the value of this one for rank k.
     ///
     /// # Panics
     /// As [`Ranks::all`].
@@ -225,7 +226,7 @@ impl Ranks {
         makers.iter().map(|maker| parts[*maker].next().expect("each rank made its pieces")).collect()
     }
 
-    /// Those that this rank makes.
+    /// The pieces that this rank makes, in their order.
     pub fn made<T>(&self, part: PartName, makers: &[usize], make: impl Fn(usize) -> T + Sync) -> Vec<T>
     where
         T: Serialize + DeserializeOwned + Send,
@@ -261,8 +262,9 @@ impl Ranks {
         self.map(part, &vec![1.0; count.div_ceil(together)], piece).into_iter().flatten().collect()
     }
 
-    /// What `make` makes of every item, where that may share things between the ranks that it is given: in parallel if this rank is
-    /// alone, else one after the other. They record nothing, as parts that follow each other in any order have no numbers.
+    /// The result of `make` for every item, where that may share things between the ranks that it is given:
+    /// in parallel if this rank is alone, else one after the other. They record nothing, as parts that follow
+    /// each other in any order have no numbers.
     pub fn each<I: Sync, T: Send>(&self, items: &[I], make: impl Fn(&I, &Self) -> T + Sync) -> Vec<T> {
         let unrecorded = Self { journal: None, ..self.clone() };
         let make = |item: &I| {
@@ -280,12 +282,13 @@ pub struct Part<'a> {
 }
 
 impl Part<'_> {
-    /// One that no journal keeps.
+    /// A part that no journal keeps.
     pub fn unrecorded() -> Self {
         Self { recorded: None }
     }
 
-    /// These pieces of it; a few may cost as much as all others together, so that each is scheduled by itself.
+    /// Pieces of this part by their numbers; a few may cost as much as all others together, so that each is
+    /// scheduled by itself.
     pub fn made<T>(&self, pieces: &[usize], make: impl Fn(usize) -> T + Sync) -> Vec<T>
     where
         T: Serialize + DeserializeOwned + Send,
@@ -407,7 +410,8 @@ mod tests {
         assert!(refused.cure().contains("another folder"), "{}", refused.cure());
     }
 
-    /// What three parts find whose pieces are as many and of one name, where something is chosen before the second.
+    /// The results of three parts whose pieces are as many and of one name, where something is chosen before
+    /// the second.
     fn chosen(folder: &Path, begin: Begin, choice: u64) -> Vec<u64> {
         let ranks = Ranks::alone().recording(folder, 1, begin).expect("a folder");
         let part = |of: u64| ranks.map(PartName::Points, &[1.0; 4], |piece| 100 * of + piece as u64);

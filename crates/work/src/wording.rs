@@ -14,16 +14,16 @@ pub struct Wording {
     parts: Vec<Part>,
 }
 
-/// A part of a sentence.
+/// A part of a sentence, by which front ends tell text from options and commands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Text as it is.
     Text(String),
-    /// An option, or what it is set to.
+    /// An option, with its value if that is said.
     Option {
-        /// Its name, words joined by `-`.
+        /// Name of the option, words joined by `-`.
         name: &'static str,
-        /// What it is set to, if that is said.
+        /// Value of the option, if that is said.
         value: Option<String>,
     },
     /// Another value of an option that was named before.

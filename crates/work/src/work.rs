@@ -1,4 +1,5 @@
-//! What is handed down beside a scene and its options: who shares the work, who hears of it, and until when it lasts.
+//! Work, as it is handed down beside a scene and its options: who shares it, who hears of it, and until when
+//! it lasts.
 
 use std::fmt;
 use std::time::Duration;
@@ -8,7 +9,7 @@ use crate::observer::{Observer, Silent};
 use crate::progress::{Progress, Stage};
 use crate::ranks::Ranks;
 
-/// Who shares the work, who hears of it, and until when it lasts.
+/// The ranks that share the work, the observer that hears of it, and the deadline until which it lasts.
 ///
 /// ```
 /// use radiosity_work::{Progress, Work};
@@ -18,11 +19,11 @@ use crate::ranks::Ranks;
 /// ```
 #[derive(Clone, Copy)]
 pub struct Work<'a> {
-    /// Who shares it.
+    /// The ranks that share the work.
     pub ranks: &'a Ranks,
-    /// Who hears how far it is.
+    /// The observer that hears how far the work is.
     pub observer: &'a dyn Observer,
-    /// When it ends with the best that it has; None for no sooner than it is done.
+    /// Deadline at which the work ends with the best that it has; None for no sooner than it is done.
     pub deadline: Option<&'a Deadline>,
 }
 
@@ -35,32 +36,32 @@ impl fmt::Debug for Work<'_> {
 }
 
 impl<'a> Work<'a> {
-    /// Of one rank, silent and without a deadline.
+    /// Work of one rank, silent and without a deadline.
     pub fn alone() -> Self {
         Self::among(Ranks::alone())
     }
 
-    /// Of these ranks, silent and without a deadline.
+    /// Work of these ranks, silent and without a deadline.
     pub fn among(ranks: &'a Ranks) -> Self {
         Self { ranks, observer: &Silent, deadline: None }
     }
 
-    /// The same, of which `observer` hears.
+    /// This work, of which `observer` hears.
     pub fn told(self, observer: &'a dyn Observer) -> Self {
         Self { observer, ..self }
     }
 
-    /// The same, of which nobody hears.
+    /// This work, of which nobody hears.
     pub fn silent(self) -> Self {
         Self { observer: &Silent, ..self }
     }
 
-    /// The same until a deadline.
+    /// This work until a deadline.
     pub fn until(self, deadline: &'a Deadline) -> Self {
         Self { deadline: Some(deadline), ..self }
     }
 
-    /// Tells how far it is.
+    /// Tells the observer how far the work is.
     pub fn tell(&self, progress: Progress) {
         self.observer.hear(progress);
     }

@@ -27,7 +27,7 @@ use radiosity::solve::{Direct, Options, Transport};
 use radiosity::transport::RayCounts;
 use radiosity::visibility::Hiding;
 
-/// Fresh solutions.
+/// Most frames that are solved fresh.
 const FRESH: usize = 10;
 
 /// Relative error of interpolation, and of blocks by series.

@@ -67,11 +67,11 @@ fn values(alpha: f64, beta: f64) -> f64 {
 
 /// Worst errors of conversions of coefficients in (−1, 1), in ε.
 struct Conversion {
-    /// To Legendre, of Σ |A| |c|, entry by entry.
+    /// Error of coefficients converted to Legendre, over Σ |A| |c|, entry by entry.
     there: f64,
-    /// From Legendre, of Σ |A⁻¹| |d|, entry by entry.
+    /// Error of coefficients converted from Legendre, over Σ |A⁻¹| |d|, entry by entry.
     back: f64,
-    /// There and back, in ε of 1.
+    /// Error of coefficients converted there and back, in ε of 1.
     returned: f64,
     /// The largest entry of |A⁻¹| |A| |c| for |c_n| = 1.
     condition: f64,

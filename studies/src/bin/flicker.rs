@@ -1,4 +1,5 @@
-//! How steadily the light of a film changes: first and second differences in time of pixels that see a thing at rest.
+//! Steadiness of the light of a film: first and second differences in time of pixels that see a thing at
+//! rest.
 //!
 //! `cargo run --release -p radiosity-studies --bin flicker -- [--frames A..B] [--size WxH] [--read basis|direct|gather] SCENE...`
 //!
@@ -29,7 +30,7 @@ use radiosity::solve::Options;
 use radiosity::solve::animation::follower::{Follower, Way};
 use radiosity::visibility::Visibility;
 
-/// What is asked for.
+/// The films that the command line asks for.
 struct Asked {
     frames: Option<[usize; 2]>,
     size: [u32; 2],

@@ -1,4 +1,4 @@
-//! What pictures cost and how far they are off: seconds, error against light computed anew, and the largest joint between
+//! Cost and error of pictures: seconds, error against light computed anew, and the largest joint between
 //! elements.
 //!
 //! `cargo run --release -p radiosity-studies --bin pictures [-- SCENE...]`
@@ -66,7 +66,7 @@ fn row(name: &str) -> String {
     )
 }
 
-/// What the middle of a pixel sees.
+/// The place that the middle of a pixel sees.
 #[derive(Clone, Copy)]
 struct Seen {
     element: usize,
@@ -187,7 +187,7 @@ impl<'a> Errors<'a> {
 struct Pair {
     pixels: [usize; 2],
     elements: [usize; 2],
-    /// From the one pixel to the other.
+    /// Pixels from the one to the other.
     step: usize,
 }
 

@@ -1,4 +1,4 @@
-//! How evenly ranks would share the exact blocks of a scene, for any number of them.
+//! Efficiency of ranks that share the exact blocks of a scene, for any number of them.
 //!
 //!     cargo run --release -p radiosity-studies --bin ranks -- [SCENE …]
 //!
@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// What the blocks of a scene cost at default accuracy.
+/// Costs of the blocks of a scene at default accuracy.
 fn costs(scene: &Scene) -> Result<Vec<BlockWork>, Box<dyn std::error::Error>> {
     let options = Options::default();
     let visibility = Visibility::new(scene, (&options).into());

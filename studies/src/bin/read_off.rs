@@ -95,7 +95,7 @@ fn read(scene: &Scene, outcome: &Outcome, options: &Options, reading: Reading) -
     (format!("{name} | {unknowns} | {samples} | {rays} | {floor:.3} | {wall:.3} | {both:.3}"), seconds)
 }
 
-/// Of the floor, the back wall and both, in %.
+/// Errors of the floor, the back wall and both, in %.
 fn errors(scene: &Scene, cells: &[Cell]) -> [f64; 3] {
     let reference = data::table("cornell_reference.json");
     let sums = ["floor", "back_wall"].map(|name| {

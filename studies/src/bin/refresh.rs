@@ -23,7 +23,7 @@ use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 use std::{env, fs};
 
-/// Those that commands write to.
+/// Documents that hold output of commands.
 const DOCUMENTS: [&str; 3] = ["README.md", "docs/measured.md", "benches/README.md"];
 
 const RUN: &str = "<!-- run -->";
@@ -31,7 +31,7 @@ const OUTPUT: &str = "<!-- output -->";
 const SHOWN: &str = "<!-- output, shown -->";
 const END: &str = "<!-- end -->";
 
-/// What is between marks, and the command above them.
+/// A place between marks, and the command above them.
 struct Place {
     command: String,
     shown: bool,
@@ -109,7 +109,7 @@ fn last_command(line: &str) -> Option<String> {
     quoted.or(alone).map(|command| command.split("  #").next().unwrap_or(command).trim().to_owned())
 }
 
-/// What a command prints; its errors go to the terminal.
+/// Output of a command; its errors go to the terminal.
 fn output(command: &str) -> std::result::Result<String, String> {
     eprintln!("{command}");
     let start = Instant::now();

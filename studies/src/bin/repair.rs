@@ -13,7 +13,7 @@ const BOXES: usize = 16_667;
 /// Boxes along a hall.
 const ALONG: usize = 128;
 
-/// One box in so many has a fault.
+/// Boxes for each one that has a fault.
 const RARE: usize = 100;
 
 /// Faults that are made in turn.

@@ -1,4 +1,4 @@
-//! How far a block's power series is from its sum, and what it costs beside integrals.
+//! Error of a block's power series, and its cost beside integrals.
 //!
 //! `cargo run --release -p radiosity-studies --bin series`
 //!
@@ -24,7 +24,7 @@ use radiosity::{kernel::Accuracy, transport::assemble};
 const DEGREE: usize = 4;
 const ORDERS: [usize; 5] = [2, 4, 6, 8, 12];
 const STEPS: [f64; 6] = [0.05, 0.1, 0.2, 0.3, 0.4, 0.5];
-/// For the points of the rules, so that only powers left out are seen.
+/// Accuracy that chooses the points of the rules, so that only powers left out are seen.
 const PRECISE: f64 = 1e-15;
 const USUAL: f64 = 1e-4;
 

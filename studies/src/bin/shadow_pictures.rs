@@ -148,7 +148,7 @@ fn picture(way: &Way) -> Raster {
     )
 }
 
-/// For each pixel whether all of its rays meet the floor.
+/// Whether all rays of each pixel meet the floor.
 fn floor_pixels() -> Vec<bool> {
     let scene = scene([None; 2]);
     let floor = scene.surface_named("floor").expect("it is there");

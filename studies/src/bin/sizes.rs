@@ -1,4 +1,5 @@
-//! How memory and time grow with the number of surfaces: a closed room in which boxes hover, at orders 0, 2 and 4.
+//! Growth of memory and time with the number of surfaces: a closed room in which boxes hover, at orders 0, 2
+//! and 4.
 //!
 //! `cargo run --release -p radiosity-studies --bin sizes > sizes.md`
 //!
@@ -40,7 +41,7 @@ const GRIDS: [[usize; 3]; 6] = [[0, 0, 0], [2, 1, 1], [2, 2, 2], [4, 4, 2], [6, 
 const MOST_BYTES: u64 = 2_000_000_000;
 const MOST_SECONDS: f64 = 120.0;
 
-/// What one size at one order took.
+/// Memory and time of one size at one order.
 #[derive(Clone, Copy)]
 struct Row {
     surfaces: usize,

@@ -1,5 +1,5 @@
-//! What textures cost and how good they are: a floor of 8 × 8 fields as one pattern against as many squares, and the time of
-//! another pattern against that of the blocks.
+//! Cost and error of textures: a floor of 8 × 8 fields as one pattern against as many squares, and the time
+//! of another pattern against that of the blocks.
 //!
 //! ```text
 //! cargo run --release -p radiosity-studies --bin textures

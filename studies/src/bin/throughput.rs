@@ -1,4 +1,4 @@
-//! How many kernel samples a second the blocks take, pair kind by pair kind, on one core.
+//! Kernel samples a second of the blocks, pair kind by pair kind, on one core.
 //!
 //! `cargo run --release -p radiosity-studies --bin throughput`
 

@@ -1,4 +1,4 @@
-//! How far numbers are apart.
+//! Distances between numbers.
 
 use radiosity::Solution;
 

@@ -15,7 +15,7 @@ pub struct Connection {
 }
 
 impl Connection {
-    /// Of the weight (1 − x)^a (1 + x)^b.
+    /// The connection of the weight (1 − x)^a (1 + x)^b with the weight 1.
     pub fn new(a: u8, b: u8) -> Connection {
         Connection { a: a.into(), b: b.into() }
     }
@@ -81,7 +81,8 @@ pub fn norm(a: usize, b: usize, n: usize) -> Fixed {
     (1..=b).fold(start, |square, j| square.times(n + j, n + a + j)).sqrt()
 }
 
-/// One unit down: `sum` is α + β after it, `other` the exponent that stays, `sign` −1 for β and +1 for α.
+/// Coefficients for an exponent that is one less: `sum` is α + β after the step, `other` the exponent that
+/// stays, `sign` −1 for β and +1 for α.
 fn lower(c: &mut [Fixed], sum: usize, other: usize, sign: i64) {
     let (sum, other) = (sum as i64, other as i64);
     let mut above = Fixed::new(0);
@@ -93,7 +94,8 @@ fn lower(c: &mut [Fixed], sum: usize, other: usize, sign: i64) {
     }
 }
 
-/// One unit up: `sum` is α + β before it, `other` the exponent that stays, `sign` +1 for β and −1 for α.
+/// Coefficients for an exponent that is one more: `sum` is α + β before the step, `other` the exponent that
+/// stays, `sign` +1 for β and −1 for α.
 fn raise(d: &mut [Fixed], sum: usize, other: usize, sign: i64) {
     let (sum, other) = (sum as i64, other as i64);
     let mut above = Fixed::new(0);

@@ -26,7 +26,7 @@ pub fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// What is in a file of JSON.
+/// The value that a file of JSON holds.
 #[track_caller]
 pub fn json(path: &Path) -> Value {
     let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));

@@ -1,4 +1,4 @@
-//! One or more of every shape, with its area where a closed form is known, for the conformance suite.
+//! Surfaces of every shape, with their areas where a closed form is known, for the conformance suite.
 
 use radiosity_geom::shapes::{
     Bezier, Bilinear, Cone, Cylinder, Disk, Extrusion, FULL_TURN, Parallelogram, Polygon, Rational,
@@ -9,11 +9,11 @@ use std::f64::consts::PI;
 
 /// A surface on show.
 pub struct Exhibit {
-    /// As messages call it.
+    /// Name of the surface in messages.
     pub name: &'static str,
     /// The surface itself.
     pub surface: Box<dyn Surface>,
-    /// By a formula of its own, not the crate's.
+    /// Area (length²), by a formula of its own, not the crate's; None where no closed form is known.
     pub area: Option<f64>,
     /// A point the whole front faces away from, for shapes that curve around one.
     pub inside: Option<DVec3>,

@@ -5,7 +5,7 @@ use proptest::test_runner::TestRunner;
 
 use crate::random::seeded;
 
-/// One change; places are parts of the length.
+/// A change of a file; places are parts of its length, in [0, 1).
 #[derive(Clone, Debug)]
 enum Mutation {
     Flip(f64, u8),
@@ -17,7 +17,7 @@ enum Mutation {
     Bytes(f64, [u8; 4]),
 }
 
-/// What is put in place of numbers and names in every format.
+/// Texts that are put in place of numbers and names in every format.
 const NUMBERS: [&str; 10] = ["1e999", "-1", "NaN", "0", "99999999999", "1e308", "1e-308", "3.5", "", "é"];
 /// Ends of words, besides blanks.
 const ENDS: &[u8] = b"\",:[]{}/=";

@@ -14,7 +14,7 @@ const BITS: u32 = 320;
 pub struct Fixed(BigInt);
 
 impl Fixed {
-    /// An integer.
+    /// The number of an integer.
     pub fn new(v: i64) -> Fixed {
         Fixed(BigInt::from(v) << BITS)
     }
@@ -61,7 +61,7 @@ impl Fixed {
         Fixed(&self.0 * above / below)
     }
 
-    /// |x|.
+    /// The absolute value.
     pub fn abs(&self) -> Fixed {
         if self.0 < BigInt::ZERO { -self.clone() } else { self.clone() }
     }

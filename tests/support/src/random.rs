@@ -8,7 +8,7 @@ use proptest::test_runner::{Config, RngSeed};
 pub struct Random(pub u64);
 
 impl Random {
-    /// 64 bits.
+    /// 64 random bits.
     pub fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -17,47 +17,47 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Uniform in [0, 1).
+    /// A number, uniform in [0, 1).
     pub fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * 2f64.powi(-53)
     }
 
-    /// Uniform in [−1, 1).
+    /// A number, uniform in [−1, 1).
     pub fn signed(&mut self) -> f64 {
         2.0 * self.unit() - 1.0
     }
 
-    /// Uniform in [low, high).
+    /// A number, uniform in [low, high).
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    /// 10^x, x uniform in [low, high).
+    /// A number 10^x, x uniform in [low, high).
     pub fn power(&mut self, low: f64, high: f64) -> f64 {
         10f64.powf(self.between(low, high))
     }
 
-    /// One of 0, 1, … below `bound`.
+    /// An integer, uniform in 0, 1, … below `bound` (≥ 1).
     pub fn below(&mut self, bound: usize) -> usize {
         (self.bits() % bound as u64) as usize
     }
 
-    /// One of some.
+    /// An item of a list that is not empty, all with equal chances.
     pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
         from[self.below(from.len())]
     }
 
-    /// So many numbers, uniform in [−1, 1).
+    /// A list of so many numbers, uniform in [−1, 1).
     pub fn numbers(&mut self, count: usize) -> Vec<f64> {
         (0..count).map(|_| self.signed()).collect()
     }
 
-    /// Uniform in the cube [low, high)³.
+    /// A vector, uniform in the cube [low, high)³.
     pub fn vector(&mut self, low: f64, high: f64) -> DVec3 {
         DVec3::new(self.between(low, high), self.between(low, high), self.between(low, high))
     }
 
-    /// Uniform on the unit sphere.
+    /// A unit vector, uniform on the sphere.
     pub fn direction(&mut self) -> DVec3 {
         loop {
             let d = self.vector(-1.0, 1.0);

@@ -11,7 +11,7 @@ use super::quads::{Quad, elements, relative};
 
 const PRECISE: Settings = Settings { orders: 24, tolerance: 2e-13 };
 
-/// One pair of the vectors.
+/// A pair of elements of the vectors, with its blocks as they are published.
 struct Case {
     name: String,
     elements: Elements,

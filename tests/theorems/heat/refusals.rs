@@ -1,4 +1,4 @@
-//! What has no balance, and what cannot be read.
+//! Scenes that have no balance of heat, or cannot be read.
 
 use super::shared::{CUBE, at_order};
 

@@ -21,17 +21,17 @@ use radiosity_test_support::random::Random;
 /// The accuracy of everything, the usual one.
 const EPS: f64 = 1e-3;
 
-/// One interior in so many has curved things in it: these take ten times as long.
+/// Interiors for each one that has curved things in it: these take ten times as long.
 const CURVED: usize = 5;
 
-/// How many times as far off as asked a row may be: it is a sum of some fifty factors. One in two hundred is off by
-/// more than once.
+/// Error that a row may have, over the accuracy asked: it is a sum of some fifty factors. One in two hundred
+/// is off by more than once.
 const ROW: f64 = 2.0;
 
-/// How many times as far off as asked radiosity may be at a sensor.
+/// Error that radiosity may have at a sensor, over the accuracy asked.
 const FURNACE: f64 = 10.0;
 
-/// What was found of one interior.
+/// Errors that were found in one interior.
 struct Found {
     /// Largest |B − 2| over the sensors, and where.
     furnace: f64,
@@ -41,7 +41,7 @@ struct Found {
     of: String,
 }
 
-/// How an interior is placed and written.
+/// Place of an interior, and rounding of its coordinates.
 struct Writing {
     motion: Motion,
     /// Decimals of the coordinates, if they are rounded.
@@ -58,7 +58,7 @@ impl Writing {
         Self { motion, decimals: random.pick(&[None, None, Some(6)]) }
     }
 
-    /// How near to an edge a sensor may lie without being moved over it (metres).
+    /// Least distance of a sensor from an edge at which it is not moved over it (metres).
     fn least(&self) -> f64 {
         self.decimals.map_or(1e-7, |_| 1e-4)
     }

@@ -17,7 +17,7 @@ pub(crate) struct Interior {
     pub(crate) solids: Vec<Solid>,
 }
 
-/// How much of a cell stays free around a thing, as a share of its radius.
+/// Radius of the circle that stays free around a thing, over the thing's radius.
 const MARGIN: f64 = 1.01;
 
 /// Where a thing stands: the middle of its circle, its radius and the height of the floor.
@@ -204,7 +204,7 @@ fn inradius(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
     (0..outline.len()).map(distance).fold(f64::INFINITY, f64::min)
 }
 
-/// What lies below the upper floor.
+/// The body below the upper floor.
 fn podium(plan: &Plan) -> Solid {
     let Spot { cell: [x0, y0, x1, y1], floor } = plan.cells[1];
     Solid::Prism { outline: vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]], low: 0.0, high: floor }
@@ -216,7 +216,7 @@ fn place(random: &mut Random, [x0, y0, x1, y1]: Cell, margin: f64) -> Option<[f6
     fits.then(|| [random.between(x0 + margin, x1 - margin), random.between(y0 + margin, y1 - margin)])
 }
 
-/// A door.
+/// The opening of a door: its sides and its top (metres).
 struct Opening {
     low: f64,
     high: f64,

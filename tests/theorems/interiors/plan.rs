@@ -13,7 +13,7 @@ pub(crate) type Cell = [f64; 4];
 pub(crate) struct Plan {
     pub(crate) kind: &'static str,
     pub(crate) surfaces: Vec<Surface>,
-    /// Counterclockwise.
+    /// Corners of the floor plan (metres), counterclockwise.
     pub(crate) outline: Vec<[f64; 2]>,
     /// Least height of the ceiling.
     pub(crate) height: f64,
@@ -70,7 +70,7 @@ fn rectangle(size: [f64; 3]) -> Plan {
     upright("rectangle", outline, size, vec![[0.0, 0.0, w, d]])
 }
 
-/// An L.
+/// A room over an L.
 fn angle(random: &mut Random, size: [f64; 3]) -> Plan {
     let [w, d, _] = size;
     let (x, y) = (random.between(0.35, 0.7) * w, random.between(0.35, 0.7) * d);
@@ -78,7 +78,7 @@ fn angle(random: &mut Random, size: [f64; 3]) -> Plan {
     upright("L", outline, size, vec![[0.0, 0.0, x, y], [x, 0.0, w, y], [0.0, y, x, d]])
 }
 
-/// A U.
+/// A room over a U.
 fn court(random: &mut Random, size: [f64; 3]) -> Plan {
     let [w, d, _] = size;
     let (a, b) = (random.between(0.25, 0.4) * w, random.between(0.6, 0.75) * w);

@@ -9,7 +9,8 @@ use crate::interiors::interior::{Interior, contains};
 use crate::interiors::surface::{Shape, Surface};
 use radiosity_test_support::random::Random;
 
-/// How far before a surface it is looked whether something stands there (metres), below all distances from edges.
+/// Distance before a surface (metres) at which a point must be free for a sensor to stand there, below all
+/// distances from edges.
 const BEFORE: f64 = 1e-9;
 
 /// Sensors of an interior, those on surfaces no nearer to their edges than `least` metres.

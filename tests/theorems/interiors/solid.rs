@@ -7,7 +7,7 @@ use radiosity_geom::DVec3;
 use crate::interiors::surface::{Shape, Surface};
 use radiosity_test_support::random::Random;
 
-/// What no sensor may stand in.
+/// A body that no sensor may stand in.
 #[derive(Clone, Debug)]
 pub(crate) enum Solid {
     /// Upright over a convex outline, counterclockwise, from one height to another.

@@ -2,7 +2,7 @@
 
 use radiosity_geom::DVec3;
 
-/// What a surface is.
+/// The shape of a surface (metres).
 #[derive(Clone, Debug)]
 pub(crate) enum Shape {
     Polygon(Vec<DVec3>),

@@ -107,7 +107,7 @@ impl Graded<'_> {
     }
 }
 
-/// What the ceiling receives at (x, y).
+/// Irradiance E of the ceiling at (x, y) (W m⁻²).
 fn expected(x: f64, y: f64) -> f64 {
     let receiver = DVec3::new(x, y, 1.0);
     let sides: [(Chart<'_>, DVec3); 4] = [

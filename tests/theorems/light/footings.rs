@@ -1,4 +1,4 @@
-//! What lies under a standing box is cut out of the floor, as if the floor had a hole there, and nothing else is.
+//! The floor under a standing box is cut out, as if the floor had a hole there, and nothing else is.
 
 use proptest::prelude::*;
 use radiosity::elements::{Discretization, Elements};

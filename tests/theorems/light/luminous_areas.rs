@@ -113,8 +113,9 @@ fn both_sides_of_an_area_shine_where_the_intensity_is_all_around() {
     assert_close(balance.energy_in, 400.0 * PI, 1e-12);
 }
 
-/// What a point on the axis of a disk sees of a spot within its rim is ∫ d cos θ / r² dA = ∫ d sin γ dγ dC: E = I₀ Ω / A, at any
-/// distance from which the rim is farther than the edge of the spot. Between the edges it does so off the axis as well.
+/// Irradiance at a point on the axis of a disk, from a spot seen within its rim, is ∫ d cos θ / r² dA = ∫ d
+/// sin γ dγ dC: E = I₀ Ω / A, at any distance from which the rim is farther than the edge of the spot.
+/// Between the edges it does so off the axis as well.
 #[test]
 fn the_edge_of_a_spot_is_seen_within_the_area() {
     for extent in ["0.6", "[0.6, 0.6]"] {

@@ -29,7 +29,7 @@ fn direct(scene: &Scene, x: V, normals: &[V], eps: f64) -> Vec<f64> {
     direct_by(scene, &Options::default(), x, normals, eps)
 }
 
-/// The same by other options.
+/// Direct irradiance as by [`direct`], with other options.
 fn direct_by(scene: &Scene, options: &Options, x: V, normals: &[V], eps: f64) -> Vec<f64> {
     let points: Vec<(V, V)> = normals.iter().map(|normal| (x, *normal)).collect();
     in_the_open(scene, options, &points, eps)
@@ -153,7 +153,7 @@ fn a_skylight_under_a_uniform_sky_is_a_diffuse_emitter() {
     in_sky.iter().zip(&in_panel).for_each(|(sky, panel)| close(*sky, *panel, 1e-9));
 }
 
-/// What comes in through a window is absorbed, and read alike by cells and by rays; so is the sun.
+/// Light that comes in through a window is absorbed, and read alike by cells and by rays; so is the sun's.
 #[test]
 fn a_window_keeps_power_and_its_light_is_read_by_cells_and_by_rays() {
     let sky = "[sky]\nmodel = \"clear\"\nilluminance = 10000\nsun = { elevation = 35, azimuth = 250, illuminance = 50000 }\n";

@@ -65,7 +65,7 @@ fn rooms_with_slits_and_steps_are_closed() {
     }
 }
 
-/// What shines through a slit falls on a narrow strip, which few points pass by on two levels alike.
+/// Light through a slit falls on a narrow strip, which few points pass by on two levels alike.
 #[test]
 fn exact_shadows_keep_what_shines_through_slits() {
     let rooms = [

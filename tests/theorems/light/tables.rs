@@ -1,4 +1,4 @@
-//! Photometric files.
+//! Texts of photometric files.
 
 /// An IES file of type C with this opening (width, length, height in metres), whose intensities are `candela` at these vertical
 /// angles (degrees; `candela` takes radians), alike all around.

@@ -1,4 +1,4 @@
-//! What lies on a surface, and what it covers of it, exchange light with each other alone.
+//! A surface that lies on another, and the part that it covers, exchange light with each other alone.
 
 use proptest::prelude::*;
 use radiosity::scene::Scene;

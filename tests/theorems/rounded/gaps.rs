@@ -1,4 +1,5 @@
-//! One gap or offset from 1e-15 to 1e-1 of a metre, four a decade: rows add up at every step, and no factor jumps.
+//! Gaps and offsets from 1e-15 to 1e-1 of a metre, four a decade: rows add up at every step, and no factor
+//! jumps.
 
 use radiosity::solve::view_factors::ViewFactors;
 use radiosity_test_support::solved::usual_factors as factors;
@@ -9,7 +10,7 @@ use crate::rounded::sheet::{Sheet, scene};
 /// The default accuracy of view factors.
 const EPS: f64 = 1e-3;
 
-/// How much a factor of these rooms may truly change per metre of gap.
+/// Greatest true change of a factor of these rooms per metre of gap.
 const SLOPE: f64 = 3.0;
 
 /// Gap below which a corner out of its plane may count as in it (metres), and above which it is told.
@@ -19,7 +20,8 @@ fn gaps() -> impl Iterator<Item = f64> {
     (0..=56).map(|k| 10f64.powf(-15.0 + 0.25 * f64::from(k)))
 }
 
-/// What leaves each surface for each other, relative to its whole area: that does not depend on what is left out of it.
+/// View factors from each surface to each other, per whole area of the former: they do not depend on what is
+/// left out of it.
 fn shares(found: &ViewFactors, sheets: &[Sheet]) -> Vec<Vec<f64>> {
     let whole = |name: &str| {
         let sheet =

@@ -1,4 +1,5 @@
-//! What must not be welded, or seen as one: small gaps beside far skies, rooms side by side, whole metres on a map.
+//! Parts that must not be welded, or seen as one: small gaps beside far skies, rooms side by side, whole
+//! metres on a map.
 
 use radiosity::Work;
 use radiosity::scene::{Scene, SceneBuilder};

@@ -11,16 +11,16 @@ use crate::rounded::sheet::{Sheet, placed, scene};
 /// Three times the default accuracy of view factors.
 const ALLOWED: f64 = 3e-3;
 
-/// How coordinates are rounded.
+/// Roundings of coordinates.
 #[derive(Clone, Copy, Debug)]
 enum Rounding {
     Single,
-    /// By a thousandth of what half precision rounds them by.
+    /// A thousandth of the rounding to half precision.
     Half,
     Decimals(i32),
-    /// To double precision alone, after a move by so many metres.
+    /// Rounding to double precision alone, after a move by so many metres.
     Moved(f64),
-    /// To single precision after a move.
+    /// Rounding to single precision, after a move by so many metres.
     SingleMoved(f64),
 }
 
@@ -108,7 +108,7 @@ proptest! {
     }
 }
 
-/// The same factors to 1e-12, in whatever order the surfaces are listed.
+/// View factors stay within 1e-12 in whatever order the surfaces are listed.
 #[test]
 fn the_order_of_surfaces_does_not_matter() {
     let turn = Motion::new(DVec3::ZERO, DVec3::new(0.3, 0.5, -0.2), 1.1, 1.0).expect("a motion");

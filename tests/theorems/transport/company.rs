@@ -9,8 +9,8 @@ use radiosity_test_support::random::seeded;
 use crate::transport::flat::{Flat, Outline, block, blocks, elements, scene};
 use crate::transport::polyhedra::rooms;
 
-/// Each block of a scene against the one computed for its two elements alone, at the same accuracy. Returns how many blocks were
-/// shared.
+/// Compares each block of a scene with the one computed for its two elements alone, at the same accuracy.
+/// Returns how many blocks were shared.
 fn compare(surfaces: &[Flat], order: usize, eps: f64) -> Result<usize, String> {
     let together = scene(surfaces).map_err(|error| error.to_string())?;
     let Ok(all) = elements(&together, order) else { return Ok(0) };

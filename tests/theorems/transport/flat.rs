@@ -89,7 +89,7 @@ impl Flat {
         Self { front: outline.normal(), outline, cells: [1, 1] }
     }
 
-    /// The same with its front on the side of `front`.
+    /// The surface of an outline with its front on the side of `front`.
     pub(crate) fn facing(outline: Outline, front: DVec3) -> Self {
         Self { front, ..Self::new(outline) }
     }

@@ -58,7 +58,8 @@ fn by_one_rule(patch: &Patch, basis: &AreaBasis, columns: usize, seen: Seen) -> 
     moments
 }
 
-/// When quarters are halved no more: where they agree with the whole to within this, and after so many times at the latest.
+/// Limits of halving quarters: none follows where they agree with the whole to within this, or after so many
+/// times.
 #[derive(Clone, Copy)]
 struct Limit {
     difference: f64,
@@ -116,7 +117,7 @@ fn reference(receiver: &Element, emitter: &Element, seen: Seen, limit: Limit) ->
     (0..rows * columns).map(|index| entry(index / columns, index % columns)).collect()
 }
 
-/// What a point sees of a flat lamp of order 0: Lambert's form.
+/// Irradiance of a point from a flat lamp of order 0, into `out`: Lambert's form.
 fn seen_of_lamp(lamp: &Element, x: &Node, out: &mut [f64]) {
     let patch = &lamp.patches[0];
     let front = patch.node(0.5, 0.5);
@@ -126,7 +127,8 @@ fn seen_of_lamp(lamp: &Element, x: &Node, out: &mut [f64]) {
     }
 }
 
-/// What a point sees of an element along lines of its charts, cut where a height over either tangent plane changes its sign.
+/// Irradiance of a point from each raw function of an element, into `out`, along lines of its charts, cut
+/// where a height over either tangent plane changes its sign.
 fn seen_by_lines(element: &Element, x: &Node, out: &mut [f64]) {
     const LINES: usize = 10;
     let (over, along) = (UnitRule::of(4), UnitRule::of(8));

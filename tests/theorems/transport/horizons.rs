@@ -21,16 +21,17 @@ use crate::transport::turned::{
 
 type Shape = Arc<dyn Surface>;
 
-/// What is asked of each factor.
+/// Relative accuracies asked of each factor.
 const ACCURACIES: [f64; 3] = [1e-3, 1e-4, 1e-6];
 /// Largest difference of the factors of two listings, relative.
 const SAME: f64 = 1e-12;
 
-/// The same where shadows of curved things are found by rays: sums over their hits are kept in single precision.
+/// Largest relative difference where shadows of curved things are found by rays: sums over their hits are
+/// kept in single precision.
 const SAME_BY_RAYS: f64 = 1e-6;
 /// Factors below this are not looked at: of so small ones less is asked.
 const SMALLEST: f64 = 1e-6;
-/// What the reference of tubes may be off by.
+/// Error of the reference of tubes.
 const TUBE_ERROR: f64 = 1e-5;
 
 /// The factors of `shapes` listed in the given order, each named by its place among them.

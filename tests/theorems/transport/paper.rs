@@ -59,7 +59,8 @@ fn under_ceiling(d: f64) -> Vec<f64> {
     at_centres(|x, y| [x, 1.0 - x].iter().flat_map(|a| [y, 1.0 - y].map(|b| corner(*a, b))).sum())
 }
 
-/// The same from a perpendicular unit square over the edge y = 0: a rectangle with one corner beside the point, twice.
+/// Irradiance from a perpendicular unit square of exitance 1 over the edge y = 0: a rectangle with one corner
+/// beside the point, twice.
 fn beside_wall() -> Vec<f64> {
     let corner = |a: f64, y: f64| ((a / y).atan() - y / y.hypot(1.0) * (a / y.hypot(1.0)).atan()) / TAU;
     at_centres(|x, y| corner(x, y) + corner(1.0 - x, y))
@@ -103,7 +104,7 @@ fn by_paper(emitter: [[f64; 3]; 4], exact: &[f64], order: usize, points: usize, 
     metric(&polynomial(order, &received), exact)
 }
 
-/// That `value` rounds to the decimal `shown`.
+/// Asserts that `value` rounds to the decimal `shown`.
 #[track_caller]
 fn assert_shown(value: f64, shown: &str, what: &str) {
     let digits = shown.split_once('.').map_or(0, |(_, decimals)| decimals.len());
@@ -111,7 +112,7 @@ fn assert_shown(value: f64, shown: &str, what: &str) {
     assert!((value - number).abs() <= 1.001 * half, "{what}: {value}, not {shown}");
 }
 
-/// One row of the table: the metric for N = 0, 1, … with N + `extra` points.
+/// A row of the table: the metric for N = 0, 1, … with N + `extra` points.
 fn row(emitter: [[f64; 3]; 4], exact: &[f64], extra: usize, rules: Rules, shown: &str) {
     for (order, shown) in shown.split(' ').enumerate() {
         let value = by_paper(emitter, exact, order, order + extra, rules);
@@ -366,7 +367,8 @@ fn only_the_hybrid_is_not_reciprocal_on_squares() {
     assert!(transposed_error(H1) > 1e-3 && transposed_error(H2) > 1e-3);
 }
 
-/// What is emitted is absorbed or lost, however coarse the rules: an identity that needs Gᵀ where G is not symmetric.
+/// Power that is emitted is absorbed or lost, however coarse the rules: an identity that needs Gᵀ where G is
+/// not symmetric.
 #[test]
 fn power_balances_without_symmetry() {
     let scene = builtin("empty-box");

@@ -15,7 +15,7 @@ pub(crate) struct Pair {
     pub(crate) sides: [Flat; 2],
     pub(crate) order: usize,
     pub(crate) eps: f64,
-    /// How they stand to each other before they are turned and scaled; for messages.
+    /// Position of the second shape to the first before both are turned and scaled; for messages.
     #[expect(dead_code, reason = "shown by Debug")]
     pub(crate) pose: Pose,
 }
@@ -79,7 +79,7 @@ fn is_convex(corners: &[DVec3; 4]) -> bool {
     (0..4).all(|k| side(k).cross(side(k + 1)).z > 0.05)
 }
 
-/// How the second shape, given in z = 0, stands to the first.
+/// Position of the second shape, given in z = 0, to the first.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Pose {
     /// Turned about the first one's edge, slid along it, and drawn off by a gap in a direction across it.

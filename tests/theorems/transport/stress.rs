@@ -17,7 +17,7 @@ const BUDGET: u64 = 20_000_000;
 /// Rounding of one block.
 const ROUNDING: f64 = 1e-13;
 
-/// How many failing values are simplified, and for how many seconds each.
+/// Number of failing values that are simplified, and seconds spent on each.
 const SIMPLIFIED: usize = 3;
 const PATIENCE: f64 = 10.0;
 
@@ -73,7 +73,7 @@ fn require(holds: bool, what: impl FnOnce() -> String) -> Result<(), String> {
     if holds { Ok(()) } else { Err(what()) }
 }
 
-/// What is known of two surfaces: G between them, their areas, the samples it took.
+/// The transfer between two surfaces: G (row-major), both areas, the kernel samples it took.
 struct Transfer {
     values: Vec<f64>,
     areas: [f64; 2],

@@ -167,7 +167,7 @@ fn hinge_cost(name: &str, pair: [Flat; 2], angular: Points) -> Cost {
     Cost { name: name.into(), pair, samples, distinct: Some(distinct) }
 }
 
-/// n⁴ terms.
+/// Cost of two parallel unit squares: n⁴ terms.
 fn parallel_cost(distance: f64, points: Points) -> Cost {
     let square = |z: f64, front| unit_square(DVec3::Z * z, [DVec3::X, DVec3::Y], front);
     Cost {

@@ -1,4 +1,4 @@
-//! What the moments that were solved cost, and what they miss.
+//! Cost and error of the moments that were solved.
 
 use radiosity_kernel::Miss;
 use radiosity_scene::Scene;
@@ -6,7 +6,7 @@ use radiosity_transport::RayCounts;
 
 use crate::driver::Outcome;
 
-/// What the moments that were solved cost, and what they miss.
+/// Cost and error of the moments that were solved, all together.
 #[derive(Clone, Debug, Default)]
 pub struct Account {
     /// Moments that were solved.

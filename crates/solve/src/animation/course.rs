@@ -103,12 +103,12 @@ impl<'a> Course<'a> {
         }
     }
 
-    /// What the moments that were solved so far cost, and what they miss.
+    /// Cost and error of the moments that were solved so far.
     pub(super) fn account(&self) -> &Account {
         self.sequence.account()
     }
 
-    /// What was solved so far, in solutions of a frame alone ([`Sequence::spent`]).
+    /// Cost of all solutions so far, in solutions of a frame alone ([`Sequence::spent`]).
     pub(super) fn spent(&self) -> f64 {
         self.sequence.spent()
     }
@@ -259,7 +259,7 @@ impl Segment {
         self.nodes.iter().map(|node| node.noise).fold(0.0, f64::max)
     }
 
-    /// One whose frames are solved one by one.
+    /// A segment whose frames are solved one by one.
     fn by_frames(ends: [f64; 2]) -> Self {
         Self { ends, nodes: Vec::new(), error: None }
     }

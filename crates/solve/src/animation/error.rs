@@ -18,18 +18,18 @@ pub enum AnimationError {
         "light that goes through shadow masks cannot be interpolated along a path: follow it frame by frame"
     )]
     Masked,
-    /// Its light was not found.
+    /// The light of a moment was not found.
     #[error("frame {moment}: {failure}")]
     Unsolved {
         /// The moment, in frames.
         moment: f64,
-        /// Why.
+        /// Failure of the solution of that moment.
         failure: Box<Failure>,
     },
 }
 
 impl AnimationError {
-    /// For a moment, in frames.
+    /// The error of a moment (frames).
     pub(super) fn of(moment: f64, failure: Failure) -> Self {
         Self::Unsolved { moment, failure: Box::new(failure) }
     }

@@ -12,14 +12,14 @@ use super::frame::Frame;
 use super::ledger::Ledger;
 use super::sequence::Sequence;
 
-/// How the light of one frame follows from that of others.
+/// Ways in which the light of one frame follows from that of others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Way {
-    /// Not at all: each is solved by itself.
+    /// No frame follows from others: each is solved by itself.
     Fresh,
-    /// What has not changed since the frame before is kept ([`super::sequence`]).
+    /// Blocks and rays that have not changed since the frame before are kept ([`super::sequence`]).
     Selective,
-    /// It is interpolated along the path, by Chebyshev polynomials of time.
+    /// Light is interpolated along the path, by Chebyshev polynomials of time.
     Path {
         /// Relative error that interpolation may have.
         tolerance: f64,
@@ -43,13 +43,13 @@ pub struct Follower<'a> {
 
 #[derive(Debug)]
 enum Kind<'a> {
-    /// By a sequence that keeps what has not changed, or nothing.
+    /// Frames by a sequence that keeps what has not changed, or nothing.
     Frames(Sequence<'a>),
     Path(Course<'a>),
 }
 
 impl<'a> Follower<'a> {
-    /// For the frames `first` to `last` of `scene`, solved with `options`; nothing is solved yet.
+    /// The follower of the frames `first` to `last` of `scene`, solved with `options`; nothing is solved yet.
     pub fn new(scene: &'a Scene, options: &Options, way: Way, frames: [usize; 2]) -> Self {
         let kind = match way {
             Way::Fresh => Kind::Frames(Sequence::fresh(scene, options)),
@@ -79,7 +79,7 @@ impl<'a> Follower<'a> {
         Ok(now)
     }
 
-    /// What the moments that were solved so far cost, and what they miss.
+    /// Cost and error of the moments that were solved so far.
     pub fn account(&self) -> &Account {
         match &self.kind {
             Kind::Frames(sequence) => sequence.account(),

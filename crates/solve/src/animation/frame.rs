@@ -11,7 +11,7 @@ use crate::solution::Solution;
 pub struct Frame {
     /// The still scene.
     pub scene: Scene,
-    /// The same as obstacles, with the shadows it is solved with.
+    /// The surfaces of the scene as obstacles, with the shadows it is solved with.
     pub visibility: Visibility,
     /// The polynomials of its light.
     pub solution: Solution,
@@ -23,7 +23,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// That of a frame that was solved itself.
+    /// The frame of a scene that was solved itself.
     pub(super) fn of(scene: Scene, visibility: Visibility, outcome: Outcome) -> Self {
         let rays = outcome.noise();
         Self { scene, visibility, solution: outcome.solution, interpolated: None, rays }

@@ -1,6 +1,6 @@
 //! After how many frames the set-up of a way to follow things is repaid.
 
-/// What frames cost, in solutions of a single frame that is solved alone.
+/// Cost of frames, in solutions of a single frame that is solved alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Ledger {
     frames: usize,

@@ -28,15 +28,15 @@ pub struct Sequence<'a> {
     layout: Layout,
     kept: Kept,
     account: Account,
-    /// What they did for the last frame.
+    /// Numbers of series by what they did for the last frame.
     counts: SeriesCounts,
-    /// What was solved so far, in solutions of a frame alone.
+    /// Cost of all solutions so far, in solutions of a frame alone.
     spent: f64,
     /// Bound of the relative difference that series made in the last frame.
     error: Option<f64>,
 }
 
-/// What is kept of the frame before.
+/// The parts of the frame before that are kept.
 #[derive(Debug, Default)]
 struct Kept {
     /// None where nothing is.
@@ -51,13 +51,13 @@ impl Kept {
         Self { memory: Some(Memory::default()), expansions: None }
     }
 
-    /// The same with series.
+    /// Blocks, rays and series that are kept.
     fn with_series(expansions: Expansions) -> Self {
         let expansions = Arc::new(expansions);
         Self { memory: Some(Memory::beside(known(&expansions))), expansions: Some(expansions) }
     }
 
-    /// As it was before any frame.
+    /// Parts of the same kinds, as before any frame.
     fn anew(&self) -> Self {
         match (&self.memory, &self.expansions) {
             (None, _) => Self::default(),
@@ -73,7 +73,7 @@ impl<'a> Sequence<'a> {
         Self { kept: Kept::blocks_and_rays(), ..Self::fresh(scene, options) }
     }
 
-    /// The same to the bit, with nothing kept between frames.
+    /// The sequence of [`Sequence::new`], to the bit, with nothing kept between frames.
     pub fn fresh(scene: &'a Scene, options: &Options) -> Self {
         Self {
             stills: Stills::of(scene),
@@ -140,13 +140,13 @@ impl<'a> Sequence<'a> {
         Ok(Frame { interpolated: self.error, ..frame })
     }
 
-    /// What all moments so far cost, and what they miss.
+    /// Cost and error of all moments so far.
     pub fn account(&self) -> &Account {
         &self.account
     }
 
-    /// What was solved so far, in solutions of a frame alone: by the numbers of blocks that were integrated, of which an expansion
-    /// counts for one a term, or of rays that were traced.
+    /// Cost of all solutions so far, in solutions of a frame alone: by the numbers of blocks that were
+    /// integrated, of which an expansion counts for one a term, or of rays that were traced.
     pub(super) fn spent(&self) -> f64 {
         self.spent
     }

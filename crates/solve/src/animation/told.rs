@@ -1,4 +1,4 @@
-//! What errors of blocks make of the light.
+//! Errors of light that follow from errors of blocks.
 //!
 //! ```text
 //! h = G b + … ,  b = e + S h :     δh = (I − G S)⁻¹ δG b ,     ‖δh‖ ≤ ‖r‖/(1 − max (ρ + τ)) ,     r_i = Σ_j ε_ij ‖b_j‖

@@ -8,7 +8,7 @@ use radiosity_transport::Carrier;
 use crate::solution::powers::Powers;
 use crate::system::Coefficients;
 
-/// What blocks lose of the radiosity that they carry.
+/// Losses of the radiosity that blocks carry.
 #[derive(Debug)]
 pub(crate) struct Balance {
     starts: Vec<usize>,
@@ -25,12 +25,12 @@ pub(crate) struct Lit<'a> {
     pub coating: &'a Coating,
     /// Flux of the luminaires (W).
     pub flux: f64,
-    /// The solution.
+    /// Coefficients of the solution in one band.
     pub coefficients: &'a Coefficients,
 }
 
 impl Balance {
-    /// That of the `blocks` between `elements`.
+    /// The balance of the `blocks` between `elements`.
     pub(crate) fn of(elements: &Elements, blocks: &dyn Carrier) -> Self {
         let ones = elements.constant();
         let kept = blocks.apply_transposed(&ones);

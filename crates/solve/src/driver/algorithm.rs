@@ -1,8 +1,8 @@
-//! Which algorithm finds the light.
+//! The choice of the algorithm that finds the light.
 
 use serde::{Deserialize, Serialize};
 
-/// Which algorithm finds the light.
+/// Algorithms that find the light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]

@@ -22,12 +22,12 @@ pub(super) struct Need<'a> {
     pub rays: Option<u64>,
     /// Whether a memory of it is kept for the next scene.
     pub is_kept: bool,
-    /// Those that share it.
+    /// The ranks that share the run.
     pub ranks: &'a Ranks,
 }
 
 impl Need<'_> {
-    /// Bytes that it takes at the most.
+    /// Most bytes that the run takes.
     pub(super) fn peak(&self) -> u64 {
         let Self { scene, how, options, ranks, .. } = self;
         let footprint = match self.rays {
@@ -56,7 +56,7 @@ impl Need<'_> {
         Err(Failure::Memory { needed, allowed, fits })
     }
 
-    /// What would fit of exact blocks.
+    /// Changes that let exact blocks fit into `allowed` bytes.
     fn less(&self, allowed: u64) -> Vec<Fit> {
         let Self { how, options, .. } = *self;
         let fits =

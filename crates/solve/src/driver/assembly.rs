@@ -1,4 +1,4 @@
-//! How a scene is cut into elements, and the blocks between them.
+//! The elements of a scene, and the blocks between them.
 
 use radiosity_elements::{Discretization, Subdivide};
 use radiosity_kernel::Blocks;
@@ -13,7 +13,8 @@ use super::failure::Failure;
 use super::options::Options;
 use super::sampling::{Sampling, Subject};
 
-/// How the scene is cut, given the rays that carry its pairs, if any: into elements that hold the functions of the basis.
+/// The cuts of the scene, given the rays that carry its pairs, if any: into elements that hold the functions
+/// of the basis.
 pub(super) fn ground(scene: &Scene, visibility: &Visibility, options: &Options, rays: Option<u64>) -> Ground {
     let auto = || match rays {
         Some(rays) => Subdivide::Graded { rays },

@@ -17,22 +17,23 @@ use super::first_light::Reflected;
 use super::options::Options;
 use super::outcome::Functional;
 
-/// What the light of all bands follows from.
+/// The data from which the light of all bands follows.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bands<'a> {
     pub names: &'a [String],
     pub elements: &'a [Element],
     pub blocks: &'a Blocks,
-    /// What the functions of the basis span; None where they are those of the elements.
+    /// Span of the functions of the basis; None where they are those of the elements.
     pub subspace: Option<&'a Subspace>,
     pub options: &'a Options,
 }
 
 /// The light of all bands.
 pub(super) struct Light {
-    /// For each emission its coefficients, band by band.
+    /// Coefficients of the light of each emission, band by band.
     pub light: Vec<Vec<Coefficients>>,
-    /// The same with one reflection less, where the number of reflections is limited to more than none.
+    /// Coefficients of the light with one reflection less, where the number of reflections is limited to more
+    /// than none.
     pub before: Option<Vec<Vec<Coefficients>>>,
     pub efforts: Vec<Effort>,
     pub functionals: Vec<Functional>,

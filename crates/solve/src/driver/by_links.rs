@@ -81,7 +81,7 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
     })
 }
 
-/// How finely these options link.
+/// Options of hierarchical radiosity that follow from these.
 fn linking(options: &Options) -> HierarchyOptions {
     let usual = HierarchyOptions::default();
     let method = if options.method.access == Access::BySize { usual.method } else { options.method };

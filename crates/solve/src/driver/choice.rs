@@ -1,4 +1,4 @@
-//! How pairs of elements are carried: exactly, or by rays.
+//! The carriers of pairs of elements: exact blocks, or rays.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,10 +13,10 @@ pub const MOST_RAYS: u64 = 4_000_000_000;
 /// Accuracy of shadows for which these are the numbers of rays.
 pub(super) const USUAL_ACCURACY: f64 = 3e-3;
 
-/// Part of these rays that is sent even where any accuracy would do. Chosen.
+/// Part of the usual rays that is sent even where any accuracy would do. Chosen.
 const LEAST_PART: f64 = 0.125;
 
-/// How pairs of elements are carried.
+/// Carriers of pairs of elements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]

@@ -31,7 +31,7 @@ const SEEING: f64 = 0.25;
 const LOOKED_AT: usize = 2_000;
 
 impl Choice {
-    /// What carries the pairs of `scene` by these options.
+    /// The carrier of the pairs of `scene` by these options.
     pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
         let exact = |why: &str| Self { sampled: false, why: why.to_owned() };
         let sampled = |why: &str| Self { sampled: true, why: why.to_owned() };

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// Emitting part of the scene's area above which direct light counts as smooth. Chosen; not tuned.
 const LARGE: f64 = 0.25;
 
-/// How light that comes straight from emitters enters the solution.
+/// Ways in which light that comes straight from emitters enters the solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]

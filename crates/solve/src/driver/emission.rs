@@ -9,13 +9,13 @@ use radiosity_scene::Scene;
 /// The emission of one light group, not dimmed.
 #[derive(Debug)]
 pub(super) struct Emission {
-    /// Its name; None for what has no group.
+    /// Name of the group; None for surfaces and luminaires without a group.
     pub group: Option<String>,
     /// Reflectance of all elements and exitance of those of the group, per band.
     pub coatings: Vec<Coating>,
     /// The luminaires of the group.
     pub points: PointLights,
-    /// What openings see, of all groups.
+    /// Radiances that openings see, of all groups.
     pub radiances: Radiances,
 }
 
@@ -49,7 +49,7 @@ impl Emission {
         self.coatings.iter().collect()
     }
 
-    /// What emits, of which `elements` are.
+    /// The emitters, whose surfaces are cut into `elements`.
     pub(super) fn emitters<'a>(&'a self, elements: &'a [Element]) -> Emitters<'a> {
         Emitters { elements, coatings: self.list(), radiances: &self.radiances, points: &self.points }
     }
@@ -62,7 +62,7 @@ impl Emission {
         is_same && coatings.all(|(own, other)| own.emits_as(other))
     }
 
-    /// For each band the coatings of all `emissions`.
+    /// The coatings of all `emissions`, band by band.
     pub(super) fn by_band(emissions: &[Self]) -> Vec<Vec<&Coating>> {
         let bands = emissions.first().map_or(0, |emission| emission.coatings.len());
         (0..bands).map(|band| emissions.iter().map(|emission| &emission.coatings[band]).collect()).collect()

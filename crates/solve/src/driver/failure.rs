@@ -27,19 +27,19 @@ pub enum Failure {
     /// The light of a sky or a luminous area was to be carried as diffuse light is.
     #[error("{}", self.message())]
     NotDiffuse {
-        /// Name of the first of them.
+        /// Name of the first of these surfaces.
         surface: String,
-        /// What it is.
+        /// Kind of its light, for the message.
         light: &'static str,
-        /// What was asked for.
+        /// The choice that treats light as diffuse.
         what: Wording,
     },
     /// A basis was asked for whose functions reach over elements, where reflectance varies or light comes through.
     #[error("{}", self.message())]
     NotEven {
-        /// Name of the first of them.
+        /// Name of the first of these surfaces.
         surface: String,
-        /// The basis.
+        /// Name of the basis.
         basis: &'static str,
     },
     /// Shadow masks were asked for, but they know no light of luminaires.
@@ -53,7 +53,7 @@ pub enum Failure {
     Solver {
         /// Name of the band.
         band: String,
-        /// What the solver says.
+        /// Error of the solver.
         source: SolveError,
     },
     /// Hierarchical radiosity failed.
@@ -82,7 +82,7 @@ pub enum Failure {
     Memory {
         /// Bytes needed, estimated.
         needed: u64,
-        /// Bytes allowed.
+        /// Bytes that the run may take.
         allowed: u64,
         /// Changes that would fit, if any.
         fits: Vec<Fit>,
@@ -90,15 +90,15 @@ pub enum Failure {
     /// No threads could be started.
     #[error("{}", self.message())]
     Threads {
-        /// How many were asked for.
+        /// Number of threads asked for.
         threads: usize,
-        /// What the system says.
+        /// Error of the system.
         source: ThreadPoolBuildError,
     },
 }
 
 impl Failure {
-    /// What is wrong.
+    /// The fault, as a sentence.
     pub fn message(&self) -> Wording {
         match self {
             Self::Hierarchy(error) => error.message(),
@@ -137,7 +137,7 @@ impl Failure {
         }
     }
 
-    /// How to mend it, where that is known and the message does not say it.
+    /// A cure, where one is known and the message does not say it.
     pub fn cure(&self) -> Option<Wording> {
         let more = || words("allow more with ") + option("memory");
         Some(match self {

@@ -19,7 +19,7 @@ use super::options::Options;
 /// Tolerance of gathered light at a point over that of shadows in a block, a mean of many. Chosen; not tuned.
 const AT_A_POINT: f64 = 3.0;
 
-/// What direct light is computed from.
+/// The scene, as direct light is computed from it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stage<'a> {
     pub scene: &'a Scene,
@@ -45,11 +45,11 @@ struct Source {
     direct: Direct,
 }
 
-/// How its direct light enters the system, whatever reflects it.
+/// Ways in which the direct light of a source enters the system, whatever reflects it.
 #[derive(Debug)]
 enum Direct {
     Carried,
-    /// As in [`Entry::Lit`].
+    /// Direct irradiance that enters as in [`Entry::Lit`].
     Lit(Vec<Vec<f64>>),
     Split(CoatedBounce),
 }
@@ -62,7 +62,7 @@ pub(super) struct Reflected {
 }
 
 impl Reflected {
-    /// The same light by the functions of a subspace.
+    /// This light, projected on the functions of a subspace.
     pub(super) fn within(self, subspace: &Subspace) -> Self {
         let projected = |bands: Vec<Vec<f64>>| bands.iter().map(|own| subspace.projected(own)).collect();
         let entry = match self.entry {
@@ -77,12 +77,13 @@ impl Reflected {
 }
 
 impl FirstLight {
-    /// The emissions.
+    /// The emissions whose light this is.
     pub(super) fn emissions(&self) -> &[Emission] {
         &self.emissions
     }
 
-    /// That of `emissions`; `by_rules` says whether the transfers are those of the default kernel without changes.
+    /// The first light of `emissions`; `by_rules` says whether the transfers are those of the default kernel
+    /// without changes.
     pub(super) fn of(stage: &Stage<'_>, emissions: Vec<Emission>, by_rules: bool) -> Self {
         let Stage { elements, visibility, options, .. } = *stage;
         let all: Vec<Emitters<'_>> = emissions.iter().map(|own| own.emitters(elements.list())).collect();
@@ -90,14 +91,14 @@ impl FirstLight {
         Self::as_split(stage, emissions, is_split)
     }
 
-    /// The same where it is known whether direct light is masked or split off.
+    /// The first light of `emissions` where it is known whether direct light is masked or split off.
     pub(super) fn as_split(stage: &Stage<'_>, emissions: Vec<Emission>, is_split: bool) -> Self {
         let sources = emissions.iter().map(|emission| Source::of(stage, emission, is_split)).collect();
         Self { is_split, emissions, sources }
     }
 
-    /// The same light on surfaces of other reflectances, for each of `emissions`. None where it has to be computed
-    /// anew.
+    /// The first light of each of `emissions` on surfaces of other reflectances. None where it has to be
+    /// computed anew.
     pub(super) fn reflected(&self, emissions: &[Emission]) -> Option<Vec<Reflected>> {
         if self.emissions.len() != emissions.len() {
             return None;
@@ -108,7 +109,7 @@ impl FirstLight {
 }
 
 impl Source {
-    /// That of an emission; `is_split` says whether direct light is masked or split off.
+    /// The source of an emission; `is_split` says whether direct light is masked or split off.
     fn of(stage: &Stage<'_>, emission: &Emission, is_split: bool) -> Self {
         let Stage { scene, elements, visibility, options, ranks } = *stage;
         let sources = emission.emitters(elements.list());
@@ -125,7 +126,7 @@ impl Source {
         Self { masked: masked.map(Arc::new), direct }
     }
 
-    /// For the reflectances of the emission `new`, where it is that of `old` in all else.
+    /// The light for the reflectances of the emission `new`, where this is that of `old` in all else.
     fn reflected(&self, old: &Emission, new: &Emission) -> Option<Reflected> {
         if !old.emits_as(new) {
             return None;

@@ -5,7 +5,7 @@ use radiosity_work::wording::{Wording, set, words};
 /// A change that makes a run fit into the memory allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fit {
-    /// So many rays.
+    /// A lower number of rays.
     Rays(u64),
     /// A solver that keeps no factors.
     ConjugateGradients,
@@ -13,7 +13,7 @@ pub enum Fit {
     Order(usize),
     /// A lower order, for runs without a wanted accuracy only.
     OrderAlone(usize),
-    /// No cuts of surfaces.
+    /// Surfaces that are not cut.
     WholeSurfaces,
     /// Frames that keep nothing for the next ones.
     FreshFrames,

@@ -1,4 +1,4 @@
-//! What carries the pairs of a scene, and how its surfaces are cut.
+//! The layout of a scene: what carries its pairs, and the cuts of its surfaces.
 
 use radiosity_elements::mesh::Mesh;
 use radiosity_elements::{Discretization, usual_mesh};
@@ -10,8 +10,9 @@ use super::assembly::ground;
 use super::choice::Choice;
 use super::options::Options;
 
-/// What carries the pairs of a scene, and how its surfaces are cut. Of scenes that differ in the places of some things only it is
-/// the same: what carries the light of things that turn does not depend on how they stand to the axes.
+/// The carrier of the pairs of a scene, and the cuts of its surfaces. Scenes that differ only in the places
+/// of some things share a layout: what carries the light of things that turn does not depend on how they
+/// stand to the axes.
 #[derive(Clone, Debug)]
 pub(crate) struct Layout {
     pub(super) choice: Choice,
@@ -25,7 +26,7 @@ impl Layout {
         self.choice.sampled
     }
 
-    /// That of `scene` by these options.
+    /// The layout of `scene` by these options.
     pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
         let choice = Choice::of(scene, options);
         let rays = choice.sampled.then(|| options.ray_budget(scene));

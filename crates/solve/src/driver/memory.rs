@@ -67,7 +67,7 @@ pub struct Footprint {
     pub pairs: u64,
     /// The matrix of one band, with its factors if the method makes some, and the light of groups.
     pub system: u64,
-    /// What a memory of the scene keeps for the next one, if there is one.
+    /// Bytes that a memory of the scene keeps for the next one, if there is one.
     pub memory: u64,
 }
 
@@ -77,7 +77,7 @@ impl Footprint {
         Self::of_sizes(scene, &cut_sizes(scene, how), method, ranks)
     }
 
-    /// The same for surfaces that are cut into so many elements.
+    /// The footprint of `scene`, whose surfaces are cut into so many elements.
     pub(super) fn of_sizes(scene: &Scene, sizes: &[CutSize], method: &Method, ranks: &Ranks) -> Self {
         let own = Self::of_blocks(scene, sizes);
         let (unknowns, ranks) = (most_unknowns(scene, sizes), ranks.count() as u64);
@@ -86,7 +86,8 @@ impl Footprint {
         Self { blocks: held(own.blocks, ranks), system, ..own }
     }
 
-    /// The same by the rules of 1993, whose blocks are not symmetric: all of them are stored, and the matrix is dense.
+    /// The footprint by the rules of 1993, whose blocks are not symmetric: all of them are stored, and the
+    /// matrix is dense.
     pub(super) fn of_1993(scene: &Scene, how: &Discretization, method: &Method) -> Self {
         let sizes = cut_sizes(scene, how);
         let own = Self::of_blocks(scene, &sizes);
@@ -157,7 +158,7 @@ impl Footprint {
         PROGRAM + self.elements + self.blocks + self.system.max(self.blocks + self.pairs)
     }
 
-    /// The same with a memory.
+    /// Largest sum at any time (bytes), a memory of the scene included.
     pub(super) fn peak_with_memory(&self) -> u64 {
         self.peak() + self.memory
     }

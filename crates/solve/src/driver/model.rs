@@ -64,7 +64,7 @@ pub struct Model {
     elements: Arc<Elements>,
     visibility: Visibility,
     blocks: Blocks,
-    /// What the functions of the basis span; None where they are those of the elements.
+    /// Span of the functions of the basis; None where they are those of the elements.
     subspace: Option<Subspace>,
     choice: Choice,
     sampling: Option<Sampling>,
@@ -83,7 +83,8 @@ impl Model {
         options.in_threads(work.ranks, || Self::assembled(scene, options, Plan::of(choice), None, work))?
     }
 
-    /// One of this layout; what `memory` knows of earlier scenes, which differ in the places of some surfaces, is not found again.
+    /// A model of this layout; what `memory` knows of earlier scenes, which differ in the places of some
+    /// surfaces, is not found again.
     ///
     /// # Errors
     /// As [`Model::assemble`].
@@ -108,7 +109,7 @@ impl Model {
         }
     }
 
-    /// The same by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
+    /// A model by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
     pub(super) fn assemble_exactly(
         scene: &Scene,
         options: &Options,
@@ -199,27 +200,27 @@ impl Model {
         self.options.in_threads(work.ranks, || self.solved(scene, work))?
     }
 
-    /// The elements.
+    /// The elements of the model's surfaces.
     pub fn elements(&self) -> &Elements {
         &self.elements
     }
 
-    /// The blocks between them.
+    /// The blocks between the elements.
     pub fn blocks(&self) -> &Blocks {
         &self.blocks
     }
 
-    /// What stands between them.
+    /// The visibility between the surfaces.
     pub fn visibility(&self) -> &Visibility {
         &self.visibility
     }
 
-    /// The same, when nothing else of the model is needed any more.
+    /// The visibility between the surfaces, when nothing else of the model is needed any more.
     pub(crate) fn into_visibility(self) -> Visibility {
         self.visibility
     }
 
-    /// The same model with blocks that were corrected.
+    /// This model with blocks that were corrected.
     pub fn with_blocks(self, blocks: Blocks) -> Self {
         Self { blocks, ..self }
     }
@@ -350,17 +351,17 @@ impl Model {
     }
 }
 
-/// What is decided before a model is assembled.
+/// Decisions before a model is assembled.
 struct Plan<'a> {
     choice: Choice,
-    /// How surfaces are cut, if not as the scene needs.
+    /// Cuts of surfaces, if not those that the scene needs.
     how: Option<Discretization>,
-    /// Their cells, if not those that follow from it.
+    /// Cells of the surfaces, if not those that follow from `how`.
     mesh: Option<&'a Mesh>,
 }
 
 impl Plan<'_> {
-    /// That of a scene of which nothing else is decided.
+    /// The plan of a scene of which nothing else is decided.
     fn of(choice: Choice) -> Self {
         Self { choice, how: None, mesh: None }
     }
@@ -401,13 +402,13 @@ fn require_even(scene: &Scene, options: &Options) -> Result<(), Failure> {
     }
 }
 
-/// What the functions of the basis span on `elements`.
+/// Span of the functions of the basis on `elements`; None where they are those of the elements.
 fn subspace(scene: &Scene, options: &Options, elements: &Elements) -> Option<Subspace> {
     let degree = |surface: usize| scene.surfaces[surface].order.unwrap_or(options.order);
     Subspace::new(options.basis, elements, &degree, options.space)
 }
 
-/// Other light of the same groups.
+/// The groups with other `light`, by coefficients of each in each band.
 fn lit_before(groups: &[GroupLight], light: Vec<Vec<Coefficients>>) -> Vec<GroupLight> {
     let other = |(own, bands): (&GroupLight, Vec<Coefficients>)| GroupLight {
         group: own.group.clone(),

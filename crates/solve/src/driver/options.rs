@@ -1,4 +1,4 @@
-//! What to solve and how well.
+//! Options of a solution.
 
 use radiosity_elements::cells::Layers;
 use radiosity_elements::mesh::Mesh;
@@ -21,18 +21,19 @@ use super::failure::Failure;
 use super::pool::in_threads;
 use super::preconditioning::Preconditioning;
 
-/// What to solve and how well.
+/// Options of a solution: algorithm, elements, accuracies, solver and means.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Options {
-    /// Which algorithm finds the light. The hierarchical one takes of all others `eps`, the solver and the threads.
+    /// The algorithm that finds the light. The hierarchical one takes of all others `eps`, the solver and the
+    /// threads.
     #[serde(default)]
     pub algorithm: Algorithm,
-    /// Which functions are summed: polynomials, or one of the bases of the variational source.
+    /// The functions that are summed: polynomials, or one of the bases of the variational source.
     #[serde(default)]
     pub basis: Basis,
     /// Order of the basis where a surface does not state its own.
     pub order: usize,
-    /// Which polynomials of that order: of total degree, or of that degree in each coordinate.
+    /// The polynomials of that order: of total degree, or of that degree in each coordinate.
     pub space: Space,
     /// Cuts along u and v of surfaces that do not state their own; None chooses.
     pub subdivide: Option<usize>,
@@ -42,22 +43,22 @@ pub struct Options {
     pub eps: f64,
     /// The rules of 1993 instead of those that keep `eps`.
     pub kernel: Option<transfers::Rules>,
-    /// How pairs of elements are carried.
+    /// Carriers of pairs of elements.
     pub transport: Transport,
     /// Rays of the sampled transport; None: as many as the scene and the accuracy of shadows need.
     pub rays: Option<u64>,
     /// Accuracy of visibility within a block.
     pub shadow_eps: f64,
-    /// How surfaces hide each other.
+    /// Ways to find shadows between surfaces.
     pub shadows: Hiding,
-    /// How direct light is masked, as polynomials times shadow masks; None treats it as `direct` says.
+    /// Masking of direct light, as polynomials times shadow masks; None treats it as `direct` says.
     pub masks: Option<Masking>,
-    /// How direct light enters.
+    /// The way in which direct light enters the solution.
     pub direct: Direct,
-    /// The solver.
+    /// The solver of the system of a band.
     #[serde(with = "method_name")]
     pub method: &'static Method,
-    /// How cg and gmres precondition.
+    /// Preconditioner of cg and gmres.
     #[serde(default)]
     pub preconditioner: Preconditioning,
     /// Light that was reflected so many times at the most before it arrives, by the Galerkin algorithm to no wanted accuracy; None
@@ -135,12 +136,13 @@ impl Options {
 }
 
 impl Options {
-    /// The same for all that changes no bit of a result: threads, memory, and what counts as a solution.
+    /// These options with the usual ones for all that changes no bit of a result: threads, memory, and what
+    /// counts as a solution.
     pub fn neutral(&self) -> Self {
         Self { threads: 0, memory: None, keep_partial: false, ..*self }
     }
 
-    /// Does `work` with its threads on one of these ranks, as [`in_threads`].
+    /// Does `work` with the threads of these options on one of these ranks, as [`in_threads`].
     ///
     /// # Errors
     /// Threads that cannot be started.

@@ -48,11 +48,11 @@ pub struct Outcome {
     /// The variational functional at the solution, band by band and in each of all light groups; empty where nothing was solved
     /// for.
     pub functionals: Vec<Functional>,
-    /// What carried the pairs of elements, and why.
+    /// The carrier of the pairs of elements, and the reason for it.
     pub choice: Choice,
     /// Cost and error of the rays, where they carried the pairs.
     pub sampling: Option<Sampling>,
-    /// What was linked, where hierarchical radiosity found the light.
+    /// Numbers of links, where hierarchical radiosity found the light.
     pub links: Option<Counts>,
     /// Wall time of each stage.
     pub seconds: Stages,
@@ -64,8 +64,8 @@ impl Outcome {
         self.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0)
     }
 
-    /// The same light at the factors of the groups of `scene`, which is the scene of this solution; None if the light of
-    /// its groups is not kept apart.
+    /// The outcome for the same light at the factors of the groups of `scene`, which is the scene of this
+    /// solution; None if the light of its groups is not kept apart.
     pub fn relit(&self, scene: &Scene) -> Option<Self> {
         let solution = self.solution.relit(scene)?;
         let residuals = solution.bands().iter().map(|band| band.coefficients.residual);

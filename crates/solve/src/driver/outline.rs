@@ -15,7 +15,7 @@ pub(super) struct Outline {
 }
 
 impl Outline {
-    /// That of a surface.
+    /// The outline of a surface.
     pub(super) fn of(surface: &SceneSurface) -> Self {
         let shape = &surface.shape;
         let plane =

@@ -1,9 +1,9 @@
-//! What cg and gmres multiply residuals by.
+//! Preconditioners of cg and gmres.
 
 use radiosity_solvers::Preconditioner;
 use serde::{Deserialize, Serialize};
 
-/// What cg and gmres multiply residuals by.
+/// Matrices that cg and gmres multiply residuals by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]

@@ -53,10 +53,10 @@ const ROUND: u64 = 1 << 21;
 /// Relative residual of solutions that only tell brightness or error.
 const ROUGH: f64 = 1e-4;
 
-/// What the sampled transport of a solution cost, and how good it is.
+/// Cost and error of the sampled transport of a solution.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sampling {
-    /// Rays sent.
+    /// Number of rays sent.
     pub rays: u64,
     /// Rays that were to be sent; fewer are, where the work was stopped.
     pub planned: u64,
@@ -71,9 +71,10 @@ pub struct Sampling {
 #[derive(Debug)]
 pub(super) struct Subject<'a> {
     pub elements: &'a Elements,
-    /// For each band a coating of each light group: how rays are spread, and their error, do not depend on factors.
+    /// Coatings of each light group, band by band: how rays are spread, and their error, do not depend on
+    /// factors.
     pub bands: &'a [Vec<&'a Coating>],
-    /// How the direct light of each light group enters.
+    /// The way in which the direct light of each light group enters the system.
     pub entries: &'a [Entry],
     pub visibility: &'a Visibility,
     pub options: &'a Options,
@@ -167,7 +168,7 @@ impl Subject<'_> {
         self.planned(&|index| rays * self.elements.list()[index].area / area, FEWEST[0])
     }
 
-    /// So many rays of each element, `fewest` at least; none of those that others cover.
+    /// Number of rays of each element, `fewest` at least; none of those that others cover.
     fn planned(&self, share: &dyn Fn(usize) -> f64, fewest: u64) -> Vec<u64> {
         let list = self.elements.list().iter().enumerate();
         let own = |(index, element): (usize, &Element)| match element.contact {

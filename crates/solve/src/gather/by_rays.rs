@@ -68,15 +68,15 @@ const NEAR: f64 = 4.0;
 /// shop, a classroom and a temple: with 0.25 and 2 for 1 the error was the same, the time up to twice as long and the same.
 const SMALL: f64 = 1.0;
 
-/// The same where only reflected light is gathered, for pictures: there polynomials are left only where things nearly
-/// touch, and shadows matter most. Measured at the teapot: errors of 0.55, 0.50, 0.41 and 0.36 % in 14, 17, 23 and 28 s with
-/// polynomials everywhere, 10, 4 and 1.
+/// [`SMALL`] where only reflected light is gathered, for pictures: there polynomials are left only where
+/// things nearly touch, and shadows matter most. Measured at the teapot: errors of 0.55, 0.50, 0.41 and 0.36
+/// % in 14, 17, 23 and 28 s with polynomials everywhere, 10, 4 and 1.
 const SMALL_BEHIND_PIXELS: f64 = 10.0;
 
 /// Relative standard deviation times the number of rays to the power ¾: up to this in rooms. Measured in the Cornell box.
 const ROUGHNESS: f64 = 1.5;
 
-/// As many times the expected number of rays are sent at the most, and never more than [`MOST`]: some ten seconds. Both are
+/// Most rays over their expected number; never more than [`MOST`] are sent: some ten seconds. Both are
 /// chosen.
 const PATIENCE: f64 = 16.0;
 const MOST: f64 = 1.6e7;
@@ -90,13 +90,13 @@ const DARK: f64 = 0.02;
 /// Where light is read.
 #[derive(Debug)]
 pub enum Receiver<'a> {
-    /// At a point.
+    /// Irradiance at a point.
     Point(ReceiverPoint),
     /// The mean over a patch of a surface.
     Patch {
         /// Index of the surface.
         surface: usize,
-        /// The patch.
+        /// The patch that the mean is over.
         patch: &'a Patch,
     },
 }
@@ -106,7 +106,7 @@ pub enum Receiver<'a> {
 pub struct Estimate {
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
-    /// Its standard deviation.
+    /// Standard deviation of the irradiance.
     pub deviation: Deviation,
 }
 
@@ -136,10 +136,10 @@ pub struct RayGather<'a> {
     twice: bool,
 }
 
-/// What is known of the irradiance where a ray ends.
+/// Sources of the irradiance where a ray ends.
 #[derive(Clone, Copy)]
 enum Far {
-    /// The polynomials.
+    /// The polynomials of the element.
     Polynomials,
     /// Direct light by a ray that `chance` chooses, the rest by the polynomials; all by the polynomials on elements whose
     /// area is below the square of `small` times the distance.
@@ -195,9 +195,9 @@ impl<'a> RayGather<'a> {
         self.gathered(&Start::Point(*vantage), None, FIRST_OF_MANY, other)
     }
 
-    /// What readings from `distance` away lack, per band (W m⁻²), at a place of an element, because they take its polynomials:
-    /// S_g − S_h, S_g gathered by one ray; where they take all light from polynomials, all that these miss. `chance` chooses
-    /// the rays.
+    /// Error of readings from `distance` away, per band (W m⁻²), at a place of an element, because they take
+    /// its polynomials: S_g − S_h, S_g gathered by one ray; where they take all light from polynomials, all
+    /// that these miss. `chance` chooses the rays.
     pub(crate) fn missed(
         &self,
         (element, place): (usize, &Place),
@@ -486,7 +486,7 @@ impl<'a> RayGather<'a> {
         }
     }
 
-    /// What the sums of the batches say.
+    /// Irradiance and deviation by the sums of the batches.
     fn estimate(&self, sums: &[f64], sent: u64, other: &[f64]) -> Estimate {
         let bands = self.scale.len();
         let (n, rays) = (BATCHES as f64, sent as f64);

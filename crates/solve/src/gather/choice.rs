@@ -1,4 +1,4 @@
-//! By what light is gathered at points: cells, or rays.
+//! The choice of how light is gathered at points: by cells, or by rays.
 //!
 //! Cells ([`crate::gather::Gather`]) cost time in proportion to the elements and to what stands before them, little more where
 //! more digits are asked for; least in small rooms of flat things. Rays ([`crate::gather::by_rays`]) cost about the same
@@ -25,7 +25,7 @@ const PEAKS: f64 = 30.0;
 /// from in rooms, about.
 pub const USUAL_EPS: f64 = 1.25e-3;
 
-/// By what light is gathered.
+/// Ways to gather light at points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]

@@ -18,8 +18,8 @@ use crate::solution::Place;
 const ON_SURFACE: f64 = 1e-6;
 const OF_ITS_OWN: f64 = 1e-4;
 
-/// How far points are moved: this part of the scene's diagonal, at most the part [`AT_MOST`] of the way to the middle
-/// of the piece. A tenth of [`ON_SURFACE`]; chosen, not tuned.
+/// Distance by which points are moved: this part of the scene's diagonal, at most the part [`AT_MOST`] of the
+/// way to the middle of the piece. A tenth of [`ON_SURFACE`]; chosen, not tuned.
 const INWARDS: f64 = 1e-7;
 const AT_MOST: f64 = 1e-3;
 

@@ -30,11 +30,11 @@ pub(crate) struct Walks<'a> {
 /// Where a ray of a walk ends.
 pub(crate) struct End {
     pub(crate) element: usize,
-    /// Where the light came from that it sends on.
+    /// The side whose light is sent on towards the start of the ray.
     pub(crate) lit: Lit,
-    /// How far the ray came.
+    /// Length of the ray (scene length).
     pub(crate) distance: f64,
-    /// A number of its own for whatever is chosen there.
+    /// Number from which whatever is chosen at this end follows.
     pub(crate) chance: u64,
 }
 

@@ -14,13 +14,13 @@ use super::powers::Powers;
 /// The light of one group, not dimmed.
 #[derive(Clone, Debug)]
 pub struct GroupLight {
-    /// Its name; None for the light of surfaces without a group, which cannot be dimmed.
+    /// Name of the group; None for the light of surfaces without a group, which cannot be dimmed.
     pub group: Option<String>,
-    /// Its light in each band.
+    /// Irradiance from the group, in each band.
     pub bands: Vec<Incident>,
-    /// Its balance of power.
+    /// Balance of the group's power.
     pub powers: Powers,
-    /// Its direct light with shadow masks, where there are any.
+    /// Direct light of the group with shadow masks, where there are any.
     pub masked: Option<Arc<MaskedLight>>,
 }
 

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 /// Powers, summed over bands, in the unit of exitance times scene length².
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Powers {
-    /// Emitted power.
+    /// Power that surfaces and luminaires emit.
     pub emitted: f64,
-    /// Absorbed power.
+    /// Power that surfaces absorb.
     pub absorbed: f64,
     /// Power that leaves the scene.
     pub lost: f64,

@@ -67,7 +67,7 @@ impl Way {
     /// The ways in the bases of the variational source other than polynomials.
     pub const BASES: [Self; 3] = [Self::Constant, Self::Linear, Self::Harmonic];
 
-    /// Its name in tables.
+    /// Name of the way in tables.
     pub fn name(self) -> &'static str {
         match self {
             Way::Uniform => "uniform",
@@ -81,7 +81,7 @@ impl Way {
     }
 }
 
-/// One solved discretisation.
+/// A solved discretisation with its errors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     /// The way that it is a step of.

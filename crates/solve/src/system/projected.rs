@@ -27,7 +27,7 @@ impl<'a> Projected<'a> {
         self.reduction.restricted(&image)
     }
 
-    /// The same matrix entry by entry, where these ranks hold the blocks of the elements.
+    /// The matrix entry by entry, where these ranks hold the blocks of the elements.
     ///
     /// # Errors
     /// Values that are not finite.

@@ -1,4 +1,4 @@
-//! From the coefficients of reflecting elements to those of a subspace and back.
+//! The map from the coefficients of reflecting elements to those of a subspace, and back.
 //!
 //! Unknowns stand in the groups of elements some of which reflect, in their order; coefficients of elements that reflect nothing
 //! are zero.

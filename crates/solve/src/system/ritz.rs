@@ -60,7 +60,7 @@ pub struct Found {
 pub(crate) struct Bounced {
     /// Irradiance and radiosity.
     pub coefficients: Coefficients,
-    /// The same without the last reflection; None of direct light alone.
+    /// Irradiance and radiosity without the last reflection; None of direct light alone.
     pub before: Option<Coefficients>,
 }
 
@@ -103,7 +103,7 @@ impl<'a> Ritz<'a> {
         Ok((Box::new(product.entries(self.system.ranks())?), asked))
     }
 
-    /// Qᵀ f.
+    /// Qᵀ f, the right-hand side in the functions of the subspace.
     pub fn right_hand_side(&self) -> Vec<f64> {
         let own = self.system.right_hand_side();
         self.reduction.as_ref().map_or_else(|| own.clone(), |reduction| reduction.restricted(&own))
@@ -145,7 +145,7 @@ impl<'a> Ritz<'a> {
         Bounced { coefficients: self.system.truncated(irradiance, direct, &term), before }
     }
 
-    /// P x.
+    /// P x, the projection on the subspace.
     fn projected(&self, x: Vec<f64>) -> Vec<f64> {
         match &self.reduction {
             None => x,

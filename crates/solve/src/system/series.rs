@@ -25,7 +25,7 @@ impl System<'_> {
         self.blocks.apply(&self.reflected(irradiance))
     }
 
-    /// ρ h.
+    /// ρ h: radiosity that reflects the irradiance h.
     fn reflected(&self, irradiance: &[f64]) -> Vec<f64> {
         self.coating.reflected(self.blocks.starts(), irradiance)
     }

@@ -12,7 +12,7 @@ pub(super) fn distance(x: &[f64], y: &[f64]) -> f64 {
     x.iter().zip(y).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
 }
 
-/// What `write` appends for each element, one after the other.
+/// The numbers that `write` appends for each element, one element after the other.
 pub(super) fn per_element(elements: &[Element], write: impl Fn(usize, &mut Vec<f64>)) -> Vec<f64> {
     let mut all = Vec::new();
     (0..elements.len()).for_each(|i| write(i, &mut all));

@@ -1,4 +1,4 @@
-//! What differs in a scene from the one before.
+//! Differences between a scene and the one before: elements, surfaces and the starts of rays.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use radiosity_visibility::Visibility;
 pub(super) struct Seen {
     pub elements: Arc<Elements>,
     surfaces: Vec<Arc<dyn Surface>>,
-    /// How rays start on each surface.
+    /// Fingerprint of the starts of rays on each surface.
     starts: Vec<[u64; 2]>,
 }
 
@@ -33,7 +33,7 @@ impl Seen {
         }
     }
 
-    /// What differs from the scene before; None where that has other numbers of surfaces or elements.
+    /// The difference from the scene before; None where that has other numbers of surfaces or elements.
     pub(super) fn change(&self, before: &Self) -> Option<Change> {
         let is_alike = self.counts() == before.counts();
         is_alike.then(|| Change {

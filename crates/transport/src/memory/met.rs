@@ -1,4 +1,4 @@
-//! What rays met in the scene before, taken again where nothing has come into their way.
+//! Hits of rays in the scene before, taken again where nothing has come into their way.
 //!
 //! A ray meets the nearest of all surfaces. Where neither its element nor what it met has changed, it meets that again, to the bit,
 //! unless a surface that has changed comes before it: only those are asked (`Obstacles`).
@@ -18,49 +18,50 @@ pub const BYTES: u64 = size_of::<Met>() as u64;
 /// The surface of a ray that met nothing.
 const NOTHING: u32 = u32::MAX;
 
-/// What a ray met: twice the number of the surface, one more at its back, and where.
+/// The hit of a ray: twice the number of the surface, plus 1 at its back, then distance and parameters (t, u,
+/// v).
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(crate) struct Met {
     surface: u32,
     hit: [f64; 3],
 }
 
-/// Rays of one element: what those of the first indices met.
+/// Rays of one element, by their index, with their hits.
 #[derive(Debug, Default)]
 pub(super) struct Sent {
-    /// What the rays follow from beside their element.
+    /// Number that the rays follow from beside their element.
     number: u64,
     met: Vec<Met>,
 }
 
-/// What has changed and may come into the way of rays.
+/// Surfaces that have changed and may come into the way of rays.
 #[derive(Debug)]
 pub(super) struct Obstacles {
     /// Whether each surface has changed.
     pub changed: Vec<bool>,
-    /// Those that have, where they are now.
+    /// Tree of the surfaces that have changed, where they are now.
     pub tree: RayTree,
     /// [`RayTree::reach`] of all surfaces.
     pub reach: f64,
 }
 
-/// What the rays of one sequence met in the scene before, and what they meet in this one.
+/// Hits of the rays of one sequence, in the scene before and in this one.
 #[derive(Debug)]
 pub(crate) struct KnownRays {
     before: Vec<Sent>,
     now: Vec<Sent>,
     obstacles: Arc<Obstacles>,
-    /// Rays that still may be kept.
+    /// Number of rays that still may be kept.
     room: u64,
     counts: RayCounts,
 }
 
-/// How many rays were sent for a scene.
+/// Numbers of rays for a scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RayCounts {
     /// Rays that were traced.
     pub traced: u64,
-    /// Rays that met what they had met in the scene before, and were not.
+    /// Rays that met what they had met in the scene before, and were not traced.
     pub recalled: u64,
 }
 
@@ -83,7 +84,7 @@ impl Met {
 }
 
 impl Sent {
-    /// What is known of rays of this number.
+    /// The hits of these rays if they have this number, else none.
     fn of_number(self, number: u64) -> Self {
         let met = if self.number == number { self.met } else { Vec::new() };
         Self { number, met }
@@ -91,14 +92,16 @@ impl Sent {
 }
 
 impl KnownRays {
-    /// Those `before` of elements that are as they were, with these numbers, and room for so many of this scene.
+    /// Rays `before` of elements that are as they were and whose rays have these `numbers`, with room for so
+    /// many rays of this scene.
     pub(super) fn new(before: Vec<Sent>, numbers: &[u64], obstacles: Arc<Obstacles>, room: u64) -> Self {
         let before = before.into_iter().zip(numbers).map(|(sent, number)| sent.of_number(*number)).collect();
         let now = numbers.iter().map(|number| Sent { number: *number, met: Vec::new() }).collect();
         Self { before, now, obstacles, room, counts: RayCounts::default() }
     }
 
-    /// What ray number `index` of an element meets, from a point of it in a direction; None where it has to be traced.
+    /// Hit of ray number `index` of an element, from its origin in its direction, as in the scene before
+    /// (None inside: it meets nothing); None where it has to be traced.
     pub(crate) fn recall(
         &self,
         element: usize,
@@ -126,7 +129,7 @@ impl KnownRays {
         }
     }
 
-    /// What this scene leaves to the next one, and how many rays were traced.
+    /// The rays of this scene, kept for the next one, and how many were traced.
     pub(super) fn into_sent(self) -> (Vec<Sent>, RayCounts) {
         (self.now, self.counts)
     }

@@ -159,11 +159,11 @@ struct Sum {
     values: Vec<f64>,
     /// Points of the rule along and across the cell.
     points: [usize; 2],
-    /// What all points of the rule see.
+    /// Part of the inner element that is hidden from all points of the rule together.
     shadow: Shadow,
 }
 
-/// How much of the inner element is hidden.
+/// Part of the inner element that is hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Shadow {
     Nothing,
@@ -240,7 +240,7 @@ impl<'a> Task<'a> {
     }
 }
 
-/// One correction, while it is summed.
+/// The running sums of one correction.
 struct Work<'a> {
     task: &'a Task<'a>,
     moments: Moments<'a>,
@@ -468,7 +468,7 @@ fn points(degree: usize, accuracy: f64) -> usize {
     (0.5 * degree as f64 + 1.5 - accuracy.log10() / 3.0) as usize
 }
 
-/// How a cell is cut: into quarters, or across the longer side of a slender one.
+/// Ways to cut a cell: into quarters, or across the longer side of a slender one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Cut {
     Halves(Direction),

@@ -37,12 +37,12 @@ const UNMET: f64 = 3.0;
 /// found on the average; a disk that hid part of another was off by three.
 const SURE: f64 = 2.0;
 
-/// Which kind of points is summed.
+/// The points that are summed: those that see each other, or those hidden from each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Choice {
-    /// What is seen or what is hidden, whichever is rarer: if a rule over all is cheap.
+    /// The seen or the hidden points, whichever are rarer: if a rule over all is cheap.
     Rarer,
-    /// What is seen, unless that needs many points, else whichever is rarer: if a rule over all is expensive.
+    /// The seen points, unless that needs many, else whichever are rarer: if a rule over all is expensive.
     Seen,
 }
 
@@ -61,8 +61,8 @@ pub(crate) struct SampledVisibility {
 }
 
 impl SampledVisibility {
-    /// For `patches`, each with the basis of its element, with an estimated error up to `limit` if [`MOST`] points
-    /// reach that.
+    /// The sampled integral between `patches`, each with the basis of its element, with an estimated error up
+    /// to `limit` if [`MOST`] points reach that.
     pub(crate) fn new(
         patches: [&Patch; 2],
         bases: [&AreaBasis; 2],
@@ -108,7 +108,7 @@ struct Work<'a> {
 #[derive(Clone, Copy, Debug, Default)]
 struct Count {
     samples: u64,
-    /// Of these: points that face each other, and that see each other.
+    /// Samples whose two points face each other, and those that see each other.
     facing: u64,
     seen: u64,
     /// Sum of the kernel times both areas.

@@ -100,7 +100,7 @@ struct Job<'a> {
     size: f64,
     /// Points nearer than this coincide (scene length).
     tolerance: f64,
-    /// √(A_i A_j).
+    /// √(A_i A_j), the exchange over the entry of two constants (length²).
     unit: f64,
     /// Factor from raw moments to entries: about the largest φ_k φ_l over raw functions.
     scale: f64,

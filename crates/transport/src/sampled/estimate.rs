@@ -31,19 +31,20 @@ use crate::sampled::closure::Exchange;
 use crate::sampled::rays::Rays;
 use crate::sampled::tally::{Sums, Tally};
 
-/// What became of the rays of each element.
+/// Sums over the rays of each element: those sent, those that met no front, those on exact pairs.
 #[derive(Debug)]
 pub(super) struct Counts {
     /// Sum of the weights of the rays of each element, in either half.
     pub weights: Vec<[f64; 2]>,
     /// Σ w φ_k(x) over the rays that met no front, of all coefficients, in either half.
     pub missed: [Vec<f64>; 2],
-    /// The same over those that landed on pairs that are carried exactly.
+    /// Σ w φ_k(x) over the rays that landed on pairs that are carried exactly, of all coefficients, in either
+    /// half.
     pub exact: [Vec<f64>; 2],
 }
 
 impl Counts {
-    /// Nothing yet, of so many elements and coefficients.
+    /// Sums of no rays yet, of so many elements and coefficients.
     pub(super) fn new(elements: usize, coefficients: usize) -> Self {
         let nothing = || [vec![0.0; coefficients], vec![0.0; coefficients]];
         Self { weights: vec![[0.0; 2]; elements], missed: nothing(), exact: nothing() }
@@ -53,13 +54,13 @@ impl Counts {
 /// The sums over hits, and which of them count.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Counted<'a> {
-    /// Those over the pairs of which this rank holds one of the elements.
+    /// The sums over the pairs of which this rank holds one of the elements.
     pub tally: &'a Tally,
     pub held: &'a Held,
     pub rays: Rays,
 }
 
-/// What all ranks know of a pair on which rays count.
+/// A pair on which rays count, as all ranks know it.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Told {
     exchange: Exchange,
@@ -76,37 +77,37 @@ pub(super) struct Estimate<'a> {
     list: &'a [Element],
     starts: &'a [usize],
     counted: Counted<'a>,
-    /// W_i.
+    /// W_i, the sum of the weights of the rays of each element.
     weights: Vec<f64>,
-    /// V_own,i.
+    /// V_own,i, the variance of an element's total exchange by its own rays (length⁴).
     variances: Vec<f64>,
-    /// t_i^k by own rays, of all coefficients.
+    /// t_i^k, the projections of s by the element's own rays, of all coefficients (length).
     known: Vec<f64>,
 }
 
-/// What is known beside the sums over hits, as it changes blocks.
+/// Corrections of blocks by what is known beside the sums over hits.
 struct Corrections {
-    /// d_i.
+    /// d_i, the closure factor of each element.
     factors: Vec<f64>,
-    /// What the coefficients k > 0 miss.
+    /// α (t_i^k − Σ_j d_i G_ij d_j c_j), the defect of each row sum of a coefficient k > 0.
     tilts: Vec<f64>,
     /// Row sums after the factors.
     totals: Vec<f64>,
 }
 
-/// What is known of the pairs on which no ray counts.
+/// The pairs on which no ray counts: their blocks are known.
 #[derive(Debug)]
 pub(crate) struct Fixed<'a> {
-    /// Σ_j G_ij c_j over them, of all coefficients.
+    /// Σ_j G_ij c_j over these pairs, of all coefficients.
     pub sums: &'a [f64],
-    /// Their error, relative to row sums.
+    /// Error of these sums, relative to row sums.
     pub error: f64,
-    /// Their blocks.
+    /// The blocks of these pairs.
     pub blocks: &'a Blocks,
 }
 
 impl<'a> Estimate<'a> {
-    /// By the rays that count.
+    /// The estimate by the rays that count.
     pub(super) fn new(
         list: &'a [Element],
         starts: &'a [usize],
@@ -230,7 +231,7 @@ impl<'a> Estimate<'a> {
         projected
     }
 
-    /// What ranks tell of the pairs in their rows, all of them together.
+    /// The pairs in the rows of all ranks, rank by rank.
     fn told(&self) -> Vec<Told> {
         let Counted { held, rays, .. } = self.counted;
         let told = |(sums, density): (Sums<'_>, f64)| Told {
@@ -259,7 +260,7 @@ impl<'a> Estimate<'a> {
         Exchange { row: sums.row as u32, column: sums.column as u32, amount }
     }
 
-    /// α_i.
+    /// α_i, the weight of an element's own rays in its row sum, in [0, 1].
     fn trust(&self, told: &[Told]) -> Vec<f64> {
         let mut variances = vec![0.0; self.list.len()];
         for Told { exchange, variance, .. } in told {

@@ -13,7 +13,7 @@ pub(super) struct Hit {
     pub source: u32,
     /// Element that it meets.
     pub target: u32,
-    /// Which half of the rays it belongs to: 0 or 1.
+    /// Half of the rays to which the ray belongs: 0 or 1.
     pub half: u32,
     /// Weight of the ray ([`Departure::weight`]).
     pub weight: f64,

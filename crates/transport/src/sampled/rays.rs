@@ -1,20 +1,20 @@
-//! Which rays an estimate takes.
+//! The rays that an estimate takes.
 
 use crate::sampled::tally::Sums;
 
-/// Which rays an estimate of G takes.
+/// The rays that an estimate of G takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rays {
-    /// All.
+    /// All rays.
     All,
-    /// Those of even number.
+    /// Rays of even number.
     Even,
-    /// Those of odd number.
+    /// Rays of odd number.
     Odd,
 }
 
 impl Rays {
-    /// Of figures of either half, those of the rays that count.
+    /// Sum of the figures of the halves that count.
     pub(super) fn of(self, [even, odd]: [f64; 2]) -> f64 {
         match self {
             Self::All => even + odd,

@@ -12,7 +12,7 @@ use radiosity_elements::sampling::shift::{shift, shifted};
 use radiosity_elements::sampling::spread::{Place, Spread};
 use radiosity_geom::DVec3;
 
-/// What sends the rays of one element.
+/// The source of the rays of one element: points and directions from a shifted sequence.
 #[derive(Debug)]
 pub(super) struct Sender {
     spread: Spread,
@@ -22,9 +22,9 @@ pub(super) struct Sender {
 /// A ray as it leaves.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Departure {
-    /// Where it starts.
+    /// The point where the ray starts.
     pub node: Node,
-    /// Its unit direction.
+    /// The ray's unit direction.
     pub direction: DVec3,
     /// Weight of the point where it starts ([`Place::weight`]).
     pub weight: f64,

@@ -52,7 +52,8 @@ impl Strong {
         held.ranks().all(own).into_iter().flatten().collect()
     }
 
-    /// These pairs with their exact blocks, from memory as far as it holds them, without those whose accuracy rules do not reach.
+    /// The strong pairs with their exact blocks, from memory as far as it holds them, without those whose
+    /// accuracy rules do not reach.
     pub(super) fn new(
         mut pairs: HashSet<(u32, u32)>,
         elements: &Elements,
@@ -78,7 +79,7 @@ impl Strong {
         self.pairs.contains(&pair)
     }
 
-    /// What the exact blocks miss, as [`Blocks::accuracy_reached`].
+    /// Largest error of the exact blocks, as [`Blocks::accuracy_reached`].
     pub(super) fn accuracy_reached(&self) -> f64 {
         self.blocks.as_ref().map_or(0.0, |blocks| blocks.accuracy_reached)
     }

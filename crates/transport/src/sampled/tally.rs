@@ -40,12 +40,12 @@ pub(super) struct Tally {
 #[derive(Clone, Debug, Default)]
 struct Row {
     pairs: Vec<Pair>,
-    /// For each pair the sums of one half, then of the other: row-major, or the first line and the rest of the first
-    /// column. Single precision is far below the noise.
+    /// The sums of each pair, of one half of the rays, then of the other: row-major, or the first line and
+    /// the rest of the first column. Single precision is far below the noise.
     sums: Vec<f32>,
 }
 
-/// One pair of a row.
+/// A pair of a row, and where its sums stand.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     column: u32,
@@ -56,7 +56,7 @@ struct Pair {
     start: usize,
 }
 
-/// What is known of one pair.
+/// Sums over the rays of one pair.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sums<'a> {
     /// The element that comes first.
@@ -79,7 +79,7 @@ impl Sums<'_> {
 }
 
 impl Tally {
-    /// No hits yet, between so many elements.
+    /// A tally without hits, between so many elements.
     pub(super) fn new(elements: usize) -> Self {
         Self { rows: vec![Row::default(); elements], full: None }
     }
@@ -125,7 +125,7 @@ impl Tally {
         row != column && !is_small && self.full.as_ref().is_some_and(|set| !full(set))
     }
 
-    /// What is known of all pairs between which a ray went, by rows and columns ascending.
+    /// The sums of all pairs between which a ray went, by rows and columns ascending.
     pub(super) fn iter(&self) -> impl Iterator<Item = Sums<'_>> {
         self.rows.iter().enumerate().flat_map(|(index, row)| {
             row.pairs.iter().enumerate().map(move |(place, pair)| {

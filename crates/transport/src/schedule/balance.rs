@@ -1,4 +1,4 @@
-//! Which rank integrates which block, so that all have about as much to do.
+//! The distribution of blocks over ranks, so that all have about as much to do.
 //!
 //! What a block costs is known only afterwards: near and partly hidden pairs cost a hundred times as much as others. The blocks are
 //! therefore made in three rounds. A pilot tells what the blocks of each class cost; by that most are shared; the rest go to the
@@ -10,19 +10,19 @@ use std::collections::HashMap;
 use radiosity_kernel::blocks::block::Account;
 use radiosity_work::ranks::shares;
 
-/// One block in so many is made by the pilot. Chosen.
+/// Blocks for each one that the pilot makes. Chosen.
 const PILOT: usize = 16;
 
-/// One block in so many evens out what ranks have done. Chosen.
+/// Blocks for each one that evens out what ranks have done. Chosen.
 const REST: usize = 5;
 
 /// Kernel samples that take as long as a segment tested for visibility: some 20 ns and .4 µs.
 const SAMPLES_A_RAY: f64 = 20.0;
 
-/// What an integral costs beside its samples, in samples.
+/// Cost of an integral beside its samples, in samples.
 const START: f64 = 50.0;
 
-/// What so many kernel samples and segments cost, in samples.
+/// Cost of so many kernel samples and segments, in samples.
 pub fn cost([samples, rays]: [u64; 2]) -> f64 {
     samples as f64 + SAMPLES_A_RAY * rays as f64
 }
@@ -32,11 +32,11 @@ pub fn cost([samples, rays]: [u64; 2]) -> f64 {
 pub(super) struct Piece {
     /// Blocks of one class cost about the same.
     pub(super) class: u64,
-    /// About what it costs, where nothing is known of its class.
+    /// The price of a couple with its blockers (rays), of use where nothing is known of its class.
     pub(super) price: f64,
 }
 
-/// What the ranks have done, and what blocks cost.
+/// Work of the ranks so far, and costs of blocks by class.
 #[derive(Debug)]
 pub(super) struct Balance {
     /// Cost of what each rank has made.
@@ -58,7 +58,7 @@ pub(super) fn rounds(pieces: usize, ranks: usize) -> Vec<Vec<usize>> {
 }
 
 impl Balance {
-    /// Nothing was made yet.
+    /// The balance of so many ranks before anything is made.
     pub(super) fn new(ranks: usize) -> Self {
         Self { loads: vec![0.0; ranks], classes: HashMap::new(), all: [0.0; 2] }
     }
@@ -78,7 +78,7 @@ impl Balance {
         self.all = [self.all[0] + piece.price, self.all[1] + cost];
     }
 
-    /// What a block is expected to cost: as much as others of its class, or by its price.
+    /// Expected cost of a block, in samples: the mean of others of its class, or by its price.
     fn cost(&self, piece: &Piece) -> f64 {
         match (self.classes.get(&piece.class), self.all) {
             (Some([number, sum]), _) => sum / number,

@@ -61,11 +61,11 @@ pub(crate) struct Pose {
     orders: [usize; 2],
     /// Whether the emitter comes first.
     transposed: bool,
-    /// How the sides of either panel were turned for the standard form.
+    /// Turns of the sides of either panel into the standard form.
     turns: [Turn; 2],
 }
 
-/// Which half sides were exchanged, then reversed.
+/// Exchange of the two half sides of a panel, then reversal of either.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Turn {
     exchanged: bool,
@@ -158,7 +158,7 @@ impl Pose {
 }
 
 impl Turn {
-    /// For each polynomial of the standard form its place in the element's order and its sign.
+    /// Place in the element's order and sign of each polynomial of the standard form.
     fn places(self, order: usize) -> Vec<(usize, f64)> {
         let sign = |reversed: bool, degree: usize| if reversed && degree % 2 == 1 { -1.0 } else { 1.0 };
         let place = |k: usize| {

@@ -36,7 +36,7 @@ const LARGEST_NEAR_FACTOR: f64 = 8.0;
 pub(super) struct Goal {
     /// Relative to the block's largest entry.
     pub(super) accuracy: Accuracy,
-    /// The same where surfaces of the pair hide part of it themselves.
+    /// Accuracy relative to the block's largest entry where surfaces of the pair hide part of it themselves.
     pub(super) bent: Accuracy,
     /// [`ROW_SHARE`] times a lower bound of the row's largest entry: the scale of the error where the block is smaller.
     pub(super) least: f64,
@@ -54,7 +54,7 @@ pub(super) struct Goal {
 }
 
 impl Goal {
-    /// What is asked of the block of a task with this goal.
+    /// The request for the block of a task with this goal, as a memory compares it.
     pub(super) fn request(&self, task: &Task, visibility: &Visibility) -> Request {
         let faces = |surface| visibility.faces(surface).iter().copied();
         let surfaces = task.blockers.iter().chain(&task.own).flat_map(faces).collect();
@@ -144,9 +144,9 @@ impl Scene<'_> {
             && self.visibility.has_outlines(&task.blockers)
     }
 
-    /// For each row the largest `entry(task, [element of the row, other element])`, rounded down: where things move and the
-    /// largest entry of a row changes a little, the goals of its other blocks mostly stay, and so do these
-    /// ([`crate::memory`]).
+    /// The largest `entry(task, [element of the row, other element])` of each row, rounded down: where things
+    /// move and the largest entry of a row changes a little, the goals of its other blocks mostly stay, and
+    /// so do these ([`crate::memory`]).
     fn largest(&self, tasks: &[Task], entry: impl Fn(&Task, [usize; 2]) -> f64) -> Vec<f64> {
         let mut rows = vec![0.0f64; self.list.len()];
         for task in tasks {

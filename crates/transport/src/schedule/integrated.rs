@@ -12,11 +12,11 @@ use crate::schedule::balance::{Balance, Piece, rounds};
 use crate::schedule::source::Source;
 use crate::schedule::task::Task;
 
-/// What all ranks know of a block.
+/// A block as all ranks know it, without its values.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) struct Told {
     pub(super) block: Account,
-    /// As [`Answer::remainder`].
+    /// Bound of the norm of the block's difference from the integrated one ([`Answer::remainder`]).
     pub(super) remainder: f64,
 }
 
@@ -27,7 +27,7 @@ pub(super) struct Integrated {
     /// The rank that made each of them.
     pub(super) makers: Vec<usize>,
     told: Vec<Option<Told>>,
-    /// Those that this rank made, and after [`Integrated::deliver`] those that it needs.
+    /// Blocks that this rank made, and after [`Integrated::deliver`] those that it needs.
     pub(super) answers: Vec<Option<Arc<Answer>>>,
 }
 
@@ -47,8 +47,8 @@ impl Integrated {
         all
     }
 
-    /// The same where the rank `makers[place]` makes each block, and none is recorded: what makes it depends on what that rank made
-    /// before.
+    /// The blocks that `make` makes where the rank `makers[place]` makes each one, and none is recorded: what
+    /// makes it depends on what that rank made before.
     pub(super) fn made_by(
         ranks: Ranks,
         makers: &[usize],
@@ -86,7 +86,7 @@ impl Integrated {
         }
     }
 
-    /// What is told of a block.
+    /// The block at `place`, as all ranks know it.
     pub(super) fn told(&self, place: usize) -> &Told {
         self.told[place].as_ref().expect("all blocks were made")
     }
@@ -133,7 +133,7 @@ impl Integrated {
         self.answers[place].as_ref().expect("ranks have the blocks of their rows and columns")
     }
 
-    /// Its values.
+    /// The values of the block at `place`, row-major.
     pub(super) fn values(&self, place: usize) -> &[f64] {
         &self.answer(place).block.values
     }

@@ -1,4 +1,4 @@
-//! Which element of a pair is the outer one: decided by shape and place, never by the order of the scene.
+//! The outer element of a pair: decided by shape and place, never by the order of the scene.
 //!
 //! A rule that takes one integral inside the other has another error when the two are exchanged. With this order A_i
 //! F_ij does not depend on how the scene lists its surfaces:
@@ -20,7 +20,7 @@ use radiosity_kernel::contact::planes::plane_of;
 /// Parameters of the compared point on each patch: arbitrary, but off symmetry lines, so that mirror images differ.
 const PLACE: (f64, f64) = (0.375, 0.4375);
 
-/// What orders an element among others.
+/// Class, area and points of an element, by which elements are ordered.
 #[derive(Debug)]
 pub(crate) struct Rank {
     class: Class,
@@ -48,7 +48,7 @@ impl Rank {
         Self { class, area: element.area, places }
     }
 
-    /// Which of two elements comes first; equal only where they coincide.
+    /// The order of two elements; equal only where they coincide.
     pub(crate) fn order(&self, other: &Self) -> Ordering {
         let coordinates =
             |rank: &Self| rank.places.iter().flatten().flat_map(|x| x.to_array()).collect::<Vec<f64>>();

@@ -13,12 +13,12 @@ use serde::{Deserialize, Serialize};
 use super::congruent::Panel;
 use super::order::Rank;
 
-/// What rules do with pairs whose accuracy they do not reach.
+/// Treatment of pairs whose accuracy the rules do not reach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unreached {
-    /// They are stored, and their error is told.
+    /// The pairs are stored, and their error is told.
     Kept,
-    /// They are left to others; so are shadows of curved things, without a try.
+    /// The pairs are left to rays; so are shadows of curved things, without a try.
     Left,
 }
 
@@ -82,7 +82,7 @@ pub(super) struct Task {
 }
 
 impl Task {
-    /// For two elements that lie on each other: the block is known.
+    /// The task of two elements that lie on each other: the block is known.
     pub(super) fn of_contact(row: usize, column: usize) -> Self {
         Self {
             row: row as u32,

@@ -1,4 +1,4 @@
-//! What the blocks of a scene cost, and how they would be shared.
+//! Costs of the blocks of a scene, and shares of ranks in them.
 
 use radiosity_elements::Elements;
 use radiosity_kernel::blocks::held::Held;

@@ -1,4 +1,4 @@
-//! What rays find of a block.
+//! Blocks as rays find them.
 
 /// Independent sequences of rays. Chosen.
 pub(super) const BATCHES: usize = 8;
@@ -12,12 +12,12 @@ pub(super) struct Found {
     pub row: usize,
     pub column: usize,
     pub values: Vec<f64>,
-    /// What one ray is worth, as an entry.
+    /// Value of one ray in an entry of the block.
     pub one: f64,
     /// Largest error of an entry.
     pub error: f64,
     /// Whether the values are those by rules.
     pub is_by_rules: bool,
-    /// That of the view factors of either whole, relative to the largest of its row.
+    /// Largest error of the view factors of either whole, relative to the largest factor of its row.
     pub relative: f64,
 }

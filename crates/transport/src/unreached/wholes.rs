@@ -1,4 +1,4 @@
-//! What view factors are asked of: single elements, or surfaces.
+//! Wholes between which view factors are asked for: single elements, or surfaces.
 //!
 //! With exchanges A_I F_IJ = Σ √(A_i A_j) G_ij over the elements i of I and j of J, between constants; of single elements
 //! all entries of G count.
@@ -10,7 +10,7 @@ use radiosity_kernel::blocks::FirstEntry;
 
 use super::found::{BATCHES, Found, SURE};
 
-/// What view factors are asked of.
+/// Things between which view factors are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Whole {
     /// Single elements.
@@ -121,7 +121,7 @@ impl Wholes {
 #[derive(Clone, Copy, Debug, Default)]
 struct Sum {
     batches: [f64; BATCHES],
-    /// What one ray is worth, the largest of the pairs.
+    /// Value of one ray in the exchange (length²), the largest of the pairs.
     one: f64,
 }
 

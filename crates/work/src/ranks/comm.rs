@@ -1,4 +1,4 @@
-//! How ranks talk to each other.
+//! Messages between ranks.
 
 use std::fmt::Debug;
 
@@ -13,7 +13,7 @@ pub trait Comm: Debug + Send + Sync {
     /// Number of ranks.
     fn size(&self) -> usize;
 
-    /// What of its machine this rank may use.
+    /// The share of its machine that this rank may use.
     fn place(&self) -> Place;
 
     /// Waits for all ranks.

@@ -1,15 +1,15 @@
-//! How a rank failed.
+//! The failure of a rank.
 
 use std::any::Any;
 
 use serde::{Deserialize, Serialize};
 
-/// How a rank failed.
+/// The failure of a rank: exit code and message.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Failure {
     /// The exit code of its process, not 0.
     pub code: u8,
-    /// What there is to say, with the end of its last line; nothing where all is said.
+    /// Text of the message, with the end of its last line; empty where all is said.
     pub message: String,
 }
 
@@ -17,7 +17,7 @@ pub struct Failure {
 const PANICKED: u8 = 101;
 
 impl Failure {
-    /// That of a panic with this payload, of which a hook noted `noted`.
+    /// The failure of a panic with this payload, of which a hook noted `noted`.
     pub fn of_panic(payload: &(dyn Any + Send), noted: Option<String>) -> Self {
         let text = payload.downcast_ref::<String>().map(String::as_str);
         let text = text.or_else(|| payload.downcast_ref::<&str>().copied());
@@ -25,8 +25,8 @@ impl Failure {
         Self { code: PANICKED, message: message + "\n" }
     }
 
-    /// What all ranks end with, given how each of them failed, if it did: with what all say, or with what the first rank says
-    /// that failed, and which it is.
+    /// The failure that all ranks end with, given the failure of each, if it failed: that of all where they
+    /// are equal, else that of the first rank that failed, named by its number.
     pub fn of_all(failures: Vec<Option<Self>>) -> Option<Self> {
         let is_same = failures.windows(2).all(|two| two[0] == two[1]);
         let (rank, failure) =
@@ -34,7 +34,8 @@ impl Failure {
         Some(if is_same { failure } else { failure.on(rank) })
     }
 
-    /// The same, told as that of one rank. That of the first rank, which writes, says no more than if it were alone.
+    /// The failure, told as that of rank `rank`. The first rank, which writes, says no more than if it were
+    /// alone.
     pub fn on(self, rank: usize) -> Self {
         if rank == 0 || self.message.is_empty() {
             return self;

@@ -1,4 +1,4 @@
-//! What was made of a run so far, in files: a run that was killed goes on from there, on any number of ranks.
+//! The journal of a run, in files: a run that was killed goes on from there, on any number of ranks.
 //!
 //! The shared parts of a run follow each other in the same order every time ([`super`]). A journal keeps each piece under its own
 //! number and that of its part, which hangs on all that went before: names and numbers of pieces of earlier parts, and what was
@@ -42,14 +42,14 @@ use kept::Kept;
 use record::Key;
 use writer::Writer;
 
-/// What a rank has recalled and recorded so far.
+/// Pieces that a rank has recalled and recorded so far.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tally {
-    /// Pieces that it did not make again.
+    /// Number of pieces that the rank did not make again.
     pub recalled: u64,
-    /// Pieces that it made and wrote.
+    /// Number of pieces that the rank made and wrote.
     pub recorded: u64,
-    /// Their bytes.
+    /// Bytes of the pieces that it wrote.
     pub bytes: u64,
     /// Why further ones are missing, if they are.
     pub failed: Option<String>,
@@ -104,13 +104,14 @@ impl Journal {
         RecordedPart { journal: self, number: *way }
     }
 
-    /// As [`Ranks::note_choice`](super::Ranks::note_choice).
+    /// Takes note of a choice, for the numbers of all later parts
+    /// ([`Ranks::note_choice`](super::Ranks::note_choice)).
     pub(super) fn note_choice(&self, choice: &dyn std::fmt::Debug) {
         let mut way = self.way.lock().expect("nobody panics on the way");
         *way = digest(&(*way, choice));
     }
 
-    /// What this rank has recalled and recorded so far; all of it is handed to the system.
+    /// Pieces that this rank has recalled and recorded so far; all of it is handed to the system.
     pub fn tally(&self) -> Tally {
         let mut writer = self.writer();
         writer.flush();

@@ -20,13 +20,13 @@ pub enum PartName {
     SensorLight,
     /// Walks from sensors.
     SensorWalks,
-    /// What polynomials miss, element by element.
+    /// Light that polynomials miss, element by element.
     Missed,
     /// Points that are read.
     Points,
     /// Cells that are read.
     Cells,
-    /// What the pixels of a picture see.
+    /// Surfaces and places that the pixels of a picture see.
     Seen,
     /// Direct light of pixels.
     DirectLight,
@@ -38,7 +38,7 @@ pub enum PartName {
     FittedLight,
     /// Middles of pixels.
     Middles,
-    /// Pixels.
+    /// Pixels of a picture.
     Pixels,
     /// Surfaces that are seen in pixels.
     Sights,

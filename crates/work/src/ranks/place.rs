@@ -1,4 +1,4 @@
-//! What of its machine a rank may use.
+//! The share of its machine that a rank may use.
 
 use std::num::NonZero;
 use std::thread;
@@ -13,18 +13,19 @@ pub struct Place {
 }
 
 impl Place {
-    /// That of a rank that has its machine for itself.
+    /// The place of a rank that has its machine for itself.
     pub(super) fn alone() -> Self {
         Self { companions: 1, threads: available() }
     }
 
-    /// That of one of so many ranks that may use all processors alike.
+    /// The place of one of so many ranks that may use all processors alike.
     pub(super) fn beside(companions: usize) -> Self {
         Self { companions, threads: (available() / companions).max(1) }
     }
 
-    /// That of the rank `own` of a machine on which each rank may run on `processors` of its own; none where that is not known.
-    /// Ranks that are bound to different processors have them for themselves, others share.
+    /// The place of the rank `own` of a machine on which each rank may run on `processors` of its own; empty
+    /// where these are not known. Ranks that are bound to different processors have them for themselves,
+    /// others share.
     pub fn among(processors: &[Vec<usize>], own: usize) -> Self {
         let companions = processors.len();
         let mine = &processors[own];

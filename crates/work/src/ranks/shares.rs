@@ -1,4 +1,4 @@
-//! Which rank does what.
+//! The distribution of pieces of work over ranks.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -10,7 +10,8 @@ pub fn by_cost(costs: &[f64], ranks: usize) -> Vec<usize> {
     beside(&vec![0.0; ranks], costs)
 }
 
-/// The same for ranks that have so much to do already.
+/// The rank of each piece of work, as by [`by_cost`], for ranks that have so much to do already: the loads
+/// are in the unit of the costs.
 pub fn beside(loads: &[f64], costs: &[f64]) -> Vec<usize> {
     if loads.len() == 1 {
         return vec![0; costs.len()];
@@ -28,7 +29,7 @@ pub fn beside(loads: &[f64], costs: &[f64]) -> Vec<usize> {
     owners
 }
 
-/// What a rank has to do so far.
+/// Cost of the work of a rank so far, which orders ranks.
 #[derive(Clone, Copy, Debug)]
 struct Load(f64);
 

@@ -8,14 +8,14 @@ use super::comm::Comm;
 use super::place::Place;
 use super::shares;
 
-/// One of several threads that are ranks to each other.
+/// A thread among several that are ranks to each other.
 #[derive(Debug)]
 struct Thread {
     rank: usize,
     table: Arc<Table>,
 }
 
-/// Where they leave messages for each other.
+/// The place where the threads leave messages for each other.
 #[derive(Debug)]
 struct Table {
     barrier: Barrier,

@@ -1,10 +1,10 @@
-//! What ranks do and send.
+//! Counts of what ranks do and send.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use serde::{Deserialize, Serialize};
 
-/// What a rank has done for all, and sent to others.
+/// Work that a rank has done for all, and bytes that it sent to others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Traffic {
     /// Terms of the kernel's quadrature rules.
@@ -15,11 +15,11 @@ pub struct Traffic {
     pub pieces: u64,
     /// Bytes of numbers that products with distributed matrices complete.
     pub numbers: u64,
-    /// Number of those products.
+    /// Number of these products.
     pub products: u64,
 }
 
-/// Counts it.
+/// Counters of the work and the traffic of a rank.
 #[derive(Debug, Default)]
 pub(super) struct Counter {
     samples: AtomicU64,

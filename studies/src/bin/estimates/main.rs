@@ -111,12 +111,12 @@ fn rows(case: &Case) {
     }
 }
 
-/// As the command line has them where an accuracy is asked for.
+/// Options as the command line has them where an accuracy is asked for.
 fn options() -> Options {
     Options { order: 0, ..Options::default() }
 }
 
-/// What is found within the time limit.
+/// The result of `find` with work that lasts until the time limit.
 fn until_limit<T>(find: impl FnOnce(&Work<'_>) -> T) -> T {
     let deadline = Deadline::at(Some(Instant::now() + LIMIT));
     find(&Work::alone().until(&deadline))

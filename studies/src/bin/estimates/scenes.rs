@@ -18,7 +18,7 @@ pub(crate) struct Case {
 pub(crate) enum Fine {
     /// Exact blocks between so many elements each way of every surface.
     Exact { order: usize, cuts: usize },
-    /// So many rays between so many elements each way of every surface, or as many as the rays support.
+    /// Rays between `cuts` elements each way of every surface, or as many as the rays support.
     Rays { rays: u64, cuts: Option<usize> },
 }
 
@@ -40,7 +40,7 @@ emission = 1
 const RAYS: u64 = 40_000_000;
 
 impl Case {
-    /// One of the list, or a scene file, which is held against many rays.
+    /// A case of the list, or a scene file, which is held against many rays.
     pub(crate) fn named(name: &str) -> Self {
         all().into_iter().find(|case| case.name == name).unwrap_or_else(|| {
             let scene = radiosity::load(name).expect("a scene of the list, or a file");
@@ -48,7 +48,7 @@ impl Case {
         })
     }
 
-    /// This accuracy of light, read as the truth is.
+    /// The goal of this accuracy of light, read as the truth is.
     pub(crate) fn goal(&self, accuracy: f64) -> Goal {
         Goal::new(accuracy, Aim::Gathered).read_by(if self.by_rays { By::Rays } else { By::Cells })
     }

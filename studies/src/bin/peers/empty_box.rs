@@ -140,7 +140,7 @@ fn rms(found: &[f64], truth: &[f64]) -> f64 {
     (squares / truth.len() as f64).sqrt()
 }
 
-/// Two digits.
+/// The value with two digits, as text.
 fn digits(value: f64) -> String {
     format!("{value:.0$}", (1.0 - value.log10().floor()).max(0.0) as usize)
 }

@@ -1,4 +1,4 @@
-//! How far apart two solutions on the same elements are.
+//! The difference of two solutions on the same elements.
 
 use radiosity::elements::Element;
 

@@ -16,7 +16,7 @@ const HALLS: [[usize; 3]; 3] = [[7, 6, 4], [17, 14, 7], [37, 30, 15]];
 /// Error that halls are solved to.
 const WANTED: f64 = 3e-2;
 
-/// How time and memory grow with the number of surfaces.
+/// Prints how time and memory grow with the number of surfaces.
 pub(crate) fn halls() -> Result<(), Box<dyn Error>> {
     println!("| surfaces | rays | solved in, s | MB at most | told |");
     println!("| --- | --- | --- | --- | --- |");

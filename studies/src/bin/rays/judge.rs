@@ -18,8 +18,8 @@ const DIRECTIONS: usize = 128;
 /// Samples of an emitter's patch along either side.
 const SAMPLES: usize = 16;
 
-/// How far over its surface a point is read, and how near to a sample of an emitter a ray must come (scene length): the faces of rooms
-/// are rounded to less.
+/// Height over its surface at which a point is read, and distance from a sample of an emitter that a ray must
+/// reach (scene length): the faces of rooms are rounded to less.
 const ABOVE: f64 = 1e-6;
 
 /// Points with known irradiance.
@@ -45,12 +45,13 @@ struct Lit<'a> {
 }
 
 impl Points {
-    /// Those of a file.
+    /// The points of a file.
     pub(crate) fn read(path: &Path) -> Result<Self, Box<dyn Error>> {
         Ok(serde_json::from_str(&std::fs::read_to_string(path)?)?)
     }
 
-    /// So many points spread over all elements of a scene by area, with what `solution` says of them.
+    /// Points spread over all elements of a scene by area, `count` in all, with the irradiance of `solution`
+    /// there (W m⁻²).
     pub(crate) fn of(scene: &Scene, solution: &Solution, count: usize) -> Self {
         let list = solution.elements().list();
         let area: f64 = list.iter().map(|element| element.area).sum();
@@ -115,7 +116,7 @@ impl<'a> Lit<'a> {
         self.direct(x, normal) + self.reflected(x, normal)
     }
 
-    /// From samples of the emitters.
+    /// Direct irradiance (W m⁻²) at a point, from samples of the emitters.
     fn direct(&self, x: DVec3, normal: DVec3) -> f64 {
         let list = self.solution.elements().list();
         let coating = self.solution.coatings()[0];
@@ -134,7 +135,8 @@ impl<'a> Lit<'a> {
         self.emitters.iter().map(share).sum::<f64>() / (SAMPLES * SAMPLES) as f64
     }
 
-    /// From what rays meet, exitance apart: directions are cosine-distributed, one in each cell of a square.
+    /// Reflected irradiance (W m⁻²) at a point, from what rays meet, exitance apart: directions are
+    /// cosine-distributed, one in each cell of a square.
     fn reflected(&self, x: DVec3, normal: DVec3) -> f64 {
         let (along, across) = normal.any_orthonormal_pair();
         let radiosity = |k: usize| {

@@ -62,7 +62,7 @@ impl Way {
     }
 }
 
-/// One run.
+/// A run, its time and its error.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     way: Way,

@@ -13,7 +13,7 @@ use radiosity_studies::boxes::room;
 /// Rays of the runs that are judged.
 const RAYS: [u64; 4] = [25_000, 100_000, 400_000, 1_600_000];
 
-/// How many times the rays of the last but one of them the truth takes.
+/// Rays of the truth over those of the last run but one.
 const FINER: u64 = 100;
 
 /// Boxes along the three edges of the hall.

@@ -8,7 +8,7 @@ use radiosity::visibility::{Shadows, Visibility};
 use crate::judged::is_taken;
 use crate::subject::Subject;
 
-/// Of scenes of more pairs than this, one in so many is asked for naive rays, a power of two.
+/// Pairs of a scene above which one pair in so many is asked for naive rays, a power of two.
 const MANY_PAIRS: usize = 10_000;
 const SAMPLED: usize = 16;
 

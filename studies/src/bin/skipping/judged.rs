@@ -35,15 +35,15 @@ pub(crate) type Table = HashMap<Pair, Vec<f64>>;
 /// Some pairs of a scene, what reaches over each without shadows, and what of it is hidden.
 pub(crate) struct Judged<'a> {
     pub(crate) subject: &'a Subject,
-    /// One pair in so many is judged.
+    /// Pairs for each one that is judged.
     pub(crate) every: usize,
     /// Whether all are, by the library itself.
     pub(crate) all: bool,
-    /// Those that anything is hidden of, ascending.
+    /// Judged pairs that anything is hidden of, ascending.
     pub(crate) shaded: Vec<Pair>,
     open: Table,
     shades: Table,
-    /// √Σ ‖G‖² over those.
+    /// √Σ ‖G‖² over the shaded pairs.
     scale: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What is not computed: pairs of elements by class, and rays cast against one ray per kernel sample.
+//! Work that is not done: pairs of elements by class, and rays cast against one ray per kernel sample.
 //!
 //! `cargo run --release -p radiosity-studies --bin skipping -- [SCENE[:NAME=VALUE] ...]` prints all tables of the scenes named; unless any is, of
 //! cornell-box, two-boxes, teapot and a temple of three bays.

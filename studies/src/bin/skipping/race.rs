@@ -22,7 +22,7 @@ const MOST_RAYS: u64 = 50_000_000;
 /// Seconds less than this part of those they are a difference of are noise.
 const NOISE: f64 = 0.1;
 
-/// What a way to find shadows came to.
+/// Cost and error of a way to find shadows.
 #[derive(Clone)]
 struct Run {
     way: String,

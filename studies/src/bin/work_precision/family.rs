@@ -7,18 +7,18 @@ use crate::record::Record;
 pub(crate) enum Family {
     /// Constant elements: classical radiosity.
     Constant,
-    /// These orders, the first and the last.
+    /// Orders from the first to the last.
     Orders(usize, usize),
-    /// The rules of 1993 without care for edges.
+    /// Elements by the rules of 1993, without care for edges.
     Legendre,
-    /// Those with the hybrid at edges.
+    /// Elements by the rules of 1993, with the hybrid at edges.
     Hybrid,
     /// Light gathered anew, any order.
     Gathered,
 }
 
 impl Family {
-    /// Those of the diagram.
+    /// The families of the diagram.
     pub(crate) const ALL: [Self; 8] = [
         Self::Constant,
         Self::Legendre,
@@ -30,7 +30,7 @@ impl Family {
         Self::Gathered,
     ];
 
-    /// What it is called.
+    /// Name of the family in the diagram.
     pub(crate) fn label(self) -> String {
         match self {
             Self::Constant => "constant elements".to_owned(),

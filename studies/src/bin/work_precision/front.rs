@@ -9,15 +9,15 @@ use crate::work::Work;
 /// Runs of the front that the line beyond it is fitted to.
 const FITTED: usize = 3;
 
-/// How many times more accurate than its last run a front is prolonged.
+/// Error of the last run of a front over the least error to which the front is prolonged.
 const FARTHEST: f64 = 4.0;
 
 /// The time an error takes (s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Time {
-    /// Between runs, or that of the first run where all are more accurate.
+    /// The time between runs, or that of the first run where all are more accurate.
     Reached(f64),
-    /// Beyond the most accurate run.
+    /// The time beyond the most accurate run, by the line through the last runs.
     Extrapolated(f64),
     /// So far beyond it that all there is to tell is its time.
     MoreThan(f64),
@@ -41,7 +41,7 @@ impl<'a> Front<'a> {
         Self(kept)
     }
 
-    /// Its runs.
+    /// The runs, rising in work.
     pub(crate) fn runs(&self) -> &[&'a Record] {
         &self.0
     }

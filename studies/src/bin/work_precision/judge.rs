@@ -134,7 +134,7 @@ fn from_closed_form(solution: &Solution) -> f64 {
     (squares[0] / squares[1]).sqrt()
 }
 
-/// The same over the cells of floor and back wall, all bands, against path tracing.
+/// Relative L2 error over the cells of floor and back wall, all bands, against path tracing.
 fn from_path_tracing(scene: &Scene, cells: &[Cell]) -> f64 {
     let reference = data::table("cornell_reference.json");
     let mut squares = [0.0; 2];

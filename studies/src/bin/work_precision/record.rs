@@ -1,10 +1,10 @@
-//! What one run took and how far off it was: a row of the CSV.
+//! Work and error of one run: a row of the CSV.
 
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-/// A run.
+/// A run with its settings, work and error.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Record {
     /// The study it belongs to.
@@ -27,7 +27,7 @@ pub(crate) struct Record {
     pub(crate) rays: u64,
     /// CPU time of one thread (s).
     pub(crate) seconds: f64,
-    /// Relative error.
+    /// Relative error, as its study judges it.
     pub(crate) error: f64,
 }
 

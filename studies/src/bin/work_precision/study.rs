@@ -20,12 +20,12 @@ subdivide = [1, 1]
 quad = { vertices = [[-2, -2, 3], [-2, 2, 3], [2, 2, 3], [2, -2, 3]] }
 ";
 
-/// What the transfers are computed by, and what is read.
+/// The kernel rules of the transfers, and the light that is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kernel {
-    /// This library's rules; the polynomials alone.
+    /// This library's rules; the polynomials alone are read.
     Default,
-    /// The same; light gathered anew.
+    /// This library's rules; light gathered anew is read.
     Gathered,
     /// Gauss rules for all pairs, as in 1993.
     Legendre,
@@ -34,7 +34,7 @@ pub(crate) enum Kernel {
 }
 
 impl Kernel {
-    /// Its name in the CSV.
+    /// Name of the kernel in the CSV.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Default => "default",
@@ -53,10 +53,10 @@ impl Kernel {
     }
 }
 
-/// One run.
+/// A run to be made.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trial {
-    /// By what.
+    /// Rules of the transfers.
     pub(crate) kernel: Kernel,
     /// Degree of the polynomials.
     pub(crate) order: usize,
@@ -69,7 +69,8 @@ pub(crate) struct Trial {
 }
 
 impl Trial {
-    /// How to solve it, on one thread. Direct light is projected on the polynomials unless light is gathered.
+    /// Options of the run, on one thread. Direct light is projected on the polynomials unless light is
+    /// gathered.
     pub(crate) fn options(&self) -> Options {
         Options {
             order: self.order,
@@ -84,7 +85,7 @@ impl Trial {
     }
 }
 
-/// What errors are measured against.
+/// The truth that errors are measured against.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Judge {
     /// A finer run; all surfaces.
@@ -97,15 +98,15 @@ pub(crate) enum Judge {
 
 /// A scene with its runs.
 pub(crate) struct Study {
-    /// Its name in the CSV.
+    /// Name of the study in the CSV.
     pub(crate) name: &'static str,
-    /// Its name in the diagram.
+    /// Name of the study in the diagram.
     pub(crate) title: &'static str,
-    /// The scene.
+    /// The scene that is solved.
     pub(crate) scene: Scene,
-    /// What errors are measured against.
+    /// The truth that errors are measured against.
     pub(crate) judge: Judge,
-    /// The runs.
+    /// The runs to be made.
     pub(crate) trials: Vec<Trial>,
 }
 

@@ -1,4 +1,4 @@
-//! How many times faster an order is than constant elements at the same error.
+//! Speed-ups of the orders over constant elements at the same error.
 
 use std::io::{self, Write};
 
@@ -40,7 +40,7 @@ pub(crate) fn print(out: &mut impl Write, studies: &[Study], records: &[Record])
     Ok(())
 }
 
-/// What a run was.
+/// Name of a run: its order, cuts, layers and gathering.
 fn name(record: &Record) -> String {
     let layers = match record.layers {
         0 => String::new(),

@@ -1,11 +1,11 @@
-//! What work is counted in.
+//! Measures of work.
 
 use crate::record::Record;
 
 /// A measure of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Work {
-    /// CPU time.
+    /// CPU time (s).
     Seconds,
     /// Terms of the kernel's quadrature rules.
     Samples,
@@ -14,14 +14,14 @@ pub(crate) enum Work {
 }
 
 impl Work {
-    /// Each of them, with the diagram that has it as abscissa.
+    /// All measures, each with the diagram that has it as abscissa.
     pub(crate) const ALL: [(Self, &str); 3] = [
         (Self::Seconds, "docs/work-precision.svg"),
         (Self::Samples, "docs/work-precision-samples.svg"),
         (Self::Unknowns, "docs/work-precision-unknowns.svg"),
     ];
 
-    /// What a run took.
+    /// Work of a run in this measure.
     pub(crate) fn of(self, record: &Record) -> f64 {
         match self {
             Self::Seconds => record.seconds,

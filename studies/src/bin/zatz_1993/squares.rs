@@ -62,7 +62,7 @@ fn metric(exact: &[f64], galerkin: impl Fn([f64; 2]) -> f64) -> f64 {
     100.0 * sum / exact.len() as f64
 }
 
-/// By the paper's rules with `points` points per direction.
+/// The metric of the paper's rules with `points` points per direction.
 fn paper(emitter: Emitter, exact: &[f64], order: usize, points: usize, rules: Rules) -> f64 {
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
     let receiver = Patch::Flat { corners, normal: DVec3::Z };
@@ -78,7 +78,7 @@ fn paper(emitter: Emitter, exact: &[f64], order: usize, points: usize, rules: Ru
     })
 }
 
-/// By this library's rules.
+/// The metric of this library's rules.
 fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
     let scene = format!(
         "[materials.white]\nreflectance = 0.5\n\
@@ -98,7 +98,7 @@ fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
     metric(exact, |place| receiver.evaluate(&raw, position(place), place))
 }
 
-/// One row of a table, for the orders 0 to 9.
+/// Writes a row of a table, for the orders 0 to 9.
 fn row(out: &mut impl Write, name: &str, quoted: &str, value: impl Fn(usize) -> f64) -> io::Result<()> {
     write!(out, "| {name} |")?;
     for order in 0..ORDERS {

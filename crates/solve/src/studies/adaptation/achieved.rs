@@ -11,7 +11,7 @@ use super::goal::{Aim, Goal};
 pub struct Adapted {
     /// The finest possible run.
     pub outcome: Outcome,
-    /// Its options.
+    /// The options of the finest run.
     pub options: Options,
     /// The accuracy that it reached.
     pub achieved: Achieved,
@@ -22,18 +22,18 @@ pub struct Adapted {
 pub struct Achieved {
     /// Estimated relative error of the finest run; None where its solver did not converge.
     pub estimate: Option<f64>,
-    /// What was wanted; None in files of older versions.
+    /// Relative error that was wanted; None in files of older versions.
     #[serde(default)]
     pub wanted: Option<f64>,
-    /// Of what.
+    /// Light whose error this is.
     #[serde(default)]
     pub of: Aim,
-    /// Why no finer run followed.
+    /// Reason why no finer run followed.
     pub end: End,
 }
 
 impl Achieved {
-    /// What a sequence for `goal` ended with.
+    /// The accuracy with which a sequence for `goal` ended.
     pub(super) fn new(goal: &Goal, estimate: Option<f64>, end: End) -> Self {
         Self { estimate, wanted: Some(goal.accuracy), of: goal.of, end }
     }

@@ -69,8 +69,9 @@ const SURELY: f64 = 2.0;
 const OF_EXPECTED: f64 = 0.3;
 const LOOSEST: f64 = 3e-3;
 
-/// One end in so many gathers to an accuracy that is finer by the part of light that the surfaces absorb, since walks sum up their
-/// ends, and the others to a coarser one than was asked for. Chosen: with 1 and 4 the Cornell box to 3e-3 took 1.8 times as long.
+/// Ends of walks for each one that gathers to an accuracy that is finer by the part of light that the
+/// surfaces absorb, since walks sum up their ends, while the others gather to a coarser one than was asked
+/// for. Chosen: with 1 and 4 the Cornell box to 3e-3 took 1.8 times as long.
 const ONE_IN: f64 = 8.0;
 const COARSER: f64 = 3.0;
 const LEAST_ABSORBED: f64 = 0.05;
@@ -80,13 +81,13 @@ const OF_SIZE: f64 = 0.1;
 
 /// Numbers of walks in all.
 struct Numbers {
-    /// Made first.
+    /// Walks that are made first.
     first: u64,
-    /// At the most, where the estimate is noisy.
+    /// Most walks where the estimate is noisy.
     noisy: u64,
-    /// Where it is larger than wanted, and noise may be the cause.
+    /// Most walks where the estimate is larger than wanted, and noise may be the cause.
     doubtful: u64,
-    /// Where it is noisy, and larger than wanted.
+    /// Most walks where the estimate is noisy, and larger than wanted.
     most: u64,
 }
 
@@ -113,7 +114,7 @@ pub(super) struct Estimate {
     pub shares: Vec<f64>,
 }
 
-/// What walks from one sensor found.
+/// The light that walks from one sensor found.
 struct Found<'a> {
     sensor: &'a Sensor,
     number: u64,
@@ -125,7 +126,7 @@ struct Found<'a> {
 struct Light {
     /// Irradiance that was gathered at the sensor (W m⁻²), per band.
     gathered: Vec<f64>,
-    /// For each element, by each half of the walks, the sum of what they found there, per band (W m⁻²).
+    /// Sum of the light that each half of the walks found at each element, per band (W m⁻²).
     parts: BTreeMap<usize, [Vec<f64>; 2]>,
 }
 
@@ -137,7 +138,7 @@ struct CellEnds<'a> {
 }
 
 impl<'a> CellEnds<'a> {
-    /// For sums over walks to about the relative accuracy `eps`.
+    /// Gathering for sums over walks to about the relative accuracy `eps`.
     fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         let absorbed = (1.0 - mean_reflectance(solution)).max(LEAST_ABSORBED);
         Self { gather: Gather::new(solution, visibility, absorbed * eps), coarse: COARSER * eps }
@@ -170,13 +171,13 @@ fn mean_reflectance(solution: &Solution) -> f64 {
     reflected / area
 }
 
-/// How light is gathered where rays end.
+/// Gathering of light where rays end.
 enum Ends<'a> {
     Cells(CellEnds<'a>),
     Rays(RayGather<'a>),
 }
 
-/// What misses light, and how it is gathered.
+/// The solution that misses light, and how its light is gathered.
 struct Missing<'a> {
     solution: &'a Solution,
     walks: Walks<'a>,
@@ -312,7 +313,7 @@ impl<'a> Missing<'a> {
 }
 
 impl<'a> Found<'a> {
-    /// What is known of a sensor before walks.
+    /// The light of a sensor before walks: irradiance `gathered` there (W m⁻²), per band.
     fn new(sensor: &'a Sensor, number: u64, gathered: Vec<f64>) -> Self {
         Self { sensor, number, light: Light { gathered, parts: BTreeMap::new() } }
     }

@@ -8,22 +8,22 @@ use crate::gather::choice::By;
 /// Part of the wanted accuracy that light is read to. With .9 the error of reading was as large as that of what was read. Chosen.
 const OF_ACCURACY: f64 = 0.3;
 
-/// What is wanted.
+/// The wanted accuracy, and what is to have it.
 #[derive(Clone, Debug)]
 pub struct Goal {
     /// Relative L2 error, all bands pooled.
     pub accuracy: f64,
-    /// Of what.
+    /// Light that is to have this accuracy.
     pub of: Aim,
     /// Where light is read, if that is [`Aim::Points`] or [`Aim::Seen`]: positions, from the scene's middle as its surfaces, and unit normals.
     pub points: Vec<[DVec3; 2]>,
-    /// By what light is read.
+    /// The way light is read.
     pub by: By,
     /// A run with more unknowns per band is not begun, except the first, and but for links, which need no matrix.
     pub most_unknowns: usize,
 }
 
-/// What is to be accurate.
+/// Light that is to be accurate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Aim {
@@ -46,17 +46,17 @@ impl Goal {
         Self { accuracy, of, points: Vec::new(), by: By::Auto, most_unknowns: 8000 }
     }
 
-    /// The same of light gathered at these points.
+    /// The goal of this accuracy for light gathered at these points.
     pub fn at(accuracy: f64, points: Vec<[DVec3; 2]>) -> Self {
         Self { points, ..Self::new(accuracy, Aim::Points) }
     }
 
-    /// The same of the light that a picture shows of surfaces at these points.
+    /// The goal of this accuracy for the light that a picture shows of surfaces at these points.
     pub fn seen(accuracy: f64, points: Vec<[DVec3; 2]>) -> Self {
         Self { points, ..Self::new(accuracy, Aim::Seen) }
     }
 
-    /// The same where light is read by cells or rays.
+    /// This goal, with light read by cells or rays.
     pub fn read_by(self, by: By) -> Self {
         Self { by, ..self }
     }

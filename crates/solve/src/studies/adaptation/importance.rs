@@ -92,7 +92,7 @@ fn unlit(band: &Band, elements: &Elements, integrals: &[f64]) -> Band {
     Band::new(band.name.clone(), elements, coating, coefficients)
 }
 
-/// What the ends of walks are summed with.
+/// The data with which the ends of walks are summed.
 struct Ends<'a> {
     solution: &'a Solution,
     walks: Walks<'a>,

@@ -43,7 +43,7 @@ pub(super) fn points(list: &[Element]) -> Vec<Vec<Point>> {
     if patches > POINTS { by_area(list, first) } else { by_patch(list, first, POINTS.div_ceil(patches)) }
 }
 
-/// So many points on each patch.
+/// Points of each element, `each` on each of its patches, from number `first` of the sequence on.
 fn by_patch(list: &[Element], first: usize, each: usize) -> Vec<Vec<Point>> {
     let mut indices = first..;
     let of = |element: &Element| {

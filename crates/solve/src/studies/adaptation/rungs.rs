@@ -19,7 +19,7 @@ use super::achieved::{Achieved, Adapted, End};
 use super::goal::Goal;
 use super::run::{FIRST_ORDER, advise, estimated, finer};
 
-/// One discretisation of the sequence.
+/// A discretisation of the sequence.
 #[derive(Clone, Copy, Debug)]
 struct Rung {
     order: usize,
@@ -28,7 +28,7 @@ struct Rung {
     cuts: Option<usize>,
 }
 
-/// For scenes without shadows and kinks. Chosen; not tuned.
+/// Rungs for scenes without shadows and kinks. Chosen; not tuned.
 const GRADED: [Rung; 8] = [
     Rung { order: FIRST_ORDER, layers: 0, cuts: None },
     Rung { order: 4, layers: 0, cuts: None },
@@ -40,7 +40,7 @@ const GRADED: [Rung; 8] = [
     Rung { order: 10, layers: 3, cuts: None },
 ];
 
-/// For scenes with shadows or kinks. Chosen; not tuned.
+/// Rungs for scenes with shadows or kinks. Chosen; not tuned.
 const EVEN: [Rung; 6] = [
     Rung { order: FIRST_ORDER, layers: 0, cuts: None },
     Rung { order: 3, layers: 0, cuts: Some(2) },

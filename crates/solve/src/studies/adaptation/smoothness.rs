@@ -1,4 +1,4 @@
-//! How an element is refined: by higher orders where its light is smooth, by cuts elsewhere.
+//! The refinement of an element: higher orders where its light is smooth, cuts elsewhere.
 //!
 //! The coefficients s_k of reflected light in the orthonormal polynomials, all bands together, have the part of degree n
 //!
@@ -22,14 +22,14 @@ use crate::solution::Solution;
 /// Decay below which higher orders are better than cuts; see the module.
 const SMOOTH: f64 = 0.5;
 
-/// By how much the order rises. Chosen.
+/// Rise of the order. Chosen.
 const STEP: usize = 2;
 
 /// Ratio of the squared variations along the parameters from which one of them is cut alone: more than a cut of both would even
 /// out at order 2. Chosen.
 const ONE_SIDED: f64 = 16.0;
 
-/// How element `index` is refined.
+/// The refinement of element `index`.
 pub(super) fn refinement(solution: &Solution, starts: &[usize], index: usize) -> Refinement {
     let elements = solution.elements();
     let element = &elements.list()[index];

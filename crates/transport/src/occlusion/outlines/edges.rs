@@ -42,8 +42,8 @@ pub(super) struct Edges {
 }
 
 impl Edges {
-    /// For `blockers`, one for each body, and a flat inner element whose parts have these `corners`, in a plane with
-    /// this `normal`.
+    /// The edges of `blockers`, one for each body, around a flat inner element whose parts have these
+    /// `corners`, in a plane with this `normal`.
     pub(super) fn new(blockers: &[usize], visibility: &Visibility, corners: &[DVec3], normal: DVec3) -> Self {
         let rims = blockers.iter().map(|blocker| (*blocker, visibility.rims(*blocker))).collect();
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;

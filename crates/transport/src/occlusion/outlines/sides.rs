@@ -24,7 +24,7 @@ const SHARP: f64 = 1e-4;
 
 /// The two sides of a pair of which at least one is flat.
 pub(super) struct Sides {
-    /// Which element is the outer one.
+    /// The outer element of the pair.
     pub(super) side: Side,
     /// The outer element.
     pub(super) outer: Vec<Patch>,
@@ -87,7 +87,7 @@ fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
     })
 }
 
-/// Which element is the outer one.
+/// The side that is better as the outer one.
 fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Visibility) -> Side {
     let pieces = || blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten();
     let [receiver, emitter] = polygons.each_ref().map(|side| {

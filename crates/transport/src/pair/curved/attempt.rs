@@ -14,7 +14,7 @@ use crate::pair::curved::job::{Job, ROUGHNESS, State};
 
 /// Points per direction for degree 0. Chosen; not tuned.
 const FEWEST_POINTS: usize = 4;
-/// The same for sampled shadows once the samples are spent. Chosen; not tuned.
+/// Points per direction for degree 0 of sampled shadows once the samples are spent. Chosen; not tuned.
 const POINTS_WHEN_SPENT: usize = 3;
 /// Largest part, relative to the block's first entry, that is attempted: a horizon may pass large ones unseen. Chosen;
 /// not tuned.

@@ -8,7 +8,8 @@ use crate::pair::curved::size::area;
 
 /// Samples of a block after which contacts are refined no more, per squared digit of 1/ε. Chosen; not tuned.
 const CONTACT_SAMPLES: f64 = 5e5;
-/// The same for horizons, whose samples are cheaper. Chosen; not tuned.
+/// Samples of a block after which horizons are refined no more, per squared digit of 1/ε; they are cheaper
+/// than those of contacts. Chosen; not tuned.
 const HORIZON_SAMPLES: f64 = 1e6;
 /// Share of its row's largest entry below which a block gets fewer samples in proportion, and the least share of them.
 /// Chosen; not tuned.

@@ -1,10 +1,10 @@
-//! Whether a run begins or goes on.
+//! The start of a run with a journal: anew, or from what the journal holds.
 
-/// Whether a run begins or goes on.
+/// The start of a run with a journal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Begin {
-    /// In a folder without a journal.
+    /// A new run, in a folder without a journal.
     Anew,
-    /// From the journal that the folder holds.
+    /// A run that goes on from the journal that the folder holds.
     Resume,
 }

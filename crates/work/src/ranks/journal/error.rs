@@ -11,37 +11,37 @@ pub enum JournalError {
     File {
         /// The folder or the file.
         path: PathBuf,
-        /// What the system said.
+        /// Error of the system.
         source: io::Error,
     },
-    /// It holds a journal, and nothing says that the run goes on from it.
+    /// The folder holds a journal, and nothing says that the run goes on from it.
     #[error("{}: a run was recorded here", path.display())]
     Used {
         /// The folder.
         path: PathBuf,
     },
-    /// It holds no journal.
+    /// The folder holds no journal to go on from.
     #[error("{}: no run was recorded here", path.display())]
     Empty {
         /// The folder.
         path: PathBuf,
     },
-    /// It holds the journal of an earlier version of the program, whose pieces are of no use.
+    /// The folder holds the journal of an earlier version of the program, whose pieces are of no use.
     #[error("{}: this was recorded by an earlier version of this program", path.display())]
     Earlier {
-        /// A file of it.
+        /// A file of that journal.
         path: PathBuf,
     },
-    /// It holds the journal of another run.
+    /// The folder holds the journal of another run.
     #[error("{}: this records a run of another scene, or with other options, or of another program", path.display())]
     Other {
-        /// A file of it.
+        /// A file of that journal.
         path: PathBuf,
     },
 }
 
 impl JournalError {
-    /// How to mend it.
+    /// The cure, as a sentence.
     pub fn cure(&self) -> &'static str {
         match self {
             Self::File { .. } => {

@@ -1,4 +1,4 @@
-//! What the file of a journal begins with:
+//! The header of the file of a journal:
 //!
 //! ```text
 //! 8 bytes RADJRNL2, 4 bytes version of the pieces, 8 bytes fingerprint of the run, little-endian
@@ -15,10 +15,10 @@ const PIECES: u32 = 4;
 /// Bytes of a header.
 pub(super) const HEADER: usize = 20;
 
-/// Whose journal a file is, as its first bytes say.
+/// The owner of a file of a journal, as its first bytes say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Owner {
-    /// This run.
+    /// The run that reads the file.
     Own,
     /// A run that was ended before it had written its header.
     Begun,
@@ -39,7 +39,8 @@ pub(super) fn header(fingerprint: u64) -> [u8; HEADER] {
     header
 }
 
-/// Whose file begins with these bytes, at the most [`HEADER`] of them, where the own run has this fingerprint.
+/// The owner of a file that begins with these bytes, at the most [`HEADER`] of them, where the own run has
+/// this fingerprint.
 pub(super) fn owner(begins: &[u8], fingerprint: u64) -> Owner {
     let own = header(fingerprint);
     if begins == own {

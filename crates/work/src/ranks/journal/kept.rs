@@ -83,7 +83,7 @@ fn read_at(file: &mut File, place: &RecordPlace) -> io::Result<Vec<u8>> {
     Ok(record)
 }
 
-/// Whose file it is, by its header.
+/// The owner of a file, by its header.
 fn begun(reader: &mut impl Read, fingerprint: u64) -> io::Result<Owner> {
     let mut begins = Vec::new();
     reader.take(HEADER as u64).read_to_end(&mut begins)?;

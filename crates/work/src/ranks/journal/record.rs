@@ -9,7 +9,7 @@ use std::io::Read;
 
 use flate2::Crc;
 
-/// What a piece is found by.
+/// The key of a piece: its part of the run, and its number in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Key {
     /// The part of the run.

@@ -26,12 +26,12 @@ pub(super) struct Writer {
     written: Written,
 }
 
-/// What was written.
+/// Numbers of pieces and bytes that were written.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Written {
     pub(super) pieces: u64,
     pub(super) bytes: u64,
-    /// Why pieces are missing, if some are.
+    /// Reason why pieces are missing, if some are.
     pub(super) failed: Option<String>,
 }
 
@@ -79,7 +79,7 @@ impl Writer {
         self.at_stake = Duration::ZERO;
     }
 
-    /// What was written so far.
+    /// Numbers of pieces and bytes that were written so far.
     pub(super) fn written(&self) -> &Written {
         &self.written
     }
