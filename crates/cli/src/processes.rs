@@ -25,11 +25,7 @@ use radiosity_work::ranks::{Ranks, shares};
 use gate::{Call, Passed, fail, pass};
 use messages::{all_gather, complete, exchange};
 
-<<<<<<< HEAD
 /// Time that a rank that failed waits for the others before it ends them. Chosen.
-=======
-/// Longest time that a rank that failed waits for the others before it ends them. Chosen.
->>>>>>> words-w5
 const PATIENCE: Duration = Duration::from_secs(3);
 
 /// The processes of this run, until it is dropped.
@@ -39,11 +35,7 @@ pub(crate) struct World {
     _universe: Universe,
 }
 
-<<<<<<< HEAD
 /// The process of one rank.
-=======
-/// One process of the run.
->>>>>>> words-w5
 #[derive(Clone, Debug)]
 struct Processes {
     rank: usize,
@@ -110,11 +102,7 @@ impl World {
     }
 }
 
-<<<<<<< HEAD
 /// The share of this process in its machine.
-=======
-/// The share of its machine that this process may use.
->>>>>>> words-w5
 fn place(world: &SimpleCommunicator) -> Place {
     let machine = world.split_shared(world.rank());
     let own: Vec<u8> = allowed().into_iter().flat_map(|number| (number as u32).to_le_bytes()).collect();
@@ -125,11 +113,7 @@ fn place(world: &SimpleCommunicator) -> Place {
     Place::among(&all, machine.rank() as usize)
 }
 
-<<<<<<< HEAD
 /// The content of a mutex, also after a panic of its holder.
-=======
-/// The value in a mutex, whoever panicked.
->>>>>>> words-w5
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -173,11 +157,7 @@ impl Processes {
     }
 }
 
-<<<<<<< HEAD
 /// The failure with which all ranks end, of which some have failed; `own` is that of this rank.
-=======
-/// The failure that all ranks end with, of which some have failed; `own` is that of this one.
->>>>>>> words-w5
 fn failed(world: &SimpleCommunicator, own: Option<&Failure>) -> Option<Failure> {
     let own = postcard::to_allocvec(&own).expect("a failure is two plain values");
     let all = all_gather(world, &own).into_iter();
