@@ -12,11 +12,7 @@ use mpi::request::scope;
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::CommunicatorCollectives;
 
-<<<<<<< HEAD
 /// A call that a rank is about to make.
-=======
-/// The call that a rank is about to make.
->>>>>>> words-w5
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u64)]
 pub(super) enum Call {
@@ -29,11 +25,7 @@ pub(super) enum Call {
 /// Number of different [`Call`]s, or more.
 const CALLS: u64 = 4;
 
-<<<<<<< HEAD
 /// The result of the gate, the same for all ranks.
-=======
-/// The answer of the gate, the same on all ranks.
->>>>>>> words-w5
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Passed {
     /// All ranks are about to make the same call.
@@ -44,11 +36,7 @@ pub(super) enum Passed {
     Apart,
 }
 
-<<<<<<< HEAD
 /// Time up to which a rank waits busily, and time up to which it then yields its processor to others. Chosen.
-=======
-/// Time waited up to which a rank waits busily, and up to which it then only lets others go first. Chosen.
->>>>>>> words-w5
 const BUSY: Duration = Duration::from_micros(50);
 const YIELDING: Duration = Duration::from_millis(1);
 
