@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
-use radiosity::kernel::Miss;
+use radiosity::kernel::WorstError;
 use radiosity::output::readings::missed::{corrected, missed, no_error_of_order};
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
@@ -39,7 +39,7 @@ pub(crate) fn heat_of(
     let heat = work(py, observer.as_ref(), |progress| {
         library::Heat::of(&scene.scene, &request.options(Ranks::alone()), &Work::alone().told(progress))
     })?;
-    if let Some(miss) = heat.outcome.miss.filter(Miss::is_real) {
+    if let Some(miss) = heat.outcome.worst_error.filter(WorstError::is_real) {
         let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
         warn(
             py,

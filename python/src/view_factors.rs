@@ -7,7 +7,7 @@ use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::shapes::Polygon;
-use radiosity::kernel::Miss;
+use radiosity::kernel::WorstError;
 use radiosity::output::readings::missed::missed;
 use radiosity::output::readings::row_sums::RowSums;
 use radiosity::request::TransferRequest;
@@ -106,7 +106,7 @@ fn factors(
         };
         library::ViewFactors::of_pairs(scene, &wanted, &request.factors(), &Work::alone().told(&tell))
     })?;
-    if let Some(miss) = factors.miss.filter(Miss::is_real) {
+    if let Some(miss) = factors.worst_error.filter(WorstError::is_real) {
         warn(py, &missed(&miss, miss.pair.map(|surface| &factors.names[surface][..])))?;
     }
     let sums = pairs.is_empty().then(|| RowSums::of(&factors, request.accuracy()));

@@ -3,7 +3,7 @@
 use std::{fs, path::Path, process::Command};
 
 use radiosity::work::ranks::Ranks;
-use radiosity::{elements::Discretization, solve::driver::memory::Footprint};
+use radiosity::{elements::Discretization, solve::driver::memory::MemoryEstimate};
 use radiosity_solvers::method::Method;
 use radiosity_test_support::folders::{folder, json, names};
 use radiosity_test_support::scenes::builtin;
@@ -211,7 +211,8 @@ fn a_wanted_accuracy_that_memory_forbids_keeps_the_best_run() {
     let here = folder.path();
     let how = Discretization::uniform(3, 1);
     let scene = builtin("empty-box");
-    let peak = Footprint::of(&scene, &how, Method::named("auto").unwrap(), Ranks::alone()).peak().to_string();
+    let peak =
+        MemoryEstimate::of(&scene, &how, Method::named("auto").unwrap(), Ranks::alone()).peak().to_string();
     let args =
         ["solve", "empty-box", "--accuracy", "1e-6", "--subdivide", "1", "--report", "r.json", "--memory"];
     let output = radiosity(here, &[&args[..], &[&peak]].concat());
@@ -369,7 +370,7 @@ fn a_report_has_every_key_and_they_agree() {
         assert!(report["checks"][key].is_f64(), "{key}");
     }
     let pairs = |key: &str| report["pairs"][key].as_u64().unwrap_or_else(|| panic!("{key} is missing"));
-    let skipped = ["skipped_facing", "skipped_coplanar", "skipped_hidden", "skipped_black"].map(pairs);
+    let skipped = ["skipped_behind", "skipped_coplanar", "skipped_hidden", "skipped_black"].map(pairs);
     let taken = ["same", "edge", "vertex", "contact", "split", "separated", "contour"].map(pairs);
     assert_eq!(pairs("total"), skipped.iter().chain(&taken).sum::<u64>());
     let elements = report["elements"].as_u64().unwrap();
@@ -446,7 +447,7 @@ fn peak_and_estimate(order: usize, subdivide: usize, solver: &str) -> [f64; 2] {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let scene = builtin("empty-box");
     let how = Discretization::uniform(order, subdivide);
-    let estimate = Footprint::of(&scene, &how, Method::named(solver).unwrap(), Ranks::alone()).peak();
+    let estimate = MemoryEstimate::of(&scene, &how, Method::named(solver).unwrap(), Ranks::alone()).peak();
     [json(&folder.path().join("r.json"))["peak_bytes"].as_f64().unwrap(), estimate as f64]
 }
 

@@ -55,7 +55,7 @@ impl Case {
         let cells = (0..scene.surfaces.len()).flat_map(cells);
         let exact = cells.filter_map(|(surface, i, j)| {
             let spot = Spot::at(fine.elements(), surface, [middle(i), middle(j)], diagonal)?;
-            Some((spot.place, gather.at(&spot.vantage(spot.normal))[0]))
+            Some((spot.place, gather.at(&spot.receiver_point(spot.normal))[0]))
         });
         let exact: Vec<_> = exact.collect();
         let error = move |solution: &Solution| {

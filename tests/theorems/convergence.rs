@@ -11,7 +11,7 @@ use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements, Subdivide};
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
-use radiosity::solve::driver::memory::Footprint;
+use radiosity::solve::driver::memory::MemoryEstimate;
 use radiosity::solve::gather::Gather;
 use radiosity::solve::solution::{Band, Place, Solution};
 use radiosity::solve::studies::adaptation::{Achieved, Adapted, Aim, End, Goal, adapt};
@@ -323,8 +323,13 @@ fn a_finer_run_that_fails_leaves_the_one_before() {
     // What order 3 needs is enough for order 2, the first, but not for order 4, the second.
     let scene = builtin("empty-box");
     let whole = |order| {
-        Footprint::of(&scene, &Discretization::uniform(order, 1), Options::default().method, Ranks::alone())
-            .peak()
+        MemoryEstimate::of(
+            &scene,
+            &Discretization::uniform(order, 1),
+            Options::default().method,
+            Ranks::alone(),
+        )
+        .peak()
     };
     let memory = Some(whole(3));
     assert!(whole(2) < whole(3) && whole(3) < whole(4));

@@ -37,7 +37,7 @@ fn told(solved: &Solved) -> String {
         outcome.sampling,
         outcome.iterations,
         outcome.solver,
-        outcome.miss,
+        outcome.worst_error,
         solved.achieved,
     )
 }

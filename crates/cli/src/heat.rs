@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use radiosity_heat::Heat;
-use radiosity_kernel::Miss;
+use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;
 use radiosity_output::drawings::round::significant;
 use radiosity_output::readings::checkpoint::Checkpoint;
@@ -150,7 +150,7 @@ fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant, ranks: &Ranks) -> Re
     let progress = Progress::new(args.transfers.quiet, ranks);
     let show = |event| {
         if let Event::Done { stage: Stage::Blocks | Stage::Comparison, .. } | Event::Rays { .. } = event {
-            progress.hear(event);
+            progress.listen(event);
         }
     };
     let work = Work::among(ranks).told(&show);
@@ -229,7 +229,7 @@ impl HeatArgs {
                 conductances.asymmetry
             ));
         }
-        if let Some(miss) = heat.outcome.miss.filter(Miss::is_real) {
+        if let Some(miss) = heat.outcome.worst_error.filter(WorstError::is_real) {
             let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
             let names = miss.pair.map(|element| scene.surfaces[surface(element)].name.as_str());
             lines.push(format!("warning: {}", missed(&miss, names)));

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use radiosity_kernel::Miss;
+use radiosity_kernel::WorstError;
 use radiosity_output::files::view_factors as output;
 use radiosity_output::files::view_factors::Sparse;
 use radiosity_output::readings::checkpoint::Checkpoint;
@@ -225,7 +225,7 @@ impl ViewFactorsArgs {
         if self.pairs.is_empty() {
             lines.extend(self.sums(factors));
         }
-        if let Some(miss) = factors.miss.filter(Miss::is_real) {
+        if let Some(miss) = factors.worst_error.filter(WorstError::is_real) {
             let names = miss.pair.map(|surface| &factors.names[surface][..]);
             lines.push(format!("warning: {}", missed(&miss, names)));
         }

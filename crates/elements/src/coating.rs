@@ -22,7 +22,7 @@ use std::sync::Arc;
 use radiosity_core::dot;
 use radiosity_geom::Rect;
 use radiosity_scene::Scene;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use super::element::Element;
@@ -366,7 +366,7 @@ fn of_each<T: Send + Sync>(
 ) -> BTreeMap<usize, Arc<T>> {
     let made = elements.par_iter().enumerate();
     made.filter_map(|(index, element)| {
-        heed();
+        check_interrupt();
         Some((index, Arc::new(make(element)?)))
     })
     .collect()

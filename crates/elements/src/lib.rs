@@ -32,7 +32,7 @@ use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_width, touching
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_visibility::covers::{self, Cover, covers};
 use radiosity_visibility::footings::bare_shapes;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use basis::HIGHEST_ORDER;
 pub use discretization::{Discretization, Subdivide};
@@ -151,7 +151,7 @@ impl Elements {
             let mut maker =
                 Maker { surface: (index, surface), space: how.space, covers: &own, list: &mut list };
             let cells = cells.map(&Rect::FULL, &mut |rect, order| {
-                heed();
+                check_interrupt();
                 maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
             })?;
             let mut covered = Vec::new();

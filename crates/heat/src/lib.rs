@@ -115,7 +115,7 @@ impl Heat {
             let Solved { model, mut outcome, closure } = solved(scene, &roles, &options, work)?;
             let mut surfaces = figures(scene, &roles, &outcome)?;
             // What rules or rays missed does not matter where sums tell it.
-            outcome.miss = outcome.miss.filter(|_| !closure.is_exact);
+            outcome.worst_error = outcome.worst_error.filter(|_| !closure.is_exact);
             let reached = options.eps.max(outcome.accuracy_reached);
             add_errors_of_blocks(&mut surfaces, if closure.is_exact { options.tolerance } else { reached });
             let conductances =

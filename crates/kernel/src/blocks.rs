@@ -6,7 +6,7 @@
 
 pub mod block;
 pub mod held;
-pub(crate) mod miss;
+pub(crate) mod worst_error;
 pub(crate) mod pair_counts;
 pub(crate) mod reciprocity;
 pub(crate) mod remainder;
@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use radiosity_core::dot;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -24,9 +24,9 @@ use serde::{Deserialize, Serialize};
 use crate::blocks::pair_counts::PairCounts;
 use block::Account;
 use held::Held;
-use miss::Miss;
 use reciprocity::Reciprocity;
 use remainder::Remainder;
+use worst_error::WorstError;
 
 /// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their results.
 const CHUNKS: usize = 32;
@@ -60,10 +60,10 @@ pub struct Blocks {
     pub rays: u64,
     /// Reciprocity, from a sample of pairs that were integrated both ways.
     pub reciprocity: Reciprocity,
-    /// Estimate of the largest error of a block that rules or rays leave ([`Miss::error`]); zero if all were resolved.
+    /// Estimate of the largest error of a block that rules or rays leave ([`WorstError::error`]); zero if all were resolved.
     pub accuracy_reached: f64,
     /// The block whose error is the largest multiple of what was asked of it.
-    pub miss: Option<Miss>,
+    pub worst_error: Option<WorstError>,
     /// Of blocks that are known otherwise than by integrals.
     pub remainders: Vec<Remainder>,
 }
@@ -142,7 +142,7 @@ impl Blocks {
             rays: 0,
             reciprocity: Reciprocity::default(),
             accuracy_reached: 0.0,
-            miss: None,
+            worst_error: None,
             remainders: Vec::new(),
         }
     }
@@ -197,10 +197,10 @@ impl Blocks {
     }
 
     /// Takes the error of a block into account.
-    pub fn tell(&mut self, miss: Miss) {
-        self.accuracy_reached = self.accuracy_reached.max(miss.error);
-        if self.miss.is_none_or(|worst| miss.excess() > worst.excess()) {
-            self.miss = Some(miss);
+    pub fn record_error(&mut self, error: WorstError) {
+        self.accuracy_reached = self.accuracy_reached.max(error.error);
+        if self.worst_error.is_none_or(|worst| error.excess() > worst.excess()) {
+            self.worst_error = Some(error);
         }
     }
 
@@ -287,8 +287,8 @@ impl Blocks {
             .for_each(|Row { pair: [row, column], values, .. }| all.push_cross(*row, *column, values));
         (all.pairs, all.samples, all.distinct, all.rays) =
             (self.pairs, self.samples, self.distinct, self.rays);
-        (all.reciprocity, all.accuracy_reached, all.miss) =
-            (self.reciprocity, self.accuracy_reached, self.miss);
+        (all.reciprocity, all.accuracy_reached, all.worst_error) =
+            (self.reciprocity, self.accuracy_reached, self.worst_error);
         all.integrated.clone_from(&self.integrated);
         all.remainders.clone_from(&self.remainders);
         Cow::Owned(all)
@@ -307,7 +307,7 @@ impl Blocks {
 
     /// y = G x.
     pub fn apply(&self, x: &[f64]) -> Vec<f64> {
-        heed();
+        check_interrupt();
         if self.crosses.all > 0 {
             return self.apply_in_chunks(x);
         }
@@ -337,7 +337,7 @@ impl Blocks {
     fn add_chunks(&self, list: &List, add: &(dyn Fn(&Stored, &mut [f64]) + Sync), sum: &mut [f64]) {
         let length = sum.len();
         let parts = list.chunks().into_par_iter().map(|blocks| {
-            heed();
+            check_interrupt();
             let mut y = vec![0.0; length];
             blocks.iter().for_each(|block| add(block, &mut y));
             y

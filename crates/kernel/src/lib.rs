@@ -17,7 +17,7 @@ pub mod terms;
 pub use blocks::Blocks;
 pub use blocks::block::Accuracy;
 pub use blocks::block::Kind;
-pub use blocks::miss::Miss;
+pub use blocks::worst_error::WorstError;
 pub use blocks::pair_counts::PairCounts;
 pub use blocks::reciprocity::Reciprocity;
 pub use blocks::remainder::Remainder;

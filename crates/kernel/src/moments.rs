@@ -21,7 +21,7 @@ use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::columns::transposed;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::change::Change;
 use crate::moments::chart::Chart;
@@ -70,7 +70,7 @@ impl PatchMoments<'_> {
     /// Adds `weight` times the tensor rule with nodes and weights along s and t of the receiver, then u and v of the
     /// emitter, all in [0, 1].
     pub(crate) fn product(&mut self, [s, t, u, v]: [Line; 4], weight: f64, sees: Option<Sees>) {
-        heed();
+        check_interrupt();
         let receiver = Grid::new(self.patches[0], &self.charts[0], s, t);
         let emitter = Grid::new(self.patches[1], &self.charts[1], u, v);
         tensor::add(&mut self.values, weight, [&receiver, &emitter], sees, &mut self.rays);

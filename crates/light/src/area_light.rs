@@ -51,7 +51,7 @@ pub(crate) type Side = [DVec3; 2];
 /// A curved surface of even exitance.
 #[derive(Debug)]
 pub(crate) struct AreaLight<'a> {
-    net: &'a SilhouetteMesh,
+    mesh: &'a SilhouetteMesh,
     /// The quads of the silhouette mesh.
     quads: Vec<[Knot; 4]>,
     /// Indices, ascending, of the surfaces that close it (lids): they hide nothing of it.
@@ -68,8 +68,8 @@ impl<'a> AreaLight<'a> {
         if visibility.pieces(surface).is_some() || visibility.hides_itself(surface) {
             return None;
         }
-        let net = visibility.net(surface);
-        let quads: Vec<[Knot; 4]> = net.quads().map(|quad| quad.knots).collect();
+        let mesh = visibility.silhouette_mesh(surface);
+        let quads: Vec<[Knot; 4]> = mesh.quads().map(|quad| quad.knots).collect();
         let bounds = visibility.bounds_of(surface);
         let (center, radius) = (bounds.center(), 0.5 * bounds.diagonal());
         let is_lid = |other: &usize| {
@@ -77,7 +77,10 @@ impl<'a> AreaLight<'a> {
             let is_behind = |y: DVec3| quads.iter().flatten().all(|x| height(y, x) <= BEHIND * radius);
             match visibility.pieces(*other) {
                 Some(pieces) => pieces.iter().flatten().all(|y| is_behind(*y)),
-                None => visibility.net(*other).quads().all(|q| q.knots.iter().all(|y| is_behind(y.position))),
+                None => visibility
+                    .silhouette_mesh(*other)
+                    .quads()
+                    .all(|q| q.knots.iter().all(|y| is_behind(y.position))),
             }
         };
         let mut sides = (bounds.max - bounds.min).to_array();
@@ -85,7 +88,7 @@ impl<'a> AreaLight<'a> {
         let near = visibility.near(&bounds.inflate(0.5 * ROOM * sides[1])).into_iter();
         let (lids, others): (Vec<usize>, Vec<usize>) =
             near.filter(|other| *other != surface).partition(is_lid);
-        others.is_empty().then_some(Self { net, quads, lids, center, radius })
+        others.is_empty().then_some(Self { mesh, quads, lids, center, radius })
     }
 
     /// Upper bound of the irradiance from exitance 1 at a point outside the bounding ball.
@@ -162,13 +165,13 @@ impl<'a> AreaLight<'a> {
     }
 
     fn shape(&self) -> &dyn Surface {
-        self.net.shape()
+        self.mesh.shape()
     }
 
     /// The projection plane: a rectangle that touches the surface from the eye's side, with the outline `sides` in its
     /// coordinates. It is perpendicular to the mean normal of the part that faces `eye`, or else to the view; one side
     /// runs along the outline's farthest point. None where the eye is too near.
-    pub(crate) fn screen(&self, eye: DVec3, sides: &[Side]) -> Option<(ProjectionPlane, Vec<[[f64; 2]; 2]>)> {
+    pub(crate) fn plane(&self, eye: DVec3, sides: &[Side]) -> Option<(ProjectionPlane, Vec<[[f64; 2]; 2]>)> {
         let front = self.quads.iter().flatten().filter(|x| x.normal.dot(x.position - eye) < 0.0);
         let facing = -front.map(|x| x.normal).sum::<DVec3>().normalize_or_zero();
         let towards = (self.center - eye).normalize_or_zero();
@@ -227,18 +230,18 @@ pub(crate) fn flat_outline(
     if visibility.pieces(surface).is_some() || visibility.hides_itself(surface) {
         return None;
     }
-    let net = visibility.net(surface);
-    let Knot { position, normal, .. } = net.quads().next()?.knots[0];
+    let mesh = visibility.silhouette_mesh(surface);
+    let Knot { position, normal, .. } = mesh.quads().next()?.knots[0];
     let most = BEHIND * visibility.bounds_of(surface).diagonal();
     let is_level = |knot: &Knot| (knot.position - position).dot(normal).abs() <= most;
     let mut corners = Vec::new();
-    for quad in net.quads() {
+    for quad in mesh.quads() {
         if !quad.knots.iter().all(is_level) {
             return None;
         }
         let edges = (0..4).map(|k| [quad.knots[k], quad.knots[(k + 1) % 4]]);
         for [a, b] in edges.filter(|[a, b]| is_border(a, b)) {
-            corners.extend([a.position, apex(net.shape(), [a, b]), b.position]);
+            corners.extend([a.position, apex(mesh.shape(), [a, b]), b.position]);
         }
     }
     let corners = extreme_points(&corners, normal);

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use radiosity_geom::{Aabb, DVec3, separated};
-use radiosity_visibility::shadow_volume::{Cover, Pyramid};
+use radiosity_visibility::shadow_volume::{Cover, ShadowVolume};
 use radiosity_visibility::{END, OWN_END, Visibility};
 use smallvec::{SmallVec, smallvec};
 
@@ -16,9 +16,9 @@ use crate::receiver_point::ReceiverPoint;
 
 /// The occluders around a receiver point, as blockers seen from it.
 pub(crate) struct Shadows<'a> {
-    vantage: &'a ReceiverPoint,
+    receiver: &'a ReceiverPoint,
     visibility: &'a Visibility,
-    surroundings: &'a Occluders,
+    occluders: &'a Occluders,
     blockers: Vec<Blocker>,
     /// The blockers of each obstacle, made when first needed.
     of_obstacle: SmallVec<[Option<Range<usize>>; 8]>,
@@ -29,14 +29,14 @@ pub(crate) struct Shadows<'a> {
 #[expect(clippy::large_enum_variant, reason = "most are flat, and made for one point: boxes would cost more")]
 enum Blocker {
     /// A convex planar polygon.
-    Flat(Pyramid),
+    Flat(ShadowVolume),
     /// A curved surface, by index.
     Curved(usize),
 }
 
 /// The blockers that may hide a part of a cell: a range of the stack of [`Shadows`].
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Before {
+pub(crate) struct ListedOccluders {
     start: usize,
     end: usize,
 }
@@ -55,7 +55,7 @@ impl<'a> Extent<'a> {
     }
 }
 
-impl Before {
+impl ListedOccluders {
     /// Whether no blocker stands before the cell.
     pub(crate) fn is_nothing(&self) -> bool {
         self.start == self.end
@@ -63,36 +63,36 @@ impl Before {
 }
 
 impl<'a> Shadows<'a> {
-    /// Blockers for a receiver point `vantage` of the site that the occluders `surroundings` were listed for.
+    /// Blockers for a receiver point `receiver` of the site that the occluders `occluders` were listed for.
     pub(crate) fn new(
-        vantage: &'a ReceiverPoint,
+        receiver: &'a ReceiverPoint,
         visibility: &'a Visibility,
-        surroundings: &'a Occluders,
+        occluders: &'a Occluders,
     ) -> Self {
-        let of_obstacle = smallvec![None; surroundings.obstacles.len()];
-        Self { vantage, visibility, surroundings, blockers: Vec::new(), of_obstacle, asked: SmallVec::new() }
+        let of_obstacle = smallvec![None; occluders.obstacles.len()];
+        Self { receiver, visibility, occluders, blockers: Vec::new(), of_obstacle, asked: SmallVec::new() }
     }
 
     /// Whether all obstacles are planar.
     pub(crate) fn all_flat(&self) -> bool {
-        self.surroundings.obstacles.iter().all(|surface| self.visibility.pieces(*surface).is_some())
+        self.occluders.obstacles.iter().all(|surface| self.visibility.pieces(*surface).is_some())
     }
 
     /// Starts a new stack with the blockers, of obstacles with the indices `places`, that may hide a part of `bounds`.
-    pub(crate) fn ask(&mut self, places: &[usize], bounds: &Aabb) -> Before {
+    pub(crate) fn ask(&mut self, places: &[usize], bounds: &Aabb) -> ListedOccluders {
         self.asked.clear();
         for place in places {
             // A shadow volume costs more than the test whether it is needed.
             if self.of_obstacle[*place].is_none() {
-                let (surface, radius) = (self.surroundings.obstacles[*place], 0.5 * bounds.diagonal());
-                if self.visibility.is_apart(surface, self.vantage.position, bounds.center(), radius) {
+                let (surface, radius) = (self.occluders.obstacles[*place], 0.5 * bounds.diagonal());
+                if self.visibility.is_apart(surface, self.receiver.position, bounds.center(), radius) {
                     continue;
                 }
             }
             let blockers = self.blockers_of(*place);
             self.asked.extend(blockers);
         }
-        Before { start: 0, end: self.asked.len() }
+        ListedOccluders { start: 0, end: self.asked.len() }
     }
 
     /// The blockers of the obstacle with the index `place`.
@@ -101,9 +101,9 @@ impl<'a> Shadows<'a> {
             return range.clone();
         }
         let start = self.blockers.len();
-        let surface = self.surroundings.obstacles[place];
+        let surface = self.occluders.obstacles[place];
         match self.visibility.pieces(surface) {
-            Some(_) => self.blockers.extend(self.pyramids_over(surface).into_iter().map(Blocker::Flat)),
+            Some(_) => self.blockers.extend(self.volumes_over(surface).into_iter().map(Blocker::Flat)),
             None => self.blockers.push(Blocker::Curved(surface)),
         }
         let range = start..self.blockers.len();
@@ -112,11 +112,11 @@ impl<'a> Shadows<'a> {
     }
 
     /// The shadow volumes of a planar surface, or of its convex body, without pieces below the horizon.
-    fn pyramids_over(&self, surface: usize) -> SmallVec<[Pyramid; 1]> {
-        let rises = |piece: &[DVec3]| !self.vantage.is_above(piece);
-        let mut pyramids = SmallVec::new();
-        self.visibility.add_pyramids(surface, self.vantage.position, rises, &mut pyramids);
-        pyramids
+    fn volumes_over(&self, surface: usize) -> SmallVec<[ShadowVolume; 1]> {
+        let rises = |piece: &[DVec3]| !self.receiver.is_above(piece);
+        let mut volumes = SmallVec::new();
+        self.visibility.add_pyramids(surface, self.receiver.position, rises, &mut volumes);
+        volumes
     }
 
     /// The blockers between the point and an area light: shadow volumes of planar obstacles, and indices of curved
@@ -124,15 +124,15 @@ impl<'a> Shadows<'a> {
     pub(crate) fn before_lamp(
         &self,
         lamp: &AreaLight,
-        screen: &ProjectionPlane,
+        plane: &ProjectionPlane,
         places: &[usize],
-    ) -> Option<(Vec<Pyramid>, Vec<usize>)> {
-        let corners: Vec<DVec3> = screen.outline.iter().map(|[s, t]| screen.at(*s, *t)).collect();
+    ) -> Option<(Vec<ShadowVolume>, Vec<usize>)> {
+        let corners: Vec<DVec3> = plane.outline.iter().map(|[s, t]| plane.at(*s, *t)).collect();
         let (mut flat, mut curved) = (Vec::new(), Vec::new());
         for place in places {
-            let surface = self.surroundings.obstacles[*place];
-            let stands = !self.visibility.is_apart(surface, self.vantage.position, lamp.center, lamp.radius)
-                && screen.reaches(&self.visibility.bounds_of(surface))
+            let surface = self.occluders.obstacles[*place];
+            let stands = !self.visibility.is_apart(surface, self.receiver.position, lamp.center, lamp.radius)
+                && plane.reaches(&self.visibility.bounds_of(surface))
                 && !lamp.is_closed_by(self.visibility.faces(&surface));
             if !stands {
                 continue;
@@ -141,11 +141,11 @@ impl<'a> Shadows<'a> {
                 curved.push(surface);
                 continue;
             }
-            for pyramid in self.pyramids_over(surface) {
-                match pyramid.cover_of(&corners) {
+            for volume in self.volumes_over(surface) {
+                match volume.cover_of(&corners) {
                     Cover::Clear => {}
                     Cover::Hidden => return None,
-                    Cover::Mixed => flat.push(pyramid),
+                    Cover::Mixed => flat.push(volume),
                 }
             }
         }
@@ -154,11 +154,11 @@ impl<'a> Shadows<'a> {
 
     /// Whether one of the obstacles with the indices `places` hides the centre of an area light.
     pub(crate) fn hide_lamp(&self, lamp: &AreaLight, places: &[usize]) -> bool {
-        let x = self.vantage.position;
-        places.iter().map(|place| &self.surroundings.obstacles[*place]).any(|surface| {
+        let x = self.receiver.position;
+        places.iter().map(|place| &self.occluders.obstacles[*place]).any(|surface| {
             let faces = self.visibility.faces(surface);
             let blocks = |face: &usize| {
-                let margin = if self.vantage.surface == Some(*face) { OWN_END } else { END };
+                let margin = if self.receiver.surface == Some(*face) { OWN_END } else { END };
                 self.visibility.blocks(*face, x, lamp.center, margin)
             };
             !self.visibility.is_apart(*surface, x, lamp.center, 0.0)
@@ -167,19 +167,19 @@ impl<'a> Shadows<'a> {
         })
     }
 
-    /// Adds a curved blocker to the hidden spans `facets`; `is_own`: the screen stands for a piece of that blocker.
-    pub(crate) fn add_curved(&self, facets: &mut HiddenSpans<'a>, other: usize, is_own: bool) {
-        let ReceiverPoint { normal, ground, surface, .. } = *self.vantage;
+    /// Adds a curved blocker to the hidden spans `spans`; `is_own`: the plane stands for a piece of that blocker.
+    pub(crate) fn add_curved(&self, spans: &mut HiddenSpans<'a>, other: usize, is_own: bool) {
+        let ReceiverPoint { normal, ground, surface, .. } = *self.receiver;
         let ground = (surface == Some(other)).then_some(ground.unwrap_or(normal));
-        facets.add_curved(self.visibility.net(other), ground, is_own);
+        spans.add_curved(self.visibility.silhouette_mesh(other), ground, is_own);
     }
 
     /// Pushes the blockers in `above` that may hide a part of `cell` onto the stack; None where one hides all of it.
-    pub(crate) fn narrow(&mut self, above: Before, cell: &Cell) -> Option<Before> {
+    pub(crate) fn narrow(&mut self, above: ListedOccluders, cell: &Cell) -> Option<ListedOccluders> {
         self.kept(above, |shadows, blocker| match blocker {
-            Blocker::Flat(pyramid) => match &cell.quad {
-                Some((quad, radius)) => pyramid.cover_of_quad(quad, *radius),
-                None => pyramid.cover(&cell.hull, cell.center, cell.radius),
+            Blocker::Flat(volume) => match &cell.quad {
+                Some((quad, radius)) => volume.cover_of_quad(quad, *radius),
+                None => volume.cover(&cell.hull, cell.center, cell.radius),
             },
             Blocker::Curved(surface) if cell.is_flat() => shadows.cover_of_ball(*surface, &Extent::of(cell)),
             Blocker::Curved(surface) => shadows.curved_cover(*surface, &Extent::of(cell)),
@@ -187,15 +187,19 @@ impl<'a> Shadows<'a> {
     }
 
     /// As [`Shadows::narrow`], for anything.
-    pub(crate) fn narrow_to(&mut self, above: Before, extent: &Extent) -> Option<Before> {
+    pub(crate) fn narrow_to(&mut self, above: ListedOccluders, extent: &Extent) -> Option<ListedOccluders> {
         self.kept(above, |shadows, blocker| match blocker {
-            Blocker::Flat(pyramid) => pyramid.cover(extent.hull, extent.center, extent.radius),
+            Blocker::Flat(volume) => volume.cover(extent.hull, extent.center, extent.radius),
             Blocker::Curved(surface) => shadows.curved_cover(*surface, extent),
         })
     }
 
     /// Pushes the blockers in `above` that do not leave everything clear onto the stack; None where one hides everything.
-    fn kept(&mut self, above: Before, cover: impl Fn(&Self, &Blocker) -> Cover) -> Option<Before> {
+    fn kept(
+        &mut self,
+        above: ListedOccluders,
+        cover: impl Fn(&Self, &Blocker) -> Cover,
+    ) -> Option<ListedOccluders> {
         self.asked.truncate(above.end);
         for place in above.start..above.end {
             let blocker = self.asked[place];
@@ -205,18 +209,18 @@ impl<'a> Shadows<'a> {
                 Cover::Mixed => self.asked.push(blocker),
             }
         }
-        Some(Before { start: above.end, end: self.asked.len() })
+        Some(ListedOccluders { start: above.end, end: self.asked.len() })
     }
 
     /// Whether all these blockers are planar.
-    pub(crate) fn are_flat(&self, before: Before) -> bool {
+    pub(crate) fn are_flat(&self, before: ListedOccluders) -> bool {
         self.of(before).all(|blocker| matches!(blocker, Blocker::Flat(_)))
     }
 
     /// The shadow volumes of the planar blockers.
-    pub(crate) fn pyramids(&self, before: Before) -> impl Iterator<Item = &Pyramid> {
+    pub(crate) fn volumes(&self, before: ListedOccluders) -> impl Iterator<Item = &ShadowVolume> {
         self.of(before).filter_map(|blocker| match blocker {
-            Blocker::Flat(pyramid) => Some(pyramid),
+            Blocker::Flat(volume) => Some(volume),
             Blocker::Curved(_) => None,
         })
     }
@@ -224,43 +228,43 @@ impl<'a> Shadows<'a> {
     /// The hidden spans on a convex planar polygon; None where the point lies in its plane.
     ///
     /// The polygon may stand for a piece of the surface `curved` whose convex hull is spanned by `hull`.
-    pub(crate) fn facets(
+    pub(crate) fn hidden_spans(
         &self,
-        before: Before,
+        before: ListedOccluders,
         polygon: &[DVec3],
         hull: &[DVec3],
         curved: Option<usize>,
     ) -> Option<HiddenSpans<'_>> {
-        let mut facets = HiddenSpans::new(ProjectionPlane::new(self.vantage.position, polygon, hull)?);
+        let mut spans = HiddenSpans::new(ProjectionPlane::new(self.receiver.position, polygon, hull)?);
         for blocker in self.of(before) {
             match blocker {
-                Blocker::Flat(pyramid) => facets.add_flat(pyramid),
-                Blocker::Curved(other) => self.add_curved(&mut facets, *other, curved == Some(*other)),
+                Blocker::Flat(volume) => spans.add_flat(volume),
+                Blocker::Curved(other) => self.add_curved(&mut spans, *other, curved == Some(*other)),
             }
         }
-        Some(facets)
+        Some(spans)
     }
 
     /// Whether the point `y` of `surface` is hidden.
-    pub(crate) fn hide(&self, before: Before, y: DVec3, surface: usize) -> bool {
-        let own = [Some(surface), self.vantage.surface];
+    pub(crate) fn hide(&self, before: ListedOccluders, y: DVec3, surface: usize) -> bool {
+        let own = [Some(surface), self.receiver.surface];
         self.of(before).any(|blocker| match blocker {
-            Blocker::Flat(pyramid) => pyramid.hides(y),
+            Blocker::Flat(volume) => volume.hides(y),
             Blocker::Curved(other) => {
                 let margin = if own.contains(&Some(*other)) { OWN_END } else { END };
-                self.visibility.blocks(*other, self.vantage.position, y, margin)
+                self.visibility.blocks(*other, self.receiver.position, y, margin)
             }
         })
     }
 
-    fn of(&self, before: Before) -> impl Iterator<Item = &Blocker> {
+    fn of(&self, before: ListedOccluders) -> impl Iterator<Item = &Blocker> {
         self.asked[before.start..before.end].iter().map(|blocker| &self.blockers[*blocker])
     }
 
     /// A curved surface hides nothing if a plane separates it from both the extent and the point.
     fn curved_cover(&self, surface: usize, extent: &Extent) -> Cover {
         let apart = || {
-            let eye = [self.vantage.position];
+            let eye = [self.receiver.position];
             separated(&eye, extent.hull, self.visibility.hull(surface), 0.0)
         };
         match self.cover_of_ball(surface, extent) {
@@ -271,7 +275,7 @@ impl<'a> Shadows<'a> {
 
     /// A surface hides nothing if it is outside the box around the extent and the point, or too far from the segment between them.
     fn cover_of_ball(&self, surface: usize, extent: &Extent) -> Cover {
-        let eye = self.vantage.position;
+        let eye = self.receiver.position;
         let shaft = Aabb::around(extent.hull.iter().copied().chain([eye]));
         let bounds = self.visibility.bounds_of(surface);
         let far = || {

@@ -50,7 +50,7 @@ pub struct DirectLight<'a> {
     /// For each emitter, its area light if it can be taken as a whole.
     lamps: Vec<Option<AreaLight<'a>>>,
     /// Occluders per receiving element.
-    surroundings: Vec<Occluders>,
+    occluders: Vec<Occluders>,
     bands: usize,
     eps: f64,
 }
@@ -91,10 +91,9 @@ impl<'a> DirectLight<'a> {
             AreaLight::new(visibility, element.surface)
         };
         let lamps = emitters.iter().map(lamp).collect();
-        let surroundings = Vec::new();
-        let mut light =
-            Self { elements, points, visibility, emitters, trees, lamps, surroundings, bands, eps };
-        light.surroundings = elements.par_iter().map(|element| light.around(&Site::of(element))).collect();
+        let occluders = Vec::new();
+        let mut light = Self { elements, points, visibility, emitters, trees, lamps, occluders, bands, eps };
+        light.occluders = elements.par_iter().map(|element| light.around(&Site::of(element))).collect();
         light
     }
 
@@ -103,89 +102,84 @@ impl<'a> DirectLight<'a> {
         self.emitters.iter().map(|emitter| emitter.element)
     }
 
-    /// For each emitter, its index and the irradiance per unit of its exitance at `x` on element `receiver` with the
+    /// For each emitter, its index and the irradiance per unit of its exitance at `x` on element `element` with the
     /// unit normal `n`.
-    pub fn factors(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
-        let vantage = ReceiverPoint::on(self.elements[receiver].surface, x, n);
-        let factors = self.from(&vantage, &self.surroundings[receiver], 0.0);
+    pub fn factors(&self, element: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
+        let receiver = ReceiverPoint::on(self.elements[element].surface, x, n);
+        let factors = self.from(&receiver, &self.occluders[element], 0.0);
         self.emitters().zip(factors).collect()
     }
 
-    /// Irradiance (W m⁻²) per band at `x` on element `receiver` with unit normal `n`.
-    pub fn at(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<f64> {
-        self.at_beside(receiver, x, n, &[])
+    /// Irradiance (W m⁻²) per band at `x` on element `element` with unit normal `n`.
+    pub fn at(&self, element: usize, x: DVec3, n: DVec3) -> Vec<f64> {
+        self.at_beside(element, x, n, &[])
     }
 
     /// As [`DirectLight::at`], where `other` light (W m⁻² per band) arrives too: the tolerance is relative to both.
-    pub fn at_beside(&self, receiver: usize, x: DVec3, n: DVec3, other: &[f64]) -> Vec<f64> {
-        let vantage = ReceiverPoint::on(self.elements[receiver].surface, x, n);
-        self.irradiance_beside(&vantage, &self.surroundings[receiver], other)
+    pub fn at_beside(&self, element: usize, x: DVec3, n: DVec3, other: &[f64]) -> Vec<f64> {
+        let receiver = ReceiverPoint::on(self.elements[element].surface, x, n);
+        self.irradiance_beside(&receiver, &self.occluders[element], other)
     }
 
-    /// Irradiance (W m⁻²) per band at a node of element `receiver`, from elements alone.
-    pub(crate) fn of_elements_at(&self, receiver: usize, node: &Node) -> Vec<f64> {
-        let vantage = ReceiverPoint::on(self.elements[receiver].surface, node.position, node.normal);
-        self.add_elements(&vantage, &self.surroundings[receiver], vec![0.0; self.bands], 0.0)
+    /// Irradiance (W m⁻²) per band at a node of element `element`, from elements alone.
+    pub(crate) fn of_elements_at(&self, element: usize, node: &Node) -> Vec<f64> {
+        let receiver = ReceiverPoint::on(self.elements[element].surface, node.position, node.normal);
+        self.add_elements(&receiver, &self.occluders[element], vec![0.0; self.bands], 0.0)
     }
 
     /// Possible occluders between the emitters and a site.
     pub fn around(&self, site: &Site) -> Occluders {
-        let surroundings = Occluders::new(self.visibility, self.trees.iter().map(Tree::sender), site);
-        if surroundings.obstacles.len() > FEW {
-            return surroundings;
+        let occluders = Occluders::new(self.visibility, self.trees.iter().map(Tree::sender), site);
+        if occluders.obstacles.len() > FEW {
+            return occluders;
         }
         let hulls: Vec<&[DVec3]> =
             self.emitters.iter().map(|emitter| &self.elements[emitter.element].hull[..]).collect();
-        surroundings.narrowed(self.visibility, &hulls, site)
+        occluders.narrowed(self.visibility, &hulls, site)
     }
 
     /// Whether direct light at a site has no shadows and varies little more than linearly, since all emitters are far;
     /// never said where luminaires shine.
-    pub fn is_smooth(&self, site: &Site, surroundings: &Occluders) -> bool {
+    pub fn is_smooth(&self, site: &Site, occluders: &Occluders) -> bool {
         let own = Aabb::around(site.points.iter().copied());
         let gap = |tree: &Tree| {
             let apart = (own.min - tree.bounds.max).max(tree.bounds.min - own.max);
             apart.max(DVec3::ZERO).length()
         };
         self.points.is_empty()
-            && surroundings.is_clear()
+            && occluders.is_clear()
             && self.trees.iter().all(|tree| own.diagonal() < SMALL * gap(tree))
     }
 
-    /// Irradiance (W m⁻²) per band straight from the emitters, at the point `vantage` of a site.
-    pub fn irradiance(&self, vantage: &ReceiverPoint, surroundings: &Occluders) -> Vec<f64> {
-        self.irradiance_beside(vantage, surroundings, &[])
+    /// Irradiance (W m⁻²) per band straight from the emitters, at the point `receiver` of a site.
+    pub fn irradiance(&self, receiver: &ReceiverPoint, occluders: &Occluders) -> Vec<f64> {
+        self.irradiance_beside(receiver, occluders, &[])
     }
 
-    fn irradiance_beside(
-        &self,
-        vantage: &ReceiverPoint,
-        surroundings: &Occluders,
-        other: &[f64],
-    ) -> Vec<f64> {
+    fn irradiance_beside(&self, receiver: &ReceiverPoint, occluders: &Occluders, other: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.bands];
-        self.points.add(vantage, self.visibility, &mut sums);
+        self.points.add(receiver, self.visibility, &mut sums);
         let other = other.iter().chain(&sums).map(|other| other.max(0.0)).sum();
-        self.add_elements(vantage, surroundings, sums, other)
+        self.add_elements(receiver, occluders, sums, other)
     }
 
     /// `sums` and the irradiance from elements per band; `other` is known further irradiance, all bands together.
     fn add_elements(
         &self,
-        vantage: &ReceiverPoint,
-        surroundings: &Occluders,
+        receiver: &ReceiverPoint,
+        occluders: &Occluders,
         mut sums: Vec<f64>,
         other: f64,
     ) -> Vec<f64> {
-        for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings, other)) {
+        for (emitter, factor) in self.emitters.iter().zip(self.from(receiver, occluders, other)) {
             sums.iter_mut().zip(&emitter.exitance).for_each(|(sum, exitance)| *sum += factor * exitance);
         }
         sums
     }
 
     /// Irradiance from each emitter per unit of its exitance; `other` is known further irradiance, all bands together.
-    fn from(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: f64) -> SmallVec<[f64; 4]> {
-        let mut walk = Traversal::new(vantage, self.visibility, surroundings);
+    fn from(&self, receiver: &ReceiverPoint, occluders: &Occluders, other: f64) -> SmallVec<[f64; 4]> {
+        let mut walk = Traversal::new(receiver, self.visibility, occluders);
         let add = |walk: &mut Traversal, index: usize, tolerance: f64, factor: &mut [f64]| {
             let tree = &self.trees[index];
             let lamp = self.lamps[index].as_ref();

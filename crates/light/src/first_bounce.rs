@@ -19,7 +19,7 @@ use radiosity_elements::rule::UnitRule;
 use radiosity_elements::{Element, starts};
 use radiosity_geom::DVec3;
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::{PartName, Ranks};
 
 use crate::coats::Coats;
@@ -80,8 +80,8 @@ pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility, ranks: &Ranks) ->
     let of_element = |index: usize| {
         let lit = |node: &Node| {
             let mut lit = vec![0.0; bands];
-            let vantage = ReceiverPoint::on(elements[index].surface, node.position, node.normal);
-            points.add(&vantage, visibility, &mut lit);
+            let receiver = ReceiverPoint::on(elements[index].surface, node.position, node.normal);
+            points.add(&receiver, visibility, &mut lit);
             lit
         };
         of_direct(&elements[index], &peaks, bands, &lit)
@@ -260,8 +260,8 @@ fn of_reflected(element: &Element, index: usize, light: &Light<'_>) -> Vec<Vec<f
             let site = Site { points: &cell.hull(), ..Site::of(element) };
             let around = reflection.around(&site);
             sums.add(&cell, points, |node| {
-                let vantage = ReceiverPoint::on(element.surface, node.position, node.normal);
-                reflection.irradiance_by_coat(&vantage, &around, &lit(index, node), coats)
+                let receiver = ReceiverPoint::on(element.surface, node.position, node.normal);
+                reflection.irradiance_by_coat(&receiver, &around, &lit(index, node), coats)
             });
         }
     }
@@ -301,7 +301,7 @@ impl<'a> Sums<'a> {
         let basis = &self.element.basis;
         let rule = UnitRule::of(points);
         for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
-            heed();
+            check_interrupt();
             let node = cell.node(s, t);
             basis.raw(basis.frame().coordinates(&node), &mut self.raw);
             for (sums, value) in self.sums.iter_mut().zip(value(&node)) {

@@ -48,28 +48,28 @@ impl<'a> LampCells<'a> {
     }
 
     /// Cells that are small as seen from a point.
-    pub(super) fn near(spread: &'a Spread, vantage: &ReceiverPoint) -> Self {
+    pub(super) fn near(spread: &'a Spread, receiver: &ReceiverPoint) -> Self {
         let mut cells = Self { spread, cells: SmallVec::new(), all: 0.0 };
-        cells.divide(vantage, [0.0; 2], 0);
+        cells.divide(receiver, [0.0; 2], 0);
         cells
     }
 
-    fn divide(&mut self, vantage: &ReceiverPoint, corner: [f64; 2], depth: u32) {
+    fn divide(&mut self, receiver: &ReceiverPoint, corner: [f64; 2], depth: u32) {
         let width = 0.5_f64.powi(depth as i32);
         let at = |[s, t]: [f64; 2]| self.spread.point([corner[0] + s * width, corner[1] + t * width]).node;
         let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
         let (middle, ends) = (at([0.5; 2]), corners.map(at));
         let radius = ends.iter().map(|end| end.position.distance(middle.position)).fold(0.0, f64::max);
-        let distance = middle.position.distance(vantage.position);
+        let distance = middle.position.distance(receiver.position);
         if radius > NEAR * distance && depth < DEEPEST {
             for [s, t] in corners {
                 let corner = [corner[0] + 0.5 * s * width, corner[1] + 0.5 * t * width];
-                self.divide(vantage, corner, depth + 1);
+                self.divide(receiver, corner, depth + 1);
             }
             return;
         }
         let face_on = 1.0 / (PI * distance.max(radius).max(f64::MIN_POSITIVE).powi(2));
-        let kernel = |node: &Node| vantage.kernel_to(node).unwrap_or(0.0).min(face_on);
+        let kernel = |node: &Node| receiver.kernel_to(node).unwrap_or(0.0).min(face_on);
         let largest = ends.iter().chain([&middle]).map(kernel).fold(0.0, f64::max);
         self.all += width * width * (largest + HIDDEN * face_on);
         self.cells.push(Cell { corner, width, end: self.all });

@@ -75,14 +75,14 @@ impl Lamps {
     }
 
     /// Whether an emitter that may send light to a point is within so many of its radii.
-    pub fn is_near(&self, vantage: &ReceiverPoint, radii: f64) -> bool {
-        let near = |lamp: &Lamp| lamp.distance(vantage.position) < radii * lamp.radius;
-        self.list.iter().any(|lamp| near(lamp) && lamp.bound(vantage) > 0.0)
+    pub fn is_near(&self, receiver: &ReceiverPoint, radii: f64) -> bool {
+        let near = |lamp: &Lamp| lamp.distance(receiver.position) < radii * lamp.radius;
+        self.list.iter().any(|lamp| near(lamp) && lamp.bound(receiver) > 0.0)
     }
 
     /// The shares of all emitters in the rays from a point.
-    pub fn seen_from(&self, vantage: &ReceiverPoint) -> Shares<'_> {
-        let mut shares: Vec<f64> = self.list.iter().map(|lamp| lamp.bound(vantage)).collect();
+    pub fn seen_from(&self, receiver: &ReceiverPoint) -> Shares<'_> {
+        let mut shares: Vec<f64> = self.list.iter().map(|lamp| lamp.bound(receiver)).collect();
         let all: f64 = shares.iter().sum();
         if all > 0.0 {
             shares.iter_mut().for_each(|share| *share /= all);
@@ -149,13 +149,13 @@ impl Lamp {
     }
 
     /// About the light that it sends to a point without shadows; 0 only where it sends none.
-    pub(crate) fn bound(&self, vantage: &ReceiverPoint) -> f64 {
-        let step = self.center - vantage.position;
+    pub(crate) fn bound(&self, receiver: &ReceiverPoint) -> f64 {
+        let step = self.center - receiver.position;
         let distance = step.length();
         let above = |normal: DVec3| (step.dot(normal) + self.radius) / (distance + self.radius);
-        let cosine = above(vantage.normal).min(vantage.ground.map_or(1.0, above));
+        let cosine = above(receiver.normal).min(receiver.ground.map_or(1.0, above));
         let own = self.plane.map_or(1.0, |(point, normal)| {
-            let height = (vantage.position - point).dot(normal);
+            let height = (receiver.position - point).dot(normal);
             if height > 0.0 { (height / distance.max(height)).max(f64::EPSILON) } else { 0.0 }
         });
         if cosine <= 0.0 || own <= 0.0 {

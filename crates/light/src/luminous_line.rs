@@ -39,7 +39,7 @@ const ON_AXIS: f64 = 1e-9;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LuminousLine<'a> {
     luminaire: &'a Luminaire,
-    vantage: &'a ReceiverPoint,
+    receiver: &'a ReceiverPoint,
     half: DVec3,
     /// Place t of the foot of the perpendicular from the point, and its length over half the line's.
     foot: f64,
@@ -50,11 +50,11 @@ pub(super) struct LuminousLine<'a> {
 type Span = [f64; 2];
 
 impl<'a> LuminousLine<'a> {
-    pub(super) fn new(luminaire: &'a Luminaire, half: DVec3, vantage: &'a ReceiverPoint) -> Self {
-        let step = vantage.position - luminaire.position;
+    pub(super) fn new(luminaire: &'a Luminaire, half: DVec3, receiver: &'a ReceiverPoint) -> Self {
+        let step = receiver.position - luminaire.position;
         let (length, along) = (half.length(), step.dot(half) / half.length_squared());
         let away = (step - along * half).length() / length;
-        Self { luminaire, vantage, half, foot: along, away }
+        Self { luminaire, receiver, half, foot: along, away }
     }
 
     /// E over the strength.
@@ -73,10 +73,10 @@ impl<'a> LuminousLine<'a> {
 
     /// ½ d cos θ / r².
     fn density(&self, t: f64) -> f64 {
-        let step = self.at(t) - self.vantage.position;
+        let step = self.at(t) - self.receiver.position;
         let square = step.length_squared();
         let direction = step / square.sqrt();
-        let cosine = self.vantage.normal.dot(direction);
+        let cosine = self.receiver.normal.dot(direction);
         if cosine > 0.0 && square > 0.0 {
             0.5 * self.luminaire.relative(-direction) * cosine / square
         } else {
@@ -87,8 +87,8 @@ impl<'a> LuminousLine<'a> {
     /// The part above the horizons of the point.
     fn above(&self) -> Option<Span> {
         let mut span = [-1.0, 1.0];
-        for horizon in [Some(self.vantage.normal), self.vantage.ground].into_iter().flatten() {
-            let [low, high] = span.map(|t: f64| (self.at(t) - self.vantage.position).dot(horizon));
+        for horizon in [Some(self.receiver.normal), self.receiver.ground].into_iter().flatten() {
+            let [low, high] = span.map(|t: f64| (self.at(t) - self.receiver.position).dot(horizon));
             let crossing = || span[0] + (span[1] - span[0]) * low / (low - high);
             span = match (low > 0.0, high > 0.0) {
                 (true, true) => span,
@@ -113,7 +113,7 @@ impl<'a> LuminousLine<'a> {
     /// The parts of a span that the point sees.
     fn seen(&self, span: Span, visibility: &Visibility) -> SmallVec<[Span; 2]> {
         let is_seen = |s: f64| {
-            visibility.is_free(self.vantage.surface, self.vantage.position, self.at(self.place(span, s)))
+            visibility.is_free(self.receiver.surface, self.receiver.position, self.at(self.place(span, s)))
         };
         let ray = |k: usize| (k as f64 + 0.5) / RAYS as f64;
         let mut spans = SmallVec::new();

@@ -33,18 +33,18 @@
 //! ```
 //!
 //! with D as the first rays find it, the bound b_l of unshadowed light (`super::lamps`), the factor c of
-//! [`Care::rough`], all of them and E₀ means over the bands, and
+//! [`RayEffort::rough`], all of them and E₀ means over the bands, and
 //!
 //! ```text
 //! σ_l = ½   with a closed form ,     σ_l² = max( ¼ , (n Σ (w κ V)² − (Σ w κ V)²) / (Σ w κ)² )   without .
 //! ```
 //!
-//! Where U_l has a closed form and all rays agree, e_l is 0, or 0.37 E₀ U_l/n if [`Care::sure`]: n rays miss
+//! Where U_l has a closed form and all rays agree, e_l is 0, or 0.37 E₀ U_l/n if [`RayEffort::sure`]: n rays miss
 //! a part f of the emitter with the probability (1 − f)ⁿ, and f (1 − f)ⁿ ≤ 1/(e n).
 //!
 //! Range of use. Emitters with an exitance; the light of luminaires and of the sun comes on top, by
 //! [`crate::point_lights`]. Few rays may miss something small: so each point tells which emitters it sees
-//! ([`Shade`]), and where points beside each other differ in that, callers ask again with [`Care::sure`].
+//! ([`VisibleEmitters`]), and where points beside each other differ in that, callers ask again with [`RayEffort::sure`].
 //!
 //! Error. Estimated, no bound: e_l is that of a shadow with a straight edge, where 0.39 to 0.45 n^(−3/4) were
 //! measured.
@@ -60,7 +60,7 @@ use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 
-use crate::blockers::{Before, Shadows};
+use crate::blockers::{ListedOccluders, Shadows};
 use crate::emitters::{Emitters, Radiances};
 use crate::lamp_cells::LampCells;
 use crate::lamps::Lamp;
@@ -115,7 +115,7 @@ pub struct Penumbra<'a> {
 
 /// Accuracy and certainty that rays have to reach.
 #[derive(Clone, Copy, Debug)]
-pub struct Care {
+pub struct RayEffort {
     /// Factor on the allowed error.
     pub rough: f64,
     /// Whether emitters seen wholly or not at all need as many rays as those in between.
@@ -124,13 +124,13 @@ pub struct Care {
 
 /// Direct light at a point.
 #[derive(Clone, Debug)]
-pub struct Sight {
+pub struct DirectEstimate {
     /// The emitting elements that may send light to it, and the irradiance from each over its exitance.
     pub factors: Vec<Factor>,
     /// Irradiance from luminaires, per band (W m⁻²).
     pub points: Vec<f64>,
     /// Emitters that the point sees.
-    pub shade: Shade,
+    pub shade: VisibleEmitters,
 }
 
 /// The irradiance from an element over its exitance.
@@ -144,7 +144,7 @@ pub struct Factor {
 
 /// Emitters that a point sees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Shade {
+pub enum VisibleEmitters {
     /// Some emitters are seen only partly.
     Partial,
     /// Emitters are seen wholly or not at all; the number tells which.
@@ -153,11 +153,11 @@ pub enum Shade {
 
 /// Obstacles between a point and an emitter, as far as they are known.
 #[expect(clippy::large_enum_variant, reason = "one for each beam, made for one point: boxes would cost more")]
-enum Between<'a> {
+enum Obstruction<'a> {
     /// No obstacle stands there.
     Nothing,
     /// Some of these obstacles may stand there.
-    Some(Shadows<'a>, Before),
+    Some(Shadows<'a>, ListedOccluders),
     /// Any surface may stand there.
     Anything,
 }
@@ -167,7 +167,7 @@ struct Beam<'a> {
     source: &'a Source<'a>,
     /// U_l v_l, where that needs no rays.
     known: Option<f64>,
-    between: Between<'a>,
+    between: Obstruction<'a>,
     cells: LampCells<'a>,
     offset: [f64; 3],
     /// U_l, where that needs no rays.
@@ -187,57 +187,58 @@ impl<'a> Penumbra<'a> {
     }
 
     /// The direct light at a point where `beside` it other light arrives (W m⁻², mean over the bands).
-    pub fn sight(&self, vantage: &ReceiverPoint, beside: f64, care: Care) -> Sight {
+    pub fn sight(&self, receiver: &ReceiverPoint, beside: f64, care: RayEffort) -> DirectEstimate {
         let mut points = vec![0.0; self.bands];
-        self.points.add(vantage, self.visibility, &mut points);
+        self.points.add(receiver, self.visibility, &mut points);
         let beside = beside + points.iter().sum::<f64>() / self.bands as f64;
-        let bounds: Vec<f64> = self.sources.iter().map(|source| source.lamp.bound(vantage)).collect();
+        let bounds: Vec<f64> = self.sources.iter().map(|source| source.lamp.bound(receiver)).collect();
         let all: f64 = bounds.iter().sum();
         let shares = self.sources.iter().zip(bounds.iter().map(|bound| bound / all));
         let some: SmallVec<[(&Source, f64, Option<Occluders>); 4]> = shares
             .filter(|(_, share)| *share > 0.0)
-            .map(|(source, share)| (source, share, self.listed(vantage, source, share)))
+            .map(|(source, share)| (source, share, self.listed(receiver, source, share)))
             .collect();
         let beams =
-            some.iter().map(|(source, share, listed)| self.beam(vantage, source, *share, listed.as_ref()));
+            some.iter().map(|(source, share, listed)| self.beam(receiver, source, *share, listed.as_ref()));
         let mut beams: SmallVec<[Beam; 1]> = beams.filter(|beam| beam.whole != Some(0.0)).collect();
         let arrives: f64 = beams.iter().map(|beam| beam.source.lamp.brightness * beam.factor()).sum();
         let tolerance = care.rough * self.eps * (beside + arrives).max(DARK * all);
-        self.refine(vantage, &mut beams, tolerance, care.sure);
+        self.refine(receiver, &mut beams, tolerance, care.sure);
         let factor = |beam: &Beam| Factor { element: beam.source.lamp.element, value: beam.factor() };
-        Sight { shade: shade(&beams), factors: beams.iter().map(factor).collect(), points }
+        DirectEstimate { shade: shade(&beams), factors: beams.iter().map(factor).collect(), points }
     }
 
     /// Obstacles that may stand between a point and an emitter of the part `share` of all light, if that is
     /// worth a list.
-    fn listed(&self, vantage: &ReceiverPoint, source: &Source, share: f64) -> Option<Occluders> {
-        let list = || Occluders::new(self.visibility, iter::once(source.sender()), &vantage.site());
+    fn listed(&self, receiver: &ReceiverPoint, source: &Source, share: f64) -> Option<Occluders> {
+        let list = || Occluders::new(self.visibility, iter::once(source.sender()), &receiver.site());
         (share >= LISTED).then(list)
     }
 
     /// The light from an emitter that sends about the part `share` of all light without shadows: known, or by the first rays.
     fn beam<'l>(
         &'l self,
-        vantage: &'l ReceiverPoint,
+        receiver: &'l ReceiverPoint,
         source: &'l Source,
         share: f64,
         listed: Option<&'l Occluders>,
     ) -> Beam<'l> {
-        let whole = source.whole(vantage);
-        let between = listed.map_or(Some(Between::Anything), |listed| self.between(vantage, source, listed));
+        let whole = source.whole(receiver);
+        let between =
+            listed.map_or(Some(Obstruction::Anything), |listed| self.between(receiver, source, listed));
         let known = match &between {
             None => Some(0.0),
-            Some(Between::Nothing) => whole,
-            Some(Between::Some(shadows, before)) => cut_out(vantage, source, shadows, *before),
-            Some(Between::Anything) => None,
+            Some(Obstruction::Nothing) => whole,
+            Some(Obstruction::Some(shadows, before)) => cut_out(receiver, source, shadows, *before),
+            Some(Obstruction::Anything) => None,
         };
-        let place = vantage.position.to_array().into_iter();
+        let place = receiver.position.to_array().into_iter();
         let mut beam = Beam {
-            cells: cells(&source.lamp, vantage),
+            cells: cells(&source.lamp, receiver),
             offset: shift(number_of(place.chain([source.lamp.element as f64]))),
             source,
             known,
-            between: between.unwrap_or(Between::Nothing),
+            between: between.unwrap_or(Obstruction::Nothing),
             whole,
             sent: 0,
             all: 0.0,
@@ -246,7 +247,7 @@ impl<'a> Penumbra<'a> {
         };
         if whole != Some(0.0) && known.is_none() {
             let first = if whole.is_some() { FIRST * share } else { self.first_to_curved(share) };
-            self.send(vantage, &mut beam, (first as u64).max(FEWEST));
+            self.send(receiver, &mut beam, (first as u64).max(FEWEST));
         }
         beam
     }
@@ -254,20 +255,20 @@ impl<'a> Penumbra<'a> {
     /// Listed obstacles that stand between a point and an emitter; None where they hide all of it.
     fn between<'l>(
         &'l self,
-        vantage: &'l ReceiverPoint,
+        receiver: &'l ReceiverPoint,
         source: &Source,
         listed: &'l Occluders,
-    ) -> Option<Between<'l>> {
+    ) -> Option<Obstruction<'l>> {
         let places = listed.before(0)?;
         let closes = |place: &usize| source.is_closed_by(self.visibility.faces(&listed.obstacles[*place]));
         let places: SmallVec<[usize; 16]> = places.iter().copied().filter(|place| !closes(place)).collect();
         if places.is_empty() {
-            return Some(Between::Nothing);
+            return Some(Obstruction::Nothing);
         }
-        let mut shadows = Shadows::new(vantage, self.visibility, listed);
+        let mut shadows = Shadows::new(receiver, self.visibility, listed);
         let asked = shadows.ask(&places, source.bounds());
         let before = shadows.narrow_to(asked, &source.extent())?;
-        Some(if before.is_nothing() { Between::Nothing } else { Between::Some(shadows, before) })
+        Some(if before.is_nothing() { Obstruction::Nothing } else { Obstruction::Some(shadows, before) })
     }
 
     /// Rays by which a curved emitter of the part `share` of all light errs by the accuracy, if so many are not too many.
@@ -276,26 +277,26 @@ impl<'a> Penumbra<'a> {
     }
 
     /// Doubles the rays to the emitter whose light errs most, until all together err by `tolerance` at most.
-    fn refine(&self, vantage: &ReceiverPoint, beams: &mut [Beam], tolerance: f64, sure: bool) {
+    fn refine(&self, receiver: &ReceiverPoint, beams: &mut [Beam], tolerance: f64, sure: bool) {
         let mut errors: SmallVec<[f64; 16]> = beams.iter().map(|beam| beam.error(sure)).collect();
         while errors.iter().map(|error| error * error).sum::<f64>() > tolerance * tolerance {
             let open = (0..beams.len()).filter(|k| beams[*k].known.is_none() && beams[*k].sent < MOST);
             let Some(worst) = open.max_by(|a, b| errors[*a].total_cmp(&errors[*b])) else { return };
             let beam = &mut beams[worst];
-            self.send(vantage, beam, beam.sent);
+            self.send(receiver, beam, beam.sent);
             errors[worst] = beam.error(sure);
         }
     }
 
     /// Sends `count` rays more.
-    fn send(&self, vantage: &ReceiverPoint, beam: &mut Beam, count: u64) {
+    fn send(&self, receiver: &ReceiverPoint, beam: &mut Beam, count: u64) {
         for index in beam.sent..beam.sent + count {
             let target = beam.cells.target(index, &beam.offset);
-            let Some(kernel) = vantage.kernel_to(&target.node) else { continue };
-            let into = (vantage.position - target.node.position).normalize_or_zero();
+            let Some(kernel) = receiver.kernel_to(&target.node) else { continue };
+            let into = (receiver.position - target.node.position).normalize_or_zero();
             let value = target.weight * kernel * self.radiances.relative(beam.source.surface, into);
             beam.all += value;
-            if self.is_free(vantage, beam, target.node.position) {
+            if self.is_free(receiver, beam, target.node.position) {
                 beam.seen += value;
                 beam.squares += value * value;
             }
@@ -304,37 +305,42 @@ impl<'a> Penumbra<'a> {
     }
 
     /// Whether the point `y` of the emitter is seen.
-    fn is_free(&self, vantage: &ReceiverPoint, beam: &Beam, y: DVec3) -> bool {
+    fn is_free(&self, receiver: &ReceiverPoint, beam: &Beam, y: DVec3) -> bool {
         match &beam.between {
-            Between::Nothing => true,
-            Between::Some(shadows, before) => !shadows.hide(*before, y, beam.source.surface),
-            Between::Anything => self.visibility.is_free(vantage.surface, vantage.position, y),
+            Obstruction::Nothing => true,
+            Obstruction::Some(shadows, before) => !shadows.hide(*before, y, beam.source.surface),
+            Obstruction::Anything => self.visibility.is_free(receiver.surface, receiver.position, y),
         }
     }
 }
 
 /// U_l v_l of a flat emitter behind few things, all flat; None of others.
-fn cut_out(vantage: &ReceiverPoint, source: &Source, shadows: &Shadows, before: Before) -> Option<f64> {
+fn cut_out(
+    receiver: &ReceiverPoint,
+    source: &Source,
+    shadows: &Shadows,
+    before: ListedOccluders,
+) -> Option<f64> {
     let polygons = source.polygons()?;
-    let is_exact = shadows.are_flat(before) && shadows.pyramids(before).count() <= CUT_OUT;
-    is_exact.then(|| polygons.iter().map(|polygon| vantage.factor(polygon, shadows.pyramids(before))).sum())
+    let is_exact = shadows.are_flat(before) && shadows.volumes(before).count() <= CUT_OUT;
+    is_exact.then(|| polygons.iter().map(|polygon| receiver.factor(polygon, shadows.volumes(before))).sum())
 }
 
 /// The targets on an emitter as seen from a point.
-fn cells<'l>(lamp: &'l Lamp, vantage: &ReceiverPoint) -> LampCells<'l> {
-    match lamp.distance(vantage.position) < NEAR * lamp.radius() {
-        true => LampCells::near(&lamp.spread, vantage),
+fn cells<'l>(lamp: &'l Lamp, receiver: &ReceiverPoint) -> LampCells<'l> {
+    match lamp.distance(receiver.position) < NEAR * lamp.radius() {
+        true => LampCells::near(&lamp.spread, receiver),
         false => LampCells::whole(&lamp.spread),
     }
 }
 
 /// Which emitters are seen.
-fn shade(beams: &[Beam]) -> Shade {
+fn shade(beams: &[Beam]) -> VisibleEmitters {
     if beams.iter().any(Beam::is_mixed) {
-        return Shade::Partial;
+        return VisibleEmitters::Partial;
     }
     let seen = beams.iter().filter(|beam| beam.factor() > 0.0);
-    Shade::Sees(number_of(seen.map(|beam| beam.source.lamp.element as f64)))
+    VisibleEmitters::Sees(number_of(seen.map(|beam| beam.source.lamp.element as f64)))
 }
 
 impl Beam<'_> {

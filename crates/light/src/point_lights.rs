@@ -66,12 +66,12 @@ impl SunBeam {
     }
 
     /// Adds `scale` times its irradiance at a point.
-    fn add(&self, vantage: &ReceiverPoint, visibility: &Visibility, scale: f64, sums: &mut [f64]) {
-        let cosine = vantage.normal.dot(self.direction);
-        if cosine <= 0.0 || vantage.ground.is_some_and(|ground| ground.dot(self.direction) <= 0.0) {
+    fn add(&self, receiver: &ReceiverPoint, visibility: &Visibility, scale: f64, sums: &mut [f64]) {
+        let cosine = receiver.normal.dot(self.direction);
+        if cosine <= 0.0 || receiver.ground.is_some_and(|ground| ground.dot(self.direction) <= 0.0) {
             return;
         }
-        if let Some(strength) = self.arriving(vantage, visibility) {
+        if let Some(strength) = self.arriving(receiver, visibility) {
             let factor = scale * cosine;
             sums.iter_mut().zip(strength).for_each(|(sum, strength)| *sum += factor * strength);
         }
@@ -79,8 +79,8 @@ impl SunBeam {
 
     /// Irradiance per band (W m⁻²) across it at a point: what the first surface before the sun lets through, or the first opening
     /// where there are no shadows.
-    fn arriving(&self, vantage: &ReceiverPoint, visibility: &Visibility) -> Option<&Vec<f64>> {
-        let mut met = visibility.met_along(vantage.surface, vantage.position, self.direction);
+    fn arriving(&self, receiver: &ReceiverPoint, visibility: &Visibility) -> Option<&Vec<f64>> {
+        let mut met = visibility.met_along(receiver.surface, receiver.position, self.direction);
         let behind = |met: Encounter| self.strengths.get(&met.surface).filter(|_| met.front);
         if visibility.casts() { behind(met.next()?) } else { met.find_map(behind) }
     }
@@ -107,12 +107,12 @@ impl PartialEq for PointLight {
 
 impl PointLight {
     /// Irradiance at a point over its strength.
-    fn irradiance(&self, vantage: &ReceiverPoint, visibility: &Visibility) -> f64 {
+    fn irradiance(&self, receiver: &ReceiverPoint, visibility: &Visibility) -> f64 {
         if self.half != DVec3::ZERO {
-            return LuminousLine::new(&self.luminaire, self.half, vantage).irradiance(visibility);
+            return LuminousLine::new(&self.luminaire, self.half, receiver).irradiance(visibility);
         }
-        let factor = self.factor(vantage, 0.5);
-        factor.filter(|_| self.is_seen(vantage, 0.5, visibility)).unwrap_or(0.0)
+        let factor = self.factor(receiver, 0.5);
+        factor.filter(|_| self.is_seen(receiver, 0.5, visibility)).unwrap_or(0.0)
     }
 
     /// Point of the line at a part of its length.
@@ -122,12 +122,12 @@ impl PointLight {
 
     /// Irradiance at a point without shadows over its strength, if all its light came from its point at a `part` of its length; None
     /// where it is 0.
-    fn factor(&self, vantage: &ReceiverPoint, part: f64) -> Option<f64> {
-        let step = self.at(part) - vantage.position;
+    fn factor(&self, receiver: &ReceiverPoint, part: f64) -> Option<f64> {
+        let step = self.at(part) - receiver.position;
         let square = step.length_squared();
         let direction = step / square.sqrt();
-        let cosine = vantage.normal.dot(direction);
-        let is_below = vantage.ground.is_some_and(|ground| ground.dot(direction) <= 0.0);
+        let cosine = receiver.normal.dot(direction);
+        let is_below = receiver.ground.is_some_and(|ground| ground.dot(direction) <= 0.0);
         if is_below || !(cosine > 0.0 && square > 0.0) {
             return None;
         }
@@ -136,8 +136,8 @@ impl PointLight {
     }
 
     /// Whether nothing stands between its point at a `part` of its length and a point.
-    fn is_seen(&self, vantage: &ReceiverPoint, part: f64, visibility: &Visibility) -> bool {
-        !visibility.casts() || visibility.is_free(vantage.surface, vantage.position, self.at(part))
+    fn is_seen(&self, receiver: &ReceiverPoint, part: f64, visibility: &Visibility) -> bool {
+        !visibility.casts() || visibility.is_free(receiver.surface, receiver.position, self.at(part))
     }
 
     /// Strength, summed over the bands.
@@ -200,27 +200,27 @@ impl PointLights {
     }
 
     /// Adds their irradiance (W m⁻²) per band at a point to `sums`.
-    pub fn add(&self, vantage: &ReceiverPoint, visibility: &Visibility, sums: &mut [f64]) {
+    pub fn add(&self, receiver: &ReceiverPoint, visibility: &Visibility, sums: &mut [f64]) {
         for light in &self.list {
-            let factor = light.irradiance(vantage, visibility);
+            let factor = light.irradiance(receiver, visibility);
             light.add(factor, sums);
         }
-        self.suns.iter().for_each(|sun| sun.add(vantage, visibility, 1.0, sums));
+        self.suns.iter().for_each(|sun| sun.add(receiver, visibility, 1.0, sums));
     }
 
     /// Adds an estimate of `scale` times the same by a ray to the sun, and one to a luminaire and a part of its length that `chance`
     /// chooses, in proportion to the light without shadows.
     pub fn add_one(
         &self,
-        vantage: &ReceiverPoint,
+        receiver: &ReceiverPoint,
         visibility: &Visibility,
         scale: f64,
         chance: u64,
         sums: &mut [f64],
     ) {
-        self.suns.iter().for_each(|sun| sun.add(vantage, visibility, scale, sums));
+        self.suns.iter().for_each(|sun| sun.add(receiver, visibility, scale, sums));
         let [choice, part] = shift(chance);
-        let factors = || self.list.iter().filter_map(|light| Some((light, light.factor(vantage, part)?)));
+        let factors = || self.list.iter().filter_map(|light| Some((light, light.factor(receiver, part)?)));
         let all: f64 = factors().map(|(light, factor)| factor * light.brightness()).sum();
         let mut rest = choice * all;
         let mut chosen = None;
@@ -232,7 +232,7 @@ impl PointLights {
             }
             rest -= own;
         }
-        if let Some((light, factor)) = chosen.filter(|(light, _)| light.is_seen(vantage, part, visibility)) {
+        if let Some((light, factor)) = chosen.filter(|(light, _)| light.is_seen(receiver, part, visibility)) {
             light.add(scale * factor, sums);
         }
     }

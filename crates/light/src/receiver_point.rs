@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use radiosity_elements::patch::Node;
 use radiosity_geom::{DVec3, ROUNDING, clip_polygon};
 use radiosity_kernel::irradiance::visible_polygon::visible_irradiance;
-use radiosity_visibility::shadow_volume::Pyramid;
+use radiosity_visibility::shadow_volume::ShadowVolume;
 
 use crate::occluders::Site;
 
@@ -57,13 +57,17 @@ impl ReceiverPoint {
         above(self.normal) && self.ground.is_none_or(above)
     }
 
-    /// Irradiance from the part of a planar convex polygon of exitance 1 outside the shadow volumes `pyramids`.
-    pub(crate) fn factor<'a>(&self, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
+    /// Irradiance from the part of a planar convex polygon of exitance 1 outside the shadow volumes `volumes`.
+    pub(crate) fn factor<'a>(
+        &self,
+        polygon: &[DVec3],
+        volumes: impl Iterator<Item = &'a ShadowVolume>,
+    ) -> f64 {
         match self.ground {
-            None => visible_irradiance(self.position, self.normal, polygon, pyramids),
+            None => visible_irradiance(self.position, self.normal, polygon, volumes),
             Some(ground) => {
                 let above = clip_polygon(polygon, self.position, ground);
-                visible_irradiance(self.position, self.normal, &above, pyramids)
+                visible_irradiance(self.position, self.normal, &above, volumes)
             }
         }
     }

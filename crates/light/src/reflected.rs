@@ -93,8 +93,8 @@ impl<'a> Reflection<'a> {
     }
 
     /// Irradiance (W m⁻²) per band at a point of a site; `other` light arrives too: the tolerance is relative to both.
-    pub fn irradiance(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: &[f64]) -> Vec<f64> {
-        self.irradiance_within(self.eps, vantage, surroundings, other)
+    pub fn irradiance(&self, receiver: &ReceiverPoint, occluders: &Occluders, other: &[f64]) -> Vec<f64> {
+        self.irradiance_within(self.eps, receiver, occluders, other)
     }
 
     /// Irradiance (W m⁻²) per band as of [`Self::irradiance`], to another relative accuracy `eps`, which is
@@ -102,25 +102,25 @@ impl<'a> Reflection<'a> {
     pub fn irradiance_within(
         &self,
         eps: f64,
-        vantage: &ReceiverPoint,
-        surroundings: &Occluders,
+        receiver: &ReceiverPoint,
+        occluders: &Occluders,
         other: &[f64],
     ) -> Vec<f64> {
-        self.sum(&self.parts(eps, vantage, surroundings, other))
+        self.sum(&self.parts(eps, receiver, occluders, other))
     }
 
     /// Irradiance (W m⁻²) as of [`Self::irradiance`], apart by the coats of the reflecting elements: all
     /// bands of one coat after those of another.
     pub(crate) fn irradiance_by_coat(
         &self,
-        vantage: &ReceiverPoint,
-        surroundings: &Occluders,
+        receiver: &ReceiverPoint,
+        occluders: &Occluders,
         other: &[f64],
         coats: &Coats,
     ) -> Vec<f64> {
         let bands = self.scale.len();
         let mut sums = vec![0.0; coats.count() * bands];
-        let parts = self.parts(self.eps, vantage, surroundings, other);
+        let parts = self.parts(self.eps, receiver, occluders, other);
         for (part, element) in parts.chunks_exact(bands).zip(&self.elements) {
             let own = &mut sums[bands * coats.of_element(*element)..][..bands];
             own.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
@@ -129,8 +129,8 @@ impl<'a> Reflection<'a> {
     }
 
     /// The irradiance from each reflecting element to the relative accuracy `eps`, band after band.
-    fn parts(&self, eps: f64, vantage: &ReceiverPoint, surroundings: &Occluders, other: &[f64]) -> Vec<f64> {
-        let mut walk = Traversal::new(vantage, self.visibility, surroundings);
+    fn parts(&self, eps: f64, receiver: &ReceiverPoint, occluders: &Occluders, other: &[f64]) -> Vec<f64> {
+        let mut walk = Traversal::new(receiver, self.visibility, occluders);
         let add = |walk: &mut Traversal, index: usize, tolerance: f64, out: &mut [f64]| {
             walk.add(index, &self.trees[index], tolerance, out);
         };

@@ -138,28 +138,28 @@ impl<'a> Source<'a> {
     }
 
     /// U(x); None where rays have to tell.
-    pub(super) fn whole(&self, vantage: &ReceiverPoint) -> Option<f64> {
+    pub(super) fn whole(&self, receiver: &ReceiverPoint) -> Option<f64> {
         match &self.form {
             Form::Points => None,
             Form::Polygons(polygons) => {
-                Some(polygons.iter().map(|polygon| vantage.factor(polygon, [].iter())).sum())
+                Some(polygons.iter().map(|polygon| receiver.factor(polygon, [].iter())).sum())
             }
             Form::Ball { center, radius } => {
                 let under =
-                    vantage.ground.is_some_and(|ground| (center - vantage.position).dot(ground) < *radius);
-                if under { None } else { ball(vantage.position, vantage.normal, *center, *radius) }
+                    receiver.ground.is_some_and(|ground| (center - receiver.position).dot(ground) < *radius);
+                if under { None } else { ball(receiver.position, receiver.normal, *center, *radius) }
             }
             Form::Outline(light) => {
-                let eye = vantage.position;
+                let eye = receiver.position;
                 if light.center.distance(eye) < CLOSE * light.radius {
                     return None;
                 }
                 let sides = light.outline(eye);
                 let corners: Vec<DVec3> = sides.iter().flatten().copied().collect();
-                if corners.is_empty() || vantage.is_above(&corners) {
+                if corners.is_empty() || receiver.is_above(&corners) {
                     return Some(0.0);
                 }
-                vantage.overlooks(&corners).then(|| irradiance(eye, vantage.normal, &sides))
+                receiver.overlooks(&corners).then(|| irradiance(eye, receiver.normal, &sides))
             }
         }
     }

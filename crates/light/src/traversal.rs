@@ -10,11 +10,11 @@ use std::f64::consts::PI;
 
 use radiosity_geom::DVec3;
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use smallvec::SmallVec;
 
 use crate::area_light::{AreaLight, irradiance};
-use crate::blockers::Before;
+use crate::blockers::ListedOccluders;
 use crate::blockers::Shadows;
 use crate::hierarchy::cell::{Cell, POINTS};
 use crate::hierarchy::tree::Tree;
@@ -44,9 +44,9 @@ const CLOSE: f64 = 2.0;
 
 /// The traversal for one receiver point.
 pub(crate) struct Traversal<'a> {
-    vantage: &'a ReceiverPoint,
+    receiver: &'a ReceiverPoint,
     visibility: &'a Visibility,
-    surroundings: &'a Occluders,
+    occluders: &'a Occluders,
     shadows: Shadows<'a>,
     /// Largest error of a cell so far, in multiples of the scales.
     coarsest: f64,
@@ -68,17 +68,17 @@ struct Pass<'a> {
 }
 
 impl<'a> Traversal<'a> {
-    /// For a receiver point `vantage` of the site that the occluders `surroundings` were listed for.
+    /// For a receiver point `receiver` of the site that the occluders `occluders` were listed for.
     pub(crate) fn new(
-        vantage: &'a ReceiverPoint,
+        receiver: &'a ReceiverPoint,
         visibility: &'a Visibility,
-        surroundings: &'a Occluders,
+        occluders: &'a Occluders,
     ) -> Self {
         Self {
-            vantage,
+            receiver,
             visibility,
-            surroundings,
-            shadows: Shadows::new(vantage, visibility, surroundings),
+            occluders,
+            shadows: Shadows::new(receiver, visibility, occluders),
             coarsest: 0.0,
             visited: 0,
         }
@@ -138,12 +138,12 @@ impl<'a> Traversal<'a> {
 
     /// Adds the irradiance from element `index` to `out`, per channel; a cell may err by `tolerance` times the scale.
     pub(crate) fn add(&mut self, index: usize, tree: &Tree, tolerance: f64, out: &mut [f64]) {
-        let Some(places) = self.surroundings.before(index) else { return };
+        let Some(places) = self.occluders.before(index) else { return };
         if self.is_out_of_sight(index, tree) {
             return;
         }
         let before = self.shadows.ask(places, &tree.bounds);
-        let own = self.vantage.surface == Some(tree.surface);
+        let own = self.receiver.surface == Some(tree.surface);
         let deepest = match (own, tree.plane) {
             (true, _) => OWN_DEPTH,
             (false, None) => CURVED_DEPTH,
@@ -165,54 +165,54 @@ impl<'a> Traversal<'a> {
         brightness: f64,
         tolerance: f64,
     ) -> Option<f64> {
-        let Some(places) = self.surroundings.before(index) else { return Some(0.0) };
-        let (eye, normal) = (self.vantage.position, self.vantage.normal);
+        let Some(places) = self.occluders.before(index) else { return Some(0.0) };
+        let (eye, normal) = (self.receiver.position, self.receiver.normal);
         if lamp.center.distance(eye) < CLOSE * lamp.radius {
             return None;
         }
         let sides = lamp.outline(eye);
         let corners: Vec<DVec3> = sides.iter().map(|side| side[0]).collect();
-        if corners.is_empty() || self.vantage.is_above(&corners) {
+        if corners.is_empty() || self.receiver.is_above(&corners) {
             return Some(0.0);
         }
-        let is_whole = self.vantage.overlooks(&corners);
+        let is_whole = self.receiver.overlooks(&corners);
         let whole = if is_whole { irradiance(eye, normal, &sides) } else { lamp.most_from(eye) };
         let error = tolerance / (brightness * whole);
         if error >= 1.0 {
             self.coarsest = self.coarsest.max(brightness * whole);
             return Some(if self.shadows.hide_lamp(lamp, places) { 0.0 } else { whole });
         }
-        let (screen, lit) = lamp.screen(eye, &sides)?;
-        let Some((flat, curved)) = self.shadows.before_lamp(lamp, &screen, places) else { return Some(0.0) };
-        let mut facets = HiddenSpans::before_lamp(screen, lit);
-        flat.iter().for_each(|pyramid| facets.add_flat(pyramid));
-        curved.iter().for_each(|surface| self.shadows.add_curved(&mut facets, *surface, false));
-        if facets.is_empty() && is_whole {
+        let (plane, lit) = lamp.plane(eye, &sides)?;
+        let Some((flat, curved)) = self.shadows.before_lamp(lamp, &plane, places) else { return Some(0.0) };
+        let mut spans = HiddenSpans::before_lamp(plane, lit);
+        flat.iter().for_each(|volume| spans.add_flat(volume));
+        curved.iter().for_each(|surface| self.shadows.add_curved(&mut spans, *surface, false));
+        if spans.is_empty() && is_whole {
             return Some(whole);
         }
         self.coarsest = self.coarsest.max(tolerance);
-        let [seen, all] = LineQuadrature::of_lamp(self.vantage, &facets).irradiances(error);
+        let [seen, all] = LineQuadrature::of_lamp(self.receiver, &spans).irradiances(error);
         Some(if is_whole && all > 0.0 { whole * seen / all } else { seen })
     }
 
     fn is_out_of_sight(&self, index: usize, tree: &Tree) -> bool {
-        let behind = |(point, normal): (DVec3, DVec3)| (self.vantage.position - point).dot(normal) <= 0.0;
-        self.surroundings.before(index).is_none() || tree.plane.is_some_and(behind)
+        let behind = |(point, normal): (DVec3, DVec3)| (self.receiver.position - point).dot(normal) <= 0.0;
+        self.occluders.before(index).is_none() || tree.plane.is_some_and(behind)
     }
 
-    fn visit(&mut self, pass: &mut Pass, cell: &Cell, above: Before, depth: usize) {
-        if !self.vantage.clears(cell.center, cell.radius) && self.vantage.is_above(&cell.hull) {
+    fn visit(&mut self, pass: &mut Pass, cell: &Cell, above: ListedOccluders, depth: usize) {
+        if !self.receiver.clears(cell.center, cell.radius) && self.receiver.is_above(&cell.hull) {
             return;
         }
         let Some(before) = self.shadows.narrow(above, cell) else { return };
         let whole = cell;
-        let position = self.vantage.position;
+        let position = self.receiver.position;
         let radiance = pass.tree.radiance.as_ref();
         let seen = radiance.map(|radiance| cell.seen(radiance, position, pass.tree.scale()[0]));
         let cell = seen.as_ref().unwrap_or(cell);
         let estimate = self.estimate(pass, cell, before);
         self.visited += 1;
-        heed();
+        check_interrupt();
         if estimate.error <= pass.tolerance || depth == pass.deepest || self.visited > MOST_CELLS {
             // Line quadrature is only as accurate as the tolerance.
             let by_points = before.is_nothing() || (cell.is_flat() && self.shadows.are_flat(before));
@@ -233,7 +233,7 @@ impl<'a> Traversal<'a> {
     /// The constant kernel of the inside of a ball, if `surface` is a whole one and the point lies on it.
     fn dome(&self, surface: usize) -> Option<f64> {
         let (center, radius) = self.visibility.whole_dome(surface)?;
-        let ReceiverPoint { position, normal, ground, .. } = *self.vantage;
+        let ReceiverPoint { position, normal, ground, .. } = *self.receiver;
         let is_inward = (center - position).distance(radius * normal) <= ON_DOME * radius;
         (ground.is_none() && is_inward).then_some(1.0 / (4.0 * PI * radius * radius))
     }

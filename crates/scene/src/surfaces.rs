@@ -2,7 +2,7 @@
 
 use radiosity_fit::{coincident::Occupied, middle};
 use radiosity_geom::{Aabb, Bvh, DVec3};
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::{
     draft::SurfaceDraft,
@@ -62,7 +62,7 @@ fn named(drafts: &[SurfaceDraft]) -> Result<(Vec<SceneSurface>, Vec<Maker>), Loc
     let mut outlooks = KnownOutlooks::default();
     let mut makers = Vec::new();
     for (index, draft) in drafts.iter().enumerate() {
-        heed();
+        check_interrupt();
         let typed = draft.typed.as_ref();
         let shapes = draft.shapes.iter().map(|shape| draft.sides(shape, &mut outlooks));
         let shapes: Vec<Vec<SceneSurface>> = shapes.collect();

@@ -39,7 +39,7 @@ pub struct Gather<'a> {
 
 /// Possible occluders between a site and the elements that send light to it.
 #[derive(Clone, Debug)]
-pub(crate) struct Company {
+pub(crate) struct OccluderLists {
     /// Occluders of the emitters.
     pub direct: Occluders,
     /// Occluders of the reflecting elements.
@@ -73,9 +73,9 @@ impl<'a> Gather<'a> {
         let around: Vec<Occluders> =
             list.iter().map(|element| reflection.around(&Site::of(element))).collect();
         let lit = |element: usize, node: &Node| {
-            let vantage = ReceiverPoint::on(list[element].surface, node.position, node.normal);
+            let receiver = ReceiverPoint::on(list[element].surface, node.position, node.normal);
             let lit = direct.at(element, node.position, node.normal);
-            let indirect = reflection.irradiance(&vantage, &around[element], &lit);
+            let indirect = reflection.irradiance(&receiver, &around[element], &lit);
             lit.iter().zip(indirect).map(|(d, s)| d + s).collect()
         };
         let scale = scales(solution);
@@ -84,8 +84,8 @@ impl<'a> Gather<'a> {
     }
 
     /// Possible occluders around a site.
-    pub(crate) fn around(&self, site: &Site) -> Company {
-        Company { direct: self.direct.around(site), indirect: self.reflection.around(site) }
+    pub(crate) fn around(&self, site: &Site) -> OccluderLists {
+        OccluderLists { direct: self.direct.around(site), indirect: self.reflection.around(site) }
     }
 
     /// The light that comes straight from emitters.
@@ -98,16 +98,16 @@ impl<'a> Gather<'a> {
         &self.reflection
     }
 
-    /// Irradiance (W m⁻²) per band at the point `vantage` of the site that `company` was made for.
-    pub(crate) fn irradiance(&self, vantage: &ReceiverPoint, company: &Company) -> Vec<f64> {
-        let direct = self.direct.irradiance(vantage, &company.direct);
-        let indirect = self.reflection.irradiance(vantage, &company.indirect, &direct);
+    /// Irradiance (W m⁻²) per band at the point `receiver` of the site that `company` was made for.
+    pub(crate) fn irradiance(&self, receiver: &ReceiverPoint, company: &OccluderLists) -> Vec<f64> {
+        let direct = self.direct.irradiance(receiver, &company.direct);
+        let indirect = self.reflection.irradiance(receiver, &company.indirect, &direct);
         direct.iter().zip(indirect).map(|(d, s)| d + s).collect()
     }
 
     /// Irradiance (W m⁻²) per band at a single point.
-    pub fn at(&self, vantage: &ReceiverPoint) -> Vec<f64> {
-        self.irradiance(vantage, &self.around(&vantage.site()))
+    pub fn at(&self, receiver: &ReceiverPoint) -> Vec<f64> {
+        self.irradiance(receiver, &self.around(&receiver.site()))
     }
 }
 

@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
 use radiosity_elements::{Discretization, Elements, Subdivide};
-use radiosity_kernel::{Accuracy, Blocks, Miss, PairCounts, Reciprocity};
+use radiosity_kernel::{Accuracy, Blocks, PairCounts, Reciprocity, WorstError};
 use radiosity_scene::Scene;
 use radiosity_transport as transport;
 use radiosity_visibility::{Hiding, Visibility};
@@ -61,7 +61,7 @@ pub struct ViewFactors {
     /// Largest error that is left in the exchange of two elements ([`Blocks::accuracy_reached`]).
     pub accuracy_reached: f64,
     /// The two surfaces whose error is the largest multiple of what was asked.
-    pub miss: Option<Miss>,
+    pub worst_error: Option<WorstError>,
     /// Wall time of the computation.
     pub elapsed: Duration,
 }
@@ -98,9 +98,10 @@ impl ViewFactors {
             rays: blocks.rays,
             reciprocity: blocks.reciprocity,
             accuracy_reached: blocks.accuracy_reached,
-            miss: blocks
-                .miss
-                .map(|miss| Miss { pair: miss.pair.map(|element| elements.list()[element].surface), ..miss }),
+            worst_error: blocks.worst_error.map(|worst| WorstError {
+                pair: worst.pair.map(|element| elements.list()[element].surface),
+                ..worst
+            }),
             elapsed: start.elapsed(),
         })
     }

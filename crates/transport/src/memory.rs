@@ -66,7 +66,7 @@ struct Kept {
     request: Request,
     /// Number of the scene for which it was integrated.
     scene: u64,
-    answer: Arc<Answer>,
+    answer: Arc<IntegratedBlock>,
 }
 
 /// All that a block follows from beside its elements.
@@ -82,7 +82,7 @@ pub(crate) struct Request {
 
 /// A block, and its first entry as integrated with the elements exchanged, where that was done.
 #[derive(Debug, Serialize, Deserialize)]
-pub(crate) struct Answer {
+pub(crate) struct IntegratedBlock {
     pub block: Block,
     /// Bound of the norm of what it differs by from the integrated block, where it is known otherwise; else 0.
     pub remainder: f64,
@@ -90,7 +90,7 @@ pub(crate) struct Answer {
     pub exchanged: OnceLock<Option<f64>>,
 }
 
-impl Answer {
+impl IntegratedBlock {
     pub(crate) fn of(block: Block) -> Self {
         Self::known(block, 0.0)
     }
@@ -179,7 +179,7 @@ impl Memory {
     }
 
     /// The block that answers a request, where nothing has changed since it was integrated.
-    pub(crate) fn recall(&self, request: &Request) -> Option<&Arc<Answer>> {
+    pub(crate) fn recall(&self, request: &Request) -> Option<&Arc<IntegratedBlock>> {
         let kept = self.blocks.get(&(request.row, request.column))?;
         let LastChanges { elements, surfaces } = &self.last_changes;
         let ends = [request.row, request.column].map(|element| elements[element as usize]);
@@ -189,13 +189,13 @@ impl Memory {
     }
 
     /// The block that answered the same request in the scene before, whatever has changed since.
-    pub(crate) fn before(&self, request: &Request) -> Option<&Arc<Answer>> {
+    pub(crate) fn before(&self, request: &Request) -> Option<&Arc<IntegratedBlock>> {
         let kept = self.blocks.get(&(request.row, request.column))?;
         (kept.request == *request).then_some(&kept.answer)
     }
 
     /// Keeps the answers to the requests of this scene, and forgets all others; all ranks together, each those that it made.
-    pub(crate) fn keep(&mut self, answers: Vec<(Request, Arc<Answer>)>, ranks: &Ranks) {
+    pub(crate) fn keep(&mut self, answers: Vec<(Request, Arc<IntegratedBlock>)>, ranks: &Ranks) {
         let mut blocks = HashMap::with_capacity(answers.len());
         let (mut integrated, mut recalled) = (0, 0);
         for (request, answer) in answers {

@@ -16,7 +16,7 @@ pub const LEAST: f64 = FREE;
 
 /// Two elements or surfaces.
 #[derive(Clone, Copy, Debug)]
-pub struct Couple<'a> {
+pub struct ElementPair<'a> {
     /// Places of their surfaces.
     pub surfaces: [usize; 2],
     /// Points whose convex hulls contain them.
@@ -26,14 +26,14 @@ pub struct Couple<'a> {
 }
 
 /// About how many rays take as long as the exact block of a couple.
-pub fn price(couple: &Couple, visibility: &Visibility) -> f64 {
+pub fn price(couple: &ElementPair, visibility: &Visibility) -> f64 {
     price_up_to(f64::INFINITY, couple, visibility)
 }
 
 /// The [`price`] of a couple up to a limit; a price above it may be told as any other one above it. Fewer
 /// blockers are looked for the lower it is.
-pub(crate) fn price_up_to(limit: f64, couple: &Couple, visibility: &Visibility) -> f64 {
-    let Couple { surfaces, hulls: [a, b], are_flat } = *couple;
+pub(crate) fn price_up_to(limit: f64, couple: &ElementPair, visibility: &Visibility) -> f64 {
+    let ElementPair { surfaces, hulls: [a, b], are_flat } = *couple;
     if !are_flat {
         return CURVED;
     }

@@ -23,10 +23,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_elements::Elements;
 use radiosity_kernel::Blocks;
-use radiosity_kernel::Miss;
 use radiosity_kernel::PairCounts;
 use radiosity_kernel::Reciprocity;
 use radiosity_kernel::Remainder;
+use radiosity_kernel::WorstError;
 use radiosity_kernel::blocks::held::Held;
 use radiosity_kernel::contact::planes;
 use radiosity_kernel::contact::planes::Planes;
@@ -38,12 +38,12 @@ use radiosity_kernel::{
     blocks::block::{Account, Block},
 };
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::{PartName, Ranks};
 use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 
-use crate::memory::{Answer, Memory};
+use crate::memory::{IntegratedBlock, Memory};
 use crate::occlusion::outlines::occluded_block;
 use crate::pair::{curved, planar};
 use crate::price;
@@ -77,7 +77,7 @@ const FEWEST_SAMPLED: usize = 4;
 
 /// Decisions of sorting about a pair.
 enum Sorted {
-    Facing,
+    Behind,
     Coplanar,
     Hidden,
     Black,
@@ -86,7 +86,7 @@ enum Sorted {
 
 /// A pair whose block the rules did not reach.
 #[derive(Debug)]
-pub(crate) struct Left {
+pub(crate) struct UnreachedPair {
     pub row: usize,
     pub column: usize,
     /// The values by rules and their error, where there are any.
@@ -104,7 +104,7 @@ pub(crate) fn by_rules(
     (accuracy, unreached): (Accuracy, Unreached),
     memory: Option<&mut Memory>,
     work: &Work<'_>,
-) -> (Blocks, Vec<Left>) {
+) -> (Blocks, Vec<UnreachedPair>) {
     let list = elements.list();
     let scene = Scene::new(elements, visibility, wanted, accuracy, unreached);
     let mut blocks = Blocks::empty(elements.starts(), true, work.ranks);
@@ -123,7 +123,7 @@ pub(crate) fn by_rules(
     integrated.deliver(&tasks, &sources, &is_left, blocks.held());
     let mut left = Vec::new();
     for (task, source) in tasks.iter().zip(&sources) {
-        heed();
+        check_interrupt();
         let place = source.place();
         let Told { block, .. } = integrated.told(place);
         let error = scales.relative(task, block);
@@ -132,7 +132,7 @@ pub(crate) fn by_rules(
             let values = (!block.untried).then(|| integrated.values(place).to_vec());
             let found = values.map(|values| (values, block.error));
             let (row, column) = (task.row as usize, task.column as usize);
-            left.push(Left { row, column, found, partly_hidden: block.partly_hidden });
+            left.push(UnreachedPair { row, column, found, partly_hidden: block.partly_hidden });
             blocks.pairs.take(block);
             blocks.pairs.unresolved -= usize::from(block.unresolved);
             blocks.take_costs(block);
@@ -140,7 +140,7 @@ pub(crate) fn by_rules(
         }
         let asked = if block.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
         let pair = [task.row as usize, task.column as usize];
-        blocks.tell(Miss { pair, error, asked, by_rays: false });
+        blocks.record_error(WorstError { pair, error, asked, by_rays: false });
         scene.store(&mut blocks, task, source, &tasks, &integrated);
     }
     let is_left: HashSet<[usize; 2]> = left.iter().map(|pair| [pair.row, pair.column]).collect();
@@ -198,7 +198,7 @@ impl Scene<'_> {
         for (row, counts) in rows {
             tasks.extend(row);
             pairs.total += counts.total;
-            pairs.skipped_facing += counts.skipped_facing;
+            pairs.skipped_behind += counts.skipped_behind;
             pairs.skipped_coplanar += counts.skipped_coplanar;
             pairs.skipped_hidden += counts.skipped_hidden;
             pairs.skipped_black += counts.skipped_black;
@@ -210,7 +210,7 @@ impl Scene<'_> {
     fn open_rows(&self) -> Vec<usize> {
         let all = 0..self.list.len();
         let is_open = |i: &usize| {
-            heed();
+            check_interrupt();
             all.clone().any(|j| !(self.wanted)(*i.min(&j), *i.max(&j)))
         };
         all.clone().filter(is_open).collect()
@@ -223,7 +223,7 @@ impl Scene<'_> {
             counts.total += usize::from(row != column || matches!(sorted, Sorted::Task(_) | Sorted::Black));
             match sorted {
                 Sorted::Coplanar => counts.skipped_coplanar += usize::from(row != column),
-                Sorted::Facing => counts.skipped_facing += 1,
+                Sorted::Behind => counts.skipped_behind += 1,
                 Sorted::Hidden => counts.skipped_hidden += 1,
                 Sorted::Black => counts.skipped_black += 1,
                 Sorted::Task(task) => tasks.push(task),
@@ -233,7 +233,7 @@ impl Scene<'_> {
     }
 
     fn sorted(&self, row: usize, column: usize) -> Sorted {
-        heed();
+        check_interrupt();
         if !(self.wanted)(row, column) {
             return Sorted::Black;
         }
@@ -278,14 +278,14 @@ impl Scene<'_> {
 
     /// Whether the first of two elements is the inner one ([`crate::schedule::order`]).
     fn comes_later(&self, first: usize, other: usize) -> bool {
-        self.ranks[first].order(&self.ranks[other]).is_gt()
+        self.precedence[first].order(&self.precedence[other]).is_gt()
     }
 
     /// Why the planes of the two elements leave nothing to exchange, if they do.
     fn planes_exchange_nothing(&self, row: usize, column: usize) -> Option<Sorted> {
         match planes::of(&self.list[row], &self.list[column]) {
             Planes::Exchanging => None,
-            Planes::Facing => Some(Sorted::Facing),
+            Planes::Behind => Some(Sorted::Behind),
             Planes::Coplanar => Some(Sorted::Coplanar),
         }
     }
@@ -370,7 +370,7 @@ impl Scene<'_> {
         let confirmed: Vec<Option<usize>> = (0..tasks.len())
             .into_par_iter()
             .map(|index| {
-                heed();
+                check_interrupt();
                 let first = candidates[index]?;
                 self.pose(&tasks[index])?.equals(&self.pose(&tasks[first])?).then_some(first)
             })
@@ -409,7 +409,7 @@ impl Scene<'_> {
             let answer = known.unwrap_or_else(|| {
                 let block = self.block(task, goal);
                 ranks.count_work(block.samples, block.rays);
-                Arc::new(Answer::of(block))
+                Arc::new(IntegratedBlock::of(block))
             });
             // Others do about as much in the same time.
             let done = ranks.count() * (done.fetch_add(1, Ordering::Relaxed) + 1);

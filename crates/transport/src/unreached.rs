@@ -22,15 +22,15 @@ use std::collections::{HashMap, HashSet};
 
 use radiosity_elements::{Element, Elements};
 use radiosity_kernel::Accuracy;
-use radiosity_kernel::Miss;
+use radiosity_kernel::WorstError;
 use radiosity_kernel::{Blocks, blocks::FirstEntry};
 use radiosity_visibility::Visibility;
 use radiosity_work::{Stage, Work};
 
 use crate::memory::Memory;
 use crate::sampled::{Fixed, SampledTransport};
-use crate::schedule::Left;
-use crate::schedule::order::Rank;
+use crate::schedule::UnreachedPair;
+use crate::schedule::order::Precedence;
 use found::{BATCHES, Found, SURE};
 pub(crate) use wholes::Whole;
 use wholes::Wholes;
@@ -70,7 +70,7 @@ pub(crate) fn add(
     elements: &Elements,
     visibility: &Visibility,
     blocks: &mut Blocks,
-    left: &[Left],
+    left: &[UnreachedPair],
     (whole, accuracy): (Whole, Accuracy),
     mut memory: Option<&mut Memory>,
     work: &Work<'_>,
@@ -86,12 +86,13 @@ pub(crate) fn add(
     let mut batches: Vec<SampledTransport> = (0..BATCHES).map(&mut batch).collect();
     let touched: HashSet<usize> = left.iter().flat_map(|pair| [pair.row, pair.column]).collect();
     let most = most_rays(accuracy.eps, touched.len());
-    let goal = |pair: &Left| if pair.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
+    let goal =
+        |pair: &UnreachedPair| if pair.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
     let error = accuracy.eps.max(accuracy.shadow_eps).max(blocks.accuracy_reached);
     let sums = blocks.apply(&elements.constant());
     let firsts = blocks.first_entries();
     let (mut sent, mut rays) = (0, FIRST);
-    let mut open: Vec<&Left> = left.iter().collect();
+    let mut open: Vec<&UnreachedPair> = left.iter().collect();
     let found = loop {
         let senders: HashSet<usize> = open.iter().flat_map(|pair| [pair.row, pair.column]).collect();
         let now: Vec<u64> =
@@ -106,8 +107,9 @@ pub(crate) fn add(
         let found = judged(elements.list(), (&wholes, &firsts), &fixed, left, &batches);
         // Rays cannot better a value by rules that is as good as they become.
         let may_fall = |found: &Found| !found.is_by_rules || found.relative > REACHED;
-        let is_open =
-            |(pair, found): &(&Left, &Found)| found.relative > goal(pair).max(ENOUGH) && may_fall(found);
+        let is_open = |(pair, found): &(&UnreachedPair, &Found)| {
+            found.relative > goal(pair).max(ENOUGH) && may_fall(found)
+        };
         let missing = left.iter().zip(&found).filter(is_open);
         open = missing.map(|(pair, _)| pair).collect();
         // Twice those of this round, as far as there are any left.
@@ -127,13 +129,18 @@ pub(crate) fn add(
     blocks.pairs.by_rays += left.len();
     for (Found { row, column, values, relative, .. }, pair) in found.into_iter().zip(left) {
         blocks.push(row, column, &values);
-        blocks.tell(Miss { pair: [row, column], error: relative, asked: goal(pair), by_rays: true });
+        blocks.record_error(WorstError {
+            pair: [row, column],
+            error: relative,
+            asked: goal(pair),
+            by_rays: true,
+        });
     }
 }
 
 /// The place of each element in an order that does not depend on how the scene lists its surfaces.
 fn ranks(list: &[Element]) -> Vec<usize> {
-    let keys: Vec<Rank> = list.iter().map(Rank::of).collect();
+    let keys: Vec<Precedence> = list.iter().map(Precedence::of).collect();
     let mut order: Vec<usize> = (0..list.len()).collect();
     order.sort_by(|a, b| keys[*a].order(&keys[*b]));
     let mut ranks = vec![0; list.len()];
@@ -152,10 +159,10 @@ fn judged(
     list: &[Element],
     (wholes, others_firsts): (&Wholes, &[FirstEntry]),
     others: &Fixed,
-    left: &[Left],
+    left: &[UnreachedPair],
     batches: &[SampledTransport],
 ) -> Vec<Found> {
-    let sizes = |pair: &Left| list[pair.row].basis.len() * list[pair.column].basis.len();
+    let sizes = |pair: &UnreachedPair| list[pair.row].basis.len() * list[pair.column].basis.len();
     let places: HashMap<(usize, usize), usize> =
         left.iter().enumerate().map(|(place, pair)| ((pair.row, pair.column), place)).collect();
     let mut sums: Vec<[Vec<f64>; 2]> =

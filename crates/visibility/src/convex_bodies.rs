@@ -21,7 +21,7 @@ use smallvec::SmallVec;
 use crate::blocker_edges::Rim;
 use crate::bounding_ball::Ball;
 use crate::cloud::Cloud;
-use crate::shadow_volume::Pyramid;
+use crate::shadow_volume::ShadowVolume;
 
 /// Fewest faces of a body, without the missing one: a tetrahedron has four.
 const FEWEST: usize = 3;
@@ -194,7 +194,7 @@ impl Body {
     }
 
     /// The shadow volume of the body from `x`; None where x is not outside, and each face hides by itself.
-    pub(super) fn pyramid(&self, x: DVec3) -> Option<Pyramid> {
+    pub(super) fn volume(&self, x: DVec3) -> Option<ShadowVolume> {
         let margin = COINCIDENT * x.distance(self.middle);
         let heights: SmallVec<[f64; 8]> = self.planes.iter().map(|plane| plane.height(x)).collect();
         let is_front = |face: usize| heights[face] > margin;
@@ -204,7 +204,7 @@ impl Body {
         let outline = self.edges.iter().filter(|edge| is_front(edge.between[0]) != is_front(edge.between[1]));
         let fronts = (0..heights.len()).filter(|face| is_front(*face));
         let fronts = fronts.map(|face| (-self.planes[face].outward, heights[face]));
-        Some(Pyramid::bounded(x, self.middle, outline.map(|edge| edge.ends), fronts))
+        Some(ShadowVolume::bounded(x, self.middle, outline.map(|edge| edge.ends), fronts))
     }
 }
 
@@ -275,11 +275,9 @@ mod tests {
     #[test]
     fn from_within_and_from_below_a_missing_face_nothing_is_hidden_as_a_whole() {
         let bodies = bodies(&block([DVec3::X, DVec3::Y, DVec3::Z])[..5], &[]);
-        assert!(
-            bodies.list[0].pyramid(0.5 * DVec3::Z).is_none() && bodies.list[0].pyramid(DVec3::Z).is_none()
-        );
-        assert!(bodies.list[0].pyramid(-2.0 * DVec3::Z).is_none());
-        assert!(bodies.list[0].pyramid(2.0 * DVec3::X).is_some());
+        assert!(bodies.list[0].volume(0.5 * DVec3::Z).is_none() && bodies.list[0].volume(DVec3::Z).is_none());
+        assert!(bodies.list[0].volume(-2.0 * DVec3::Z).is_none());
+        assert!(bodies.list[0].volume(2.0 * DVec3::X).is_some());
     }
 
     proptest! {
@@ -297,8 +295,8 @@ mod tests {
             prop_assume!(!stands || (x + c).dot(up).min((y + c).dot(up)) > 1e-3);
             let bodies = bodies(faces, &[]);
             prop_assert_eq!(bodies.list.len(), 1);
-            let Some(pyramid) = bodies.list[0].pyramid(x) else { return Ok(()) };
-            prop_assert_eq!(pyramid.hides(y), faces.iter().any(|face| is_met(face, x, y)));
+            let Some(volume) = bodies.list[0].volume(x) else { return Ok(()) };
+            prop_assert_eq!(volume.hides(y), faces.iter().any(|face| is_met(face, x, y)));
         }
     }
 }

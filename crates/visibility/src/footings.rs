@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use radiosity_geom::{DVec3, PlanarRegion, Surface, shapes::Trimmed, touching};
 use radiosity_scene::Scene;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use crate::{Shadows, Visibility};
@@ -53,7 +53,7 @@ pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
 
 /// The faces, smaller by 1e-6 than the whole (as `LEAST`), that lines of contact cut off from a planar surface.
 fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspect> {
-    heed();
+    check_interrupt();
     let Some(region) = scene.surfaces[surface].shape.region() else { return Vec::new() };
     let lines = lines::on(scene, obstacles, surface, region);
     if lines.is_empty() {

@@ -24,7 +24,7 @@ use std::sync::Arc;
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Jet, Ray, RayTree, Rect, Surface, separated, touching};
 use radiosity_scene::Scene;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use bounding_ball::Ball;
 use cloud::Cloud;
@@ -63,7 +63,7 @@ impl Visibility {
     /// The obstacles of `scene`.
     pub fn new(scene: &Scene, shadows: Shadows) -> Self {
         let obstacle = |shape: &Arc<dyn Surface>| {
-            heed();
+            check_interrupt();
             Obstacle::new(shape)
         };
         let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| obstacle(&s.shape)).collect();
@@ -87,7 +87,7 @@ impl Visibility {
 
     /// [`Visibility::candidates`], so many of them at the most.
     pub fn some_candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2], most: usize) -> Vec<usize> {
-        heed();
+        check_interrupt();
         let mut found = Vec::new();
         if self.shadows == Shadows::Off || self.standing.is_empty() {
             return found;
@@ -271,9 +271,9 @@ impl Visibility {
     }
 
     /// Silhouette mesh of a surface, made when first needed.
-    pub fn net(&self, surface: usize) -> &SilhouetteMesh {
-        let Obstacle { shape, net, .. } = &self.obstacles[surface];
-        net.get_or_init(|| SilhouetteMesh::new(shape))
+    pub fn silhouette_mesh(&self, surface: usize) -> &SilhouetteMesh {
+        let Obstacle { shape, mesh, .. } = &self.obstacles[surface];
+        mesh.get_or_init(|| SilhouetteMesh::new(shape))
     }
 
     /// Whether any surface may stand between any two others.

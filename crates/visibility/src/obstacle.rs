@@ -30,7 +30,7 @@ pub(super) struct Obstacle {
     /// Sampled points and normals of a curved obstacle.
     pub(super) looks: Vec<(DVec3, DVec3)>,
     /// Silhouette mesh, made when first needed.
-    pub(super) net: OnceLock<SilhouetteMesh>,
+    pub(super) mesh: OnceLock<SilhouetteMesh>,
 }
 
 impl Obstacle {
@@ -41,7 +41,7 @@ impl Obstacle {
         let bend = Bend::of(&jets);
         let looks = jets.iter().map(|jet| (jet.position, jet.normal)).collect();
         let (shape, ball) = (Arc::clone(shape), Ball::around(&hull));
-        Self { shape, ball, hull, pieces, bend, looks, net: OnceLock::new() }
+        Self { shape, ball, hull, pieces, bend, looks, mesh: OnceLock::new() }
     }
 
     /// Whether it is one flat convex piece.

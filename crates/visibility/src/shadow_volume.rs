@@ -123,12 +123,12 @@ impl Quad {
 
 /// A shadow volume: the intersection of half-spaces that is hidden from a point.
 #[derive(Clone, Debug)]
-pub struct Pyramid {
+pub struct ShadowVolume {
     eye: DVec3,
     planes: SmallVec<[Plane; PLANES]>,
 }
 
-impl Pyramid {
+impl ShadowVolume {
     /// The shadow volume of the convex `polygon` from `x`; None where x lies in its plane and nothing is hidden (within
     /// 1e-9 of the distance, as `TOUCHING`).
     pub fn over(polygon: &[DVec3], x: DVec3) -> Option<Self> {
@@ -196,7 +196,7 @@ impl Pyramid {
         cover_by(open.into_iter(), &seen, reach(&seen))
     }
 
-    /// As [`Pyramid::cover`], for a quadrilateral within `radius` of its mean corner.
+    /// As [`ShadowVolume::cover`], for a quadrilateral within `radius` of its mean corner.
     pub fn cover_of_quad(&self, quad: &Quad, radius: f64) -> Cover {
         let middle = quad.middle - self.eye;
         let tolerance = COINCIDENT * (middle.abs().element_sum() + radius);
@@ -220,18 +220,18 @@ impl Pyramid {
         cover
     }
 
-    /// As [`Pyramid::cover`], without a known ball.
+    /// As [`ShadowVolume::cover`], without a known ball.
     pub fn cover_of(&self, points: &[DVec3]) -> Cover {
         let seen: Corners = points.iter().map(|y| y - self.eye).collect();
         self.cover_seen(&seen)
     }
 
-    /// As [`Pyramid::cover`], for points relative to the tip.
+    /// As [`ShadowVolume::cover`], for points relative to the tip.
     pub fn cover_seen(&self, points: &[DVec3]) -> Cover {
         self.cover_within(points, reach(points))
     }
 
-    /// As [`Pyramid::cover`], for points relative to the tip and no farther from it than `reach`.
+    /// As [`ShadowVolume::cover`], for points relative to the tip and no farther from it than `reach`.
     pub fn cover_within(&self, points: &[DVec3], reach: f64) -> Cover {
         cover_by(self.planes.iter(), points, reach)
     }

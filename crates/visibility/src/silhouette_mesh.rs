@@ -84,10 +84,10 @@ pub trait Region {
 impl SilhouetteMesh {
     /// The mesh of a surface.
     pub(crate) fn new(shape: &Arc<dyn Surface>) -> Self {
-        let mut net = Self { shape: Arc::clone(shape), nodes: Vec::new() };
+        let mut mesh = Self { shape: Arc::clone(shape), nodes: Vec::new() };
         let counts = [false, true].map(|transposed| quads_along(shape.as_ref(), transposed));
-        net.grow([0, counts[0]], [0, counts[1]], counts);
-        net
+        mesh.grow([0, counts[0]], [0, counts[1]], counts);
+        mesh
     }
 
     /// Adds the node of a range of quads and its children; returns its index.

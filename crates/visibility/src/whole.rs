@@ -5,7 +5,7 @@ use radiosity_geom::{Aabb, DVec3, separated};
 use super::Visibility;
 use crate::blocker_edges::Rim;
 use crate::bounding_ball::Ball;
-use crate::shadow_volume::Pyramid;
+use crate::shadow_volume::ShadowVolume;
 
 impl Visibility {
     /// The `blockers`, one face per body, that may stand between the hulls of `a` and `b`, bodies as a whole.
@@ -49,20 +49,21 @@ impl Visibility {
         self.bodies.of(*surface).map_or(std::slice::from_ref(surface), |body| &body.surfaces)
     }
 
-    /// Adds the shadow volumes from `x` of a planar surface to `pyramids`: that of its convex body, if it has one and x
+    /// Adds the shadow volumes from `x` of a planar surface to `volumes`: that of its convex body, if it has one and x
     /// lies outside, else one for each convex piece for which `standing` holds.
     pub fn add_pyramids(
         &self,
         surface: usize,
         x: DVec3,
         standing: impl Fn(&[DVec3]) -> bool,
-        pyramids: &mut impl Extend<Pyramid>,
+        volumes: &mut impl Extend<ShadowVolume>,
     ) {
-        if let Some(whole) = self.bodies.of(surface).and_then(|body| body.pyramid(x)) {
-            return pyramids.extend(Some(whole));
+        if let Some(whole) = self.bodies.of(surface).and_then(|body| body.volume(x)) {
+            return volumes.extend(Some(whole));
         }
         let pieces = self.faces(&surface).iter().filter_map(|face| self.pieces(*face)).flatten();
-        pyramids.extend(pieces.filter(|piece| standing(piece)).filter_map(|piece| Pyramid::over(piece, x)));
+        volumes
+            .extend(pieces.filter(|piece| standing(piece)).filter_map(|piece| ShadowVolume::over(piece, x)));
     }
 
     /// The `surfaces` with only the first face of each body.
@@ -74,11 +75,11 @@ impl Visibility {
     }
 
     /// Shadow volumes from `x` of the planar `surfaces`, one per body, that may hide a part of `ball`.
-    pub fn pyramids(&self, surfaces: &[usize], x: DVec3, ball: &Ball) -> Vec<Pyramid> {
-        let mut pyramids = Vec::with_capacity(surfaces.len());
+    pub fn volumes(&self, surfaces: &[usize], x: DVec3, ball: &Ball) -> Vec<ShadowVolume> {
+        let mut volumes = Vec::with_capacity(surfaces.len());
         let stands = |piece: &[DVec3]| !ball.is_beside(piece, x);
-        surfaces.iter().for_each(|surface| self.add_pyramids(*surface, x, stands, &mut pyramids));
-        pyramids
+        surfaces.iter().for_each(|surface| self.add_pyramids(*surface, x, stands, &mut volumes));
+        volumes
     }
 
     /// The edges of a planar surface, or of the convex body it belongs to.

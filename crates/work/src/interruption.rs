@@ -6,7 +6,7 @@
 //! the work is kept, and whatever it has borrowed is as it was: the same may be computed again.
 //!
 //! ```
-//! use radiosity_work::interruption::{Interrupted, Interruption, heed};
+//! use radiosity_work::interruption::{Interrupted, Interruption, check_interrupt};
 //! use std::thread;
 //! use std::time::Duration;
 //!
@@ -17,7 +17,7 @@
 //!         thread::sleep(Duration::from_millis(50));
 //!         interruption.raise();
 //!     });
-//!     interruption.within(|| -> () { loop { heed() } })
+//!     interruption.within(|| -> () { loop { check_interrupt() } })
 //! });
 //! assert!(matches!(found, Err(Interrupted)));
 //! ```
@@ -100,7 +100,7 @@ impl Interruption {
     pub fn within<T>(&self, work: impl FnOnce() -> T) -> Result<T, Interrupted> {
         let _before = Before(CURRENT.replace(Some(self.clone())));
         let work = || {
-            heed();
+            check_interrupt();
             work()
         };
         // The library leaves nothing half changed that outlives its work.
@@ -118,14 +118,14 @@ pub fn current() -> Option<Interruption> {
 }
 
 /// Lets the current thread hear this from now on.
-pub fn hear(interruption: Option<Interruption>) {
+pub fn listen(interruption: Option<Interruption>) {
     CURRENT.set(interruption);
 }
 
 /// Does not return where the work of this thread is to end. It takes some nanoseconds: once for each part of the work that takes
 /// microseconds.
 #[inline]
-pub fn heed() {
+pub fn check_interrupt() {
     if CURRENT.with_borrow(|current| current.as_ref().is_some_and(Interruption::is_raised)) {
         end();
     }
@@ -142,11 +142,11 @@ fn end() {
 /// Rays of which one asks: each takes a part of a microsecond.
 const RAYS: u64 = 64;
 
-/// Heeds the interruption, as [`heed`], before the ray or sample of this number.
+/// Heeds the interruption, as [`check_interrupt`], before the ray or sample of this number.
 #[inline]
 pub fn heed_at(number: u64) {
     if number.is_multiple_of(RAYS) {
-        heed();
+        check_interrupt();
     }
 }
 
@@ -164,7 +164,7 @@ mod tests {
         assert_eq!(inner.within(|| 1), Ok(1));
         // The thread hears nothing any more.
         assert!(current().is_none());
-        heed();
+        check_interrupt();
     }
 
     #[test]
@@ -173,8 +173,8 @@ mod tests {
         let found = outer.within(|| {
             let ended = || {
                 outer.raise();
-                hear(Some(outer.clone()));
-                heed();
+                listen(Some(outer.clone()));
+                check_interrupt();
             };
             inner.within(ended)
         });

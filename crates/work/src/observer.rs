@@ -5,11 +5,11 @@ use crate::progress::Progress;
 /// Hears how far work is, from any thread; functions of a [`Progress`] do.
 pub trait Observer: Sync {
     /// Takes note of what is done.
-    fn hear(&self, progress: Progress);
+    fn listen(&self, progress: Progress);
 }
 
 impl<F: Fn(Progress) + Sync> Observer for F {
-    fn hear(&self, progress: Progress) {
+    fn listen(&self, progress: Progress) {
         self(progress);
     }
 }
@@ -19,5 +19,5 @@ impl<F: Fn(Progress) + Sync> Observer for F {
 pub struct Silent;
 
 impl Observer for Silent {
-    fn hear(&self, _: Progress) {}
+    fn listen(&self, _: Progress) {}
 }

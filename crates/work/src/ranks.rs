@@ -27,7 +27,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::interruption::heed;
+use crate::interruption::check_interrupt;
 use bytes::{decoded, encoded};
 use comm::Comm;
 use journal::{Begin, Journal, JournalError, RecordedPart};
@@ -254,7 +254,7 @@ impl Ranks {
     {
         let piece = |piece: usize| -> Vec<T> {
             let make = |k: usize| {
-                heed();
+                check_interrupt();
                 make(k)
             };
             (piece * together..((piece + 1) * together).min(count)).map(make).collect()
@@ -268,7 +268,7 @@ impl Ranks {
     pub fn each<I: Sync, T: Send>(&self, items: &[I], make: impl Fn(&I, &Self) -> T + Sync) -> Vec<T> {
         let unrecorded = Self { journal: None, ..self.clone() };
         let make = |item: &I| {
-            heed();
+            check_interrupt();
             make(item, &unrecorded)
         };
         if self.are_alone() { items.par_iter().map(make).collect() } else { items.iter().map(make).collect() }
@@ -294,7 +294,7 @@ impl Part<'_> {
         T: Serialize + DeserializeOwned + Send,
     {
         let known = |piece: &usize| {
-            heed();
+            check_interrupt();
             match &self.recorded {
                 Some(part) => part.known_or(*piece, &make),
                 None => make(*piece),

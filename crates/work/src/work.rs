@@ -63,7 +63,7 @@ impl<'a> Work<'a> {
 
     /// Tells the observer how far the work is.
     pub fn tell(&self, progress: Progress) {
-        self.observer.hear(progress);
+        self.observer.listen(progress);
     }
 
     /// Tells that `done` things of a stage are done, `of` so many.

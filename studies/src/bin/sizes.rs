@@ -6,7 +6,7 @@
 //! Each row is a process of its own (`sizes ROW ORDER`, rows from 0), on one thread: "MB at most" is the most memory that the
 //! system granted it, and seconds are of processor time, both as Linux tells them. Direct light is projected, so that blocks
 //! and solver are all there is to do. Bytes of blocks are those stored, one triangle, zero blocks left out; the matrix of the
-//! system is dense. Before a row is begun its memory is told by [`Footprint`] and its time from the rows before it: more than
+//! system is dense. Before a row is begun its memory is told by [`MemoryEstimate`] and its time from the rows before it: more than
 //! 2 GB or two minutes are not run. Below the table stand the exponents p of y ~ surfacesᵖ between the last two rows of each
 //! order.
 
@@ -21,7 +21,7 @@ use radiosity::elements::cells::Layers;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::solve::driver::memory::Footprint;
+use radiosity::solve::driver::memory::MemoryEstimate;
 use radiosity::solve::system::System;
 use radiosity::solve::{Options, in_threads};
 use radiosity::transport;
@@ -102,7 +102,7 @@ fn figures(row: &str) -> [f64; 3] {
 /// Why a row is not begun.
 fn refusal(grid: [usize; 3], order: usize, done: &[Row]) -> Option<String> {
     let scene = room(grid);
-    let bytes = Footprint::of(&scene, &how(order), Options::default().method, Ranks::alone()).peak();
+    let bytes = MemoryEstimate::of(&scene, &how(order), Options::default().method, Ranks::alone()).peak();
     if bytes > MOST_BYTES {
         return Some(format!("about {:.1} GB", bytes as f64 / 1e9));
     }
@@ -153,7 +153,7 @@ fn measure(grid: [usize; 3], order: usize) {
     solved.expect("walls of reflectance ½ converge");
     let seconds = [integrated - start, processor() - integrated].map(|time| time.as_secs_f64());
     let pairs = &blocks.pairs;
-    let skipped = pairs.skipped_facing + pairs.skipped_coplanar + pairs.skipped_hidden;
+    let skipped = pairs.skipped_behind + pairs.skipped_coplanar + pairs.skipped_hidden;
     let stored: usize = blocks.iter().map(|(_, _, values)| 8 * values.len()).sum();
     println!(
         "| {order} | {} | {} | {} | {skipped} | {} | {:.1} | {:.1} | {:.0} | {:.2} | {:.2} |",

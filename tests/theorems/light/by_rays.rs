@@ -86,8 +86,9 @@ fn rays_and_cells_agree_and_the_error_told_is_true() {
         let share = [0.618, 0.755, 0.570].map(|step: f64| 0.05 + 0.9 * (f64::from(k) * step).fract());
         let position = bounds.min + (bounds.max - bounds.min) * DVec3::from_array(share);
         let normal = DVec3::new((f64::from(k)).sin(), (2.0 * f64::from(k)).cos(), 0.4).normalize();
-        let vantage = ReceiverPoint::free(position, normal);
-        let [exact, found] = [&cells, &rays].map(|reader| reader.gathered(&vantage).expect("it is gathered"));
+        let receiver = ReceiverPoint::free(position, normal);
+        let [exact, found] =
+            [&cells, &rays].map(|reader| reader.gathered(&receiver).expect("it is gathered"));
         let sum = |values: &[f64]| values.iter().sum::<f64>();
         let exact = sum(&exact.irradiance);
         // Within the boxes there is none but for rounding.
@@ -129,8 +130,8 @@ fn a_reading_depends_on_nothing_but_its_point() {
     let (outcome, visibility) = solved(&scene);
     let gather = RayGather::new(&outcome.solution, &visibility, 2e-2, false);
     let read = |at: f64| {
-        let vantage = ReceiverPoint::free(visibility.bounds().center() + at * DVec3::X, DVec3::Z);
-        gather.read(&Receiver::Point(vantage))
+        let receiver = ReceiverPoint::free(visibility.bounds().center() + at * DVec3::X, DVec3::Z);
+        gather.read(&Receiver::Point(receiver))
     };
     let first = read(0.1);
     let _ = read(0.2);

@@ -35,11 +35,11 @@ fn scene(shapes: Shapes) -> Scene {
 }
 
 fn at(gather: &Gather, solution: &Solution, visibility: &Visibility, x: DVec3, n: DVec3) -> f64 {
-    let vantage = match Spot::find(solution.elements(), visibility, x, n) {
-        Some(spot) => spot.vantage(n),
+    let receiver = match Spot::find(solution.elements(), visibility, x, n) {
+        Some(spot) => spot.receiver_point(n),
         None => ReceiverPoint::free(x, n),
     };
-    gather.at(&vantage)[0]
+    gather.at(&receiver)[0]
 }
 
 /// Light straight from all emitters of exitance 1, at the origin, from above.
@@ -48,8 +48,8 @@ fn lit_at_origin(shapes: Shapes) -> f64 {
     let solution = even(&scene, 2, 0.0, 0.0);
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
     let direct = DirectLight::new(&solution.emitters(), &visibility);
-    let vantage = ReceiverPoint::free(DVec3::ZERO, DVec3::Z);
-    direct.irradiance(&vantage, &direct.around(&vantage.site()))[0]
+    let receiver = ReceiverPoint::free(DVec3::ZERO, DVec3::Z);
+    direct.irradiance(&receiver, &direct.around(&receiver.site()))[0]
 }
 
 fn lid(height: f64, radius: f64) -> Disk {

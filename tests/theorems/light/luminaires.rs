@@ -40,8 +40,8 @@ fn direct(scene: &Scene, points: &[(DVec3, DVec3)]) -> Vec<f64> {
     let visibility = Visibility::new(scene, Shadows::Rays(3e-3));
     let direct = DirectLight::new(&outcome.solution.emitters(), &visibility);
     let read = |(x, n): &(DVec3, DVec3)| {
-        let vantage = if x.z == 0.0 { ReceiverPoint::on(0, *x, *n) } else { ReceiverPoint::free(*x, *n) };
-        direct.irradiance(&vantage, &direct.around(&vantage.site()))[0]
+        let receiver = if x.z == 0.0 { ReceiverPoint::on(0, *x, *n) } else { ReceiverPoint::free(*x, *n) };
+        direct.irradiance(&receiver, &direct.around(&receiver.site()))[0]
     };
     points.iter().map(read).collect()
 }

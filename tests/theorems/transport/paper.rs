@@ -12,7 +12,9 @@ use radiosity::Work;
 use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
-use radiosity::published::zatz1993::transfers::{EXTRA_POINTS, Party, Reading, Rules, assemble, transfer};
+use radiosity::published::zatz1993::transfers::{
+    ChartedElement, EXTRA_POINTS, Reading, Rules, assemble, transfer,
+};
 use radiosity::scene::Scene;
 use radiosity::solve::{Failure, Options, solve};
 use radiosity::visibility::{Shadows, Visibility};
@@ -73,8 +75,8 @@ fn metric(galerkin: &[f64], exact: &[f64]) -> f64 {
 
 /// Coefficients of the irradiance from an emitter of exitance 1, whose coefficients are (2, 0, 0, …).
 fn received(receiver: &Patch, emitter: &Patch, order: usize, points: usize, rules: Rules) -> Vec<f64> {
-    let party = |patch| Party { patch, order, points };
-    let transfer = transfer(party(receiver), party(emitter), rules, None);
+    let charted = |patch| ChartedElement { patch, order, points };
+    let transfer = transfer(charted(receiver), charted(emitter), rules, None);
     transfer.values.iter().step_by(total::count(order)).map(|k| 2.0 * k).collect()
 }
 
@@ -283,9 +285,9 @@ fn hybrid_is_for_common_edges_only() {
 /// F = .199824895698387 for unit squares at distance 1 (closed form, Howell's catalog C-11).
 #[test]
 fn first_coefficient_is_the_form_factor() {
-    let party = |patch| Party { patch, order: 0, points: 20 };
+    let charted = |patch| ChartedElement { patch, order: 0, points: 20 };
     let (receiver, emitter) = (patch(RECEIVER), patch(ceiling(1.0)));
-    let transfer = transfer(party(&receiver), party(&emitter), Rules::Legendre, None);
+    let transfer = transfer(charted(&receiver), charted(&emitter), Rules::Legendre, None);
     let root = 2f64.sqrt();
     let closed =
         2.0 / PI * ((4.0f64 / 3.0).sqrt().ln() + 2.0 * root * (1.0 / root).atan() - 2.0 * 1f64.atan());
@@ -389,8 +391,8 @@ fn power_balances_without_symmetry() {
 fn the_report_tells_how_far_the_hybrid_is_from_reciprocal() {
     let wall = WALL.map(|[x, y, z]| [x, y, 2.0 * z]);
     let first = |receiver, emitter| {
-        let party = |patch| Party { patch, order: 4, points: 4 + EXTRA_POINTS };
-        transfer(party(receiver), party(emitter), H1, None).values[0]
+        let charted = |patch| ChartedElement { patch, order: 4, points: 4 + EXTRA_POINTS };
+        transfer(charted(receiver), charted(emitter), H1, None).values[0]
     };
     let (floor_patch, wall_patch) = (patch(RECEIVER), patch(wall));
     let expected = (first(&floor_patch, &wall_patch) - 2.0 * first(&wall_patch, &floor_patch)).abs();

@@ -20,7 +20,7 @@ use radiosity_elements::Elements;
 use radiosity_kernel::Blocks;
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Partition, Settings};
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::Ranks;
 
 use super::pairs::Pairs;
@@ -111,7 +111,7 @@ fn copied(elements: &Elements, blocks: &Blocks, values: impl Fn(usize, usize, &[
     blocks.iter().for_each(|(row, column, own)| copy.push(row, column, &values(row, column, &own)));
     let open = (0..elements.list().len()).filter(|element| !blocks.is_complete(*element));
     open.for_each(|element| copy.leave_open(element));
-    (copy.pairs, copy.reciprocity, copy.miss) = (blocks.pairs, blocks.reciprocity, blocks.miss);
+    (copy.pairs, copy.reciprocity, copy.worst_error) = (blocks.pairs, blocks.reciprocity, blocks.worst_error);
     (copy.samples, copy.distinct, copy.rays) = (blocks.samples, blocks.distinct, blocks.rays);
     copy.accuracy_reached = blocks.accuracy_reached;
     copy
@@ -155,7 +155,7 @@ impl Weights {
         let solver = Method::CG.solver;
         let settings = Settings::default().with_tolerance(SOLVED);
         // Where it does not converge, the next turn goes on from its best x.
-        let _ = solver.solve(self, right, &mut x, &settings, &mut |_| heed());
+        let _ = solver.solve(self, right, &mut x, &settings, &mut |_| check_interrupt());
         x
     }
 }

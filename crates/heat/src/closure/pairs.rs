@@ -11,7 +11,7 @@ use radiosity_kernel::blocks::FirstEntry;
 use radiosity_solve::Model;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::inspection::Regions;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 /// Height over a plane, relative to the extents, up to which points lie in it. Chosen.
 const FLAT: f64 = 1e-12;
@@ -42,7 +42,7 @@ impl Pairs {
         // Without rays, what is not stored is zero.
         let has_rays = model.blocks().pairs.by_rays > 0;
         let exact = |i: usize, j: usize| {
-            heed();
+            check_interrupt();
             let pair = [&list[i], &list[j]];
             let is_stored = stored[place(i, j)];
             is_integrated_exactly(model.visibility(), pair)
@@ -107,7 +107,7 @@ fn lies_behind(one: &Element, other: &Element) -> bool {
 /// Removes the edges that follow one after another from rows where they are the only one left.
 fn strip_leaves(edges: &mut Vec<[usize; 2]>, rows: usize) {
     loop {
-        heed();
+        check_interrupt();
         let degrees = degrees(edges, rows);
         let before = edges.len();
         edges.retain(|ends| ends.iter().all(|row| degrees[*row] > 1));

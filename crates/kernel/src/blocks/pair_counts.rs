@@ -10,7 +10,7 @@ pub struct PairCounts {
     /// Unordered pairs, curved elements with themselves included.
     pub total: usize,
     /// One lies behind the other.
-    pub skipped_facing: usize,
+    pub skipped_behind: usize,
     /// Both lie in one plane.
     pub skipped_coplanar: usize,
     /// One blocker hides one from the other.

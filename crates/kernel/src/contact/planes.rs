@@ -29,7 +29,7 @@ pub enum Planes {
     /// The elements may exchange light.
     Exchanging,
     /// One element lies behind the plane of the other: they exchange none.
-    Facing,
+    Behind,
     /// Both elements lie in one plane: they exchange none.
     Coplanar,
 }
@@ -44,7 +44,7 @@ pub fn of(receiver: &Element, emitter: &Element) -> Planes {
         let Some(plane) = plane else { continue };
         let [low, high] = heights(*plane, other, extent);
         if high <= 0.0 {
-            return if low >= 0.0 { Planes::Coplanar } else { Planes::Facing };
+            return if low >= 0.0 { Planes::Coplanar } else { Planes::Behind };
         }
     }
     Planes::Exchanging

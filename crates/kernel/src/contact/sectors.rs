@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_geom::DVec3;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 /// Largest turn of the lines and normals of a sector, radians. A quarter circle is 1.571: the rest of 0.03 is a margin,
 /// so that exact quarters, whose turn is estimated from chords, are not cut.
@@ -17,7 +17,7 @@ const MOST_SECTORS: usize = 256;
 
 /// The patches of an element, each halved until it turns by `LARGEST_TURN` at most, or `MOST_SECTORS` are reached.
 pub fn sectors(element: &Element) -> Vec<Patch> {
-    heed();
+    check_interrupt();
     let mut open: VecDeque<Patch> = element.patches.iter().cloned().collect();
     let mut done = Vec::new();
     while let Some(patch) = open.pop_front() {

@@ -9,7 +9,7 @@
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Node, Patch};
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::contact::sectors::sectors;
 use crate::moments::integrand::{Sees, kernel};
@@ -34,7 +34,7 @@ pub struct CoarseEstimate {
 impl CoarseEstimate {
     /// The points of an element.
     pub fn of(element: &Element) -> Self {
-        heed();
+        check_interrupt();
         let parts = sectors(element);
         let points = if parts.len() > MANY_PARTS { FEWER_POINTS } else { POINTS };
         Self { nodes: points.map(|n| weighted(&parts, n)), area: element.area }

@@ -73,11 +73,11 @@ mod tests {
         let patch = Patch::curved(Arc::new(square.expect("a square")), &Rect::FULL);
         let frame = Frame::Parameters { center: DVec2::ZERO, half: DVec2::ONE };
         let basis = AreaBasis::new(2, frame, &[patch]).expect("it has area");
-        let yardstick = EntryNorm::of([&basis, &basis]);
+        let norm = EntryNorm::of([&basis, &basis]);
         let (mut a, b) = (vec![0.0; 36], vec![0.0; 36]);
         a[7] = 0.9;
-        assert!((yardstick.difference(&a, &b) - 0.4).abs() < 1e-12);
+        assert!((norm.difference(&a, &b) - 0.4).abs() < 1e-12);
         a[0] = 1.8;
-        assert!((yardstick.first_entry(&a) - 0.8).abs() < 1e-12);
+        assert!((norm.first_entry(&a) - 0.8).abs() < 1e-12);
     }
 }

@@ -13,7 +13,7 @@
 
 use radiosity_geom::DVec3;
 use radiosity_visibility::bounding_ball::Ball;
-use radiosity_visibility::shadow_volume::{Corners, Cover, Pyramid, cut_at_horizon, reach};
+use radiosity_visibility::shadow_volume::{Corners, Cover, ShadowVolume, cut_at_horizon, reach};
 use smallvec::SmallVec;
 
 use crate::irradiance::lambert;
@@ -27,15 +27,15 @@ pub fn irradiance(x: DVec3, n: DVec3, polygon: &[DVec3]) -> f64 {
     visible_irradiance(x, n, polygon, [].iter())
 }
 
-/// As [`irradiance`], from the part of the polygon outside all `pyramids`, which are shadow volumes as seen from `x`.
+/// As [`irradiance`], from the part of the polygon outside all `volumes`, which are shadow volumes as seen from `x`.
 pub fn visible_irradiance<'a>(
     x: DVec3,
     n: DVec3,
     polygon: &[DVec3],
-    pyramids: impl Iterator<Item = &'a Pyramid>,
+    volumes: impl Iterator<Item = &'a ShadowVolume>,
 ) -> f64 {
     let seen: Corners = polygon.iter().map(|corner| corner - x).collect();
-    above_horizon(n, seen, pyramids)
+    above_horizon(n, seen, volumes)
 }
 
 /// As [`irradiance`], from a polygon whose corners `seen` are relative to the point.
@@ -43,21 +43,21 @@ pub fn irradiance_seen(n: DVec3, seen: Corners) -> f64 {
     above_horizon(n, seen, [].iter())
 }
 
-fn above_horizon<'a>(n: DVec3, mut seen: Corners, pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
+fn above_horizon<'a>(n: DVec3, mut seen: Corners, volumes: impl Iterator<Item = &'a ShadowVolume>) -> f64 {
     if !seen.iter().all(|a| a.dot(n) >= 0.0) {
         cut_at_horizon(n, &mut seen);
     }
-    outside(n, &seen, pyramids)
+    outside(n, &seen, volumes)
 }
 
-/// Irradiance from the part of a polygon above the horizon that lies outside the shadow volumes `pyramids`.
-fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
-    let mut mixed: SmallVec<[&Pyramid; 8]> = SmallVec::new();
-    for pyramid in pyramids {
-        match pyramid.cover_seen(polygon) {
+/// Irradiance from the part of a polygon above the horizon that lies outside the shadow volumes `volumes`.
+fn outside<'a>(n: DVec3, polygon: &[DVec3], volumes: impl Iterator<Item = &'a ShadowVolume>) -> f64 {
+    let mut mixed: SmallVec<[&ShadowVolume; 8]> = SmallVec::new();
+    for volume in volumes {
+        match volume.cover_seen(polygon) {
             Cover::Clear => {}
             Cover::Hidden => return 0.0,
-            Cover::Mixed => mixed.push(pyramid),
+            Cover::Mixed => mixed.push(volume),
         }
     }
     let Some((first, rest)) = mixed.split_first() else { return lambert::polygon(n, polygon) };
@@ -70,26 +70,26 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a P
     (outside(n, polygon, rest()) - outside(n, &first.hidden_part(polygon), rest())).max(0.0)
 }
 
-/// The part of the convex `polygon` inside any of `pyramids`, which all have the same tip, as convex polygons without
+/// The part of the convex `polygon` inside any of `volumes`, which all have the same tip, as convex polygons without
 /// overlaps, relative to that tip; and whether this part is the whole polygon. `ball` contains the polygon.
-pub fn inside_any(polygon: &[DVec3], ball: &Ball, pyramids: &[Pyramid]) -> (Vec<Corners>, bool) {
-    let Some(eye) = pyramids.first().map(Pyramid::eye) else { return (Vec::new(), false) };
+pub fn inside_any(polygon: &[DVec3], ball: &Ball, volumes: &[ShadowVolume]) -> (Vec<Corners>, bool) {
+    let Some(eye) = volumes.first().map(ShadowVolume::eye) else { return (Vec::new(), false) };
     let whole: Corners = polygon.iter().map(|corner| corner - eye).collect();
-    let mut mixed: SmallVec<[&Pyramid; 8]> = SmallVec::new();
+    let mut mixed: SmallVec<[&ShadowVolume; 8]> = SmallVec::new();
     // The reach of the whole bounds that of every part.
     let reach = reach(&whole);
-    for pyramid in pyramids.iter().filter(|pyramid| !pyramid.misses(ball)) {
-        match pyramid.cover_within(&whole, reach) {
+    for volume in volumes.iter().filter(|volume| !volume.misses(ball)) {
+        match volume.cover_within(&whole, reach) {
             Cover::Clear => {}
             Cover::Hidden => return (vec![whole], true),
-            Cover::Mixed => mixed.push(pyramid),
+            Cover::Mixed => mixed.push(volume),
         }
     }
     let Some((last, others)) = mixed.split_last() else { return (Vec::new(), false) };
     let (mut hidden, mut rest) = (Vec::new(), vec![whole]);
-    for pyramid in others {
+    for volume in others {
         let covers: SmallVec<[Cover; 16]> =
-            rest.iter().map(|part| pyramid.cover_within(part, reach)).collect();
+            rest.iter().map(|part| volume.cover_within(part, reach)).collect();
         if covers.iter().all(|cover| *cover == Cover::Clear) {
             continue;
         }
@@ -99,7 +99,7 @@ pub fn inside_any(polygon: &[DVec3], ball: &Ball, pyramids: &[Pyramid]) -> (Vec<
                 Cover::Clear => kept.push(part),
                 Cover::Hidden => hidden.push(part),
                 Cover::Mixed => {
-                    let inner = pyramid.divide(&part, &mut kept);
+                    let inner = volume.divide(&part, &mut kept);
                     hidden.extend((inner.len() > 2).then_some(inner));
                 }
             }
@@ -135,8 +135,8 @@ mod tests {
     }
 
     fn seen(x: DVec3, lamp: &[DVec3], blockers: &[Vec<DVec3>]) -> f64 {
-        let pyramids: Vec<Pyramid> = blockers.iter().filter_map(|b| Pyramid::over(b, x)).collect();
-        visible_irradiance(x, DVec3::Z, lamp, pyramids.iter())
+        let volumes: Vec<ShadowVolume> = blockers.iter().filter_map(|b| ShadowVolume::over(b, x)).collect();
+        visible_irradiance(x, DVec3::Z, lamp, volumes.iter())
     }
 
     /// Below the corner of a rectangle a × b at distance c, with A = a/c, B = b/c:

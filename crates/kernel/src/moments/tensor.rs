@@ -21,7 +21,7 @@ use core::f64::consts::FRAC_1_PI;
 
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_geom::DVec3;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::chart::Chart;
 use crate::moments::integrand::Sees;
@@ -136,7 +136,7 @@ pub(crate) fn of_terms([receiver, emitter]: [&Grid; 2], kernel: &mut impl Terms)
     for (first, (nodes, weights)) in tiles.enumerate() {
         let tile = Tile::new(nodes);
         for (node, out) in emitter.nodes.iter().zip(values.chunks_exact_mut(terms)) {
-            heed();
+            check_interrupt();
             kernel.write(&tile, node, out);
         }
         for (term, rows) in gathered.iter_mut().enumerate() {
@@ -305,7 +305,7 @@ fn general(tile: &Tile, node: &Node, scale: f64) -> Lanes {
 #[inline(always)]
 fn hidden_removed(tile: &Tile, node: &Node, values: Lanes, sees: Option<Sees>, rays: &mut u64) -> Lanes {
     let Some(sees) = sees else { return values };
-    heed();
+    check_interrupt();
     core::array::from_fn(|lane| {
         if lane >= tile.live || values[lane] == 0.0 {
             return 0.0;

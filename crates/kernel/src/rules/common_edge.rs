@@ -36,7 +36,7 @@ pub mod unequal_speed;
 use radiosity_elements::patch::Patch;
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::Moments;
 use crate::moments::integrand::{Sees, visible_kernel};
@@ -180,7 +180,7 @@ pub fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, points: [usize; 3]
     for (x, wx) in radial.iter() {
         // t = x, v = xa, z = xb.
         for (a, wa) in angular.iter() {
-            heed();
+            check_interrupt();
             for (b, wb) in angular.iter() {
                 slide(&mut sum, x, x * a, x * b, x * x * wx * wa * wb);
             }
@@ -188,7 +188,7 @@ pub fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, points: [usize; 3]
         }
         sum.close_across_receiver(x);
         for (a, wa) in angular.iter() {
-            heed();
+            check_interrupt();
             // t = xa, v = x, z = xb.
             for (b, wb) in angular.iter() {
                 slide(&mut sum, x * a, x, x * b, x * x * wx * wa * wb);

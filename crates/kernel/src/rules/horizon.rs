@@ -61,7 +61,7 @@ use std::sync::Arc;
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::MOST_POINTS;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::contact::orientation::{Facing, facing};
 use crate::contact::planes::plane_of;
@@ -131,7 +131,7 @@ pub fn integrate(
     outer: &Side,
     basis: &AreaBasis,
     inner: &[(Patch, Arc<[[usize; 2]]>)],
-    yardstick: &EntryNorm,
+    norm: &EntryNorm,
     tolerance: f64,
     budget: u64,
 ) -> Cut {
@@ -142,7 +142,7 @@ pub fn integrate(
         front: plane_of(&patches).map(Front::of),
         columns: basis.len(),
         inner: parts.collect(),
-        yardstick,
+        norm,
         tolerance,
         budget,
         cut: Cut { moments: vec![0.0; outer.basis.len() * basis.len()], error: 0.0, samples: 0 },
@@ -168,7 +168,7 @@ struct Job<'a> {
     front: Option<Front>,
     columns: usize,
     inner: Vec<Part<'a>>,
-    yardstick: &'a EntryNorm,
+    norm: &'a EntryNorm,
     tolerance: f64,
     budget: u64,
     cut: Cut,
@@ -214,7 +214,7 @@ impl Job<'_> {
         let mut whole = self.whole(patch, first);
         for points in others {
             let finer = self.whole(whole.patch.clone(), points);
-            let difference = self.yardstick.difference(&whole.moments, &finer.moments);
+            let difference = self.norm.difference(&whole.moments, &finer.moments);
             whole = finer;
             if difference <= CLIMB_SHARE * self.tolerance {
                 self.cut.error += FINER_RULE * difference;
@@ -291,7 +291,7 @@ impl Job<'_> {
     /// Computes the halves of a cell in one direction.
     fn look(&mut self, cell: &mut Cell, direction: usize) {
         let halves = cell.halves(direction, FEWEST).map(|(patch, points)| self.whole(patch, points));
-        cell.look(direction, halves, self.yardstick);
+        cell.look(direction, halves, self.norm);
         if cell.is_dark() {
             let missed = self.at_corners(cell.patch());
             cell.miss(CORNER * missed);
@@ -304,7 +304,7 @@ impl Job<'_> {
         let corner = |(s, t)| {
             let x: Node = patch.node(s, t);
             let moments = self.moments_of([(x, x.area)]).0;
-            self.yardstick.difference(&moments, &zeros)
+            self.norm.difference(&moments, &zeros)
         };
         CORNERS.map(corner).into_iter().fold(0.0, f64::max)
     }
@@ -322,7 +322,7 @@ impl Job<'_> {
         let mut moments = vec![0.0; rows * columns];
         let (mut left, mut right) = (vec![0.0; rows], vec![0.0; columns]);
         for (x, weight) in nodes {
-            heed();
+            check_interrupt();
             right.fill(0.0);
             let x = View { node: x, ball: self.outer.ball };
             self.cut.samples += self.inner.iter_mut().map(|part| part.seen_from(&x, &mut right)).sum::<u64>();

@@ -22,7 +22,7 @@
 
 use radiosity_elements::patch::Patch;
 use radiosity_elements::rule::UnitRule;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::Moments;
 use crate::moments::integrand::Sees;
@@ -41,7 +41,7 @@ pub fn counts(patch: &Patch, degree: usize, chart: usize, eps: f64) -> [usize; 3
 pub fn integrate(moments: &mut Moments, patch: &Patch, points: [usize; 3], sees: Option<Sees>) {
     let [radial, angular, base] = points.map(UnitRule::of);
     for ((x, wx), (a, wa)) in radial.iter().flat_map(|x| angular.iter().map(move |a| (x, a))) {
-        heed();
+        check_interrupt();
         for (z, w) in [(x, x * a), (x * a, x)] {
             let weight = wx * wa * x * (1.0 - z) * (1.0 - w);
             for ((y, wy), (y2, wy2)) in base.iter().flat_map(|y| base.iter().map(move |y2| (y, y2))) {

@@ -21,7 +21,7 @@ mod plan;
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::Patch;
 use radiosity_elements::space::Space;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::{Moments, Side};
 use plan::{Leaf, Planner, Rule, split_cost};
@@ -103,7 +103,7 @@ impl Plan {
                     let mut polar = Polar::new(&leaf.emitter, inner, self.eps);
                     for (s, ws) in points[0].0.nodes(points[0].1) {
                         for (t, wt) in points[1].0.nodes(points[1].1) {
-                            heed();
+                            check_interrupt();
                             let x = leaf.cell.node(s, t);
                             let (column, samples) = polar.column(&x, self.eps);
                             moments.outer(self.outer, &x, ws * wt * x.area, column, samples);

@@ -20,7 +20,7 @@ use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
 use radiosity_geom::{Aabb, DVec3};
 use radiosity_scene::Radiance;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use smallvec::smallvec;
 
 use crate::hierarchy::border::Border;
@@ -166,7 +166,7 @@ impl Growth<'_> {
 
 fn with_field(bare: Cell, scale: &[f64], field: Field<'_>) -> Cell {
     let mut values = smallvec![0.0; POINTS * scale.len()];
-    heed();
+    check_interrupt();
     for (node, out) in bare.nodes.iter().zip(values.chunks_exact_mut(scale.len())) {
         field(node, out);
     }

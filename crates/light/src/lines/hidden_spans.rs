@@ -8,14 +8,14 @@
 use std::borrow::Cow;
 
 use radiosity_geom::{Aabb, COINCIDENT, DVec3};
-use radiosity_visibility::shadow_volume::Pyramid;
+use radiosity_visibility::shadow_volume::ShadowVolume;
 use radiosity_visibility::silhouette_mesh::{Quad, Region, SilhouetteMesh};
 use smallvec::{SmallVec, smallvec};
 
 use crate::lines::projection::ProjectionPlane;
 use crate::lines::silhouette::{Crossing, outline};
 
-/// Two ends nearer than this part of the screen's side are both corrected; the farther counts. Chosen; not tuned.
+/// Two ends nearer than this part of the plane's side are both corrected; the farther counts. Chosen; not tuned.
 const CLOSE: f64 = 0.02;
 
 /// Ends so far outside a line, over its length, are corrected too: the surface may exceed its mesh. Chosen; not tuned.
@@ -34,11 +34,11 @@ const CRACK: f64 = 0.25;
 /// The blockers before a projection plane.
 #[derive(Debug)]
 pub(crate) struct HiddenSpans<'a> {
-    screen: ProjectionPlane,
+    plane: ProjectionPlane,
     quads: Vec<Facet<'a>>,
     /// Range of t that each quad covers.
     heights: Vec<[f64; 2]>,
-    pyramids: Vec<&'a Pyramid>,
+    volumes: Vec<&'a ShadowVolume>,
     /// Sides, in no order, of the outline of the part that shines; None if the whole polygon does.
     lit: Option<Vec<[[f64; 2]; 2]>>,
 }
@@ -46,7 +46,7 @@ pub(crate) struct HiddenSpans<'a> {
 /// A quad in projection.
 #[derive(Debug)]
 struct Facet<'a> {
-    net: &'a SilhouetteMesh,
+    mesh: &'a SilhouetteMesh,
     quad: Cow<'a, Quad>,
     /// (S, T, λ) of its corners.
     seen: [DVec3; 4],
@@ -74,20 +74,20 @@ struct Place<'a> {
     within: Option<(&'a SilhouetteMesh, f64)>,
 }
 
-/// The region before a screen, for a surface that the eye may lie on.
+/// The region before a plane, for a surface that the eye may lie on.
 struct Ahead<'a> {
-    screen: &'a ProjectionPlane,
-    /// If the eye lies on the surface: its unit normal there and the least sine of the screen's elevation.
+    plane: &'a ProjectionPlane,
+    /// If the eye lies on the surface: its unit normal there and the least sine of the plane's elevation.
     ground: Option<(DVec3, f64)>,
 }
 
 impl Region for Ahead<'_> {
     fn eye(&self) -> DVec3 {
-        self.screen.eye
+        self.plane.eye
     }
 
     fn reaches(&self, bounds: &Aabb) -> bool {
-        self.screen.reaches(bounds)
+        self.plane.reaches(bounds)
     }
 
     fn ground(&self) -> Option<(DVec3, f64)> {
@@ -96,40 +96,40 @@ impl Region for Ahead<'_> {
 }
 
 impl<'a> HiddenSpans<'a> {
-    /// No blockers before `screen` yet.
-    pub(crate) fn new(screen: ProjectionPlane) -> Self {
-        Self { screen, quads: Vec::new(), heights: Vec::new(), pyramids: Vec::new(), lit: None }
+    /// No blockers before `plane` yet.
+    pub(crate) fn new(plane: ProjectionPlane) -> Self {
+        Self { plane, quads: Vec::new(), heights: Vec::new(), volumes: Vec::new(), lit: None }
     }
 
     /// No blockers yet; only the inside of an outline, given by its sides in (s, t), shines.
-    pub(crate) fn before_lamp(screen: ProjectionPlane, sides: Vec<[[f64; 2]; 2]>) -> Self {
-        Self { lit: Some(sides), ..Self::new(screen) }
+    pub(crate) fn before_lamp(plane: ProjectionPlane, sides: Vec<[[f64; 2]; 2]>) -> Self {
+        Self { lit: Some(sides), ..Self::new(plane) }
     }
 
     /// Adds a planar blocker.
-    pub(crate) fn add_flat(&mut self, pyramid: &'a Pyramid) {
-        self.pyramids.push(pyramid);
+    pub(crate) fn add_flat(&mut self, volume: &'a ShadowVolume) {
+        self.volumes.push(volume);
     }
 
-    /// Adds a curved blocker; `ground` is its unit normal at the eye if the eye lies on it. `is_own`: the screen stands
+    /// Adds a curved blocker; `ground` is its unit normal at the eye if the eye lies on it. `is_own`: the plane stands
     /// for a piece of the blocker itself, and only quads well before it count.
-    pub(crate) fn add_curved(&mut self, net: &'a SilhouetteMesh, ground: Option<DVec3>, is_own: bool) {
-        let far = if is_own { 1.0 - self.screen.width() } else { f64::INFINITY };
-        let ground = ground.map(|normal| (normal, self.screen.rise(normal)));
-        let ahead = Ahead { screen: &self.screen, ground };
+    pub(crate) fn add_curved(&mut self, mesh: &'a SilhouetteMesh, ground: Option<DVec3>, is_own: bool) {
+        let far = if is_own { 1.0 - self.plane.width() } else { f64::INFINITY };
+        let ground = ground.map(|normal| (normal, self.plane.rise(normal)));
+        let ahead = Ahead { plane: &self.plane, ground };
         let (quads, heights) = (&mut self.quads, &mut self.heights);
-        net.visit(&ahead, &mut |quad| {
-            let seen = quad.knots.map(|knot| self.screen.see(knot.position));
+        mesh.visit(&ahead, &mut |quad| {
+            let seen = quad.knots.map(|knot| self.plane.see(knot.position));
             if seen.iter().all(|p| p.z <= far) {
                 heights.push(height(&seen));
-                quads.push(Facet { net, quad, seen });
+                quads.push(Facet { mesh, quad, seen });
             }
         });
     }
 
     /// Whether there is no blocker.
     pub(crate) fn is_empty(&self) -> bool {
-        self.quads.is_empty() && self.pyramids.is_empty()
+        self.quads.is_empty() && self.volumes.is_empty()
     }
 
     /// These spans with s and t exchanged: lines run in the other direction.
@@ -139,12 +139,12 @@ impl<'a> HiddenSpans<'a> {
         let turned =
             |sides: &Vec<[[f64; 2]; 2]>| sides.iter().map(|side| side.map(|[s, t]| [t, s])).collect();
         let lit = self.lit.as_ref().map(turned);
-        Self { screen: self.screen.transposed(), quads, heights, pyramids: self.pyramids.clone(), lit }
+        Self { plane: self.plane.transposed(), quads, heights, volumes: self.volumes.clone(), lit }
     }
 
     /// The projection plane.
-    pub(crate) fn screen(&self) -> &ProjectionPlane {
-        &self.screen
+    pub(crate) fn plane(&self) -> &ProjectionPlane {
+        &self.plane
     }
 
     /// The parts of line `t` between `low` and `high` that shine, ascending.
@@ -187,8 +187,8 @@ impl<'a> HiddenSpans<'a> {
                 self.quads[index].hide(index, t, &mut parts);
             }
         }
-        let (start, along) = (self.screen.at(0.0, t), self.screen.along);
-        let flat = self.pyramids.iter().filter_map(|pyramid| pyramid.shadow_on(start, along));
+        let (start, along) = (self.plane.at(0.0, t), self.plane.along);
+        let flat = self.volumes.iter().filter_map(|volume| volume.shadow_on(start, along));
         parts.extend(flat.map(|ends| Hidden::between(ends.map(|s| End { s, causes: [None; 2] }))));
         parts.retain(|part| part.high.s > low && part.low.s < high);
         parts.sort_unstable_by(|a, b| a.low.s.total_cmp(&b.low.s));
@@ -206,8 +206,8 @@ impl<'a> HiddenSpans<'a> {
     fn corrected(&self, t: f64, end: End, side: f64) -> Place<'_> {
         let size = |seen: &[DVec3; 4]| seen.iter().map(|p| (p.x / p.z - end.s).abs()).fold(0.0, f64::max);
         let found = end.causes.iter().flatten().filter_map(|(index, crossing)| {
-            let Facet { net, quad, seen } = &self.quads[*index];
-            let s = outline(&self.screen, t, net.shape(), quad, *crossing, side)?;
+            let Facet { mesh, quad, seen } = &self.quads[*index];
+            let s = outline(&self.plane, t, mesh.shape(), quad, *crossing, side)?;
             let is_believed = seen.iter().all(|p| p.z > 0.0) && (s - end.s).abs() <= BELIEVED * size(seen);
             is_believed.then_some(s)
         });
@@ -217,7 +217,7 @@ impl<'a> HiddenSpans<'a> {
         }
         let inner =
             end.causes[0].filter(|(index, crossing)| !self.quads[*index].quad.is_border(crossing.edge));
-        let within = inner.map(|(index, _)| (self.quads[index].net, size(&self.quads[index].seen)));
+        let within = inner.map(|(index, _)| (self.quads[index].mesh, size(&self.quads[index].seen)));
         Place { s: end.s, within }
     }
 }
@@ -226,8 +226,8 @@ impl Place<'_> {
     /// Whether the gap between two ends is a crack between quads of different sizes.
     fn is_crack(&self, next: &Self) -> bool {
         match (self.within, next.within) {
-            (Some((net, size)), Some((other, width))) => {
-                std::ptr::eq(net, other) && next.s - self.s <= CRACK * size.max(width)
+            (Some((mesh, size)), Some((other, width))) => {
+                std::ptr::eq(mesh, other) && next.s - self.s <= CRACK * size.max(width)
             }
             _ => false,
         }
@@ -236,7 +236,7 @@ impl Place<'_> {
 
 impl Facet<'_> {
     fn transposed(&self) -> Self {
-        Self { net: self.net, quad: self.quad.clone(), seen: self.seen.map(|p| DVec3::new(p.y, p.x, p.z)) }
+        Self { mesh: self.mesh, quad: self.quad.clone(), seen: self.seen.map(|p| DVec3::new(p.y, p.x, p.z)) }
     }
 
     /// The intervals of line `t` that the quad hides: between pairs of edges that the line crosses.
@@ -272,7 +272,7 @@ fn height(seen: &[DVec3; 4]) -> [f64; 2] {
     [t.into_iter().fold(f64::INFINITY, f64::min), t.into_iter().fold(f64::NEG_INFINITY, f64::max)]
 }
 
-/// The interval of its line that a segment before the screen hides.
+/// The interval of its line that a segment before the plane hides.
 fn between(a: (DVec3, Crossing), b: (DVec3, Crossing), index: usize) -> Option<Hidden> {
     let (near, far) = (COINCIDENT, 1.0 - COINCIDENT);
     let (low, high) = (a.0.z.min(b.0.z), a.0.z.max(b.0.z));

@@ -54,8 +54,8 @@ impl Sums {
 
 /// The quadrature of a planar cell by lines.
 pub(crate) struct LineQuadrature<'a> {
-    vantage: &'a ReceiverPoint,
-    facets: &'a HiddenSpans<'a>,
+    receiver: &'a ReceiverPoint,
+    spans: &'a HiddenSpans<'a>,
     gauss: &'a UnitRule,
     /// Gauss points of the cell along a side.
     places: &'a [f64],
@@ -67,16 +67,16 @@ pub(crate) struct LineQuadrature<'a> {
 }
 
 impl<'a> LineQuadrature<'a> {
-    /// For the polygon of the projection plane of `facets`, seen from `vantage`.
-    pub(crate) fn new(vantage: &'a ReceiverPoint, facets: &'a HiddenSpans<'a>) -> Self {
+    /// For the polygon of the projection plane of `spans`, seen from `receiver`.
+    pub(crate) fn new(receiver: &'a ReceiverPoint, spans: &'a HiddenSpans<'a>) -> Self {
         let places = &UnitRule::of(2).nodes;
         let gauss = UnitRule::of(POINTS);
-        Self { vantage, facets, gauss, places, is_turned: false, is_of_lamp: false, room: Vec::new() }
+        Self { receiver, spans, gauss, places, is_turned: false, is_of_lamp: false, room: Vec::new() }
     }
 
     /// As [`LineQuadrature::new`], for the projection plane of a whole area light.
-    pub(crate) fn of_lamp(vantage: &'a ReceiverPoint, facets: &'a HiddenSpans<'a>) -> Self {
-        Self { is_of_lamp: true, ..Self::new(vantage, facets) }
+    pub(crate) fn of_lamp(receiver: &'a ReceiverPoint, spans: &'a HiddenSpans<'a>) -> Self {
+        Self { is_of_lamp: true, ..Self::new(receiver, spans) }
     }
 
     /// The visible shares of the four points, each accurate to about `tolerance`; they sum to 1 without blockers.
@@ -85,13 +85,13 @@ impl<'a> LineQuadrature<'a> {
         if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
     }
 
-    /// Visible and unoccluded irradiance from exitance 1 on the part of the screen that shines; the first is accurate
+    /// Visible and unoccluded irradiance from exitance 1 on the part of the plane that shines; the first is accurate
     /// to about `tolerance` times the second.
     pub(crate) fn irradiances(&mut self, tolerance: f64) -> [f64; 2] {
         let sums = self.sums(tolerance);
-        let screen = self.facets.screen();
-        let normal = screen.along.cross(screen.across);
-        let factor = normal.dot(screen.origin - screen.eye).abs() / PI;
+        let plane = self.spans.plane();
+        let normal = plane.along.cross(plane.across);
+        let factor = normal.dot(plane.origin - plane.eye).abs() / PI;
         [sums.seen(), sums.all].map(|sum| factor * sum)
     }
 
@@ -103,11 +103,11 @@ impl<'a> LineQuadrature<'a> {
         let varied = variation(&lines);
         let is_told = varied > 0.0 && varied <= ALONG;
         if !self.is_turned && !is_told {
-            let facets = self.facets.transposed();
+            let spans = self.spans.transposed();
             let mut turned = LineQuadrature {
                 is_turned: true,
                 is_of_lamp: self.is_of_lamp,
-                ..LineQuadrature::new(self.vantage, &facets)
+                ..LineQuadrature::new(self.receiver, &spans)
             };
             let sums = turned.sums(tolerance);
             let [a, b, c, d] = sums.visible;
@@ -128,7 +128,7 @@ impl<'a> LineQuadrature<'a> {
 
     /// Range of t of the cell.
     fn heights(&self) -> (f64, f64) {
-        let heights = || self.facets.screen().outline.iter().map(|[_, t]| *t);
+        let heights = || self.spans.plane().outline.iter().map(|[_, t]| *t);
         (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max))
     }
 
@@ -152,9 +152,9 @@ impl<'a> LineQuadrature<'a> {
         let mut sums = Sums::default();
         let Some(range) = self.range(t) else { return sums };
         let mut room = std::mem::take(&mut self.room);
-        for lit in self.facets.lit(t, range) {
+        for lit in self.spans.lit(t, range) {
             sums.all += self.over(t, lit).iter().sum::<f64>();
-            self.facets.visible(t, lit, &mut room);
+            self.spans.visible(t, lit, &mut room);
             for part in &room {
                 let weights = self.over(t, *part);
                 sums.visible = std::array::from_fn(|k| sums.visible[k] + weights[k]);
@@ -166,11 +166,11 @@ impl<'a> LineQuadrature<'a> {
 
     /// The interval of line `t` within the cell and above the horizons.
     fn range(&self, t: f64) -> Option<[f64; 2]> {
-        let screen = self.facets.screen();
-        let (mut low, mut high) = crossed(&screen.outline, t)?;
-        let ReceiverPoint { position, normal, ground, .. } = *self.vantage;
+        let plane = self.spans.plane();
+        let (mut low, mut high) = crossed(&plane.outline, t)?;
+        let ReceiverPoint { position, normal, ground, .. } = *self.receiver;
         for horizon in std::iter::once(normal).chain(ground) {
-            let (start, slope) = ((screen.at(0.0, t) - position).dot(horizon), screen.along.dot(horizon));
+            let (start, slope) = ((plane.at(0.0, t) - position).dot(horizon), plane.along.dot(horizon));
             match slope {
                 _ if slope > 0.0 => low = low.max(-start / slope),
                 _ if slope < 0.0 => high = high.min(-start / slope),
@@ -183,13 +183,13 @@ impl<'a> LineQuadrature<'a> {
 
     /// ∫ κ N_k ds, except for a constant factor.
     fn over(&self, t: f64, [low, high]: [f64; 2]) -> [f64; 4] {
-        let ReceiverPoint { position, normal, .. } = *self.vantage;
-        let screen = self.facets.screen();
+        let ReceiverPoint { position, normal, .. } = *self.receiver;
+        let plane = self.spans.plane();
         let across = shape(t, self.places);
         let mut sums = [0.0; 4];
         for (place, weight) in self.gauss.iter() {
             let s = low + (high - low) * place;
-            let y: DVec3 = screen.at(s, t) - position;
+            let y: DVec3 = plane.at(s, t) - position;
             let kernel = weight * (high - low) * y.dot(normal).max(0.0) / y.length_squared().powi(2);
             let along = shape(s, self.places);
             for (k, sum) in sums.iter_mut().enumerate() {

@@ -43,18 +43,18 @@ pub(crate) struct Crossing {
 ///
 /// If both a border and a silhouette are crossed, the crossing farther towards `side` (±1) counts.
 pub(crate) fn outline(
-    screen: &ProjectionPlane,
+    plane: &ProjectionPlane,
     t: f64,
     shape: &dyn Surface,
     quad: &Quad,
     crossing: Crossing,
     side: f64,
 ) -> Option<f64> {
-    let line = Line { screen, normal: screen.slice(t) };
+    let line = Line { plane, normal: plane.slice(t) };
     let (start, end) = (&quad.knots[crossing.edge], &quad.knots[(crossing.edge + 1) % 4]);
     let [a, b] = [start, end].map(|knot| DVec2::from_array(knot.parameters));
     let is_border = quad.is_border(crossing.edge);
-    let heights = quad.knots.map(|knot| knot.normal.dot(knot.position - screen.eye));
+    let heights = quad.knots.map(|knot| knot.normal.dot(knot.position - plane.eye));
     let turns = heights.iter().any(|g| *g < 0.0) && heights.iter().any(|g| *g > 0.0);
     let border = if is_border { line.border(shape, a, b, crossing.place) } else { None };
     let silhouette = match turns || !is_border {
@@ -68,7 +68,7 @@ pub(crate) fn outline(
 }
 
 struct Line<'a> {
-    screen: &'a ProjectionPlane,
+    plane: &'a ProjectionPlane,
     /// Normal of the plane through the eye and the line.
     normal: DVec3,
 }
@@ -79,9 +79,9 @@ impl Line<'_> {
         for _ in 0..BORDER_STEPS {
             let at = a.lerp(b, place);
             let jet = shape.jet(at.x, at.y);
-            let (offset, slope) = (jet.position - self.screen.eye, jet.du * (b - a).x + jet.dv * (b - a).y);
+            let (offset, slope) = (jet.position - self.plane.eye, jet.du * (b - a).x + jet.dv * (b - a).y);
             let step = -self.normal.dot(offset) / self.normal.dot(slope);
-            seen = self.screen.see_direction(offset + step * slope);
+            seen = self.plane.see_direction(offset + step * slope);
             place = (place + step).clamp(0.0, 1.0);
         }
         at_line(seen)
@@ -100,7 +100,7 @@ impl Line<'_> {
         let slope = DVec2::new(g[1] - g[0] + g[2] - g[3], g[3] - g[0] + g[2] - g[1]) / (2.0 * width);
         for _ in 0..STEPS {
             let jet = shape.jet(at.x, at.y);
-            let offset = jet.position - self.screen.eye;
+            let offset = jet.position - self.plane.eye;
             let (height, off) = (self.normal.dot(offset), jet.normal.dot(offset));
             let near = GRAZING * offset.length();
             if off.abs() <= near && height.abs() <= ON_LINE * offset.length() * self.normal.length() {
@@ -127,13 +127,13 @@ impl Line<'_> {
         let [uu, uv, vv] = [jet.du.dot(jet.du), jet.du.dot(jet.dv), jet.dv.dot(jet.dv)];
         let [u, v] = [jet.du.dot(view), jet.dv.dot(view)];
         let along = DVec2::new(vv * u - uv * v, uu * v - uv * u);
-        slope.dot(along) * jet.normal.dot(self.screen.along) * side >= 0.0
+        slope.dot(along) * jet.normal.dot(self.plane.along) * side >= 0.0
     }
 
     /// s where the tangent plane through the eye at `offset` meets the line; `normal` may be slightly off.
     fn tangent(&self, offset: DVec3, normal: DVec3) -> Option<f64> {
         let along = self.normal.cross(normal.reject_from(offset));
-        at_line(self.screen.see_direction(if along.dot(offset) < 0.0 { -along } else { along }))
+        at_line(self.plane.see_direction(if along.dot(offset) < 0.0 { -along } else { along }))
     }
 }
 

@@ -20,7 +20,7 @@ use radiosity_elements::patch::Node;
 use radiosity_geom::DVec3;
 use radiosity_kernel::kernel;
 
-use crate::blockers::Before;
+use crate::blockers::ListedOccluders;
 use crate::hierarchy::cell::{Cell, POINTS};
 use crate::lines::line_quadrature::LineQuadrature;
 use crate::receiver_point::ReceiverPoint;
@@ -72,9 +72,9 @@ pub(super) struct Estimate {
 
 impl Traversal<'_> {
     /// The rule for a cell with the blockers `before` it.
-    pub(super) fn estimate(&self, pass: &Pass, cell: &Cell, before: Before) -> Estimate {
+    pub(super) fn estimate(&self, pass: &Pass, cell: &Cell, before: ListedOccluders) -> Estimate {
         if cell.is_uniform() && cell.is_flat() && self.shadows.are_flat(before) {
-            let factor = self.vantage.factor(&cell.hull, self.shadows.pyramids(before));
+            let factor = self.receiver.factor(&cell.hull, self.shadows.volumes(before));
             return Estimate { weights: scaled(cell, [0.0; POINTS], factor), error: 0.0 };
         }
         let weights = self.weights(cell);
@@ -92,7 +92,7 @@ impl Traversal<'_> {
 
     /// Whether Lambert's formula holds for a cell: it is flat, or straight and its front is seen everywhere.
     pub(super) fn is_like_flat(&self, cell: &Cell) -> bool {
-        let faces = |(point, normal): &(DVec3, DVec3)| (self.vantage.position - point).dot(*normal) > 0.0;
+        let faces = |(point, normal): &(DVec3, DVec3)| (self.receiver.position - point).dot(*normal) > 0.0;
         cell.is_straight && cell.facets.iter().all(faces)
     }
 
@@ -101,7 +101,7 @@ impl Traversal<'_> {
         let sum: f64 = weights.iter().sum();
         let error = sum * gauss_error(cell, width);
         let overlooks =
-            || self.vantage.clears(cell.center, cell.radius) || self.vantage.overlooks(&cell.hull);
+            || self.receiver.clears(cell.center, cell.radius) || self.receiver.overlooks(&cell.hull);
         if width < 1.0 && error <= pass.tolerance && overlooks() {
             return Estimate { weights, error };
         }
@@ -109,7 +109,7 @@ impl Traversal<'_> {
         if width < 1.0 && sum * by_form > HOPELESS * pass.tolerance {
             return Estimate { weights, error: sum * by_form };
         }
-        let factor = self.vantage.factor(&cell.hull, iter::empty());
+        let factor = self.receiver.factor(&cell.hull, iter::empty());
         Estimate { weights: scaled(cell, weights, factor), error: factor * by_form }
     }
 
@@ -120,7 +120,7 @@ impl Traversal<'_> {
         cell: &Cell,
         weights: [f64; POINTS],
         width: f64,
-        before: Before,
+        before: ListedOccluders,
     ) -> Estimate {
         if width >= 1.0 || cell.spread == 0.0 {
             return self.pieces(pass, cell, weights, before);
@@ -144,8 +144,8 @@ impl Traversal<'_> {
     }
 
     /// Lambert's formula for the visible pieces of a flat cell behind flat blockers.
-    fn pieces(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], before: Before) -> Estimate {
-        let factor = self.vantage.factor(&cell.hull, self.shadows.pyramids(before));
+    fn pieces(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], before: ListedOccluders) -> Estimate {
+        let factor = self.receiver.factor(&cell.hull, self.shadows.volumes(before));
         let seen = if cell.spread == 0.0 { weights } else { self.seen(pass, cell, weights, before) };
         Estimate { weights: scaled(cell, seen, factor), error: factor * (cell.spread + cell.detail) }
     }
@@ -157,7 +157,7 @@ impl Traversal<'_> {
         cell: &Cell,
         weights: &[f64; POINTS],
         seen: &[f64; POINTS],
-        before: Before,
+        before: ListedOccluders,
     ) -> bool {
         let hides = |y: &DVec3| self.shadows.hide(before, *y, pass.tree.surface);
         let mut others = cell.hull.iter().chain([&cell.center]);
@@ -174,20 +174,20 @@ impl Traversal<'_> {
         cell: &Cell,
         weights: [f64; POINTS],
         width: f64,
-        before: Before,
+        before: ListedOccluders,
     ) -> Estimate {
-        let Some(facets) = self.shadows.facets(before, &cell.hull, &cell.hull, None) else {
+        let Some(spans) = self.shadows.hidden_spans(before, &cell.hull, &cell.hull, None) else {
             return Estimate { weights: [0.0; POINTS], error: 0.0 };
         };
-        if facets.is_empty() {
+        if spans.is_empty() {
             return self.clear_flat(pass, cell, weights, width);
         }
-        let factor = self.vantage.factor(&cell.hull, iter::empty());
+        let factor = self.receiver.factor(&cell.hull, iter::empty());
         let stake = factor * cell.brightness;
         if width < 1.0 && stake <= pass.tolerance {
             return Estimate { weights: self.seen(pass, cell, weights, before), error: pass.tolerance };
         }
-        let shares = LineQuadrature::new(self.vantage, &facets).shares(pass.tolerance / stake);
+        let shares = LineQuadrature::new(self.receiver, &spans).shares(pass.tolerance / stake);
         let sum: f64 = shares.iter().sum();
         let weights = match cell.is_parallelogram() {
             true => shares.map(|share| factor * share),
@@ -208,7 +208,7 @@ impl Traversal<'_> {
         cell: &Cell,
         weights: [f64; POINTS],
         width: f64,
-        before: Before,
+        before: ListedOccluders,
     ) -> Estimate {
         let whole: f64 = weights.iter().sum();
         let stake = whole * cell.brightness;
@@ -219,7 +219,7 @@ impl Traversal<'_> {
             return Estimate { weights, error: f64::INFINITY };
         }
         let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(cell, width) };
-        let form = near + self.rim(cell);
+        let form = near + self.border(cell);
         if before.is_nothing() {
             return Estimate { weights, error: form };
         }
@@ -229,14 +229,15 @@ impl Traversal<'_> {
         if stake <= pass.tolerance {
             return Estimate { weights: self.seen(pass, cell, weights, before), error: form };
         }
-        let Some(facets) = self.shadows.facets(before, &cell.outline(), &cell.hull, Some(pass.tree.surface))
+        let Some(spans) =
+            self.shadows.hidden_spans(before, &cell.outline(), &cell.hull, Some(pass.tree.surface))
         else {
             return Estimate { weights: self.seen(pass, cell, weights, before), error: form };
         };
-        if facets.is_empty() {
+        if spans.is_empty() {
             return Estimate { weights, error: form };
         }
-        let shares = LineQuadrature::new(self.vantage, &facets).shares(pass.tolerance / stake);
+        let shares = LineQuadrature::new(self.receiver, &spans).shares(pass.tolerance / stake);
         let share = shares.iter().sum::<f64>().clamp(0.0, 1.0);
         let partial =
             if share > 0.0 && share < 1.0 { 0.5 * stake * cell.warp + whole * cell.spread } else { 0.0 };
@@ -261,12 +262,12 @@ impl Traversal<'_> {
     }
 
     /// Error of a curved cell that is seen in part, at its silhouette or the horizon.
-    fn rim(&self, cell: &Cell) -> f64 {
+    fn border(&self, cell: &Cell) -> f64 {
         let facing =
-            |place: &(DVec3, DVec3)| (self.vantage.position - place.0).normalize_or_zero().dot(place.1);
+            |place: &(DVec3, DVec3)| (self.receiver.position - place.0).normalize_or_zero().dot(place.1);
         let cosines = || cell.facets.iter().map(facing);
         let (low, high) = cosines().fold((f64::MAX, f64::MIN), |(low, high), c| (low.min(c), high.max(c)));
-        if high <= 0.0 || (low >= 0.0 && self.vantage.overlooks(&cell.hull)) {
+        if high <= 0.0 || (low >= 0.0 && self.receiver.overlooks(&cell.hull)) {
             return 0.0;
         }
         let distance = self.distance(cell);
@@ -275,7 +276,7 @@ impl Traversal<'_> {
 
     /// Weights of the Gauss rule with the kernel, without blockers.
     pub(super) fn weights(&self, cell: &Cell) -> [f64; POINTS] {
-        let ReceiverPoint { position, normal, ground, .. } = *self.vantage;
+        let ReceiverPoint { position, normal, ground, .. } = *self.receiver;
         if ground.is_none() && cell.is_flat() {
             return self.weights_of_flat(cell);
         }
@@ -289,7 +290,7 @@ impl Traversal<'_> {
 
     /// As [`Traversal::weights`] for a flat cell, whose points share one normal.
     fn weights_of_flat(&self, cell: &Cell) -> [f64; POINTS] {
-        let ReceiverPoint { position, normal, .. } = *self.vantage;
+        let ReceiverPoint { position, normal, .. } = *self.receiver;
         let (out, [x, y, z]) = (cell.nodes[0].normal, &cell.lanes);
         let mut weights = [0.0; POINTS];
         for (k, weight) in weights.iter_mut().enumerate() {
@@ -309,7 +310,7 @@ impl Traversal<'_> {
         pass: &Pass,
         cell: &Cell,
         weights: [f64; POINTS],
-        before: Before,
+        before: ListedOccluders,
     ) -> [f64; POINTS] {
         let hidden = |k: usize| self.shadows.hide(before, cell.nodes[k].position, pass.tree.surface);
         std::array::from_fn(|k| if weights[k] > 0.0 && hidden(k) { 0.0 } else { weights[k] })
@@ -317,7 +318,7 @@ impl Traversal<'_> {
 
     /// Distance from the point to the centre of a cell.
     pub(super) fn distance(&self, cell: &Cell) -> f64 {
-        cell.center.distance(self.vantage.position)
+        cell.center.distance(self.receiver.position)
     }
 }
 

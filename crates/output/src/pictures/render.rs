@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use radiosity_light::penumbra::Care;
+use radiosity_light::penumbra::RayEffort;
 use radiosity_scene::Camera;
 use radiosity_solve::gather::choice::seconds_to_gather;
 use radiosity_solve::solution::Solution;
@@ -47,7 +47,7 @@ const AT_ONCE: usize = 1 << 20;
 const MARGIN: usize = 5 * COARSEST;
 
 /// Rays for direct light at one of several samples of a pixel: their errors average out. Chosen.
-const ONE_OF_SEVERAL: Care = Care { rough: 3.0, sure: false };
+const ONE_OF_SEVERAL: RayEffort = RayEffort { rough: 3.0, sure: false };
 
 /// The corners of the unit square.
 const CORNERS: [[u32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];

@@ -16,7 +16,7 @@ use std::collections::HashMap;
 use radiosity_geom::{DVec3, PlanarRegion, Surface};
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_visibility::covers::{self, Cover, covers};
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use corner::Corner;
@@ -42,7 +42,7 @@ pub struct Triangulation {
 pub fn tessellation(scene: &Scene, tolerance: f64) -> Vec<Triangulation> {
     let covers = covers(scene);
     let surface = |(index, surface): (usize, &SceneSurface)| {
-        heed();
+        check_interrupt();
         let shape = surface.shape.as_ref();
         let facets = match shape.region() {
             Some(region) => {

@@ -14,7 +14,7 @@ use radiosity_elements::Elements;
 use radiosity_geom::Encounter;
 use radiosity_scene::Camera;
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::{PartName, Ranks};
 use rayon::prelude::*;
 
@@ -61,7 +61,7 @@ pub fn wireframe(
         .into_par_iter()
         .flat_map_iter(|row| (0..camera.width as usize).map(move |column| (row, column)))
         .map(|(row, column)| {
-            heed();
+            check_interrupt();
             pixel(row, column)
         })
         .collect()

@@ -1,11 +1,11 @@
 //! Words for transfers that miss what was asked of them.
 
-use radiosity_kernel::Miss;
+use radiosity_kernel::WorstError;
 use radiosity_transport::FINEST_BY_RAYS;
 use radiosity_work::wording::{Wording, option, words};
 
 /// Words for the error that is left in the transfers between two surfaces, and the cure.
-pub fn missed(miss: &Miss, [one, other]: [&str; 2]) -> Wording {
+pub fn missed(miss: &WorstError, [one, other]: [&str; 2]) -> Wording {
     let place = match one == other {
         true => format!("of '{one}' to itself"),
         false => format!("between '{one}' and '{other}'"),

@@ -126,7 +126,7 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Found, ProbeFau
         }
         Some(spot) if reader.gathers() && spot.normal.dot(normal) < EQUAL_NORMAL => {
             let on = on(reader, &spot, &along_surface(&spot).irradiance);
-            (reader.gathered(&spot.vantage(normal)).ok_or(ProbeFault::Tilted)?, Some(on))
+            (reader.gathered(&spot.receiver_point(normal)).ok_or(ProbeFault::Tilted)?, Some(on))
         }
         Some(spot) if spot.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),
         Some(spot) => {

@@ -131,8 +131,8 @@ impl<'a> Reader<'a> {
                 lit.iter().zip(rest).map(|(d, s)| d + s).collect::<Vec<f64>>().into()
             }
             Light::Gather(_) | Light::Rays(_) => {
-                let vantage = ReceiverPoint::on(place.surface, place.position, normal);
-                self.gathered(&vantage).expect("light is gathered")
+                let receiver = ReceiverPoint::on(place.surface, place.position, normal);
+                self.gathered(&receiver).expect("light is gathered")
             }
         }
     }
@@ -147,11 +147,11 @@ impl<'a> Reader<'a> {
     }
 
     /// Irradiance per band at any point; None where light is not gathered.
-    pub fn gathered(&self, vantage: &ReceiverPoint) -> Option<Value> {
+    pub fn gathered(&self, receiver: &ReceiverPoint) -> Option<Value> {
         match &self.light {
             Light::Basis | Light::Direct(_) => None,
-            Light::Gather(gather) => Some(gather.at(vantage).into()),
-            Light::Rays(gather) => Some(gather.read(&Receiver::Point(*vantage)).into()),
+            Light::Gather(gather) => Some(gather.at(receiver).into()),
+            Light::Rays(gather) => Some(gather.read(&Receiver::Point(*receiver)).into()),
         }
     }
 }

@@ -16,7 +16,7 @@ use radiosity_elements::columns::{add_scaled, take_out};
 use radiosity_elements::space::Space;
 use radiosity_elements::{Element, Elements};
 use radiosity_geom::Rect;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use super::basis::Basis;
@@ -59,7 +59,7 @@ impl Subspace {
         let groups = groups(elements);
         let starts = elements.starts();
         let of_group = |(surface, own): (usize, Vec<usize>)| {
-            heed();
+            check_interrupt();
             let cells: Vec<Rect> =
                 elements.of_surface(surface).map(|index| elements.list()[index].rect).collect();
             let functions = basis.functions(&cells, degree(surface), space).expect("it is not elementwise");

@@ -9,7 +9,7 @@
 
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Partition, Report, Settings, SolveError};
-use radiosity_work::interruption::{self, Interruption, heed};
+use radiosity_work::interruption::{self, Interruption, check_interrupt};
 
 use super::network::Hierarchy;
 
@@ -63,9 +63,9 @@ impl<'a> BandSystem<'a> {
         let mut unknowns = vec![0.0; right.len()];
         let interruption = interruption::current();
         let settings = settings.clone().with_cancel(interruption.as_ref().map(Interruption::flag));
-        let report = method.solver.solve(self, &right, &mut unknowns, &settings, &mut |_| heed());
+        let report = method.solver.solve(self, &right, &mut unknowns, &settings, &mut |_| check_interrupt());
         // Where it was cancelled.
-        heed();
+        check_interrupt();
         let report = report?;
         let mut radiosity = self.exitance.clone();
         for ((leaf, scale), y) in self.reflecting.iter().zip(&self.scale).zip(&unknowns) {

@@ -12,7 +12,7 @@ use std::ops::Range;
 
 use radiosity_core::dot;
 use radiosity_elements::Elements;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use super::two_scale::TwoScale;
 
@@ -49,7 +49,7 @@ impl LinkedBlocks {
         for (level, elements) in levels.iter().enumerate() {
             all.starts.push(all.nodes.len());
             for element in elements.list() {
-                heed();
+                check_interrupt();
                 let coarse = level.checked_sub(1).map(|above| (levels[above], all.starts[above]));
                 let parent = coarse.and_then(|(coarse, start)| {
                     let index = coarse.at(element.surface, element.rect.center())?;

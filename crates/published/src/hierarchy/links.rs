@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 
 use radiosity_core::dot;
 use radiosity_geom::{DVec3, RayTree};
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use super::exchange::exchange;
@@ -36,7 +36,7 @@ pub(crate) struct Link {
 impl Link {
     /// The link of two nodes, its visibility by `rays` rays.
     pub(crate) fn new(tree: &Tree, obstacles: &RayTree, pair: Pair, rays: usize) -> Self {
-        heed();
+        check_interrupt();
         let whole = unhidden(tree, pair);
         let weight = match whole > 0.0 {
             true => whole * visible_part(tree, obstacles, pair.map(|node| node as usize), rays),
@@ -106,7 +106,7 @@ impl Links {
 
     /// Φ of a face (W).
     fn power(&self, tree: &Tree, sent: &Fields, node: usize) -> f64 {
-        heed();
+        check_interrupt();
         let from = |(other, weight): &(u32, f64)| {
             let other = *other as usize;
             weight * source(tree, sent, other, direction(tree, other, node))
@@ -116,7 +116,7 @@ impl Links {
 
     /// f of a cluster.
     fn field(&self, tree: &Tree, sent: &Fields, node: usize) -> [f64; HARMONICS] {
-        heed();
+        check_interrupt();
         let mut field = [0.0; HARMONICS];
         for (other, weight) in self.of(node) {
             let other = *other as usize;

@@ -4,7 +4,7 @@
 //! node, by radius, or of the other where the larger is no larger than the least area (Hanrahan, Salzman, Aupperle 1991,
 //! with clusters as of Smits, Arvo, Greenberg 1994). A node's pair with itself becomes the pairs of its children.
 
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use super::oracle::{Oracle, Verdict};
 use super::tree::Tree;
@@ -30,7 +30,7 @@ impl Refinement<'_> {
     pub(crate) fn refine(&mut self, pairs: Vec<Pair>) -> Vec<Pair> {
         let (mut open, mut found) = (pairs, Vec::new());
         while let Some(pair) = open.pop() {
-            heed();
+            check_interrupt();
             if pair[0] == pair[1] {
                 self.refine_alone(pair[0], &mut open, &mut found);
                 continue;
@@ -56,7 +56,7 @@ impl Refinement<'_> {
     }
 
     fn judge(&self, pair: Pair) -> Verdict {
-        heed();
+        check_interrupt();
         self.oracle.judge(self.tree, self.light, pair.map(|node| node as usize))
     }
 

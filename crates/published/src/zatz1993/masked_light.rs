@@ -27,7 +27,7 @@ use radiosity_light::point_lights::PointLights;
 use radiosity_transport as transport;
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -110,7 +110,7 @@ impl MaskedLight {
             Emitters { elements: list, coatings: coatings.to_vec(), radiances: &radiances, points: &points };
         let lights = [visibility, open].map(|v| DirectLight::within(&sources, v, eps));
         let masks = |i: usize| {
-            heed();
+            check_interrupt();
             Receiver::new(setting, &lights, i).masks(how)
         };
         let masks: Vec<Vec<(usize, Mask)>> = (0..list.len()).into_par_iter().map(masks).collect();

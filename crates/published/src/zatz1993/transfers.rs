@@ -36,7 +36,7 @@
 
 mod axis;
 mod border;
-mod party;
+mod charted_element;
 mod chart;
 mod sum;
 mod transfer;
@@ -44,7 +44,7 @@ mod assembly;
 
 pub use assembly::assemble;
 pub use chart::NoChart;
-pub use party::Party;
+pub use charted_element::ChartedElement;
 pub use sum::Sees;
 pub use transfer::{Reading, Rules, Transfer, transfer};
 

@@ -1,6 +1,6 @@
 //! Cost and error of the moments that were solved.
 
-use radiosity_kernel::Miss;
+use radiosity_kernel::WorstError;
 use radiosity_scene::Scene;
 use radiosity_transport::RayCounts;
 
@@ -18,7 +18,7 @@ pub struct Account {
     /// Moments at which transfers miss what was asked of them.
     pub missing: usize,
     /// The worst of these transfers, with the names of its surfaces.
-    pub worst: Option<(Miss, [String; 2])>,
+    pub worst: Option<(WorstError, [String; 2])>,
     /// Estimated relative error that rays left, the largest; 0 where none carried the pairs.
     pub noise: f64,
 }
@@ -34,7 +34,7 @@ impl Account {
         }
         self.noise = self.noise.max(outcome.noise());
         // What exact pairs miss beside rays is a part of their error.
-        let miss = outcome.miss.filter(|miss| miss.is_real() && outcome.sampling.is_none());
+        let miss = outcome.worst_error.filter(|miss| miss.is_real() && outcome.sampling.is_none());
         if let Some(miss) = miss {
             self.missing += 1;
             if self

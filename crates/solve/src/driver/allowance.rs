@@ -9,7 +9,7 @@ use radiosity_work::ranks::Ranks;
 
 use super::failure::Failure;
 use super::fit::Fit;
-use super::memory::Footprint;
+use super::memory::MemoryEstimate;
 use super::options::Options;
 
 /// A run as far as its memory goes.
@@ -31,9 +31,9 @@ impl Need<'_> {
     pub(super) fn peak(&self) -> u64 {
         let Self { scene, how, options, ranks, .. } = self;
         let footprint = match self.rays {
-            Some(rays) => Footprint::of_rays(scene, how, options.method, rays, ranks),
-            None if options.kernel.is_some() => Footprint::of_1993(scene, how, options.method),
-            None => Footprint::of(scene, how, options.method, ranks),
+            Some(rays) => MemoryEstimate::of_rays(scene, how, options.method, rays, ranks),
+            None if options.kernel.is_some() => MemoryEstimate::of_1993(scene, how, options.method),
+            None => MemoryEstimate::of(scene, how, options.method, ranks),
         };
         if self.is_kept { footprint.peak_with_memory() } else { footprint.peak() }
     }
@@ -97,7 +97,7 @@ pub(super) fn peak_of_mesh(
     options: &Options,
     ranks: &Ranks,
 ) -> u64 {
-    Footprint::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.method, ranks).peak()
+    MemoryEstimate::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.method, ranks).peak()
 }
 
 /// Refuses a run on elements of a refined mesh that needs more memory than allowed.

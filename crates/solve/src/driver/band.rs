@@ -5,7 +5,7 @@ use std::time::Duration;
 use radiosity_solvers::method::Access;
 use radiosity_solvers::{Report, Settings, SolveError, Step};
 use radiosity_work::Work;
-use radiosity_work::interruption::{self, Interruption, heed};
+use radiosity_work::interruption::{self, Interruption, check_interrupt};
 
 use crate::system::ritz::{Found, Ritz};
 
@@ -72,12 +72,12 @@ pub(super) fn solve_band(
             .with_time_budget(work.left().map(|left| left.max(LEAST)));
         settings.measure = measure.as_deref();
         let mut observe = |step: &Step<'_>| {
-            heed();
+            check_interrupt();
             observe(step);
         };
         let ended = method.solver.solve_many(&*operator, &lit, &mut unknowns, &settings, &mut observe);
         // Where it was cancelled.
-        heed();
+        check_interrupt();
         needed = effort(ended, options.keep_partial)?;
     }
     let mut columns = unknowns.chunks_exact(rights.first().map_or(1, |right| right.len().max(1)));

@@ -69,7 +69,7 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
         unknowns: elements.coefficients(),
         functionals: Vec::new(),
         accuracy_reached: 0.0,
-        miss: None,
+        worst_error: None,
         solver,
         iterations,
         split: false,

@@ -12,7 +12,7 @@
 use radiosity_elements::cut_sizes;
 use radiosity_elements::{Discretization, Subdivide};
 use radiosity_scene::Scene;
-use radiosity_transport::price::{Couple, LEAST, price};
+use radiosity_transport::price::{ElementPair, LEAST, price};
 use radiosity_visibility::{Hiding, Visibility};
 
 use super::choice::{Choice, Transport, USUAL_ACCURACY, usual_rays};
@@ -87,7 +87,7 @@ fn exact_price(scene: &Scene, options: &Options) -> f64 {
             return 0.0;
         }
         let couple =
-            Couple { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat: a.is_flat() && b.is_flat() };
+            ElementPair { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat: a.is_flat() && b.is_flat() };
         (sizes[i].elements * sizes[j].elements) as f64 * price(&couple, &visibility)
     };
     (0..looked_at).map(of_pair).fold(0.0, |sum, price| sum + price) * pairs as f64 / looked_at.max(1) as f64

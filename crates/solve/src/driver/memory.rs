@@ -58,7 +58,7 @@ const PROGRAM: u64 = 10_000_000;
 
 /// Bytes of a solution at each of its stages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Footprint {
+pub struct MemoryEstimate {
     /// The elements with their bases.
     pub elements: u64,
     /// The stored blocks of G.
@@ -71,7 +71,7 @@ pub struct Footprint {
     pub memory: u64,
 }
 
-impl Footprint {
+impl MemoryEstimate {
     /// The footprint of `scene`, cut as `how` says and solved by `method`, on each of these ranks.
     pub fn of(scene: &Scene, how: &Discretization, method: &Method, ranks: &Ranks) -> Self {
         Self::of_sizes(scene, &cut_sizes(scene, how), method, ranks)

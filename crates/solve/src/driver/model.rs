@@ -271,7 +271,7 @@ impl Model {
         let powers = solution.powers().unwrap_or_default();
         let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
         let checks = Checks::with_powers(&solution, &self.blocks, powers, work.ranks);
-        let Blocks { pairs, samples, distinct, rays, accuracy_reached, miss, .. } = self.blocks;
+        let Blocks { pairs, samples, distinct, rays, accuracy_reached, worst_error, .. } = self.blocks;
         Ok(Outcome {
             solution,
             checks,
@@ -280,7 +280,7 @@ impl Model {
             distinct,
             rays,
             accuracy_reached,
-            miss,
+            worst_error,
             solver,
             iterations,
             residual,

@@ -71,7 +71,7 @@ pub struct Options {
     pub max_iterations: usize,
     /// Whether the best iterate counts as a solution if the solver does not converge.
     pub keep_partial: bool,
-    /// Most bytes to use ([`Footprint`](crate::driver::memory::Footprint)); a run that needs more is refused before it
+    /// Most bytes to use ([`MemoryEstimate`](crate::driver::memory::MemoryEstimate)); a run that needs more is refused before it
     /// begins.
     #[serde(skip)]
     pub memory: Option<u64>,

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use radiosity_kernel::{Miss, PairCounts};
+use radiosity_kernel::{PairCounts, WorstError};
 use radiosity_published::hierarchy::Counts;
 use radiosity_scene::Scene;
 use serde::Serialize;
@@ -32,7 +32,7 @@ pub struct Outcome {
     /// ([`Blocks::accuracy_reached`](radiosity_kernel::Blocks)).
     pub accuracy_reached: f64,
     /// The block whose error is the largest multiple of what was asked of it.
-    pub miss: Option<Miss>,
+    pub worst_error: Option<WorstError>,
     /// Name of the solver that was used, also where the choice was left open.
     pub solver: &'static str,
     /// Iterations, largest over the bands.

@@ -15,7 +15,7 @@ pub fn in_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> R
     let heard = interruption::current();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
-        .start_handler(move |_| interruption::hear(heard.clone()))
+        .start_handler(move |_| interruption::listen(heard.clone()))
         .build();
     let pool = pool.map_err(|source| Failure::Threads { threads, source })?;
     Ok(pool.install(work))
@@ -25,7 +25,7 @@ pub fn in_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> R
 mod tests {
     use std::thread::yield_now;
 
-    use radiosity_work::interruption::{Interrupted, Interruption, heed};
+    use radiosity_work::interruption::{Interrupted, Interruption, check_interrupt};
     use rayon::prelude::*;
 
     use super::*;
@@ -36,13 +36,14 @@ mod tests {
         let endless = |_: usize| -> usize {
             interruption.raise();
             loop {
-                heed();
+                check_interrupt();
                 yield_now();
             }
         };
         let work = || in_threads(3, || (0..64).into_par_iter().map(endless).sum::<usize>());
         assert!(matches!(interruption.within(work), Err(Interrupted)));
-        let other = Interruption::new().within(|| in_threads(3, || rayon::join(heed, heed)));
+        let other =
+            Interruption::new().within(|| in_threads(3, || rayon::join(check_interrupt, check_interrupt)));
         assert!(matches!(other, Ok(Ok(_))));
     }
 }

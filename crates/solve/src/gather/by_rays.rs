@@ -191,8 +191,8 @@ impl<'a> RayGather<'a> {
     }
 
     /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W m⁻² per band).
-    pub fn reflected(&self, vantage: &ReceiverPoint, other: &[f64]) -> Estimate {
-        self.gathered(&Start::Point(*vantage), None, FIRST_OF_MANY, other)
+    pub fn reflected(&self, receiver: &ReceiverPoint, other: &[f64]) -> Estimate {
+        self.gathered(&Start::Point(*receiver), None, FIRST_OF_MANY, other)
     }
 
     /// Error of readings from `distance` away, per band (W m⁻²), at a place of an element, because they take
@@ -274,7 +274,7 @@ impl<'a> RayGather<'a> {
                     ([s, t], [polar, turn])
                 }
             };
-            let (vantage, weight) = start.at(place);
+            let (receiver, weight) = start.at(place);
             radiosity.fill(0.0);
             heed_at(index);
             let chance = number_of([f64::from_bits(number), index as f64]);
@@ -283,9 +283,9 @@ impl<'a> RayGather<'a> {
                 Some(_) => Far::Direct { chance, small: SMALL },
                 None => Far::Direct { chance, small: SMALL_BEHIND_PIXELS },
             };
-            let direction = lambert(vantage.normal, direction);
+            let direction = lambert(receiver.normal, direction);
             let to_lamps = shares.map(|shares| (shares, TO_LAMPS));
-            self.add_met(&vantage, direction, to_lamps, far, &mut radiosity);
+            self.add_met(&receiver, direction, to_lamps, far, &mut radiosity);
             sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
         }
     }
@@ -294,17 +294,17 @@ impl<'a> RayGather<'a> {
     /// these shares and as many for each cosine-distributed one; without exitance where these are none.
     fn add_met(
         &self,
-        vantage: &ReceiverPoint,
+        receiver: &ReceiverPoint,
         direction: DVec3,
         to_lamps: Option<(&Shares, f64)>,
         far: Far,
         radiosity: &mut [f64],
     ) {
-        if vantage.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
+        if receiver.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
             return;
         }
-        let x = vantage.position;
-        let met = match vantage.surface {
+        let x = receiver.position;
+        let met = match receiver.surface {
             Some(surface) => self.visibility.nearest_from(surface, x, direction),
             None => self.visibility.nearest(&Ray::new(x, direction)),
         };
@@ -324,7 +324,7 @@ impl<'a> RayGather<'a> {
         let weight = to_lamps.map_or(0.0, |(shares, ratio)| match ratio * shares.density(element) {
             0.0 => 1.0,
             density => {
-                let kernel = vantage.normal.dot(direction) * -normal().dot(direction) / (PI * hit.t * hit.t);
+                let kernel = receiver.normal.dot(direction) * -normal().dot(direction) / (PI * hit.t * hit.t);
                 kernel / (kernel + density)
             }
         });
@@ -392,40 +392,40 @@ impl<'a> RayGather<'a> {
     }
 
     /// Adds an estimate of the direct light by one ray to an emitter, and one to a luminaire.
-    fn add_direct(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
-        self.add_point(vantage, chance, irradiance);
-        let shares = self.lamps.seen_from(vantage);
+    fn add_direct(&self, receiver: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+        self.add_point(receiver, chance, irradiance);
+        let shares = self.lamps.seen_from(receiver);
         if !shares.is_empty() {
             let target = shares.target(shift(chance));
-            self.add_lamp(vantage, &target, Balance { cosine: 0.0, to_lamps: 1.0 }, 1.0, irradiance);
+            self.add_lamp(receiver, &target, Balance { cosine: 0.0, to_lamps: 1.0 }, 1.0, irradiance);
         }
     }
 
     /// Adds an estimate of the irradiance by one ray of each kind.
-    fn add_estimate(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
-        self.add_point(vantage, chance, irradiance);
-        let shares = self.lamps.seen_from(vantage);
+    fn add_estimate(&self, receiver: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+        self.add_point(receiver, chance, irradiance);
+        let shares = self.lamps.seen_from(receiver);
         let [polar, turn, choice, s] = shift(chance);
         let [t] = shift(number_of([f64::from_bits(chance)]));
-        let direction = lambert(vantage.normal, [polar, turn]);
-        self.add_met(vantage, direction, Some((&shares, 1.0)), Far::Polynomials, irradiance);
+        let direction = lambert(receiver.normal, [polar, turn]);
+        self.add_met(receiver, direction, Some((&shares, 1.0)), Far::Polynomials, irradiance);
         if !shares.is_empty() {
             let balance = Balance { cosine: 1.0, to_lamps: 1.0 };
-            self.add_lamp(vantage, &shares.target([choice, s, t]), balance, 1.0, irradiance);
+            self.add_lamp(receiver, &shares.target([choice, s, t]), balance, 1.0, irradiance);
         }
     }
 
     /// Adds an estimate of the light of the luminaires by one ray, to one of them.
-    fn add_point(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+    fn add_point(&self, receiver: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
         let own = number_of([f64::from_bits(chance), 1.0]);
-        self.points.add_one(vantage, self.visibility, 1.0, own, irradiance);
+        self.points.add_one(receiver, self.visibility, 1.0, own, irradiance);
     }
 
     /// The light of the luminaires at a receiver that is a point.
     fn lit(&self, start: &Start) -> Option<Vec<f64>> {
-        let Start::Point(vantage) = start else { return None };
+        let Start::Point(receiver) = start else { return None };
         let mut lit = vec![0.0; self.scale.len()];
-        self.points.add(vantage, self.visibility, &mut lit);
+        self.points.add(receiver, self.visibility, &mut lit);
         Some(lit)
     }
 
@@ -446,9 +446,9 @@ impl<'a> RayGather<'a> {
         }
         let [s, t] = shift(number);
         for index in rays {
-            let (vantage, weight) = start.at(shifted(kronecker::point(index), &[s, t]));
+            let (receiver, weight) = start.at(shifted(kronecker::point(index), &[s, t]));
             let chance = number_of([f64::from_bits(number), index as f64, 1.0]);
-            self.points.add_one(&vantage, self.visibility, weight, chance, sums);
+            self.points.add_one(&receiver, self.visibility, weight, chance, sums);
         }
     }
 
@@ -457,29 +457,29 @@ impl<'a> RayGather<'a> {
         let [a, b, c, d] = shift(number_of([f64::from_bits(number)]));
         let [s] = shift(number_of([f64::from_bits(number), 1.0]));
         for index in rays {
-            let (vantage, weight) = start.at(shifted(kronecker::point(index), &[d, s]));
+            let (receiver, weight) = start.at(shifted(kronecker::point(index), &[d, s]));
             let target = shares.target(shifted(kronecker::point(index), &[a, b, c]));
-            self.add_lamp(&vantage, &target, Balance { cosine: 1.0, to_lamps: TO_LAMPS }, weight, sums);
+            self.add_lamp(&receiver, &target, Balance { cosine: 1.0, to_lamps: TO_LAMPS }, weight, sums);
         }
     }
 
     /// Adds `scale` times the light of one ray to an emitter.
     fn add_lamp(
         &self,
-        vantage: &ReceiverPoint,
+        receiver: &ReceiverPoint,
         target: &Target,
         balance: Balance,
         scale: f64,
         sums: &mut [f64],
     ) {
         let Spot { node, weight } = target.place;
-        let Some(kernel) = vantage.kernel_to(&node) else { return };
-        if !self.visibility.is_free(vantage.surface, vantage.position, node.position) {
+        let Some(kernel) = receiver.kernel_to(&node) else { return };
+        if !self.visibility.is_free(receiver.surface, receiver.position, node.position) {
             return;
         }
         let share = scale * weight * kernel / (balance.cosine * kernel + balance.to_lamps * target.density);
         let surface = self.solution.elements().list()[target.element].surface;
-        let into = (vantage.position - node.position).normalize_or_zero();
+        let into = (receiver.position - node.position).normalize_or_zero();
         let share = share * self.radiances.relative(surface, into);
         for (sum, band) in sums.iter_mut().zip(self.solution.bands()) {
             *sum += share * band.coating.exitance[target.element];
@@ -516,7 +516,7 @@ fn is_small(element: &Element, width: f64) -> bool {
 impl Start {
     fn of(receiver: &Receiver) -> Self {
         match receiver {
-            Receiver::Point(vantage) => Self::Point(*vantage),
+            Receiver::Point(receiver) => Self::Point(*receiver),
             Receiver::Patch { surface, patch } => {
                 Self::Patch(*surface, Spread::of(std::slice::from_ref(*patch)))
             }
@@ -530,7 +530,7 @@ impl Start {
     /// The point that two numbers in [0, 1] choose, and its weight.
     fn at(&self, place: [f64; 2]) -> (ReceiverPoint, f64) {
         match self {
-            Self::Point(vantage) => (*vantage, 1.0),
+            Self::Point(receiver) => (*receiver, 1.0),
             Self::Patch(surface, spread) => {
                 let Spot { node, weight } = spread.point(place);
                 (ReceiverPoint::on(*surface, node.position, node.normal), weight)

@@ -75,7 +75,7 @@ impl Spot {
     }
 
     /// The receiver point here with the unit normal `n`.
-    pub fn vantage(&self, n: DVec3) -> ReceiverPoint {
+    pub fn receiver_point(&self, n: DVec3) -> ReceiverPoint {
         let ground = (n != self.normal).then_some(self.normal);
         ReceiverPoint { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }
     }

@@ -14,7 +14,7 @@ use radiosity_elements::sampling::shift::{number_of, shift};
 use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::solution::{Place, Solution};
 
@@ -89,7 +89,7 @@ impl<'a> Walks<'a> {
         if from.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
             return None;
         }
-        heed();
+        check_interrupt();
         let met = match from.surface {
             Some(surface) => self.visibility.nearest_from(surface, from.position, direction),
             None => self.visibility.nearest(&Ray::new(from.position, direction)),

@@ -15,7 +15,7 @@ use radiosity_elements::Element;
 use radiosity_elements::parameters::of_node;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use crate::solution::{Place, Solution};
@@ -61,7 +61,7 @@ struct Squares {
 
 impl Squares {
     fn over(element: usize, solution: &Solution, reference: &Solution) -> Self {
-        heed();
+        check_interrupt();
         let fine = &reference.elements().list()[element];
         let mut sum = Self::default();
         for other in solution.elements().of_surface(fine.surface) {

@@ -38,7 +38,7 @@ use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::bounding_ball::Ball;
 use radiosity_visibility::shadow_volume::Corners;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use edges::Edges;
@@ -283,7 +283,7 @@ impl<'a> Work<'a> {
 
     /// Adds a cell of the outer element with an error up to `limit`. `coarse` are its moments by one rule, if known.
     fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<Sum>, limit: f64, depth: usize) {
-        heed();
+        check_interrupt();
         let blockers = self.task.visibility.narrow_bodies(blockers, &cell.hull(), self.task.edges.inner());
         if blockers.is_empty() {
             self.dark = false;
@@ -353,7 +353,7 @@ impl<'a> Work<'a> {
         let (mut left, mut right) = (vec![0.0; own], vec![0.0; other]);
         let [along, across] = points.map(UnitRule::of);
         for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
-            heed();
+            check_interrupt();
             let x = cell.node(s, t);
             right.fill(0.0);
             let found = self.hidden(&x, blockers, &mut right);
@@ -381,7 +381,7 @@ impl<'a> Work<'a> {
 
     /// Adds ∫ κ(x, y) R_l(y) dA_y over what is hidden from x to `out`; returns how much is hidden.
     fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> Shadow {
-        let pyramids = self.task.visibility.pyramids(blockers, x.position, &self.task.ball);
+        let pyramids = self.task.visibility.volumes(blockers, x.position, &self.task.ball);
         let (mut any, mut everything) = (false, true);
         for index in 0..self.task.polygons.len() {
             let Some(polygon) = self.seen_from(x, index) else { continue };

@@ -89,7 +89,7 @@ use radiosity_kernel::estimates::coarse::scale;
 use radiosity_kernel::rules::horizon::Front;
 use radiosity_kernel::{Accuracy, Kind, blocks::block::Block};
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use attempt::DOUBT;
 use constant::constant;
@@ -192,7 +192,7 @@ fn add_transpose(values: &mut [f64], count: usize) {
 impl Job<'_> {
     fn run(&mut self) {
         while let Some(task) = self.tasks.pop_front() {
-            heed();
+            check_interrupt();
             if self.budget.overdrawn(&self.moments) {
                 self.tasks.push_front(task);
                 return self.leave();
@@ -226,7 +226,7 @@ impl Job<'_> {
         let each = LEFT_SAMPLES / left.len().max(1) as f64;
         let n = (each.sqrt().sqrt() as usize).clamp(FEWEST_LEFT, MOST_LEFT);
         for (p, q, blockers, factor) in left {
-            heed();
+            check_interrupt();
             let mut part = self.tentative(&p, &q, Some(&Touch::Apart(0.0)), n, &blockers);
             part.scale(factor);
             self.error += DOUBT * self.first_entry(&part);

@@ -32,7 +32,7 @@ use radiosity_kernel::rules::near::Plan;
 use radiosity_kernel::rules::{common_edge, common_vertex, contour, far};
 use radiosity_kernel::{Accuracy, Kind, blocks::block::Block};
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::occlusion::sampled::{Choice, SampledVisibility};
 
@@ -75,7 +75,7 @@ fn constant_block(receiver: &Element, emitter: &Element, blockers: &[usize]) -> 
     let (mut sum, mut terms) = (0.0, 0);
     for p in &receiver.patches {
         for q in &emitter.patches {
-            heed();
+            check_interrupt();
             let (value, count) = contour::patches(p, q);
             (sum, terms) = (sum + value, terms + count);
         }
@@ -185,7 +185,7 @@ impl<'a> Job<'a> {
 
     /// A pair of parts: halves it or applies its rule.
     fn visit(&mut self, p: &Patch, q: &Patch, mut state: State) {
-        heed();
+        check_interrupt();
         if !state.blockers.is_empty() {
             let (hull_p, hull_q) = (p.hull(), q.hull());
             state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);

@@ -23,7 +23,7 @@
 use radiosity_elements::Element;
 use radiosity_kernel::Blocks;
 use radiosity_kernel::blocks::held::Held;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use serde::{Deserialize, Serialize};
 
 use crate::sampled::closure;
@@ -134,7 +134,7 @@ impl<'a> Estimate<'a> {
     /// Takes what own rays tell of the next element, from what they missed, what landed on pairs on which none counts,
     /// and Σ_j G_ij c_j over these with its relative error.
     fn take(&mut self, index: usize, missed: &[f64], exact: &[f64], (fixed, error): (&[f64], f64)) {
-        heed();
+        check_interrupt();
         let (element, weight) = (&self.list[index], self.weights[index]);
         if weight == 0.0 {
             self.variances.push(f64::INFINITY);
@@ -171,7 +171,7 @@ impl<'a> Estimate<'a> {
         let corrections = Corrections { factors, tilts, totals };
         let mut own = self.pairs().peekable();
         for Told { exchange, is_cross, is_zero, .. } in &told {
-            heed();
+            check_interrupt();
             let (row, column) = (exchange.row as usize, exchange.column as usize);
             let held = own.next_if(|(sums, _)| (sums.row, sums.column) == (row, column));
             match (held, is_cross) {

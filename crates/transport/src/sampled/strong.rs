@@ -12,10 +12,10 @@ use radiosity_kernel::Blocks;
 use radiosity_kernel::blocks::held::Held;
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::memory::Memory;
-use crate::price::{Couple, LEAST, price_up_to};
+use crate::price::{ElementPair, LEAST, price_up_to};
 use crate::sampled::tally::{Sums, Tally};
 use crate::schedule::{Unreached, by_rules};
 
@@ -42,7 +42,7 @@ impl Strong {
             return HashSet::new();
         }
         let is_worth = |sums: &Sums| {
-            heed();
+            check_interrupt();
             let expected = expected(sums);
             expected > LEAST
                 && expected > price_up_to(expected, &couple(elements, [sums.row, sums.column]), visibility)
@@ -94,7 +94,7 @@ impl Strong {
         if let Some(exact) = &self.blocks {
             (blocks.pairs, blocks.samples, blocks.distinct) = (exact.pairs, exact.samples, exact.distinct);
             blocks.reciprocity = exact.reciprocity;
-            (blocks.accuracy_reached, blocks.miss) = (exact.accuracy_reached, exact.miss);
+            (blocks.accuracy_reached, blocks.worst_error) = (exact.accuracy_reached, exact.worst_error);
         }
     }
 
@@ -105,9 +105,9 @@ impl Strong {
 }
 
 /// Two elements whose block may be made.
-fn couple(elements: &Elements, pair: [usize; 2]) -> Couple<'_> {
+fn couple(elements: &Elements, pair: [usize; 2]) -> ElementPair<'_> {
     let [a, b] = pair.map(|index| &elements.list()[index]);
-    Couple {
+    ElementPair {
         surfaces: [a.surface, b.surface],
         hulls: [&a.hull, &b.hull],
         are_flat: a.plane.is_some() && b.plane.is_some(),

@@ -10,7 +10,7 @@ use std::collections::HashSet;
 
 use radiosity_core::dot;
 use radiosity_elements::Element;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 use smallvec::{SmallVec, smallvec};
 
@@ -94,7 +94,7 @@ impl Tally {
         let made: Vec<(usize, Row)> = of_rows
             .par_iter()
             .map(|own| {
-                heed();
+                check_interrupt();
                 let row = (own[0].0 >> 32) as usize;
                 (row, Row::of(list, row, own, hits, &|column| self.is_cross(list, row, column)))
             })
@@ -110,7 +110,7 @@ impl Tally {
     /// Forgets all hits, and from now on counts all entries only of pairs of which enough are `expected`.
     pub(super) fn settle(&mut self, list: &[Element], expected: &dyn Fn(&Sums) -> f64) {
         let enough = |sums: &Sums| {
-            heed();
+            check_interrupt();
             let entries = list[sums.row].basis.len() * list[sums.column].basis.len();
             expected(sums) >= HITS_PER_ENTRY * entries as f64
         };

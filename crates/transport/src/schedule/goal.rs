@@ -8,7 +8,7 @@
 use radiosity_kernel::Accuracy;
 use radiosity_kernel::estimates::entry_bounds::{ROW_SHARE, relaxed};
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::memory::Request;
 use crate::occlusion::outlines::Limit;
@@ -104,7 +104,7 @@ impl Scene<'_> {
     }
 
     fn goal(&self, task: &Task, largest: &Largest) -> Goal {
-        heed();
+        check_interrupt();
         let of_rows = |rows: &[f64]| rows[task.row as usize].min(rows[task.column as usize]);
         let least = ROW_SHARE * of_rows(&largest.least);
         let eps = relaxed(self.accuracy.eps, least, task.entries[1]);

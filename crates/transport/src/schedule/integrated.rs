@@ -7,7 +7,7 @@ use radiosity_kernel::blocks::held::Held;
 use radiosity_work::ranks::{Part, PartName, Ranks};
 use serde::{Deserialize, Serialize};
 
-use crate::memory::Answer;
+use crate::memory::IntegratedBlock;
 use crate::schedule::balance::{Balance, Piece, rounds};
 use crate::schedule::source::Source;
 use crate::schedule::task::Task;
@@ -16,7 +16,7 @@ use crate::schedule::task::Task;
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) struct Told {
     pub(super) block: Account,
-    /// Bound of the norm of the block's difference from the integrated one ([`Answer::remainder`]).
+    /// Bound of the norm of the block's difference from the integrated one ([`IntegratedBlock::remainder`]).
     pub(super) remainder: f64,
 }
 
@@ -28,12 +28,16 @@ pub(super) struct Integrated {
     pub(super) makers: Vec<usize>,
     told: Vec<Option<Told>>,
     /// Blocks that this rank made, and after [`Integrated::deliver`] those that it needs.
-    pub(super) answers: Vec<Option<Arc<Answer>>>,
+    pub(super) answers: Vec<Option<Arc<IntegratedBlock>>>,
 }
 
 impl Integrated {
     /// The blocks that `make` makes of these pieces of work, shared between ranks by what pieces cost.
-    pub(super) fn made(ranks: Ranks, pieces: &[Piece], make: impl Fn(usize) -> Arc<Answer> + Sync) -> Self {
+    pub(super) fn made(
+        ranks: Ranks,
+        pieces: &[Piece],
+        make: impl Fn(usize) -> Arc<IntegratedBlock> + Sync,
+    ) -> Self {
         let mut balance = Balance::new(ranks.count());
         let mut all = Self::none(ranks.clone(), pieces.len());
         let part = ranks.part(PartName::Blocks, pieces.len());
@@ -52,7 +56,7 @@ impl Integrated {
     pub(super) fn made_by(
         ranks: Ranks,
         makers: &[usize],
-        make: impl Fn(usize) -> Arc<Answer> + Sync,
+        make: impl Fn(usize) -> Arc<IntegratedBlock> + Sync,
     ) -> Self {
         let mut all = Self::none(ranks, makers.len());
         let places: Vec<usize> = (0..makers.len()).collect();
@@ -71,12 +75,15 @@ impl Integrated {
         part: &Part,
         places: &[usize],
         makers: &[usize],
-        make: &(impl Fn(usize) -> Arc<Answer> + Sync),
+        make: &(impl Fn(usize) -> Arc<IntegratedBlock> + Sync),
     ) {
         let me = self.ranks.number();
         let own = places.iter().zip(makers).filter(|(_, maker)| **maker == me);
         let made = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), make);
-        let told = |answer: &Arc<Answer>| Told { block: answer.block.account(), remainder: answer.remainder };
+        let told = |answer: &Arc<IntegratedBlock>| Told {
+            block: answer.block.account(),
+            remainder: answer.remainder,
+        };
         let told = self.ranks.merged(makers, made.iter().map(told).collect());
         let mut made = made.into_iter();
         for ((place, maker), told) in places.iter().zip(makers).zip(told) {
@@ -124,12 +131,13 @@ impl Integrated {
         }
         for (place, values) in self.ranks.exchange(parcels).into_iter().flatten() {
             let Told { block, remainder } = *self.told(place);
-            self.answers[place] = Some(Arc::new(Answer::known(Block::told(values, &block), remainder)));
+            self.answers[place] =
+                Some(Arc::new(IntegratedBlock::known(Block::told(values, &block), remainder)));
         }
     }
 
     /// A block that this rank made or was sent.
-    pub(super) fn answer(&self, place: usize) -> &Answer {
+    pub(super) fn answer(&self, place: usize) -> &IntegratedBlock {
         self.answers[place].as_ref().expect("ranks have the blocks of their rows and columns")
     }
 

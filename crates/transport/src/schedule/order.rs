@@ -22,7 +22,7 @@ const PLACE: (f64, f64) = (0.375, 0.4375);
 
 /// Class, area and points of an element, by which elements are ordered.
 #[derive(Debug)]
-pub(crate) struct Rank {
+pub(crate) struct Precedence {
     class: Class,
     area: f64,
     /// A point of each patch, and its normal there.
@@ -36,7 +36,7 @@ enum Class {
     Curved,
 }
 
-impl Rank {
+impl Precedence {
     pub(crate) fn of(element: &Element) -> Self {
         let class = match (element.plane, plane_of(&element.patches)) {
             (Some(_), _) => Class::Polygon,
@@ -72,13 +72,13 @@ mod tests {
         let text = surfaces.iter().map(|(name, shape)| format!("[[surfaces]]\nname = {name:?}\n{shape}\n"));
         let scene = radiosity_language::from_toml(&text.collect::<String>(), "scene").expect("it is valid");
         let elements = Elements::new(&scene, &Discretization::uniform(0, 1)).expect("all have area");
-        let mut ranks: Vec<(Rank, String)> = elements
+        let mut ordered: Vec<(Precedence, String)> = elements
             .list()
             .iter()
-            .map(|element| (Rank::of(element), scene.surfaces[element.surface].name.clone()))
+            .map(|element| (Precedence::of(element), scene.surfaces[element.surface].name.clone()))
             .collect();
-        ranks.sort_by(|a, b| a.0.order(&b.0));
-        ranks.into_iter().map(|(_, name)| name).collect()
+        ordered.sort_by(|a, b| a.0.order(&b.0));
+        ordered.into_iter().map(|(_, name)| name).collect()
     }
 
     #[test]

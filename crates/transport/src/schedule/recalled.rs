@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use crate::known::Known;
-use crate::memory::{Answer, Memory};
+use crate::memory::{IntegratedBlock, Memory};
 use crate::schedule::goal::Goal;
 use crate::schedule::task::{Scene, Task};
 
 impl Scene<'_> {
     /// The block of a task that `memory` holds; that of flat elements with nothing between may be known otherwise as well.
-    pub(super) fn recalled(&self, task: &Task, goal: Goal, memory: &Memory) -> Option<Arc<Answer>> {
+    pub(super) fn recalled(&self, task: &Task, goal: Goal, memory: &Memory) -> Option<Arc<IntegratedBlock>> {
         let request = goal.request(task, self.visibility);
         if let Some(answer) = memory.recall(&request) {
             return Some(Arc::clone(answer));
@@ -24,7 +24,7 @@ impl Scene<'_> {
         }
         match known.block(places, pair, goal.accuracy.eps)? {
             Known::Same => memory.before(&request).cloned(),
-            Known::Block { block, remainder } => Some(Arc::new(Answer::known(block, remainder))),
+            Known::Block { block, remainder } => Some(Arc::new(IntegratedBlock::known(block, remainder))),
         }
     }
 }

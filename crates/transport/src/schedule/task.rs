@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::congruent::Panel;
-use super::order::Rank;
+use super::order::Precedence;
 
 /// Treatment of pairs whose accuracy the rules do not reach.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ pub(super) struct Scene<'a> {
     pub(super) list: &'a [Element],
     pub(super) panels: Vec<Option<Panel>>,
     pub(super) reaches: Vec<EntryBounds>,
-    pub(super) ranks: Vec<Rank>,
+    pub(super) precedence: Vec<Precedence>,
     pub(super) roughs: Vec<CoarseEstimate>,
     /// Whether coarse estimates are needed: planar elements need them for shadows only.
     pub(super) is_estimated: bool,
@@ -52,7 +52,7 @@ impl<'a> Scene<'a> {
             list,
             panels: list.iter().map(Panel::of).collect(),
             reaches: list.iter().map(EntryBounds::of).collect(),
-            ranks: list.iter().map(Rank::of).collect(),
+            precedence: list.iter().map(Precedence::of).collect(),
             roughs: list.par_iter().map(CoarseEstimate::of).collect(),
             is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
             parts: list.par_iter().map(sectors).collect(),

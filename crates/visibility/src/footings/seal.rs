@@ -7,7 +7,7 @@
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Encounter, PlanarRegion, Ray, touching};
 use radiosity_scene::Scene;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use super::footing::Footing;
@@ -115,7 +115,7 @@ fn fronts_seen(
     let axes = [first, normal.cross(first), normal];
     let mut seen = Vec::new();
     for origin in &own.places {
-        heed();
+        check_interrupt();
         for direction in directions(axes) {
             let ray = Ray { origin: *origin, direction, range: [clear, f64::INFINITY] };
             let Encounter { surface, hit, front } = obstacles.nearest(&ray)?;

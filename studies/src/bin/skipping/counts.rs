@@ -40,7 +40,7 @@ fn naive_samples(subject: &Subject, pairs: usize) -> u64 {
 fn row(subject: &Subject, outcome: &Outcome) -> String {
     let pairs = &outcome.pairs;
     let naive = naive_samples(subject, pairs.total);
-    let skipped = pairs.skipped_facing + pairs.skipped_coplanar + pairs.skipped_hidden + pairs.skipped_black;
+    let skipped = pairs.skipped_behind + pairs.skipped_coplanar + pairs.skipped_hidden + pairs.skipped_black;
     let ratio = match outcome.rays {
         0 => "no rays".to_owned(),
         rays => format!("{:.1}", naive as f64 / rays as f64),
@@ -48,7 +48,7 @@ fn row(subject: &Subject, outcome: &Outcome) -> String {
     format!(
         "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {naive} | {ratio} |",
         pairs.total,
-        pairs.skipped_facing,
+        pairs.skipped_behind,
         pairs.skipped_coplanar,
         pairs.skipped_hidden,
         pairs.skipped_black,

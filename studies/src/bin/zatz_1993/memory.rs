@@ -3,12 +3,12 @@
 use radiosity::elements::{Discretization, Subdivide};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
-use radiosity::solve::driver::memory::Footprint;
+use radiosity::solve::driver::memory::MemoryEstimate;
 use radiosity::work::ranks::Ranks;
 
 /// Megabytes as reckoned before the run, whole surfaces being elements.
 pub(crate) fn megabytes(scene: &Scene, options: &Options) -> f64 {
     let Options { order, space, layers, method, .. } = *options;
     let how = Discretization { order, space, subdivide: Subdivide::Uniform(1), layers };
-    Footprint::of(scene, &how, method, Ranks::alone()).peak() as f64 / 1e6
+    MemoryEstimate::of(scene, &how, method, Ranks::alone()).peak() as f64 / 1e6
 }

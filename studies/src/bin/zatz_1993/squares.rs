@@ -10,7 +10,7 @@ use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::Accuracy;
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
-use radiosity::published::zatz1993::transfers::{EXTRA_POINTS, Party, Reading, Rules, transfer};
+use radiosity::published::zatz1993::transfers::{ChartedElement, EXTRA_POINTS, Reading, Rules, transfer};
 use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_core::basis::total;
@@ -66,8 +66,8 @@ fn metric(exact: &[f64], galerkin: impl Fn([f64; 2]) -> f64) -> f64 {
 fn paper(emitter: Emitter, exact: &[f64], order: usize, points: usize, rules: Rules) -> f64 {
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
     let receiver = Patch::Flat { corners, normal: DVec3::Z };
-    let party = |patch| Party { patch, order, points };
-    let transfer = transfer(party(&receiver), party(&emitter.patch()), rules, None);
+    let charted = |patch| ChartedElement { patch, order, points };
+    let transfer = transfer(charted(&receiver), charted(&emitter.patch()), rules, None);
     let count = total::count(order);
     // The constant 1 has the coefficients (2, 0, 0, …).
     let received: Vec<f64> = transfer.values.iter().step_by(count).map(|k| 2.0 * k).collect();

@@ -18,7 +18,7 @@ use radiosity_elements::columns::add_scaled;
 use radiosity_elements::patch::Patch;
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::legendre_values::polynomials;
 use crate::rules::common_edge::triangles::DEEPEST;
@@ -115,7 +115,7 @@ impl Region {
         let square = Multilinear { difference: &difference, degree, eps, deepest: DEEPEST };
         let mut samples = 0;
         for (part, points) in square.parts()? {
-            heed();
+            check_interrupt();
             self.integrate(sign, strength, &part, points, out);
             samples += (points[0] * points[1]) as u64;
         }

@@ -22,7 +22,7 @@ use std::sync::{Arc, LazyLock, Mutex};
 use radiosity_core::{basis::total, dot};
 use radiosity_elements::basis::HIGHEST_ORDER;
 use radiosity_elements::rule::UnitRule;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::legendre_values::polynomials;
 use crate::rules::common_edge::parallelograms::Angular;
@@ -74,7 +74,7 @@ impl EdgeTable {
         let widths = self.degrees.map(|degree| degree + 1);
         let mut table = vec![0.0; widths[0] * widths[1] * widths[0].max(widths[1])];
         for radial in &self.nodes {
-            heed();
+            check_interrupt();
             self.spread(radial, &angular[0], 1, &mut table);
             self.collect(&mut moments, |(i, alpha), (j, beta)| {
                 radial.weight * radial.values[alpha] * table[(i * widths[1] + j) * widths[1] + beta]

@@ -25,7 +25,7 @@ use core::f64::consts::FRAC_1_PI;
 use radiosity_elements::patch::Patch;
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::Moments;
 use crate::rules::common_edge::sum::EdgeSum;
@@ -132,7 +132,7 @@ fn add(
     let rules = points.map(UnitRule::of);
     let size: f64 = part.size.iter().product();
     for (a, wa) in rules[0].iter() {
-        heed();
+        check_interrupt();
         for (b, wb) in rules[1].iter() {
             let (a, b) = (part.at(0, a), part.at(1, b));
             let value = wa * wb * size * region.jacobian(a) * wedge.kernel(region, a, b);

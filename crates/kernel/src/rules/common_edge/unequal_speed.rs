@@ -12,7 +12,7 @@
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::contact::curved::sides;
 use crate::moments::Moments;
@@ -27,7 +27,7 @@ pub fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, points: [usize; 3]
     let rules = points.map(UnitRule::of);
     for (x, wx) in rules[0].iter() {
         for ((a, wa), (b, wb)) in rules[2].iter().flat_map(|a| rules[2].iter().map(move |b| (a, b))) {
-            heed();
+            check_interrupt();
             for (t, v, z) in [(x, x * a, x * b), (x * a, x, x * b), (x * a, x * b, x)] {
                 let weight = wx * wa * wb * x * x * (1.0 - z);
                 for (y, wy) in rules[1].iter() {

@@ -76,8 +76,8 @@ impl Cell {
     }
 
     /// Stores the halves of a direction.
-    pub(super) fn look(&mut self, direction: usize, halves: [Whole; 2], yardstick: &EntryNorm) {
-        self.errors[direction] = yardstick.difference(&sum(&halves), &self.whole.moments);
+    pub(super) fn look(&mut self, direction: usize, halves: [Whole; 2], norm: &EntryNorm) {
+        self.errors[direction] = norm.difference(&sum(&halves), &self.whole.moments);
         self.halves[direction] = Some(halves);
         self.own[direction] = true;
     }

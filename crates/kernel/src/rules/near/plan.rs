@@ -8,7 +8,7 @@ use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::Patch;
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::{DVec3, clip_polygon};
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::contact::flat::gap;
 use crate::rules::far;
@@ -84,7 +84,7 @@ impl<'a> Planner<'a> {
     }
 
     fn cell(&mut self, cell: &Patch, emitter: &Emitter, depth: usize) {
-        heed();
+        check_interrupt();
         if self.cells == 0 || self.cost >= self.limit {
             self.cost = f64::INFINITY;
             return;

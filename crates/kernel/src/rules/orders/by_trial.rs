@@ -13,7 +13,7 @@
 
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::{MOST_POINTS, UnitRule};
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::integrand::kernel;
 
@@ -109,7 +109,7 @@ fn least(
     let mut coarse = sums(first);
     let (mut n, mut missed) = (first, f64::INFINITY);
     while n < most {
-        heed();
+        check_interrupt();
         let fine = sums(n + 2);
         let difference: f64 = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).sum();
         let all: f64 = fine.iter().map(|x| x.abs()).sum();

@@ -4,7 +4,7 @@
 
 use radiosity_elements::rule::MOST_POINTS;
 use radiosity_geom::DVec3;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use smallvec::SmallVec;
 
 use crate::rules::orders::analyticity;
@@ -72,7 +72,7 @@ impl<const D: usize> Multilinear<'_, D> {
     }
 
     fn plan(&self, part: Part<D>, points: [usize; D], depth: u32, parts: &mut Parts<D>) {
-        heed();
+        check_interrupt();
         let cost = |points: &[usize; D]| points.iter().product::<usize>();
         if depth < self.deepest && parts.len() < MOST_PARTS {
             let direction = (0..D).fold(0, |most, k| if points[k] > points[most] { k } else { most });

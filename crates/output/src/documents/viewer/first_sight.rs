@@ -6,7 +6,7 @@
 use radiosity_geom::Encounter;
 use radiosity_scene::Camera;
 use radiosity_solve::solved::Solved;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use super::start::Start;
@@ -28,7 +28,7 @@ pub(super) fn first_sight(solved: &Solved, lightmap: &Lightmap, start: &Start) -
     let middle = |pixel: usize| Some(sight.meet(place(size, pixel as u32, [0.5; 2]))?.0);
     let middles: Vec<Option<usize>> = all().map(middle).collect();
     let pixels = all().map(|pixel| {
-        heed();
+        check_interrupt();
         let samples = if is_inside(&middles, size, pixel as u32) { 1 } else { start.samples };
         sight.mean(size, pixel as u32, samples)
     });

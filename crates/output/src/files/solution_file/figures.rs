@@ -1,7 +1,7 @@
 //! Cost and self-checks of a solution as the file keeps them; without times and threads, so that the same input makes
 //! the same file.
 
-use radiosity_kernel::{Miss, PairCounts};
+use radiosity_kernel::{PairCounts, WorstError};
 use radiosity_published::hierarchy::Counts;
 use radiosity_solve::checks::Checks;
 use radiosity_solve::solution::Solution;
@@ -29,7 +29,7 @@ pub(super) struct Figures {
     shadow_rays: u64,
     accuracy_reached: f64,
     #[serde(default)]
-    miss: Option<Miss>,
+    worst_error: Option<WorstError>,
     /// The accuracy that the run reached, where one was wanted.
     #[serde(default)]
     pub(super) achieved: Option<Achieved>,
@@ -63,7 +63,7 @@ impl Figures {
             kernel_samples_distinct: outcome.distinct,
             shadow_rays: outcome.rays,
             accuracy_reached: outcome.accuracy_reached,
-            miss: outcome.miss,
+            worst_error: outcome.worst_error,
             achieved: solved.achieved,
             choice: outcome.choice.clone(),
             sampling: outcome.sampling,
@@ -94,7 +94,7 @@ impl Figures {
             distinct: self.kernel_samples_distinct,
             rays: self.shadow_rays,
             accuracy_reached: self.accuracy_reached,
-            miss: self.miss,
+            worst_error: self.worst_error,
             solver: Method::named(&self.solver).ok()?.name,
             iterations: self.iterations,
             residual: self.residual,

@@ -1,6 +1,6 @@
 //! Direct light at the middles of pixels: by few rays first, and by more where pixels beside each other see other emitters.
 
-use radiosity_light::penumbra::{Care, Shade};
+use radiosity_light::penumbra::{RayEffort, VisibleEmitters};
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
@@ -20,7 +20,7 @@ const TOGETHER: usize = 64;
 /// are computed again.
 pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<Vec<f64>> {
     let look = |pixel: usize, sure: bool, tally: &Tally| {
-        let care = Care { rough: 1.0, sure };
+        let care = RayEffort { rough: 1.0, sure };
         let lit = frame.seen(pixel).map_or_else(Lit::default, |seen| light.direct(seen, care));
         tally.add();
         lit
@@ -41,7 +41,7 @@ pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<V
 
 /// Whether a pixel sees some emitters wholly and the others not at all, but one beside it on the same surface does not see the same.
 fn is_unsure(frame: &Frame, all: &[Lit], pixel: usize) -> bool {
-    let (Some(seen), Some(shade @ Shade::Sees(_))) = (frame.seen(pixel), all[pixel].shade) else {
+    let (Some(seen), Some(shade @ VisibleEmitters::Sees(_))) = (frame.seen(pixel), all[pixel].shade) else {
         return false;
     };
     let [column, row] = frame.place(pixel).map(|at| at as isize);

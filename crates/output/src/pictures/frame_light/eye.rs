@@ -29,7 +29,7 @@ pub(crate) struct Seen {
 
 impl Seen {
     /// The place as a receiver.
-    pub(crate) fn vantage(&self) -> ReceiverPoint {
+    pub(crate) fn receiver_point(&self) -> ReceiverPoint {
         ReceiverPoint::on(self.place.surface, self.place.position, self.normal)
     }
 

@@ -2,7 +2,7 @@
 
 use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
-use radiosity_light::penumbra::{Care, Factor, Penumbra, Shade};
+use radiosity_light::penumbra::{Factor, Penumbra, RayEffort, VisibleEmitters};
 use radiosity_solve::gather::Gather;
 use radiosity_solve::gather::by_rays::{Estimate, RayGather};
 use radiosity_solve::gather::choice::By;
@@ -27,9 +27,9 @@ pub(crate) const AVERAGED: f64 = 2.0;
 /// Error of direct light in penumbrae, over the accuracy asked for. Chosen: the eye finds no steps there.
 const IN_PENUMBRA: f64 = 2.0;
 
-/// Care of the search for direct light on the other side of an element that lets light through: there is no
+/// RayEffort of the search for direct light on the other side of an element that lets light through: there is no
 /// frame to compare it with.
-const BEHIND: Care = Care { rough: 1.0, sure: true };
+const BEHIND: RayEffort = RayEffort { rough: 1.0, sure: true };
 
 /// Direct irradiance at a place.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -37,7 +37,7 @@ pub(crate) struct Lit {
     /// Irradiance per band (W m⁻²).
     pub bands: Vec<f64>,
     /// Emitters that were seen, where rays looked for them.
-    pub shade: Option<Shade>,
+    pub shade: Option<VisibleEmitters>,
 }
 
 /// Direct light and the rest.
@@ -100,7 +100,7 @@ impl<'a> PictureLight<'a> {
     }
 
     /// Direct light at a place.
-    pub(crate) fn direct(&self, seen: &Seen, care: Care) -> Lit {
+    pub(crate) fn direct(&self, seen: &Seen, care: RayEffort) -> Lit {
         let mut bands = vec![0.0; self.solution.bands().len()];
         let mut shade = None;
         match &self.direct {
@@ -112,7 +112,7 @@ impl<'a> PictureLight<'a> {
             Direct::Rays(light) => {
                 let rest = self.polynomials(seen);
                 let beside = rest.iter().sum::<f64>() / rest.len() as f64;
-                let sight = light.sight(&seen.vantage(), beside, care);
+                let sight = light.sight(&seen.receiver_point(), beside, care);
                 bands = sight.points;
                 for Factor { element, value } in sight.factors {
                     for (sum, band) in bands.iter_mut().zip(self.solution.bands()) {
@@ -130,12 +130,12 @@ impl<'a> PictureLight<'a> {
         match &self.rest {
             Rest::Polynomials => Known { bands: self.polynomials(seen), error: 0.0 },
             Rest::Cells(gather) => {
-                let vantage = seen.vantage();
-                let around = gather.reflection().around(&vantage.site());
-                Known { bands: gather.reflection().irradiance(&vantage, &around, lit), error: 0.0 }
+                let receiver = seen.receiver_point();
+                let around = gather.reflection().around(&receiver.site());
+                Known { bands: gather.reflection().irradiance(&receiver, &around, lit), error: 0.0 }
             }
             Rest::Rays(gather) => {
-                let Estimate { irradiance, deviation } = gather.reflected(&seen.vantage(), lit);
+                let Estimate { irradiance, deviation } = gather.reflected(&seen.receiver_point(), lit);
                 let all: f64 = irradiance.iter().chain(lit).sum();
                 Known { bands: irradiance, error: deviation.relative * all }
             }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use radiosity_light::penumbra::Care;
+use radiosity_light::penumbra::RayEffort;
 use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 
@@ -39,7 +39,7 @@ fn tried(light: &PictureLight, places: usize, seen: &(dyn Fn(usize) -> Option<Se
         .into_par_iter()
         .filter_map(|k| {
             let seen = seen((k * places + places / 2) / TRIAL)?;
-            let direct = light.direct(&seen, Care { rough: 1.0, sure: false }).bands;
+            let direct = light.direct(&seen, RayEffort { rough: 1.0, sure: false }).bands;
             Some((seen, direct))
         })
         .collect();

@@ -1,7 +1,7 @@
 //! Warnings of a report.
 
 use radiosity_core::dot;
-use radiosity_kernel::Miss;
+use radiosity_kernel::WorstError;
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Band;
 use radiosity_solve::solved::Solved;
@@ -202,8 +202,8 @@ fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Wa
         return rays(sampling.error).into_iter().collect();
     }
     let mut warnings: Vec<Warning> = outcome
-        .miss
-        .filter(Miss::is_real)
+        .worst_error
+        .filter(WorstError::is_real)
         .map(|miss| inaccurate(scene, outcome, &miss))
         .into_iter()
         .collect();
@@ -240,7 +240,7 @@ fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Wa
 }
 
 /// A warning about transfers that miss what was asked.
-fn inaccurate(scene: &Scene, outcome: &Outcome, miss: &Miss) -> Warning {
+fn inaccurate(scene: &Scene, outcome: &Outcome, miss: &WorstError) -> Warning {
     let list = outcome.solution.elements().list();
     let [surface, other] = miss.pair.map(|element| &scene.surfaces[list[element].surface].name);
     let told = Warning::general("accuracy-reached", missed(miss, [surface, other]));

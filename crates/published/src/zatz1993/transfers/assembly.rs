@@ -8,7 +8,7 @@ use radiosity_kernel::contact::planes;
 use radiosity_kernel::contact::planes::Planes;
 use radiosity_kernel::{Kind, blocks::block::Block};
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 
@@ -18,7 +18,7 @@ use crate::zatz1993::transfers::transfer::{Rules, transfer};
 
 /// Outcome for an ordered pair: left out, or its block.
 enum Outcome {
-    Facing,
+    Behind,
     Coplanar,
     Hidden,
     Integrated(Block),
@@ -44,7 +44,7 @@ pub fn assemble(
     let outcomes: Vec<Outcome> = pairs
         .par_iter()
         .map(|(i, j)| {
-            heed();
+            check_interrupt();
             let outcome = integrate(&charts[*i], &charts[*j], i == j, visibility, rules, extra);
             work.tell_done(Stage::Blocks, done.fetch_add(1, Ordering::Relaxed) + 1, total);
             outcome
@@ -70,7 +70,7 @@ fn count(blocks: &mut Blocks, same: bool, outcome: &Outcome) {
     pairs.total += usize::from(!same || matches!(outcome, Outcome::Integrated(_)));
     match outcome {
         Outcome::Coplanar => pairs.skipped_coplanar += usize::from(!same),
-        Outcome::Facing => pairs.skipped_facing += 1,
+        Outcome::Behind => pairs.skipped_behind += 1,
         Outcome::Hidden => pairs.skipped_hidden += 1,
         Outcome::Integrated(block) => pairs.take(&block.account()),
     }
@@ -87,7 +87,7 @@ fn integrate(
     let (x, y) = (receiver.element, emitter.element);
     match planes::of(x, y) {
         Planes::Exchanging => {}
-        Planes::Facing => return Outcome::Facing,
+        Planes::Behind => return Outcome::Behind,
         Planes::Coplanar => return Outcome::Coplanar,
     }
     let blockers =
@@ -98,8 +98,8 @@ fn integrate(
     let free = |x, y| visibility.free(&blockers, x, y);
     let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
     // One point more on one side, so that the points of an element with itself never coincide, where κ is 0/0.
-    let emitting = emitter.party(extra + usize::from(same));
-    let transfer = transfer(receiver.party(extra), emitting, rules, sees);
+    let emitting = emitter.charted(extra + usize::from(same));
+    let transfer = transfer(receiver.charted(extra), emitting, rules, sees);
     let kind = match (same, transfer.edge) {
         (true, _) => Kind::Same,
         (false, true) => Kind::Edge,

@@ -14,7 +14,7 @@ use nalgebra::DMatrix;
 use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
 
-use crate::zatz1993::transfers::party::Party;
+use crate::zatz1993::transfers::charted_element::ChartedElement;
 
 /// Largest distance from ±1 of the frame coordinates of corners. Chosen; not tuned.
 const TOLERANCE: f64 = 1e-9;
@@ -60,9 +60,9 @@ impl<'a> Chart<'a> {
     }
 
     /// The element with `extra` points per direction above its order.
-    pub(super) fn party(&self, extra: usize) -> Party<'_> {
+    pub(super) fn charted(&self, extra: usize) -> ChartedElement<'_> {
         let order = self.element.basis.order();
-        Party { patch: &self.patch, order, points: order + extra }
+        ChartedElement { patch: &self.patch, order, points: order + extra }
     }
 
     /// G, row-major, from K, row-major, both with this element as receiver.

@@ -12,14 +12,14 @@ use radiosity_geom::DVec3;
 use radiosity_kernel::kernel;
 
 use crate::zatz1993::transfers::axis::Axis;
-use crate::zatz1993::transfers::party::Party;
+use crate::zatz1993::transfers::charted_element::ChartedElement;
 
 /// Whether nothing stands between two points.
 pub type Sees<'a> = &'a dyn Fn(DVec3, DVec3) -> bool;
 
 /// The sum under way.
 pub(super) struct Sum<'a> {
-    parties: [Party<'a>; 2],
+    pair: [ChartedElement<'a>; 2],
     sees: Option<Sees<'a>>,
     /// K_J^kl, row-major.
     pub values: Vec<f64>,
@@ -30,9 +30,9 @@ pub(super) struct Sum<'a> {
 }
 
 impl<'a> Sum<'a> {
-    pub(super) fn new(parties: [Party<'a>; 2], sees: Option<Sees<'a>>) -> Self {
-        let [rows, columns] = parties.map(|party| total::count(party.order));
-        Self { parties, sees, values: vec![0.0; rows * columns], samples: 0, rays: 0 }
+    pub(super) fn new(pair: [ChartedElement<'a>; 2], sees: Option<Sees<'a>>) -> Self {
+        let [rows, columns] = pair.map(|element| total::count(element.order));
+        Self { pair, sees, values: vec![0.0; rows * columns], samples: 0, rays: 0 }
     }
 
     /// Adds the terms of all points of the axes.
@@ -52,7 +52,7 @@ impl<'a> Sum<'a> {
 
     /// ∬ κ A_j T_l du dv at one point of the receiver, for all l: first over v, then over u.
     fn arriving(&mut self, s: f64, t: f64, [u, v]: &[Axis; 2]) -> Vec<f64> {
-        let [receiver, emitter] = self.parties;
+        let [receiver, emitter] = self.pair;
         let at = |patch: &Patch, x: f64, y: f64| patch.node(0.5 * (1.0 + x), 0.5 * (1.0 + y));
         let here = at(receiver.patch, s, t);
         let mut arriving = vec![0.0; total::count(emitter.order)];

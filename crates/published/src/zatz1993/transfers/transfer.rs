@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::zatz1993::transfers::axis::Axis;
 use crate::zatz1993::transfers::border;
 use crate::zatz1993::transfers::border::Border;
-use crate::zatz1993::transfers::party::Party;
+use crate::zatz1993::transfers::charted_element::ChartedElement;
 use crate::zatz1993::transfers::sum::{Sees, Sum};
 
 /// Which of the paper's rules.
@@ -50,8 +50,13 @@ pub struct Transfer {
 /// K^kl from `emitter` to `receiver`; `sees`, where given, says whether the segment between two points is free.
 ///
 /// # Panics
-/// If a party has no points.
-pub fn transfer(receiver: Party, emitter: Party, rules: Rules, sees: Option<Sees>) -> Transfer {
+/// If an element has no points.
+pub fn transfer(
+    receiver: ChartedElement,
+    emitter: ChartedElement,
+    rules: Rules,
+    sees: Option<Sees>,
+) -> Transfer {
     let borders = border::common(receiver.patch, emitter.patch);
     let (rows, columns) = match (rules, borders) {
         (Rules::Hybrid(reading), Some([near, far])) => {
@@ -66,23 +71,23 @@ pub fn transfer(receiver: Party, emitter: Party, rules: Rules, sees: Option<Sees
     Transfer { values, edge: borders.is_some(), samples: sum.samples, rays: sum.rays }
 }
 
-fn plain(party: Party) -> [Axis; 2] {
-    let axis = Axis::new(party.order, party.points, [0, 0]);
+fn plain(element: ChartedElement) -> [Axis; 2] {
+    let axis = Axis::new(element.order, element.points, [0, 0]);
     [axis.clone(), axis]
 }
 
-fn receiver_axes(party: Party, reading: Reading, border: Border) -> [Axis; 2] {
+fn receiver_axes(element: ChartedElement, reading: Reading, border: Border) -> [Axis; 2] {
     let along = match reading {
         Reading::H1 => [2, 2],
         Reading::H2 | Reading::H3 | Reading::Literal => [0, 0],
     };
-    let across = Axis::new(party.order, party.points, border.double_zero());
-    border.placed(Axis::new(party.order, party.points, along), across)
+    let across = Axis::new(element.order, element.points, border.double_zero());
+    border.placed(Axis::new(element.order, element.points, along), across)
 }
 
-fn emitter_axes(party: Party, reading: Reading, border: Border) -> [Axis; 2] {
-    let along = Axis::new(party.order, party.points, [0, 0]);
-    let moved = || Axis::with_legendre(party.order, party.points, border.double_zero());
+fn emitter_axes(element: ChartedElement, reading: Reading, border: Border) -> [Axis; 2] {
+    let along = Axis::new(element.order, element.points, [0, 0]);
+    let moved = || Axis::with_legendre(element.order, element.points, border.double_zero());
     let across = match reading {
         Reading::H1 | Reading::H3 => along.clone(),
         Reading::H2 => moved().divided(border.double_zero()),

@@ -107,7 +107,7 @@ fn squares(element: usize, points: &[Point], solution: &Solution, gather: &Gathe
     }
     let company = gather.around(&Site::of(&solution.elements().list()[element]));
     for point in points {
-        let gathered = gather.irradiance(&point.vantage(), &company);
+        let gathered = gather.irradiance(&point.receiver_point(), &company);
         for (band, (weight, gathered)) in weights.iter().zip(gathered).enumerate() {
             let held = solution.irradiance(band, element, &point.place);
             let weight = point.area * weight;

@@ -30,7 +30,7 @@ pub(super) struct Point {
 }
 
 impl Point {
-    pub(super) fn vantage(&self) -> ReceiverPoint {
+    pub(super) fn receiver_point(&self) -> ReceiverPoint {
         ReceiverPoint::on(self.place.surface, self.place.position, self.normal)
     }
 }

@@ -30,7 +30,7 @@ impl Sensor {
             solution.bands().iter().map(|band| band.coating.squared(element) * area).collect()
         };
         let sensor = |element: usize, point: &Point| Self {
-            point: point.vantage(),
+            point: point.receiver_point(),
             weights: weights(element, point.area),
         };
         let all = points.iter().enumerate();
@@ -48,7 +48,7 @@ impl Sensor {
             let spot = Spot::find(solution.elements(), visibility, position, normal);
             let weights = solution.bands().iter().map(|band| weight(spot.as_ref(), band)).collect();
             let free = || ReceiverPoint::free(position, normal);
-            Self { point: spot.map_or_else(free, |spot| spot.vantage(normal)), weights }
+            Self { point: spot.map_or_else(free, |spot| spot.receiver_point(normal)), weights }
         };
         some(goal.points.len()).map(|index| sensor(goal.points[index])).collect()
     }

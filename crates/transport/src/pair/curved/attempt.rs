@@ -44,7 +44,7 @@ impl<'a> Job<'a> {
         let coarsest = self.spent() && !state.blockers.is_empty();
         let n = self.bends(share) + if coarsest { POINTS_WHEN_SPENT } else { FEWEST_POINTS };
         let [coarse, fine] = [n, n + 2].map(|n| self.tentative(p, q, contact, n, &state.blockers));
-        let error = self.yardstick.difference(fine.values(), coarse.values());
+        let error = self.norm.difference(fine.values(), coarse.values());
         let may_err = ATTEMPT_SHARE / self.budget.beyond().powi(MORE_ATTEMPTS) * self.budget.may_err();
         let enough = error <= may_err;
         let kept = enough || self.spent();

@@ -13,7 +13,7 @@ use radiosity_kernel::contact::orientation::{Facing, facing};
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon;
 use radiosity_kernel::rules::horizon::Side;
-use radiosity_work::interruption::heed;
+use radiosity_work::interruption::check_interrupt;
 
 use crate::pair::curved::constant::constant;
 use crate::pair::curved::job::{Job, SMALL_PART, State, Task};
@@ -31,7 +31,7 @@ impl Job<'_> {
         let mut open: VecDeque<Patch> = inner.into();
         let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(part) = open.pop_front() {
-            heed();
+            check_interrupt();
             self.budget.looks += 1;
             if self.budget.overdrawn(&self.moments) {
                 let seen = clipped.into_iter().chain(whole).map(|(part, _): (Patch, f64)| part);
@@ -142,7 +142,7 @@ impl Job<'_> {
         let may_err = self.budget.may_err();
         let budget = self.budget.left_for_horizons();
         let basis = &self.elements[1].basis;
-        let cut = horizon::integrate(&outer, basis, &sides, &self.yardstick, HORIZON_SHARE * may_err, budget);
+        let cut = horizon::integrate(&outer, basis, &sides, &self.norm, HORIZON_SHARE * may_err, budget);
         self.budget.horizons += cut.samples;
         self.moments.add_raw(&cut.moments, cut.samples);
         self.error += cut.error;

@@ -59,7 +59,7 @@ pub(super) struct Job<'a> {
     /// The ball that stands between in fans, with its surface.
     pub ball: Option<(usize, Ball)>,
     pub moments: Moments<'a>,
-    pub yardstick: EntryNorm,
+    pub norm: EntryNorm,
     pub tasks: VecDeque<Task>,
     pub kind: Kind,
     pub partly_hidden: bool,
@@ -84,7 +84,7 @@ impl<'a> Job<'a> {
             fronts: None,
             ball: None,
             moments: Moments::new(&receiver.basis, &emitter.basis),
-            yardstick: EntryNorm::of([&receiver.basis, &emitter.basis]),
+            norm: EntryNorm::of([&receiver.basis, &emitter.basis]),
             tasks: VecDeque::new(),
             kind: Kind::Separated,
             partly_hidden: false,
@@ -99,7 +99,7 @@ impl<'a> Job<'a> {
 
     /// The first entry of a block with these moments.
     pub(super) fn first_entry(&self, moments: &Moments) -> f64 {
-        self.yardstick.first_entry(moments.values())
+        self.norm.first_entry(moments.values())
     }
 
     pub(super) fn smallest_scale(&self) -> f64 {

@@ -15,7 +15,7 @@ impl Job<'_> {
         let own = self.surfaces();
         let free = |x, y| self.visibility.free_between(own, blockers, x, y);
         let choice = if facing == Facing::Wholly { Choice::Rarer } else { Choice::Seen };
-        let scale = self.yardstick.first();
+        let scale = self.norm.first();
         let limit = self.budget.shadow_error / scale * (area(p) * area(q)).sqrt() / self.budget.unit;
         let found = SampledVisibility::new([p, q], self.moments.bases(), &free, limit, choice);
         found.add_to(&mut self.moments);

@@ -4,7 +4,7 @@ use radiosity_elements::patch::Patch;
 
 /// A patch, the order N of its functions and n points per direction.
 #[derive(Clone, Copy, Debug)]
-pub struct Party<'a> {
+pub struct ChartedElement<'a> {
     /// The patch; its chart [0, 1]² is read as [−1, 1]².
     pub patch: &'a Patch,
     /// Total degree N.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 /// The error of the block of two elements that misses most of what was asked.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Miss {
+pub struct WorstError {
     /// The two elements; in view factors the two surfaces.
     pub pair: [usize; 2],
     /// By rules of an entry, relative to the largest of: the block's largest entry, a hundredth of its row's, and 1e-8;
@@ -16,7 +16,7 @@ pub struct Miss {
     pub by_rays: bool,
 }
 
-impl Miss {
+impl WorstError {
     /// Whether the error is larger than asked.
     pub fn is_real(&self) -> bool {
         self.error > self.asked
