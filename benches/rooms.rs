@@ -37,7 +37,7 @@ fn solvers(criterion: &mut Criterion) {
     let scene = builtin("empty-box");
     for name in ["cholesky", "cg", "gauss-seidel", "southwell"] {
         let method = Method::named(name).expect("it is listed");
-        let options = Options { order: 6, subdivide: Some(3), method, ..on_one_thread() };
+        let options = Options { order: 6, subdivide: Some(3), solver: method, ..on_one_thread() };
         solve_again(criterion, &format!("solver {name}"), &scene, &options);
     }
 }

@@ -55,7 +55,7 @@ static DESCENT: Method = Method {
 fn main() -> Result<(), Box<dyn Error>> {
     let scene = builtin("cornell-box")?;
     for method in [&DESCENT, &Method::CG] {
-        let outcome = solve(&scene, &Options { method, ..Options::default() }, &Work::alone())?;
+        let outcome = solve(&scene, &Options { solver: method, ..Options::default() }, &Work::alone())?;
         println!("{}: {} iterations, residual {:.1e}", method.name, outcome.iterations, outcome.residual);
     }
     Ok(())

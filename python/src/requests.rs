@@ -25,7 +25,7 @@ pub(crate) fn method(given: &mut Arguments<'_>) -> PyResult<MethodRequest> {
     };
     Ok(MethodRequest {
         quality: given.named::<Quality>("quality")?.unwrap_or(usual.quality),
-        algorithm: given.named("method")?.unwrap_or(usual.algorithm),
+        method: given.named("method")?.unwrap_or(usual.method),
         basis: given.named("basis")?.unwrap_or(usual.basis),
         order: given.read("order", str::parse)?,
         accuracy: given.number("accuracy", ranges::fraction)?,

@@ -50,7 +50,7 @@ fn all(range: &str, losses: &[f64], order: usize) {
             let options = Options {
                 order,
                 eps: 1e-10,
-                method,
+                solver: method,
                 tolerance: tolerance(*loss),
                 max_iterations: PATIENCE,
                 ..Options::default()

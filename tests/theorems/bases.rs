@@ -331,8 +331,10 @@ fn every_solver_finds_the_same_light_in_every_basis() {
     let scene = builtin("empty-box");
     for basis in OTHERS {
         let means = |method: &'static Method| {
-            let outcome =
-                outcome_of(&scene, &Options { method, tolerance: 1e-10, eps: 1e-3, ..options(basis, 1, 1) });
+            let outcome = outcome_of(
+                &scene,
+                &Options { solver: method, tolerance: 1e-10, eps: 1e-3, ..options(basis, 1, 1) },
+            );
             assert!(
                 outcome.converged && outcome.residual < 1e-8,
                 "{basis:?} {}: {}",
@@ -430,7 +432,7 @@ fn steps(order: usize, cells: usize, preconditioner: Preconditioning) -> usize {
     let method = &Method::CG;
     let options = Options {
         preconditioner,
-        method,
+        solver: method,
         transport: Transport::Exact,
         tolerance: 1e-10,
         order,

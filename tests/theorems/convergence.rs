@@ -326,7 +326,7 @@ fn a_finer_run_that_fails_leaves_the_one_before() {
         MemoryEstimate::of(
             &scene,
             &Discretization::uniform(order, 1),
-            Options::default().method,
+            Options::default().solver,
             Ranks::alone(),
         )
         .peak()

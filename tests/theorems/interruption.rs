@@ -69,8 +69,7 @@ fn solutions_end_soon() {
     };
     ends_soon("rays", &solves(&cornell, by_rays));
     ends_soon("rays of many elements", &solves(&cornell, Options { subdivide: Some(16), ..by_rays }));
-    let by_links =
-        Options { algorithm: Algorithm::Hierarchical, eps: 1e-9, threads: 2, ..Options::default() };
+    let by_links = Options { method: Algorithm::Hierarchical, eps: 1e-9, threads: 2, ..Options::default() };
     ends_soon("links", &solves(&cornell, by_links));
     ends_soon("an accuracy", &|| {
         let options = Options { threads: 2, ..Options::default() };

@@ -80,7 +80,9 @@ fn rays() {
 fn solvers_that_need_entries_and_solvers_that_multiply() {
     for name in ["cholesky", "gauss-seidel", "southwell", "gmres", "jacobi", "cg"] {
         let method = radiosity::solvers::method::Method::named(name).expect("it is listed");
-        same_on_ranks(|work| told(&solved("cornell-box", Options { method, order: 1, ..options() }, work)));
+        same_on_ranks(|work| {
+            told(&solved("cornell-box", Options { solver: method, order: 1, ..options() }, work))
+        });
     }
 }
 
@@ -97,7 +99,7 @@ fn light_of_a_wanted_accuracy() {
 
 #[test]
 fn links() {
-    let linked = Options { algorithm: radiosity::solve::Algorithm::Hierarchical, order: 0, ..options() };
+    let linked = Options { method: radiosity::solve::Algorithm::Hierarchical, order: 0, ..options() };
     same_on_ranks(|work| told(&solved("two-boxes", linked, work)));
 }
 

@@ -24,7 +24,7 @@ use radiosity_test_support::solved::{blocks_of, outcome_of};
 
 fn options(order: usize, solver: &str) -> Options {
     let method = Method::named(solver).expect("the solver is listed");
-    Options { order, method, tolerance: 1e-10, threads: 2, ..Options::default() }
+    Options { order, solver: method, tolerance: 1e-10, threads: 2, ..Options::default() }
 }
 
 fn solved(scene: &str, options: &Options) -> Outcome {

@@ -144,7 +144,7 @@ impl AnimateArgs {
                 "leave it out and choose --quality, or --order and --eps, which hold for all frames",
             );
         }
-        if asked.algorithm == Algorithm::Hierarchical {
+        if asked.method == Algorithm::Hierarchical {
             return refuse(
                 "--method hierarchical: links of one frame are not those of another",
                 "leave it out; solve --frame K solves a single frame by links",

@@ -118,8 +118,8 @@ pub(crate) struct MethodArgs {
     pub(crate) quality: Quality,
 
     /// Which algorithm finds the light
-    #[arg(long = "method", id = "method", value_name = "NAME", default_value = "galerkin")]
-    pub(crate) algorithm: Algorithm,
+    #[arg(long, value_name = "NAME", default_value = "galerkin")]
+    pub(crate) method: Algorithm,
 
     /// Functions whose sums the light on surfaces is; those other than legendre are for comparison
     #[arg(long, value_name = "NAME", default_value = "legendre")]
@@ -227,7 +227,7 @@ impl MethodArgs {
     pub(crate) fn request(&self) -> MethodRequest {
         MethodRequest {
             quality: self.quality,
-            algorithm: self.algorithm,
+            method: self.method,
             basis: self.basis,
             order: self.order,
             accuracy: self.accuracy,

@@ -19,7 +19,7 @@ impl MethodRequest {
     pub fn check(&self) -> Result<(), Refusal> {
         check_time_limit(self)?;
         check_idle(self)?;
-        check_algorithm(self)?;
+        check_hierarchical(self)?;
         check_rays(self)?;
         check_basis(self)?;
         check_bounces(self)?;
@@ -71,7 +71,7 @@ fn check_idle(method: &MethodRequest) -> Result<(), Refusal> {
 }
 
 /// Refuses options that hierarchical radiosity does not know.
-fn check_algorithm(method: &MethodRequest) -> Result<(), Refusal> {
+fn check_hierarchical(method: &MethodRequest) -> Result<(), Refusal> {
     let is_higher = matches!(method.order, Some(Order::Degree(1..)));
     let unknown = [
         (is_higher, option("order") + " above 0"),
@@ -86,7 +86,7 @@ fn check_algorithm(method: &MethodRequest) -> Result<(), Refusal> {
         (method.direct != Direct::Auto, option("direct")),
     ];
     match unknown.into_iter().find(|(is_typed, _)| *is_typed) {
-        Some((_, name)) if method.algorithm == Algorithm::Hierarchical => Err(Refusal::new(
+        Some((_, name)) if method.method == Algorithm::Hierarchical => Err(Refusal::new(
             set("method", "hierarchical") + " knows no " + name.clone() + ": it links constants",
             words("leave ") + name + " out, or leave " + option("method") + " out",
         )),
@@ -161,7 +161,7 @@ fn check_bounces(method: &MethodRequest) -> Result<(), Refusal> {
         return Ok(());
     }
     let unknown = [
-        (method.algorithm == Algorithm::Hierarchical, set("method", "hierarchical")),
+        (method.method == Algorithm::Hierarchical, set("method", "hierarchical")),
         (method.wanted_accuracy().is_some(), option("accuracy")),
     ];
     refuse(option("bounces"), unknown)
@@ -193,7 +193,7 @@ pub fn check_ways(method: &MethodRequest, ways: &[Way]) -> Result<(), Refusal> {
 fn others(method: &MethodRequest) -> [(bool, Wording); 8] {
     let has_no_degree = matches!(method.basis, Basis::Constant | Basis::Linear);
     [
-        (method.algorithm == Algorithm::Hierarchical, set("method", "hierarchical")),
+        (method.method == Algorithm::Hierarchical, set("method", "hierarchical")),
         (method.wanted_accuracy().is_some(), option("accuracy")),
         (method.aim.is_some(), option("for")),
         (method.kernel.rules().is_some(), option("kernel")),

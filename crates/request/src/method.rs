@@ -25,7 +25,7 @@ pub struct MethodRequest {
     /// Preset of order, accuracies and points read.
     pub quality: Quality,
     /// Algorithm that finds the light.
-    pub algorithm: Algorithm,
+    pub method: Algorithm,
     /// Functions whose sums the light on surfaces is.
     pub basis: Basis,
     /// Degree of the polynomials on each element.
@@ -79,7 +79,7 @@ impl Default for MethodRequest {
         let usual = Options::default();
         Self {
             quality: Quality::Default,
-            algorithm: usual.algorithm,
+            method: usual.method,
             basis: usual.basis,
             order: None,
             accuracy: None,
@@ -92,7 +92,7 @@ impl Default for MethodRequest {
             kernel: Kernel::Default,
             transport: usual.transport,
             rays: None,
-            solver: usual.method,
+            solver: usual.solver,
             preconditioner: usual.preconditioner,
             bounces: None,
             tolerance: usual.tolerance,
@@ -117,7 +117,7 @@ impl MethodRequest {
     pub fn options(&self, ranks: &Ranks) -> Options {
         let usual = self.quality.options();
         Options {
-            algorithm: self.algorithm,
+            method: self.method,
             basis: self.basis,
             order: self.degree(usual.order),
             space: if self.tensor { Space::Tensor } else { Space::Total },
@@ -131,7 +131,7 @@ impl MethodRequest {
             shadows: self.shadows.hiding(),
             masks: (self.shadows == Shadows::Mask).then_some(self.masks),
             direct: self.direct,
-            method: self.solver,
+            solver: self.solver,
             preconditioner: self.preconditioner,
             bounces: self.bounces,
             tolerance: self.tolerance,

@@ -95,7 +95,7 @@ impl Default for HeatRequest {
     fn default() -> Self {
         let HeatOptions { options, conductances } = HeatOptions::default();
         let transfers = TransferRequest::new(TransferRequest::HEAT);
-        let Options { order, transport, method: solver, .. } = options;
+        let Options { order, transport, solver: solver, .. } = options;
         Self { transfers, order, transport, solver, memory: None, conductances }
     }
 }
@@ -112,7 +112,7 @@ impl HeatRequest {
             shadow_eps,
             shadows: self.transfers.shadows.hiding(),
             transport: self.transport,
-            method: self.solver,
+            solver: self.solver,
             memory: self.memory.or_else(|| memory::usable(ranks)),
             threads: self.transfers.threads(),
             ..usual

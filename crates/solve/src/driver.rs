@@ -77,7 +77,7 @@ pub(crate) use stopwatch::timed;
 /// A scene that cannot be cut into elements, a linear solver that fails or does not converge, or threads
 /// that cannot be started.
 pub fn solve(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
-    match options.algorithm {
+    match options.method {
         Algorithm::Galerkin => Model::assemble(scene, options, work)?.solve(scene, work),
         Algorithm::Hierarchical => solve_by_links(scene, options, work),
     }

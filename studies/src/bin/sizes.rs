@@ -102,7 +102,7 @@ fn figures(row: &str) -> [f64; 3] {
 /// Why a row is not begun.
 fn refusal(grid: [usize; 3], order: usize, done: &[Row]) -> Option<String> {
     let scene = room(grid);
-    let bytes = MemoryEstimate::of(&scene, &how(order), Options::default().method, Ranks::alone()).peak();
+    let bytes = MemoryEstimate::of(&scene, &how(order), Options::default().solver, Ranks::alone()).peak();
     if bytes > MOST_BYTES {
         return Some(format!("about {:.1} GB", bytes as f64 / 1e9));
     }
@@ -149,7 +149,7 @@ fn measure(grid: [usize; 3], order: usize) {
     let mut unknowns = vec![0.0; right.len()];
     let matrix = system.matrix().expect("it fits");
     let settings = Settings::default().with_threads(1);
-    let solved = options.method.solver.solve(&matrix, &right, &mut unknowns, &settings, &mut |_| {});
+    let solved = options.solver.solver.solve(&matrix, &right, &mut unknowns, &settings, &mut |_| {});
     solved.expect("walls of reflectance ½ converge");
     let seconds = [integrated - start, processor() - integrated].map(|time| time.as_secs_f64());
     let pairs = &blocks.pairs;

@@ -72,7 +72,14 @@ pub(crate) fn room(levels: [f64; LAMPS]) -> Scene {
 /// A direct solver, so that what is compared is the theorem and not a tolerance.
 fn options() -> Options {
     let method = Method::named("cholesky").expect("it is listed");
-    Options { order: 2, eps: 1e-2, shadow_eps: 3e-2, subdivide: Some(1), method, ..Options::default() }
+    Options {
+        order: 2,
+        eps: 1e-2,
+        shadow_eps: 3e-2,
+        subdivide: Some(1),
+        solver: method,
+        ..Options::default()
+    }
 }
 
 fn solved(levels: [f64; LAMPS], options: Options) -> Solved {
@@ -151,7 +158,7 @@ fn dimming_is_solving_again_behind_shadow_masks() {
 fn dimming_is_solving_again_by_iterations() {
     for name in ["cg", "gmres", "gauss-seidel", "southwell"] {
         let method = Method::named(name).expect("it is listed");
-        assert_linear(Options { method, tolerance: 1e-13, direct: Direct::Projected, ..options() });
+        assert_linear(Options { solver: method, tolerance: 1e-13, direct: Direct::Projected, ..options() });
     }
 }
 

@@ -10,7 +10,7 @@ use radiosity_test_support::solved::outcome_of;
 /// A direct solver, so that what is compared is not a tolerance.
 fn options(direct: Direct) -> Options {
     let method = Method::named("cholesky").expect("it is listed");
-    Options { order: 2, direct, method, threads: 2, ..Options::default() }
+    Options { order: 2, direct, solver: method, threads: 2, ..Options::default() }
 }
 
 fn model(scene: &Scene, options: &Options) -> Model {

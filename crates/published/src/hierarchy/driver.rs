@@ -134,7 +134,7 @@ impl Work<'_> {
         let exitance: Vec<f64> = surfaces.iter().map(|own| own.exitance(band)).collect();
         let system = BandSystem::new(hierarchy, &reflectance, &exitance);
         let settings = Settings::default().with_tolerance(self.options.tolerance);
-        let solved = system.solve(self.options.method, &settings);
+        let solved = system.solve(self.options.solver, &settings);
         let failed = |source| HierarchyError::Solver { band: self.scene.bands[band].clone(), source };
         let irradiance = system.gather(&solved.map_err(failed)?.0);
         let radiosity = system.radiosity(&irradiance);

@@ -16,7 +16,7 @@ pub struct HierarchyOptions {
     /// Rays that find the visibility of a link; at least 1.
     pub rays_per_link: usize,
     /// Solver of the linear system.
-    pub method: &'static Method,
+    pub solver: &'static Method,
     /// Relative residual of the solver.
     pub tolerance: f64,
 }
@@ -31,7 +31,7 @@ impl Default for HierarchyOptions {
             separation: 1.5,
             rounds: 8,
             rays_per_link: 16,
-            method: &Method::CG,
+            solver: &Method::CG,
             tolerance: 1e-8,
         }
     }

@@ -31,9 +31,9 @@ impl Need<'_> {
     pub(super) fn peak(&self) -> u64 {
         let Self { scene, how, options, ranks, .. } = self;
         let footprint = match self.rays {
-            Some(rays) => MemoryEstimate::of_rays(scene, how, options.method, rays, ranks),
-            None if options.kernel.is_some() => MemoryEstimate::of_1993(scene, how, options.method),
-            None => MemoryEstimate::of(scene, how, options.method, ranks),
+            Some(rays) => MemoryEstimate::of_rays(scene, how, options.solver, rays, ranks),
+            None if options.kernel.is_some() => MemoryEstimate::of_1993(scene, how, options.solver),
+            None => MemoryEstimate::of(scene, how, options.solver, ranks),
         };
         if self.is_kept { footprint.peak_with_memory() } else { footprint.peak() }
     }
@@ -59,17 +59,18 @@ impl Need<'_> {
     /// Changes that let exact blocks fit into `allowed` bytes.
     fn less(&self, allowed: u64) -> Vec<Fit> {
         let Self { how, options, .. } = *self;
-        let fits =
-            |how, method| (Need { how, options: &Options { method, ..*options }, ..*self }).peak() <= allowed;
+        let fits = |how, method| {
+            (Need { how, options: &Options { solver: method, ..*options }, ..*self }).peak() <= allowed
+        };
         let mut less = Vec::new();
         if fits(how, &Method::CG) {
             less.push(Fit::ConjugateGradients);
         }
         let lower =
-            (0..how.order).rev().find(|order| fits(Discretization { order: *order, ..how }, options.method));
+            (0..how.order).rev().find(|order| fits(Discretization { order: *order, ..how }, options.solver));
         less.extend(lower.map(Fit::Order));
         let whole = Discretization { subdivide: Subdivide::Uniform(1), layers: Layers::NONE, ..how };
-        if fits(whole, options.method) {
+        if fits(whole, options.solver) {
             less.push(Fit::WholeSurfaces);
         }
         less
@@ -97,7 +98,7 @@ pub(super) fn peak_of_mesh(
     options: &Options,
     ranks: &Ranks,
 ) -> u64 {
-    MemoryEstimate::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.method, ranks).peak()
+    MemoryEstimate::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.solver, ranks).peak()
 }
 
 /// Refuses a run on elements of a refined mesh that needs more memory than allowed.

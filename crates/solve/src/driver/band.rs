@@ -58,8 +58,8 @@ pub(super) fn solve_band(
     if let Some(first) = systems.first().filter(|_| !lit.is_empty()) {
         let threads = work.ranks.threads(options.threads);
         let (operator, preconditioner) =
-            first.operator(options.method, options.preconditioner.into(), threads)?;
-        let method = first.method(options.method, operator.symmetric());
+            first.operator(options.solver, options.preconditioner.into(), threads)?;
+        let method = first.method(options.solver, operator.symmetric());
         // Only shooting needs it, and it costs as much as a basis.
         let measure = (method.access == Access::Columns).then(|| first.shooting_measure());
         let interruption = interruption::current();

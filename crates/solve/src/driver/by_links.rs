@@ -49,14 +49,14 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
     let hierarchy = found.hierarchy();
     let elements = Arc::new(timed(&mut seconds.elements, || leaf_elements(scene, hierarchy))?);
     let links = LinkedElements::new(hierarchy, &elements);
-    let (method, ranks) = (how.method, work.ranks);
+    let (method, ranks) = (how.solver, work.ranks);
     let run = Run { scene, options, method, hierarchy, links: &links, elements: &elements, ranks };
     let (groups, efforts) = timed(&mut seconds.solve, || run.groups())?;
     work.tell(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
     let solution = Solution::of_groups(Arc::clone(&elements), scene, groups);
     let checks = Checks::with_powers(&solution, &links, solution.powers().unwrap_or_default(), work.ranks);
     let slowest = efforts.into_iter().max_by_key(|(_, iterations)| *iterations);
-    let (solver, iterations) = slowest.unwrap_or((how.method.name, 0));
+    let (solver, iterations) = slowest.unwrap_or((how.solver.name, 0));
     let counts = found.counts();
     Ok(Outcome {
         residual: solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max),
@@ -84,13 +84,13 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
 /// Options of hierarchical radiosity that follow from these.
 fn linking(options: &Options) -> HierarchyOptions {
     let usual = HierarchyOptions::default();
-    let method = if options.method.access == Access::BySize { usual.method } else { options.method };
+    let method = if options.solver.access == Access::BySize { usual.solver } else { options.solver };
     let farther = (USUAL / options.eps).max(1.0).powf(FARTHER);
     HierarchyOptions {
         eps: options.eps,
         least_area: LEAST_AREA,
         separation: usual.separation * farther,
-        method,
+        solver: method,
         tolerance: options.tolerance,
         ..usual
     }

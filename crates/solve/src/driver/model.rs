@@ -259,7 +259,7 @@ impl Model {
         let Light { light, before, efforts, functionals } = lit;
         let slowest = efforts.iter().max_by_key(|effort| effort.iterations);
         let (solver, iterations) =
-            slowest.map_or((self.options.method.name, 0), |effort| (effort.method, effort.iterations));
+            slowest.map_or((self.options.solver.name, 0), |effort| (effort.method, effort.iterations));
         let groups = self.groups(emissions, first, light);
         let before = before.map(|light| lit_before(&groups, light));
         let before = before.map(|groups| Solution::of_groups(Arc::clone(&self.elements), scene, groups));

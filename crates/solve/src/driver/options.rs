@@ -27,7 +27,7 @@ pub struct Options {
     /// The algorithm that finds the light. The hierarchical one takes of all others `eps`, the solver and the
     /// threads.
     #[serde(default)]
-    pub algorithm: Algorithm,
+    pub method: Algorithm,
     /// The functions that are summed: polynomials, or one of the bases of the variational source.
     #[serde(default)]
     pub basis: Basis,
@@ -56,8 +56,8 @@ pub struct Options {
     /// The way in which direct light enters the solution.
     pub direct: Direct,
     /// The solver of the system of a band.
-    #[serde(with = "method_name")]
-    pub method: &'static Method,
+    #[serde(with = "solver_name")]
+    pub solver: &'static Method,
     /// Preconditioner of cg and gmres.
     #[serde(default)]
     pub preconditioner: Preconditioning,
@@ -84,7 +84,7 @@ impl Default for Options {
     /// Order 3, blocks to 1e-3, shadows to 3e-3, direct light and solver as the scene needs, all threads.
     fn default() -> Self {
         Self {
-            algorithm: Algorithm::Galerkin,
+            method: Algorithm::Galerkin,
             basis: Basis::Legendre,
             order: 3,
             space: Space::Total,
@@ -98,7 +98,7 @@ impl Default for Options {
             shadows: Hiding::Auto,
             masks: None,
             direct: Direct::Auto,
-            method: &Method::AUTO,
+            solver: &Method::AUTO,
             preconditioner: Preconditioning::Block,
             bounces: None,
             tolerance: 1e-8,
@@ -165,7 +165,7 @@ impl From<&Options> for Shadows {
 }
 
 /// A solver, (de)serialised by its name.
-mod method_name {
+mod solver_name {
     use radiosity_solvers::method::Method;
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
 

@@ -239,7 +239,7 @@ impl Subject<'_> {
     fn solved(&self, blocks: &Blocks) -> Result<Vec<Coefficients>, SolveError> {
         let method = &Method::AUTO;
         let tolerance = ROUGH.max(self.options.tolerance);
-        let rough = Options { tolerance, method, keep_partial: false, ..*self.options };
+        let rough = Options { tolerance, solver: method, keep_partial: false, ..*self.options };
         let list = self.elements.list();
         let mut all = Vec::new();
         for (band, coatings) in self.bands.iter().enumerate() {

@@ -55,7 +55,7 @@ const NO_ERROR_OF_ELEMENTS: &str =
 /// # Errors
 /// Any error of the first run; of later runs those that do not end the sequence.
 pub fn adapt(scene: &Scene, options: &Options, goal: &Goal, work: &Work<'_>) -> Result<Adapted, Failure> {
-    if options.algorithm == Algorithm::Hierarchical {
+    if options.method == Algorithm::Hierarchical {
         return by_links(scene, options, goal, work);
     }
     let choice = options.in_threads(work.ranks, || Choice::of(scene, options))?;

@@ -178,7 +178,7 @@ fn plan(options: &Options, other: &[Way]) -> Vec<Trial> {
     let plain = Options { layers: layers(0), ..*options };
     let of_way = |way: Way| -> Vec<Trial> {
         let trial = |options, wanted| Trial { way, options, wanted };
-        let by_links = |eps| Options { algorithm: Algorithm::Hierarchical, order: 0, eps, ..plain };
+        let by_links = |eps| Options { method: Algorithm::Hierarchical, order: 0, eps, ..plain };
         let on_cells = |basis, order, cells| Options { basis, order, subdivide: Some(cells), ..plain };
         let by_cosines = |order| Options { basis: Basis::Harmonic, order, ..plain };
         let by_rays = |rays| Options { transport: Transport::Sampled, rays: Some(rays), ..plain };

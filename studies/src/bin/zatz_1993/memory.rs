@@ -8,7 +8,7 @@ use radiosity::work::ranks::Ranks;
 
 /// Megabytes as reckoned before the run, whole surfaces being elements.
 pub(crate) fn megabytes(scene: &Scene, options: &Options) -> f64 {
-    let Options { order, space, layers, method, .. } = *options;
+    let Options { order, space, layers, solver: method, .. } = *options;
     let how = Discretization { order, space, subdivide: Subdivide::Uniform(1), layers };
     MemoryEstimate::of(scene, &how, method, Ranks::alone()).peak() as f64 / 1e6
 }

@@ -69,7 +69,7 @@ fn rooms() -> Result<Vec<Room>, Box<dyn Error>> {
         order: 4,
         subdivide: Some(1),
         direct: Direct::Projected,
-        method: Method::named("southwell")?,
+        solver: Method::named("southwell")?,
         tolerance: STOP,
         threads: 1,
         ..Options::default()

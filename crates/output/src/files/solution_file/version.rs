@@ -4,4 +4,4 @@
 pub(super) const FORMAT: &str = "radiosity-solution";
 
 /// Value of the key `format_version`: the only version that is written and read.
-pub(super) const VERSION: u32 = 5;
+pub(super) const VERSION: u32 = 6;
