@@ -50,6 +50,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#[cfg(doctest)]
+#[doc = include_str!("../docs/embedding.md")]
+struct Embedding;
+
 pub use radiosity_elements as elements;
 pub use radiosity_fit as fit;
 pub use radiosity_formats as formats;

@@ -6,10 +6,11 @@
     solution = radiosity.load("cornell-box").solve(accuracy=1e-2)
     solution.irradiance(np.array([[278.0, 100.0, 200.0]]), np.array([[0.0, 1.0, 0.0]]))   # (1, bands)
 
-Lengths are those of the scene; exitance, irradiance and radiosity are in the scene's unit: W/m², or lux where exitance is in
+`help(radiosity.options)` lists all options of these functions. Lengths are those of the scene; exitance, irradiance and radiosity are in the scene's unit: W/m², or lux where exitance is in
 lm/m². Arrays are of NumPy's float64.
 """
 
+from . import options
 from ._radiosity import Error, RadiosityWarning, __version__, builtins
 from .heat import Heat
 from .plane import Plane
@@ -29,6 +30,7 @@ __all__ = [
     "builtins",
     "load",
     "load_solution",
+    "options",
     "view_factor",
     "view_factors",
 ]

@@ -7,13 +7,17 @@ from typing import Any
 
 from . import _radiosity
 from .arguments import Array
+from .kept import Kept
 
 
-class Heat:
-    """Temperatures and flows of radiant heat of n surfaces; arrays are of shape (n,)."""
+class Heat(Kept):
+    """Temperatures and flows of radiant heat of n surfaces; arrays are of shape (n,). It pickles."""
+
+    _FOUND = ("temperature", "temperature_error", "flux", "power", "power_error", "radiosity", "irradiance")
+    _KEPT = ("names", "areas", "emissivity", *_FOUND, "lost", "is_closed", "conductances", "surroundings", "remarks")
 
     def __init__(self, native: _radiosity.Heat) -> None:
-        self._native = native
+        self._native: _radiosity.Heat = native
 
     @property
     def names(self) -> list[str]:
@@ -94,8 +98,7 @@ class Heat:
         """A pandas.DataFrame with a row for each surface, in the units of the properties whose names its columns have."""
         from .interop.tables import surfaces_frame
 
-        found = ("temperature", "temperature_error", "flux", "power", "power_error", "radiosity", "irradiance")
-        columns = ("areas", "emissivity", *found)
+        columns = ("areas", "emissivity", *self._FOUND)
         return surfaces_frame(self.names, {column: getattr(self, column) for column in columns})
 
     def __repr__(self) -> str:

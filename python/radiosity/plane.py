@@ -10,13 +10,16 @@ from numpy.typing import NDArray
 
 from . import _radiosity
 from .arguments import Array
+from .kept import Kept
 
 
-class Plane:
+class Plane(Kept):
     """The irradiance (the scene's unit) on a plane of sensors, rows along its first edge and columns along its second."""
 
+    _KEPT = ("name", "values", "errors", "points", "normal", "figures", "dark")
+
     def __init__(self, native: _radiosity.Plane, scene: _radiosity.Scene) -> None:
-        self._native = native
+        self._native: _radiosity.Plane = native
         self.name: str = native.name
         """Its name."""
         self.bands: list[str] = scene.bands

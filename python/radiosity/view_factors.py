@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from . import _radiosity
 from .arguments import Array, numbers, refusal, text
 from .arrays import polygons
+from .kept import Kept
 from .progress import Observer, Shown
 from .scene import Scene
 
@@ -21,11 +22,13 @@ if TYPE_CHECKING:
     from .options import Transfers
 
 
-class ViewFactors:
-    """The view factors F_ij between n surfaces."""
+class ViewFactors(Kept):
+    """The view factors F_ij between n surfaces. They pickle, with their matrix."""
+
+    _KEPT = ("names", "areas", "row_sums", "errors", "seconds", "is_partial", "is_closed", "remarks")
 
     def __init__(self, native: _radiosity.ViewFactors, *, sparse: bool = False) -> None:
-        self._native = native
+        self._native: _radiosity.ViewFactors = native
         self._sparse = sparse
 
     @cached_property
@@ -90,6 +93,9 @@ class ViewFactors:
         from .interop.tables import factors_frame
 
         return factors_frame(self.names, self.matrix)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**super().__getstate__(), "matrix": self.matrix}
 
     def __repr__(self) -> str:
         return f"<ViewFactors of {len(self.names)} surfaces>"

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import pydoc
 import re
 
 import pytest
 
+import radiosity
 from radiosity import options
 
 RENAMED = {"for": "aim", "from": "format"}
@@ -37,3 +39,11 @@ def test_options_and_arguments_are_the_same(command, verb: str):
     typed = set(re.findall(r"^ +(?:-\w, )?--([a-z-]+)", command(verb, "--help").decode(), re.MULTILINE)) - OUTPUT
     assert "eps" in typed, "the help is read"
     assert {RENAMED.get(name, name.replace("-", "_")) for name in typed} - left_out == arguments
+
+
+def test_help_lists_every_option():
+    shown = pydoc.plaintext.document(radiosity.options)
+    listed = set(re.findall(r"^     \|  (\w+): ", shown, re.MULTILINE))
+    groups = [group for group in vars(options).values() if hasattr(group, "__total__")]
+    assert len(groups) == 7
+    assert set().union(*(group.__annotations__ for group in groups)) <= listed

@@ -28,3 +28,4 @@ mod report;
 mod solution_file;
 mod textures;
 mod vtu;
+mod walkthroughs;

@@ -157,9 +157,8 @@ fn places_in_the_sources_are_there() {
 #[test]
 fn marks_come_in_pairs() {
     for (document, text) in texts() {
-        let marks =
-            text.lines().map(str::trim).filter(|line| line.starts_with("<!-- ") && *line != "<!-- run -->");
-        let marks: Vec<&str> = marks.collect();
+        let is_mark = |line: &&str| line.starts_with("<!-- output") || *line == "<!-- end -->";
+        let marks: Vec<&str> = text.lines().map(str::trim).filter(is_mark).collect();
         for pair in marks.chunks(2) {
             let paired = pair[0].starts_with("<!-- output") && pair.get(1) == Some(&"<!-- end -->");
             assert!(paired, "{document}: {pair:?} do not pair");

@@ -10,6 +10,7 @@ mod builder;
 mod convergence;
 mod documents;
 mod flux;
+mod front_door;
 mod fuzz;
 mod heat;
 mod hierarchy;

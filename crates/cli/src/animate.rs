@@ -106,7 +106,7 @@ pub(crate) struct AnimateArgs {
     method: MethodArgs,
 
     /// Prints neither progress nor a summary
-    #[arg(short, long)]
+    #[arg(short, long, help_heading = "Messages")]
     quiet: bool,
 }
 

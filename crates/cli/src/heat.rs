@@ -73,9 +73,6 @@ pub(crate) struct HeatArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) conductances: Option<PathBuf>,
 
-    #[command(flatten)]
-    picture: PictureArgs,
-
     /// Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do
     #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
     pub(crate) order: u64,
@@ -94,6 +91,9 @@ pub(crate) struct HeatArgs {
 
     #[command(flatten)]
     transfers: TransferArgs,
+
+    #[command(flatten)]
+    picture: PictureArgs,
 }
 
 fn order() -> clap::builder::RangedU64ValueParser<u64> {

@@ -9,41 +9,43 @@ use clap::{
 use radiosity_formats::{format::Format, model::Sides, unit::Unit, up::Up};
 use radiosity_request::ImportRequest;
 
+/// Heading of the options. It stands at each of them: a heading for what follows would reach the options of the verb too.
+const HEADING: &str = "Scenes of other programs";
+
 /// How a scene of another program is read.
 #[derive(Clone, Debug, Default, Args)]
-#[command(next_help_heading = "Scenes of other programs")]
 pub(crate) struct ImportArgs {
     /// Format of the scene [default: that of the ending of its name]
-    #[arg(long, value_name = "FORMAT", value_parser = format())]
+    #[arg(long, help_heading = HEADING, value_name = "FORMAT", value_parser = format())]
     from: Option<Format>,
 
     /// Only fronts reflect and emit, whatever the file says
-    #[arg(long, conflicts_with = "two_sided")]
+    #[arg(long, help_heading = HEADING, conflicts_with = "two_sided")]
     one_sided: bool,
 
     /// Fronts and backs reflect and emit, whatever the file says
-    #[arg(long)]
+    #[arg(long, help_heading = HEADING)]
     two_sided: bool,
 
     /// Materials by name, of the scene and of its surfaces: [materials.NAME] with reflectance and emission, and [surfaces]
     /// with "lamp*" = "NAME"
-    #[arg(long, value_name = "FILE.toml")]
+    #[arg(long, help_heading = HEADING, value_name = "FILE.toml")]
     materials: Option<PathBuf>,
 
     /// Unit of the lengths in the file, which become metres: mm, cm, dm, m, in, ft or yd
-    #[arg(long, value_name = "UNIT")]
+    #[arg(long, help_heading = HEADING, value_name = "UNIT")]
     unit: Option<Unit>,
 
     /// Axis that points upwards in the file, y or z; z will [default: y in glTF, else z]
-    #[arg(long, value_name = "AXIS")]
+    #[arg(long, help_heading = HEADING, value_name = "AXIS")]
     up: Option<Up>,
 
     /// Turns fronts that seem to point the wrong way; else they are only told
-    #[arg(long)]
+    #[arg(long, help_heading = HEADING)]
     fix_fronts: bool,
 
     /// Red, green and blue become one band of their luminance
-    #[arg(long)]
+    #[arg(long, help_heading = HEADING)]
     grey: bool,
 }
 

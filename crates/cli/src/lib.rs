@@ -52,6 +52,8 @@ mod rounds;
 #[cfg(feature = "mpi")]
 mod processes;
 mod launch;
+#[cfg(test)]
+mod documented;
 
 use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};

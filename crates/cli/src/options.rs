@@ -113,7 +113,7 @@ pub(crate) fn setting(text: &str) -> Result<(String, f64), String> {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Method")]
 pub(crate) struct MethodArgs {
-    /// Preset of order, accuracies and points read; single options go before it
+    /// Preset of order and accuracies, and of how finely probe, grid and report read; single options go before it
     #[arg(long, value_name = "Q", default_value = "default")]
     pub(crate) quality: Quality,
 

@@ -37,7 +37,7 @@ pub(crate) struct TransferArgs {
     pub(crate) checkpoint: CheckpointArgs,
 
     /// Prints no progress and no summary
-    #[arg(long, short)]
+    #[arg(long, short, help_heading = "Messages")]
     pub(crate) quiet: bool,
 }
 

@@ -1,6 +1,6 @@
 //! Makes the figures, tables and outputs of the documents anew, each by the command that the text names.
 //!
-//! `cargo run --release -p radiosity-studies --bin refresh -- [PART OF A COMMAND]` goes through README.md, docs/measured.md and
+//! `cargo run --release -p radiosity-studies --bin refresh -- [PART OF A COMMAND]` goes through docs/measured.md and
 //! benches/README.md, about an hour for all commands. What is made anew stands between two marks, and is what the nearest command above it prints on its
 //! standard output:
 //!
@@ -23,8 +23,8 @@ use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 use std::{env, fs};
 
-/// Documents that hold output of commands.
-const DOCUMENTS: [&str; 3] = ["README.md", "docs/measured.md", "benches/README.md"];
+/// Documents that hold output of commands; the README is written by `tests/command/walkthroughs.rs`.
+const DOCUMENTS: [&str; 2] = ["docs/measured.md", "benches/README.md"];
 
 const RUN: &str = "<!-- run -->";
 const OUTPUT: &str = "<!-- output -->";
