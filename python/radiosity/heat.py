@@ -7,6 +7,7 @@ from typing import Any
 
 from . import _radiosity
 from .arguments import Array
+from .tables import surfaces_frame
 
 
 class Heat:
@@ -92,8 +93,6 @@ class Heat:
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame with a row for each surface, in the units of the properties whose names its columns have."""
-        from .interop.tables import surfaces_frame
-
         found = ("temperature", "temperature_error", "flux", "power", "power_error", "radiosity", "irradiance")
         columns = ("areas", "emissivity", *found)
         return surfaces_frame(self.names, {column: getattr(self, column) for column in columns})

@@ -14,6 +14,7 @@ from .arguments import Array, numbers, refusal, text
 from .arrays import polygons
 from .progress import Observer, Shown
 from .scene import Scene
+from .tables import factors_frame
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -87,8 +88,6 @@ class ViewFactors:
 
     def to_pandas(self) -> Any:
         """F as a pandas.DataFrame: from the surface of the row to that of the column."""
-        from .interop.tables import factors_frame
-
         return factors_frame(self.names, self.matrix)
 
     def __repr__(self) -> str:
