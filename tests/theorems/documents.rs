@@ -87,7 +87,10 @@ fn commands_run_what_exists() {
         for (flag, folder) in folders {
             for name in named(&text, flag) {
                 found += 1;
-                assert!(target(&packages, folder, name), "{document}: nothing in {folder} is called '{name}'");
+                assert!(
+                    target(&packages, folder, name),
+                    "{document}: nothing in {folder} is called '{name}'"
+                );
             }
         }
     }
@@ -145,7 +148,8 @@ fn places_in_the_sources_are_there() {
             let first = place.split('/').next().unwrap_or_default();
             if !first.is_empty() && root().join(first).is_dir() && !ELSEWHERE.contains(&first) {
                 found += 1;
-                let is_there = [Path::new(""), package].iter().any(|from| root().join(from).join(place).exists());
+                let is_there =
+                    [Path::new(""), package].iter().any(|from| root().join(from).join(place).exists());
                 assert!(is_there, "{document} names {place}");
             }
         }

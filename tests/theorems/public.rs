@@ -25,7 +25,8 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
 
 /// The sources that a file belongs to: those of a crate below `crates/`, or none where it is outside of all.
 fn crate_of(file: &Path) -> Option<String> {
-    let parts: Vec<_> = file.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
+    let parts: Vec<_> =
+        file.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect();
     (parts[0] == "crates" && parts[2] == "src").then(|| parts[1].clone())
 }
 
