@@ -252,7 +252,7 @@ class Scene:
         """
         kind, sensors = self._aim(aim)
         with Shown(progress) as observer:
-            return Solution(self._native.solve(method, kind, sensors, observer), Scene._of)
+            return Solution(_radiosity.solution_of(self._native, method, kind, sensors, observer), Scene._of)
 
     def _aim(self, aim: str | tuple[Any, ...] | None) -> tuple[str | None, tuple[Any, Any] | None]:
         """The kind of an aim, and its points with their normals."""

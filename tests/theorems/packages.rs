@@ -30,7 +30,7 @@ fn manifest(folder: &Path) -> toml::Table {
 }
 
 /// The folders of all packages of the workspace.
-fn folders() -> Vec<PathBuf> {
+pub(crate) fn folders() -> Vec<PathBuf> {
     let members = manifest(root())["workspace"]["members"].as_array().cloned().expect("there are members");
     let names = members.iter().filter_map(toml::Value::as_str);
     names
@@ -131,7 +131,7 @@ fn heads_of_crates_say_what_the_manifests_import() {
         let names: Vec<String> =
             staircase.iter().filter(|name| imports.contains(*name)).map(|name| format!("`{name}`")).collect();
         let expected = match names.split_last() {
-            None => "Imports nothing of the house.".to_owned(),
+            None => "Imports no other crate of the workspace.".to_owned(),
             Some((last, [])) => format!("Imports {last}."),
             Some((last, others)) => format!("Imports {} and {last}.", others.join(", ")),
         };

@@ -5,7 +5,7 @@
 //! `progress` of long work; `run` (a scene solved, for every verb that needs light), and what verbs read from
 //! and print to (`read` to `plan`); the verbs, from `grid`, `probe`, `solve` and `relight` over `render`,
 //! `animate`, `convergence`, `check`, `scenes`, `schema` and `convert` to `view_factors`, `heat` and
-//! `report`; and `launch` (one process, or several ranks).
+//! `report`; `rounds` and `processes` (ranks that MPI connects), and `launch` (one process, or several ranks).
 //!
 //! The only noun outside is [`launch`], which the binary calls.
 //!

@@ -21,7 +21,7 @@
 //!
 //! In order: [`HeatError`], `black_body`, `roles` (what is known of each surface), `coats` (scenes with the
 //! coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each surface), `field` (σ T⁴
-//! over surfaces), `shields`, `conductances`, `forecast`, [`Stage`], and [`Heat`], the balance.
+//! over surfaces), `shields`, `conductances`, `forecast`, and [`Heat`], the balance.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `visibility`, `elements`, `kernel` and `solve`.
 
