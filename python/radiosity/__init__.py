@@ -12,10 +12,11 @@ lm/m². Arrays are of NumPy's float64.
 
 from . import options
 from ._radiosity import Error, RadiosityWarning, __version__, builtins
+from .files import load, load_solution
 from .heat import Heat
 from .plane import Plane
-from .scene import Scene, load
-from .solution import Solution, load_solution
+from .scene import Scene
+from .solution import Solution
 from .view_factors import ViewFactors, view_factor, view_factors
 
 __all__ = [

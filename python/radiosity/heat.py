@@ -8,6 +8,7 @@ from typing import Any
 from . import _radiosity
 from .arguments import Array
 from .kept import Kept
+from .tables import surfaces_frame
 
 
 class Heat(Kept):
@@ -96,8 +97,6 @@ class Heat(Kept):
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame with a row for each surface, in the units of the properties whose names its columns have."""
-        from .interop.tables import surfaces_frame
-
         columns = ("areas", "emissivity", *self._FOUND)
         return surfaces_frame(self.names, {column: getattr(self, column) for column in columns})
 

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from . import _radiosity
 from .arguments import Array
 from .kept import Kept
+from .tables import plane_array, points_frame
 
 
 class Plane(Kept):
@@ -93,14 +94,10 @@ class Plane(Kept):
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame with a row for each sensor: x, y, z (scene length) and the irradiance of each band."""
-        from .interop.tables import points_frame
-
         return points_frame(self.points, self.values, self.bands)
 
     def to_xarray(self) -> Any:
         """An xarray.DataArray with the axes row, column and band, and the coordinates x, y and z (scene length)."""
-        from .interop.tables import plane_array
-
         return plane_array(self.points, self.values, self.bands, name=self.name, unit=self.unit)
 
     def __repr__(self) -> str:

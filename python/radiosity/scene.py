@@ -1,9 +1,8 @@
-"""Scenes: read, built in, or made of arrays."""
+"""Scenes, made of arrays or read, and solved."""
 
 from __future__ import annotations
 
-import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, SupportsIndex
 
 import numpy as np
@@ -11,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from . import _radiosity
 from ._radiosity import Error
-from .arguments import Array, array_of, file_path, named_numbers, numbers, refusal, texts
+from .arguments import Array, array_of, numbers, refusal, texts
 from .arguments import text as checked_text
 from .arrays import Whole, directions, polygons, vector
 from .heat import Heat
@@ -21,7 +20,7 @@ from .solution import Solution
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from .options import HeatMethod, Import, Method
+    from .options import HeatMethod, Method
 
 
 class Scene:
@@ -253,7 +252,7 @@ class Scene:
         """
         kind, sensors = self._aim(aim)
         with Shown(progress) as observer:
-            return Solution(self._native.solve(method, kind, sensors, observer))
+            return Solution(_radiosity.solution_of(self._native, method, kind, sensors, observer), Scene._of)
 
     def _aim(self, aim: str | tuple[Any, ...] | None) -> tuple[str | None, tuple[Any, Any] | None]:
         """The kind of an aim, and its points with their normals."""
@@ -289,14 +288,3 @@ class Scene:
 def _known(**keys: Any) -> dict[str, Any]:
     """What is not None."""
     return {key: value for key, value in keys.items() if value is not None}
-
-
-def load(source: str | os.PathLike[str], *, set: Mapping[str, float] | None = None, **options: Unpack[Import]) -> Scene:
-    """The scene in a file, or the built-in one of that name (`radiosity.builtins()`).
-
-    `set` gives values to parameters of a built-in scene, to variables of a file, and factors to light groups. Files are .toml and .json,
-    or of another program: .mgf, .obj, .gltf, .glb, .stl, .ply, .xml of Mitsuba, .rad of Radiance, .vs3 of View3D. All options are listed
-    in `radiosity.options.Import`. A file that cannot be read raises `OSError`: `FileNotFoundError`, `PermissionError` and so on.
-    """
-    settings = named_numbers("set", {} if set is None else set)
-    return Scene._of(_radiosity.load(file_path("source", source), settings, options))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
@@ -13,9 +13,10 @@ from numpy.typing import ArrayLike
 
 from . import _radiosity
 from ._radiosity import Error
-from .arguments import Array, file_path, finite, named_numbers, number, numbers, pair, refusal
+from .arguments import Array, finite, named_numbers, number, numbers, pair, refusal
 from .arguments import path as checked_path
 from .arrays import directions, vector
+from .pictures import plot
 from .plane import Plane
 from .progress import Observer, Shown
 
@@ -29,15 +30,14 @@ if TYPE_CHECKING:
 class Solution:
     """A scene with the light in it. Values are in the unit of the scene."""
 
-    def __init__(self, native: _radiosity.Solution) -> None:
+    def __init__(self, native: _radiosity.Solution, scene_of: Callable[[_radiosity.Scene], Scene]) -> None:
         self._native = native
+        self._scene_of = scene_of
 
     @property
     def scene(self) -> Scene:
         """The scene."""
-        from .scene import Scene
-
-        return Scene._of(self._native.scene)
+        return self._scene_of(self._native.scene)
 
     @property
     def report(self) -> dict[str, Any]:
@@ -171,7 +171,7 @@ class Solution:
 
     def relight(self, factors: Mapping[str, float]) -> Solution:
         """The same with light groups at other factors (≥ 0) of the emission that the scene states; nothing is solved again."""
-        return Solution(self._native.relight(named_numbers("factors", factors)))
+        return Solution(self._native.relight(named_numbers("factors", factors)), self._scene_of)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the solution: .json, which `load_solution` and `radiosity render` read, or .vtu for ParaView."""
@@ -198,8 +198,6 @@ class Solution:
 
     def plot(self, **options: Any) -> Any:
         """Plots the light with PyVista: :func:`radiosity.interop.plot`, whose arguments it takes."""
-        from .interop import plot
-
         return plot(self, **options)
 
 
@@ -236,9 +234,3 @@ def _camera(camera: Mapping[str, Any] | None) -> Any:
         )
     eye, target, up = (vector(key, camera.get(key, (0, 0, 1))) for key in ("eye", "target", "up"))
     return eye, target, up, number("fov", camera.get("fov", 40))
-
-
-def load_solution(path: str | os.PathLike[str], *, set: Mapping[str, float] | None = None) -> Solution:
-    """The solution in a file that `Solution.save` or `radiosity solve` wrote; `set` gives factors to light groups."""
-    factors = named_numbers("set", {} if set is None else set)
-    return Solution(_radiosity.load_solution(file_path("path", path), factors))

@@ -15,6 +15,7 @@ from .arrays import polygons
 from .kept import Kept
 from .progress import Observer, Shown
 from .scene import Scene
+from .tables import factors_frame
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -90,8 +91,6 @@ class ViewFactors(Kept):
 
     def to_pandas(self) -> Any:
         """F as a pandas.DataFrame: from the surface of the row to that of the column."""
-        from .interop.tables import factors_frame
-
         return factors_frame(self.names, self.matrix)
 
     def __getstate__(self) -> dict[str, Any]:

@@ -3,22 +3,23 @@
 //! Python's classes (`radiosity/*.py`) hold the arguments with their documentation; what is here turns them into those of the
 //! library, works without the lock of the interpreter (`work`), and hands arrays back.
 
+mod error;
 mod arguments;
 mod arrays;
-mod core;
-mod error;
-mod grid;
-mod heat;
-mod mesh;
-mod picture;
-mod plane;
 mod progress;
-mod requests;
-mod scene;
-mod solution;
-mod tree;
-mod view_factors;
 mod work;
+mod tree;
+mod requests;
+mod core;
+mod mesh;
+mod scene;
+mod heat;
+mod view_factors;
+mod grid;
+mod plane;
+mod picture;
+mod solution;
+mod solve;
 
 use pyo3::prelude::*;
 
@@ -45,6 +46,8 @@ mod _radiosity {
     use super::scene::{Scene, builtins, load, made, parse};
     #[pymodule_export]
     use super::solution::{Solution, load_solution};
+    #[pymodule_export]
+    use super::solve::solution_of;
     #[pymodule_export]
     use super::tree::Faces;
     #[pymodule_export]

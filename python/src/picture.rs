@@ -8,9 +8,10 @@ use radiosity::output::pictures::render::{render, usual_read};
 use radiosity::output::readings::reader::Read;
 use radiosity::output::readings::shown::Shown;
 use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels, sized};
-use radiosity::request::{check_aim, ranges};
+use radiosity::request::{MethodRequest, check_aim, ranges};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::solution::Solution as Light;
+use radiosity::solve::solved::Solved;
 use radiosity::visibility::Visibility;
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
@@ -19,7 +20,6 @@ use crate::arguments::Arguments;
 use crate::error::Trouble;
 use crate::progress::Progress;
 use crate::requests;
-use crate::solution::Solution;
 
 /// A camera as it is given: eye, target, up, and the vertical angle of view in degrees.
 #[derive(FromPyObject)]
@@ -49,10 +49,11 @@ impl Shot {
     pub(crate) fn of(
         through: Option<Given>,
         given: &Bound<'_, PyDict>,
-        solution: &Solution,
+        solved: &Solved,
+        method: &MethodRequest,
     ) -> PyResult<Self> {
         let mut given = Arguments::of(given)?;
-        let scene = &solution.solved.scene;
+        let scene = &solved.scene;
         let size = given.pair("size", &ranges::PIXELS)?.map(|size| size.map(|pixels| pixels as u32));
         let camera = match through {
             Some(own) => sized(own.of(scene)?, size),
@@ -62,12 +63,12 @@ impl Shot {
             samples: given.whole("samples", &ranges::SAMPLES)?.map_or(SAMPLES, |samples| samples as u32),
             read: given.named("read")?,
             show: given.named("show")?.unwrap_or_default(),
-            threads: requests::threads(&mut given)?.unwrap_or(solution.solved.options.threads),
+            threads: requests::threads(&mut given)?.unwrap_or(solved.options.threads),
             camera,
         };
-        let memory = given.bytes("memory")?.or(solution.method.memory);
+        let memory = given.bytes("memory")?.or(method.memory);
         given.finish("render")?;
-        check_aim(shot.read, &solution.method).map_err(Trouble::from)?;
+        check_aim(shot.read, method).map_err(Trouble::from)?;
         require_pixels(&shot.camera, scene, memory, Ranks::alone()).map_err(Trouble::from)?;
         Ok(shot)
     }

@@ -259,7 +259,7 @@ impl Solution {
         given: &Bound<'_, PyDict>,
         observer: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let shot = picture::Shot::of(camera, given, self)?;
+        let shot = picture::Shot::of(camera, given, &self.solved, &self.method)?;
         let raster = self.read(py, observer.as_ref(), shot.threads, |progress| {
             shot.take(&self.solved.outcome.solution, self.solved.visibility(), progress)
         })?;

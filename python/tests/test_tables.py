@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import radiosity
-from radiosity.interop import tables
+from radiosity import tables
 
 POINTS = np.arange(18.0).reshape(2, 3, 3)
 VALUES = np.arange(12.0).reshape(2, 3, 2)

@@ -4,50 +4,53 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The documents of all packages.
-const DOCUMENTS: [&str; 16] = [
-    "README.md",
-    "CHANGELOG.md",
-    "CONTRIBUTING.md",
-    "docs/measured.md",
-    "docs/outputs.md",
-    "docs/ranks.md",
-    "docs/viewer.md",
-    "benches/README.md",
-    "core/README.md",
-    "core/benches/README.md",
-    "geom/README.md",
-    "geom/benches/README.md",
-    "python/README.md",
-    "python/docs/tutorial.md",
-    "solvers/README.md",
-    "solvers/benches/README.md",
-];
-/// The documents that say where in the sources things live.
-const MAPS: [&str; 8] = [
-    "docs/glossary.md",
-    "docs/theory/transport.md",
-    "docs/theory/visibility.md",
-    "docs/theory/gathering.md",
-    "docs/theory/solvers.md",
-    "docs/theory/variational.md",
-    "docs/theory/animation.md",
-    "docs/viewer.md",
-];
-const PACKAGES: [&str; 6] = [".", "core", "crates/formats", "geom", "solvers", "studies"];
+/// Folders without documents or sources of the house.
+const ELSEWHERE: [&str; 3] = ["target", ".git", "node_modules"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-fn texts() -> impl Iterator<Item = (&'static str, String)> {
-    DOCUMENTS
-        .iter()
-        .map(|name| (*name, fs::read_to_string(root().join(name)).expect("the document is there")))
+/// The files in a folder whose names end so, at any depth, relative to the root.
+fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(root().join(folder)).expect("the folder can be listed") {
+        let entry = entry.expect("the folder can be listed");
+        let (name, is_folder) = (entry.file_name(), entry.path().is_dir());
+        let name = name.to_string_lossy();
+        if is_folder && !ELSEWHERE.contains(&&*name) {
+            found.extend(files(&folder.join(&*name), ending));
+        } else if !is_folder && name.ends_with(ending) {
+            found.push(folder.join(&*name));
+        }
+    }
+    found.sort();
+    found
 }
 
-fn maps() -> impl Iterator<Item = (&'static str, String)> {
-    MAPS.iter().map(|name| (*name, fs::read_to_string(root().join(name)).expect("the document is there")))
+/// All files whose names end so, with their texts.
+fn texts_of(ending: &str) -> impl Iterator<Item = (String, String)> {
+    files(Path::new(""), ending).into_iter().map(|file| {
+        let text = fs::read_to_string(root().join(&file)).expect("the file can be read");
+        (file.to_string_lossy().into_owned(), text)
+    })
+}
+
+/// The documents of all packages.
+fn texts() -> impl Iterator<Item = (String, String)> {
+    texts_of(".md")
+}
+
+/// The folders of all packages.
+fn packages() -> Vec<PathBuf> {
+    let manifests = files(Path::new(""), "Cargo.toml").into_iter();
+    manifests.filter_map(|manifest| manifest.parent().map(Path::to_owned)).collect()
+}
+
+/// The folder of the package that a file belongs to.
+fn package_of<'a>(file: &str, packages: &'a [PathBuf]) -> &'a Path {
+    let own = packages.iter().filter(|package| Path::new(file).starts_with(package));
+    own.max_by_key(|package| package.components().count()).expect("the root is a package")
 }
 
 /// Words that follow `flag` in a text.
@@ -67,8 +70,8 @@ fn beside(document: &str, link: &str) -> PathBuf {
 }
 
 /// Whether a target is a file, or a folder with its own `main.rs`, in one of the packages.
-fn target(folder: &str, name: &str) -> bool {
-    let places = PACKAGES.iter().flat_map(|package| {
+fn target(packages: &[PathBuf], folder: &str, name: &str) -> bool {
+    let places = packages.iter().flat_map(|package| {
         let place: PathBuf = root().join(package).join(folder).join(name);
         [place.with_extension("rs"), place.join("main.rs")]
     });
@@ -77,14 +80,17 @@ fn target(folder: &str, name: &str) -> bool {
 
 #[test]
 fn commands_run_what_exists() {
-    let mut found = 0;
+    let (mut found, packages) = (0, packages());
     for (document, text) in texts() {
         let folders =
             [("--bin", "src/bin"), ("--example", "examples"), ("--test", "tests"), ("--bench", "benches")];
         for (flag, folder) in folders {
             for name in named(&text, flag) {
                 found += 1;
-                assert!(target(folder, name), "{document}: nothing in {folder} is called '{name}'");
+                assert!(
+                    target(&packages, folder, name),
+                    "{document}: nothing in {folder} is called '{name}'"
+                );
             }
         }
     }
@@ -104,7 +110,7 @@ fn is_theorem(name: &str) -> bool {
 #[test]
 fn theorems_that_are_named_exist() {
     let mut found = 0;
-    for (document, text) in texts().chain(maps()) {
+    for (document, text) in texts() {
         let commands = text.split("--test theorems").skip(1).filter_map(|rest| rest.split('`').next());
         for name in commands.filter_map(|rest| rest.split_whitespace().next()) {
             found += 1;
@@ -121,37 +127,49 @@ fn links_lead_somewhere() {
         for link in links(&text).filter(|link| !link.starts_with("https://") && !link.starts_with('#')) {
             let file = link.split('#').next().unwrap_or(link);
             pictures += usize::from(file.ends_with(".png") || file.ends_with(".svg"));
-            assert!(beside(document, file).exists(), "{document}: {link} is missing");
+            assert!(beside(&document, file).exists(), "{document}: {link} is missing");
         }
     }
     assert!(pictures > 5, "the pictures were found");
 }
 
+/// Paths in a text between backticks.
+fn places(text: &str) -> impl Iterator<Item = &str> {
+    let marked = text.split('`').skip(1).step_by(2);
+    marked.filter(|place| place.contains('/') && !place.contains([' ', '*', '…', '\n']))
+}
+
 #[test]
 fn places_in_the_sources_are_there() {
-    let mut found = 0;
-    for (map, text) in maps() {
-        let places = text.split('`').skip(1).step_by(2);
-        for place in places.filter(|place| place.contains('/') && !place.contains([' ', '*', '…'])) {
-            let known = [
-                "src/",
-                "crates/",
-                "formats/",
-                "core/",
-                "geom/",
-                "solvers/",
-                "tests/",
-                "examples/",
-                "studies/",
-                "benches/",
-            ];
-            if known.iter().any(|folder| place.starts_with(folder)) {
+    let (mut found, packages) = (0, packages());
+    for (document, text) in texts() {
+        let package = package_of(&document, &packages);
+        for place in places(&text) {
+            let first = place.split('/').next().unwrap_or_default();
+            if !first.is_empty() && root().join(first).is_dir() && !ELSEWHERE.contains(&first) {
                 found += 1;
-                assert!(root().join(place).exists(), "{map} names {place}");
+                let is_there =
+                    [Path::new(""), package].iter().any(|from| root().join(from).join(place).exists());
+                assert!(is_there, "{document} names {place}");
             }
         }
     }
-    assert!(found > 80, "{found} places");
+    assert!(found > 150, "{found} places");
+}
+
+#[test]
+fn sources_that_comments_name_are_there() {
+    let (mut found, packages) = (0, packages());
+    for (file, text) in texts_of(".rs") {
+        let comments = text.lines().map(str::trim_start).filter(|line| line.starts_with("//"));
+        for place in comments.flat_map(places).filter(|place| place.ends_with(".rs")) {
+            found += 1;
+            let package = package_of(&file, &packages);
+            let is_there = [root().join(place), root().join(package).join(place), beside(&file, place)];
+            assert!(is_there.iter().any(|path| path.exists()), "{file} names {place}");
+        }
+    }
+    assert!(found > 3, "{found} places");
 }
 
 #[test]

@@ -5,6 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::packages::folders;
+
 /// Names declared by `mod name;` lines of a file, in order.
 fn declared(file: &Path) -> Vec<String> {
     let text = fs::read_to_string(file).expect("source files can be read");
@@ -167,17 +169,15 @@ fn spread<'a>(text: &'a str, mut stem: Vec<String>, found: &mut Vec<Vec<String>>
     }
 }
 
-/// The source folders of all packages but the module for Python.
+/// The source folders of all packages.
 fn sources() -> Vec<PathBuf> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let crates = fs::read_dir(root.join("crates")).expect("the crates can be listed");
-    let mut folders: Vec<PathBuf> =
-        crates.map(|entry| entry.expect("a crate can be listed").path()).collect();
-    folders.sort();
-    folders.extend(
-        ["", "core", "geom", "solvers", "studies", "tests/support"].map(|package| root.join(package)),
-    );
-    folders.into_iter().map(|folder| folder.join("src")).collect()
+    folders().into_iter().map(|folder| folder.join("src")).collect()
+}
+
+/// Whether the code of a file has a line that imports a module of its own crate.
+fn imports_a_module(text: &str) -> bool {
+    let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+    code.lines().any(|line| line.starts_with("use crate::") || line.starts_with("use super::"))
 }
 
 #[test]
@@ -189,8 +189,16 @@ fn in_every_folder_modules_import_only_what_stands_above_them() {
         found += imports.len();
         let wrong = imports.iter().filter_map(|import| house.fault(import, &imports));
         faults.extend(wrong.map(|fault| format!("{}: {fault}", folder.display())));
+        // The reader of imports overlooks no file.
+        let importers: BTreeSet<&Vec<String>> = imports.iter().map(|import| &import.from).collect();
+        let overlooked = house.files.iter().filter(|(module, text)| {
+            let is_code = module.last().is_some_and(|name| name != "tests");
+            is_code && imports_a_module(text) && !importers.contains(module)
+        });
+        let overlooked: Vec<&Vec<String>> = overlooked.map(|(module, _)| module).collect();
+        assert!(overlooked.is_empty(), "{}: no imports found in {overlooked:?}", folder.display());
     }
-    assert!(found > 2000, "{found} imports");
+    assert!(found > 3000, "{found} imports");
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
@@ -221,16 +229,25 @@ fn imports_against_the_order_are_found() {
     assert_eq!(faults.into_iter().collect::<Vec<_>>(), expected);
 }
 
+/// Files that no other declares: the roots of a package's library and programs.
+fn roots(folder: &Path) -> BTreeSet<PathBuf> {
+    let mut roots: BTreeSet<PathBuf> = ["lib.rs", "main.rs"].iter().map(|root| folder.join(root)).collect();
+    for entry in fs::read_dir(folder.join("bin")).into_iter().flatten() {
+        let path = entry.expect("programs can be listed").path();
+        roots.insert(if path.is_dir() { path.join("main.rs") } else { path });
+    }
+    roots.retain(|root| root.exists());
+    roots
+}
+
 #[test]
 fn no_source_file_is_an_orphan() {
     for folder in sources() {
-        let mut known: BTreeSet<PathBuf> =
-            ["lib.rs", "main.rs"].iter().map(|root| folder.join(root)).filter(|root| root.exists()).collect();
-        let mut open: Vec<PathBuf> = known.iter().cloned().collect();
+        let roots = roots(&folder);
+        let (mut known, mut open) = (roots.clone(), Vec::from_iter(roots.clone()));
         while let Some(file) = open.pop() {
-            let is_root = file.parent() == Some(folder.as_path())
-                && matches!(file.file_name().and_then(|name| name.to_str()), Some("lib.rs" | "main.rs"));
-            let children = if is_root { folder.clone() } else { file.with_extension("") };
+            let beside = file.parent().filter(|_| roots.contains(&file)).map(Path::to_owned);
+            let children = beside.unwrap_or_else(|| file.with_extension(""));
             for name in declared(&file) {
                 let child = children.join(format!("{name}.rs"));
                 if known.insert(child.clone()) {
@@ -246,4 +263,77 @@ fn no_source_file_is_an_orphan() {
             folder.display()
         );
     }
+}
+
+/// Modules of the package for Python, each with those that it imports, at its head or within functions. What is imported for
+/// type checkers alone is never loaded.
+fn python_imports(root: &Path) -> BTreeMap<PathBuf, BTreeSet<PathBuf>> {
+    let mut imports = BTreeMap::new();
+    let mut open = vec![root.to_owned()];
+    while let Some(folder) = open.pop() {
+        for entry in fs::read_dir(&folder).expect("the package can be listed") {
+            let path = entry.expect("the package can be listed").path();
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "py") {
+                let text = fs::read_to_string(&path).expect("modules can be read");
+                imports.insert(path, relative_imports(&folder, &text));
+            }
+        }
+    }
+    imports
+}
+
+/// Modules that the text of a module in `folder` imports by `from .`.
+fn relative_imports(folder: &Path, text: &str) -> BTreeSet<PathBuf> {
+    let mut found = BTreeSet::new();
+    let mut is_for_types = false;
+    for line in text.lines().filter(|line| !line.is_empty()) {
+        is_for_types = line.starts_with("if TYPE_CHECKING:") || is_for_types && line.starts_with(' ');
+        let Some((from, names)) =
+            line.trim_start().strip_prefix("from .").and_then(|rest| rest.split_once(" import "))
+        else {
+            continue;
+        };
+        if is_for_types {
+            continue;
+        }
+        let module = from.trim_start_matches('.');
+        let package = folder.ancestors().nth(from.len() - module.len()).expect("dots stay in the package");
+        let modules = if module.is_empty() { names.split(", ").collect() } else { vec![module] };
+        for module in modules {
+            let path = package.join(module.replace('.', "/"));
+            let files = [path.with_extension("py"), path.join("__init__.py")];
+            found.extend(files.into_iter().find(|file| file.exists()));
+        }
+    }
+    found
+}
+
+#[test]
+fn no_module_for_python_imports_one_that_imports_it() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("python/radiosity");
+    let mut open = python_imports(&root);
+    assert!(open.values().map(BTreeSet::len).sum::<usize>() > 50, "imports were found: {open:?}");
+    // Modules that import none that is left are taken out, until none is.
+    while let Some(last) = open.iter().find_map(|(own, others)| others.is_empty().then(|| own.clone())) {
+        open.remove(&last);
+        open.values_mut().for_each(|others| _ = others.remove(&last));
+    }
+    assert!(open.is_empty(), "modules that import each other: {open:?}");
+}
+
+#[test]
+fn imports_of_python_are_read() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("python/radiosity");
+    let text = "from . import _radiosity, heat\nfrom .scene import Scene\nif TYPE_CHECKING:\n    from .plane import Plane\n\n\
+                def f():\n    from ..tables import x\n";
+    let found = relative_imports(&root.join("interop"), text);
+    assert_eq!(
+        found,
+        BTreeSet::from([root.join("tables.py")]),
+        "of the folder `interop` none of the others is"
+    );
+    let found = relative_imports(&root, &text.replace("..", "."));
+    assert_eq!(found, ["heat.py", "scene.py", "tables.py"].map(|name| root.join(name)).into());
 }

@@ -1,4 +1,16 @@
-//! Command line: the verbs, and what each does with the library.
+//! The command line `radiosity`: its verbs, and what each writes, and where.
+//!
+//! In order: what is typed and told (`console`, `interrupt`, `numbers`, `error`, `given`); options that verbs
+//! share (`checkpoint` to `options`, the masks, planes and colours among them); `forecast`, `destination` and
+//! `progress` of long work; `run` (a scene solved, for every verb that needs light), and what verbs read from
+//! and print to (`read` to `plan`); the verbs, from `grid`, `probe`, `solve` and `relight` over `render`,
+//! `animate`, `convergence`, `check`, `scenes`, `schema` and `convert` to `view_factors`, `heat` and
+//! `report`; `rounds` and `processes` (ranks that MPI connects), and `launch` (one process, or several ranks).
+//!
+//! The only noun outside is [`launch`], which the binary calls.
+//!
+//! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `visibility`, `elements`, `kernel`,
+//! `transport`, `published`, `solve`, `heat`, `output` and `request`.
 
 mod console;
 mod interrupt;

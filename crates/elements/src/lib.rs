@@ -4,6 +4,14 @@
 //! its plane; parts that other surfaces lie on ([`radiosity_visibility::covers`]) are elements of their own. A curved element is a
 //! rectangle of its surface's parameters, with polynomials in them. Both bases are orthonormal with respect to area
 //! ([`basis`]). For quadrature an element is covered by [`patch`]es.
+//!
+//! In order: [`cells`] and [`columns`] (cuts of the square, columns of tables), [`patch`] and [`frame`]
+//! (charts and coordinates), `recurrence`, [`rule`], [`space`], `products` and `spectrum` (polynomials and
+//! their rules), [`measure`] and [`basis`] (orthonormal by area), [`parameters`], `element`, [`coating`] (how
+//! elements reflect, transmit and emit), [`mesh`] (cells of all surfaces), `discretization` and `resolution`
+//! (how a scene is cut), [`sampling`] (sequences of points), and [`Elements`], the noun of the crate.
+//!
+//! Imports `core`, `geom`, `work`, `scene` and `visibility`.
 
 pub mod cells;
 pub mod columns;

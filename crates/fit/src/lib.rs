@@ -5,7 +5,7 @@
 //! equal); and of outlines: `outline` (vectors of area), `ring` (tolerances), `plane` (planes and flat
 //! coordinates), `overlay` (parts that overlap).
 //!
-//! Imports the geometry and the numerical core.
+//! Imports `core` and `geom`.
 
 pub mod coincident;
 pub mod gap;

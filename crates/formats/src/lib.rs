@@ -1,11 +1,16 @@
-//! Scenes of other programs: a [`Model`](model::Model) is read from one of several [formats](format::Format), repaired,
-//! and written.
+//! Scenes of other programs: a [`Model`](model::Model) is read from one of several [formats](format::Format),
+//! repaired, and written.
 //!
-//! Flow: bytes → `read` → [`Model`](model::Model) → `repair` → a scene of `radiosity`, or text of another format.
+//! Flow: bytes → [`read`] → `Model` → [`repair`] → a scene of `radiosity`, or text of another format
+//! ([`write`]). Files of luminaires are read by `photometry`.
 //!
-//! Files of luminaires are read by `radiosity-photometry`.
+//! In order: [`files`] (that a scene names), [`model`], `names` and `colour` (what readers make);
+//! [`format`](mod@format) (which there are); [`picture`] (PNG and OpenEXR → numbers of texels); `budget`,
+//! `includes`, `xform`, `merge`, `builder` and [`mesh`] (what readers share); the readers, `mgf` to `vs3`,
+//! three with a writer; [`read`] and [`write`] (any of them); [`materials`], [`unit`] and [`up`] (what a file
+//! does not state); `fronts` and [`repair`].
 //!
-//! Pictures: bytes → [`picture::read`] → [`Picture`](picture::Picture).
+//! Imports `geom`, `fit` and `photometry`.
 
 pub mod files;
 pub mod model;

@@ -25,7 +25,7 @@ pub struct Coat {
 #[derive(Debug, Default)]
 pub struct Mesh {
     /// The model: materials, notes and the camera are added to it directly.
-    pub model: Model,
+    pub(crate) model: Model,
     names: Vec<Option<String>>,
     objects: Vec<usize>,
     corners: usize,

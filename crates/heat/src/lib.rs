@@ -14,10 +14,16 @@
 //!
 //! A two-sided surface of known flux is a *shield*: both sides have one temperature, unknown and even over the sheet.
 //! Its level σ T⁴ follows from the net flow of both sides together: the light of each shield is solved for at the level
-//! 1, and the levels are those at which all flows are as given (`heat/shields.rs`).
+//! 1, and the levels are those at which all flows are as given (`shields`).
 //!
 //! What leaves the scene goes to surroundings at 0 K. Conduction, convection and heat that is stored have no part in it;
 //! where they are known, they are a `heat_flux`.
+//!
+//! In order: [`HeatError`], `black_body`, `roles` (what is known of each surface), `coats` (scenes with the
+//! coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each surface), `field` (σ T⁴
+//! over surfaces), `shields`, `conductances`, `forecast`, and [`Heat`], the balance.
+//!
+//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `visibility`, `elements`, `kernel` and `solve`.
 
 mod error;
 mod black_body;
@@ -98,7 +104,7 @@ impl Heat {
     }
 
     /// The temperatures and flows of `scene`, with errors from what lower orders find (two below, or the next above 0). In
-    /// closed scenes the transfers are made to close (`heat/closure.rs`). What the latter take is told as [`Stage::Comparison`].
+    /// closed scenes the transfers are made to close (`closure`). What the latter take is told as [`Stage::Comparison`].
     ///
     /// # Errors
     /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature sets; more heat

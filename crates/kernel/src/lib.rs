@@ -4,7 +4,7 @@
 //! `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
 //! contact) and `terms` (kernels that are sums of terms).
 //!
-//! Imports `work`, `visibility` and `elements`.
+//! Imports `core`, `geom`, `work`, `visibility` and `elements`.
 
 pub mod irradiance;
 pub mod moments;

@@ -1,6 +1,6 @@
 //! The scenes that live in the binary, so that a first run needs no file.
 //!
-//! Each is the text of a scene file, most of them a file in `scenes/`. Where such a text says `$name`, the value of the
+//! Each is the text of a scene file, most of them a file in `crates/language/scenes/`. Where such a text says `$name`, the value of the
 //! parameter `name` goes; the few texts that follow a rule (points of a table, rows of columns) are written by code.
 
 mod teapot;
@@ -67,12 +67,12 @@ pub(super) static ALL: [Builtin; 15] = [
     Builtin {
         name: "cornell-box",
         parameters: &[],
-        text: Text::File(include_str!("../../../scenes/cornell-box.toml")),
+        text: Text::File(include_str!("../scenes/cornell-box.toml")),
     },
     Builtin {
         name: "empty-box",
         parameters: &[REFLECTANCE],
-        text: Text::File(include_str!("../../../scenes/empty-box.toml")),
+        text: Text::File(include_str!("../scenes/empty-box.toml")),
     },
     Builtin {
         name: "occluder-box",
@@ -93,7 +93,7 @@ pub(super) static ALL: [Builtin; 15] = [
                 meaning: "side of the panel, metres",
             },
         ],
-        text: Text::File(include_str!("../../../scenes/occluder-box.toml")),
+        text: Text::File(include_str!("../scenes/occluder-box.toml")),
     },
     Builtin {
         name: "two-boxes",
@@ -107,7 +107,7 @@ pub(super) static ALL: [Builtin; 15] = [
                 meaning: "reflectance of the two boxes",
             },
         ],
-        text: Text::File(include_str!("../../../scenes/two-boxes.toml")),
+        text: Text::File(include_str!("../scenes/two-boxes.toml")),
     },
     Builtin {
         name: "teapot",
@@ -143,12 +143,12 @@ pub(super) static ALL: [Builtin; 15] = [
     Builtin {
         name: "furnace-cube",
         parameters: &[REFLECTANCE],
-        text: Text::File(include_str!("../../../scenes/furnace-cube.toml")),
+        text: Text::File(include_str!("../scenes/furnace-cube.toml")),
     },
     Builtin {
         name: "furnace-sphere",
         parameters: &[REFLECTANCE],
-        text: Text::File(include_str!("../../../scenes/furnace-sphere.toml")),
+        text: Text::File(include_str!("../scenes/furnace-sphere.toml")),
     },
     Builtin {
         name: "parallel-squares",
@@ -162,7 +162,7 @@ pub(super) static ALL: [Builtin; 15] = [
             },
             REFLECTANCE,
         ],
-        text: Text::File(include_str!("../../../scenes/parallel-squares.toml")),
+        text: Text::File(include_str!("../scenes/parallel-squares.toml")),
     },
     Builtin {
         name: "hinge-squares",
@@ -176,7 +176,7 @@ pub(super) static ALL: [Builtin; 15] = [
             },
             REFLECTANCE,
         ],
-        text: Text::File(include_str!("../../../scenes/hinge-squares.toml")),
+        text: Text::File(include_str!("../scenes/hinge-squares.toml")),
     },
     Builtin {
         name: "oven",
@@ -196,7 +196,7 @@ pub(super) static ALL: [Builtin; 15] = [
                 meaning: "temperature of the slab, kelvin",
             },
         ],
-        text: Text::File(include_str!("../../../scenes/oven.toml")),
+        text: Text::File(include_str!("../scenes/oven.toml")),
     },
     Builtin {
         name: "blue-panel",
@@ -210,12 +210,12 @@ pub(super) static ALL: [Builtin; 15] = [
                 meaning: "height of the panel above the floor, metres",
             },
         ],
-        text: Text::File(include_str!("../../../scenes/blue-panel.toml")),
+        text: Text::File(include_str!("../scenes/blue-panel.toml")),
     },
     Builtin {
         name: "sliding-light",
         parameters: &[WALLS],
-        text: Text::File(include_str!("../../../scenes/sliding-light.toml")),
+        text: Text::File(include_str!("../scenes/sliding-light.toml")),
     },
     Builtin {
         name: "billiard",
@@ -226,7 +226,7 @@ pub(super) static ALL: [Builtin; 15] = [
             whole: false,
             meaning: "how far the lamp swings to either side, degrees",
         }],
-        text: Text::File(include_str!("../../../scenes/billiard.toml")),
+        text: Text::File(include_str!("../scenes/billiard.toml")),
     },
     Builtin {
         name: "cathedral",

@@ -41,7 +41,7 @@ pub(crate) struct Sender {
 #[derive(Clone, Debug)]
 pub struct Occluders {
     /// Indices of all surfaces that may hide any of the elements, ascending.
-    pub obstacles: Vec<usize>,
+    pub(crate) obstacles: Vec<usize>,
     /// Indices into `obstacles`, element after element.
     places: Vec<usize>,
     /// The range in `places` of each element; None where the element is out of sight.

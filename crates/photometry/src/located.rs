@@ -9,9 +9,9 @@ use crate::text::decode;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Located {
     /// Cause and cure of the fault.
-    pub fault: Fault,
+    pub(crate) fault: Fault,
     /// Line or byte of the fault.
-    pub place: Place,
+    place: Place,
 }
 
 impl Located {

@@ -4,7 +4,8 @@
 //! (Szirmay-Kalos 1996: variational forms in any functions), `series` and `expansions` (Arquès, Biri and Michelin 2001: transfers
 //! between displaced elements as power series).
 //!
-//! Imports everything up to direct light: `work`, `scene`, `visibility`, `elements`, `kernel`, `transport`, `light`.
+//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `visibility`, `elements`, `kernel`, `transport` and
+//! `light`.
 
 pub mod zatz1993;
 pub mod hierarchy;

@@ -1,7 +1,16 @@
 //! Requests of users, as the command line and the package of Python have them in common: the options of a
 //! method with their presets, ranges and checks, and their translation to options of the library.
 //!
-//! Either front end turns what it is given into a request. Refusals hold options as data ([`Wording`](radiosity_work::wording::Wording)).
+//! Either front end turns what it is given into a request. Refusals hold options as data
+//! ([`Wording`](radiosity_work::wording::Wording)), so that each front end spells them as its own.
+//!
+//! In order: [`Refusal`]; `modes` (names of kernels, orders, shadows), [`ranges`] (of numbers), [`memory`]
+//! and [`aim`] (of an accuracy); [`MethodRequest`] and `conflicts` (how light is computed), [`ReadRequest`]
+//! (how it is read), [`TransferRequest`] and [`HeatRequest`], [`SceneRequest`] (which scene), [`picture`] and
+//! [`cells`] (what results need of memory).
+//!
+//! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `visibility`, `elements`, `kernel`,
+//! `published`, `solve`, `heat` and `output`.
 
 mod refusal;
 mod modes;

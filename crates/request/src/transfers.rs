@@ -95,7 +95,7 @@ impl Default for HeatRequest {
     fn default() -> Self {
         let HeatOptions { options, conductances } = HeatOptions::default();
         let transfers = TransferRequest::new(TransferRequest::HEAT);
-        let Options { order, transport, solver: solver, .. } = options;
+        let Options { order, transport, solver, .. } = options;
         Self { transfers, order, transport, solver, memory: None, conductances }
     }
 }

@@ -8,7 +8,7 @@
 //! drafts and as fitted; the [`Source`] that a scene was read from; the builder; what is made of a scene: other factors
 //! (`dimming`), other materials (`painting`), another moment (`still`).
 //!
-//! Imports `work`, `photometry` and `fit`.
+//! Imports `core`, `geom`, `work`, `fit` and `photometry`.
 
 mod nearest;
 mod imported;

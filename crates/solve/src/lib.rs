@@ -4,7 +4,8 @@
 //! `driver` (scene → solution, timed), `studies` (accuracy that is asked for, convergence), `solved` (a scene with its solution),
 //! `animation` (light that follows moving things) and `view_factors`.
 //!
-//! Imports everything up to `published`.
+//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `visibility`, `elements`, `kernel`, `transport`,
+//! `light` and `published`.
 
 pub mod system;
 pub mod solution;

@@ -119,6 +119,17 @@ impl Solved {
     }
 
     /// Radiosity per band (unit of exitance) of the polynomials at (u, v) on a surface; None inside its holes.
+    ///
+    /// ```
+    /// use radiosity_solve::{Options, solved::Solved};
+    ///
+    /// let room = radiosity_language::builtin("furnace-cube")?;
+    /// let solved = Solved::new(room, Options::default(), &|_progress| {})?;
+    /// // In a closed room of reflectance ½ that emits 1 everywhere, 1 + ½ · 2 leaves every point.
+    /// let leaving = solved.radiosity_at(0, [0.3, -0.2]).expect("there is no hole")[0];
+    /// assert!((leaving - 2.0).abs() < 1e-2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn radiosity_at(&self, surface: usize, [u, v]: [f64; 2]) -> Option<Vec<f64>> {
         let solution = &self.outcome.solution;
         let element = solution.elements().at(surface, [u, v])?;

@@ -12,7 +12,7 @@
 //! rays), `unreached` (rays where rules fail), `assembly` (all blocks) and `carrier` (blocks or links, as checks see
 //! them). Quadrature of one pair stands in `radiosity-kernel`.
 //!
-//! Imports `work`, `scene`, `visibility`, `elements` and `kernel`.
+//! Imports `core`, `geom`, `work`, `scene`, `visibility`, `elements` and `kernel`.
 
 pub(crate) mod occlusion;
 pub(crate) mod pair;

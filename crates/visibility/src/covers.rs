@@ -4,7 +4,7 @@
 //! In that limit the part of the floor under the sheet and the part of the sheet over the floor exchange light with
 //! each other only, and κ dA becomes the identity: a point sees the point that it touches. No polynomial follows the
 //! edge of that darkness, and rules for a gap of 1e-8 are slow, so both parts become elements of their own. A gap
-//! counts as closed up to four times the least gap that the rules resolve (`scene::gap`).
+//! counts as closed up to four times the least gap that the rules resolve (`fit::gap`).
 //!
 //! Of several sheets over a place the nearest covers it. A sheet that lies on another with its back covers it unseen.
 

@@ -4,6 +4,14 @@
 //! are the candidate blockers of the pair, usually few or none. Without candidates the pair is fully visible and no ray
 //! is cast. Where one flat convex blocker meets all segments between the corners of the two hulls it meets every
 //! segment, and the pair is fully hidden. Otherwise segments are tested against the candidates alone.
+//!
+//! In order: [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`, `convex_bodies`,
+//! [`silhouette_mesh`], [`Shadows`] and `obstacle` (of what obstacles are made), `rays` and `whole` (what
+//! rays meet first, what hides as a whole), [`Visibility`], the noun of the crate; then what a scene says of
+//! itself: [`footings`] (where bodies stand), [`covers`] (flat surfaces on others) and [`inspection`]
+//! (contents, contacts, what looks wrong).
+//!
+//! Imports `core`, `geom`, `work`, `fit` and `scene`.
 
 pub mod blocker_edges;
 pub mod bounding_ball;

@@ -5,7 +5,7 @@
 //! `observer` (how far it is, and who hears it), `deadline` (ends it with the best so far), `work` (ranks, observer and deadline
 //! together, as they are handed down).
 //!
-//! Imports nothing of the house.
+//! Imports no other crate of the workspace.
 
 pub mod wording;
 pub mod interruption;

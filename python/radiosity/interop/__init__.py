@@ -10,7 +10,7 @@
 None of these packages is needed to import this one; each is imported where it is used.
 """
 
+from ..pictures import plot, to_pyvista
 from .meshes import from_meshio, from_pyvista, from_trimesh
-from .pictures import plot, to_pyvista
 
 __all__ = ["from_meshio", "from_pyvista", "from_trimesh", "plot", "to_pyvista"]

@@ -9,9 +9,9 @@ import numpy as np
 
 from .._radiosity import mesh_polygons
 from ..arguments import Array, array_of, refusal, text, texts
+from ..optional import optional
 from ..scene import Scene
 from .faces import Faces, whole_numbers
-from .optional import optional
 
 Materials = Mapping[str, Any]
 

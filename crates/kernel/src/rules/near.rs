@@ -40,7 +40,7 @@ pub struct Plan {
     outer: Side,
     leaves: Vec<Leaf>,
     /// Cost, in samples of a tensor rule.
-    pub cost: f64,
+    cost: f64,
     eps: f64,
 }
 

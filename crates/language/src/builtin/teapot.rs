@@ -5,9 +5,9 @@ use std::fmt::Write;
 use serde::Deserialize;
 
 /// Points and patches of the pot.
-const TABLE: &str = include_str!("../../../../scenes/teapot-table.toml");
+const TABLE: &str = include_str!("../../scenes/teapot-table.toml");
 
-const ROOM: &str = include_str!("../../../../scenes/teapot.toml");
+const ROOM: &str = include_str!("../../scenes/teapot.toml");
 
 /// Corners of the floor's hole under the pot, and its radius. The pot's bottom touches the floor in one point.
 const HOLE_CORNERS: usize = 8;

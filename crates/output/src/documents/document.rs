@@ -41,22 +41,22 @@ pub enum Block {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Highlight {
     /// Name of the number.
-    pub label: String,
+    pub(super) label: String,
     /// The number with its unit.
-    pub value: String,
+    pub(super) value: String,
     /// Note in small letters; empty for none.
-    pub note: String,
+    pub(super) note: String,
 }
 
 /// A column of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Column {
     /// Heading of the column.
-    pub head: String,
+    pub(super) head: String,
     /// The unit of its numbers; empty where they have none.
-    pub unit: String,
+    pub(super) unit: String,
     /// Whether the cells hold numbers, which are set to the right.
-    pub is_numeric: bool,
+    pub(super) is_numeric: bool,
 }
 
 impl Column {

@@ -25,7 +25,7 @@ const MORE_POINTS: usize = 8;
 #[derive(Clone, Debug)]
 pub struct Projection {
     /// T, function by function: coefficients in the orthonormal bases, element by element (length).
-    pub columns: Vec<Vec<f64>>,
+    pub(super) columns: Vec<Vec<f64>>,
 }
 
 impl Projection {

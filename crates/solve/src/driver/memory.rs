@@ -60,15 +60,15 @@ const PROGRAM: u64 = 10_000_000;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MemoryEstimate {
     /// The elements with their bases.
-    pub elements: u64,
+    elements: u64,
     /// The stored blocks of G.
-    pub blocks: u64,
+    blocks: u64,
     /// Data of the pairs while their blocks are integrated.
-    pub pairs: u64,
+    pairs: u64,
     /// The matrix of one band, with its factors if the method makes some, and the light of groups.
-    pub system: u64,
+    system: u64,
     /// Bytes that a memory of the scene keeps for the next one, if there is one.
-    pub memory: u64,
+    memory: u64,
 }
 
 impl MemoryEstimate {

@@ -6,7 +6,7 @@
 //! G_kl = Σ_{p, q} ∫_p ∫_q φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_y dA_x        over parts p of i and q of j .
 //! ```
 //!
-//! The receiver is the outer element, as ordered by `schedule/order.rs`. Elements are cut into sectors, which
+//! The receiver is the outer element, as ordered by `schedule::order`. Elements are cut into sectors, which
 //! turn by a quarter circle at most ([`radiosity_kernel::contact::sectors`]), and flat parts are clipped by
 //! the plane of the other element, if it has one. Then, part by part, breadth first, with g the gap and H the
 //! longest extent of either part:

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import os
 import tempfile
-from typing import Any
+from typing import Any, Protocol
 
-from ..arguments import refusal
-from ..solution import Solution
+from .arguments import refusal
 from .optional import optional
 
 
-def to_pyvista(solution: Solution) -> Any:
+class Saved(Protocol):
+    """A solution, which writes itself as a grid of VTK to a path that ends in .vtu."""
+
+    def save(self, path: str) -> None: ...
+
+
+def to_pyvista(solution: Saved) -> Any:
     """The light of a solution as a grid of VTK.
 
     Cells are Lagrange polynomials of the degree of the solution: the grid holds the polynomials themselves, on curved surfaces
@@ -41,7 +46,7 @@ def to_pyvista(solution: Solution) -> Any:
 
 
 def plot(
-    solution: Solution,
+    solution: Saved,
     *,
     quantity: str = "irradiance",
     band: str | None = None,

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arguments import Array
+from .arguments import Array
 from .optional import optional
 
 
