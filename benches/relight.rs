@@ -18,8 +18,8 @@ fn parallelogram(origin: [f64; 3], first: [f64; 3], second: [f64; 3]) -> Paralle
     plate(origin, first, second)
 }
 
-/// A unit cube whose walls have 4 × 4 elements, with lamps below its ceiling, each a group of its own if they are
-/// `grouped`.
+/// A unit cube whose walls have 4 × 4 elements, with lamps below its ceiling, each a group of its own if they
+/// are `grouped`.
 fn room(is_grouped: bool) -> Scene {
     let mut room = SceneBuilder::new("room", ["r", "g", "b"]);
     let material = |reflectance: f64, emission| Material::new(vec![reflectance; 3], emission);

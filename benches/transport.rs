@@ -29,7 +29,8 @@ fn blocks_of_the_empty_box(criterion: &mut Criterion) {
     }
 }
 
-/// The Cornell box at the defaults, one thread, with and without shadows: their ratio is the price of visibility.
+/// The Cornell box at the defaults, one thread, with and without shadows: their ratio is the price of
+/// visibility.
 fn cornell_box(criterion: &mut Criterion) {
     let scene = builtin("cornell-box");
     for shadows in [Hiding::Off, Hiding::Auto] {

@@ -63,7 +63,8 @@ fn box_cells(cuts: &[f64]) -> Vec<(usize, Quad)> {
     cells
 }
 
-/// All pairs of cells on different walls: prints the time per pair and the largest deviation of a row sum from 1.
+/// All pairs of cells on different walls: prints the time per pair and the largest deviation of a row sum
+/// from 1.
 fn whole_box(name: &str, cuts: &[f64]) {
     let cells = box_cells(cuts);
     let area = |corners: &Quad| (corners[1] - corners[0]).cross(corners[3] - corners[0]).length();

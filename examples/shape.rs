@@ -1,4 +1,5 @@
-//! A surface of a shape of one's own: where it is, what a box around it is, and where a ray meets it. The rest is provided.
+//! A surface of a shape of one's own: where it is, what a box around it is, and where a ray meets it. The
+//! rest is provided.
 //!
 //! ```text
 //! cargo run --release --example shape

@@ -1,7 +1,7 @@
 //! The `radiosity` command: scene files and options in, pictures, tables and reports out.
 //!
-//! Data goes to stdout, progress and diagnostics to stderr. Exit code 0: done; 1: failed; 2: the command line or a
-//! scene file has to be changed first.
+//! Data goes to stdout, progress and diagnostics to stderr. Exit code 0: done; 1: failed; 2: the command line
+//! or a scene file has to be changed first.
 
 fn main() -> std::process::ExitCode {
     radiosity_cli::launch()

@@ -1,7 +1,7 @@
 //! Time of one basis value, in tiles and at single points.
 //!
-//! Every line evaluates the same 1024 points; divide by 1024 × the number of functions for the cost of a value.
-//! Tiles are consumed at once (summed), as assembly consumes them: nothing is written to memory.
+//! Every line evaluates the same 1024 points; divide by 1024 × the number of functions for the cost of a
+//! value. Tiles are consumed at once (summed), as assembly consumes them: nothing is written to memory.
 
 use std::hint::black_box;
 use std::time::Duration;

@@ -1,7 +1,8 @@
 //! Time of a Gauss rule, compared with other crates.
 //!
 //! Groups are questions; within a group the lines are comparable. The peers allocate, this crate writes into
-//! slices. `bilby` needs a newer compiler than this workspace promises; it is a dependency of the benches only.
+//! slices. `bilby` needs a newer compiler than this workspace promises; it is a dependency of the benches
+//! only.
 
 use std::hint::black_box;
 use std::num::NonZeroUsize;

@@ -32,8 +32,8 @@
 //!
 //! The way back is as good where the entries of A⁻¹ keep their signs, too, that is for a = b, a = 0 or b = 0:
 //! the error of c_n is below 12 ε Σ_k |(A⁻¹)_nk d_k| (4 ε seen). For other exponents A⁻¹ itself cancels, and
-//! the bound is the largest of these sums, n = 0, 1, …. It magnifies little:
-//! ‖c‖₂ ≤ max √((1 − x)^a (1 + x)^b) · ‖d‖₂, the factor being 1 for a = b.
+//! the bound is the largest of these sums, n = 0, 1, …. It magnifies little: ‖c‖₂ ≤ max √((1 − x)^a
+//! (1 + x)^b) · ‖d‖₂, the factor being 1 for a = b.
 //!
 //! But d may be far larger than the c from which it comes. There and back, c returns to within
 //! 24 ε |A⁻¹| |A| |c|, whose largest entry for |c_n| ≤ 1 grows like n^M:

@@ -1,4 +1,5 @@
-//! Gauss rules: n nodes and weights with ∫₋₁¹ f(x) W(x) dx = Σ wᵢ f(xᵢ) for every polynomial f of degree ≤ 2n − 1.
+//! Gauss rules: n nodes and weights with ∫₋₁¹ f(x) W(x) dx = Σ wᵢ f(xᵢ) for every polynomial f of
+//! degree ≤ 2n − 1.
 //!
 //! | | weight | cost | nodes, weights | |
 //! | --- | --- | --- | --- | --- |

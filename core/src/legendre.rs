@@ -6,8 +6,8 @@
 //! y = 1 − |x|,  R₀ = 1,  D₀ = 0,  D_{k+1} = (k D_k − (2k + 1) y R_k)/(k + 1),  R_{k+1} = R_k + D_{k+1},
 //! ```
 //!
-//! where R_k = P_k(|x|). It is exact at the ends, where the three-term recurrence loses n² ulp; for n ≤ 32 the error
-//! is a few ε of the local size √(p_n² + p_{n−1}²). Tiles use the three-term recurrence
+//! where R_k = P_k(|x|). It is exact at the ends, where the three-term recurrence loses n² ulp; for n ≤ 32
+//! the error is a few ε of the local size √(p_n² + p_{n−1}²). Tiles use the three-term recurrence
 //!
 //! ```text
 //! p_{k+1} = a_k x p_k − c_k p_{k−1},   a_k = √((2k + 1)(2k + 3))/(k + 1),   c_k = k/(k + 1) · √((2k + 3)/(2k − 1)),
@@ -123,7 +123,8 @@ pub fn sum_tile<const N: usize, const W: usize>(f: &[f64; N], x: &[f64; W]) -> [
     const { &Table::<N>::RECURRENCE }.sum_tile(f, x)
 }
 
-/// `out[n][l]` = `p_n(x[l])`, anchored at the ends: twice the cost of [`tile`], exact at ±1 and near-exact around them.
+/// `out[n][l]` = `p_n(x[l])`, anchored at the ends: twice the cost of [`tile`], exact at ±1 and near-exact
+/// around them.
 #[inline]
 pub fn tile_anchored<const N: usize, const W: usize>(x: &[f64; W], out: &mut [[f64; W]; N]) {
     let (y, turn) = (x.map(|x| 1.0 - x.abs()), x.map(|x| 1.0f64.copysign(x)));

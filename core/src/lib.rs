@@ -12,8 +12,9 @@
 //! ```
 //!
 //! Each module uses those before it: [`recurrence`] (three-term tables, tiles, sums), [`jacobi`] (weights and
-//! orthonormal polynomials), [`gauss`] (rules), [`legendre`] (the case α = β = 0, its tiles and matrices), [`basis`]
-//! (squares and triangles), [`convert`] (Jacobi coefficients to Legendre); [`dot()`] and [`norm`] use none.
+//! orthonormal polynomials), [`gauss`] (rules), [`legendre`] (the case α = β = 0, its tiles and matrices),
+//! [`basis`] (squares and triangles), [`convert`] (Jacobi coefficients to Legendre); [`dot()`] and [`norm`]
+//! use none.
 #![no_std]
 
 #[cfg(test)]

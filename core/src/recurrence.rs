@@ -4,15 +4,16 @@
 //! p₀ = first,   p_{k+1}(x) = (a_k x + b_k) p_k(x) − c_k p_{k−1}(x)
 //! ```
 //!
-//! Each polynomial system is a table of a, b, c. Evaluation for growing k is stable on [−1, 1]; its error grows like k²
-//! ulp towards the ends and like k ulp inside. Near ±1 the forms anchored at the ends are more accurate
-//! (`legendre::orthonormal`, `jacobi::Polynomials::values`).
+//! Each polynomial system is a table of a, b, c. Evaluation for growing k is stable on [−1, 1]; its error
+//! grows like k² ulp towards the ends and like k ulp inside. Near ±1 the forms anchored at the ends are more
+//! accurate (`legendre::orthonormal`, `jacobi::Polynomials::values`).
 //!
-//! Sums Σ f_k p_k follow Clenshaw: b_k = f_k + (a_k x + b_k) b_{k+1} − c_{k+1} b_{k+2}, downwards, Σ = first · b₀.
+//! Sums Σ f_k p_k follow Clenshaw: b_k = f_k + (a_k x + b_k) b_{k+1} − c_{k+1} b_{k+2},
+//! downwards, Σ = first · b₀.
 //!
-//! A tile is a block of W points treated side by side, W = 8 or 16: `out[k][l] = p_k(x[l])`. Its loops run over
-//! lanes innermost and vectorise on every target; a tile of 16 fills from the first-level cache, so consume it
-//! before making the next.
+//! A tile is a block of W points treated side by side, W = 8 or 16: `out[k][l] = p_k(x[l])`. Its loops run
+//! over lanes innermost and vectorise on every target; a tile of 16 fills from the first-level cache, so
+//! consume it before making the next.
 //!
 //! Reference: W. Gautschi, Orthogonal Polynomials: Computation and Approximation (2004), §1.3 and §2.1.8.
 

@@ -192,7 +192,8 @@ fn ratios(rays: &[Ray], ways: &[Way]) {
 /// A ray, by the numbers of the two patches that it joins.
 type Joint = (usize, usize, Ray);
 
-/// Segments between facing points of the teapot, half of them on one patch, as for shadows on curved surfaces.
+/// Segments between facing points of the teapot, half of them on one patch, as for shadows on curved
+/// surfaces.
 fn joints(surfaces: &[Arc<dyn Surface>], random: &mut Random) -> Vec<Joint> {
     let mut joints = Vec::new();
     while joints.len() < RAYS {

@@ -1,8 +1,8 @@
 //! Contacts of two patches: along an edge, in a vertex, in a T; and those that no scene should have, overlaps
 //! and crossings.
 //!
-//! Lengths below 1e-6 of the smaller patch's extent count as zero. Edges are compared as curves, by points along them,
-//! so that two patches need not have the same parametrisation, or even shape, to share one.
+//! Lengths below 1e-6 of the smaller patch's extent count as zero. Edges are compared as curves, by points
+//! along them, so that two patches need not have the same parametrisation, or even shape, to share one.
 
 use crate::{Aabb, Border, LOOSE, Patch, PlanarRegion, Ray, intersection, polygon_area, sides};
 use glam::DVec3;
@@ -65,8 +65,8 @@ fn whole_borders<'a>(patch: &Patch<'a>, tolerance: f64) -> Vec<Border<'a>> {
     patch.borders().into_iter().filter(|border| border.extent() > tolerance).collect()
 }
 
-/// Whether they share area: in a plane by the area itself, else if inner points of one lie on the other and face along its
-/// normal.
+/// Whether they share area: in a plane by the area itself, else if inner points of one lie on the other and
+/// face along its normal.
 fn shares_area(first: &Patch, second: &Patch, tolerance: f64) -> bool {
     if let (Patch::Flat(a), Patch::Flat(b)) = (first, second) {
         return share_plane_area(a, b, tolerance);
@@ -99,7 +99,8 @@ fn share_plane_area(a: &PlanarRegion, b: &PlanarRegion, tolerance: f64) -> bool 
     shared > strip.min(1e-3 * a.area().min(b.area()))
 }
 
-/// A point where a line of `a` passes through `b`, away from b's border by 5e-3 of its diagonal (chosen, not tuned).
+/// A point where a line of `a` passes through `b`, away from b's border by 5e-3 of its diagonal (chosen, not
+/// tuned).
 fn crossing(a: &Patch, b: &Patch, tolerance: f64) -> Option<DVec3> {
     // Odd, so that no step ends in the middle, where crossings are likely. Chosen; not tuned.
     const STEPS: usize = 17;
@@ -175,7 +176,8 @@ fn reaches_inside(p: DVec3, q: DVec3, region: &PlanarRegion, tolerance: f64) -> 
     })
 }
 
-/// The stretch, w from and to, of the segment within `room` of a convex piece; ends out of order if there is none.
+/// The stretch, w from and to, of the segment within `room` of a convex piece; ends out of order if there is
+/// none.
 fn stretch_in_piece(p: DVec3, q: DVec3, piece: &[DVec3], normal: DVec3, room: f64) -> [f64; 2] {
     sides(piece).fold([-1.0, 1.0], |[low, high]: [f64; 2], [r, s]| {
         let inward = normal.cross(s - r).normalize();

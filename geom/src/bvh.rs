@@ -1,10 +1,11 @@
-//! A bounding-volume hierarchy over boxes, whatever is in them: which overlap a box, which a ray may meet. What a ray meets first
-//! of surfaces is for [`RayTree`](crate::RayTree) to tell.
+//! A bounding-volume hierarchy over boxes, whatever is in them: which overlap a box, which a ray may meet.
+//! What a ray meets first of surfaces is for [`RayTree`](crate::RayTree) to tell.
 //!
-//! Built top-down: each node is split between the two of 16 bins of box centres that minimise the expected number of
-//! box tests, Σ area · count (the surface-area heuristic; Goldsmith and Salmon, 1987; binning after Wald, 2007). Only
-//! the caller knows what a box contains, and tests it in full precision; the hierarchy leaves out what a ray cannot
-//! reach. Boxes are inflated by 1e-8 of their size, more than the overhang 1e-9 at which a hit is still accepted.
+//! Built top-down: each node is split between the two of 16 bins of box centres that minimise the expected
+//! number of box tests, Σ area · count (the surface-area heuristic; Goldsmith and Salmon, 1987; binning after
+//! Wald, 2007). Only the caller knows what a box contains, and tests it in full precision; the hierarchy
+//! leaves out what a ray cannot reach. Boxes are inflated by 1e-8 of their size, more than the overhang 1e-9
+//! at which a hit is still accepted.
 
 use crate::slabs::Slabs;
 use crate::{Aabb, Ray};
@@ -54,8 +55,8 @@ impl Bvh {
         self.search(|bounds| bounds.overlaps(query)).for_each(&mut visit);
     }
 
-    /// The indices of all boxes that pass `may_hold`, and of some others, in no particular order. What a box fails has to
-    /// be failed by every box inside it.
+    /// The indices of all boxes that pass `may_hold`, and of some others, in no particular order. What a box
+    /// fails has to be failed by every box inside it.
     pub fn search(&self, may_hold: impl Fn(&Aabb) -> bool) -> impl Iterator<Item = usize> {
         let mut stack: Vec<usize> = if self.nodes.is_empty() { vec![] } else { vec![0] };
         let leaves = std::iter::from_fn(move || {

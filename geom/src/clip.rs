@@ -28,8 +28,8 @@ pub fn clip_polygon(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Vec<DVec3
     if inside || coplanar { kept } else { Vec::new() }
 }
 
-/// Hands the vertices of the part of a convex `polygon` where heights are not negative to `keep`, in the same order; those of
-/// its vertices are given, and linear in between.
+/// Hands the vertices of the part of a convex `polygon` where heights are not negative to `keep`, in the same
+/// order; those of its vertices are given, and linear in between.
 pub fn clip_by_heights(polygon: &[DVec3], heights: &[f64], mut keep: impl FnMut(DVec3)) {
     let (Some(mut previous), Some(mut before)) = (polygon.last(), heights.last()) else { return };
     for (x, h) in polygon.iter().zip(heights) {
@@ -43,8 +43,8 @@ pub fn clip_by_heights(polygon: &[DVec3], heights: &[f64], mut keep: impl FnMut(
     }
 }
 
-/// The part of a convex `polygon` over another, `clip`, seen along `normal`, about which `clip` runs counter-clockwise. Fewer than
-/// three vertices remain where they share no area.
+/// The part of a convex `polygon` over another, `clip`, seen along `normal`, about which `clip` runs
+/// counter-clockwise. Fewer than three vertices remain where they share no area.
 pub fn intersection(polygon: &[DVec3], clip: &[DVec3], normal: DVec3) -> Vec<DVec3> {
     sides(clip).fold(polygon.to_vec(), |rest, [from, to]| clip_polygon(&rest, from, normal.cross(to - from)))
 }

@@ -1,9 +1,10 @@
-//! Convex hulls of points in a plane, by the monotone chain (Andrew, *Another efficient algorithm for convex hulls in
-//! two dimensions*, Information Processing Letters 9, 1979).
+//! Convex hulls of points in a plane, by the monotone chain (Andrew, *Another efficient algorithm for convex
+//! hulls in two dimensions*, Information Processing Letters 9, 1979).
 
 use glam::{DVec2, DVec3};
 
-/// The convex hull, counter-clockwise, from the earliest of `points` that lies on it; no three vertices in a line.
+/// The convex hull, counter-clockwise, from the earliest of `points` that lies on it; no three vertices in a
+/// line.
 pub(crate) fn convex_hull(points: &[DVec2]) -> Vec<DVec2> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));

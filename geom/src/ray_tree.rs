@@ -1,16 +1,18 @@
 //! First hit of a ray among many surfaces.
 //!
-//! The surfaces lie in a tree of bounding boxes, four to a node (Dammertz, Hanika, Keller, *Shallow bounding volume
-//! hierarchies for fast SIMD ray tracing of incoherent rays*, 2008). Boxes and flat surfaces are tested four at a time in
-//! single precision, with room for its roundings: whoever fails is missed for certain. Whoever passes is met, or not, in double
-//! precision by the surface's own formulas. So the answer is that of all surfaces asked one by one.
+//! The surfaces lie in a tree of bounding boxes, four to a node (Dammertz, Hanika, Keller, *Shallow bounding
+//! volume hierarchies for fast SIMD ray tracing of incoherent rays*, 2008). Boxes and flat surfaces are
+//! tested four at a time in single precision, with room for its roundings: whoever fails is missed for
+//! certain. Whoever passes is met, or not, in double precision by the surface's own formulas. So the answer
+//! is that of all surfaces asked one by one.
 //!
-//! A ray may start on a surface. It does not meet that one there, nor the other side of the same sheet: a flat one not at
-//! all, a curved one only where it comes back to it. Where it starts on a crease, on several surfaces at once, it meets those
-//! others there that it goes through from the front and that reach before its own, so that no light leaks out of a corner.
+//! A ray may start on a surface. It does not meet that one there, nor the other side of the same sheet: a
+//! flat one not at all, a curved one only where it comes back to it. Where it starts on a crease, on several
+//! surfaces at once, it meets those others there that it goes through from the front and that reach before
+//! its own, so that no light leaks out of a corner.
 //!
-//! Where two surfaces are met at once, as the sides of a sheet are, a front goes before a back, and then the one that comes
-//! first in the list.
+//! Where two surfaces are met at once, as the sides of a sheet are, a front goes before a back, and then the
+//! one that comes first in the list.
 
 mod frame;
 mod fork;
@@ -121,8 +123,8 @@ impl RayTree {
         Search::new(self, *ray, None).nearest()
     }
 
-    /// The first surface that a ray meets which starts at `origin`, on the surface of place `own`, and goes along `direction`, of
-    /// any length but zero.
+    /// The first surface that a ray meets which starts at `origin`, on the surface of place `own`, and goes
+    /// along `direction`, of any length but zero.
     pub fn nearest_from(&self, own: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
         let (ray, start) = self.leaving(own, origin, direction, f64::INFINITY);
         Search::new(self, ray, Some(start)).nearest()
@@ -140,8 +142,9 @@ impl RayTree {
         [self.size.to_bits(), u64::from(self.twins[own])]
     }
 
-    /// Whether a ray as of [`RayTree::nearest_from`] through other surfaces, with this [`RayTree::reach`], might meet one of these
-    /// before `end`, in multiples of `direction`, or as near to it as two that are met at once.
+    /// Whether a ray as of [`RayTree::nearest_from`] through other surfaces, with this [`RayTree::reach`],
+    /// might meet one of these before `end`, in multiples of `direction`, or as near to it as two that are
+    /// met at once.
     pub fn may_come_before(&self, origin: DVec3, direction: DVec3, end: f64, reach: f64) -> bool {
         let room = 2.0 * reach / direction.length();
         let range = [-room, end + room + MARGIN * end.abs()];
@@ -325,8 +328,8 @@ impl<'a> Search<'a> {
         self.start.is_some_and(|start| start.own.contains(&surface))
     }
 
-    /// Whether the ray meets a surface where it hits it: not behind its start, and, where it starts on a crease, not one that it
-    /// leaves.
+    /// Whether the ray meets a surface where it hits it: not behind its start, and, where it starts on a
+    /// crease, not one that it leaves.
     fn counts(&self, best: &Best) -> bool {
         let (Some(start), t) = (self.start, best.hit.t) else { return true };
         if t.abs() > start.step * NEAR * self.tree.size {
@@ -340,7 +343,8 @@ impl<'a> Search<'a> {
         self.is_front(best) && self.is_before_start(best.surface, normal, start)
     }
 
-    /// Whether a surface at the start of the ray reaches before the one that the ray starts on, or covers it face to face.
+    /// Whether a surface at the start of the ray reaches before the one that the ray starts on, or covers it
+    /// face to face.
     fn is_before_start(&self, surface: usize, normal: DVec3, start: Start) -> bool {
         let (own, other) = (&self.tree.surfaces[start.own[0]], &self.tree.surfaces[surface]);
         let up = own.region().map_or_else(|| foot_normal(own, self.ray.origin), |region| region.normal());

@@ -14,15 +14,16 @@ use glam::{DVec2, DVec3};
 /// decimals and single precision pass, a quad that is meant to be curved does not. Chosen; not tuned.
 pub(crate) const PLANARITY: f64 = 2e-5;
 
-/// Roundings by which a vertex may miss a plane through other vertices: each misses by one, and a plane through three
-/// adds up to three more where it is extended; twice that.
+/// Roundings by which a vertex may miss a plane through other vertices: each misses by one, and a plane
+/// through three adds up to three more where it is extended; twice that.
 const ROUNDINGS: f64 = 8.0;
 
-/// Distance from the plane up to which a point lies in the region, in multiples of the extent. Chosen; not tuned.
+/// Distance from the plane up to which a point lies in the region, in multiples of the extent. Chosen; not
+/// tuned.
 const FLUSH: f64 = 1e-6;
 
-/// Distance from the boundary up to which a point lies inside, in multiples of the extent: seams must not leak. As
-/// `Hit::SEAM`.
+/// Distance from the boundary up to which a point lies inside, in multiples of the extent: seams must not
+/// leak. As `Hit::SEAM`.
 const SEAM: f64 = 1e-9;
 
 /// A polygon with holes in a plane.
@@ -40,14 +41,14 @@ pub struct PlanarRegion {
 }
 
 impl PlanarRegion {
-    /// The region inside `outer` and outside all `holes`. The right-hand rule of `outer` gives the normal; holes may
-    /// run in either direction and may touch each other and the outline, but not cross them.
+    /// The region inside `outer` and outside all `holes`. The right-hand rule of `outer` gives the normal;
+    /// holes may run in either direction and may touch each other and the outline, but not cross them.
     ///
     /// # Errors
     ///
-    /// Too few, repeated or non-finite vertices; no area; vertices farther off the plane than 2e-5 of the extent and
-    /// than the rounding of their coordinates; a ring that crosses itself; a hole that leaves the outline or overlaps
-    /// another. The fields are named `vertices` and `holes[k]`.
+    /// Too few, repeated or non-finite vertices; no area; vertices farther off the plane than 2e-5 of the
+    /// extent and than the rounding of their coordinates; a ring that crosses itself; a hole that leaves the
+    /// outline or overlaps another. The fields are named `vertices` and `holes[k]`.
     pub fn new(outer: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> Result<PlanarRegion, ShapeError> {
         let names: Vec<String> = (0..=holes.len()).map(ring_name).collect();
         let mut rings = vec![outer];

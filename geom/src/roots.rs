@@ -7,8 +7,9 @@
 //! Higher degrees on [0, 1]: in the Bernstein form Σ bᵢ Bᵢⁿ(x) the number of sign changes of b is at least
 //! the number of roots and differs from it by an even number (Descartes' rule). No change: no root. One:
 //! exactly one, found by bisection sped up by Newton steps. More: halve the interval by de Casteljau's scheme
-//! (Lane and Riesenfeld, *Bounds on a polynomial*, 1981). Double roots never separate, nor does a root just where
-//! an interval is halved; where the interval has shrunk to 2⁻²⁶ Newton steps from its middle give the root.
+//! (Lane and Riesenfeld, *Bounds on a polynomial*, 1981). Double roots never separate, nor does a root just
+//! where an interval is halved; where the interval has shrunk to 2⁻²⁶ Newton steps from its middle give the
+//! root.
 
 use crate::bernstein::{evaluate, split};
 
@@ -30,8 +31,8 @@ fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     a.mul_add(b, -cd) + error
 }
 
-/// Halvings of an interval after which one root represents all in it: a double root is no better known than to the
-/// square root of the precision, 2⁻²⁶.
+/// Halvings of an interval after which one root represents all in it: a double root is no better known than
+/// to the square root of the precision, 2⁻²⁶.
 const DEEPEST: usize = 26;
 
 /// Visits the roots in [0, 1] of the polynomial with Bernstein coefficients `b`: each at least once, simple
@@ -148,8 +149,8 @@ mod tests {
             bernstein(from_powers(power), |x| seen.push(x));
             for r in &roots {
                 let others: f64 = roots.iter().filter(|x| *x != r).map(|x: &f64| (x - r).abs()).product();
-                // The powers' coefficients, of sum up to 2⁴, carry a few roundings each; the slope at the root is
-                // the product of its distances from the others.
+                // The powers' coefficients, of sum up to 2⁴, carry a few roundings each; the slope at the
+                // root is the product of its distances from the others.
                 let tolerance = 64.0 * f64::EPSILON / others;
                 prop_assert!(others < 1e-8 || seen.iter().any(|x| (x - r).abs() < tolerance), "{roots:?} {seen:?}");
             }

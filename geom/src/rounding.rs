@@ -1,7 +1,7 @@
 //! The rounding of coordinates, inferred from the coordinates.
 //!
-//! A number of single precision with more than a few decimals was rounded to single precision: of numbers in double
-//! precision one in 2²⁹ is one by chance. 0.5 and 5 400 000 may have been typed and say nothing.
+//! A number of single precision with more than a few decimals was rounded to single precision: of numbers in
+//! double precision one in 2²⁹ is one by chance. 0.5 and 5 400 000 may have been typed and say nothing.
 
 use glam::DVec3;
 
@@ -12,8 +12,8 @@ const DOUBLE: f64 = 1.0 / (1u64 << 53) as f64;
 /// Multiples of one over this number may have been typed. Chosen; not tuned.
 const PLAIN: f64 = 1000.0;
 
-/// Largest rounding error (their unit of length) along the unit vector `direction` of `points` given in one precision;
-/// each coordinate is taken to be rounded as its largest value is. Without a direction, along any.
+/// Largest rounding error (their unit of length) along the unit vector `direction` of `points` given in one
+/// precision; each coordinate is taken to be rounded as its largest value is. Without a direction, along any.
 pub fn coordinate_rounding(points: &[DVec3], direction: Option<DVec3>) -> f64 {
     let largest = points.iter().fold(DVec3::ZERO, |largest, x| largest.max(x.abs()));
     let along = direction.map_or(DVec3::ONE, DVec3::abs);

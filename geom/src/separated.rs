@@ -1,11 +1,12 @@
 //! Whether anything can stand between two patches.
 //!
-//! A segment from a point of A to a point of B lies in the convex hull of A ∪ B. So if a plane has that hull on one
-//! side and C on the other, C hides nothing between A and B. A plane of normal d separates exactly if d · w ≥ 0 for all
-//! differences w = c − x, c ∈ C, x ∈ A ∪ B. These half-spaces meet in a convex cone of directions, seen through the six
-//! faces of the cube |d|_∞ = 1: on each face the cone is a convex polygon. The face is clipped by the half-space that
-//! the middle of what remains misses most, until it misses none, and separates, or nothing is left. Touching hulls
-//! leave a cone of no width, so each half-space is moved outwards by the tolerance: d · w ≥ −τ.
+//! A segment from a point of A to a point of B lies in the convex hull of A ∪ B. So if a plane has that hull
+//! on one side and C on the other, C hides nothing between A and B. A plane of normal d separates exactly if
+//! d · w ≥ 0 for all differences w = c − x, c ∈ C, x ∈ A ∪ B. These half-spaces meet in a convex cone of
+//! directions, seen through the six faces of the cube |d|_∞ = 1: on each face the cone is a convex polygon.
+//! The face is clipped by the half-space that the middle of what remains misses most, until it misses none,
+//! and separates, or nothing is left. Touching hulls leave a cone of no width, so each half-space is moved
+//! outwards by the tolerance: d · w ≥ −τ.
 
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -15,11 +16,11 @@ use crate::clip_by_heights;
 /// Directions: a convex polygon on a face of the cube.
 type Cone = SmallVec<[DVec3; 12]>;
 
-/// True only if the convex hull of `a` ∪ `b` certainly does not properly meet the convex hull of `c`: there is a plane
-/// that neither crosses by more than `tolerance` (a length). Touching hulls count as separated.
+/// True only if the convex hull of `a` ∪ `b` certainly does not properly meet the convex hull of `c`: there
+/// is a plane that neither crosses by more than `tolerance` (a length). Touching hulls count as separated.
 ///
-/// Meant for the few corners of patches and boxes: usually a few clips, each after a pass over all points, and never
-/// more than |c| · (|a| + |b|) per face.
+/// Meant for the few corners of patches and boxes: usually a few clips, each after a pass over all points,
+/// and never more than |c| · (|a| + |b|) per face.
 pub fn separated(a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> bool {
     let splits = |d: DVec3| d != DVec3::ZERO && gap(a, b, c, d) >= -tolerance * d.length();
     let middle = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len() as f64;

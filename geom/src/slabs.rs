@@ -1,5 +1,5 @@
-//! Rays against boxes: each of the three slabs of a box meets the ray in an interval of t; the box meets it in their
-//! intersection.
+//! Rays against boxes: each of the three slabs of a box meets the ray in an interval of t; the box meets it
+//! in their intersection.
 
 use crate::{Aabb, Ray};
 use glam::DVec3;

@@ -1,8 +1,8 @@
 //! The trait of all surfaces.
 //!
-//! A surface is a map X: [−1, 1]² → ℝ³ with tangents X_u, X_v. Its area element is |X_u × X_v| du dv and its front the
-//! side that X_u × X_v points to. A shape has to give its jet, its bounds and its nearest ray hit; everything else
-//! follows from these three, and a shape replaces what it knows in closed form.
+//! A surface is a map X: [−1, 1]² → ℝ³ with tangents X_u, X_v. Its area element is |X_u × X_v| du dv and its
+//! front the side that X_u × X_v points to. A shape has to give its jet, its bounds and its nearest ray hit;
+//! everything else follows from these three, and a shape replaces what it knows in closed form.
 
 use crate::{Aabb, Hit, PlanarRegion, Ray, Rect, ShapeError};
 use glam::DVec3;
@@ -130,8 +130,8 @@ fn gauss_area<S: Surface + ?Sized>(surface: &S, rect: &Rect) -> f64 {
     du * dv * nodes.iter().zip(weights).map(|(s, w)| w * row(*s)).sum::<f64>()
 }
 
-/// Splits `rect` until quartering changes its area, `whole` by one rule, by less than 2e-14, or 8 times (both chosen,
-/// not tuned).
+/// Splits `rect` until quartering changes its area, `whole` by one rule, by less than 2e-14, or 8 times (both
+/// chosen, not tuned).
 fn refine_area<S: Surface + ?Sized>(surface: &S, rect: &Rect, whole: f64, depth: usize) -> f64 {
     let quarters = rect.quarters();
     let parts = quarters.map(|quarter| gauss_area(surface, &quarter));
@@ -145,8 +145,8 @@ fn refine_area<S: Surface + ?Sized>(surface: &S, rect: &Rect, whole: f64, depth:
 /// Starts of a search for the nearest point. Chosen; not tuned.
 const DESCENTS: usize = 6;
 
-/// Parameters to start descents from, nearest first: the nearest of the centres of 10 × 10 cells, which keep off poles
-/// and seams.
+/// Parameters to start descents from, nearest first: the nearest of the centres of 10 × 10 cells, which keep
+/// off poles and seams.
 fn seeds<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Vec<(f64, [f64; 2])> {
     let middle = |k: usize| (k as f64 + 0.5) / 5.0 - 1.0;
     let grid = (0..100).map(|k| [middle(k % 10), middle(k / 10)]);
@@ -165,7 +165,8 @@ fn seeds<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Vec<(f64, [f64; 2])>
 /// Points nearer than this part of the surface's extent lie on it. Chosen; not tuned.
 const ON_SURFACE: f64 = 1e-12;
 
-/// The best of a few descents: several, since near a pole the nearest seed may lie on the wrong side of the seam.
+/// The best of a few descents: several, since near a pole the nearest seed may lie on the wrong side of the
+/// seam.
 pub(crate) fn nearest_foot<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Foot {
     let near = ON_SURFACE * surface.bounds(&Rect::FULL).diagonal();
     let mut best = Foot { u: 0.0, v: 0.0, distance: f64::INFINITY };
@@ -181,7 +182,8 @@ pub(crate) fn nearest_foot<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Fo
     best
 }
 
-/// The foot of a point on the surface, by one descent from the middle of the parameters; None if that does not find it.
+/// The foot of a point on the surface, by one descent from the middle of the parameters; None if that does
+/// not find it.
 pub(crate) fn foot_from_middle<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Option<Foot> {
     let foot = descend(surface, point, [0.0; 2]);
     (foot.distance <= ON_SURFACE * surface.bounds(&Rect::FULL).diagonal()).then_some(foot)

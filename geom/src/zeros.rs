@@ -17,9 +17,11 @@ use glam::{DMat2, DVec2};
 
 /// Below this deviation of the derivative from its mean, Newton's method takes over (header, test 2).
 pub(crate) const NEARLY_LINEAR: f64 = 0.3;
-/// Images smaller than this multiple of the whole are points, since rounding decides where they are. Chosen; not tuned.
+/// Images smaller than this multiple of the whole are points, since rounding decides where they are. Chosen;
+/// not tuned.
 const POINT: f64 = 1e-13;
-/// Most rectangles of a search; only an edge-on sheet, which vanishes along a curve, comes near. Chosen; not tuned.
+/// Most rectangles of a search; only an edge-on sheet, which vanishes along a curve, comes near. Chosen; not
+/// tuned.
 const BUDGET: usize = 4000;
 
 /// Visits the zeros of the map with the coefficients `net[i][j]`, s along i, as (s, t); stops when `visit`

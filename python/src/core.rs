@@ -1,7 +1,8 @@
 //! The private module `_core`: Gauss rules, polynomials and conversions of `radiosity-core` on flat arrays.
 //!
-//! `radiosity/core.py` checks what the user gives, makes every array and states shapes and domains; here arrays are contiguous and
-//! results are written into them, so that NumPy alone allocates and a lack of memory is a `MemoryError`.
+//! `radiosity/core.py` checks what the user gives, makes every array and states shapes and domains; here
+//! arrays are contiguous and results are written into them, so that NumPy alone allocates and a lack of
+//! memory is a `MemoryError`.
 
 mod bases;
 mod conversions;
@@ -16,7 +17,8 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use radiosity_core::jacobi::Weight;
 
-/// Fewer numbers than this are written without letting other threads of Python run: that costs more than it gives.
+/// Fewer numbers than this are written without letting other threads of Python run: that costs more than it
+/// gives.
 const FEW: usize = 4096;
 
 /// Gauss rules, polynomials and conversions on flat arrays.

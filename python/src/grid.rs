@@ -52,7 +52,8 @@ impl Grid {
         self.of_bands(py, |cell| &cell.radiosity)
     }
 
-    /// Standard deviation of each irradiance relative to it: an array (n,); not a number where rays gathered nothing.
+    /// Standard deviation of each irradiance relative to it: an array (n,); not a number where rays gathered
+    /// nothing.
     #[getter]
     fn errors<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
         let numbers = self.cells.iter().map(|cell| relative(cell.deviation)).collect();

@@ -1,7 +1,7 @@
 //! The Rust side of the package `radiosity` of Python.
 //!
-//! Python's classes (`radiosity/*.py`) hold the arguments with their documentation; what is here turns them into those of the
-//! library, works without the lock of the interpreter (`work`), and hands arrays back.
+//! Python's classes (`radiosity/*.py`) hold the arguments with their documentation; what is here turns them
+//! into those of the library, works without the lock of the interpreter (`work`), and hands arrays back.
 
 mod error;
 mod arguments;

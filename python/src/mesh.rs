@@ -11,14 +11,14 @@ use crate::arrays::points;
 use crate::error::Trouble;
 use crate::work::work;
 
-/// A surface: its name, the index of its label, and its rings (k, 3), of which the first is the outline and the others are holes;
-/// or the four corners of a bilinear patch, where the last is true.
+/// A surface: its name, the index of its label, and its rings (k, 3), of which the first is the outline and
+/// the others are holes; or the four corners of a bilinear patch, where the last is true.
 type NamedRings<'py> = (String, usize, Vec<Bound<'py, PyArray2<f64>>>, bool);
 
 /// The polygons that faces make, each label an object of its own.
 ///
-/// Face i has the corners `corners[ends[i − 1] .. ends[i]]`, indices of `vertices` (v, 3), counter-clockwise seen from its front,
-/// and the label `labels[i]`, an index of `names`.
+/// Face i has the corners `corners[ends[i − 1] .. ends[i]]`, indices of `vertices` (v, 3), counter-clockwise
+/// seen from its front, and the label `labels[i]`, an index of `names`.
 #[pyfunction]
 pub(crate) fn mesh_polygons<'py>(
     py: Python<'py>,

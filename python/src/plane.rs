@@ -12,7 +12,8 @@ use radiosity::work::wording::Wording;
 use crate::arrays::{array, relative};
 use crate::error::Trouble;
 
-/// A plane as it is given: by its name in the scene, or by a corner, two edges and the largest spacing along each.
+/// A plane as it is given: by its name in the scene, or by a corner, two edges and the largest spacing along
+/// each.
 #[derive(FromPyObject)]
 pub(crate) enum Given {
     Named(String),
@@ -75,7 +76,8 @@ impl Plane {
         array(py, &[rows, columns, self.bands], numbers.collect())
     }
 
-    /// Standard deviation of each value relative to it: an array (rows, columns); not a number where rays gathered nothing.
+    /// Standard deviation of each value relative to it: an array (rows, columns); not a number where rays
+    /// gathered nothing.
     #[getter]
     fn errors<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
         let numbers = self.readings.iter().map(|reading| relative(reading.deviation));

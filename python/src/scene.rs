@@ -28,8 +28,8 @@ pub(crate) struct Scene {
     pub(crate) scene: scene::Scene,
 }
 
-/// The scene in a file, or one that is built in; `settings` are its parameters, variables and light groups, the other arguments
-/// those of `radiosity.load`.
+/// The scene in a file, or one that is built in; `settings` are its parameters, variables and light groups,
+/// the other arguments those of `radiosity.load`.
 #[pyfunction]
 pub(crate) fn load(
     py: Python<'_>,
@@ -51,15 +51,16 @@ pub(crate) fn load(
     Ok(Scene { scene: work(py, None, |_| request.load_lit(Ranks::alone()))? })
 }
 
-/// The scene in a text in TOML or JSON; `name` stands before messages. Files that it names are looked for in the current folder.
+/// The scene in a text in TOML or JSON; `name` stands before messages. Files that it names are looked for in
+/// the current folder.
 #[pyfunction]
 pub(crate) fn parse(text: &str, name: &str) -> Result<Scene, Trouble> {
     let source = scene::Source::new(name, text).with_files();
     Ok(Scene { scene: radiosity::language::parse(&source)? })
 }
 
-/// The scene of these parts by the keys of scene files; `name` stands before messages. Files that they name are looked for in the
-/// current folder.
+/// The scene of these parts by the keys of scene files; `name` stands before messages. Files that they name
+/// are looked for in the current folder.
 #[pyfunction]
 pub(crate) fn made(py: Python<'_>, parts: &Bound<'_, PyDict>, name: &str) -> Result<Scene, Trouble> {
     let tree = tree::tree(parts);

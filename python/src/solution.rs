@@ -195,8 +195,8 @@ impl Solution {
         self.report.accuracy_estimate
     }
 
-    /// Irradiance at points (n, 3) for normals (n, 3): an array (n, bands), and its standard deviations relative to it, (n,), not
-    /// a number where rays gathered nothing.
+    /// Irradiance at points (n, 3) for normals (n, 3): an array (n, bands), and its standard deviations
+    /// relative to it, (n,), not a number where rays gathered nothing.
     fn irradiance<'py>(
         &self,
         py: Python<'py>,

@@ -132,7 +132,8 @@ fn list<'py>(items: impl Iterator<Item = Bound<'py, PyAny>>, around: &mut Vec<us
     Tree::list(trees)
 }
 
-/// A number of Python or of NumPy, if it is one and real; whole numbers beyond the range of floating point are infinite.
+/// A number of Python or of NumPy, if it is one and real; whole numbers beyond the range of floating point
+/// are infinite.
 fn number(given: &Bound<'_, PyAny>) -> Option<f64> {
     if let Ok(number) = given.cast::<PyFloat>() {
         return Some(number.value());
@@ -148,8 +149,8 @@ fn number(given: &Bound<'_, PyAny>) -> Option<f64> {
     if ["f", "i", "u"].contains(&kind.as_str()) { given.extract().ok() } else { None }
 }
 
-/// The rows of an array (k, 3) of floating point in any order in memory. Classes that are more than arrays, such as masked ones,
-/// say themselves what their items are.
+/// The rows of an array (k, 3) of floating point in any order in memory. Classes that are more than arrays,
+/// such as masked ones, say themselves what their items are.
 fn points(array: &Bound<'_, PyUntypedArray>) -> Option<Vec<DVec3>> {
     let array = array.cast_exact::<PyUntypedArray>().ok().filter(|array| array.is_aligned())?;
     let rows: PyReadonlyArray2<'_, f64> = array.cast::<PyArray2<f64>>().ok()?.try_readonly().ok()?;

@@ -193,7 +193,8 @@ impl ViewFactors {
         array(py, &[sums.len()], sums)
     }
 
-    /// Largest error left in the exchange of two elements, and the largest difference of A_i F_ij and A_j F_ji.
+    /// Largest error left in the exchange of two elements, and the largest difference of A_i F_ij and A_j
+    /// F_ji.
     #[getter]
     fn errors(&self) -> [f64; 2] {
         [self.factors.accuracy_reached, self.factors.reciprocity.largest]

@@ -1,5 +1,5 @@
-//! Long work: a thread of its own does it, without the lock of the interpreter, while the thread that asked for it waits for
-//! signals and tells how far it is.
+//! Long work: a thread of its own does it, without the lock of the interpreter, while the thread that asked
+//! for it waits for signals and tells how far it is.
 //!
 //! Ctrl-C, or an exception of the observer, interrupts the work ([`radiosity::work::interruption`]).
 

@@ -3,8 +3,9 @@
 //! A small system goes to Cholesky or LU, whose n³/6 or n³/3 multiplications in cache then cost less than a
 //! few products with a matrix from memory. A larger one goes to cg or gmres, which need 10 products where a
 //! factorisation takes the time of 30 or more; where they have not finished in about that time, a direct
-//! method takes over. A tolerance near the rounding floor asks for a direct method wherever one is affordable; the
-//! largest systems are always iterated. Symmetric matrices are tried as positive definite first.
+//! method takes over. A tolerance near the rounding floor asks for a direct method wherever one is
+//! affordable; the largest systems are always iterated. Symmetric matrices are tried as positive definite
+//! first.
 
 use std::time::Instant;
 
@@ -19,8 +20,8 @@ use crate::solver::{Report, Solver, Step};
 
 pub(crate) const NAME: &str = "auto";
 
-/// Unknowns per right-hand side up to which a direct method comes first; in all, if the entries are not held. Chosen; not
-/// tuned.
+/// Unknowns per right-hand side up to which a direct method comes first; in all, if the entries are not held.
+/// Chosen; not tuned.
 pub const DIRECT: usize = 500;
 
 /// Unknowns from which no direct method is tried: the copy of the matrix would take 7 GB.
@@ -29,8 +30,8 @@ const HUGE: usize = 30_000;
 /// Unknowns up to which the matrix is made entry by entry for a direct method where it is not held so: 72 MB.
 pub const DENSE: usize = 3000;
 
-/// Tolerance below which a direct method comes first: some 500 rounding errors, which iterations may not reach. Chosen;
-/// not tuned.
+/// Tolerance below which a direct method comes first: some 500 rounding errors, which iterations may not
+/// reach. Chosen; not tuned.
 const STRICT: f64 = 1e-13;
 
 /// Chooses among the other methods; see the [module](self).
@@ -75,7 +76,8 @@ impl Plan {
     /// The plan for `a` and this many right-hand sides.
     fn new(a: &dyn Operator, columns: usize, settings: &Settings<'_>) -> Self {
         let dim = a.partition().dim();
-        // One factorisation serves all columns; the entries of what is not held so would first take a product each.
+        // One factorisation serves all columns; the entries of what is not held so would first take a product
+        // each.
         let shares = if a.dense().is_some() { columns.max(1) } else { 1 };
         let direct_only = dim <= DIRECT.saturating_mul(shares) || settings.tolerance < STRICT;
         let mut first: Vec<&'static dyn Solver> = Vec::new();

@@ -1,8 +1,8 @@
 //! A matrix of which most blocks are zero.
 //!
-//! The blocks that are not zero stand row by row (compressed rows, as in Y. Saad, *Iterative Methods for Sparse
-//! Linear Systems*, 2nd ed., SIAM 2003, §3.4, with blocks in place of entries). Every y_i is summed in the
-//! order of the columns, whatever thread does it: the number of threads never changes a bit.
+//! The blocks that are not zero stand row by row (compressed rows, as in Y. Saad, *Iterative Methods for
+//! Sparse Linear Systems*, 2nd ed., SIAM 2003, §3.4, with blocks in place of entries). Every y_i is summed in
+//! the order of the columns, whatever thread does it: the number of threads never changes a bit.
 
 use rayon::prelude::*;
 

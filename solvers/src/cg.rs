@@ -8,9 +8,9 @@
 //!
 //!   4 ((√κ − 1) / (√κ + 1))²ᵏ
 //!
-//! times the initial value, κ = κ₂(M⁻¹ A). Rounding makes the r of the recurrence drift away from b − A x. When r has
-//! fallen by 10¹⁴, and before success is reported, it is recomputed and the directions restart. Converges for every
-//! symmetric positive definite A; pᵀAp ≤ 0 refutes that. Symmetry itself is tested by one
+//! times the initial value, κ = κ₂(M⁻¹ A). Rounding makes the r of the recurrence drift away from b − A x.
+//! When r has fallen by 10¹⁴, and before success is reported, it is recomputed and the directions restart.
+//! Converges for every symmetric positive definite A; pᵀAp ≤ 0 refutes that. Symmetry itself is tested by one
 //! probe, vᵀ(A p₀) = p₀ᵀ(A v) for a scattered v. Reference: Y. Saad, *Iterative Methods for Sparse Linear
 //! Systems*, 2nd ed., SIAM 2003, §6.7, §9.2.
 

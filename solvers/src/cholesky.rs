@@ -2,9 +2,9 @@
 //!
 //! A = L Lᵀ in n³/6 multiplications from the lower triangle of A alone, half of what LU takes. The residual
 //! is recomputed with all of A and refined; where that does not reach the tolerance (a matrix that is not as
-//! symmetric as it claims, or factors gone wrong) LU takes over. L exists exactly if the lower triangle is that of
-//! a symmetric positive definite matrix; any other is refused. The columns are taken in panels, of which the first is
-//! factored and the rest updated,
+//! symmetric as it claims, or factors gone wrong) LU takes over. L exists exactly if the lower triangle is
+//! that of a symmetric positive definite matrix; any other is refused. The columns are taken in panels, of
+//! which the first is factored and the rest updated,
 //!
 //!   A₁₁ = L₁₁ L₁₁ᵀ,   L₂₁ = A₂₁ L₁₁⁻ᵀ,   A₂₂ ← A₂₂ − L₂₁ L₂₁ᵀ.
 //!
@@ -40,8 +40,8 @@ impl Cholesky {
     /// Factors `a` once, to solve with it often; without the fall-back to LU.
     ///
     /// # Errors
-    /// [`SolveError::NotSymmetric`] if the operator does not claim to be, [`SolveError::NotPositiveDefinite`], and those
-    /// of [`Lu::factor`] but [`SolveError::Singular`].
+    /// [`SolveError::NotSymmetric`] if the operator does not claim to be,
+    /// [`SolveError::NotPositiveDefinite`], and those of [`Lu::factor`] but [`SolveError::Singular`].
     pub fn factor<'a>(
         &self,
         a: &'a dyn Operator,

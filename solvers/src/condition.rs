@@ -2,8 +2,9 @@
 //!
 //! ‖A⁻¹‖₁ = max ‖A⁻¹ x‖₁ over ‖x‖₁ ≤ 1 is sought by steepest ascent: with y = A⁻¹ x and z = A⁻ᵀ sign(y), z is
 //! a subgradient at x, and the next x is the unit vector of its largest entry; it ends when |z_j| ≤ zᵀx.
-//! Besides, the vector x_i = (−1)ⁱ (1 + i/(n−1)) gives 2 ‖A⁻¹x‖₁ / 3n, which catches what cancellation hides. The
-//! result is a lower bound, seldom wrong by more than 3. Reference: N. J. Higham, *ACM TOMS* 14 (1988) 381-396.
+//! Besides, the vector x_i = (−1)ⁱ (1 + i/(n−1)) gives 2 ‖A⁻¹x‖₁ / 3n, which catches what cancellation hides.
+//! The result is a lower bound, seldom wrong by more than 3. Reference: N. J. Higham, *ACM TOMS* 14 (1988)
+//! 381-396.
 
 use crate::factors::Factors;
 use crate::vector::dot;

@@ -36,8 +36,8 @@ const ASYMMETRY: f64 = 1e-12;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// Matrices of [faer] and [nalgebra] are taken by `try_from`, as blocks of one unknown ([`with_partition`] cuts other
-/// ones), and a `Dense` is seen as theirs by `from`, without a copy:
+/// Matrices of [faer] and [nalgebra] are taken by `try_from`, as blocks of one unknown ([`with_partition`]
+/// cuts other ones), and a `Dense` is seen as theirs by `from`, without a copy:
 ///
 /// ```
 /// use radiosity_solvers::{Dense, Partition};

@@ -89,14 +89,14 @@ impl<'a> Factored<'a> {
         Ok(Self { method: D::NAME, cost, a, factors, settings: settings.clone(), condition })
     }
 
-    /// Solves A x = b: Ok means that ‖b − A x‖₂ / ‖b‖₂, recomputed, is at most the tolerance of the settings with which
-    /// the matrix was factored. `b` and `x` have `dim` entries; the first value of `x` is ignored. The time budget
-    /// begins anew.
+    /// Solves A x = b: Ok means that ‖b − A x‖₂ / ‖b‖₂, recomputed, is at most the tolerance of the settings
+    /// with which the matrix was factored. `b` and `x` have `dim` entries; the first value of `x` is ignored.
+    /// The time budget begins anew.
     ///
     /// # Errors
     /// [`SolveError::DimensionMismatch`], [`SolveError::NonFinite`], [`SolveError::Singular`],
-    /// [`SolveError::NotConverged`], [`SolveError::Cancelled`]; `x` then holds the best iterate there was, or is as it
-    /// was.
+    /// [`SolveError::NotConverged`], [`SolveError::Cancelled`]; `x` then holds the best iterate there was, or
+    /// is as it was.
     pub fn solve(&self, b: &[f64], x: &mut [f64]) -> Result<Report, SolveError> {
         let problem = Problem::new(self.a, b, x, &self.settings)?;
         self.refine_from(&problem, x, Instant::now(), &mut |_| ())
@@ -264,8 +264,8 @@ fn is_of_the_matrix(error: &SolveError) -> bool {
     matches!(error, SolveError::Singular { .. } | SolveError::NotPositiveDefinite { .. })
 }
 
-/// `error`, or [`SolveError::NonFinite`] if the matrix is not finite: checked only after a failure, since a small
-/// residual proves that it is.
+/// `error`, or [`SolveError::NonFinite`] if the matrix is not finite: checked only after a failure, since a
+/// small residual proves that it is.
 fn blame(a: &dyn Operator, error: SolveError) -> SolveError {
     finite(&matrix(a)).err().unwrap_or(error)
 }

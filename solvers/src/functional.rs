@@ -6,9 +6,9 @@
 //!
 //!   I(x*) = −½ bᵀ x* ,   I(x) − I(x*) = ½ (x − x*)ᵀ A (x − x*) :
 //!
-//! half the square of the error in the norm of energy. Conjugate gradients lower it in every step, and a solution from a
-//! larger space has a lower one (Ritz). Reference: L. Szirmay-Kalos, *Application of variational calculus in the radiosity
-//! method*, Periodica Polytechnica El. Eng. 40 (1996), 123–138.
+//! half the square of the error in the norm of energy. Conjugate gradients lower it in every step, and a
+//! solution from a larger space has a lower one (Ritz). Reference: L. Szirmay-Kalos, *Application of
+//! variational calculus in the radiosity method*, Periodica Polytechnica El. Eng. 40 (1996), 123–138.
 
 use crate::operator::Operator;
 use crate::vector::dot;

@@ -1,13 +1,14 @@
 //! Restarted GMRES, preconditioned from the right by the diagonal blocks or not.
 //!
-//! With M = diag(A_BB), or M = I, r = b − A x and v₁ = r/‖r‖, the Arnoldi process builds an orthonormal v₁, …, v_{j+1}
-//! with
+//! With M = diag(A_BB), or M = I, r = b − A x and v₁ = r/‖r‖, the Arnoldi process builds an orthonormal v₁,
+//! …, v_{j+1} with
 //!
 //!   A M⁻¹ V_j = V_{j+1} H_j,   H_j of j+1 rows, upper Hessenberg,
 //!
 //! by modified Gram–Schmidt, done twice. Givens rotations keep H_j triangular, and the last entry of the
-//! rotated ‖r‖ e₁ is the residual of the best x + M⁻¹ V_j y, y minimising ‖ ‖r‖ e₁ − H_j y ‖₂. After m steps x is
-//! updated, the residual recomputed, and the process restarts. A block without inverse is not preconditioned.
+//! rotated ‖r‖ e₁ is the residual of the best x + M⁻¹ V_j y, y minimising ‖ ‖r‖ e₁ − H_j y ‖₂. After m steps
+//! x is updated, the residual recomputed, and the process restarts. A block without inverse is not
+//! preconditioned.
 //!
 //! The residual never rises. Without restart it vanishes after at most n steps for every invertible A; with
 //! restarts it is certain to only if the symmetric part of A M⁻¹ is positive definite, and may stand still
@@ -25,8 +26,8 @@ use crate::vector::{add_scaled, dot, norm};
 
 pub(crate) const NAME: &str = "gmres";
 
-/// Relative length below which the remainder of orthogonalisation is rounding: some five rounding errors. Chosen; not
-/// tuned.
+/// Relative length below which the remainder of orthogonalisation is rounding: some five rounding errors.
+/// Chosen; not tuned.
 const VANISHED: f64 = 1e-15;
 
 /// Restarted GMRES, with a block-Jacobi preconditioner unless none is wanted; see the [module](self).

@@ -23,7 +23,8 @@ impl<'a> Halt<'a> {
         Self { method, cancel, time_budget, started, tolerance }
     }
 
-    /// Refuses to go on once the flag is raised or the time is used up; `residual` is reached after `iterations`.
+    /// Refuses to go on once the flag is raised or the time is used up; `residual` is reached after
+    /// `iterations`.
     ///
     /// # Errors
     /// [`SolveError::Cancelled`], or [`SolveError::NotConverged`] for [`Stop::Time`].

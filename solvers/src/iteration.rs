@@ -1,10 +1,11 @@
 //! The loop around all iterative methods: budgets, observer, and a recomputed residual at the end.
 //!
-//! A method says how it advances and what it estimates its residual to be. Before success is reported the residual is
-//! recomputed from A, b and x; if the estimate was too low the method restarts from there. An iteration is stuck when
-//! its residual has set no new record for one and a half times `patience` and does not fall on average either: after
-//! the first half of a patience, in which residuals may rise, each half must sum to less than the one before. At the
-//! rounding floor neither holds, so that every tolerance ends, even 0.
+//! A method says how it advances and what it estimates its residual to be. Before success is reported the
+//! residual is recomputed from A, b and x; if the estimate was too low the method restarts from there. An
+//! iteration is stuck when its residual has set no new record for one and a half times `patience` and does
+//! not fall on average either: after the first half of a patience, in which residuals may rise, each half
+//! must sum to less than the one before. At the rounding floor neither holds, so that every tolerance ends,
+//! even 0.
 
 use std::sync::atomic::Ordering;
 use std::time::Instant;
@@ -18,8 +19,8 @@ use crate::vector::all_finite;
 /// Growth of the residual after which an iteration is given up. Chosen; not tuned.
 const DIVERGED: f64 = 1e12;
 
-/// Estimates in a row that were too low, without a new record of the recomputed residual, after which a method is
-/// stuck. Chosen; not tuned.
+/// Estimates in a row that were too low, without a new record of the recomputed residual, after which a
+/// method is stuck. Chosen; not tuned.
 const CLAIMS: usize = 5;
 
 /// The iteration of one method.

@@ -5,8 +5,8 @@
 //!   x ← x + ω D⁻¹ (b − A x).
 //!
 //! For A = I − K with zero diagonal blocks in K and ω = 1 this is Neumann's series x = b + K b + K² b + ….
-//! Converges for every first guess exactly if all eigenvalues of I − ω D⁻¹ A are below 1 in modulus:
-//! with ω = 1 if A is strictly diagonally dominant (by single rows, coefficient by coefficient); for symmetric
+//! Converges for every first guess exactly if all eigenvalues of I − ω D⁻¹ A are below 1 in modulus: with
+//! ω = 1 if A is strictly diagonally dominant (by single rows, coefficient by coefficient); for symmetric
 //! positive definite A and D if 0 < ω < 2 / λ_max(D⁻¹ A). Reference: Y. Saad, *Iterative Methods for Sparse
 //! Linear Systems*, 2nd ed., SIAM 2003, §4.1-4.2.
 

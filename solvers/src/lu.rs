@@ -1,8 +1,8 @@
 //! LU factorisation with partial pivoting, by faer.
 //!
 //! P A = L U in n³/3 multiplications, then two triangles per right-hand side; the residual of the solution is
-//! recomputed and refined. Backward stable in practice for every nonsingular matrix. The columns are taken in panels
-//! [A₁ A₂], of which the first is factored and the rest updated,
+//! recomputed and refined. Backward stable in practice for every nonsingular matrix. The columns are taken in
+//! panels [A₁ A₂], of which the first is factored and the rest updated,
 //!
 //!   P₁ A₁ = [L₁₁; L₂₁] U₁₁,   U₁₂ = L₁₁⁻¹ (P₁ A₂)₁,   A₂₂ ← (P₁ A₂)₂ − L₂₁ U₁₂.
 //!
@@ -35,9 +35,10 @@ impl Lu {
     /// Factors `a` once, to solve with it often.
     ///
     /// # Errors
-    /// [`SolveError::Singular`] if a pivot is 0 or its inverse overflows, [`SolveError::NonFinite`], [`SolveError::DimensionMismatch`]
-    /// if the operator holds another number of entries than dim², [`SolveError::Setting`],
-    /// [`SolveError::Cancelled`], and [`SolveError::NotConverged`] once the time budget is used up.
+    /// [`SolveError::Singular`] if a pivot is 0 or its inverse overflows, [`SolveError::NonFinite`],
+    /// [`SolveError::DimensionMismatch`] if the operator holds another number of entries than dim²,
+    /// [`SolveError::Setting`], [`SolveError::Cancelled`], and [`SolveError::NotConverged`] once the time
+    /// budget is used up.
     pub fn factor<'a>(
         &self,
         a: &'a dyn Operator,

@@ -6,21 +6,23 @@ use crate::partition::Partition;
 ///
 /// Every vector is a plain slice; a whole one has `partition().dim()` entries, a block one
 /// `partition().size(block)`. Several right-hand sides lie one after the other: entry `i` of column `c` is
-/// `x[c·dim + i]`. An implementation must write every entry of a product, a row or a diagonal block: entries left out
-/// are found and refused as [`NonFinite`](crate::SolveError::NonFinite).
+/// `x[c·dim + i]`. An implementation must write every entry of a product, a row or a diagonal block: entries
+/// left out are found and refused as [`NonFinite`](crate::SolveError::NonFinite).
 pub trait Operator: Sync {
     /// The blocks of rows, and of columns.
     fn partition(&self) -> &Partition;
 
-    /// One block row: y = (A x) on the rows of block `row`; `x` is whole, `y` a block. Provided by the whole product.
+    /// One block row: y = (A x) on the rows of block `row`; `x` is whole, `y` a block. Provided by the whole
+    /// product.
     fn gather(&self, row: usize, x: &[f64], y: &mut [f64]) {
         let mut all = vec![0.0; x.len()];
         self.apply(x, &mut all);
         y.copy_from_slice(&all[self.partition().range(row)]);
     }
 
-    /// One block column: y += A\[:, column\] x; `x` is a block, `y` whole. A greedy solver uses the matrix only through
-    /// this and [`diagonal`](Self::diagonal): an implementation may compute the column when it is first shot.
+    /// One block column: y += A\[:, column\] x; `x` is a block, `y` whole. A greedy solver uses the matrix
+    /// only through this and [`diagonal`](Self::diagonal): an implementation may compute the column when it
+    /// is first shot.
     fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]);
 
     /// y = A x; provided by shooting every column.
@@ -33,10 +35,10 @@ pub trait Operator: Sync {
 
     /// The square diagonal block of `block`, column by column: entry (k, l) at `out[l·size + k]`.
     ///
-    /// Provided by shooting each unit vector of the block, which makes a whole block column of `dim·size` entries to
-    /// keep `size²` of them, and computes it where columns are computed on demand. Write it yourself wherever the
-    /// diagonal block is known by itself: jacobi, gauss-seidel, southwell and the preconditioners of cg and gmres
-    /// read it of every block that they touch.
+    /// Provided by shooting each unit vector of the block, which makes a whole block column of `dim·size`
+    /// entries to keep `size²` of them, and computes it where columns are computed on demand. Write it
+    /// yourself wherever the diagonal block is known by itself: jacobi, gauss-seidel, southwell and the
+    /// preconditioners of cg and gmres read it of every block that they touch.
     fn diagonal(&self, block: usize, out: &mut [f64]) {
         let range = self.partition().range(block);
         let (dim, size) = (self.partition().dim(), range.len());

@@ -74,7 +74,8 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// Whether `x` is not a number or above 1e150: a product with it that is not finite is then no fault of the matrix.
+/// Whether `x` is not a number or above 1e150: a product with it that is not finite is then no fault of the
+/// matrix.
 pub(crate) fn exploded(x: &[f64]) -> bool {
     let size = norm(x);
     size.is_nan() || size > 1e150

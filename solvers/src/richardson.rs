@@ -6,10 +6,11 @@
 //!
 //!   x = b + K b + K² b + … ,   K = I − A :
 //!
-//! of light that is reflected, one reflection more for each iteration. The error of the k-th iterate is (I − ω A)ᵏ times the
-//! first one. Converges for every first guess exactly if all eigenvalues of I − ω A are below 1 in modulus: for symmetric
-//! positive definite A if 0 < ω < 2 / λ_max(A). No diagonal block is read or inverted. References: L. F. Richardson, Phil.
-//! Trans. R. Soc. A 210 (1911); Y. Saad, *Iterative Methods for Sparse Linear Systems*, 2nd ed., SIAM 2003, §4.2.
+//! of light that is reflected, one reflection more for each iteration. The error of the k-th iterate is
+//! (I − ω A)ᵏ times the first one. Converges for every first guess exactly if all eigenvalues of I − ω A are
+//! below 1 in modulus: for symmetric positive definite A if 0 < ω < 2 / λ_max(A). No diagonal block is read
+//! or inverted. References: L. F. Richardson, Phil. Trans. R. Soc. A 210 (1911); Y. Saad, *Iterative Methods
+//! for Sparse Linear Systems*, 2nd ed., SIAM 2003, §4.2.
 
 use crate::error::SolveError;
 use crate::operator::Operator;

@@ -56,11 +56,11 @@ pub struct Settings<'a> {
     /// Threads of the direct methods, 0 for all there are. Never changes a bit of the result.
     pub threads: usize,
     /// The deadline, as time from its beginning: a solve gives up there, and x holds the best so far
-    /// ([`Stop::Time`](crate::Stop::Time)); all right-hand sides and fall-backs together. Looked at between iterations,
-    /// and between the panels of a factorisation.
-    pub time_budget: Option<Duration>,
-    /// The interrupt, raised by the caller where nothing is wanted any more ([`SolveError::Cancelled`]); looked at between
+    /// ([`Stop::Time`](crate::Stop::Time)); all right-hand sides and fall-backs together. Looked at between
     /// iterations, and between the panels of a factorisation.
+    pub time_budget: Option<Duration>,
+    /// The interrupt, raised by the caller where nothing is wanted any more ([`SolveError::Cancelled`]);
+    /// looked at between iterations, and between the panels of a factorisation.
     pub cancel: Option<&'a AtomicBool>,
     /// southwell: weight w_l > 0 of each unknown; the one with the largest w_l |r_l|, or the block with the
     /// largest sum of them, is shot next. All ones when absent.
@@ -69,7 +69,8 @@ pub struct Settings<'a> {
     pub granularity: Granularity,
     /// gauss-seidel: the order of visits.
     pub sweep: Sweep,
-    /// jacobi, gauss-seidel, southwell, richardson: multiplies every correction, in (0, 2); above 1 overshoots.
+    /// jacobi, gauss-seidel, southwell, richardson: multiplies every correction, in (0, 2); above 1
+    /// overshoots.
     pub relaxation: f64,
     /// cg, gmres: how residuals are preconditioned.
     pub preconditioner: Preconditioner,

@@ -52,8 +52,8 @@ impl<'a> Step<'a> {
 }
 
 impl Report {
-    /// The account of `method`, for a solver of one's own, from the residuals before the first iteration and after
-    /// each; the residual is the last of them, the rest 0 or absent.
+    /// The account of `method`, for a solver of one's own, from the residuals before the first iteration and
+    /// after each; the residual is the last of them, the rest 0 or absent.
     pub fn new(method: &'static str, history: Vec<f64>) -> Self {
         let (iterations, residual) =
             (history.len().saturating_sub(1), history.last().copied().unwrap_or(0.0));

@@ -1,25 +1,26 @@
 //! Southwell: always relax where the residual is largest.
 //!
-//! The residual r = b − A x is what has not been shot. With weights w_l > 0 the measure of an unknown is M_l = w_l
+//! The residual r = b − A x is what has not been shot. With weights w_l > 0 the measure of an unknown is
+//! M_l = w_l
 //! |r_l|, that of a block the sum over its unknowns. Each shot takes the block B (or the unknown) of largest measure
 //! and sets
 //!
 //!   δ = ω D_B⁻¹ r_B,   x_B ← x_B + δ,   r ← r − A[:, B] δ,
 //!
 //! which needs one block column and no other: an operator may compute columns when they are first shot. From
-//! x = 0 only shot columns are ever used, also for the final residual. ω > 1 overshoots: it shoots what later shots
-//! would send back.
+//! x = 0 only shot columns are ever used, also for the final residual. ω > 1 overshoots: it shoots what later
+//! shots would send back.
 //!
 //! With A = I − K and r, x in the coefficients of an orthonormal basis T_l on elements of area element A, the
 //! weights w_l = ∬ |T_l| A du dv are those of eq. 25 of H. Zatz, *Galerkin radiosity*, SIGGRAPH 1993. A shot
 //! of measure m that leaves the total Σ M_l at T' instead of T sent back T' − (T − m); q, the ratio of all
-//! sent back to all shot, estimates how much each further shot will return, and Σ M_l / (1 − q) the remaining measure
-//! (the ambient term of Cohen, Chen, Wallace and Greenberg, SIGGRAPH 1988), for display only.
+//! sent back to all shot, estimates how much each further shot will return, and Σ M_l / (1 − q) the remaining
+//! measure (the ambient term of Cohen, Chen, Wallace and Greenberg, SIGGRAPH 1988), for display only.
 //!
 //! Converges for every first guess if A is symmetric positive definite and 0 < ω < 2, since every shot lowers
-//! (x − x*)ᵀ A (x − x*); with ω = 1 also if Σ_{i≠l} w_i |a_il| < w_l |a_ll| for every l, since every shot then
-//! lowers Σ M_l. References: R. V. Southwell, *Relaxation Methods in Engineering Science*, Oxford 1940; S. Gortler, M.
-//! Cohen, P. Slusallek, *Radiosity and relaxation methods*, IEEE CG&A 14(6), 1994.
+//! (x − x*)ᵀ A (x − x*); with ω = 1 also if Σ_{i≠l} w_i |a_il| < w_l |a_ll| for every l, since every shot
+//! then lowers Σ M_l. References: R. V. Southwell, *Relaxation Methods in Engineering Science*, Oxford 1940;
+//! S. Gortler, M. Cohen, P. Slusallek, *Radiosity and relaxation methods*, IEEE CG&A 14(6), 1994.
 
 use std::ops::Range;
 

@@ -8,8 +8,8 @@ use crate::settings::Settings;
 use crate::solver::{Report, Step};
 use crate::vector::add_scaled;
 
-/// Sweeps until the residual of `problem` is small enough, as `method`; D is given by `pivots`, one for each block, or is 1 where
-/// there are none.
+/// Sweeps until the residual of `problem` is small enough, as `method`; D is given by `pivots`, one for each
+/// block, or is 1 where there are none.
 pub(crate) fn sweep(
     method: &'static str,
     problem: &Problem<'_>,

@@ -28,8 +28,8 @@ pub fn room(grid: [usize; 3]) -> Scene {
     room.build().expect("the boxes keep apart")
 }
 
-/// The six faces of the box with three `edges` about `center`, fronts outside, or inside where the edges are left-handed. The
-/// face where the third edge starts has the first material.
+/// The six faces of the box with three `edges` about `center`, fronts outside, or inside where the edges are
+/// left-handed. The face where the third edge starts has the first material.
 fn add_box(
     room: &mut SceneBuilder,
     name: &str,

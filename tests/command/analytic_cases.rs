@@ -1,14 +1,15 @@
 //! Whole solutions with closed forms, or spectrally converged, through the command.
 //!
-//! The references of plates and disks were computed by a Nyström method to 1e-15; the others are exact: in a sphere the
-//! irradiance is one number, in a closed room of one reflectance B = 1/(1 − ρ).
+//! The references of plates and disks were computed by a Nyström method to 1e-15; the others are exact: in a
+//! sphere the irradiance is one number, in a closed room of one reflectance B = 1/(1 − ρ).
 
 use radiosity_geom::DVec3;
 use radiosity_test_support::folders::folder;
 
 use crate::program::{fed, succeeded};
 
-/// Radiosity at points with the normals of the surfaces they lie on, from the polynomials, by `radiosity probe`.
+/// Radiosity at points with the normals of the surfaces they lie on, from the polynomials, by
+/// `radiosity probe`.
 fn radiosity(scene: &str, order: usize, eps: &str, places: &[(DVec3, DVec3)]) -> Vec<f64> {
     radiosity_with(&[], scene, order, eps, places)
 }

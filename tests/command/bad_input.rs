@@ -1,4 +1,5 @@
-//! Bad input: every case gets file, line, column, name and cure on stderr, exit code 2, and leaves no file behind.
+//! Bad input: every case gets file, line, column, name and cure on stderr, exit code 2, and leaves no file
+//! behind.
 
 use radiosity_test_support::folders::folder;
 use std::fs;

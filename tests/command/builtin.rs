@@ -1,4 +1,5 @@
-//! The built-in scenes: what is in them, that they are closed where they should be, and what their parameters do.
+//! The built-in scenes: what is in them, that they are closed where they should be, and what their parameters
+//! do.
 
 use std::f64::consts::PI;
 
@@ -58,7 +59,8 @@ fn settings_are_refused_with_a_reason() {
     assert!(matches!(fault("temples", &[("bays", 4.0)]), Fault::UnknownScene { .. }));
 }
 
-/// The area is that of the table, computed elsewhere to 9 digits; the rule there is good to 3e-6 on folded patches.
+/// The area is that of the table, computed elsewhere to 9 digits; the rule there is good to 3e-6 on folded
+/// patches.
 #[test]
 fn the_teapot_is_the_table_s_and_faces_outward() {
     let scene = builtin_with("teapot", &[]);
@@ -128,8 +130,8 @@ fn factor(name: &str, settings: &[(&str, f64)]) -> f64 {
     blocks.iter().find(|(row, column, _)| row != column).map_or(0.0, |(_, _, values)| values[0])
 }
 
-/// Two unit squares face to face: 2/(πX²) [ln √((1+X²)²/(1+2X²)) + 2X√(1+X²) atan(X/√(1+X²)) − 2X atan X], X = 1/d
-/// (Howell's catalogue, C-11).
+/// Two unit squares face to face: 2/(πX²) [ln √((1+X²)²/(1+2X²)) + 2X√(1+X²) atan(X/√(1+X²)) − 2X atan X],
+/// X = 1/d (Howell's catalogue, C-11).
 #[test]
 fn parallel_squares_exchange_the_closed_form() {
     for distance in [0.05, 0.1, 1.0, 3.0, 10.0] {

@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 
 use crate::program::{self, done};
 
-/// Cases that cost too much at 1e-10 for every run: name, accuracy asked, relative error allowed. Elsewhere 1e-10 is
-/// asked and 1e-9 allowed, as it is here in the slow test.
+/// Cases that cost too much at 1e-10 for every run: name, accuracy asked, relative error allowed. Elsewhere
+/// 1e-10 is asked and 1e-9 allowed, as it is here in the slow test.
 const ALLOWANCES: [(&str, &str, f64); 5] = [
     // Contacts along circles.
     ("closed_cylinder", "1e-8", 2e-8),
@@ -65,7 +65,8 @@ fn errors(scene: &str, cases: &[&Case], eps: &str) -> Vec<f64> {
     factors.iter().zip(cases).map(|(found, case)| found / case.exact - 1.0).collect()
 }
 
-/// Runs the cases that `chosen` lets through with the accuracy asked for each, and returns how many there were.
+/// Runs the cases that `chosen` lets through with the accuracy asked for each, and returns how many there
+/// were.
 fn check(chosen: impl Fn(&str) -> Option<(&'static str, f64)>) -> usize {
     let mut count = 0;
     for (scene, cases) in scenes() {

@@ -111,7 +111,8 @@ fn cubes() -> Vec<(&'static str, String)> {
     ]
 }
 
-/// The view factor between opposite faces of the unit cube (Hamilton and Morgan 1952, configuration P-1 with X = Y = 1).
+/// The view factor between opposite faces of the unit cube (Hamilton and Morgan 1952, configuration P-1 with
+/// X = Y = 1).
 fn opposite() -> f64 {
     let root = 2f64.sqrt();
     2.0 / PI * ((4.0f64 / 3.0).sqrt().ln() + 2.0 * root * (1.0 / root).atan() - PI / 2.0)
@@ -136,8 +137,8 @@ fn a_cube_in_each_format_has_the_factors_of_a_cube() {
     }
 }
 
-/// The exact factor from the rectangle `from` to the rectangle `to`, [[x, x], [y, y]], in parallel planes at a distance.
-/// Source: Howell, catalogue of configuration factors, C-13.
+/// The exact factor from the rectangle `from` to the rectangle `to`, [[x, x], [y, y]], in parallel planes at
+/// a distance. Source: Howell, catalogue of configuration factors, C-13.
 fn parallel(from: [[f64; 2]; 2], to: [[f64; 2]; 2], distance: f64) -> f64 {
     let term = |x: f64, y: f64| {
         let leg = |a: f64, b: f64| {
@@ -156,9 +157,9 @@ fn parallel(from: [[f64; 2]; 2], to: [[f64; 2]; 2], distance: f64) -> f64 {
     sum / (2.0 * PI * area)
 }
 
-/// The exact factor between the end of a leg of the L-shaped room and the wall 3 away, which the inner corner hides in
-/// part: from the height y > 1 on the wall, y′ < 3 − 2y of the end is seen. Both parts are smooth: Gauss rules. Of the
-/// heights z only the difference s counts.
+/// The exact factor between the end of a leg of the L-shaped room and the wall 3 away, which the inner corner
+/// hides in part: from the height y > 1 on the wall, y′ < 3 − 2y of the end is seen. Both parts are smooth:
+/// Gauss rules. Of the heights z only the difference s counts.
 fn past_the_corner() -> f64 {
     let rule = |from: f64, to: f64| {
         let (mut nodes, mut weights) = ([0.0; 24], [0.0; 24]);
@@ -478,7 +479,8 @@ fn a_lamp_in_the_plane_of_a_ceiling_shines_as_in_a_hole() {
     assert!(findings.contains("nothing looks wrong"), "{findings}");
 }
 
-/// The room of the README: what was typed as triangles, whole boxes and flush lamps needs no word but its unit and its light.
+/// The room of the README: what was typed as triangles, whole boxes and flush lamps needs no word but its
+/// unit and its light.
 #[test]
 fn a_room_from_a_drawing_program_is_read_and_lit() {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");

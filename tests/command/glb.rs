@@ -1,5 +1,5 @@
-//! Light baked into binary glTF: a file that our own reader takes, with the surfaces where they were and their light in a
-//! texture. `tests/external/glb.py` has the Khronos validator and a viewer read such files.
+//! Light baked into binary glTF: a file that our own reader takes, with the surfaces where they were and
+//! their light in a texture. `tests/external/glb.py` has the Khronos validator and a viewer read such files.
 
 use std::fs::{self, File};
 use std::io::Cursor;

@@ -1,4 +1,5 @@
-//! Names that would end a script, a cell of a table or an element, in the outputs of all verbs that write them.
+//! Names that would end a script, a cell of a table or an element, in the outputs of all verbs that write
+//! them.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,5 @@
-//! The command as its users meet it: what it prints, refuses and leaves behind, and closed forms run through it.
+//! The command as its users meet it: what it prints, refuses and leaves behind, and closed forms run through
+//! it.
 
 mod analytic_cases;
 mod animate;

@@ -1,4 +1,5 @@
-//! Matrices for NumPy and SciPy, and as View3D writes them. `tests/external/matrices.py` has NumPy and SciPy read them.
+//! Matrices for NumPy and SciPy, and as View3D writes them. `tests/external/matrices.py` has NumPy and SciPy
+//! read them.
 
 use radiosity_test_support::folders::folder;
 use std::collections::BTreeMap;
@@ -69,7 +70,8 @@ fn table(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
     (names, lines.map(row).collect())
 }
 
-/// Two parallel plates, of which nothing else is seen, and a third one far away behind them; names that are not ASCII.
+/// Two parallel plates, of which nothing else is seen, and a third one far away behind them; names that are
+/// not ASCII.
 const PLATES: &str = r#"
 materials.grey = { reflectance = 0.25 }
 [[surfaces]]

@@ -313,7 +313,8 @@ fn script<'a>(page: &'a str, id: &str) -> &'a str {
     rest.split_once("</script>").expect("it ends").0
 }
 
-/// Everywhere in the furnace 2 arrives: the halves that the page holds, each the difference from the one before it, say so.
+/// Everywhere in the furnace 2 arrives: the halves that the page holds, each the difference from the one
+/// before it, say so.
 #[test]
 fn a_page_holds_the_light_of_its_scene() {
     let folder = tempfile::tempdir().unwrap();

@@ -85,8 +85,9 @@ const LAMP: &str = "
     disk = { center = [0, 0, 1.5], normal = [0, 0, 1], radius = 0.2 }
 ";
 
-/// E = M/2 (1 − (d² + h² − r²) / √((d² + h² + r²)² − 4 r² d²)) on a plane parallel to a disk, at the height h below it
-/// and the distance d from its axis: Naylor and Smith's disk of constant radiance; M r² / (r² + h²) on the axis.
+/// E = M/2 (1 − (d² + h² − r²) / √((d² + h² + r²)² − 4 r² d²)) on a plane parallel to a disk, at the height h
+/// below it and the distance d from its axis: Naylor and Smith's disk of constant radiance; M r² / (r² + h²)
+/// on the axis.
 fn below_the_lamp([x, y, z]: [f64; 3]) -> f64 {
     let (d2, h2, r2) = (x * x + y * y, (1.5 - z) * (1.5 - z), 0.04);
     4000.0 * (1.0 - (d2 + h2 - r2) / ((d2 + h2 + r2).powi(2) - 4.0 * r2 * d2).sqrt())

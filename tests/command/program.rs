@@ -42,7 +42,8 @@ pub(crate) fn succeeded(Output { status, stdout, stderr }: Output) -> [String; 2
     texts
 }
 
-/// A command that is refused with all of these parts in its message, prints nothing and leaves the folder as it is.
+/// A command that is refused with all of these parts in its message, prints nothing and leaves the folder as
+/// it is.
 #[track_caller]
 pub(crate) fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
     let before = names(folder);

@@ -7,8 +7,8 @@ use serde_json::Value;
 
 use crate::program::{done, radiosity, refused};
 
-/// A closed room with lamps on its ceiling, a window of the same material and a wall that glows on its own; exitances of
-/// lamps and window.
+/// A closed room with lamps on its ceiling, a window of the same material and a wall that glows on its own;
+/// exitances of lamps and window.
 fn room(lamps: f64, window: f64) -> String {
     let quad = |name: &str, keys: &str, vertices: &str| {
         format!("[[surfaces]]\nname = \"{name}\"\n{keys}\nquad = {{ vertices = [{vertices}] }}\n")

@@ -200,7 +200,8 @@ fn the_heat_of_the_oven_is_that_of_the_verb() {
     assert_eq!(row(&page, "## Radiant heat", "slab")[4], "given");
 }
 
-/// Two disks that face each other: with temperatures and no light, and with a temperature for one of them alone.
+/// Two disks that face each other: with temperatures and no light, and with a temperature for one of them
+/// alone.
 #[test]
 fn heat_without_light_is_reported_and_what_lacks_a_condition_is_told() {
     let folder = tempfile::tempdir().unwrap();

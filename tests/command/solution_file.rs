@@ -1,4 +1,5 @@
-//! Solutions written and read back: whatever is read from the file is what would be read from the run that wrote it.
+//! Solutions written and read back: whatever is read from the file is what would be read from the run that
+//! wrote it.
 
 use std::fs;
 

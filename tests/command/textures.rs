@@ -1,4 +1,5 @@
-//! Textures and transmission through the command: what `check` and `convert` tell, and what other verbs refuse.
+//! Textures and transmission through the command: what `check` and `convert` tell, and what other verbs
+//! refuse.
 
 use std::fs;
 use std::path::Path;

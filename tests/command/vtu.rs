@@ -1,5 +1,5 @@
-//! Solutions as grids of VTK: well-formed, complete, with the light of closed forms; what has no grid is refused.
-//! `tests/external/vtu.py` has VTK itself read them.
+//! Solutions as grids of VTK: well-formed, complete, with the light of closed forms; what has no grid is
+//! refused. `tests/external/vtu.py` has VTK itself read them.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,10 +1,11 @@
-//! The README and the pages that lead from nothing to a result: their marked commands are run as they stand, and print what
-//! the pages say.
+//! The README and the pages that lead from nothing to a result: their marked commands are run as they stand,
+//! and print what the pages say.
 //!
-//! A mark stands below its command: `<!-- run -->`, or `<!-- output, shown -->` … `<!-- end -->` around what it prints, or
-//! `<!-- drawn -->` where a picture takes too long for a test, and is drawn where pages are written only. A block below
-//! `<!-- file NAME -->` is a file that the page has its reader write. With `WRITE_DOCUMENTS=1` the tests write what is
-//! printed, and the pictures that are drawn, into the pages instead:
+//! A mark stands below its command: `<!-- run -->`, or `<!-- output, shown -->` … `<!-- end -->` around what
+//! it prints, or `<!-- drawn -->` where a picture takes too long for a test, and is drawn where pages are
+//! written only. A block below `<!-- file NAME -->` is a file that the page has its reader write. With
+//! `WRITE_DOCUMENTS=1` the tests write what is printed, and the pictures that are drawn, into the pages
+//! instead:
 //!
 //! ```text
 //! WRITE_DOCUMENTS=1 cargo test --release --test command walkthroughs
@@ -53,7 +54,8 @@ fn is_written() -> bool {
     env::var_os("WRITE_DOCUMENTS").is_some()
 }
 
-/// Does what a page says, in a folder where nothing is but what comes with the sources, and what the page has its reader write.
+/// Does what a page says, in a folder where nothing is but what comes with the sources, and what the page has
+/// its reader write.
 fn follow(page: &str) {
     let place = root().join(page);
     let text = fs::read_to_string(&place).expect("the page is there");
@@ -79,7 +81,7 @@ fn cure() -> &'static str {
     "`WRITE_DOCUMENTS=1 cargo test --release --test command walkthroughs` writes it into the page"
 }
 
-/// What a page says that a command prints, and what it prints.
+/// The output of a command as a page has it, and as it is.
 struct Output {
     command: String,
     said: String,
@@ -114,7 +116,7 @@ fn followed(text: &str, folder: &TempDir) -> (String, Vec<Output>) {
     (fresh, outputs)
 }
 
-/// What stands in the next block between fences.
+/// Text of the next block between fences.
 fn block<'a>(lines: impl Iterator<Item = &'a str>) -> String {
     let inside = lines.skip_while(|line| !line.starts_with("```")).skip(1);
     inside.take_while(|line| !line.starts_with("```")).map(|line| format!("{line}\n")).collect()
@@ -130,7 +132,7 @@ fn last_command(line: &str) -> Option<String> {
     commands.last()
 }
 
-/// What the shell prints of a command in `folder`.
+/// Output of a command in `folder`.
 fn printed(command: &str, folder: &Path) -> String {
     let binaries = Path::new(env!("CARGO_BIN_EXE_radiosity")).parent().expect("the binary lies in a folder");
     let path = env::join_paths(
@@ -149,7 +151,8 @@ fn pictures(text: &str) -> impl Iterator<Item = &str> {
     text.split("![").skip(1).filter_map(|rest| rest.split_once("](")?.1.split(')').next())
 }
 
-/// Whether two outputs say the same: equal words, and numbers that agree to rounding, but for those of seconds.
+/// Whether two outputs say the same: equal words, and numbers that agree to rounding, but for those of
+/// seconds.
 fn agree(said: &str, printed: &str) -> bool {
     let [said, printed] = [said, printed].map(|text| {
         text.split(|c: char| c.is_whitespace() || c == ',')

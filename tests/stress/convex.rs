@@ -1,7 +1,7 @@
 //! The estimate of `--accuracy` beside the exact error where a lamp lights a convex body.
 //!
-//! Nothing that reflects sees itself, so the irradiance of a point is Lambert's form of the part of the lamp above its
-//! horizon, and B = ρ E. Where the horizon crosses the lamp E has kinks that follow no element.
+//! Nothing that reflects sees itself, so the irradiance of a point is Lambert's form of the part of the lamp
+//! above its horizon, and B = ρ E. Where the horizon crosses the lamp E has kinks that follow no element.
 
 use std::f64::consts::TAU;
 

@@ -1,7 +1,7 @@
 //! The estimate of `--accuracy` beside the error: against much finer runs, and light gathered from one.
 //!
-//! The errors are ‖B − B′‖/‖B′ − E₀‖. Where B is a polynomial of every run, what is left is what the transfers miss, and the
-//! estimate may only be too large.
+//! The errors are ‖B − B′‖/‖B′ − E₀‖. Where B is a polynomial of every run, what is left is what the
+//! transfers miss, and the estimate may only be too large.
 
 use radiosity::Work;
 use radiosity::elements::cells::Layers;

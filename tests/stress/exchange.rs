@@ -9,8 +9,8 @@
 //!                + ¼ [ln((1 + W²)(1 + H²)/S) + W² ln(W² S/((1 + W²)(W² + H²))) + H² ln(H² S/((1 + H²)(W² + H²)))] }
 //! ```
 //!
-//! (J. R. Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 and C-14). The terms of either cancel to
-//! many digits where X or W are small or large, so that f64 would not do.
+//! (J. R. Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 and C-14). The terms of
+//! either cancel to many digits where X or W are small or large, so that f64 would not do.
 
 use radiosity::kernel::{Accuracy, polygon_exchange};
 use radiosity::visibility::{Shadows, Visibility};

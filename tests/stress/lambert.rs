@@ -4,8 +4,8 @@
 //! E = 1/(2π) Σ_k θ_k n·(a_k × b_k)/|a_k × b_k|
 //! ```
 //!
-//! Each product n·(a × b)/|a × b| is rounded to ε/θ, so a term to about ε whatever its size: the form keeps digits of 1, not
-//! of E, and a small part of the sky is better summed by points.
+//! Each product n·(a × b)/|a × b| is rounded to ε/θ, so a term to about ε whatever its size: the form keeps
+//! digits of 1, not of E, and a small part of the sky is better summed by points.
 
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
 use radiosity_geom::DVec3;
@@ -38,7 +38,8 @@ fn exact(x: DVec3, n: DVec3, polygon: &[DVec3]) -> Double {
     sum.abs() / (Double::from(2.0) * Double::PI)
 }
 
-/// A parallelogram of sides about `size` with its middle at `middle`; None if it is a sliver or reaches below z = 0.
+/// A parallelogram of sides about `size` with its middle at `middle`; None if it is a sliver or reaches below
+/// z = 0.
 fn polygon(random: &mut Random, middle: DVec3, size: f64) -> Option<Vec<DVec3>> {
     let mut any = || DVec3::from_array([0; 3].map(|_| random.between(-1.0, 1.0))).normalize();
     let (u, v) = (any() * 0.5 * size, any() * 0.5 * size);

@@ -8,10 +8,12 @@
 //! ‖P_k‖² = 2^(a + 1)/(2k + a + 1),
 //!
 //! ```text
-//! 2 (k + 1)(k + a + 1)(2k + a) P_k₊₁ = (2k + a + 1) [(2k + a + 2)(2k + a) x + a²] P_k − 2 k (k + a)(2k + a + 2) P_k₋₁ .
+//! 2 (k + 1)(k + a + 1)(2k + a) P_k₊₁ =
+//!   (2k + a + 1) [(2k + a + 2)(2k + a) x + a²] P_k − 2 k (k + a)(2k + a + 2) P_k₋₁ .
 //! ```
 //!
-//! Errors at degree k count in multiples of ε √(p_k² + p_k₋₁²): the zeros of p_k are not the place to ask for relative ones.
+//! Errors at degree k count in multiples of ε √(p_k² + p_k₋₁²): the zeros of p_k are not the place to ask for
+//! relative ones.
 
 use radiosity_core::basis::total;
 use radiosity_core::jacobi::{self, Weight};

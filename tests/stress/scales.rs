@@ -1,6 +1,7 @@
 //! Scale, place and brightness: G has no scale, so light must not depend on the unit of length.
 //!
-//! Lengths times a power of two round nowhere: B is the same to the last bit. Powers of ten round the coordinates.
+//! Lengths times a power of two round nowhere: B is the same to the last bit. Powers of ten round the
+//! coordinates.
 
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
@@ -65,7 +66,8 @@ fn light_has_no_unit_of_length() {
     );
     let tens = [1e-6, 1e6];
     compare(&Row::new("lengths times 10^k", "k = ±6", 1e-12, "of the light"), &tens, &[false], 1);
-    // Rounding decides in which order equal walls are told apart, and so which rays they send: to the accuracy of shadows.
+    // Rounding decides in which order equal walls are told apart, and so which rays they send: to the
+    // accuracy of shadows.
     compare(&Row::new("the same behind a ball", "k = ±6", 3e-3, "of the light"), &tens, &[true], 1);
 }
 

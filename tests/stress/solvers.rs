@@ -1,7 +1,7 @@
 //! Nearly white rooms: every solver, many iterations, and what the residual is worth at the end.
 //!
-//! In a closed room all that is emitted is absorbed: Σ ∫ (1 − ρ) B dA = Σ ∫ E₀ dA. A residual r leaves ⟨1, r⟩ of it unaccounted
-//! for, and the transfers what they miss of c = G c over 1 − ρ.
+//! In a closed room all that is emitted is absorbed: Σ ∫ (1 − ρ) B dA = Σ ∫ E₀ dA. A residual r leaves ⟨1, r⟩
+//! of it unaccounted for, and the transfers what they miss of c = G c over 1 − ρ.
 
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
@@ -27,8 +27,8 @@ fn room(reflectance: f64) -> Scene {
 /// Most that a solver may take.
 const PATIENCE: usize = 200_000_000;
 
-/// The residual asked for. At 1 − ρ = 1e-6 that of Gauss–Seidel falls by less than it is rounded from sweep to sweep once it is
-/// below 3e-7, and it ends there, unconverged by its own account.
+/// The residual asked for. At 1 − ρ = 1e-6 that of Gauss–Seidel falls by less than it is rounded from sweep
+/// to sweep once it is below 3e-7, and it ends there, unconverged by its own account.
 fn tolerance(loss: f64) -> f64 {
     if loss < 3e-6 { 1e-6 } else { 1e-8 }
 }
@@ -45,7 +45,8 @@ fn all(range: &str, losses: &[f64], order: usize) {
     let mut longest = (0, "");
     for loss in losses {
         let scene = room(1.0 - loss);
-        // Shooting ends there after some hundred shots, and says so: its residual wavers by more than it falls.
+        // Shooting ends there after some hundred shots, and says so: its residual wavers by more than it
+        // falls.
         for method in Method::ALL.iter().filter(|method| *loss > 3e-6 || method.name != "southwell") {
             let options = Options {
                 order,

@@ -9,7 +9,8 @@ use radiosity::solve::{Direct, Options, Transport};
 use radiosity_test_support::compare::apart;
 use radiosity_test_support::scenes::typed;
 
-/// A room with a block, a lamp of two groups under the ceiling, and a panel of two sides between them; `motion` moves them.
+/// A room with a block, a lamp of two groups under the ceiling, and a panel of two sides between them;
+/// `motion` moves them.
 fn room(frames: usize, motion: &str) -> Scene {
     let text = format!(
         r#"
@@ -213,8 +214,8 @@ fn no_more_rays_are_traced_than_meet_what_moves() {
     assert_eq!(first.recalled, 0);
     sequence.at(1.0, &Work::alone()).expect("it can be solved");
     let traced = sequence.account().rays.traced - first.traced;
-    // A speck sends the fewest rays there are, 4 in the pilot round and 16 after it; what else is traced are rays of elements that send
-    // some more than before.
+    // A speck sends the fewest rays there are, 4 in the pilot round and 16 after it; what else is traced are
+    // rays of elements that send some more than before.
     assert!((20..first.traced / 50).contains(&traced), "{traced} of {}", first.traced);
 }
 
@@ -256,7 +257,8 @@ rotate = { center = [0.25, 0.65, 0.6], axis = [1, 1, 0], angles = [0, 25, 25, 50
 
 #[test]
 fn the_mesh_stays_while_things_turn() {
-    // Lying across the cube the board is longer than half of it along an axis, and is cut; turned by 45° it is not.
+    // Lying across the cube the board is longer than half of it along an axis, and is cut; turned by 45° it
+    // is not.
     let things = r#"
 [[surfaces]]
 name = "lamp"

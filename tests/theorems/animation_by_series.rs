@@ -33,7 +33,8 @@ fn alone(scene: &Scene, options: &Options, number: usize) -> Frame {
     frame(&mut Follower::new(scene, options, Way::Fresh, [0, scene.frames() - 1]), number)
 }
 
-/// A closed room with quads that float in it, of which two are moved, one of them along a broken line; numbers of a fixed sequence.
+/// A closed room with quads that float in it, of which two are moved, one of them along a broken line;
+/// numbers of a fixed sequence.
 fn random_room(seed: u64) -> Scene {
     let mut random = Random(seed);
     let mut quad = |name: &str, material: &str, z: f64| {

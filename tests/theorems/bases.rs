@@ -1,4 +1,5 @@
-//! Bases of the variational source: mass matrices, best fits and convergence rates against closed forms; what Ritz's method keeps.
+//! Bases of the variational source: mass matrices, best fits and convergence rates against closed forms; what
+//! Ritz's method keeps.
 
 use proptest::prelude::*;
 use radiosity::Basis;
@@ -233,7 +234,8 @@ fn options(basis: Basis, order: usize, cells: usize) -> Options {
     Options { basis, order, subdivide: Some(cells), eps: 1e-6, ..Options::default() }
 }
 
-/// Irradiance from a unit square of exitance 1, at the height `h` below it: the sum of four corners (Howell's catalogue, A-3).
+/// Irradiance from a unit square of exitance 1, at the height `h` below it: the sum of four corners (Howell's
+/// catalogue, A-3).
 fn below_a_square(x: f64, y: f64, h: f64) -> f64 {
     let corner = |a: f64, b: f64| {
         let (a, b) = (a / h, b / h);

@@ -1,4 +1,5 @@
-//! Light of the first K reflections: powers of the reflectance in a furnace, and a series that rises to all light.
+//! Light of the first K reflections: powers of the reflectance in a furnace, and a series that rises to all
+//! light.
 
 use radiosity::Basis;
 use radiosity::light::receiver_point::ReceiverPoint;
@@ -43,7 +44,8 @@ fn a_furnace_sums_powers_of_its_reflectance() {
                     let found = outcome.solution.mean_irradiance(0, surface);
                     assert!((found / expected - 1.0).abs() < 3e-3, "{basis:?} {direct:?} {bounces}: {found}");
                 }
-                // What is left out next, over what is known: the emission, and direct light reflected once if it is split off.
+                // What is left out next, over what is known: the emission, and direct light reflected once if
+                // it is split off.
                 let known = if direct == Direct::Split { 1.0 + reflectance } else { 1.0 };
                 let next = reflectance.powi(bounces as i32 + 2) / known;
                 assert!((outcome.residual / next - 1.0).abs() < 2e-2, "{}", outcome.residual);

@@ -1,4 +1,5 @@
-//! The shape `box`: six rectangles whose fronts face out, or into a room; faces that are left out; refused ones.
+//! The shape `box`: six rectangles whose fronts face out, or into a room; faces that are left out; refused
+//! ones.
 
 use radiosity::scene::{Scene, SceneError};
 use radiosity::visibility::inspection::{Fronts, Inspection};

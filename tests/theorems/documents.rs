@@ -97,7 +97,8 @@ fn commands_run_what_exists() {
     assert!(found > 10, "the commands were found");
 }
 
-/// Whether there are tests whose names begin so, below `tests/theorems`: a module, or the first words of a function in it.
+/// Whether there are tests whose names begin so, below `tests/theorems`: a module, or the first words of a
+/// function in it.
 fn is_theorem(name: &str) -> bool {
     let file =
         |module: &str| root().join("tests/theorems").join(module.replace("::", "/")).with_extension("rs");

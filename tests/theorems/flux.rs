@@ -1,4 +1,5 @@
-//! `flux`: the power that a surface emits, given instead of its exitance; and the bands of scenes that name none.
+//! `flux`: the power that a surface emits, given instead of its exitance; and the bands of scenes that name
+//! none.
 
 use std::f64::consts::PI;
 

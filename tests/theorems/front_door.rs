@@ -1,4 +1,5 @@
-//! What leads into the sources is whole: the README is short, the book has every page, and CONTRIBUTING.md knows every folder.
+//! The front door is whole: the README is short, the book has every page, and CONTRIBUTING.md
+//! knows every folder.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +16,7 @@ fn text(name: &str) -> String {
     fs::read_to_string(root().join(name)).expect("the document is there")
 }
 
-/// What lies in a folder, by name.
+/// Entries of a folder, by name.
 fn entries(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).expect("folders can be read");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("folders can be listed").path()).collect();

@@ -1,5 +1,5 @@
-//! Broken scene files: whatever is done to a text, it is read or refused, and what is read can be inspected and cut into
-//! elements.
+//! Broken scene files: whatever is done to a text, it is read or refused, and what is read can be inspected
+//! and cut into elements.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};

@@ -1,5 +1,5 @@
-//! Radiant heat against closed forms of grey enclosures (Modest, Radiative Heat Transfer, chapter 5), at order 0 where the
-//! forms are those of networks; and what a balance of heat cannot be made of.
+//! Radiant heat against closed forms of grey enclosures (Modest, Radiative Heat Transfer, chapter 5), at
+//! order 0 where the forms are those of networks; and what a balance of heat cannot be made of.
 
 mod shared;
 mod curved;

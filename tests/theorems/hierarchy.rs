@@ -252,7 +252,8 @@ fn runs_by_links_tell_the_error_of_gathered_light() {
     assert!(told < 2e-2 && told / 3.0 < error && error < 3.0 * told, "{told} {error}");
 }
 
-/// Links at any levels carry exact exchanges of constants: in a closed room even light is as bright on each wall.
+/// Links at any levels carry exact exchanges of constants: in a closed room even light is as bright on each
+/// wall.
 #[test]
 fn links_of_squares_keep_the_mean_of_even_light() {
     for eps in [1e-2, 1e-3] {
@@ -540,7 +541,8 @@ fn blocks_linked_at_the_leaves_are_the_flat_operator() {
     }
 }
 
-/// The polynomials of an element are among those of its parts: its block is that of the parts, pulled from both sides.
+/// The polynomials of an element are among those of its parts: its block is that of the parts, pulled from
+/// both sides.
 #[test]
 fn blocks_of_larger_elements_are_pulled_from_those_of_their_parts() {
     let scene = builtin("furnace-cube");

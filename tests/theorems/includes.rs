@@ -1,4 +1,5 @@
-//! Scenes of several files: what is taken in, from where, once; where faults stand; and that a solution needs no file.
+//! Scenes of several files: what is taken in, from where, once; where faults stand; and that a solution needs
+//! no file.
 
 use std::path::Path;
 

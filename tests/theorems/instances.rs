@@ -56,7 +56,8 @@ fn instances_are_surfaces_with_names_and_places_of_their_own() {
     let desk = ["desk.top", "desk.top:back", "desk.surface-2", "desk.left.post", "desk.leg-2.post"];
     assert_eq!(names(&scene), [&["floor"][..], &desk, &["leg-2.post"]].concat());
     assert!(middle(&scene, "desk.top").distance(DVec3::new(0.0, 0.0, 7.0)) < 1e-12);
-    // The leg is halved and put at x = −½ in the table, which is doubled, turned by a quarter and lifted by 5.
+    // The leg is halved and put at x = −½ in the table, which is doubled, turned by a quarter and lifted by
+    // 5.
     let leg = &scene.surfaces[scene.surface_named("desk.left.post").unwrap()].shape;
     let bounds = leg.bounds(&radiosity_geom::Rect::FULL);
     assert!((bounds.min - DVec3::new(-0.1, -1.1, 5.0)).abs().max_element() < 1e-3, "{bounds:?}");

@@ -1,4 +1,5 @@
-//! Interrupted work ends soon, whatever it is, and leaves nothing behind: the same work done later finds the same bits.
+//! Interrupted work ends soon, whatever it is, and leaves nothing behind: the same work done later finds the
+//! same bits.
 
 use std::thread;
 use std::time::{Duration, Instant};

@@ -1,9 +1,11 @@
-//! The house stays a staircase: in every folder a module imports only what is declared above it, no file imports one that imports
-//! it, and no file is an orphan.
+//! The house stays a staircase: in every folder a module imports only what is declared above it, no file
+//! imports one that imports it, and no file is an orphan.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use crate::sources::rust_files;
 
 use crate::packages::folders;
 
@@ -17,19 +19,6 @@ fn declared(file: &Path) -> Vec<String> {
         rest.strip_suffix(';').filter(|_| is_declaration).map(str::to_owned)
     };
     text.lines().filter_map(name).collect()
-}
-
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder).expect("source folders can be read") {
-        let path = entry.expect("source folders can be listed").path();
-        if path.is_dir() {
-            files.extend(rust_files(&path));
-        } else if path.extension().is_some_and(|ending| ending == "rs") {
-            files.push(path);
-        }
-    }
-    files
 }
 
 /// A crate's files by the modules that they are, each with its text.
@@ -116,7 +105,8 @@ impl House {
     }
 }
 
-/// The paths in a statement that begin with `crate` or `super`, or that it imports, groups in braces spread out.
+/// The paths in a statement that begin with `crate` or `super`, or that it imports, groups in braces spread
+/// out.
 fn paths(statement: &str) -> Vec<Vec<String>> {
     let mut found = Vec::new();
     if let Some((_, imported)) = statement.split_once("use ") {
@@ -265,8 +255,8 @@ fn no_source_file_is_an_orphan() {
     }
 }
 
-/// Modules of the package for Python, each with those that it imports, at its head or within functions. What is imported for
-/// type checkers alone is never loaded.
+/// Modules of the package for Python, each with those that it imports, at its head or within functions. What
+/// is imported for type checkers alone is never loaded.
 fn python_imports(root: &Path) -> BTreeMap<PathBuf, BTreeSet<PathBuf>> {
     let mut imports = BTreeMap::new();
     let mut open = vec![root.to_owned()];

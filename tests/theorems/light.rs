@@ -1,4 +1,5 @@
-//! Evidence for light behind things: visibility, direct light, what is gathered, the Cornell box against path tracing.
+//! Evidence for light behind things: visibility, direct light, what is gathered, the Cornell box against path
+//! tracing.
 
 mod by_rays;
 mod penumbrae;

@@ -258,8 +258,8 @@ fn another_pattern_needs_no_new_blocks() {
     }
 }
 
-/// A closed shade of ρ and τ about a lamp of the flux Φ in a black room: Φ + ρ Φ + ρ² Φ + … arrives on its inner side, so that
-/// τ Φ / (1 − ρ) comes out, whatever its shape.
+/// A closed shade of ρ and τ about a lamp of the flux Φ in a black room: Φ + ρ Φ + ρ² Φ + … arrives on its
+/// inner side, so that τ Φ / (1 − ρ) comes out, whatever its shape.
 #[test]
 fn a_lamp_shade_lets_out_its_share() {
     let shade = r#"

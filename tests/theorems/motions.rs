@@ -439,7 +439,8 @@ fn a_surface_that_is_lost_in_rounding_is_refused() {
     }
 }
 
-/// A box over a floor, at rest at a height, that moves along points; in each frame the gap below it, and what lies on what.
+/// A box over a floor, at rest at a height, that moves along points; in each frame the gap below it, and what
+/// lies on what.
 fn box_over_floor(height: f64, points: &str) -> Vec<(f64, String)> {
     let scene = typed(&format!(
         "frames = 5\n[[surfaces]]\nname = \"floor\"\n\
@@ -502,8 +503,8 @@ fn what_passes_through_another_is_told_with_its_frames() {
     );
 }
 
-/// A skylight under a uniform sky sends the illuminance of level ground; a window sees half of the sky and half of the ground, which
-/// reflects a fifth.
+/// A skylight under a uniform sky sends the illuminance of level ground; a window sees half of the sky and
+/// half of the ground, which reflects a fifth.
 #[test]
 fn an_opening_that_turns_sees_the_sky_from_where_it_is() {
     let scene = typed(

@@ -1,5 +1,5 @@
-//! The packages are what the documents say of them: `docs/architecture.md`, its picture and the heads of the crates follow the
-//! manifests.
+//! The packages are what the documents say of them: `docs/architecture.md`, its picture and the heads of the
+//! crates follow the manifests.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

@@ -1,4 +1,5 @@
-//! Pictures of materials: how they lie on surfaces, what is refused, that a solution and printed scenes keep them, and the example.
+//! Pictures of materials: how they lie on surfaces, what is refused, that a solution and printed scenes keep
+//! them, and the example.
 
 use std::fs::{self};
 use std::path::Path;
@@ -15,7 +16,8 @@ use radiosity_test_support::solved::solved_of;
 
 use crate::textures::{CORNERS, reflectance, room};
 
-/// A folder with the scene `room.toml` and the picture `wood.png`, by rows from the top red, green | blue, white.
+/// A folder with the scene `room.toml` and the picture `wood.png`, by rows from the top red, green | blue,
+/// white.
 fn folder(text: &str) -> tempfile::TempDir {
     let colours = [200, 0, 0, 0, 200, 0, 0, 0, 200, 100, 100, 100];
     let wood = png([2, 2], png::ColorType::Rgb, &colours);

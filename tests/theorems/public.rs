@@ -1,27 +1,11 @@
-//! What no other package names is not public: each public function, constant and module of a crate is named, as a word, in the
-//! sources of another package, in a test, an example or a bench, or in an example of the documentation.
+//! Names that no other package uses are not public: each public function, constant and module of a crate is named,
+//! as a word, in the sources of another package, in a test, an example or a bench, or in an example of the
+//! documentation.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Folders without sources of the house.
-const ELSEWHERE: [&str; 3] = ["target", ".git", "node_modules"];
-
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).expect("source folders can be listed");
-    let paths = entries.map(|entry| entry.expect("source folders can be listed").path());
-    paths
-        .flat_map(|path| {
-            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            match path.is_dir() {
-                true if ELSEWHERE.contains(&name.as_str()) => Vec::new(),
-                true => rust_files(&path),
-                false => Some(path).into_iter().filter(|_| name.ends_with(".rs")).collect(),
-            }
-        })
-        .collect()
-}
+use crate::sources::texts;
 
 /// The sources that a file belongs to: those of a crate below `crates/`, or none where it is outside of all.
 fn crate_of(file: &Path) -> Option<String> {
@@ -65,14 +49,7 @@ fn public(text: &str) -> impl Iterator<Item = &str> {
 
 #[test]
 fn what_no_other_package_names_is_not_public() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let texts: Vec<(PathBuf, String)> = rust_files(root)
-        .into_iter()
-        .map(|path| {
-            let text = fs::read_to_string(&path).expect("source files can be read");
-            (path.strip_prefix(root).expect("they lie in the root").to_owned(), text)
-        })
-        .collect();
+    let texts = texts();
     // Of each word the crates that name it; "" stands for all that is outside of them.
     let mut named: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
     for (file, text) in &texts {

@@ -23,7 +23,8 @@ fn options() -> Options {
     Options { threads: 2, ..Options::default() }
 }
 
-/// All numbers of a solution: coefficients, what was counted, and checks, as text, which tells each number from all others.
+/// All numbers of a solution: coefficients, what was counted, and checks, as text, which tells each number
+/// from all others.
 fn told(solved: &Solved) -> String {
     let outcome = &solved.outcome;
     let bands: Vec<_> = outcome.solution.bands().iter().map(|band| &band.coefficients).collect();

@@ -1,4 +1,5 @@
-//! The JSON schema of the scene format: it takes whatever is a scene, tells of every key, and refuses what is wrong.
+//! The JSON schema of the scene format: it takes whatever is a scene, tells of every key, and refuses what is
+//! wrong.
 
 use std::collections::BTreeSet;
 

@@ -1,5 +1,6 @@
-//! Every shape key of a scene file makes the surface it promises: area by closed form, place and front at the middle of
-//! the parameters; moved, turned over, from TOML and from JSON. Wrong fields are refused where they stand.
+//! Every shape key of a scene file makes the surface it promises: area by closed form, place and front at the
+//! middle of the parameters; moved, turned over, from TOML and from JSON. Wrong fields are refused where they
+//! stand.
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, PI};
 

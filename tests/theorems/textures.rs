@@ -1,4 +1,5 @@
-//! Patterns of materials: how cells and polynomials lie on surfaces, their means and ranges, and what is refused.
+//! Patterns of materials: how cells and polynomials lie on surfaces, their means and ranges, and what is
+//! refused.
 
 use proptest::prelude::*;
 use radiosity::scene::{Pattern, Placement, Polynomial, Scene, Source, Term, Wrap};

@@ -1,4 +1,5 @@
-//! Scenes made in code as trees: they are those of their texts, and what is wrong is told with the same words.
+//! Scenes made in code as trees: they are those of their texts, and what is wrong is told with the same
+//! words.
 
 use std::cell::Cell;
 

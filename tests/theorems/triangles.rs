@@ -1,4 +1,5 @@
-//! Triangles of surfaces: their area, their fronts, their distance from what they stand for, and the edges they share.
+//! Triangles of surfaces: their area, their fronts, their distance from what they stand for, and the edges
+//! they share.
 
 use std::collections::BTreeMap;
 
@@ -88,7 +89,8 @@ fn closed_rooms_of_flat_faces_have_no_cracks() {
     }
 }
 
-/// A table is cut out of the floor, whose borders stay whole: the only open edges are those of the table's foot.
+/// A table is cut out of the floor, whose borders stay whole: the only open edges are those of the table's
+/// foot.
 #[test]
 fn a_body_on_the_floor_cracks_no_edge_of_the_room() {
     let text = r#"surfaces = [

@@ -1,5 +1,5 @@
-//! Surfaces of two sides: materials of backs, what sheets let through, and that the other side stays known whatever is done to
-//! a scene.
+//! Surfaces of two sides: materials of backs, what sheets let through, and that the other side stays known
+//! whatever is done to a scene.
 
 use radiosity::scene::{Fault, Material, Scene, SceneBuilder, SceneError};
 use radiosity_geom::{DVec3, shapes::Parallelogram};

@@ -4,8 +4,8 @@
 //! φ_k(s, t) = p_i(s) p_j(t),   i + j ≤ N,   p_n = √(n + ½) P_n,   ∬ φ_k φ_l ds dt = δ_kl
 //! ```
 //!
-//! Order: total degree d = i + j ascending, within d: j ascending, i = d − j. Hence k = d (d + 1)/2 + j, and the
-//! functions of a lower order are the first ones of a higher.
+//! Order: total degree d = i + j ascending, within d: j ascending, i = d − j. Hence k = d (d + 1)/2 + j, and
+//! the functions of a lower order are the first ones of a higher.
 
 use crate::legendre;
 

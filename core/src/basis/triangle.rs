@@ -6,7 +6,8 @@
 //! ψ_ij(s, t) = √((i + ½)(i + j + 1)) · Q_i(s, t) · P_j^(2i+1,0)(t),   Q_i = ((1 − t)/2)ⁱ P_i(a),   i + j ≤ N
 //! ```
 //!
-//! is orthonormal: ∬ ψ_ij ψ_kl ds dt = δ. Q_i is a polynomial whose recurrence has no singularity at the vertex t = 1:
+//! is orthonormal: ∬ ψ_ij ψ_kl ds dt = δ. Q_i is a polynomial whose recurrence has no singularity at the
+//! vertex t = 1:
 //!
 //! ```text
 //! (i + 1) Q_{i+1} = (2i + 1) z Q_i − i c² Q_{i−1},   z = (1 + 2s + t)/2,   c = (1 − t)/2

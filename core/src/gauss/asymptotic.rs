@@ -12,8 +12,8 @@
 //!   f₃′ = −½ (2 f₁′ f₂′ + ¼ ((2f₂′ + f₁′²) csc² + 2 f₁′ f₁ (csc²)′ + f₂ (csc²)′ + ½ f₁² (csc²)″)
 //!             + ½ (f₂‴ − f₁‴ f₁′ − 3/2 f₁″²))
 //!
-//! all even in y and smooth on [0, π/2]; the tables hold their interpolants at Chebyshev points in y². With α_k the
-//! k-th zero of J₀ and y = α_k/ν, the node number k from the right and its weight are
+//! all even in y and smooth on [0, π/2]; the tables hold their interpolants at Chebyshev points in y². With
+//! α_k the k-th zero of J₀ and y = α_k/ν, the node number k from the right and its weight are
 //!
 //!   x = cos θ(y),   w = 2 sin θ · θ′(y) / (ν α_k J₁(α_k)²)
 //!
@@ -41,12 +41,12 @@ const TOO_SMALL: usize = 100;
 
 /// Writes the n-point Gauss–Legendre rule on [−1, 1], n = `nodes.len()` > 100, nodes ascending, in O(n).
 ///
-/// Within 3 ulp for nodes and 4 ulp for weights (measured to n = 10⁶); [`legendre`](super::legendre) is correctly
-/// rounded and costs O(n²). The rule is symmetric to the last bit.
+/// Within 3 ulp for nodes and 4 ulp for weights (measured to n = 10⁶); [`legendre`](super::legendre) is
+/// correctly rounded and costs O(n²). The rule is symmetric to the last bit.
 ///
 /// # Errors
-/// [`RuleError::TooSmall`] for n ≤ 100, where the expansion does not hold; [`RuleError`] if the slices are empty or
-/// differ in length. They are then left as they were.
+/// [`RuleError::TooSmall`] for n ≤ 100, where the expansion does not hold; [`RuleError`] if the slices are
+/// empty or differ in length. They are then left as they were.
 pub fn legendre_asymptotic(nodes: &mut [f64], weights: &mut [f64]) -> Result<(), RuleError> {
     let n = points(nodes, weights)?;
     if n <= TOO_SMALL {
@@ -81,7 +81,8 @@ fn block(n: usize, first: usize) -> ([f64; LANES], [f64; LANES]) {
         let slope = e * (horner(q, &SLOPE) + e * (horner(q, &SLOPE_2) + e * horner(q, &SLOPE_3)));
         let phi = (FRAC_PI_2 * ((n + 1) as f64 - 2.0 * k) - shift[l]) / nu - bend;
         let theta = y + bend;
-        // Of the two angles the smaller one is at most π/4: its sine is relatively, its cosine absolutely exact.
+        // Of the two angles the smaller one is at most π/4: its sine is relatively, its cosine absolutely
+        // exact.
         let (sin, cos) = sin_cos_octant(if theta < phi { theta } else { phi });
         x[l] = if theta < phi { cos } else { sin };
         let height = if theta < phi { sin } else { cos };

@@ -14,7 +14,8 @@ pub enum RuleError {
     Beyond,
     /// An asymptotic rule was asked for too few points for its expansion to hold.
     TooSmall,
-    /// A node lies so near an end, an exponent being near −1 or n above 10⁴, that its weight would lose digits.
+    /// A node lies so near an end, an exponent being near −1 or n above 10⁴, that its weight would lose
+    /// digits.
     NearEnd,
 }
 

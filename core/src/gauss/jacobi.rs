@@ -2,16 +2,17 @@
 //!
 //!   ∫₋₁¹ f(x) (1 − x)^α (1 + x)^β dx = Σ wᵢ f(xᵢ),   π_n(xᵢ) = 0
 //!
-//! Route: all roots by Laguerre's method with deflation in plain floats (module `laguerre`), then one step with
-//! heads and tails, eight nodes side by side (module `polish`). Equal exponents run at half the degree (module
-//! `symmetric`). Cost O(n²), no scratch memory.
+//! Route: all roots by Laguerre's method with deflation in plain floats (module `laguerre`), then one step
+//! with heads and tails, eight nodes side by side (module `polish`). Equal exponents run at half the degree
+//! (module `symmetric`). Cost O(n²), no scratch memory.
 //!
-//! The roots are searched in t, whose distance to the ends ±1 is known to 2⁻⁵³ absolutely. That distance is at least
+//! The roots are searched in t, whose distance to the ends ±1 is known to 2⁻⁵³ absolutely. That distance is
+//! at least
 //!
 //!   1 − t ≥ π_n(1)/π_n′(1) = 2 (α + 1)/(n (n + α + β + 1))
 //!
-//! (1/(1 − t) is one of the terms of π_n′/π_n at 1), and likewise at −1. Where this bound is below [`NEAREST`], which
-//! takes exponents near −1 or n above 10⁴, the rule is refused.
+//! (1/(1 − t) is one of the terms of π_n′/π_n at 1), and likewise at −1. Where this bound is below
+//! [`NEAREST`], which takes exponents near −1 or n above 10⁴, the rule is refused.
 
 use super::error::points;
 use super::polish::{Doubles, LANES, Polish};
@@ -20,20 +21,20 @@ use crate::double::Double;
 use crate::jacobi::{Weight, integral, monic::Monic};
 use crate::math::const_sqrt;
 
-/// Smallest distance of a node from an end: the error 2⁻⁵³ is then 2⁻²⁶ of it, which after the polish leaves weights
-/// within 2 ulp.
+/// Smallest distance of a node from an end: the error 2⁻⁵³ is then 2⁻²⁶ of it, which after the polish leaves
+/// weights within 2 ulp.
 const NEAREST: f64 = 1.0 / (1u32 << 27) as f64;
 
 /// Writes the n-point Gauss rule of the weight (1 − x)^α (1 + x)^β, n = `nodes.len()`, nodes ascending.
 ///
-/// Exact for polynomials of degree ≤ 2n − 1; the weights are positive, of sum μ₀ = [`Weight::integral`].
-/// For α = β the rule is symmetric to the last bit. Two things are less than correctly rounded: a node within 10⁻⁸ of
-/// 0 (exponents that differ that little) is right to 10⁻²³, and weights of nodes within 10⁻⁷ of an end to 2 ulp.
-/// Weights below 10⁻²⁹⁰, which exponents above 100 may have, lose digits and may come out as 0.
+/// Exact for polynomials of degree ≤ 2n − 1; the weights are positive, of sum μ₀ = [`Weight::integral`]. For
+/// α = β the rule is symmetric to the last bit. Two things are less than correctly rounded: a node within
+/// 10⁻⁸ of 0 (exponents that differ that little) is right to 10⁻²³, and weights of nodes within 10⁻⁷ of an
+/// end to 2 ulp. Weights below 10⁻²⁹⁰, which exponents above 100 may have, lose digits and may come out as 0.
 ///
 /// # Errors
-/// [`RuleError`] if the slices are empty or differ in length, and [`RuleError::NearEnd`] if an exponent is too near −1
-/// for n (never for α, β ≥ −0.99 and n ≤ 1000); the slices are then left as they were.
+/// [`RuleError`] if the slices are empty or differ in length, and [`RuleError::NearEnd`] if an exponent is
+/// too near −1 for n (never for α, β ≥ −0.99 and n ≤ 1000); the slices are then left as they were.
 pub const fn jacobi(weight: Weight, nodes: &mut [f64], weights: &mut [f64]) -> Result<(), RuleError> {
     let n = match points(nodes, weights) {
         Ok(n) => n,

@@ -5,16 +5,16 @@
 //!   t ← t − m / (s₁ + √((m − 1)(m s₂ − s₁²))),
 //!   s₁ = π′/π − Σ 1/(t − tᵢ),   s₂ = (π′/π)² − π″/π − Σ 1/(t − tᵢ)²   (sums over the roots found)
 //!
-//! descends monotonically to the largest: no root can be missed or found twice. π″ comes from the differential
-//! equation (1 − t²) π″ = (d + (σ + 2) t) π′ − λπ, with d = α − β, σ = α + β, λ = n (n + σ + 1); at t = 1 and at a root
-//! just found the limits of s₁ and s₂ are known too, so that the first step of each search needs no recurrence.
-//! Two searches run side by side, one from each end; the left one sees the mirrored polynomial (t = −x, d → −d).
-//! A search stops once a step is below 10⁻³ of the distance to the root before (10⁻⁵ of that to the end): convergence
-//! is cubic, and the polish that follows is cubic again.
+//! descends monotonically to the largest: no root can be missed or found twice. π″ comes from the
+//! differential equation (1 − t²) π″ = (d + (σ + 2) t) π′ − λπ, with d = α − β, σ = α + β, λ = n (n + σ + 1);
+//! at t = 1 and at a root just found the limits of s₁ and s₂ are known too, so that the first step of each
+//! search needs no recurrence. Two searches run side by side, one from each end; the left one sees the
+//! mirrored polynomial (t = −x, d → −d). A search stops once a step is below 10⁻³ of the distance to the root
+//! before (10⁻⁵ of that to the end): convergence is cubic, and the polish that follows is cubic again.
 //!
-//! Once the angles between roots are known well enough to extrapolate (module `trail`), Halley's step from there
-//! replaces the search. It is taken only if it stays within a tenth of the gap, so that it lands on the neighbour;
-//! otherwise Laguerre's method goes on.
+//! Once the angles between roots are known well enough to extrapolate (module `trail`), Halley's step from
+//! there replaces the search. It is taken only if it stays within a tenth of the gap, so that it lands on the
+//! neighbour; otherwise Laguerre's method goes on.
 //!
 //! Reference: A. S. Householder, The Numerical Treatment of a Single Nonlinear Equation (1970), §4.4.
 

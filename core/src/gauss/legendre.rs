@@ -2,11 +2,12 @@
 //!
 //!   ∫₋₁¹ f(x) dx = Σ wᵢ f(xᵢ),   P_n(xᵢ) = 0,   wᵢ = 2 / ((1 − xᵢ²) P_n′(xᵢ)²)
 //!
-//! Route: Tricomi's approximation x ≈ (1 − 1/(8n²) + 1/(8n³)) sin(π (n − 1 − 2i)/(2n + 1)), which is right to O(n⁻⁴);
-//! one Halley step in plain floats, eight nodes side by side; one step with heads and tails (module `polish`), both
-//! at half the degree (module `symmetric`). Cost O(n²).
+//! Route: Tricomi's approximation x ≈ (1 − 1/(8n²) + 1/(8n³)) sin(π (n − 1 − 2i)/(2n + 1)), which is right to
+//! O(n⁻⁴); one Halley step in plain floats, eight nodes side by side; one step with heads and tails (module
+//! `polish`), both at half the degree (module `symmetric`). Cost O(n²).
 //!
-//! Reference: F. G. Tricomi, "Sugli zeri dei polinomi sferici ed ultrasferici", Ann. Mat. Pura Appl. 31 (1950).
+//! Reference: F. G. Tricomi, "Sugli zeri dei polinomi sferici ed ultrasferici", Ann. Mat. Pura Appl. 31
+//! (1950).
 
 use core::f64::consts::PI;
 
@@ -37,9 +38,9 @@ pub const fn legendre(nodes: &mut [f64], weights: &mut [f64]) -> Result<(), Rule
     Ok(())
 }
 
-/// Writes a part of the same rule, to the last bit, where all of it would take too long at once: its nodes of the numbers
-/// `first`, `first` + 1, … from the middle to +1, and their weights. Number 0 is the least node that is not negative; the
-/// others of the n nodes mirror them, with the same weights.
+/// Writes a part of the same rule, to the last bit, where all of it would take too long at once: its nodes of
+/// the numbers `first`, `first` + 1, … from the middle to +1, and their weights. Number 0 is the least node
+/// that is not negative; the others of the n nodes mirror them, with the same weights.
 ///
 /// ```
 /// use radiosity_core::gauss;
@@ -53,8 +54,8 @@ pub const fn legendre(nodes: &mut [f64], weights: &mut [f64]) -> Result<(), Rule
 /// ```
 ///
 /// # Errors
-/// [`RuleError`] if the slices are empty or differ in length, or [`RuleError::Beyond`] if there are not so many nodes from
-/// `first` on; they are then left as they were.
+/// [`RuleError`] if the slices are empty or differ in length, or [`RuleError::Beyond`] if there are not so
+/// many nodes from `first` on; they are then left as they were.
 pub const fn legendre_part(
     n: usize,
     first: usize,

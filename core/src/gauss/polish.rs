@@ -1,7 +1,8 @@
 //! The last step of a correctly rounded rule: from a float near a root to the root and its weight.
 //!
-//! Let x be a number near the root r of π_n. One evaluation of π_n and π_{n−1} at x, with about 77 bits, gives both
-//! node and weight; no second one is needed. With σ = α + β, s = 2n + σ, d = α − β, λ = n (n + σ + 1), m = d + σx:
+//! Let x be a number near the root r of π_n. One evaluation of π_n and π_{n−1} at x, with about 77 bits,
+//! gives both node and weight; no second one is needed. With σ = α + β, s = 2n + σ, d = α − β, λ = n
+//! (n + σ + 1), m = d + σx:
 //!
 //!   N = (1 − x²) π_n′ = n (d/s − x) π_n + (s + 1) γ_n π_{n−1}
 //!   q = −π_n/π_n′ = −π_n (1 − x²)/N                         (Newton)
@@ -11,12 +12,13 @@
 //!     = (s + 1) ‖π_n‖² (1 − x²)/N² · (1 + a)/(1 + b)²
 //!   a = −h (2x + h)/(1 − x²),   b = h (m + λq + h (σ − λ + m c)/2)/(1 − x²)
 //!
-//! The last factor carries 1 − x² and N from x to r. It matters: d log w/dx grows like n² at the ends, which is
-//! why rules that evaluate the weight at the rounded node lose n² half-ulps there. What is neglected is of third
-//! order in h over the distance to the next root: numbers to 10⁻⁶ of that distance are near enough.
+//! The last factor carries 1 − x² and N from x to r. It matters: d log w/dx grows like n² at the ends, which
+//! is why rules that evaluate the weight at the rounded node lose n² half-ulps there. What is neglected is of
+//! third order in h over the distance to the next root: numbers to 10⁻⁶ of that distance are near enough.
 //!
-//! The recurrence runs on π̂_k = 2ᵏ π_k, split into a head of 26 bits and a float tail; 2x, 2δ_k and 4γ_k are split
-//! likewise, so that every product of heads is an exact float and only one sum per step needs its rounding error:
+//! The recurrence runs on π̂_k = 2ᵏ π_k, split into a head of 26 bits and a float tail; 2x, 2δ_k and 4γ_k are
+//! split likewise, so that every product of heads is an exact float and only one sum per step needs its
+//! rounding error:
 //!
 //!   π̂_{k+1} = 2 (x − δ_k) π̂_k − 4γ_k π̂_{k−1},   ‖π̂_k‖² = μ₀ · 4γ₁ ⋯ 4γ_k
 //!
@@ -154,7 +156,8 @@ impl Polish {
     }
 }
 
-/// Bounds 2⁻⁶⁴ and 2⁶⁴ of the norm between rescalings: far from overflow, and exact powers. Chosen; not tuned.
+/// Bounds 2⁻⁶⁴ and 2⁶⁴ of the norm between rescalings: far from overflow, and exact powers. Chosen; not
+/// tuned.
 const LOW: f64 = 1.0 / HIGH;
 const HIGH: f64 = 18_446_744_073_709_551_616.0;
 
@@ -168,7 +171,8 @@ const fn rescale(last: &mut Row, before: &mut Row, norm: &mut Double) {
     }
 }
 
-/// Replaces π̂_{k−1} in `before` by π̂_{k+1} = (2x − 2δ) π̂_k − 4γ π̂_{k−1}, with the coefficients number `at`.
+/// Replaces π̂_{k−1} in `before` by π̂_{k+1} = (2x − 2δ) π̂_k − 4γ π̂_{k−1}, with the coefficients number
+/// `at`.
 #[inline]
 const fn step(twice: &Row, steps: &Steps, at: usize, last: &Row, before: &mut Row) {
     let (delta, delta_tail) = (steps.delta[at], steps.delta_tail[at]);

@@ -6,8 +6,8 @@ use crate::jacobi::Weight;
 
 /// N nodes, ascending in (−1, 1), and their weights, positive.
 ///
-/// The constructors are `const`: a rule bound to a `const` costs nothing at run time, and holds the same bits as
-/// the one made at run time. N = 0 does not compile.
+/// The constructors are `const`: a rule bound to a `const` costs nothing at run time, and holds the same bits
+/// as the one made at run time. N = 0 does not compile.
 ///
 /// ```
 /// use radiosity_core::{gauss::Rule, jacobi::Weight};

@@ -4,8 +4,9 @@
 //!
 //!   π_{2m}(x) ∝ P_m^(α,−½)(z),   π_{2m+1}(x) ∝ x P_m^(α,½)(z),
 //!
-//! so that a rule of n points costs a recurrence of ⌊n/2⌋ steps at ⌊n/2⌋ points. If ζ is a root, of weight ω in the
-//! m-point rule of (α, ∓½) scaled to sum 1, the nodes are ±√((1 + ζ)/2) and, μ₀ being the integral of (1 − x²)^α,
+//! so that a rule of n points costs a recurrence of ⌊n/2⌋ steps at ⌊n/2⌋ points. If ζ is a root, of weight ω
+//! in the m-point rule of (α, ∓½) scaled to sum 1, the nodes are ±√((1 + ζ)/2) and, μ₀ being the integral of
+//! (1 − x²)^α,
 //!
 //!   n = 2m:      w = ω μ₀ / 2
 //!   n = 2m + 1:  w = ω μ₀ / (2 (2α + 3) x²),   in the middle  w₀ = μ₀ Π_{j=1…m} j (j + α) / ((j + ½)(j + α + ½))
@@ -75,7 +76,8 @@ impl Finish {
         middle(self.alpha, self.n / 2, self.mu_0)
     }
 
-    /// Writes the nodes near the positive floats `x`, and their weights, from place `i` on, as far as there are places.
+    /// Writes the nodes near the positive floats `x`, and their weights, from place `i` on, as far as there
+    /// are places.
     pub(super) const fn write(&self, x: &Lane, i: usize, nodes: &mut [f64], weights: &mut [f64]) {
         let (x, w) = refine(&self.polish, self.n % 2 == 1, x);
         let mut l = 0;

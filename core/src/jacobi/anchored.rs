@@ -7,9 +7,9 @@
 //!   σ_k = (s + 1)(s + 2) / (2 (k + α + 1)(k + α + β + 1)),        σ₀ = (α + β + 2)/(2 (α + 1))
 //!   p_{k+1}(1)²/p_k(1)² = (s + 3)(k + α + β + 1)(k + α + 1) / ((s + 1)(k + 1)(k + β + 1)),   p₀² = 1/μ₀
 //!
-//! Exact at the end and a few ulp of the local size √(p_k² + p_{k−1}²) elsewhere on the half nearer to it, where the
-//! three-term recurrence loses k² ulp. (`recurrence::differences` takes the steps.) No Γ function occurs: norms
-//! are products of ratios, in double-double.
+//! Exact at the end and a few ulp of the local size √(p_k² + p_{k−1}²) elsewhere on the half nearer to it,
+//! where the three-term recurrence loses k² ulp. (`recurrence::differences` takes the steps.) No Γ function
+//! occurs: norms are products of ratios, in double-double.
 //!
 //! Reference: NIST Digital Library of Mathematical Functions, 18.9.1, rewritten in differences.
 
@@ -67,7 +67,8 @@ impl Anchor {
     }
 }
 
-/// p_k at an end and the steps from there, for k = 0, 1, …; `turn` is −1 at the end −1 of the mirrored weight, else 1.
+/// p_k at an end and the steps from there, for k = 0, 1, …; `turn` is −1 at the end −1 of the mirrored
+/// weight, else 1.
 pub(super) fn anchored(weight: Weight, turn: f64) -> impl Iterator<Item = (f64, Step)> {
     let (mut anchor, mut sign) = (Anchor::new(weight), 1.0);
     core::iter::repeat_with(move || {

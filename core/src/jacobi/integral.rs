@@ -2,11 +2,13 @@
 //!
 //!   μ₀ = ∫₋₁¹ (1 − x)^α (1 + x)^β dx = 2^{p+q−1} B(p, q),   p = α + 1,  q = β + 1
 //!
-//! Halving B at ½ and applying Euler's transformation to each half leaves series of positive terms and no powers:
+//! Halving B at ½ and applying Euler's transformation to each half leaves series of positive terms and no
+//! powers:
 //!
 //!   μ₀(p, q) = ½ (F(p, q) + F(q, p)),   F(p, q) = 1/p · Σ_{k≥0} Π_{j=1…k} (p + q + j − 1) / (2 (p + j))
 //!
-//! For p, q ≤ 3/2 the product of k factors is below 2√k · 2⁻ᵏ, so 74 terms leave 2⁻⁶⁹; larger exponents come from
+//! For p, q ≤ 3/2 the product of k factors is below 2√k · 2⁻ᵏ, so 74 terms leave 2⁻⁶⁹; larger exponents come
+//! from
 //!
 //!   μ₀(p + 1, q) = μ₀(p, q) · 2p/(p + q).
 //!

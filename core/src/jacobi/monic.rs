@@ -196,7 +196,8 @@ impl Monic {
         }
     }
 
-    /// [`Monic::steps`] where numerators and denominators are exact floats; k = 0 and 1 may come out undefined.
+    /// [`Monic::steps`] where numerators and denominators are exact floats; k = 0 and 1 may come out
+    /// undefined.
     #[inline(always)]
     const fn exact_steps(&self, first: usize, steps: &mut Steps) {
         let mean = -2.0 * self.sigma.hi * self.difference.hi;

@@ -1,7 +1,8 @@
 //! Orthonormal Jacobi polynomials: ∫₋₁¹ p_m p_n (1 − x)^α (1 + x)^β dx = δ_mn, p_n(1) > 0.
 //!
-//! p_n(−1) = (−1)ⁿ times the value at +1 for exchanged exponents. At single points values come from the recurrence
-//! anchored at the nearer end (module `anchored`), in tiles from the three-term recurrence (module `recurrence`).
+//! p_n(−1) = (−1)ⁿ times the value at +1 for exchanged exponents. At single points values come from the
+//! recurrence anchored at the nearer end (module `anchored`), in tiles from the three-term recurrence (module
+//! `recurrence`).
 
 use super::Weight;
 use super::anchored::{Anchor, anchored, write, write_with_derivatives};
@@ -11,7 +12,8 @@ use crate::recurrence::{Recurrence, Step};
 
 /// Writes p₀(x) … p_{m−1}(x), m = `out.len()`, for x ∈ [−1, 1].
 ///
-/// Makes the coefficients as it goes; where many points share a weight, [`Polynomials`] and [`Table`](super::Table) keep them.
+/// Makes the coefficients as it goes; where many points share a weight, [`Polynomials`] and
+/// [`Table`](super::Table) keep them.
 pub fn orthonormal(weight: Weight, x: f64, out: &mut [f64]) {
     let (end, turn) = if x < 0.0 { (weight.mirrored(), -1.0) } else { (weight, 1.0) };
     write(x, anchored(end, turn), out);

@@ -1,6 +1,7 @@
 //! Orthonormal Jacobi polynomials of any number, tabulated in a slice of the caller.
 //!
-//! What [`Polynomials`](super::Polynomials) holds for both ends in arrays of constant length, for numbers known at run time.
+//! What [`Polynomials`](super::Polynomials) holds for both ends in arrays of constant length, for numbers
+//! known at run time.
 
 use super::Weight;
 use super::anchored::{anchored, write, write_with_derivatives};
@@ -64,7 +65,8 @@ impl<'a> Table<'a> {
         write_with_derivatives(x, self.nearer(x), out, slopes);
     }
 
-    /// P_n/p_n = ‖P_n‖ for the classical polynomial with P_n(1) = C(n + α, n); infinite where P_n(1) is too large.
+    /// P_n/p_n = ‖P_n‖ for the classical polynomial with P_n(1) = C(n + α, n); infinite where P_n(1) is too
+    /// large.
     ///
     /// # Panics
     /// If the table has no p_n.

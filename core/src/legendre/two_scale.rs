@@ -4,9 +4,9 @@
 //!
 //!   p_n((t ± 1)/2) = Σ_{m ≤ n} H[n][m] p_m(t)
 //!
-//! Push (parent to child): b_child[m] = Σ_n H[n][m] b[n]. Pull (child to parent): b[n] = ½ Σ_halves Σ_m H[n][m]
-//! b_child[m]. On a square the matrices multiply, and the ½ becomes ¼. Since the basis is orthonormal, H₊ H₊ᵀ + H₋
-//! H₋ᵀ = 2 I, and H₋[n][m] = (−1)^{n+m} H₊[n][m].
+//! Push (parent to child): b_child[m] = Σ_n H[n][m] b[n]. Pull (child to parent): b[n] = ½ Σ_halves Σ_m
+//! H[n][m] b_child[m]. On a square the matrices multiply, and the ½ becomes ¼. Since the basis is
+//! orthonormal, H₊ H₊ᵀ + H₋ H₋ᵀ = 2 I, and H₋[n][m] = (−1)^{n+m} H₊[n][m].
 //!
 //! In the classical polynomials the rows follow from the three-term recurrence; multiplication by t is
 //! t P_m = ((m + 1) P_{m+1} + m P_{m−1})/(2m + 1):

@@ -2,10 +2,10 @@
 //!
 //!   D_{k+1} = h_k D_k − (κ_k D_k + σ_k y R_k),   R_{k+1} = R_k + D_{k+1},   R₀ = 1,  D₀ = 0
 //!
-//! with h_k = 1 or 0, whichever makes κ_k the smaller: h_k D_k is exact and the subtracted term is comparatively small.
-//! Both sums lose the most: an error of D affects R at every later step, and near a zero of R both R_k and R_{k−1} are
-//! small. Their rounding errors are known exactly (two_sum) and obey the same recurrence, in plain floats. Slopes
-//! R′ = dR/dy follow by differentiation, without this correction.
+//! with h_k = 1 or 0, whichever makes κ_k the smaller: h_k D_k is exact and the subtracted term is
+//! comparatively small. Both sums lose the most: an error of D affects R at every later step, and near a zero
+//! of R both R_k and R_{k−1} are small. Their rounding errors are known exactly (two_sum) and obey the same
+//! recurrence, in plain floats. Slopes R′ = dR/dy follow by differentiation, without this correction.
 
 use crate::double::two_sum;
 

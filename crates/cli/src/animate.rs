@@ -56,9 +56,8 @@ pub(crate) struct AnimateArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// Files of the pictures, .png or .exr, in which #### stands for the number of the frame; or one film: .gif, or
-    /// .mp4 or .webm, which ffmpeg makes
-    /// [default: SCENE-####.png, and none with --probe]
+    /// Files of the pictures, .png or .exr, in which #### stands for the number of the frame; or one film:
+    /// .gif, or .mp4 or .webm, which ffmpeg makes [default: SCENE-####.png, and none with --probe]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -66,7 +65,8 @@ pub(crate) struct AnimateArgs {
     #[arg(long, value_name = "A..B")]
     frames: Option<FrameRange>,
 
-    /// Points whose irradiance over time is printed as CSV, a row for each frame and point: a file as that of probe --points
+    /// Points whose irradiance over time is printed as CSV, a row for each frame and point: a file as that of
+    /// probe --points
     #[arg(long, value_name = "FILE.csv")]
     probe: Option<String>,
 
@@ -78,8 +78,8 @@ pub(crate) struct AnimateArgs {
     #[arg(long = "animation", value_name = "WAY", default_value = "path")]
     way: Follow,
 
-    /// Relative error that light interpolated along a path may have; by rays 0.3 of the error that these leave, if that is more.
-    /// With series that of a block, relative to its largest entry
+    /// Relative error that light interpolated along a path may have; by rays 0.3 of the error that these
+    /// leave, if that is more. With series that of a block, relative to its largest entry
     #[arg(long, value_name = "E", default_value = "1e-4", value_parser = fraction)]
     path_eps: f64,
 
@@ -91,7 +91,8 @@ pub(crate) struct AnimateArgs {
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
     samples: Option<u32>,
 
-    /// Exposure of all pictures: the radiosity that is white is 1 over it [default: that of the first picture, as render would]
+    /// Exposure of all pictures: the radiosity that is white is 1 over it [default: that of the first
+    /// picture, as render would]
     #[arg(long, value_name = "X", value_parser = positive)]
     exposure: Option<f64>,
 
@@ -119,7 +120,8 @@ enum Follow {
     Selective,
     /// Solved at some moments of the path, interpolated between them.
     Path,
-    /// One frame after the other; blocks of flat things that are translated, with nothing between, are sums of power series.
+    /// One frame after the other; blocks of flat things that are translated, with nothing between, are sums
+    /// of power series.
     Series,
 }
 

@@ -32,7 +32,8 @@ use crate::{
 /// Texels across and down, unless told otherwise.
 const SIZE: [u32; 2] = [1024, 1024];
 
-/// Distance of triangles from a curved surface, over the diagonal of the scene. Chosen: half a pixel of a picture of the whole.
+/// Distance of triangles from a curved surface, over the diagonal of the scene. Chosen: half a pixel of a
+/// picture of the whole.
 const NEAR: f64 = 5e-4;
 
 /// A scene with its light to be written as a file, with the options.

@@ -18,11 +18,13 @@ use crate::given::Given;
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Checkpoint")]
 pub(crate) struct CheckpointArgs {
-    /// Folder in which work is recorded as it is done: the same command with --resume goes on from there if this one is killed
+    /// Folder in which work is recorded as it is done: the same command with --resume goes on from there if
+    /// this one is killed
     #[arg(long, value_name = "FOLDER")]
     checkpoint: Option<PathBuf>,
 
-    /// Goes on from what --checkpoint holds, with any number of threads and processes; results are those of one run, bit for bit
+    /// Goes on from what --checkpoint holds, with any number of threads and processes; results are those of
+    /// one run, bit for bit
     #[arg(long, requires = "checkpoint")]
     resume: bool,
 }

@@ -51,8 +51,9 @@ pub(crate) struct ConvergenceArgs {
     #[arg(long, value_name = "FILE.json")]
     pub(crate) reference: Option<PathBuf>,
 
-    /// Adds runs by other ways to those at rising orders, parted by commas: hierarchical (constants by weaker and weaker links),
-    /// hp (elements refined for gathered light), sampled (more and more rays), constant, linear, harmonic (the bases of --basis)
+    /// Adds runs by other ways to those at rising orders, parted by commas: hierarchical (constants by weaker
+    /// and weaker links), hp (elements refined for gathered light), sampled (more and more rays), constant,
+    /// linear, harmonic (the bases of --basis)
     #[arg(long = "with", value_name = "WAYS", value_delimiter = ',', value_parser = other_way())]
     pub(crate) other: Vec<Way>,
 

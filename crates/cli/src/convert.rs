@@ -36,7 +36,8 @@ pub(crate) struct ConvertArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File that is written, in the format of its ending: .toml, .json, .mgf, .vs3 or .obj with .mtl; .vtu of a solution
+    /// File that is written, in the format of its ending: .toml, .json, .mgf, .vs3 or .obj with .mtl; .vtu of
+    /// a solution
     #[arg(value_name = "OUT")]
     pub(crate) output: PathBuf,
 }

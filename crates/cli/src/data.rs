@@ -29,8 +29,8 @@ pub(crate) struct DataArgs {
 }
 
 impl DataArgs {
-    /// Checks, before the work, the form of the data and whether they can be written; `apart` refuses another file of
-    /// the verb.
+    /// Checks, before the work, the form of the data and whether they can be written; `apart` refuses another
+    /// file of the verb.
     pub(crate) fn reserve(
         &self,
         loaded: &Loaded,

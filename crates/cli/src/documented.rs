@@ -163,7 +163,7 @@ fn about(verb: &Command) -> String {
     verb.get_about().map(ToString::to_string).unwrap_or_default().trim_end_matches('.').to_owned()
 }
 
-/// What stands below the options: examples and notes.
+/// Text below the options: examples and notes.
 fn notes(verb: &Command) -> String {
     let Some(notes) = verb.get_after_help() else { return String::new() };
     let lines = notes.to_string();

@@ -211,8 +211,8 @@ impl From<AnimationError> for CliError {
 }
 
 impl CliError {
-    /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached, else 1. A closed pipe on standard
-    /// output is no error, nor is a wish for help.
+    /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached, else 1. A closed
+    /// pipe on standard output is no error, nor is a wish for help.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {
             CliError::Typed(error) => error.exit_code() as u8,

@@ -7,13 +7,14 @@ use radiosity_work::ranks::Ranks;
 use crate::error::CliError;
 use crate::options::MethodArgs;
 
-/// Bytes of a texel beside its bands, of each band, and of each band of a light group. Measured in textures: 150 for
-/// three bands without groups; pages take less.
+/// Bytes of a texel beside its bands, of each band, and of each band of a light group. Measured in textures:
+/// 150 for three bands without groups; pages take less.
 const TEXEL: u64 = 80;
 const BAND: u64 = 20;
 const OF_GROUP: u64 = 4;
 
-/// Refuses to begin on so many texels of the light of `scene` where there is no room for them; `less` says how to need less.
+/// Refuses to begin on so many texels of the light of `scene` where there is no room for them; `less` says
+/// how to need less.
 pub(crate) fn require_texels(
     texels: usize,
     scene: &Scene,

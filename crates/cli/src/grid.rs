@@ -25,7 +25,8 @@ use crate::{
     run::{Loaded, Run},
 };
 
-/// Solves a scene and prints means over the cells of every surface, with the place x, y, z of each cell's middle
+/// Solves a scene and prints means over the cells of every surface, with the place x, y, z of each cell's
+/// middle
 #[derive(Debug, Args)]
 #[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "\
 Examples:
@@ -42,8 +43,8 @@ pub(crate) struct GridArgs {
     #[command(flatten)]
     pub(crate) read: ReadArgs,
 
-    /// Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as --quality
-    /// says; light is then gathered by cells]
+    /// Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as
+    /// --quality says; light is then gathered by cells]
     #[arg(long, value_name = "D,I")]
     pub(crate) read_samples: Option<Samples>,
 

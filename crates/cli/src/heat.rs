@@ -68,8 +68,8 @@ pub(crate) struct HeatArgs {
     #[arg(long, value_name = "FORMAT")]
     pub(crate) format: Option<Format>,
 
-    /// File of the conductances C_ij (m²) between all surfaces for thermal networks, .csv, .json, .npy or .npz: from i to j flows
-    /// C_ij σ (T_i⁴ − T_j⁴)
+    /// File of the conductances C_ij (m²) between all surfaces for thermal networks, .csv, .json, .npy or
+    /// .npz: from i to j flows C_ij σ (T_i⁴ − T_j⁴)
     #[arg(long, value_name = "FILE")]
     pub(crate) conductances: Option<PathBuf>,
 
@@ -77,7 +77,7 @@ pub(crate) struct HeatArgs {
     #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
     pub(crate) order: u64,
 
-    /// What carries the pairs of elements
+    /// How the pairs of elements are carried
     #[arg(long, value_name = "MODE", default_value = "exact")]
     pub(crate) transport: Transport,
 
@@ -107,7 +107,7 @@ pub(crate) enum Format {
     Text,
     /// A row for each surface, numbers in full
     Csv,
-    /// The same with the balance
+    /// All rows with the balance
     Json,
 }
 

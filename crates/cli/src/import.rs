@@ -9,7 +9,8 @@ use clap::{
 use radiosity_formats::{format::Format, model::Sides, unit::Unit, up::Up};
 use radiosity_request::ImportRequest;
 
-/// Heading of the options. It stands at each of them: a heading for what follows would reach the options of the verb too.
+/// Heading of the options. It stands at each of them: a heading for what follows would reach the options of
+/// the verb too.
 const HEADING: &str = "Scenes of other programs";
 
 /// How a scene of another program is read.
@@ -27,8 +28,8 @@ pub(crate) struct ImportArgs {
     #[arg(long, help_heading = HEADING)]
     two_sided: bool,
 
-    /// Materials by name, of the scene and of its surfaces: [materials.NAME] with reflectance and emission, and [surfaces]
-    /// with "lamp*" = "NAME"
+    /// Materials by name, of the scene and of its surfaces: [materials.NAME] with reflectance and emission,
+    /// and [surfaces] with "lamp*" = "NAME"
     #[arg(long, help_heading = HEADING, value_name = "FILE.toml")]
     materials: Option<PathBuf>,
 

@@ -1,8 +1,8 @@
 //! Ctrl-C ends the program at once and leaves no temporary file, or lets it finish with what it has.
 //!
-//! Only the sending of rays is asked to stop, where what was sent is wanted: other work, such as a factorisation, would
-//! not notice. The handler runs in a thread of its own. It takes the lock under which temporary files are made, named and
-//! removed, so that none is half done, and never releases it.
+//! Only the sending of rays is asked to stop, where what was sent is wanted: other work, such as a
+//! factorisation, would not notice. The handler runs in a thread of its own. It takes the lock under which
+//! temporary files are made, named and removed, so that none is half done, and never releases it.
 
 use std::collections::BTreeSet;
 use std::io::{Write, stderr};
@@ -15,7 +15,8 @@ use std::time::Instant;
 use radiosity_work::Deadline;
 use radiosity_work::ranks::Ranks;
 
-/// The exit code of a program that Ctrl-C ended, by convention of shells: 128 plus the number of the signal, 2.
+/// The exit code of a program that Ctrl-C ended, by convention of shells: 128 plus the number of the signal,
+/// 2.
 const EXIT_CODE: i32 = 130;
 
 static TEMPORARY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());

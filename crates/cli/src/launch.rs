@@ -1,7 +1,7 @@
 //! One process, or one rank of several that MPI connects.
 //!
-//! `mpirun`, `srun` and the like tell each process by variables that it was started with others. Without them nothing of MPI is
-//! begun.
+//! `mpirun`, `srun` and the like tell each process by variables that it was started with others. Without them
+//! nothing of MPI is begun.
 
 #[cfg(feature = "mpi")]
 use std::env::args_os;
@@ -17,7 +17,8 @@ use radiosity_work::ranks::failure::Failure;
 use crate::processes::World;
 use crate::{Cli, CliError};
 
-/// Variables of which one holds the number of a process: set by Open MPI, by PMI (MPICH and what is made of it), by PMIx.
+/// Variables of which one holds the number of a process: set by Open MPI, by PMI (MPICH and what is made of
+/// it), by PMIx.
 const NUMBERS: [&str; 3] = ["OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"];
 
 /// Runs the command line, and says why where it fails.

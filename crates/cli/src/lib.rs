@@ -5,7 +5,8 @@
 //! `progress` of long work; `run` (a scene solved, for every verb that needs light), and what verbs read from
 //! and print to (`read` to `plan`); the verbs, from `grid`, `probe`, `solve` and `relight` over `render`,
 //! `animate`, `convergence`, `check`, `scenes`, `schema` and `convert` to `view_factors`, `heat` and
-//! `report`; `rounds` and `processes` (ranks that MPI connects), and `launch` (one process, or several ranks).
+//! `report`; `rounds` and `processes` (ranks that MPI connects), and `launch` (one process, or several
+//! ranks).
 //!
 //! The only noun outside is [`launch`], which the binary calls.
 //!
@@ -109,7 +110,7 @@ pub(crate) struct Cli {
     #[arg(skip)]
     fixing: Vec<String>,
 
-    /// What was typed that changes results.
+    /// Options and arguments that change results.
     #[arg(skip)]
     given: Given,
 }

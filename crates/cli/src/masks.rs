@@ -13,7 +13,7 @@ pub(crate) struct MaskArgs {
     #[arg(long, value_name = "M", default_value = "40", value_parser = cells)]
     pub(crate) mask_cells: NonZeroUsize,
 
-    /// What a mask tells
+    /// Values of a mask
     #[arg(long, value_name = "MODE", default_value = "weighted")]
     pub(crate) mask_average: Average,
 }

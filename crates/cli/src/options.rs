@@ -38,17 +38,18 @@ pub(crate) const PARAMETER_OR_GROUP: &str = "Sets a parameter of a built-in scen
 /// The scene a verb works on.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArg {
-    /// Path of a scene (.toml, .json, or of another program: .mgf, .obj, .gltf, .glb, .stl, .ply, .xml, .rad, .vs3), name of a
-    /// built-in scene, or - for standard input
+    /// Path of a scene (.toml, .json, or of another program: .mgf, .obj, .gltf, .glb, .stl, .ply, .xml, .rad,
+    /// .vs3), name of a built-in scene, or - for standard input
     #[arg(value_name = "SCENE", default_value = "cornell-box")]
     pub(crate) scene: String,
 
-    /// Sets a parameter of a built-in scene (`radiosity scenes` lists them) or a variable of a scene file, as often as needed
+    /// Sets a parameter of a built-in scene (`radiosity scenes` lists them) or a variable of a scene file, as
+    /// often as needed
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     pub(crate) settings: Vec<(String, f64)>,
 
-    /// Takes this frame of a scene in which something moves, counted from 0, or what is between two: 12.5 [default: the scene at
-    /// rest]
+    /// Takes this frame of a scene in which something moves, counted from 0, or what is between two: 12.5
+    /// [default: the scene at rest]
     #[arg(long, value_name = "K", allow_negative_numbers = true)]
     pub(crate) frame: Option<f64>,
 
@@ -57,8 +58,8 @@ pub(crate) struct SceneArg {
     #[arg(long, value_name = "LENGTH", value_parser = not_negative, allow_negative_numbers = true)]
     pub(crate) tolerance_length: Option<f64>,
 
-    /// Refuses a scene of another program that needs repairs; check fails (exit code 1) where anything looks wrong,
-    /// missing light, materials and camera apart
+    /// Refuses a scene of another program that needs repairs; check fails (exit code 1) where anything looks
+    /// wrong, missing light, materials and camera apart
     #[arg(long)]
     pub(crate) strict: bool,
 
@@ -113,7 +114,8 @@ pub(crate) fn setting(text: &str) -> Result<(String, f64), String> {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Method")]
 pub(crate) struct MethodArgs {
-    /// Preset of order and accuracies, and of how finely probe, grid and report read; single options go before it
+    /// Preset of order and accuracies, and of how finely probe, grid and report read; single options go
+    /// before it
     #[arg(long, value_name = "Q", default_value = "default")]
     pub(crate) quality: Quality,
 
@@ -125,8 +127,8 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "NAME", default_value = "legendre")]
     pub(crate) basis: Basis,
 
-    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3; as
-    /// --quality says]
+    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default:
+    /// 3; as --quality says]
     #[arg(long, value_name = "N|auto")]
     pub(crate) order: Option<Order>,
 
@@ -134,14 +136,14 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "A", value_parser = fraction)]
     pub(crate) accuracy: Option<f64>,
 
-    /// Of what the accuracy is wanted: gathered (light on all surfaces, as sensors and pictures read it), solution (the
-    /// polynomials), picture (what the scene's camera sees), points FILE.csv, or plane NAME [default: gathered; the sensors
-    /// that probe reads]
+    /// Of what the accuracy is wanted: gathered (light on all surfaces, as sensors and pictures read it),
+    /// solution (the polynomials), picture (what the scene's camera sees), points FILE.csv, or plane NAME
+    /// [default: gathered; the sensors that probe reads]
     #[arg(long = "for", id = "for", value_name = "WHAT")]
     pub(crate) aim: Option<Wanted>,
 
-    /// Seconds after which no finer run begins, and rays end, where an accuracy is wanted; what there is is written, with
-    /// exit code 3
+    /// Seconds after which no finer run begins, and rays end, where an accuracy is wanted; what there is is
+    /// written, with exit code 3
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) time_limit: Option<f64>,
 
@@ -169,7 +171,7 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "MODE", default_value = "default")]
     pub(crate) kernel: Kernel,
 
-    /// What carries the pairs of elements
+    /// How the pairs of elements are carried
     #[arg(long, value_name = "MODE", default_value = "auto")]
     pub(crate) transport: Transport,
 
@@ -181,11 +183,12 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "NAME", default_value = "auto", value_parser = solver())]
     pub(crate) solver: &'static Method,
 
-    /// What cg and gmres multiply residuals by
+    /// How cg and gmres precondition
     #[arg(long, value_name = "NAME", default_value = "block")]
     pub(crate) preconditioner: Preconditioning,
 
-    /// Light that was reflected K times at the most before it arrives: 0 for light straight from emitters [default: all]
+    /// Light that was reflected K times at the most before it arrives: 0 for light straight from emitters
+    /// [default: all]
     #[arg(long, value_name = "K", value_parser = bounces(), allow_negative_numbers = true)]
     pub(crate) bounces: Option<u16>,
 
@@ -205,8 +208,8 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "MODE", default_value = "auto")]
     pub(crate) direct: Direct,
 
-    /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1 [default:
-    /// --eps where that is given, else 3e-3, as --quality says]
+    /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1
+    /// [default: --eps where that is given, else 3e-3, as --quality says]
     #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) shadow_eps: Option<f64>,
 
@@ -298,11 +301,13 @@ impl ReportArgs {
     }
 }
 
-/// The options that are allowed with a solution file: they change no solution (or change reading too, as `quality`).
+/// The options that are allowed with a solution file: they change no solution (or change reading too, as
+/// `quality`).
 const FREE: [&str; 3] = ["memory", "quality", "threads"];
 
 impl MethodArgs {
-    /// The typed options of the method that change the solution, e.g. `--order`; `typed` are the arguments of a verb.
+    /// The typed options of the method that change the solution, e.g. `--order`; `typed` are the arguments of
+    /// a verb.
     pub(crate) fn fixing(typed: &ArgMatches) -> Vec<String> {
         let method = Self::augment_args(Command::new("method"));
         let is_typed = |id: &str| {

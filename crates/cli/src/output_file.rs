@@ -12,8 +12,8 @@ use tempfile::{Builder, NamedTempFile};
 use crate::error::CliError;
 use crate::interrupt::temporary_files;
 
-/// A file that will be written. The text goes to a temporary file in the same folder, which takes the file's name when
-/// it is complete.
+/// A file that will be written. The text goes to a temporary file in the same folder, which takes the file's
+/// name when it is complete.
 #[derive(Debug)]
 pub(crate) struct OutputFile {
     typed: PathBuf,
@@ -32,11 +32,12 @@ enum Target {
 }
 
 impl OutputFile {
-    /// Finds out whether `path` can be written by the first of these ranks, before any long work. Leaves no file behind.
+    /// Finds out whether `path` can be written by the first of these ranks, before any long work. Leaves no
+    /// file behind.
     ///
     /// # Errors
-    /// [`CliError::Refused`] for `-`; [`CliError::Unwritable`] for a folder, or a file in a folder that does not exist
-    /// or cannot be written to.
+    /// [`CliError::Refused`] for `-`; [`CliError::Unwritable`] for a folder, or a file in a folder that does
+    /// not exist or cannot be written to.
     pub(crate) fn reserve(path: &Path, ranks: &Ranks) -> Result<Self, CliError> {
         if path == Path::new("-") {
             return Err(CliError::Refused {
@@ -87,7 +88,8 @@ impl OutputFile {
         self.filled(write)?.put()
     }
 
-    /// Has `write` write the whole output, which [`Filled::put`] puts in place: for files that belong together.
+    /// Has `write` write the whole output, which [`Filled::put`] puts in place: for files that belong
+    /// together.
     ///
     /// # Errors
     /// [`CliError::Unwritten`] if anything fails; the old file at the path is then unchanged.
@@ -99,7 +101,8 @@ impl OutputFile {
         Ok(Filled { output: self, temporary })
     }
 
-    /// An empty file for another program to fill, which [`OutputFile::put`] puts in place; nothing stays of it if it never is.
+    /// An empty file for another program to fill, which [`OutputFile::put`] puts in place; nothing stays of
+    /// it if it never is.
     ///
     /// # Errors
     /// [`CliError::Unwritten`]

@@ -20,8 +20,8 @@ use crate::{
     run::{Loaded, Run},
 };
 
-/// Pixels of a picture whose light is reckoned to take as long as that of a texel. Chosen: on small and curved surfaces fewer texels
-/// can be interpolated.
+/// Pixels of a picture whose light is reckoned to take as long as that of a texel. Chosen: on small and
+/// curved surfaces fewer texels can be interpolated.
 const PIXELS: u64 = 2;
 
 /// Solves the scene and writes the page of its light, read by `read` or as that takes little time.

@@ -1,7 +1,8 @@
 //! The points of a probe: a CSV file of positions and normals.
 //!
-//! Columns x,y,z,nx,ny,nz. With a header line they may stand in any order, and other columns are ignored; without one
-//! there are exactly these six. Lines that start with # are comments. Normals may have any length but 0.
+//! Columns x,y,z,nx,ny,nz. With a header line they may stand in any order, and other columns are ignored;
+//! without one there are exactly these six. Lines that start with # are comments. Normals may have any length
+//! but 0.
 
 use radiosity_geom::DVec3;
 use radiosity_language::csv_rows::{Row, Unreadable, rows};

@@ -29,8 +29,8 @@ use crate::{
     sensors::Sensors,
 };
 
-/// Solves a scene and prints the irradiance at points or on planes of sensors, in the unit of the scene's exitance (lm/m²
-/// makes lux)
+/// Solves a scene and prints the irradiance at points or on planes of sensors, in the unit of the scene's
+/// exitance (lm/m² makes lux)
 #[derive(Debug, Args)]
 #[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "\
 Points are lines x,y,z,nx,ny,nz: a place and the direction light is received along. With a header line the columns may stand \
@@ -77,7 +77,8 @@ pub(crate) struct ProbeArgs {
 }
 
 impl ProbeArgs {
-    /// Reads the points, if any are given, before the scene, so that a fault in them is reported before any work.
+    /// Reads the points, if any are given, before the scene, so that a fault in them is reported before any
+    /// work.
     pub(crate) fn load_points(&self, ranks: &Ranks) -> Result<Option<Points>, CliError> {
         let Some(points) = &self.points else {
             return if self.planes.is_typed() { Ok(None) } else { Err(nowhere()) };
@@ -164,7 +165,8 @@ struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// `x,y,z,nx,ny,nz,E_<band>…,surface,u,v,B_<band>…`, a row per point; of several planes `plane` comes first.
+    /// `x,y,z,nx,ny,nz,E_<band>…,surface,u,v,B_<band>…`, a row per point; of several planes `plane` comes
+    /// first.
     fn csv(&self) -> io::Result<Vec<u8>> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         let bands = |letter: char| self.scene.bands.iter().map(move |band| format!("{letter}_{band}"));

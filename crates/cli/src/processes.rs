@@ -1,5 +1,5 @@
-//! Ranks that are processes, started by `mpirun`, `srun` or the like and connected by MPI (Message Passing Interface Forum,
-//! *MPI: A Message-Passing Interface Standard*, version 3.1, 2015).
+//! Ranks that are processes, started by `mpirun`, `srun` or the like and connected by MPI (Message Passing
+//! Interface Forum, *MPI: A Message-Passing Interface Standard*, version 3.1, 2015).
 //!
 //! Before ranks share anything they pass a [gate](gate): it tells whether all are about to make the same
 //! call, and whether one of them has failed. The completion of a vector has no gate, as iterative solvers

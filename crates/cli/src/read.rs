@@ -22,7 +22,7 @@ pub(crate) const ROUGH: &str = " (light from lamps recomputed, all other light a
 /// `--read` and the accuracy of it.
 #[derive(Debug, Args)]
 pub(crate) struct ReadArgs {
-    /// What is read [default: gather; with --quality finest gather-twice]
+    /// Light that is read [default: gather; with --quality finest gather-twice]
     #[arg(long, value_name = "MODE")]
     pub(crate) read: Option<Read>,
 
@@ -30,8 +30,8 @@ pub(crate) struct ReadArgs {
     #[arg(long, value_name = "WAY")]
     pub(crate) read_by: Option<By>,
 
-    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 1e-2 of a solution by
-    /// rays; less for a wanted accuracy below 4e-3: 0.3 of that]
+    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 1e-2 of
+    /// a solution by rays; less for a wanted accuracy below 4e-3: 0.3 of that]
     #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) read_eps: Option<f64>,
 }
@@ -42,7 +42,8 @@ impl ReadArgs {
         ReadRequest { read: self.read, by: self.read_by, eps: self.read_eps, samples: None }
     }
 
-    /// Refuses what would have no effect on the reading of a solution with these options, or an accuracy of what is not read.
+    /// Refuses what would have no effect on the reading of a solution with these options, or an accuracy of
+    /// what is not read.
     pub(crate) fn check(&self, options: &Options, method: &MethodArgs) -> Result<(), CliError> {
         Ok(self.request().check(options, &method.request())?)
     }

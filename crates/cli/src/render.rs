@@ -40,14 +40,15 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit; .html, one file to walk through in a
-    /// browser; or .glb, the surfaces with their light in a texture, and an .exr of the same texels as they are beside it
-    /// [default: SCENE.png]
+    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit; .html, one file to
+    /// walk through in a browser; or .glb, the surfaces with their light in a texture, and an .exr of the
+    /// same texels as they are beside it [default: SCENE.png]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Pixels across and down [default: as the scene's camera says]; of a .glb about so many texels in all, more where
-    /// small surfaces are many: each has 2 × 2 at the least, a curved one 9 × 9 [default: 1024x1024]
+    /// Pixels across and down [default: as the scene's camera says]; of a .glb about so many texels in all,
+    /// more where small surfaces are many: each has 2 × 2 at the least, a curved one 9 × 9 [default:
+    /// 1024x1024]
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Counts>,
 
@@ -55,12 +56,13 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub(crate) samples: Option<u32>,
 
-    /// What the picture is read from [default: gather, or direct where that would take two threads more than some ten seconds]
+    /// Light that the picture shows [default: gather, or direct where that would take two threads more than
+    /// some ten seconds]
     #[arg(long, value_name = "MODE")]
     pub(crate) read: Option<Read>,
 
-    /// Shows, instead of light, how much the light that leaves each place is worth to what --for names: its mean
-    /// irradiance is the integral of this times the exitance (1/area)
+    /// Shows, instead of light, how much the light that leaves each place is worth to what --for names: its
+    /// mean irradiance is the integral of this times the exitance (1/area)
     #[arg(long, conflicts_with_all = ["read", "show", "difference"])]
     pub(crate) importance: bool,
 

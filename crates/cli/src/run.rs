@@ -34,8 +34,8 @@ use crate::progress::Progress;
 
 /// The scene of a verb as it was read, solved or not.
 ///
-/// A verb that solves takes [`Loaded::lit`], one that also reads solutions [`Loaded::readable`]. It checks its own
-/// arguments against [`Loaded::scene`], and then hands all of it to [`Run::solve`].
+/// A verb that solves takes [`Loaded::lit`], one that also reads solutions [`Loaded::readable`]. It checks
+/// its own arguments against [`Loaded::scene`], and then hands all of it to [`Run::solve`].
 #[derive(Debug)]
 pub(crate) struct Loaded {
     /// The scene.
@@ -71,8 +71,8 @@ impl Loaded {
         Self::new(source.path(), source.request().load_lit(ranks)?, None, started).required()
     }
 
-    /// Reads a scene that has light, or a solution file; with a solution file the options in `fixed`, which were typed
-    /// and change the method, are refused.
+    /// Reads a scene that has light, or a solution file; with a solution file the options in `fixed`, which
+    /// were typed and change the method, are refused.
     pub(crate) fn readable(source: &SceneArg, fixed: &[String], ranks: &Ranks) -> Result<Self, CliError> {
         Self::dark_or_lit(source, fixed, ranks)?.required()
     }
@@ -176,7 +176,8 @@ pub(crate) fn remarks(scene: &Scene) -> Vec<String> {
 
 /// A solved scene with its report in progress.
 ///
-/// A verb reads [`Run::solved`], within [`Run::in_threads`] where that is long, and ends with [`Run::finish`].
+/// A verb reads [`Run::solved`], within [`Run::in_threads`] where that is long, and ends with
+/// [`Run::finish`].
 #[derive(Debug)]
 pub(crate) struct Run {
     /// The scene, its solution and its figures.
@@ -345,8 +346,8 @@ impl Run {
         self.report.add_read_error(error, asked);
     }
 
-    /// Ends the run: times the output, writes the summary to stderr, writes the report; fails where a wanted accuracy was
-    /// not reached.
+    /// Ends the run: times the output, writes the summary to stderr, writes the report; fails where a wanted
+    /// accuracy was not reached.
     pub(crate) fn finish(mut self, progress: Progress, written: Option<&str>) -> Result<(), CliError> {
         self.report.seconds.output = self.ready.elapsed().as_secs_f64();
         self.report.seconds.total = self.started.elapsed().as_secs_f64();

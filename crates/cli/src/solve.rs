@@ -28,11 +28,13 @@ pub(crate) struct SolveArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the solution: .json, which other verbs read, or .vtu, cells of VTK for ParaView [default: SCENE.solution.json]
+    /// File of the solution: .json, which other verbs read, or .vtu, cells of VTK for ParaView [default:
+    /// SCENE.solution.json]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Writes the best there is where the solver does not converge, or where Ctrl-C ends the rays, and still fails
+    /// Writes the best there is where the solver does not converge, or where Ctrl-C ends the rays, and still
+    /// fails
     #[arg(long)]
     pub(crate) keep_partial: bool,
 

@@ -32,8 +32,8 @@ use crate::{
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Style")]
 pub(crate) struct StyleArgs {
-    /// Factor on the values before they become colours, in proportion up to white [default: chosen for the picture, with a
-    /// soft approach to white]
+    /// Factor on the values before they become colours, in proportion up to white [default: chosen for the
+    /// picture, with a soft approach to white]
     #[arg(long, value_name = "X", value_parser = positive, conflicts_with_all = ["false_colour", "difference"])]
     pub(crate) exposure: Option<f64>,
 
@@ -41,7 +41,8 @@ pub(crate) struct StyleArgs {
     #[arg(long, alias = "false-color")]
     pub(crate) false_colour: bool,
 
-    /// Shows by how much the picture differs from that of a solution file, or from an .exr of equal size, in %
+    /// Shows by how much the picture differs from that of a solution file, or from an .exr of equal size, in
+    /// %
     #[arg(long, value_name = "FILE", conflicts_with = "false_colour")]
     pub(crate) difference: Option<PathBuf>,
 
@@ -124,7 +125,8 @@ impl StyleArgs {
         }
     }
 
-    /// Refuses the first of the options `unfit` that was typed, for a file of which `what` begins to say that it has none.
+    /// Refuses the first of the options `unfit` that was typed, for a file of which `what` begins to say that
+    /// it has none.
     fn require_none(&self, path: &Path, unfit: &[&str], what: &str) -> Result<(), CliError> {
         let drawn = [
             ("--false-colour", self.false_colour),

@@ -12,12 +12,13 @@ use crate::{
 /// How transfers are integrated.
 #[derive(Debug, Args)]
 pub(crate) struct TransferArgs {
-    /// Cuts each surface into K × K elements, which are summed: sharper shadows; auto looks at what the scene needs
+    /// Cuts each surface into K × K elements, which are summed: sharper shadows; auto looks at what the scene
+    /// needs
     #[arg(long, value_name = "auto|K", default_value = "auto")]
     subdivide: Subdivide,
 
-    /// Accuracy of each factor, relative to itself or a hundredth of the largest of its row; to the largest of
-    /// its row where rays carry it
+    /// Accuracy of each factor, relative to itself or a hundredth of the largest of its row; to the largest
+    /// of its row where rays carry it
     #[arg(long, value_name = "E", default_value = "1e-3", value_parser = accuracy)]
     eps: f64,
 

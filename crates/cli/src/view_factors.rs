@@ -43,8 +43,8 @@ pub(crate) struct ViewFactorsArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the matrix, in the format of its ending: .csv, .json, .npy, .npz, or .txt as View3D writes it [default: CSV on
-    /// standard output]
+    /// File of the matrix, in the format of its ending: .csv, .json, .npy, .npz, or .txt as View3D writes it
+    /// [default: CSV on standard output]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
@@ -52,7 +52,8 @@ pub(crate) struct ViewFactorsArgs {
     #[arg(long, value_name = "FORMAT")]
     pub(crate) format: Option<Format>,
 
-    /// Leaves zeros out: of .npz, by rows (csr) or as triples (coo); of .csv and .json, as a list of pairs (coo)
+    /// Leaves zeros out: of .npz, by rows (csr) or as triples (coo); of .csv and .json, as a list of pairs
+    /// (coo)
     #[arg(long, value_name = "FORM", conflicts_with = "pairs")]
     pub(crate) sparse: Option<Sparse>,
 
@@ -173,7 +174,8 @@ fn emittances(scene: &Scene) -> Vec<f64> {
         .collect()
 }
 
-/// The two surfaces of `A,B`. Names may contain commas: the first comma with known names on both sides separates them.
+/// The two surfaces of `A,B`. Names may contain commas: the first comma with known names on both sides
+/// separates them.
 fn named_pair(scene: &Scene, pair: &str) -> Result<[usize; 2], CliError> {
     let halves = || pair.match_indices(',').map(|(at, _)| (pair[..at].trim(), pair[at + 1..].trim()));
     let Some((first, second)) = halves().next() else {

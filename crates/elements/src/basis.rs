@@ -7,13 +7,14 @@
 //!
 //! The raw functions R, which are evaluated at points, are
 //!
-//! * products of Legendre polynomials (`products`) with T triangular, where that keeps all digits: on parallelograms
-//!   and most curved elements. Rules may then be factorised;
-//! * else the φ themselves by their `recurrence`, T = 1. For total degree the frame of a planar element is then turned
-//!   along its diameter.
+//! * products of Legendre polynomials (`products`) with T triangular, where that keeps all digits: on
+//!   parallelograms and most curved elements. Rules may then be factorised;
+//! * else the φ themselves by their `recurrence`, T = 1. For total degree the frame of a planar element is
+//!   then turned along its diameter.
 //!
-//! φ₀ is constant, so constants are in the span and power is conserved to rounding. (The parameter-orthonormal basis of
-//! Zatz 1993, eq. 7, differs from this one on every element whose area element varies.)
+//! φ₀ is constant, so constants are in the span and power is conserved to rounding. (The
+//! parameter-orthonormal basis of Zatz 1993, eq. 7, differs from this one on every element whose area element
+//! varies.)
 
 use radiosity_core::dot;
 use radiosity_geom::DVec3;
@@ -37,7 +38,8 @@ const GOOD_DEFECT: f64 = 1e-13;
 /// Largest loss of orthonormality of a basis that is accepted. Chosen; not tuned.
 const LARGEST_DEFECT: f64 = 1e-10;
 
-/// Levels of products that a recurrence uses, cheapest first; measured in the table of the module `recurrence`.
+/// Levels of products that a recurrence uses, cheapest first; measured in the table of the module
+/// `recurrence`.
 const DEPTHS: [usize; 2] = [1, 3];
 
 /// Polynomials of order N, orthonormal with respect to area.
@@ -55,13 +57,14 @@ pub struct AreaBasis {
 impl AreaBasis {
     /// The basis of total degree `order` over `patches`, preferably in `frame`.
     ///
-    /// None where the element has no area, or is so thin that its rounded points cannot distinguish the polynomials.
+    /// None where the element has no area, or is so thin that its rounded points cannot distinguish the
+    /// polynomials.
     pub fn new(order: usize, frame: Frame, patches: &[Patch]) -> Option<Self> {
         Self::over(&Measure::new(patches, order), Space::Total, order, frame, patches)
     }
 
-    /// The basis of `space` on a measure that is exact for products of two of its functions, preferably in `frame`; a
-    /// tensor space depends on the frame. None as for [`AreaBasis::new`].
+    /// The basis of `space` on a measure that is exact for products of two of its functions, preferably in
+    /// `frame`; a tensor space depends on the frame. None as for [`AreaBasis::new`].
     pub(crate) fn over(
         measure: &Measure,
         space: Space,
@@ -142,7 +145,8 @@ impl AreaBasis {
         false
     }
 
-    /// Whether the raw functions are products p_i(a) p_j(b) of the frame's coordinates, in the order of the space.
+    /// Whether the raw functions are products p_i(a) p_j(b) of the frame's coordinates, in the order of the
+    /// space.
     pub fn is_product(&self) -> bool {
         self.recurrence.is_none()
     }
@@ -191,7 +195,8 @@ impl AreaBasis {
 
     /// Coefficients of Σ_k x_k φ_k in the products p_i(a) p_j(b), in the order of the space.
     ///
-    /// Exact up to rounding, which the products amplify where the element fills only a small part of its frame.
+    /// Exact up to rounding, which the products amplify where the element fills only a small part of its
+    /// frame.
     pub fn to_products(&self, coefficients: &[f64]) -> Vec<f64> {
         let raw = self.to_raw(coefficients);
         if self.is_product() {

@@ -1,14 +1,15 @@
 //! Cuts of the parameter square [−1, 1]² into cells.
 //!
-//! Each direction is cut into n equal parts. With layers the outermost parts are cut again, geometrically towards the
-//! sides of the square: with h = 2/n, or h = 1 for n = 1, the ends are
+//! Each direction is cut into n equal parts. With layers the outermost parts are cut again, geometrically
+//! towards the sides of the square: with h = 2/n, or h = 1 for n = 1, the ends are
 //!
 //! ```text
 //! −1, −1 + h q^L, … , −1 + h q ,      and mirrored ,
 //! ```
 //!
-//! which makes n + 2L intervals. Near a side where surfaces meet, radiosity behaves like c + rᵞ with 0 < γ < 1;
-//! polynomials on cells whose size is a fixed part of their distance from it converge exponentially there.
+//! which makes n + 2L intervals. Near a side where surfaces meet, radiosity behaves like c + rᵞ with
+//! 0 < γ < 1; polynomials on cells whose size is a fixed part of their distance from it converge
+//! exponentially there.
 
 use radiosity_geom::Rect;
 use serde::{Deserialize, Serialize};

@@ -4,10 +4,10 @@
 //! B(x) = E₀(x) + ρ(x) E(x) + τ E'(x) ,     0 ≤ ρ, 0 ≤ τ, ρ + τ < 1
 //! ```
 //!
-//! with the irradiance E' of the other side of a two-sided surface that lets light through. For coefficients in the bases of
-//! the elements this is b = e + S h: S is the multiple ρ of the identity where ρ is constant on an element, the matrix
-//! ∫ ρ φ_k φ_l dA where it is not, and couples the elements of two sides by τ. G knows nothing of it: a new S needs no new
-//! blocks (H. Jang, *Radiosity Methods*, has b = e + S G b).
+//! with the irradiance E' of the other side of a two-sided surface that lets light through. For coefficients
+//! in the bases of the elements this is b = e + S h: S is the multiple ρ of the identity where ρ is constant
+//! on an element, the matrix ∫ ρ φ_k φ_l dA where it is not, and couples the elements of two sides by τ. G
+//! knows nothing of it: a new S needs no new blocks (H. Jang, *Radiosity Methods*, has b = e + S G b).
 
 mod tiles;
 mod varied;
@@ -164,8 +164,9 @@ impl Coating {
         paint.about(of_node(paint.shape(), node, is_flat))
     }
 
-    /// Means of E₀ (W m⁻²) and ρ over a patch of an element, the part of it over the parameters `rect`. Texels count by their
-    /// share of the parameters; polynomials by their values in the middles of `ALONG`² cells.
+    /// Means of E₀ (W m⁻²) and ρ over a patch of an element, the part of it over the parameters `rect`.
+    /// Texels count by their share of the parameters; polynomials by their values in the middles of `ALONG`²
+    /// cells.
     pub fn means_over(&self, element: usize, patch: &Patch, rect: &Rect) -> Means {
         let of = |varied: &Varied| {
             varied.tiles.over(rect).unwrap_or_else(|| {
@@ -185,8 +186,8 @@ impl Coating {
         }
     }
 
-    /// B = E₀ + ρ E + τ E' (W m⁻²) at parameters of an element's surface, under the irradiance E here and E' on the other
-    /// side (W m⁻²).
+    /// B = E₀ + ρ E + τ E' (W m⁻²) at parameters of an element's surface, under the irradiance E here and E'
+    /// on the other side (W m⁻²).
     pub fn radiosity(&self, element: usize, parameters: [f64; 2], irradiance: f64, behind: f64) -> f64 {
         let own = self.exitance_at(element, parameters);
         own + self.reflectance_at(element, parameters) * irradiance + self.transmittance(element) * behind
@@ -203,7 +204,8 @@ impl Coating {
         paint.unwrap_or(self.reflectance[element]) + self.transmittance(element)
     }
 
-    /// ρ² + τ² of an element, by which squared errors of irradiance count in radiosity; the square of its mean where ρ varies.
+    /// ρ² + τ² of an element, by which squared errors of irradiance count in radiosity; the square of its
+    /// mean where ρ varies.
     pub fn squared(&self, element: usize) -> f64 {
         self.reflectance[element].powi(2) + self.transmittance(element).powi(2)
     }
@@ -273,8 +275,8 @@ impl Coating {
         }
     }
 
-    /// e, the coefficients of the emitted exitance, element by element; `ones` are those of the constant 1, and `starts`
-    /// says where those of each element begin.
+    /// e, the coefficients of the emitted exitance, element by element; `ones` are those of the constant 1,
+    /// and `starts` says where those of each element begin.
     pub fn emitted(&self, starts: &[usize], ones: &[f64]) -> Vec<f64> {
         let mut all = Vec::with_capacity(ones.len());
         for (element, ends) in starts.windows(2).enumerate() {
@@ -314,8 +316,8 @@ impl Coating {
         out
     }
 
-    /// Adds to `rows`, which has as many columns as G, what the element `element` makes of the rows `incident` of the element
-    /// `from`: S_element,from times them.
+    /// Adds to `rows`, which has as many columns as G, what the element `element` makes of the rows
+    /// `incident` of the element `from`: S_element,from times them.
     pub fn add_reflected_rows(
         &self,
         [element, from]: [usize; 2],
@@ -347,7 +349,8 @@ impl Coating {
     }
 }
 
-/// Calls `visit` with the row, the column and the value of every entry of a row-major matrix of so many columns.
+/// Calls `visit` with the row, the column and the value of every entry of a row-major matrix of so many
+/// columns.
 fn each_entry(matrix: &[f64], columns: usize, visit: &mut impl FnMut(usize, usize, f64)) {
     matrix.iter().enumerate().for_each(|(place, value)| visit(place / columns, place % columns, *value));
 }

@@ -37,8 +37,8 @@ pub enum Subdivide {
     },
     /// This number along u and along v of every surface.
     Uniform(usize),
-    /// By the area of the surface (`resolution`), as fine as so many rays from all of them support; limits the order
-    /// as well.
+    /// By the area of the surface (`resolution`), as fine as so many rays from all of them support; limits
+    /// the order as well.
     Graded {
         /// Rays from all surfaces together, spread by area.
         rays: u64,

@@ -74,8 +74,8 @@ impl Element {
         sums
     }
 
-    /// Whether a point of the element's plane lies in it, or nearer than `tolerance` (scene length) to one of its
-    /// patches; false on curved elements.
+    /// Whether a point of the element's plane lies in it, or nearer than `tolerance` (scene length) to one of
+    /// its patches; false on curved elements.
     pub fn covers(&self, x: DVec3, tolerance: f64) -> bool {
         let Some((_, normal)) = self.plane else { return false };
         self.patches.iter().any(|patch| overhang(&patch.corners(), normal, x) <= tolerance)
@@ -118,7 +118,8 @@ pub(super) struct Part<'a> {
     pub contact: Option<usize>,
 }
 
-/// The element of one part of a surface; None where the part is empty (pieces below 1e-14 of the surface are).
+/// The element of one part of a surface; None where the part is empty (pieces below 1e-14 of the surface
+/// are).
 pub(super) fn element(
     (index, surface): (usize, &SceneSurface),
     Part { shape, pieces, rect, contact }: Part,
@@ -136,7 +137,8 @@ pub(super) fn element(
     let measure = Measure::new(&patches, space.chart_degree(order, &patches));
     let basis = AreaBasis::over(&measure, space, order, frame, &patches).ok_or_else(thin)?;
     let area = measure.area();
-    // φ₀ is constant, so ∫ φ dA = (√area, 0, …, 0) up to rounding; the exact vector makes the constant function exact.
+    // φ₀ is constant, so ∫ φ dA = (√area, 0, …, 0) up to rounding; the exact vector makes the constant
+    // function exact.
     let mut constant = vec![0.0; basis.len()];
     constant[0] = area.sqrt();
     let hull = match plane {
@@ -147,7 +149,8 @@ pub(super) fn element(
     Ok(Some(Element { surface: index, rect, basis, patches, plane, area, constant, hull, extent, contact }))
 }
 
-/// The patches of the part of flat `pieces` over `rect`, those below 1e-14 of the surface's `area` left out, and its plane.
+/// The patches of the part of flat `pieces` over `rect`, those below 1e-14 of the surface's `area` left out,
+/// and its plane.
 pub fn flat_patches(
     shape: &Arc<dyn Surface>,
     pieces: &[Vec<DVec3>],
@@ -198,8 +201,8 @@ fn frame(
     }
 }
 
-/// The part of planar convex `pieces` over a rectangle of the parameters of a planar surface, whose parameter lines are
-/// straight.
+/// The part of planar convex `pieces` over a rectangle of the parameters of a planar surface, whose parameter
+/// lines are straight.
 pub fn clip_to_cell(surface: &dyn Surface, pieces: &[Vec<DVec3>], rect: &Rect) -> Vec<Vec<DVec3>> {
     let at = |u: f64, v: f64| surface.jet(u, v);
     let corners = [

@@ -21,7 +21,8 @@ pub enum ElementError {
         /// The layers asked for.
         layers: Layers,
     },
-    /// A surface without area, or so thin that its rounded points cannot distinguish polynomials of its degree.
+    /// A surface without area, or so thin that its rounded points cannot distinguish polynomials of its
+    /// degree.
     #[error(
         "surface '{surface}' has no area, or is too thin for polynomials of order {order}: lower its order or remove it"
     )]

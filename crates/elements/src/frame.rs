@@ -1,8 +1,9 @@
 //! Frames: the coordinates of an element in which its polynomials are written.
 //!
-//! A convex polygon fills at least half of the rectangle around it along its diameter: the diameter is the base, and
-//! the distances from it are the heights, of two inscribed triangles. In such a frame a sliver of any aspect is as good
-//! as a shape of aspect 1, since the space of polynomials of total degree ≤ N is the same in all affine coordinates.
+//! A convex polygon fills at least half of the rectangle around it along its diameter: the diameter is the
+//! base, and the distances from it are the heights, of two inscribed triangles. In such a frame a sliver of
+//! any aspect is as good as a shape of aspect 1, since the space of polynomials of total degree ≤ N is the
+//! same in all affine coordinates.
 
 use radiosity_geom::{DVec2, DVec3};
 
@@ -78,7 +79,8 @@ impl Frame {
     }
 }
 
-/// The dual vectors of two directions in a plane: the gradients of the coordinates along them, and vice versa.
+/// The dual vectors of two directions in a plane: the gradients of the coordinates along them, and vice
+/// versa.
 pub fn duals([a, b]: [DVec3; 2]) -> [DVec3; 2] {
     let normal = a.cross(b);
     [b.cross(normal), normal.cross(a)].map(|dual| dual / normal.length_squared())

@@ -1,9 +1,10 @@
 //! Elements: the scene's surfaces cut into pieces that carry polynomials.
 //!
-//! A planar element is any polygon, without holes and footings, with polynomials of order N in affine coordinates of
-//! its plane; parts that other surfaces lie on ([`radiosity_visibility::covers`]) are elements of their own. A curved element is a
-//! rectangle of its surface's parameters, with polynomials in them. Both bases are orthonormal with respect to area
-//! ([`basis`]). For quadrature an element is covered by [`patch`]es.
+//! A planar element is any polygon, without holes and footings, with polynomials of order N in affine
+//! coordinates of its plane; parts that other surfaces lie on ([`radiosity_visibility::covers`]) are elements
+//! of their own. A curved element is a rectangle of its surface's parameters, with polynomials in them. Both
+//! bases are orthonormal with respect to area ([`basis`]). For quadrature an element is covered by
+//! [`patch`]es.
 //!
 //! In order: [`cells`] and [`columns`] (cuts of the square, columns of tables), [`patch`] and [`frame`]
 //! (charts and coordinates), `recurrence`, [`rule`], [`space`], `products` and `spectrum` (polynomials and
@@ -130,7 +131,8 @@ impl Elements {
         Self::cut(scene, how, (mesh, is_refined), shapes, covers, None)
     }
 
-    /// Cuts `shapes` into the cells of a mesh; elements of shapes that are those of `before`, and that nothing covers, are copied.
+    /// Cuts `shapes` into the cells of a mesh; elements of shapes that are those of `before`, and that
+    /// nothing covers, are copied.
     fn cut(
         scene: &Scene,
         how: &Discretization,
@@ -227,8 +229,8 @@ impl Elements {
         *cut.cells.at([u, v])
     }
 
-    /// The element beyond the seam at (u, v), further by 1e-9 along `step`; None at the border of the surface, inside
-    /// its holes and where another surface lies on it.
+    /// The element beyond the seam at (u, v), further by 1e-9 along `step`; None at the border of the
+    /// surface, inside its holes and where another surface lies on it.
     pub fn across_seam(&self, surface: usize, [u, v]: [f64; 2], step: [f64; 2]) -> Option<usize> {
         let beyond = [u + 1e-9 * step[0], v + 1e-9 * step[1]];
         let shape = self.shape(surface);
@@ -307,7 +309,8 @@ impl Maker<'_> {
     }
 }
 
-/// Pieces beside covers that are narrower than this part of the surface's extent are rounding. Chosen; not tuned.
+/// Pieces beside covers that are narrower than this part of the surface's extent are rounding. Chosen; not
+/// tuned.
 const LEAST: f64 = 1e-6;
 
 /// Convex pieces of a flat surface outside its `covers`.
@@ -338,7 +341,8 @@ pub struct CutSize {
     pub functions: u64,
 }
 
-/// Upper bounds of the elements and functions that [`Elements::new`] makes of each surface, without making them.
+/// Upper bounds of the elements and functions that [`Elements::new`] makes of each surface, without making
+/// them.
 pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     let resolution = Resolution::new(scene, how);
     let covers = covers(scene);

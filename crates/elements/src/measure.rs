@@ -1,13 +1,14 @@
-//! Area as a discrete measure: points and weights that integrate products of two basis functions over an element,
+//! Area as a discrete measure: points and weights that integrate products of two basis functions over an
+//! element,
 //!
 //! ```text
 //! ∫ f g dA = Σ_a w_a f(x_a) g(x_a) ,   w_a > 0 .
 //! ```
 //!
-//! On a flat patch the area element is linear along each direction of the chart, and d + 1 Gauss points per direction
-//! are exact for f, g of degree d. On a curved patch the number follows from the spectrum of the
-//! area element; where 64 points per direction do not resolve it (at cusps and creases) the worst cell is halved
-//! repeatedly, up to a bound.
+//! On a flat patch the area element is linear along each direction of the chart, and d + 1 Gauss points per
+//! direction are exact for f, g of degree d. On a curved patch the number follows from the spectrum of the
+//! area element; where 64 points per direction do not resolve it (at cusps and creases) the worst cell is
+//! halved repeatedly, up to a bound.
 
 use super::patch::{Node, Patch};
 use super::rule::UnitRule;
@@ -27,8 +28,8 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// The measure that is exact for products of two functions of `degree` along each direction of the charts of
-    /// `patches`.
+    /// The measure that is exact for products of two functions of `degree` along each direction of the charts
+    /// of `patches`.
     pub fn new(patches: &[Patch], degree: usize) -> Self {
         let mut measure = Self { points: Vec::new() };
         for patch in patches {
@@ -48,7 +49,8 @@ impl Measure {
 
     fn add_curved(&mut self, patch: &Patch, degree: usize) {
         for (spectrum, cell) in resolved_cells(patch, degree) {
-            // More points than the degree needs, since functions with high peaks amplify what lies below rounding.
+            // More points than the degree needs, since functions with high peaks amplify what lies below
+            // rounding.
             self.add(&cell, spectrum.degrees.map(|area| degree + area / 2 + 4 + degree / 4));
         }
     }
@@ -66,7 +68,8 @@ impl Measure {
 
 /// Cells that cover a curved patch, each with a resolved area element unless there would be too many.
 fn resolved_cells(patch: &Patch, degree: usize) -> Vec<(Spectrum, Patch)> {
-    // A function of degree d may reach d² times its mean at a collapsed corner, more where the area element vanishes.
+    // A function of degree d may reach d² times its mean at a collapsed corner, more where the area element
+    // vanishes.
     let negligible = ROUNDING * mean_area(patch) / ((degree + 1) as f64).powi(2);
     let resolve = |cell: Patch| (Spectrum::of(&cell, negligible.max(ROUNDING * mean_area(&cell))), cell);
     let mut cells = vec![resolve(patch.clone())];

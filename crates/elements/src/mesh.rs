@@ -1,7 +1,8 @@
 //! Meshes: for each surface of a scene a tree of cells and the order of the polynomials on each.
 //!
-//! A cell is a rectangle of the parameters (u, v) ∈ [−1, 1]². A [`Tree`] cuts it across u or v at some place into two, or
-//! leaves it whole. Leaves are numbered in the order of the tree, the part of lower parameters first.
+//! A cell is a rectangle of the parameters (u, v) ∈ [−1, 1]². A [`Tree`] cuts it across u or v at some place
+//! into two, or leaves it whole. Leaves are numbered in the order of the tree, the part of lower parameters
+//! first.
 
 use std::convert::Infallible;
 
@@ -13,7 +14,8 @@ use super::basis::HIGHEST_ORDER;
 /// Narrowest cell that is cut (parameters). Chosen; not tuned.
 const NARROWEST: f64 = 1e-6;
 
-/// Most cuts one within the other of a mesh that is read: more than [`NARROWEST`] allows of halves of both parameters.
+/// Most cuts one within the other of a mesh that is read: more than [`NARROWEST`] allows of halves of both
+/// parameters.
 const DEEPEST: usize = 64;
 
 /// The cells of a surface, each with a value.

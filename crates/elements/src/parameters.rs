@@ -8,8 +8,8 @@ use super::patch::Node;
 /// A point closer to its place than this part of the surface's size is there. Chosen; not tuned.
 const SAME_PLACE: f64 = 1e-9;
 
-/// The parameters (u, v) of a point of a flat surface: by the affine map that most of them are, or else by search;
-/// from −1 to 1.
+/// The parameters (u, v) of a point of a flat surface: by the affine map that most of them are, or else by
+/// search; from −1 to 1.
 pub fn parameters(shape: &dyn Surface, position: DVec3) -> [f64; 2] {
     let middle = shape.jet(0.0, 0.0);
     let offset = position - middle.position;

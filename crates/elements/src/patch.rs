@@ -1,10 +1,10 @@
 //! A patch: a piece of an element charted by the unit square, for quadrature.
 //!
-//! (s, t) ∈ [0, 1]² ↦ x(s, t), with corners c₀ = x(0, 0), c₁ = x(1, 0), c₂ = x(1, 1), c₃ = x(0, 1). A flat patch is the
-//! bilinear image of its four corners; a triangle repeats its last corner (c₂ = c₃), and only the edge t = 1 collapses.
-//! A curved patch is an affine image of the unit square in the parameters of its surface. Rules that need a corner of
-//! contact at s = t = 0 or an edge at t = 0 re-orient the patch; the chart may then be left-handed, so areas are always
-//! positive.
+//! (s, t) ∈ [0, 1]² ↦ x(s, t), with corners c₀ = x(0, 0), c₁ = x(1, 0), c₂ = x(1, 1), c₃ = x(0, 1). A flat
+//! patch is the bilinear image of its four corners; a triangle repeats its last corner (c₂ = c₃), and only
+//! the edge t = 1 collapses. A curved patch is an affine image of the unit square in the parameters of its
+//! surface. Rules that need a corner of contact at s = t = 0 or an edge at t = 0 re-orient the patch; the
+//! chart may then be left-handed, so areas are always positive.
 
 use std::sync::Arc;
 
@@ -165,8 +165,8 @@ impl Patch {
         matches!(self, Self::Flat { .. })
     }
 
-    /// Whether the chart is affine to 1e-14 of its size (some roundings): constant area element, polynomial degree
-    /// kept.
+    /// Whether the chart is affine to 1e-14 of its size (some roundings): constant area element, polynomial
+    /// degree kept.
     pub fn is_parallelogram(&self) -> bool {
         let Self::Flat { corners: [a, b, c, d], .. } = self else { return false };
         let scale = (*c - *a).abs().max_element() + (*d - *b).abs().max_element();
@@ -192,7 +192,8 @@ impl Patch {
         if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
     }
 
-    /// About the patch's distance from the plane of its corners: of its middle from theirs, and their twist; 0 if flat.
+    /// About the patch's distance from the plane of its corners: of its middle from theirs, and their twist;
+    /// 0 if flat.
     pub fn sagitta(&self) -> f64 {
         if self.is_flat() {
             return 0.0;

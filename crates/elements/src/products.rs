@@ -5,8 +5,8 @@
 //! ```
 //!
 //! T comes from Gram–Schmidt, twice, on the table √w_a L_k(x_a) of a rule that is exact for the products: the
-//! condition number of the element's shape enters once, not squared as it would by a Cholesky factor of the Gram
-//! matrix. On a parallelogram that fills its frame T is a multiple of the identity.
+//! condition number of the element's shape enters once, not squared as it would by a Cholesky factor of the
+//! Gram matrix. On a parallelogram that fills its frame T is a multiple of the identity.
 
 use radiosity_core::{dot, legendre, norm};
 use radiosity_scene::MAX_ORDER;
@@ -27,8 +27,8 @@ pub(crate) fn values(space: Space, order: usize, coordinates: [f64; 2], out: &mu
     }
 }
 
-/// Writes p_i(a) p_j(b), i and j ≤ order < N. Inside the element the plain recurrence keeps all digits that quadrature
-/// needs, in a fraction of the time of the form that is exact near ±1.
+/// Writes p_i(a) p_j(b), i and j ≤ order < N. Inside the element the plain recurrence keeps all digits that
+/// quadrature needs, in a fraction of the time of the form that is exact near ±1.
 #[inline(always)]
 fn products<const N: usize>(space: Space, order: usize, [a, b]: [f64; 2], out: &mut [f64]) {
     let (mut first, mut second) = ([0.0; N], [0.0; N]);
@@ -53,8 +53,8 @@ fn products<const N: usize>(space: Space, order: usize, [a, b]: [f64; 2], out: &
     }
 }
 
-/// T, row-major, by Gram–Schmidt, two passes per column of a table with a row √w L per point. None where a column
-/// depends on those before it.
+/// T, row-major, by Gram–Schmidt, two passes per column of a table with a row √w L per point. None where a
+/// column depends on those before it.
 pub(crate) fn orthonormalise(rows: &[Vec<f64>], count: usize) -> Option<Vec<f64>> {
     let mut columns: Vec<Vec<f64>> = (0..count).map(|k| rows.iter().map(|row| row[k]).collect()).collect();
     let mut transform = vec![0.0; count * count];

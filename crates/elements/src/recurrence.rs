@@ -1,17 +1,17 @@
 //! Orthonormal polynomials in two variables, evaluated by a recurrence.
 //!
-//! The functions come in levels (by total degree, or by the larger of two degrees) such that the product of a function
-//! of level m and one of level n lies in the levels up to m + n. With f_c = φ_q φ_p a choice of products from levels m
-//! and d − m, where coordinates replace the functions of level 1,
+//! The functions come in levels (by total degree, or by the larger of two degrees) such that the product of a
+//! function of level m and one of level n lies in the levels up to m + n. With f_c = φ_q φ_p a choice of
+//! products from levels m and d − m, where coordinates replace the functions of level 1,
 //!
 //! ```text
 //! φ_k = Σ_c W_ck f_c − Σ_{l < level d} H_lk φ_l ,    level(k) = d .
 //! ```
 //!
-//! The projections of the f_c orthogonal to the levels below d span level d; in an orthonormal basis of it f = A φ + …,
-//! with more rows than columns. Any left inverse of A gives a recurrence; W is the least one, (AᵀA)⁻¹Aᵀ, which
-//! amplifies the rounding of the f_c least. The number of digits at high degree depends on the choice of products.
-//! Measured loss of orthonormality at N = 20:
+//! The projections of the f_c orthogonal to the levels below d span level d; in an orthonormal basis of it
+//! f = A φ + …, with more rows than columns. Any left inverse of A gives a recurrence; W is the least one,
+//! (AᵀA)⁻¹Aᵀ, which amplifies the rounding of the f_c least. The number of digits at high degree depends on
+//! the choice of products. Measured loss of orthonormality at N = 20:
 //!
 //! | products | triangle | square with holes | L, arms 1/10 wide |
 //! | --- | --- | --- | --- |
@@ -20,11 +20,12 @@
 //! | all x φ_p (m = 1) | 1e-13 | 9e-14 | 3e-8 |
 //! | m = 1, 2, 3 | 3e-14 | 2e-14 | 2e-14 |
 //!
-//! Products of Legendre polynomials times a triangular matrix lose all digits there. The sum over l could end at level
-//! d − 2m, below which H is rounding only; keeping that rounding keeps a digit.
+//! Products of Legendre polynomials times a triangular matrix lose all digits there. The sum over l could end
+//! at level d − 2m, below which H is rounding only; keeping that rounding keeps a digit.
 //!
-//! References: Y. Nakatsukasa and L. N. Trefethen, "Vandermonde with Arnoldi", SIAM Review 63 (2021), for one variable;
-//! C. F. Dunkl and Y. Xu, *Orthogonal Polynomials of Several Variables* (2014), §3.2, for left inverses.
+//! References: Y. Nakatsukasa and L. N. Trefethen, "Vandermonde with Arnoldi", SIAM Review 63 (2021), for one
+//! variable; C. F. Dunkl and Y. Xu, *Orthogonal Polynomials of Several Variables* (2014), §3.2, for left
+//! inverses.
 
 use std::ops::Range;
 
@@ -72,8 +73,9 @@ pub(crate) struct Recurrence {
 }
 
 impl Recurrence {
-    /// The functions that are orthonormal on `points`, pairs of coordinates (a, b) and weights > 0, by products of
-    /// levels m and d − m for 1 ≤ m ≤ `depth`. None where the points cannot distinguish the polynomials.
+    /// The functions that are orthonormal on `points`, pairs of coordinates (a, b) and weights > 0, by
+    /// products of levels m and d − m for 1 ≤ m ≤ `depth`. None where the points cannot distinguish the
+    /// polynomials.
     pub(crate) fn new(points: &[([f64; 2], f64)], levels: &Levels, depth: usize) -> Option<Self> {
         let roots: Vec<f64> = points.iter().map(|(_, weight)| weight.sqrt()).collect();
         let constant = 1.0 / norm(&roots);
@@ -225,7 +227,8 @@ fn least_weights(rests: &[Vec<f64>], count: usize) -> Option<Vec<Vec<f64>>> {
     if triangle.nrows() < count || (0..count).any(|k| triangle[(k, k)] <= DEPENDENT) {
         return None;
     }
-    // A, in the orthonormal basis of the columns that were chosen. With A = Q R its least left inverse is R⁻¹ Qᵀ.
+    // A, in the orthonormal basis of the columns that were chosen. With A = Q R its least left inverse is R⁻¹
+    // Qᵀ.
     let mut matrix = triangle.rows(0, count).transpose();
     chosen.p().inv_permute_rows(&mut matrix);
     let qr = matrix.qr();

@@ -18,15 +18,16 @@ pub(super) struct Resolution {
     shares: Vec<f64>,
 }
 
-/// A surface that sends at least so many rays carries polynomials of at most `order` on `parts` × `parts` elements.
+/// A surface that sends at least so many rays carries polynomials of at most `order` on `parts` × `parts`
+/// elements.
 struct Grade {
     rays: f64,
     order: usize,
     parts: usize,
 }
 
-/// The grades, largest surfaces first; constants below. The functions of an element are told apart by its rays: n rays
-/// leave eigenvalues of their sums of products off by about 2 √(m/n) for m functions.
+/// The grades, largest surfaces first; constants below. The functions of an element are told apart by its
+/// rays: n rays leave eigenvalues of their sums of products off by about 2 √(m/n) for m functions.
 const GRADES: [Grade; 6] = [
     Grade { rays: 1.8e6, order: 2, parts: 16 },
     Grade { rays: 1.15e5, order: 2, parts: 8 },
@@ -93,12 +94,13 @@ pub fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
     Mesh::new(scene.surfaces.iter().enumerate().map(tree).collect())
 }
 
-/// Most elements along each direction for the sake of emission that varies, and elements for a polynomial. Chosen; not tuned.
+/// Most elements along each direction for the sake of emission that varies, and elements for a polynomial.
+/// Chosen; not tuned.
 const MOST_OF_GLOW: usize = 8;
 const OF_POLYNOMIAL: usize = 4;
 
-/// Elements of an emitter along u and v. Direct light takes the exitance of each as constant, so that what it misses falls with
-/// their size over the distance; elements as texels, where these are few, miss nothing.
+/// Elements of an emitter along u and v. Direct light takes the exitance of each as constant, so that what it
+/// misses falls with their size over the distance; elements as texels, where these are few, miss nothing.
 fn parts_of_glow(pattern: &Pattern) -> [usize; 2] {
     match pattern.degree() {
         Some(0) => [1, 1],

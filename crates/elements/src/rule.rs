@@ -1,7 +1,7 @@
 //! Gauss–Legendre rules on [0, 1], computed once and shared.
 //!
-//! `∫₀¹ f(s) ds ≈ Σ_a w_a f(x_a)`, exact for polynomials of degree 2n − 1. Patches are charted by the unit square, so
-//! that a corner or an edge of contact lies at zero.
+//! `∫₀¹ f(s) ds ≈ Σ_a w_a f(x_a)`, exact for polynomials of degree 2n − 1. Patches are charted by the unit
+//! square, so that a corner or an edge of contact lies at zero.
 
 use std::sync::OnceLock;
 

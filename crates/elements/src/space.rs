@@ -49,8 +49,8 @@ impl Space {
         }
     }
 
-    /// Highest degree of a function along one direction of the charts of `patches`: charts of curved elements run along
-    /// the coordinates, charts of flat ones may run in any direction.
+    /// Highest degree of a function along one direction of the charts of `patches`: charts of curved elements
+    /// run along the coordinates, charts of flat ones may run in any direction.
     pub fn chart_degree(self, order: usize, patches: &[Patch]) -> usize {
         if patches.iter().all(Patch::is_flat) { self.total_degree(order) } else { order }
     }

@@ -6,10 +6,10 @@
 //! A(s, t) = Σ c_mn q_m(s) q_n(t) ,   q_n(x) = √(2n + 1) P_n(2x − 1) ,   ∫₀¹ q_m q_n dx = δ_mn .
 //! ```
 //!
-//! Where |c_mn| is below the rounding of the whole area for all m > M, A counts as a polynomial of degree M in s, and a
-//! Gauss rule of d + M/2 + 1 points is exact for A times products of two polynomials of degree d. The degree is 0 for a
-//! cylinder, 1 towards the apex of a cone, about 30 for a quarter of a sphere. A cell whose coefficients do not fall
-//! off within 64 samples per direction is unresolved.
+//! Where |c_mn| is below the rounding of the whole area for all m > M, A counts as a polynomial of degree M
+//! in s, and a Gauss rule of d + M/2 + 1 points is exact for A times products of two polynomials of degree d.
+//! The degree is 0 for a cylinder, 1 towards the apex of a cone, about 30 for a quarter of a sphere. A cell
+//! whose coefficients do not fall off within 64 samples per direction is unresolved.
 
 use radiosity_core::legendre;
 

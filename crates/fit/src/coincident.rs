@@ -1,11 +1,11 @@
 //! Coincident surfaces: two that lie in one another, so that light between them, and the nearest hit of a
 //! ray, would be undefined.
 //!
-//! Planar regions coincide if they share a plane and some area. For other pairs short rays along the normals of one
-//! surface test the other, at 8 × 8 places off every symmetry of the parameter square: the surfaces coincide if such a
-//! place, and one to each side of it, lies on the other surface with the same normal. That finds copies and parts of
-//! one another, whatever shapes made them, except overlaps narrower than an eighth of both. Surfaces that touch in a
-//! point or along a line do not coincide.
+//! Planar regions coincide if they share a plane and some area. For other pairs short rays along the normals
+//! of one surface test the other, at 8 × 8 places off every symmetry of the parameter square: the surfaces
+//! coincide if such a place, and one to each side of it, lies on the other surface with the same normal. That
+//! finds copies and parts of one another, whatever shapes made them, except overlaps narrower than an eighth
+//! of both. Surfaces that touch in a point or along a line do not coincide.
 
 use std::sync::Arc;
 
@@ -16,12 +16,14 @@ use radiosity_geom::{
 /// Sine of the angle between planes below which they are the same. Chosen; not tuned.
 const PARALLEL: f64 = 1e-6;
 
-/// Regions overlap if their common part is wider than this part of the smaller extent and than the part `OF_BREADTH` of
-/// the narrower breadth: edges that touch overlap by rounding, in many models of single precision. Chosen; not tuned.
+/// Regions overlap if their common part is wider than this part of the smaller extent and than the part
+/// `OF_BREADTH` of the narrower breadth: edges that touch overlap by rounding, in many models of single
+/// precision. Chosen; not tuned.
 const WIDTH: f64 = 1e-6;
 const OF_BREADTH: f64 = 1e-3;
 
-/// Tested values of each parameter, no two symmetric, and none where shapes are likely to touch. Chosen; not tuned.
+/// Tested values of each parameter, no two symmetric, and none where shapes are likely to touch. Chosen; not
+/// tuned.
 const PLACES: [f64; 8] = [-0.913, -0.671, -0.437, -0.172, 0.089, 0.323, 0.582, 0.864];
 
 /// Distance in parameters to the tests beside a place. Chosen; not tuned.
@@ -115,7 +117,8 @@ fn passes_through(surface: &Arc<dyn Surface>, point: DVec3, normal: DVec3, size:
     normal_there(surface, point, normal, size).is_some_and(|there| there.cross(normal).length() < 1e-6)
 }
 
-/// The normal of `surface` at `point`, found by a segment of 1e-4 of `size` along `normal`; None if it is not on it.
+/// The normal of `surface` at `point`, found by a segment of 1e-4 of `size` along `normal`; None if it is not
+/// on it.
 fn normal_there(surface: &Arc<dyn Surface>, point: DVec3, normal: DVec3, size: f64) -> Option<DVec3> {
     let reach = 1e-4 * size * normal;
     let hit = surface.intersect(&Ray::segment(point - reach, point + reach))?;

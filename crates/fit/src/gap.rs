@@ -1,22 +1,24 @@
 //! The least gap between two flat sheets that the rules of transport can resolve.
 //!
-//! Tests of segments ignore their ends, and outlines ignore what is nearer to their planes than 1e-9 of the length of
-//! the ray: on a large sheet that length is about its extent. Contours of two small sheets resolve smaller gaps, but
-//! blockers between them must not be ignored either. Measured with plates, pictures and boxes over floors: row sums
-//! hold from about 4e-9 of the larger extent on (`cargo test --release --test theorems rounded::gaps` asserts it).
+//! Tests of segments ignore their ends, and outlines ignore what is nearer to their planes than 1e-9 of the
+//! length of the ray: on a large sheet that length is about its extent. Contours of two small sheets resolve
+//! smaller gaps, but blockers between them must not be ignored either. Measured with plates, pictures and
+//! boxes over floors: row sums hold from about 4e-9 of the larger extent on
+//! (`cargo test --release --test theorems rounded::gaps` asserts it).
 
-/// Least gap as a part of the smaller extent (chosen, not tuned) and of the larger one (`OF_LARGER`, measured, see the
-/// header), at most the part `MOST` of the smaller: the view factor of the two sheets then is 1 less about 4e-5.
+/// Least gap as a part of the smaller extent (chosen, not tuned) and of the larger one (`OF_LARGER`,
+/// measured, see the header), at most the part `MOST` of the smaller: the view factor of the two sheets then
+/// is 1 less about 4e-5.
 const OF_SMALLER: f64 = 2e-8;
 const OF_LARGER: f64 = 4e-9;
 const MOST: f64 = 1e-5;
 
-/// Gaps up to this multiple of the least let no light out; sheets that were set apart, also several on each other, have
-/// such gaps. Chosen; not tuned.
+/// Gaps up to this multiple of the least let no light out; sheets that were set apart, also several on each
+/// other, have such gaps. Chosen; not tuned.
 const CLOSED: f64 = 4.0;
 
-/// Largest gap (scene length) between sheets with these extents at which one covers the other. What they see past each
-/// other is then below 1e-4 of what they exchange, for sheets of like sizes below 1e-6.
+/// Largest gap (scene length) between sheets with these extents at which one covers the other. What they see
+/// past each other is then below 1e-4 of what they exchange, for sheets of like sizes below 1e-6.
 pub fn closed(a: f64, b: f64) -> f64 {
     CLOSED * least(a, b)
 }

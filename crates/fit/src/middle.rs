@@ -1,8 +1,8 @@
 //! Scenes far from the origin, in coordinates about their own middle.
 //!
-//! Map coordinates spend most digits on the place of the scene: at 10⁷ times its size 9 of 16 are left. So the middle
-//! is subtracted from all coordinates before anything is computed, along each axis where it is far. It is a multiple of
-//! a power of two about the size of the scene, so that no difference is rounded.
+//! Map coordinates spend most digits on the place of the scene: at 10⁷ times its size 9 of 16 are left. So
+//! the middle is subtracted from all coordinates before anything is computed, along each axis where it is
+//! far. It is a multiple of a power of two about the size of the scene, so that no difference is rounded.
 
 use std::sync::Arc;
 

@@ -33,8 +33,8 @@ pub fn unevenness(outline: &[DVec3]) -> f64 {
 /// Message on a face of four corners off its plane.
 pub const WARPED: &str = "a face of four corners is off its plane: it is a bilinear patch";
 
-/// Whether four corners make a patch that is curved: off their plane by more than 2e-5 of their extent and than their
-/// rounding, and convex seen from the front.
+/// Whether four corners make a patch that is curved: off their plane by more than 2e-5 of their extent and
+/// than their rounding, and convex seen from the front.
 pub fn is_warped(corners: &[DVec3; 4]) -> bool {
     let tolerance = (PLANARITY * extent(corners)).max(ROUNDINGS * coordinate_rounding(corners, None));
     let normal = area_vector(corners);

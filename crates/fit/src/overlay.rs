@@ -1,8 +1,8 @@
 //! Areas in a plane that rings enclose, and the parts of them outside others.
 //!
-//! Points nearer to each other than a tolerance are made one, and sides are led through points that lie on them; then
-//! the crossings are found in integers by the crate `i_overlay`. Points that were given come back as they were given,
-//! to the bit, also those that lie beside the plane.
+//! Points nearer to each other than a tolerance are made one, and sides are led through points that lie on
+//! them; then the crossings are found in integers by the crate `i_overlay`. Points that were given come back
+//! as they were given, to the bit, also those that lie beside the plane.
 
 mod nodes;
 
@@ -20,8 +20,8 @@ use crate::plane::Plane;
 use crate::ring::{TOUCH, perimeter, tolerance};
 use nodes::{Near, Nodes, bits, cyclic, through_nodes};
 
-/// Steps of the integers over the extent: about a thousand times finer than the tolerance, and far from their limit,
-/// 2⁶². Chosen; not tuned.
+/// Steps of the integers over the extent: about a thousand times finer than the tolerance, and far from their
+/// limit, 2⁶². Chosen; not tuned.
 const STEPS: f64 = (1u64 << 42) as f64;
 
 /// Distance within which points are made one, over the largest length that is refused as 0, so that none is
@@ -61,8 +61,8 @@ pub fn without(plane: &Plane, parts: &[Part], others: &[Part], asked: Option<f64
     settled(plane, &given, parts, asked)
 }
 
-/// The parts with new points made one with each other, and sides led through them: where three sides cross in one point,
-/// rounding leaves three.
+/// The parts with new points made one with each other, and sides led through them: where three sides cross in
+/// one point, rounding leaves three.
 fn settled(plane: &Plane, given: &[DVec3], parts: Vec<Part>, asked: Option<f64>) -> Vec<Part> {
     let known: HashSet<[u64; 3]> = given.iter().map(|x| bits(*x)).collect();
     let rings: Vec<&[DVec3]> = parts.iter().flat_map(Part::rings).collect();
@@ -182,8 +182,8 @@ impl<'a> Drawing<'a> {
         }
     }
 
-    /// The point in space of a crossing: on the side nearest to it, so that coordinates that the side's ends share are
-    /// kept.
+    /// The point in space of a crossing: on the side nearest to it, so that coordinates that the side's ends
+    /// share are kept.
     fn crossing(&self, at: IntPoint<i64>) -> DVec3 {
         let at = self.low + self.step * DVec2::new(at.x as f64, at.y as f64);
         let point = at.extend(0.0);
@@ -217,7 +217,8 @@ fn place(at: IntPoint<i64>) -> [i64; 2] {
     [at.x, at.y]
 }
 
-/// Whether a ring runs somewhere and back along the same way, as the seam does that leads an outline to a hole.
+/// Whether a ring runs somewhere and back along the same way, as the seam does that leads an outline to a
+/// hole.
 pub fn has_seam(plane: &Plane, ring: &[DVec3], asked: Option<f64>) -> bool {
     let drawing = Drawing::new(plane, ring, &[ring], &[], asked);
     let sides: HashSet<[usize; 2]> = drawing.rings.iter().flat_map(|ring| cyclic(ring)).collect();

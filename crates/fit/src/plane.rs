@@ -5,8 +5,8 @@ use radiosity_geom::sides;
 
 use crate::outline::{area_vector, extent};
 
-/// Part of its corners' areas below which the net area of an outline that crosses itself tells no direction. Chosen;
-/// not tuned.
+/// Part of its corners' areas below which the net area of an outline that crosses itself tells no direction.
+/// Chosen; not tuned.
 const LEVEL: f64 = 1e-2;
 
 /// A plane with a front and flat coordinates.
@@ -21,8 +21,8 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The plane of an outline, which runs counter-clockwise about its normal, by net area if it crosses itself. None
-    /// if all points lie on a line.
+    /// The plane of an outline, which runs counter-clockwise about its normal, by net area if it crosses
+    /// itself. None if all points lie on a line.
     pub fn of(outline: &[DVec3]) -> Option<Plane> {
         let origin = *outline.first()?;
         let size = extent(outline);

@@ -23,7 +23,8 @@ pub(super) fn perimeter(ring: &[DVec3]) -> f64 {
     sides(ring).map(|[x, y]| x.distance(y)).sum()
 }
 
-/// Length between two points far from each other, and the largest distance of a point from the line through them.
+/// Length between two points far from each other, and the largest distance of a point from the line through
+/// them.
 pub fn length_and_width(ring: &[DVec3]) -> [f64; 2] {
     let farthest = |from: DVec3| {
         ring.iter().copied().max_by(|x, y| x.distance_squared(from).total_cmp(&y.distance_squared(from)))

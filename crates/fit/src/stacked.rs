@@ -1,11 +1,13 @@
-//! Flat sheets that lie in one plane and share some area of it, such as a body on a floor or a picture on a wall.
+//! Flat sheets that lie in one plane and share some area of it, such as a body on a floor or a picture on a
+//! wall.
 //!
-//! The sign of the gap between two such sheets is lost, and with it what each of them sees. It is restored as follows.
-//! A face that shares its border with others is on their side: the bottom of a box on a floor belongs up to the box,
-//! the wall of a room beside another room to its own room. A sheet by itself lies on the front of a larger one, as a
-//! picture on a wall. Otherwise the gap as typed decides, if it is more than rounding; if nothing decides, the scene is
-//! refused. The smaller sheet is moved off the larger by a small gap for which the rules of transport hold: a face on a
-//! floor exchanges light with the floor alone, as it does in the limit of no gap.
+//! The sign of the gap between two such sheets is lost, and with it what each of them sees. It is restored as
+//! follows. A face that shares its border with others is on their side: the bottom of a box on a floor
+//! belongs up to the box, the wall of a room beside another room to its own room. A sheet by itself lies on
+//! the front of a larger one, as a picture on a wall. Otherwise the gap as typed decides, if it is more than
+//! rounding; if nothing decides, the scene is refused. The smaller sheet is moved off the larger by a small
+//! gap for which the rules of transport hold: a face on a floor exchanges light with the floor alone, as it
+//! does in the limit of no gap.
 
 mod sheet;
 
@@ -112,7 +114,8 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
 struct Pair<'a> {
     sheet: &'a Sheet,
     on: &'a Sheet,
-    /// Heights, over the front of the larger sheet, of what shares its border with either; 0 without such surfaces.
+    /// Heights, over the front of the larger sheet, of what shares its border with either; 0 without such
+    /// surfaces.
     bodies: [f64; 2],
 }
 
@@ -128,7 +131,8 @@ impl Pair<'_> {
             // The inner and the outer skin of one shell, back to back.
             return (!is_alike).then_some(-up);
         }
-        // A face with its body behind it stands on a sheet with its body in front (box on tile), and on loose tiles.
+        // A face with its body behind it stands on a sheet with its body in front (box on tile), and on loose
+        // tiles.
         let stands_on = self.bodies[1] < 0.0 && self.bodies[0] * normal.dot(up) >= 0.0;
         let is_tile = self.bodies[0] == 0.0 && is_within && !self.sheet.two_sided;
         if !is_alike && stands_on && (is_tile || self.bodies[0] != 0.0 && !is_within) {

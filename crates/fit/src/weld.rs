@@ -1,18 +1,19 @@
 //! Welding: corners and planes that agree to the rounding of the input are made equal when a scene is read.
 //!
-//! Models come in single precision or with few decimals: corners that are meant to be one differ, quadrilaterals are
-//! not quite planar, bodies hover over floors or reach into them slightly. The rules of transport distinguish touching
-//! from apart, so corners within the tolerance of the input are moved together:
+//! Models come in single precision or with few decimals: corners that are meant to be one differ,
+//! quadrilaterals are not quite planar, bodies hover over floors or reach into them slightly. The rules of
+//! transport distinguish touching from apart, so corners within the tolerance of the input are moved
+//! together:
 //!
 //! 1. corners nearer to each other than the tolerance become one (`corners`);
-//! 2. a corner within tolerance of a flat sheet belongs to its plane, and sheets whose corners all do share a plane
-//!    (`planes`);
+//! 2. a corner within tolerance of a flat sheet belongs to its plane, and sheets whose corners all do share a
+//!    plane (`planes`);
 //! 3. all corners move as little as possible, in the sense of least squares, until each lies in its planes
 //!    (`flatten`).
 //!
-//! Flat sheets that lie wholly in front of each other, however close, are left as they are: the rules hold for every
-//! gap, and the sign of the gap says which is in front. Corners that agree to rounding do not move, so clean scenes
-//! keep their bits.
+//! Flat sheets that lie wholly in front of each other, however close, are left as they are: the rules hold
+//! for every gap, and the sign of the gap says which is in front. Corners that agree to rounding do not move,
+//! so clean scenes keep their bits.
 //!
 //! The tolerance is that of the two sheets in question (`tolerance`), or the length that the user gave.
 
@@ -49,8 +50,8 @@ impl fmt::Display for Welded {
     }
 }
 
-/// Moves the corners of `shapes` as the module says. Their coordinates were rounded before `middle` was subtracted;
-/// `asked` is a tolerance (scene length) instead of that of the input.
+/// Moves the corners of `shapes` as the module says. Their coordinates were rounded before `middle` was
+/// subtracted; `asked` is a tolerance (scene length) instead of that of the input.
 pub fn weld(shapes: &mut [&mut Arc<dyn Surface>], middle: DVec3, asked: Option<f64>) -> Welded {
     let sheets = Sheets::of(shapes, middle, asked);
     let apart = apart::pairs(&sheets);

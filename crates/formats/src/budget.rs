@@ -2,8 +2,9 @@
 
 use radiosity_photometry::fault::Fault;
 
-/// Most characters and items that are followed, repetitions by arrays and includes counted. Chosen; not tuned: a
-/// scene of 10⁷ lines is within, and a few lines that repeat one another without end are given up in seconds.
+/// Most characters and items that are followed, repetitions by arrays and includes counted. Chosen; not
+/// tuned: a scene of 10⁷ lines is within, and a few lines that repeat one another without end are given up in
+/// seconds.
 const MOST: u64 = 1_000_000_000;
 
 /// Price of an item beside its characters, and price of an opening of an included file or of an instance of

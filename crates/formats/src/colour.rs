@@ -1,4 +1,5 @@
-//! Colours as bands: linear red, green and blue with the primaries and the white of ITU-R BT.709, or one grey band.
+//! Colours as bands: linear red, green and blue with the primaries and the white of ITU-R BT.709, or one grey
+//! band.
 
 use glam::{DMat3, DVec3};
 
@@ -16,8 +17,8 @@ pub(crate) const TEXTURED: &str = "textures are left out: their mean reflectance
 /// Note on materials whose emission is a texture.
 pub(crate) const TEXTURED_EMISSION: &str = "textures of emission are left out: what they make shine is dark";
 
-/// Values of red, green and blue that differ by less than this part of the largest are grey: rounding leaves less. Chosen;
-/// not tuned.
+/// Values of red, green and blue that differ by less than this part of the largest are grey: rounding leaves
+/// less. Chosen; not tuned.
 const GREY: f64 = 1e-12;
 
 /// The linear value of one that is coded as sRGB, 0 to 1. Source: IEC 61966-2-1:1999, item 5.2.
@@ -25,9 +26,10 @@ pub(crate) fn of_srgb(coded: f64) -> f64 {
     if coded <= 0.04045 { coded / 12.92 } else { ((coded + 0.055) / 1.055).powf(2.4) }
 }
 
-/// Linear red, green and blue of a colour with chromaticity `x`, `y` (CIE 1931) and luminance 1, relative to the white of
-/// equal energy, x = y = 1/3, which formats that state chromaticities mean by grey. Values below 0, of colours outside
-/// the triangle of the primaries, are raised to 0 and the rest scaled so that the luminance stays 1.
+/// Linear red, green and blue of a colour with chromaticity `x`, `y` (CIE 1931) and luminance 1, relative to
+/// the white of equal energy, x = y = 1/3, which formats that state chromaticities mean by grey. Values below
+/// 0, of colours outside the triangle of the primaries, are raised to 0 and the rest scaled so that the
+/// luminance stays 1.
 pub(crate) fn of_chromaticity(x: f64, y: f64) -> [f64; 3] {
     let white = linear(1.0 / 3.0, 1.0 / 3.0);
     let own = linear(x, y);
@@ -71,8 +73,8 @@ fn grey(rgb: [f64; 3]) -> f64 {
     format!("{luminance:.11e}").parse().unwrap_or(luminance)
 }
 
-/// Values that are grey become their luminance in each band; where all materials are grey, one band `grey` takes the place
-/// of red, green and blue.
+/// Values that are grey become their luminance in each band; where all materials are grey, one band `grey`
+/// takes the place of red, green and blue.
 pub(crate) fn settle(model: &mut Model) {
     if model.bands.len() != 3 {
         return;

@@ -1,7 +1,8 @@
 //! Which way the fronts of bodies point.
 //!
-//! Faces that share a whole side belong together. Where the front of one turns into the back of its neighbour, the
-//! lesser area is turned. A closed body shows its fronts outwards, a room, which has everything else inside, inwards.
+//! Faces that share a whole side belong together. Where the front of one turns into the back of its
+//! neighbour, the lesser area is turned. A closed body shows its fronts outwards, a room, which has
+//! everything else inside, inwards.
 
 mod corners;
 
@@ -45,7 +46,8 @@ pub(crate) enum Why {
     Outwards,
 }
 
-/// The faces whose fronts point the wrong way, body by body. Only flat and bilinear one-sided surfaces are looked at.
+/// The faces whose fronts point the wrong way, body by body. Only flat and bilinear one-sided surfaces are
+/// looked at.
 pub(crate) fn turned(model: &Model) -> Vec<Turned> {
     let faces = Faces::of(model);
     let middles = Middles::of(model);

@@ -1,13 +1,14 @@
-//! glTF 2.0 (Khronos Group, *glTF 2.0 Specification*, 2.0.1): `.gltf` with buffers in the text or beside it, and `.glb`.
+//! glTF 2.0 (Khronos Group, *glTF 2.0 Specification*, 2.0.1): `.gltf` with buffers in the text or beside it,
+//! and `.glb`.
 //!
-//! The nodes of the scene place meshes (section 3.5); axes stay as they are: y up, metres. Triangles, strips and fans
-//! become faces (3.7.2.1); coplanar triangles of a node and a material are [merged](crate::merge). Fronts are turned
-//! where a node mirrors its mesh (3.7.4). The first perspective camera is kept.
+//! The nodes of the scene place meshes (section 3.5); axes stay as they are: y up, metres. Triangles, strips
+//! and fans become faces (3.7.2.1); coplanar triangles of a node and a material are [merged](crate::merge).
+//! Fronts are turned where a node mirrors its mesh (3.7.4). The first perspective camera is kept.
 //!
-//! Of a material (3.9) the base colour, less the metallic part, is the reflectance; π times the emissive factor, times
-//! its strength (`KHR_materials_emissive_strength`), is the exitance. Where a texture tells what is metallic, nothing is;
-//! the mean of one that colours what reflects is taken for one half, and what one of emission makes shine is dark. What a
-//! radiosity scene does not have is left out and noted.
+//! Of a material (3.9) the base colour, less the metallic part, is the reflectance; π times the emissive
+//! factor, times its strength (`KHR_materials_emissive_strength`), is the exitance. Where a texture tells
+//! what is metallic, nothing is; the mean of one that colours what reflects is taken for one half, and what
+//! one of emission makes shine is dark. What a radiosity scene does not have is left out and noted.
 
 mod container;
 mod json;
@@ -43,8 +44,8 @@ const HARMLESS: [&str; 6] = [
 /// Reads a glTF or GLB of the name `file` and the buffers that it names.
 ///
 /// # Errors
-/// Text that is not JSON, members that are missing or of the wrong kind, indices and ranges beyond what is there,
-/// buffers that cannot be read, required extensions that are not known, no triangles.
+/// Text that is not JSON, members that are missing or of the wrong kind, indices and ranges beyond what is
+/// there, buffers that cannot be read, required extensions that are not known, no triangles.
 pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
     let mesh = mesh(bytes, files).map_err(|located| located.in_file(file))?;
     mesh.finish("triangles in its scene").map_err(|fault| fault.of_file(file))

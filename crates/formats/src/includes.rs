@@ -31,7 +31,8 @@ impl<'a> Includes<'a> {
         self.open.last().map_or("", |(shown, _)| shown)
     }
 
-    /// Path from the scene's folder of a file named `name` by the innermost open file, relative to its own folder.
+    /// Path from the scene's folder of a file named `name` by the innermost open file, relative to its own
+    /// folder.
     pub(crate) fn beside(&self, name: &str) -> String {
         let current = self.open.last().map_or("", |(_, path)| path);
         let folder = current.rfind('/').map_or("", |end| &current[..=end]);

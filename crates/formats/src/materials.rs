@@ -1,4 +1,5 @@
-//! Materials by name, from a file beside the scene: what formats without materials lack, and what others state wrongly.
+//! Materials by name, from a file beside the scene: what formats without materials lack, and what others
+//! state wrongly.
 //!
 //! ```toml
 //! unit = "lx"              # of exitance and irradiance, where the format states none
@@ -66,8 +67,8 @@ struct Values(Vec<f64>);
 /// Puts the materials of `side` in place of those of the model. Returns what was done, in lines.
 ///
 /// # Errors
-/// Text that is no TOML or has other keys; materials and surfaces that the model does not have; numbers out of range, and
-/// lists whose length is not that of the bands.
+/// Text that is no TOML or has other keys; materials and surfaces that the model does not have; numbers out
+/// of range, and lists whose length is not that of the bands.
 pub fn apply(side: &SideFile, model: &mut Model) -> Result<Vec<String>, Refusal> {
     let sheet: Sheet = toml::from_str(&side.text).map_err(|error| {
         let fault =
@@ -133,7 +134,8 @@ impl SideFile {
     }
 }
 
-/// Refuses numbers that are no reflectance or exitance, and lists of other lengths than 1, 3 and that of the bands.
+/// Refuses numbers that are no reflectance or exitance, and lists of other lengths than 1, 3 and that of the
+/// bands.
 fn check(values: &Values, model: &Model) -> Result<(), Fault> {
     let (count, bands) = (values.0.len(), model.bands.len());
     let fits = [1, bands].contains(&count) || bands == 1 && count == 3;

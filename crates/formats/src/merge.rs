@@ -1,14 +1,14 @@
 //! Coplanar faces that share sides become polygons with holes: the triangles of a wall become the wall.
 //!
-//! Faces are merged that belong to one object, have one material and the same sides, meet along whole sides, and lie
-//! in a plane:
+//! Faces are merged that belong to one object, have one material and the same sides, meet along whole sides,
+//! and lie in a plane:
 //!
 //! 1. corners that differ by the rounding of their coordinates are one (`corners`);
 //! 2. faces grow together over common sides, the largest first, as long as they lie in the first one's plane
 //!    (`growth`), so that curvature does not creep in;
 //! 3. sides that only one face of a group has are its boundary, traced into simple loops (`boundary`);
-//! 4. a group stays as it was if its loops cross or touch but at corners (`crossings`), if not exactly one of them is
-//!    an outline, or if the area changes: so every point is covered once;
+//! 4. a group stays as it was if its loops cross or touch but at corners (`crossings`), if not exactly one of
+//!    them is an outline, or if the area changes: so every point is covered once;
 //! 5. corners in the middle of a straight side are dropped where no other surface has a corner (`straight`).
 //!
 //! The time is that of sorting.
@@ -47,8 +47,8 @@ fn stem(name: &str) -> &str {
     }
 }
 
-/// Merges coplanar faces of each object; `objects` names the object of each surface and is kept in step. A merged
-/// surface has the name and the place of its first face.
+/// Merges coplanar faces of each object; `objects` names the object of each surface and is kept in step. A
+/// merged surface has the name and the place of its first face.
 pub(crate) fn within(model: &mut Model, objects: &mut Vec<usize>) {
     let corners = Corners::welded(&model.surfaces, objects);
     let faces = Face::all(&model.surfaces, objects, &corners);
@@ -76,7 +76,8 @@ fn note(model: &mut Model, merged: &[Merged]) {
     model.note(format!("{parts} coplanar {what} were merged to {} {polygons}", merged.len()), None);
 }
 
-/// Puts the polygons in the places of their first faces and takes the other faces out. Corners stay as they were given.
+/// Puts the polygons in the places of their first faces and takes the other faces out. Corners stay as they
+/// were given.
 fn replace(model: &mut Model, objects: &mut Vec<usize>, merged: &[Merged], corners: &Corners) {
     let mut is_kept = vec![true; model.surfaces.len()];
     for group in merged {

@@ -38,7 +38,8 @@ impl Mesh {
         self.names.len() - 1
     }
 
-    /// Adds a face with its corners counter-clockwise about its front. Four corners off their plane make a quad.
+    /// Adds a face with its corners counter-clockwise about its front. Four corners off their plane make a
+    /// quad.
     ///
     /// # Errors
     /// Fewer than three corners, coordinates beyond measure, too many faces.

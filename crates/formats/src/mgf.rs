@@ -1,7 +1,8 @@
-//! Materials and Geometry Format 2.0 (Greg Ward, "The Materials and Geometry Format", Lawrence Berkeley Laboratory).
+//! Materials and Geometry Format 2.0 (Greg Ward, "The Materials and Geometry Format", Lawrence Berkeley
+//! Laboratory).
 //!
-//! Kept: all shapes, curved ones as they are; diffuse reflectance `rd` and emittance `ed` with their colours; sides;
-//! names of objects; transforms with arrays; includes.
+//! Kept: all shapes, curved ones as they are; diffuse reflectance `rd` and emittance `ed` with their colours;
+//! sides; names of objects; transforms with arrays; includes.
 
 mod chromaticity;
 mod contexts;

@@ -1,15 +1,17 @@
-//! Mitsuba 3 scenes, `.xml` (W. Jakob et al., *Mitsuba 3*, documentation, "Scene XML file format" and "Plugin reference").
+//! Mitsuba 3 scenes, `.xml` (W. Jakob et al., *Mitsuba 3*, documentation, "Scene XML file format" and "Plugin
+//! reference").
 //!
-//! * Texts: `<default>` gives parameters values, `$name` takes them; `<include>` and `<path>` are followed, relative to
-//!   the scene. `<ref id>` may stand before what it names. Names of Mitsuba 0 (`toWorld`) are read in files of its
-//!   version. Entities of a file's own (`<!DOCTYPE …>`) are refused.
-//! * Shapes: `rectangle`, `cube`, `disk`, `cylinder`, `sphere`; `obj` and `ply` with coplanar faces [merged](crate::merge);
-//!   `shapegroup` by `instance`. Others are left out and noted. Transforms that make round shapes others are refused. What
-//!   a transform mirrors keeps its front.
-//! * Bsdfs: `diffuse` is on the front, `twosided` on both sides; of `plastic` and `principled` the diffuse part is taken;
-//!   those that nothing diffuse is known of are black. Shapes of bsdf `null` are left out. Each is noted.
-//! * Colours: linear red, green and blue; `#rrggbb` is decoded as sRGB. Of a spectrum the means over thirds of the visible
-//!   range are taken, of a checkerboard the mean; other textures reflect one half.
+//! * Texts: `<default>` gives parameters values, `$name` takes them; `<include>` and `<path>` are followed,
+//!   relative to the scene. `<ref id>` may stand before what it names. Names of Mitsuba 0 (`toWorld`) are
+//!   read in files of its version. Entities of a file's own (`<!DOCTYPE …>`) are refused.
+//! * Shapes: `rectangle`, `cube`, `disk`, `cylinder`, `sphere`; `obj` and `ply` with coplanar faces
+//!   [merged](crate::merge); `shapegroup` by `instance`. Others are left out and noted. Transforms that make
+//!   round shapes others are refused. What a transform mirrors keeps its front.
+//! * Bsdfs: `diffuse` is on the front, `twosided` on both sides; of `plastic` and `principled` the diffuse
+//!   part is taken; those that nothing diffuse is known of are black. Shapes of bsdf `null` are left out.
+//!   Each is noted.
+//! * Colours: linear red, green and blue; `#rrggbb` is decoded as sRGB. Of a spectrum the means over thirds
+//!   of the visible range are taken, of a checkerboard the mean; other textures reflect one half.
 //! * Emitters: of type `area`; the exitance is π × radiance. Others are left out.
 //! * Sensors: the first perspective camera; all of `fov_axis` and `focal_length`.
 //!

@@ -1,20 +1,22 @@
 //! A scene as another program holds it: named surfaces with shapes and diffuse materials per band.
 //!
-//! Readers promise: every number is finite, every material index is in range, every vertex list has at least three
-//! entries. They do not promise that outlines are sound or that reflectances are below 1: `repair` sees to that.
+//! Readers promise: every number is finite, every material index is in range, every vertex list has at least
+//! three entries. They do not promise that outlines are sound or that reflectances are below 1: `repair` sees
+//! to that.
 
 use glam::DVec3;
 use radiosity_photometry::note::Note;
 use radiosity_photometry::place::Place;
 
-/// Most surfaces that a reader makes, faces of meshes counted before they are merged. Chosen: a model of so many holds half
-/// a gigabyte.
+/// Most surfaces that a reader makes, faces of meshes counted before they are merged. Chosen: a model of so
+/// many holds half a gigabyte.
 pub(crate) const MOST_SURFACES: usize = 1_000_000;
 
 /// Most vertices of all surfaces. Chosen; not tuned.
 pub(crate) const MOST_VERTICES: usize = 10_000_000;
 
-/// Greatest coordinate, radius, reflectance or exitance, of any unit: its sixth power is still a number. Chosen; not tuned.
+/// Greatest coordinate, radius, reflectance or exitance, of any unit: its sixth power is still a number.
+/// Chosen; not tuned.
 pub(crate) const GREATEST: f64 = 1e50;
 
 /// A scene of another program.

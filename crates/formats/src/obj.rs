@@ -1,15 +1,15 @@
-//! Wavefront OBJ with MTL (Wavefront Technologies, *Advanced Visualizer*, appendices B1 *Object Files* and B2 *MTL
-//! Material Format*).
+//! Wavefront OBJ with MTL (Wavefront Technologies, *Advanced Visualizer*, appendices B1 *Object Files* and B2
+//! *MTL Material Format*).
 //!
-//! Faces (`f`) keep all their corners; those of an object (`o`, `g`: the latest one names it) that are coplanar and of
-//! one material are [merged](crate::merge). Four corners off their plane make a bilinear patch. Fronts are the sides
-//! from which corners run counter-clockwise. Normals, texture coordinates and smoothing are ignored; points, lines and
-//! free-form curves and surfaces are left out and noted.
+//! Faces (`f`) keep all their corners; those of an object (`o`, `g`: the latest one names it) that are
+//! coplanar and of one material are [merged](crate::merge). Four corners off their plane make a bilinear
+//! patch. Fronts are the sides from which corners run counter-clockwise. Normals, texture coordinates and
+//! smoothing are ignored; points, lines and free-form curves and surfaces are left out and noted.
 //!
-//! Of materials `Kd` is the reflectance; without it a material is black. `Ke` is read as radiance, so the exitance is
-//! π Ke. Textures, specular reflection and transparency are left out and noted: the mean of `map_Kd` is taken for one
-//! half, what `map_Ke` makes shine is dark. A material that no MTL file describes, as where the file is missing, reflects
-//! one half, which is noted: a side file may say better.
+//! Of materials `Kd` is the reflectance; without it a material is black. `Ke` is read as radiance, so the
+//! exitance is π Ke. Textures, specular reflection and transparency are left out and noted: the mean of
+//! `map_Kd` is taken for one half, what `map_Ke` makes shine is dark. A material that no MTL file describes,
+//! as where the file is missing, reflects one half, which is noted: a side file may say better.
 
 mod statements;
 mod mtl;
@@ -41,7 +41,8 @@ const MOST: usize = 1 << 28;
 /// Reads an OBJ of the name `file` and the material files that it names.
 ///
 /// # Errors
-/// Statements that OBJ and MTL do not have, numbers that are none, corners that no vertex is listed for, no faces.
+/// Statements that OBJ and MTL do not have, numbers that are none, corners that no vertex is listed for, no
+/// faces.
 pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
     let text = decoded(bytes).map_err(|located| located.in_file(file))?;
     let mut faces = Faces::default();
@@ -58,7 +59,8 @@ pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusa
     mesh.finish("faces (f)").map_err(|fault| fault.of_file(file))
 }
 
-/// The materials of all material files by name; of several of one name the first. Files that cannot be read are noted.
+/// The materials of all material files by name; of several of one name the first. Files that cannot be read
+/// are noted.
 fn libraries(
     file: &str,
     libraries: &[Library],

@@ -1,9 +1,10 @@
 //! Pictures: PNG and OpenEXR → linear numbers of texels.
 //!
-//! A picture is read row by row and, where it has more texels than asked for, averaged on the way: memory is that of the result, whatever the header says. What is done to it is told in its [`Picture::remarks`].
+//! A picture is read row by row and, where it has more texels than asked for, averaged on the way: memory is
+//! that of the result, whatever the header says. What is done to it is told in its [`Picture::remarks`].
 //!
-//! Transparent texels are refused, since nothing says what is behind them. A picture that is opaque everywhere may have an alpha
-//! channel.
+//! Transparent texels are refused, since nothing says what is behind them. A picture that is opaque
+//! everywhere may have an alpha channel.
 
 mod coding;
 mod reduction;
@@ -29,11 +30,12 @@ const OTHERS: [(&[u8], &str); 9] = [
     (b"\0\0\0\x0cjP", "a JPEG 2000"),
 ];
 
-/// Reads a PNG or an OpenEXR, averaged to at most `most` texels; `coding` goes before what the file says of a PNG.
+/// Reads a PNG or an OpenEXR, averaged to at most `most` texels; `coding` goes before what the file says of a
+/// PNG.
 ///
 /// # Errors
-/// Another kind of file, a damaged or cut one, more than 8192 × 8192 texels or 65536 along a side, transparent texels,
-/// numbers that are not finite, channels other than grey or red, green and blue.
+/// Another kind of file, a damaged or cut one, more than 8192 × 8192 texels or 65536 along a side,
+/// transparent texels, numbers that are not finite, channels other than grey or red, green and blue.
 pub fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<Picture, Fault> {
     if bytes.starts_with(b"\x89PNG") {
         return portable::read(bytes, coding, most);

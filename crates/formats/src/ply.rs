@@ -1,8 +1,10 @@
-//! PLY, the polygon file format (G. Turk, *The PLY Polygon File Format*, 1994), as text and binary of both byte orders.
+//! PLY, the polygon file format (G. Turk, *The PLY Polygon File Format*, 1994), as text and binary of both
+//! byte orders.
 //!
-//! Of `vertex` elements x, y and z are read, of `face` elements the list `vertex_indices` or `vertex_index`; corners run
-//! counter-clockwise seen from the front. Faces keep all their corners; coplanar ones are [merged](crate::merge). There
-//! are no materials and no units: colours are left out, other elements and properties are skipped.
+//! Of `vertex` elements x, y and z are read, of `face` elements the list `vertex_indices` or `vertex_index`;
+//! corners run counter-clockwise seen from the front. Faces keep all their corners; coplanar ones are
+//! [merged](crate::merge). There are no materials and no units: colours are left out, other elements and
+//! properties are skipped.
 
 mod header;
 mod numbers;
@@ -21,7 +23,8 @@ use numbers::{Bits, Words};
 /// Reads a PLY of the name `file`. It names no other files.
 ///
 /// # Errors
-/// A header that is not understood, counts beyond what is there, corners that no vertex is listed for, no faces.
+/// A header that is not understood, counts beyond what is there, corners that no vertex is listed for, no
+/// faces.
 pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refusal> {
     let mesh = mesh(bytes).map_err(|located| located.in_file(file))?;
     mesh.finish("faces with a list vertex_indices").map_err(|fault| fault.of_file(file))

@@ -1,8 +1,8 @@
 //! Radiance scene descriptions (Greg Ward, Radiance reference manual, "Scene Description").
 //!
-//! Kept: polygons, spheres, cylinders, cones, rings and their inside-out kin; the diffuse part of materials; lamps,
-//! whose exitance is π times their radiance. Surfaces reflect on both sides; lamps emit from their front. Commands are
-//! not run, but `xform` and `genbox` are followed.
+//! Kept: polygons, spheres, cylinders, cones, rings and their inside-out kin; the diffuse part of materials;
+//! lamps, whose exitance is π times their radiance. Surfaces reflect on both sides; lamps emit from their
+//! front. Commands are not run, but `xform` and `genbox` are followed.
 
 mod scanner;
 mod materials;

@@ -1,8 +1,8 @@
 //! Repair of what readers find: geometry that a radiosity scene refuses, and reflectances of no material.
 //!
-//! Each repair touches only what is wrong, and says what it did in one line; a sound model comes out equal to the bit.
-//! Outlines are mended first, each by itself; then surfaces in the same place; then fronts, which decide what lies on
-//! what; then faces that lie partly on others.
+//! Each repair touches only what is wrong, and says what it did in one line; a sound model comes out equal to
+//! the bit. Outlines are mended first, each by itself; then surfaces in the same place; then fronts, which
+//! decide what lies on what; then faces that lie partly on others.
 
 mod record;
 mod edit;
@@ -26,7 +26,8 @@ use radiosity_photometry::error::Refusal;
 use crate::model::{Model, Shape, Sides};
 pub use record::{Kind, Repair, Repairs};
 
-/// The largest coordinate that is reckoned with: its fourth power is a number. `radiosity` refuses larger ones.
+/// The largest coordinate that is reckoned with: its fourth power is a number. `radiosity` refuses larger
+/// ones.
 const FARTHEST: f64 = 1e60;
 
 /// Options of the repair, as the user sets them.
@@ -41,8 +42,8 @@ pub struct Options {
     pub fix_fronts: bool,
 }
 
-/// Repairs a model and says what was wrong with it. No surface has [`Sides::Open`] afterwards. Shapes are left as they are
-/// where a length is above 1e60.
+/// Repairs a model and says what was wrong with it. No surface has [`Sides::Open`] afterwards. Shapes are
+/// left as they are where a length is above 1e60.
 pub fn repair(model: &mut Model, options: &Options) -> Repairs {
     let mut repairs = Repairs::default();
     let asked = options.tolerance.filter(|length| length.is_finite());
@@ -65,8 +66,8 @@ pub fn repair(model: &mut Model, options: &Options) -> Repairs {
     repairs
 }
 
-/// Refuses, for those who want no repairs, a model read from `file` that needed some. None if it needed none: fronts that
-/// were left as they are changed nothing.
+/// Refuses, for those who want no repairs, a model read from `file` that needed some. None if it needed none:
+/// fronts that were left as they are changed nothing.
 pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
     let made: Vec<&Repair> =
         repairs.list.iter().filter(|repair| repair.kind != Kind::DoubtfulFronts).collect();

@@ -1,10 +1,11 @@
 //! STL, text and binary: triangles of solids (3D Systems, *StereoLithography Interface Specification*, 1989).
 //!
-//! Corners run counter-clockwise seen from the front; coplanar triangles of a solid are [merged](crate::merge). Stated
-//! normals only confirm the order of the corners and are left out. Solids of texts give their names to surfaces. There
-//! are no materials and no units.
+//! Corners run counter-clockwise seen from the front; coplanar triangles of a solid are
+//! [merged](crate::merge). Stated normals only confirm the order of the corners and are left out. Solids of
+//! texts give their names to surfaces. There are no materials and no units.
 //!
-//! Some binary files begin with `solid` as texts do: what is as long as its number of triangles says is binary.
+//! Some binary files begin with `solid` as texts do: what is as long as its number of triangles says is
+//! binary.
 
 mod bits;
 mod text;

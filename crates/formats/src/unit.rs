@@ -6,8 +6,8 @@ use glam::DVec3;
 
 use crate::model::{Model, Shape};
 
-/// Units with their lengths in metres, as quotients of whole numbers. Inch, foot and yard: international yard and pound
-/// agreement, 1959.
+/// Units with their lengths in metres, as quotients of whole numbers. Inch, foot and yard: international yard
+/// and pound agreement, 1959.
 const UNITS: [(&str, [f64; 2]); 7] = [
     ("mm", [1.0, 1e3]),
     ("cm", [1.0, 1e2]),

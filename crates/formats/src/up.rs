@@ -28,8 +28,8 @@ impl FromStr for Up {
 }
 
 impl Up {
-    /// Turns a model whose upward axis this is so that z points upwards: of y, (x, y, z) becomes (x, −z, y), exactly. Fronts
-    /// stay fronts.
+    /// Turns a model whose upward axis this is so that z points upwards: of y, (x, y, z) becomes (x, −z, y),
+    /// exactly. Fronts stay fronts.
     pub fn to_z(self, model: &mut Model) {
         if self == Up::Z {
             return;

@@ -1,20 +1,23 @@
-//! Reads View3D input, `.vs3` (manual of View3D 3.5, sections 3.1 and 4.1; where it differs from the program, the program).
+//! Reads View3D input, `.vs3` (manual of View3D 3.5, sections 3.1 and 4.1; where it differs from the program,
+//! the program).
 //!
-//! Each line begins with a letter, in upper or lower case; blanks and commas part words; `!` and `/` begin comments.
+//! Each line begins with a letter, in upper or lower case; blanks and commas part words; `!` and `/` begin
+//! comments.
 //!
 //! * `T` title.
-//! * `C` control words: how factors are integrated and printed. Only `encl=1`, which adjusts factors to an enclosure, is
-//!   noted.
-//! * `F 3` or `F 3a` (`G 3`, `G 4` in old files): vertices by number, or each surface in a plane of its own. A surface's
-//!   own line tells which it is.
+//! * `C` control words: how factors are integrated and printed. Only `encl=1`, which adjusts factors to an
+//!   enclosure, is noted.
+//! * `F 3` or `F 3a` (`G 3`, `G 4` in old files): vertices by number, or each surface in a plane of its own.
+//!   A surface's own line tells which it is.
 //! * `V number x y z`
-//! * `S number v1 v2 v3 v4 base cmb emit name`: a surface, its vertices counter-clockwise seen from the front, which alone
-//!   radiates; v4 = 0 for a triangle. `emit` is the emittance ε, so that the reflectance is 1 − ε.
-//!   `base` > 0: it lies on the surface of this number, as a window lies in a wall, and the base gets a hole there.
-//!   `cmb` > 0: View3D adds its factors to those of the surface of this number; here it stays a surface of its own.
+//! * `S number v1 v2 v3 v4 base cmb emit name`: a surface, its vertices counter-clockwise seen from the
+//!   front, which alone radiates; v4 = 0 for a triangle. `emit` is the emittance ε, so that the reflectance
+//!   is 1 − ε. `base` > 0: it lies on the surface of this number, as a window lies in a wall, and the base
+//!   gets a hole there. `cmb` > 0: View3D adds its factors to those of the surface of this number; here it
+//!   stays a surface of its own.
 //! * `S number R|Q|T base cmb emit name` and numbers in the lines behind: the form `3a`.
-//! * `M`, `N` …: a masking or null surface: it lies on its base and takes this part of it from the view. The base gets a
-//!   hole, which a black surface fills.
+//! * `M`, `N` …: a masking or null surface: it lies on its base and takes this part of it from the view. The
+//!   base gets a hole, which a black surface fills.
 //! * `O number v1 v2 v3 v4 name`: an obstruction: it only blocks the view. It is black.
 //! * `E` or `*` ends the data.
 

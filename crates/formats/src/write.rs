@@ -18,7 +18,8 @@ pub struct Written {
     pub materials: Option<String>,
 }
 
-/// The texts of a model in a format; `materials` is the name of the file of materials, where the format has one.
+/// The texts of a model in a format; `materials` is the name of the file of materials, where the format has
+/// one.
 ///
 /// # Errors
 /// A format that is only read, and what the format has no words for.

@@ -1,8 +1,8 @@
 //! Transforms: similarities, and the words that MGF and Radiance write them with.
 //!
-//! Sources: MGF 2.0, "Hierarchical Contexts and Transformations"; Radiance, manual page `xform(1)`. Both share one
-//! grammar: `-t x y z`, `-rx degrees` …, `-s factor`, `-mx` …, `-i n` (what follows, n times), `-a n` (what follows 0,
-//! 1, …, n − 1 times, for n instances). What is written first is done first.
+//! Sources: MGF 2.0, "Hierarchical Contexts and Transformations"; Radiance, manual page `xform(1)`. Both
+//! share one grammar: `-t x y z`, `-rx degrees` …, `-s factor`, `-mx` …, `-i n` (what follows, n times),
+//! `-a n` (what follows 0, 1, …, n − 1 times, for n instances). What is written first is done first.
 
 use glam::{DMat3, DVec3};
 use radiosity_photometry::fault::Fault;

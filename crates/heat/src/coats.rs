@@ -5,8 +5,8 @@ use radiosity_scene::{LightGroup, Material, Scene};
 use super::black_body::level;
 use super::roles::{Role, Roles};
 
-/// The scene with coatings for heat in a single band: e = ε σ T⁴ and ρ = 1 − ε, or e = q and ρ = 1. Each shield is a
-/// light group of the level 1.
+/// The scene with coatings for heat in a single band: e = ε σ T⁴ and ρ = 1 − ε, or e = q and ρ = 1. Each
+/// shield is a light group of the level 1.
 pub(super) fn radiant(scene: &Scene, roles: &Roles) -> Scene {
     coated(scene, roles, |role| match *role {
         Role::Temperature { emissivity, kelvin } => (1.0 - emissivity, emissivity * level(kelvin)),
@@ -25,7 +25,8 @@ pub(super) fn all_emit(scene: &Scene, roles: &Roles) -> Scene {
     scene
 }
 
-/// The scene in the single band `heat`, without its luminaires and its sky, with this reflectance and emission for each role.
+/// The scene in the single band `heat`, without its luminaires and its sky, with this reflectance and
+/// emission for each role.
 pub(super) fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> (f64, f64)) -> Scene {
     let mut scene = scene.clone();
     scene.luminaires.clear();

@@ -1,14 +1,15 @@
 //! Conductances between surfaces, for thermal networks.
 //!
-//! Where surface i alone emits, at the level σ T⁴ = 1 of a black surface, and all surfaces reflect 1 − ε, surface j
-//! absorbs C_ij (m²): directly, and after any number of reflections. C is symmetric, and Σ_j C_ij + C_i0 = ε_i A_i with the
-//! loss C_i0 to the surroundings. Between isothermal surfaces flows
+//! Where surface i alone emits, at the level σ T⁴ = 1 of a black surface, and all surfaces reflect 1 − ε,
+//! surface j absorbs C_ij (m²): directly, and after any number of reflections. C is symmetric, and Σ_j
+//! C_ij + C_i0 = ε_i A_i with the loss C_i0 to the surroundings. Between isothermal surfaces flows
 //!
 //! ```text
 //! Q_ij = C_ij σ (T_i⁴ − T_j⁴) .
 //! ```
 //!
-//! C_ij = A_i ε_i B_ij with Gebhart's factors B_ij (Gebhart 1961); σ C_ij is the radiative conductor of thermal networks.
+//! C_ij = A_i ε_i B_ij with Gebhart's factors B_ij (Gebhart 1961); σ C_ij is the radiative conductor of
+//! thermal networks.
 
 use radiosity_scene::{LightGroup, Scene};
 use radiosity_solve::Model;

@@ -1,7 +1,7 @@
 //! Whether temperatures set the level of all parts of a scene.
 //!
-//! In a part of a scene whose surfaces exchange heat with one another alone, all of known flux, any constant may be
-//! added to σ T⁴: there is no balance, or there are many.
+//! In a part of a scene whose surfaces exchange heat with one another alone, all of known flux, any constant
+//! may be added to σ T⁴: there is no balance, or there are many.
 
 use std::collections::BTreeMap;
 
@@ -13,7 +13,8 @@ use radiosity_solve::{Model, Options};
 use super::error::HeatError;
 use super::roles::{Role, Roles};
 
-/// Share of its heat that a part has to lose to count as open, over the accuracy of the blocks. Chosen; not tuned.
+/// Share of its heat that a part has to lose to count as open, over the accuracy of the blocks. Chosen; not
+/// tuned.
 const OPEN: f64 = 10.0;
 
 /// Refuses a scene with a part that has neither a temperature nor an opening.

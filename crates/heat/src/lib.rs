@@ -1,23 +1,24 @@
 //! Radiant heat: temperatures and net flows of grey diffuse surfaces.
 //!
-//! Of each surface the temperature T (K) is known, or the flux q (W m⁻²) that it is given and sends out. With the
-//! emissivity ε, the radiosity J, the irradiance H and σ T⁴ (Modest, Radiative Heat Transfer, chapter 5),
+//! Of each surface the temperature T (K) is known, or the flux q (W m⁻²) that it is given and sends out. With
+//! the emissivity ε, the radiosity J, the irradiance H and σ T⁴ (Modest, Radiative Heat Transfer, chapter 5),
 //!
 //! ```text
 //! T known:   J = ε σ T⁴ + (1 − ε) H ,     q = J − H ;
 //! q known:   J = q + H ,                  σ T⁴ = H + q / ε .
 //! ```
 //!
-//! Both are rows of the one system b = e + ρ G b ([`radiosity_solve::system`]), with e = ε σ T⁴ and ρ = 1 − ε, or e = q and ρ = 1:
-//! a surface of known flux reflects all, and its emissivity only enters its temperature. The light of the second kind
-//! has no balance of its own, so some surface has to have a temperature, or some heat has to leave the scene.
+//! Both are rows of the one system b = e + ρ G b ([`radiosity_solve::system`]), with e = ε σ T⁴ and
+//! ρ = 1 − ε, or e = q and ρ = 1: a surface of known flux reflects all, and its emissivity only enters its
+//! temperature. The light of the second kind has no balance of its own, so some surface has to have a
+//! temperature, or some heat has to leave the scene.
 //!
-//! A two-sided surface of known flux is a *shield*: both sides have one temperature, unknown and even over the sheet.
-//! Its level σ T⁴ follows from the net flow of both sides together: the light of each shield is solved for at the level
-//! 1, and the levels are those at which all flows are as given (`shields`).
+//! A two-sided surface of known flux is a *shield*: both sides have one temperature, unknown and even over
+//! the sheet. Its level σ T⁴ follows from the net flow of both sides together: the light of each shield is
+//! solved for at the level 1, and the levels are those at which all flows are as given (`shields`).
 //!
-//! What leaves the scene goes to surroundings at 0 K. Conduction, convection and heat that is stored have no part in it;
-//! where they are known, they are a `heat_flux`.
+//! What leaves the scene goes to surroundings at 0 K. Conduction, convection and heat that is stored have no
+//! part in it; where they are known, they are a `heat_flux`.
 //!
 //! In order: [`HeatError`], `black_body`, `roles` (what is known of each surface), `coats` (scenes with the
 //! coatings of heat), `closure` (rows that sum to 1), `levels`, `figures` (of each surface), `field` (σ T⁴
@@ -62,8 +63,8 @@ pub struct Heat {
     pub surfaces: Vec<SurfaceHeat>,
     /// Flow (W) that leaves the scene, Σ Q; in a closed scene how well the balance closes.
     pub lost: f64,
-    /// By how much sums of view factors missed 1 before they were made to be 1; None where the scene is not known to be
-    /// closed.
+    /// By how much sums of view factors missed 1 before they were made to be 1; None where the scene is not
+    /// known to be closed.
     pub moved: Option<f64>,
     /// The orders that tell the error of this one; empty where there is no memory for them.
     pub error_orders: Vec<usize>,
@@ -103,12 +104,13 @@ impl Heat {
         scene.surfaces.iter().any(|surface| surface.thermal.condition.is_some() && !surface.is_luminaire())
     }
 
-    /// The temperatures and flows of `scene`, with errors from what lower orders find (two below, or the next above 0). In
-    /// closed scenes the transfers are made to close (`closure`). What the latter take is told as [`Stage::Comparison`].
+    /// The temperatures and flows of `scene`, with errors from what lower orders find (two below, or the next
+    /// above 0). In closed scenes the transfers are made to close (`closure`). What the latter take is told
+    /// as [`Stage::Comparison`].
     ///
     /// # Errors
-    /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature sets; more heat
-    /// drawn than arrives; too little memory; what [`radiosity_solve::solve()`] refuses.
+    /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature
+    /// sets; more heat drawn than arrives; too little memory; what [`radiosity_solve::solve()`] refuses.
     pub fn of(scene: &Scene, wanted: &HeatOptions, work: &Work<'_>) -> Result<Self, HeatError> {
         let roles = Roles::of(scene)?;
         let options = Options { direct: Direct::Projected, ..wanted.options };
@@ -165,8 +167,8 @@ impl Heat {
         self.lost.abs() <= CLOSED * self.surfaces.iter().map(exchanged).sum::<f64>()
     }
 
-    /// σ T⁴ (W m⁻²) at all places, as the radiosity of a solution over the same elements: what a black surface of the
-    /// temperature there would emit. It varies over surfaces of known flux.
+    /// σ T⁴ (W m⁻²) at all places, as the radiosity of a solution over the same elements: what a black
+    /// surface of the temperature there would emit. It varies over surfaces of known flux.
     pub fn levels(&self) -> Solution {
         field::levels(&self.outcome.solution, &self.surfaces)
     }
@@ -191,8 +193,8 @@ fn error_orders(order: usize) -> Vec<usize> {
     }
 }
 
-/// The error at `order` over its difference from the solution at another one. Irradiance has kinks and singular
-/// derivatives at edges, so that errors fall as a power of the number of polynomials along a side.
+/// The error at `order` over its difference from the solution at another one. Irradiance has kinks and
+/// singular derivatives at edges, so that errors fall as a power of the number of polynomials along a side.
 fn share_left(order: usize, other: usize) -> f64 {
     // Flows in an oven of seven faces at the orders 0 to 8 fall with the power 2.2 to 2.7.
     const POWER: f64 = 2.5;

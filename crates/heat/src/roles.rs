@@ -12,7 +12,8 @@ use super::error::HeatError;
 pub(super) enum Role {
     /// Its temperature (K).
     Temperature { emissivity: f64, kelvin: f64 },
-    /// The flux (W m⁻²) that it sends out; without an emissivity its temperature is only known where that flux is 0.
+    /// The flux (W m⁻²) that it sends out; without an emissivity its temperature is only known where that
+    /// flux is 0.
     Flux { emissivity: Option<f64>, flux: f64 },
     /// The flow of both sides of a sheet together; its index among the shields.
     Shield { emissivity: f64, shield: usize },
@@ -83,7 +84,8 @@ fn named(scene: &Scene, holds: impl Fn(usize, &SceneSurface) -> bool) -> Vec<Str
     all.map(|(_, surface)| surface.name.clone()).collect()
 }
 
-/// The emissivity that is given, else 1 − ρ in scenes of a single band where ρ is the same all over the surface.
+/// The emissivity that is given, else 1 − ρ in scenes of a single band where ρ is the same all over the
+/// surface.
 fn emissivity(scene: &Scene, surface: &SceneSurface) -> Option<f64> {
     let is_grey = scene.bands.len() == 1 && surface.material.reflectance_pattern.is_none();
     let grey = || is_grey.then(|| 1.0 - surface.material.reflectance[0]);
@@ -103,14 +105,16 @@ fn lie_together(a: &SceneSurface, b: &SceneSurface) -> bool {
     a_middle.distance(b_middle) <= near && (a_area - b_area).abs() <= 1e-6 * a_area
 }
 
-/// The two-sided surfaces of known flux: two fronts back to back, of one condition, which two materials may have.
+/// The two-sided surfaces of known flux: two fronts back to back, of one condition, which two materials may
+/// have.
 fn shields(scene: &Scene) -> Vec<Shield> {
     let fronts: HashMap<&str, usize> =
         scene.surfaces.iter().enumerate().map(|(index, own)| (own.name.as_str(), index)).collect();
     let shield = |(back, surface): (usize, &SceneSurface)| {
         let Some(Condition::HeatFlux(flux)) = surface.thermal.condition else { return None };
         let front = *fronts.get(surface.name.strip_suffix(":back")?)?;
-        // A surface may be called so without being a back. Sides of other conditions are insulated from each other.
+        // A surface may be called so without being a back. Sides of other conditions are insulated from each
+        // other.
         let other = &scene.surfaces[front];
         let is_sheet = other.thermal.condition == surface.thermal.condition && lie_together(other, surface);
         is_sheet.then_some(Shield { sides: [front, back], flux })

@@ -1,7 +1,7 @@
 //! The levels of shields.
 //!
-//! With the level x = σ T⁴ of each shield, its area A on either side s, the power P_s that arrives there from all
-//! surfaces of known temperature or flux, and P_s^(l) from shield l at the level 1, the given flow is
+//! With the level x = σ T⁴ of each shield, its area A on either side s, the power P_s that arrives there from
+//! all surfaces of known temperature or flux, and P_s^(l) from shield l at the level 1, the given flow is
 //!
 //! ```text
 //! q A = Σ_s ε (A x_k − P_s − Σ_l P_s^(l) x_l) .
@@ -14,8 +14,8 @@ use radiosity_solvers::{Dense, Partition, Settings};
 use super::figures::{areas, received};
 use super::roles::{Role, Roles};
 
-/// The level σ T⁴ (W m⁻²) of each shield, from the light of all of them at the level 1. Not a number where the flows have no
-/// balance.
+/// The level σ T⁴ (W m⁻²) of each shield, from the light of all of them at the level 1. Not a number where
+/// the flows have no balance.
 pub(super) fn levels(roles: &Roles, solution: &Solution) -> Vec<f64> {
     let count = roles.shields.len();
     if count == 0 {

@@ -1,8 +1,8 @@
 //! The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
 //!
-//! Ranks share G by rows of elements: each holds the blocks of its own rows, and of its own columns where a block stands for its
-//! transpose too. A product is summed on the rank that holds its row, in the order of all blocks, and then completed by those of
-//! the others ([`Held`]).
+//! Ranks share G by rows of elements: each holds the blocks of its own rows, and of its own columns where a
+//! block stands for its transpose too. A product is summed on the rank that holds its row, in the order of
+//! all blocks, and then completed by those of the others ([`Held`]).
 
 pub mod block;
 pub mod held;
@@ -28,7 +28,8 @@ use reciprocity::Reciprocity;
 use remainder::Remainder;
 use worst_error::WorstError;
 
-/// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their results.
+/// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their
+/// results.
 const CHUNKS: usize = 32;
 
 /// The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
@@ -49,8 +50,8 @@ pub struct Blocks {
     complete: Vec<bool>,
     /// Numbers of pairs by contact and by reason of being skipped.
     pub pairs: PairCounts,
-    /// Terms of all rules; logarithms for contour integrals. Blocks that are copies count like those they were copied
-    /// from.
+    /// Terms of all rules; logarithms for contour integrals. Blocks that are copies count like those they
+    /// were copied from.
     pub samples: u64,
     /// G c as integrated, c the coefficients of the constant 1, where G was corrected afterwards.
     pub integrated: Option<Vec<f64>>,
@@ -60,7 +61,8 @@ pub struct Blocks {
     pub rays: u64,
     /// Reciprocity, from a sample of pairs that were integrated both ways.
     pub reciprocity: Reciprocity,
-    /// Estimate of the largest error of a block that rules or rays leave ([`WorstError::error`]); zero if all were resolved.
+    /// Estimate of the largest error of a block that rules or rays leave ([`WorstError::error`]); zero if all
+    /// were resolved.
     pub accuracy_reached: f64,
     /// The block whose error is the largest multiple of what was asked of it.
     pub worst_error: Option<WorstError>,
@@ -68,7 +70,8 @@ pub struct Blocks {
     pub remainders: Vec<Remainder>,
 }
 
-/// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is symmetric.
+/// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is
+/// symmetric.
 #[derive(Clone, Copy, Debug)]
 struct Stored {
     row: u32,
@@ -123,8 +126,8 @@ impl List {
 }
 
 impl Blocks {
-    /// No blocks yet, to be held by these ranks. `starts` are the first coefficients of the elements, and the dimension at the end.
-    /// If G is `symmetric`, each block also stands for its transpose.
+    /// No blocks yet, to be held by these ranks. `starts` are the first coefficients of the elements, and the
+    /// dimension at the end. If G is `symmetric`, each block also stands for its transpose.
     pub fn empty(starts: Vec<usize>, symmetric: bool, ranks: &Ranks) -> Self {
         Self {
             complete: vec![true; starts.len() - 1],
@@ -147,8 +150,8 @@ impl Blocks {
         }
     }
 
-    /// Appends a block, unless it is zero. All ranks append the same blocks; where one does not hold a block, it may know of its
-    /// values only whether they are zero ([`Blocks::pass`]).
+    /// Appends a block, unless it is zero. All ranks append the same blocks; where one does not hold a block,
+    /// it may know of its values only whether they are zero ([`Blocks::pass`]).
     pub fn push(&mut self, row: usize, column: usize, values: &[f64]) {
         if values.iter().any(|value| *value != 0.0) {
             match self.holds(row, column) {
@@ -236,8 +239,8 @@ impl Blocks {
         self.integrated.is_some()
     }
 
-    /// Stores a block of a symmetric G of which only the first line and the first column differ from zero: first the
-    /// line, then the rest of the column.
+    /// Stores a block of a symmetric G of which only the first line and the first column differ from zero:
+    /// first the line, then the rest of the column.
     pub fn push_cross(&mut self, row: usize, column: usize, values: &[f64]) {
         if self.holds(row, column) {
             let (place, start) = (self.crosses.all, self.values.len());
@@ -316,8 +319,8 @@ impl Blocks {
         self.completed(&own)
     }
 
-    /// y = G x of a symmetric G, in parallel: sums over a fixed number of chunks of blocks, so that threads change no
-    /// bit.
+    /// y = G x of a symmetric G, in parallel: sums over a fixed number of chunks of blocks, so that threads
+    /// change no bit.
     pub fn apply_in_chunks(&self, x: &[f64]) -> Vec<f64> {
         let mut own = vec![0.0; self.held.coefficients().len()];
         self.add_chunks(&self.stored, &|block, y| self.add(block, x, y), &mut own);
@@ -333,7 +336,8 @@ impl Blocks {
         all
     }
 
-    /// Adds to `sum`, the rows of this rank, what `add` makes of all blocks of a list, chunk by chunk in parallel.
+    /// Adds to `sum`, the rows of this rank, what `add` makes of all blocks of a list, chunk by chunk in
+    /// parallel.
     fn add_chunks(&self, list: &List, add: &(dyn Fn(&Stored, &mut [f64]) + Sync), sum: &mut [f64]) {
         let length = sum.len();
         let parts = list.chunks().into_par_iter().map(|blocks| {
@@ -364,7 +368,8 @@ impl Blocks {
         }
     }
 
-    /// Adds G_ij x_j to y_i and, of a symmetric G, G_ijᵀ x_i to y_j, where these are among the rows of this rank, `own`.
+    /// Adds G_ij x_j to y_i and, of a symmetric G, G_ijᵀ x_i to y_j, where these are among the rows of this
+    /// rank, `own`.
     fn add(&self, stored: &Stored, x: &[f64], own: &mut [f64]) {
         let (row, column) = (stored.row as usize, stored.column as usize);
         let (rows, columns) = (self.range(row), self.range(column));
@@ -399,8 +404,8 @@ impl Blocks {
         y
     }
 
-    /// The nonzero blocks that this rank holds, as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and each
-    /// block stands for its transpose too.
+    /// The nonzero blocks that this rank holds, as (receiver, emitter, values row-major). Where G is
+    /// symmetric, receiver ≤ emitter and each block stands for its transpose too.
     pub fn iter(&self) -> impl Iterator<Item = (usize, usize, Cow<'_, [f64]>)> {
         let full = self.full().map(|(row, column, values)| (row, column, Cow::Borrowed(values)));
         full.chain(

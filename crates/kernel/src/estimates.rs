@@ -1,4 +1,5 @@
-//! Sizes of blocks before integration: bounds of entries, coarse sums, probing rays, and the norm of an entry.
+//! Sizes of blocks before integration: bounds of entries, coarse sums, probing rays, and the norm of an
+//! entry.
 
 pub mod entry_norm;
 pub mod entry_bounds;

@@ -1,5 +1,5 @@
-//! Irradiance at a point from a polygon of even exitance: from all of it (Lambert's formula), or from its visible part; and from a
-//! ball.
+//! Irradiance at a point from a polygon of even exitance: from all of it (Lambert's formula), or from its
+//! visible part; and from a ball.
 
 pub mod lambert;
 pub mod ball;

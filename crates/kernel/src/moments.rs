@@ -67,8 +67,8 @@ pub(crate) struct PatchMoments<'p> {
 }
 
 impl PatchMoments<'_> {
-    /// Adds `weight` times the tensor rule with nodes and weights along s and t of the receiver, then u and v of the
-    /// emitter, all in [0, 1].
+    /// Adds `weight` times the tensor rule with nodes and weights along s and t of the receiver, then u and v
+    /// of the emitter, all in [0, 1].
     pub(crate) fn product(&mut self, [s, t, u, v]: [Line; 4], weight: f64, sees: Option<Sees>) {
         check_interrupt();
         let receiver = Grid::new(self.patches[0], &self.charts[0], s, t);
@@ -127,8 +127,8 @@ impl<'a> Moments<'a> {
         self.distinct += samples;
     }
 
-    /// Adds the moments of each term of `kernel` by the tensor Gauss rule with `points` [along, across] of the receiver,
-    /// then of the emitter, to one of `sums`.
+    /// Adds the moments of each term of `kernel` by the tensor Gauss rule with `points` [along, across] of
+    /// the receiver, then of the emitter, to one of `sums`.
     pub(crate) fn add_terms(
         sums: &mut [Self],
         [p, q]: [&Patch; 2],
@@ -172,8 +172,8 @@ impl<'a> Moments<'a> {
         [self.receiver, self.emitter]
     }
 
-    /// Adds one point x of the element `side`. `inner` = ∫ κ(x, y) L(y) dA_y over a part of the other element, which
-    /// took `samples` evaluations.
+    /// Adds one point x of the element `side`. `inner` = ∫ κ(x, y) L(y) dA_y over a part of the other
+    /// element, which took `samples` evaluations.
     pub fn outer(&mut self, side: Side, x: &Node, weight: f64, inner: &[f64], samples: u64) {
         self.samples += samples;
         self.distinct += samples;

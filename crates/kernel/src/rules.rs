@@ -1,6 +1,7 @@
-//! Quadrature rules, one for each kind of contact. Identical, common edge, common vertex and far are the four cases of
-//! Sauter and Schwab (*Boundary Element Methods*, chapter 5). The others: near pairs, contour integrals of constants,
-//! curved patches cut by each other's horizon, and flat elements that lie on each other.
+//! Quadrature rules, one for each kind of contact. Identical, common edge, common vertex and far are the four
+//! cases of Sauter and Schwab (*Boundary Element Methods*, chapter 5). The others: near pairs, contour
+//! integrals of constants, curved patches cut by each other's horizon, and flat elements that lie on each
+//! other.
 
 pub mod orders;
 pub mod far;

@@ -1,4 +1,5 @@
-//! The blocks of a kernel that is a sum of terms, such as a power series: one block per term, from the same samples.
+//! The blocks of a kernel that is a sum of terms, such as a power series: one block per term, from the same
+//! samples.
 //!
 //! ```text
 //! κ = Σ_n p_n κ_n ,     G_n^kl = ∫∫ φ_k(x) φ_l(y) κ_n(x, y) dA_x dA_y
@@ -76,8 +77,8 @@ pub fn displaced_distance(p: &Patch, q: &Patch, shift: DVec3) -> f64 {
     polygon_distance(&p.polygon(), &displaced)
 }
 
-/// The block of every term of `kernel` between two elements, row-major, receiver's functions by emitter's, and the
-/// number of samples.
+/// The block of every term of `kernel` between two elements, row-major, receiver's functions by emitter's,
+/// and the number of samples.
 pub fn blocks(
     [receiver, emitter]: [&Element; 2],
     pairs: &[PatchPair],

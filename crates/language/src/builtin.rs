@@ -1,7 +1,8 @@
 //! The scenes that live in the binary, so that a first run needs no file.
 //!
-//! Each is the text of a scene file, most of them a file in `crates/language/scenes/`. Where such a text says `$name`, the value of the
-//! parameter `name` goes; the few texts that follow a rule (points of a table, rows of columns) are written by code.
+//! Each is the text of a scene file, most of them a file in `crates/language/scenes/`. Where such a text says
+//! `$name`, the value of the parameter `name` goes; the few texts that follow a rule (points of a table, rows
+//! of columns) are written by code.
 
 mod teapot;
 mod arcs;

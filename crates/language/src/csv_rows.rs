@@ -1,7 +1,7 @@
 //! The rows of a CSV text, each with its place.
 //!
-//! Fields are trimmed; blank lines and lines that start with `#` are left out. The CSV reader reports the position
-//! before such lines, so the start of a row is searched after them.
+//! Fields are trimmed; blank lines and lines that start with `#` are left out. The CSV reader reports the
+//! position before such lines, so the start of a row is searched after them.
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 

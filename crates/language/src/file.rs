@@ -1,4 +1,5 @@
-//! A scene as it is typed: keys, kinds and counts are right, every value knows its place, nothing else is checked.
+//! A scene as it is typed: keys, kinds and counts are right, every value knows its place, nothing else is
+//! checked.
 
 mod per_band;
 mod pattern;
@@ -118,7 +119,8 @@ const SCENE_KEYS: [&str; 16] = [
 ];
 
 impl SceneFile {
-    /// Whether every reflectance, transmittance, emission, flux and intensity is a single number, or a pattern alike in all bands.
+    /// Whether every reflectance, transmittance, emission, flux and intensity is a single number, or a
+    /// pattern alike in all bands.
     pub(super) fn is_grey(&self) -> bool {
         let amounts = self.materials.iter().flat_map(|own| [own.reflectance.as_ref(), own.emission.as_ref()]);
         let amounts = amounts.flatten();
@@ -136,7 +138,8 @@ impl SceneFile {
         numbers.all(PerBand::is_one_number) && amounts.into_iter().all(Amount::is_one_for_all)
     }
 
-    /// Reads the tree of a file; `prefix` stands before the names of surfaces and instances that are given none.
+    /// Reads the tree of a file; `prefix` stands before the names of surfaces and instances that are given
+    /// none.
     pub(super) fn read(tree: &Node, prefix: &str) -> Result<Self, Located> {
         let fields = Fields::new(tree, &SCENE_KEYS)?;
         Ok(SceneFile {

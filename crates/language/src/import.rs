@@ -1,7 +1,8 @@
 //! Scenes of other programs → a model that was repaired → the text of a scene.
 //!
-//! Flow: bytes → [`formats::read`](radiosity_formats::read) → materials, units → [`repair`] → tree → JSON, one surface on
-//! a line. The text is that of any other scene from there on: solution files keep it, and need no other reader.
+//! Flow: bytes → [`formats::read`](radiosity_formats::read) → materials, units → [`repair`] → tree → JSON,
+//! one surface on a line. The text is that of any other scene from there on: solution files keep it, and need
+//! no other reader.
 
 use std::{fmt, io, path::Path};
 
@@ -33,8 +34,8 @@ pub struct Import {
     pub materials: Option<SideFile>,
     /// Unit of the lengths in the file; they become metres.
     pub unit: Option<Unit>,
-    /// The axis that points upwards in the file; z will. Without it, y in glTF, whose specification says so (section 3.4),
-    /// and z elsewhere.
+    /// The axis that points upwards in the file; z will. Without it, y in glTF, whose specification says so
+    /// (section 3.4), and z elsewhere.
     pub up: Option<Up>,
     /// Length up to which points are one, in metres if a unit is given.
     pub tolerance: Option<f64>,
@@ -52,7 +53,8 @@ impl Import {
         self.format.or_else(|| Format::of(file))
     }
 
-    /// Reads and repairs the scene in `file`, or in standard input for `-`, which the first of these ranks shares.
+    /// Reads and repairs the scene in `file`, or in standard input for `-`, which the first of these ranks
+    /// shares.
     ///
     /// # Errors
     /// A file that cannot be read, or is against the rules of the format; with [`Import::strict`] what needs

@@ -2,8 +2,8 @@
 //!
 //! Photometric files of luminaires and pictures of materials are read with them.
 //!
-//! Each file is taken in once, however often it is included, and before the file that includes it. The texts are added to
-//! the [`Source`], so that a scene can be read again without its files.
+//! Each file is taken in once, however often it is included, and before the file that includes it. The texts
+//! are added to the [`Source`], so that a scene can be read again without its files.
 
 use std::{
     io,

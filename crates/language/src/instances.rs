@@ -12,7 +12,8 @@ use crate::file::{ContentFile, InstanceFile, LuminaireFile, PartFile, SurfaceFil
 /// Parts within parts. Chosen; not tuned.
 const DEEPEST: usize = 32;
 
-/// Most entries of surfaces and luminaires, and most copies of parts: each takes about a kilobyte. Chosen; not tuned.
+/// Most entries of surfaces and luminaires, and most copies of parts: each takes about a kilobyte. Chosen;
+/// not tuned.
 const MOST: usize = 1_000_000;
 
 /// An entry of a file where it is put.

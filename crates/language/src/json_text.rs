@@ -1,7 +1,8 @@
 //! JSON text → tree.
 //!
-//! `serde_json` reports no positions of values, but gives access to each value's own piece of the text ([`RawValue`]);
-//! the start of the piece within the whole is its position. Each level is split into pieces in turn.
+//! `serde_json` reports no positions of values, but gives access to each value's own piece of the text
+//! ([`RawValue`]); the start of the piece within the whole is its position. Each level is split into pieces
+//! in turn.
 
 use std::fmt;
 

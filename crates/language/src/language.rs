@@ -29,7 +29,8 @@ impl Language {
         let ending = Path::new(origin).extension().unwrap_or_default().to_string_lossy();
         match ending.to_ascii_lowercase().as_str() {
             "json" => Language::Json,
-            // A solution keeps a scene made in code as JSON, whatever its name; no row of a list is a bracket alone.
+            // A solution keeps a scene made in code as JSON, whatever its name; no row of a list is a bracket
+            // alone.
             "csv" if text.lines().next() != Some("{") => Language::Csv,
             // No TOML starts like that.
             _ if text.trim_start().starts_with('{') => Language::Json,

@@ -1,7 +1,8 @@
 //! A plain list of polygons → the tree of a scene without materials.
 //!
-//! JSON: `[[[0,0,0],[1,0,0],[0,1,0]], …]`, a list of vertices per polygon. CSV: a row `name,x,y,z` per vertex, with or
-//! without that header; successive rows of one name make a polygon. Lines that start with `#` are left out.
+//! JSON: `[[[0,0,0],[1,0,0],[0,1,0]], …]`, a list of vertices per polygon. CSV: a row `name,x,y,z` per
+//! vertex, with or without that header; successive rows of one name make a polygon. Lines that start with `#`
+//! are left out.
 
 use radiosity_scene::{
     Fault,

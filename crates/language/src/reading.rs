@@ -23,10 +23,10 @@ use crate::{input, instances, luminaires, motions, validation};
 
 /// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
 ///
-/// A file whose ending names a format of another program ([`Format`](radiosity_formats::format::Format)) is read in
-/// that and repaired. A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` is a list of
-/// polygons. Text of unknown name may also start as a list of polygons in JSON, `[[[`, or in CSV, `name,x,y,z`; everything
-/// else is TOML.
+/// A file whose ending names a format of another program ([`Format`](radiosity_formats::format::Format)) is
+/// read in that and repaired. A file named `.json`, and any text that starts with `{`, is JSON; one named
+/// `.csv` is a list of polygons. Text of unknown name may also start as a list of polygons in JSON, `[[[`, or
+/// in CSV, `name,x,y,z`; everything else is TOML.
 ///
 /// # Errors
 /// A file that cannot be read, an unknown name, or anything wrong in the text.
@@ -50,8 +50,8 @@ pub fn text_of(source: &str, settings: &[(&str, f64)]) -> Result<Source, SceneEr
     text_by(source, settings, &Import::default(), Ranks::alone())
 }
 
-/// The text that [`load_with`] reads; `import` are the options for a file of another program, and the first of these ranks shares its
-/// standard input.
+/// The text that [`load_with`] reads; `import` are the options for a file of another program, and the first
+/// of these ranks shares its standard input.
 ///
 /// # Errors
 /// As [`text_of`], and what is against the rules of the format; with [`Import::strict`] what needs repairs.
@@ -88,8 +88,8 @@ pub fn parse(source: &Source) -> Result<Scene, SceneError> {
 /// [`Scene::dimmed`].
 ///
 /// # Errors
-/// The first fault in the text; [`Fault::UnknownSetting`], [`Fault::VariableAndGroup`] and what [`Scene::dimmed`]
-/// refuses.
+/// The first fault in the text; [`Fault::UnknownSetting`], [`Fault::VariableAndGroup`] and what
+/// [`Scene::dimmed`] refuses.
 pub fn parse_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
     let mut source = source.clone();
     let language = Language::of(&source);
@@ -132,7 +132,8 @@ pub fn from_json(text: &str, origin: &str) -> Result<Scene, SceneError> {
     read(&Source::new(origin, text), Language::Json)
 }
 
-/// Reads polygons without materials from CSV, a row `name,x,y,z` for each vertex; `origin` is its name in messages.
+/// Reads polygons without materials from CSV, a row `name,x,y,z` for each vertex; `origin` is its name in
+/// messages.
 ///
 /// # Errors
 /// The first fault in the text.
@@ -166,8 +167,8 @@ pub fn of_tree(name: &str, tree: Tree) -> Result<Scene, SceneError> {
     parse(&Source::of_tree(name, tree)?)
 }
 
-/// The scene in this language, with variables, parts, instances and formulas as they are, and without comments. Its
-/// text in the language of a scene of another program is that of [`load`].
+/// The scene in this language, with variables, parts, instances and formulas as they are, and without
+/// comments. Its text in the language of a scene of another program is that of [`load`].
 ///
 /// # Errors
 /// [`Fault::Foreign`] for a scene of a [`SceneBuilder`](radiosity_scene::SceneBuilder).
@@ -385,7 +386,8 @@ mod tests {
     use super::*;
     use crate::{json_text, toml_text};
 
-    /// Areas of the bilinear patches in mm², of the data the scene is made from. Ceiling and floor without their holes.
+    /// Areas of the bilinear patches in mm², of the data the scene is made from. Ceiling and floor without
+    /// their holes.
     const CORNELL_AREAS: [(&str, f64); 16] = [
         ("floor", 308231.04 - 27633.0 - 27626.5),
         ("ceiling", 310915.2 - 13650.0),
@@ -432,7 +434,8 @@ mod tests {
         for surface in &scene.surfaces {
             let center = surface.shape.jet(0.0, 0.0);
             let block = ["short_block", "tall_block"].iter().find(|block| surface.name.starts_with(**block));
-            // Out of a block its fronts face away from the middle of its top, lowered; walls face a point of the room.
+            // Out of a block its fronts face away from the middle of its top, lowered; walls face a point of
+            // the room.
             let outward = match block {
                 Some(block) => {
                     let top =

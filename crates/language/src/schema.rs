@@ -1,7 +1,7 @@
 //! The scene format as a JSON schema (draft 2020-12), for editors and other programs.
 //!
-//! It tells keys, kinds, counts and ranges. What takes a whole scene to find, such as an outline that crosses itself, only
-//! reading tells.
+//! It tells keys, kinds, counts and ranges. What takes a whole scene to find, such as an outline that crosses
+//! itself, only reading tells.
 
 mod terms;
 mod shapes;

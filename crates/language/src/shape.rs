@@ -93,7 +93,8 @@ impl ShapeFile {
         self.form.name(base, index)
     }
 
-    /// The place of the field that a shape error names (`vertices`, `holes[1]`); the whole shape if there is none.
+    /// The place of the field that a shape error names (`vertices`, `holes[1]`); the whole shape if there is
+    /// none.
     pub(super) fn span_of(&self, field: &str) -> &Span {
         let (key, item) = field.split_once('[').unwrap_or((field, ""));
         let index = item.strip_suffix(']').and_then(|index| index.parse::<usize>().ok());

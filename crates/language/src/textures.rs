@@ -13,7 +13,8 @@ use crate::{
     include,
 };
 
-/// Most texels of a picture that are kept, 2048 × 2048: larger ones are averaged. 32 MB for each band. Chosen; not tuned.
+/// Most texels of a picture that are kept, 2048 × 2048: larger ones are averaged. 32 MB for each band.
+/// Chosen; not tuned.
 const MOST_KEPT: usize = 1 << 22;
 
 /// The pattern of a table for so many bands; its numbers are in no range yet.
@@ -65,7 +66,8 @@ fn read(path: &str, encoding: Option<Encoding>, source: &Source) -> Result<Pictu
     })
 }
 
-/// The numbers of each band: red, green and blue of three, the luminance of one (ITU-R BT.709), grey of any; and what is told of it.
+/// The numbers of each band: red, green and blue of three, the luminance of one (ITU-R BT.709), grey of any;
+/// and what is told of it.
 fn channels(
     picture: &Picture,
     bands: usize,

@@ -35,8 +35,8 @@ pub(super) struct Variables {
 }
 
 impl Variables {
-    /// Reads tables of variables, which may use each other in any order; the settings of the source take the place of what
-    /// the text says.
+    /// Reads tables of variables, which may use each other in any order; the settings of the source take the
+    /// place of what the text says.
     pub(super) fn read<'a>(tables: impl Iterator<Item = &'a Node>, source: &Source) -> Result<Self, Located> {
         let mut entries = Vec::new();
         for node in tables {
@@ -133,7 +133,8 @@ impl Variables {
         self.names.iter().filter_map(value).collect()
     }
 
-    /// Evaluates every text in `tree` that begins with `=`. What comes out counts only where a number is read.
+    /// Evaluates every text in `tree` that begins with `=`. What comes out counts only where a number is
+    /// read.
     pub(super) fn fill(&self, tree: &mut Arc<Node>) {
         if has_formula(tree) {
             self.fill_in(Arc::make_mut(tree));
@@ -224,7 +225,8 @@ fn place(node: &Span, text: &str, piece: &Span) -> Span {
     }
 }
 
-/// Writes these values in place of those that the tree of a file gives its variables. Returns those that it does not have.
+/// Writes these values in place of those that the tree of a file gives its variables. Returns those that it
+/// does not have.
 pub(super) fn set(tree: &mut Node, settings: &BTreeMap<String, f64>) -> Vec<String> {
     let mut left: BTreeMap<&str, f64> =
         settings.iter().map(|(name, value)| (name.as_str(), *value)).collect();

@@ -4,18 +4,20 @@
 //! E(x) = 1/π ∫_Ω n·ω dω = 1/(2π) Σ_k θ_k n·(a_k × b_k) / |a_k × b_k| ,     θ_k = ∠(a_k, b_k)
 //! ```
 //!
-//! for exitance 1, over the sides a_k b_k of the outline as seen from x (Lambert's formula); what lies inside the
-//! outline does not matter. The outline consists of the silhouette g = n·(X − x) = 0 and of the borders of the part
-//! that faces x, g < 0. The quads of a silhouette mesh show both; secant steps find where the silhouette crosses the
-//! edges of quads. An arc between two crossings is replaced by two chords that meet at
+//! for exitance 1, over the sides a_k b_k of the outline as seen from x (Lambert's formula); what lies inside
+//! the outline does not matter. The outline consists of the silhouette g = n·(X − x) = 0 and of the borders
+//! of the part that faces x, g < 0. The quads of a silhouette mesh show both; secant steps find where the
+//! silhouette crosses the edges of quads. An arc between two crossings is replaced by two chords that meet at
 //!
 //! ```text
 //! M + ⁴⁄₃ f ,     f from the chord's middle M to the arc's middle; |f| = |a − b| ∠(n_a, n_b)/8 on a silhouette
 //! ```
 //!
-//! The two chords enclose the same area as a parabola with that middle, so the error falls like h⁴, h the mesh width.
+//! The two chords enclose the same area as a parabola with that middle, so the error falls like h⁴, h the
+//! mesh width.
 //!
-//! Surfaces behind the tangent planes of all points of the light, such as the lids of a can, hide nothing of its front.
+//! Surfaces behind the tangent planes of all points of the light, such as the lids of a can, hide nothing of
+//! its front.
 
 use std::f64::consts::TAU;
 
@@ -35,11 +37,13 @@ const CHORDS: f64 = 4.0 / 3.0;
 /// Heights over tangent planes up to this part of the surface's radius count as zero. Chosen; not tuned.
 const BEHIND: f64 = 1e-6;
 
-/// Clearance: nothing but lids may stand within this multiple of half the second longest side of the bounding box. It
-/// covers what lies between the surface and its projection plane, at most √2 − 1 = 0.414 radii from a ball; rounded up.
+/// Clearance: nothing but lids may stand within this multiple of half the second longest side of the bounding
+/// box. It covers what lies between the surface and its projection plane, at most √2 − 1 = 0.414 radii from a
+/// ball; rounded up.
 const ROOM: f64 = 0.42;
 
-/// Least cosine between the normal of the projection plane and the directions to the outline. Chosen; not tuned.
+/// Least cosine between the normal of the projection plane and the directions to the outline. Chosen; not
+/// tuned.
 const STEEPEST: f64 = 0.2;
 
 /// Part of the area of a flat surface by which its convex outline may differ. Chosen: chords differ by 1e-5.
@@ -63,7 +67,8 @@ pub(crate) struct AreaLight<'a> {
 }
 
 impl<'a> AreaLight<'a> {
-    /// The surface as an area light; None if it is a polygon, may hide itself, or anything but lids stands close to it.
+    /// The surface as an area light; None if it is a polygon, may hide itself, or anything but lids stands
+    /// close to it.
     pub(crate) fn new(visibility: &'a Visibility, surface: usize) -> Option<Self> {
         if visibility.pieces(surface).is_some() || visibility.hides_itself(surface) {
             return None;
@@ -101,8 +106,8 @@ impl<'a> AreaLight<'a> {
         surfaces.iter().all(|surface| self.lids.binary_search(surface).is_ok())
     }
 
-    /// The sides of the outline seen from `eye`, in no order, all with the part that faces the eye on the same hand.
-    /// Empty where no part of the surface faces the eye.
+    /// The sides of the outline seen from `eye`, in no order, all with the part that faces the eye on the
+    /// same hand. Empty where no part of the surface faces the eye.
     pub(crate) fn outline(&self, eye: DVec3) -> Vec<Side> {
         let mut sides = Vec::new();
         for quad in &self.quads {
@@ -168,9 +173,9 @@ impl<'a> AreaLight<'a> {
         self.mesh.shape()
     }
 
-    /// The projection plane: a rectangle that touches the surface from the eye's side, with the outline `sides` in its
-    /// coordinates. It is perpendicular to the mean normal of the part that faces `eye`, or else to the view; one side
-    /// runs along the outline's farthest point. None where the eye is too near.
+    /// The projection plane: a rectangle that touches the surface from the eye's side, with the outline
+    /// `sides` in its coordinates. It is perpendicular to the mean normal of the part that faces `eye`, or
+    /// else to the view; one side runs along the outline's farthest point. None where the eye is too near.
     pub(crate) fn plane(&self, eye: DVec3, sides: &[Side]) -> Option<(ProjectionPlane, Vec<[[f64; 2]; 2]>)> {
         let front = self.quads.iter().flatten().filter(|x| x.normal.dot(x.position - eye) < 0.0);
         let facing = -front.map(|x| x.normal).sum::<DVec3>().normalize_or_zero();
@@ -199,8 +204,8 @@ impl<'a> AreaLight<'a> {
         Some((ProjectionPlane::new(eye, &rectangle, &rectangle)?, spots))
     }
 
-    /// Distance from the eye to the plane perpendicular to `inward` that touches the surface; None unless the whole
-    /// outline lies well in front of the eye.
+    /// Distance from the eye to the plane perpendicular to `inward` that touches the surface; None unless the
+    /// whole outline lies well in front of the eye.
     fn depth(&self, eye: DVec3, inward: DVec3, sides: &[Side]) -> Option<f64> {
         let depth = |y: DVec3| (y - eye).dot(inward);
         let nearest =
@@ -210,7 +215,8 @@ impl<'a> AreaLight<'a> {
     }
 }
 
-/// Irradiance at `eye` with the unit normal `normal` from an outline of exitance 1 that lies above the horizon.
+/// Irradiance at `eye` with the unit normal `normal` from an outline of exitance 1 that lies above the
+/// horizon.
 pub(crate) fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
     let seen = |side: &Side| {
         let [u, v] = side.map(|y| (y - eye).normalize_or_zero());
@@ -220,8 +226,8 @@ pub(crate) fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
     sum.abs() / TAU
 }
 
-/// The corners, in order, of the convex polygon that a flat curved-edged surface of the area `area` is but for its
-/// chords, and that normal; None of other surfaces.
+/// The corners, in order, of the convex polygon that a flat curved-edged surface of the area `area` is but
+/// for its chords, and that normal; None of other surfaces.
 pub(crate) fn flat_outline(
     visibility: &Visibility,
     surface: usize,

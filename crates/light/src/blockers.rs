@@ -78,7 +78,8 @@ impl<'a> Shadows<'a> {
         self.occluders.obstacles.iter().all(|surface| self.visibility.pieces(*surface).is_some())
     }
 
-    /// Starts a new stack with the blockers, of obstacles with the indices `places`, that may hide a part of `bounds`.
+    /// Starts a new stack with the blockers, of obstacles with the indices `places`, that may hide a part of
+    /// `bounds`.
     pub(crate) fn ask(&mut self, places: &[usize], bounds: &Aabb) -> ListedOccluders {
         self.asked.clear();
         for place in places {
@@ -119,8 +120,9 @@ impl<'a> Shadows<'a> {
         volumes
     }
 
-    /// The blockers between the point and an area light: shadow volumes of planar obstacles, and indices of curved
-    /// ones; `places` are indices into the obstacles. None where a planar obstacle hides the whole projection plane.
+    /// The blockers between the point and an area light: shadow volumes of planar obstacles, and indices of
+    /// curved ones; `places` are indices into the obstacles. None where a planar obstacle hides the whole
+    /// projection plane.
     pub(crate) fn before_lamp(
         &self,
         lamp: &AreaLight,
@@ -167,14 +169,16 @@ impl<'a> Shadows<'a> {
         })
     }
 
-    /// Adds a curved blocker to the hidden spans `spans`; `is_own`: the plane stands for a piece of that blocker.
+    /// Adds a curved blocker to the hidden spans `spans`; `is_own`: the plane stands for a piece of that
+    /// blocker.
     pub(crate) fn add_curved(&self, spans: &mut HiddenSpans<'a>, other: usize, is_own: bool) {
         let ReceiverPoint { normal, ground, surface, .. } = *self.receiver;
         let ground = (surface == Some(other)).then_some(ground.unwrap_or(normal));
         spans.add_curved(self.visibility.silhouette_mesh(other), ground, is_own);
     }
 
-    /// Pushes the blockers in `above` that may hide a part of `cell` onto the stack; None where one hides all of it.
+    /// Pushes the blockers in `above` that may hide a part of `cell` onto the stack; None where one hides all
+    /// of it.
     pub(crate) fn narrow(&mut self, above: ListedOccluders, cell: &Cell) -> Option<ListedOccluders> {
         self.kept(above, |shadows, blocker| match blocker {
             Blocker::Flat(volume) => match &cell.quad {
@@ -194,7 +198,8 @@ impl<'a> Shadows<'a> {
         })
     }
 
-    /// Pushes the blockers in `above` that do not leave everything clear onto the stack; None where one hides everything.
+    /// Pushes the blockers in `above` that do not leave everything clear onto the stack; None where one hides
+    /// everything.
     fn kept(
         &mut self,
         above: ListedOccluders,
@@ -273,7 +278,8 @@ impl<'a> Shadows<'a> {
         }
     }
 
-    /// A surface hides nothing if it is outside the box around the extent and the point, or too far from the segment between them.
+    /// A surface hides nothing if it is outside the box around the extent and the point, or too far from the
+    /// segment between them.
     fn cover_of_ball(&self, surface: usize, extent: &Extent) -> Cover {
         let eye = self.receiver.position;
         let shaft = Aabb::around(extent.hull.iter().copied().chain([eye]));

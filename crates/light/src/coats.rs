@@ -1,7 +1,7 @@
 //! Coats: elements that reflect alike in every band.
 //!
-//! Light that was reflected exactly once is linear in the reflectance of what reflected it. Kept apart by coats, it is
-//! known for other reflectances as well.
+//! Light that was reflected exactly once is linear in the reflectance of what reflected it. Kept apart by
+//! coats, it is known for other reflectances as well.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +10,10 @@ use radiosity_elements::coating::Coating;
 /// Most coats: each keeps as many numbers as the light of all. Chosen.
 const MOST: usize = 8;
 
-/// Largest change of one reflectance against that of another for which light is not gathered anew: where a coat
-/// gains so much, what gathering neglected of it grows as much. Chosen; mean irradiances of the Cornell box, repainted
-/// within this range, then differ from those of a new solution by less than half the accuracy of shadows
-/// (`cargo test --release --test theorems light::models`).
+/// Largest change of one reflectance against that of another for which light is not gathered anew: where a
+/// coat gains so much, what gathering neglected of it grows as much. Chosen; mean irradiances of the Cornell
+/// box, repainted within this range, then differ from those of a new solution by less than half the accuracy
+/// of shadows (`cargo test --release --test theorems light::models`).
 const SPREAD: f64 = 4.0;
 
 /// The coat of each element.
@@ -24,8 +24,8 @@ pub(crate) struct Coats {
 }
 
 impl Coats {
-    /// Elements of the same reflectances have the same coat, and so do all on which it varies; the last one holds all that would be
-    /// too many.
+    /// Elements of the same reflectances have the same coat, and so do all on which it varies; the last one
+    /// holds all that would be too many.
     pub(crate) fn of(coatings: &[&Coating]) -> Self {
         let elements = coatings.first().map_or(0, |coating| coating.reflectance.len());
         let mut known = BTreeMap::new();
@@ -51,8 +51,9 @@ impl Coats {
         self.of_element[element]
     }
 
-    /// For each coat its reflectances by `new` coatings over those by `old` ones, band by band. None where the elements
-    /// of a coat differ, where some change too much against others, and where other patterns vary.
+    /// For each coat its reflectances by `new` coatings over those by `old` ones, band by band. None where
+    /// the elements of a coat differ, where some change too much against others, and where other patterns
+    /// vary.
     pub(crate) fn change(&self, old: &[&Coating], new: &[&Coating]) -> Option<Vec<Vec<f64>>> {
         if old.iter().zip(new).any(|(old, new)| !old.varies_as(new)) {
             return None;

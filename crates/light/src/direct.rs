@@ -4,12 +4,12 @@
 //! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y + Σ_l I_l cos θ V(x, p_l) / |p_l − x|²        W m⁻²
 //! ```
 //!
-//! from elements of the exitance E₀, times what openings to a sky and luminous areas send towards x over what a diffuse emitter would
-//! ([`radiosity_scene::Radiance`]), and from luminaires at p_l of the intensity I_l ([`super::point_lights`]).
-//! Polynomials smear shadow edges, D does not. D is exact for planar emitters behind planar blockers
-//! ([`radiosity_kernel::irradiance::visible_polygon`]). Where an emitter or a blocker is curved, the cells of [`crate`] are
-//! refined until D is accurate to about [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is
-//! taken as a whole (`area_light`).
+//! from elements of the exitance E₀, times what openings to a sky and luminous areas send towards x over what
+//! a diffuse emitter would ([`radiosity_scene::Radiance`]), and from luminaires at p_l of the intensity I_l
+//! ([`super::point_lights`]). Polynomials smear shadow edges, D does not. D is exact for planar emitters
+//! behind planar blockers ([`radiosity_kernel::irradiance::visible_polygon`]). Where an emitter or a blocker
+//! is curved, the cells of [`crate`] are refined until D is accurate to about [`ACCURACY`]. A curved emitter
+//! that hides nothing of itself and stands free is taken as a whole (`area_light`).
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
@@ -32,8 +32,8 @@ pub const ACCURACY: f64 = 1e-3;
 /// Error that one cell may contribute, over the accuracy of the sum. Chosen; not tuned.
 const PER_CELL: f64 = 0.3;
 
-/// A site whose diagonal is below this part of its distance from an emitter is small: a rule of 2 × 2 points then has a
-/// relative error of about 0.02 · 0.25⁴ = 8e-5. Chosen; not tuned.
+/// A site whose diagonal is below this part of its distance from an emitter is small: a rule of 2 × 2 points
+/// then has a relative error of about 0.02 · 0.25⁴ = 8e-5. Chosen; not tuned.
 const SMALL: f64 = 0.25;
 
 /// Most obstacles around a site for which testing each against every shaft pays. Chosen; not tuned.
@@ -102,8 +102,8 @@ impl<'a> DirectLight<'a> {
         self.emitters.iter().map(|emitter| emitter.element)
     }
 
-    /// For each emitter, its index and the irradiance per unit of its exitance at `x` on element `element` with the
-    /// unit normal `n`.
+    /// For each emitter, its index and the irradiance per unit of its exitance at `x` on element `element`
+    /// with the unit normal `n`.
     pub fn factors(&self, element: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
         let receiver = ReceiverPoint::on(self.elements[element].surface, x, n);
         let factors = self.from(&receiver, &self.occluders[element], 0.0);
@@ -115,7 +115,8 @@ impl<'a> DirectLight<'a> {
         self.at_beside(element, x, n, &[])
     }
 
-    /// As [`DirectLight::at`], where `other` light (W m⁻² per band) arrives too: the tolerance is relative to both.
+    /// As [`DirectLight::at`], where `other` light (W m⁻² per band) arrives too: the tolerance is relative to
+    /// both.
     pub fn at_beside(&self, element: usize, x: DVec3, n: DVec3, other: &[f64]) -> Vec<f64> {
         let receiver = ReceiverPoint::on(self.elements[element].surface, x, n);
         self.irradiance_beside(&receiver, &self.occluders[element], other)
@@ -138,8 +139,8 @@ impl<'a> DirectLight<'a> {
         occluders.narrowed(self.visibility, &hulls, site)
     }
 
-    /// Whether direct light at a site has no shadows and varies little more than linearly, since all emitters are far;
-    /// never said where luminaires shine.
+    /// Whether direct light at a site has no shadows and varies little more than linearly, since all emitters
+    /// are far; never said where luminaires shine.
     pub fn is_smooth(&self, site: &Site, occluders: &Occluders) -> bool {
         let own = Aabb::around(site.points.iter().copied());
         let gap = |tree: &Tree| {
@@ -163,7 +164,8 @@ impl<'a> DirectLight<'a> {
         self.add_elements(receiver, occluders, sums, other)
     }
 
-    /// `sums` and the irradiance from elements per band; `other` is known further irradiance, all bands together.
+    /// `sums` and the irradiance from elements per band; `other` is known further irradiance, all bands
+    /// together.
     fn add_elements(
         &self,
         receiver: &ReceiverPoint,
@@ -177,7 +179,8 @@ impl<'a> DirectLight<'a> {
         sums
     }
 
-    /// Irradiance from each emitter per unit of its exitance; `other` is known further irradiance, all bands together.
+    /// Irradiance from each emitter per unit of its exitance; `other` is known further irradiance, all bands
+    /// together.
     fn from(&self, receiver: &ReceiverPoint, occluders: &Occluders, other: f64) -> SmallVec<[f64; 4]> {
         let mut walk = Traversal::new(receiver, self.visibility, occluders);
         let add = |walk: &mut Traversal, index: usize, tolerance: f64, factor: &mut [f64]| {

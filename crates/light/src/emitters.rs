@@ -36,7 +36,8 @@ impl Radiances {
         self.0.get(surface)?.as_ref()
     }
 
-    /// The radiance that a surface sends into a unit direction, over that of a diffuse emitter of its exitance.
+    /// The radiance that a surface sends into a unit direction, over that of a diffuse emitter of its
+    /// exitance.
     pub fn relative(&self, surface: usize, into: DVec3) -> f64 {
         self.of_surface(surface).map_or(1.0, |own| own.relative(into))
     }

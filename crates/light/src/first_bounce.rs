@@ -5,12 +5,12 @@
 //! d_k = ∫ φ_k D dA ,         g_k = ∫ φ_k g dA             W m⁻² times length
 //! ```
 //!
-//! Where direct light is split off, g_k replaces G ρ d in the right-hand side: the shadow edges of D, which no
-//! polynomial follows, are then smoothed by one transport before anything is projected. Polynomials never transport D
-//! itself; d serves only to read the solution from polynomials.
+//! Where direct light is split off, g_k replaces G ρ d in the right-hand side: the shadow edges of D, which
+//! no polynomial follows, are then smoothed by one transport before anything is projected. Polynomials never
+//! transport D itself; d serves only to read the solution from polynomials.
 //!
-//! The integrals over x are Gauss rules on m × m cells of each patch: many cells for D with its edges, few for the
-//! smooth g, whose points are exact for φ_k times a linear function.
+//! The integrals over x are Gauss rules on m × m cells of each patch: many cells for D with its edges, few
+//! for the smooth g, whose points are exact for φ_k times a linear function.
 
 use radiosity_core::dot;
 use radiosity_elements::coating::Coating;
@@ -34,11 +34,13 @@ use crate::reflected::{Lit, Reflection};
 const DIRECT_HALVINGS: usize = 2;
 const REFLECTED_HALVINGS: usize = 1;
 
-/// The former for the light of the sun, whose patches have sharp borders, and of luminaires beside it: a ray for each point. Chosen.
+/// The former for the light of the sun, whose patches have sharp borders, and of luminaires beside it: a ray
+/// for each point. Chosen.
 const SUNNY_HALVINGS: usize = 6;
 
-/// A cell whose radius exceeds this part of its distance from a luminaire is quartered for D, so many times at most. Two
-/// points each way then err by about 0.02 (2 · 0.15)⁴ = 2e-4 of what the cell receives. Chosen; not tuned.
+/// A cell whose radius exceeds this part of its distance from a luminaire is quartered for D, so many times
+/// at most. Two points each way then err by about 0.02 (2 · 0.15)⁴ = 2e-4 of what the cell receives. Chosen;
+/// not tuned.
 const PEAKED: f64 = 0.15;
 const DEEPEST: usize = 14;
 
@@ -129,8 +131,8 @@ pub struct CoatedBounce {
 }
 
 impl CoatedBounce {
-    /// The first bounce of exact direct light from `sources`; its relative accuracy is about the smaller of `eps` and
-    /// `LOOSEST`.
+    /// The first bounce of exact direct light from `sources`; its relative accuracy is about the smaller of
+    /// `eps` and `LOOSEST`.
     pub fn new(sources: &Emitters<'_>, visibility: &Visibility, eps: f64, ranks: &Ranks) -> Self {
         let eps = eps.min(LOOSEST);
         let direct = DirectLight::within(sources, visibility, eps);
@@ -177,8 +179,8 @@ impl CoatedBounce {
         Self { direct: d, coats, reflected }
     }
 
-    /// The bounce by `new` coatings of the same exitance as the `old` ones it was computed for. None where it has to be
-    /// computed anew.
+    /// The bounce by `new` coatings of the same exitance as the `old` ones it was computed for. None where it
+    /// has to be computed anew.
     pub fn repainted(&self, old: &[&Coating], new: &[&Coating]) -> Option<Bounce> {
         let factors = self.coats.change(old, new)?;
         let of_band = |band: usize| {
@@ -223,7 +225,8 @@ fn of_direct(
     sums.finish()
 }
 
-/// Whether a luminaire with one of these pairs of ends is so near before a cell that its light peaks within it.
+/// Whether a luminaire with one of these pairs of ends is so near before a cell that its light peaks within
+/// it.
 fn is_peaked(cell: &Patch, lamps: &[[DVec3; 2]]) -> bool {
     let middle = cell.node(0.5, 0.5);
     let corners = cell.corners();

@@ -1,7 +1,7 @@
 //! Emitters as targets of rays from a point.
 //!
-//! Of the rays from x to emitters, emitter l gets the share p_l, about in proportion to the light that it would send
-//! without shadows,
+//! Of the rays from x to emitters, emitter l gets the share p_l, about in proportion to the light that it
+//! would send without shadows,
 //!
 //! ```text
 //! p_l ∝ E₀ min(1, A c c' / (π d²)) ,     c ≤ 1, c' ≤ 1: bounds of the cosines at x and at l ,
@@ -118,7 +118,8 @@ impl Lamp {
         })
     }
 
-    /// The whole of a surface of which this is an element, with all that emits there, in `plane` if it is flat.
+    /// The whole of a surface of which this is an element, with all that emits there, in `plane` if it is
+    /// flat.
     pub(crate) fn whole(self, elements: &[&Element], plane: Option<(DVec3, DVec3)>) -> Self {
         let bounds = Aabb::around(elements.iter().flat_map(|element| element.hull.iter().copied()));
         let patches: Vec<Patch> =

@@ -4,10 +4,11 @@
 //! E(x) = s ½ ∫ d(ω) cos θ V / r² dt ,   −1 ≤ t ≤ 1        W m⁻²
 //! ```
 //!
-//! over the points p + t h of the line, with the relative intensity d of the luminaire and its strength s, the distance r of x from
-//! the point and the direction ω towards x. Halving Gauss rules integrate it to [`ACCURACY`] of itself. Where rays to points evenly
-//! spaced by their angle differ in V, bisection finds the border between; what hides a part of the line between two neighbours
-//! alone is missed: at most about 1/[`RAYS`] of its light.
+//! over the points p + t h of the line, with the relative intensity d of the luminaire and its strength s,
+//! the distance r of x from the point and the direction ω towards x. Halving Gauss rules integrate it to
+//! [`ACCURACY`] of itself. Where rays to points evenly spaced by their angle differ in V, bisection finds the
+//! border between; what hides a part of the line between two neighbours alone is missed: at most about
+//! 1/[`RAYS`] of its light.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -29,7 +30,8 @@ const DEEPEST: u32 = 16;
 /// Rays to a line. Chosen.
 const RAYS: usize = 32;
 
-/// Halvings of the step between two rays: a border is then right to 1/(32 · 2¹⁴) = 2e-6 of the line's angle. Chosen.
+/// Halvings of the step between two rays: a border is then right to 1/(32 · 2¹⁴) = 2e-6 of the line's angle.
+/// Chosen.
 const HALVINGS: usize = 14;
 
 /// Distance from a line's axis over half its length below which all angles to it are one. Chosen.
@@ -156,7 +158,8 @@ impl<'a> LuminousLine<'a> {
     }
 }
 
-/// Where between two places what is seen at one, as `before` says, is not at the other, or the other way round.
+/// Where between two places what is seen at one, as `before` says, is not at the other, or the other way
+/// round.
 fn border([mut low, mut high]: Span, before: bool, is_seen: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);

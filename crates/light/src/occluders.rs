@@ -1,7 +1,8 @@
-//! Occluder lists: the surfaces that may stand between a site (a point or a piece of surface) and each element.
+//! Occluder lists: the surfaces that may stand between a site (a point or a piece of surface) and each
+//! element.
 //!
-//! An obstacle hides no part of an element from the site if it lies outside the box around both, wholly below the
-//! site's horizon, or wholly behind the element's plane. What remains is tested cell by cell.
+//! An obstacle hides no part of an element from the site if it lies outside the box around both, wholly below
+//! the site's horizon, or wholly behind the element's plane. What remains is tested cell by cell.
 
 use radiosity_elements::Element;
 use radiosity_geom::{Aabb, COINCIDENT, DVec3};
@@ -98,8 +99,8 @@ impl Occluders {
         Self { obstacles, places, ranges }
     }
 
-    /// The occluders without those that certainly miss the shaft between the site and an element; `hulls` has the hull
-    /// points of each element.
+    /// The occluders without those that certainly miss the shaft between the site and an element; `hulls` has
+    /// the hull points of each element.
     pub(crate) fn narrowed(self, visibility: &Visibility, hulls: &[&[DVec3]], site: &Site) -> Self {
         let mut kept = Vec::with_capacity(self.places.len());
         let ranges = self.ranges.iter().zip(hulls).map(|(range, hull)| {

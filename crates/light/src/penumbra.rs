@@ -39,12 +39,13 @@
 //! σ_l = ½   with a closed form ,     σ_l² = max( ¼ , (n Σ (w κ V)² − (Σ w κ V)²) / (Σ w κ)² )   without .
 //! ```
 //!
-//! Where U_l has a closed form and all rays agree, e_l is 0, or 0.37 E₀ U_l/n if [`RayEffort::sure`]: n rays miss
-//! a part f of the emitter with the probability (1 − f)ⁿ, and f (1 − f)ⁿ ≤ 1/(e n).
+//! Where U_l has a closed form and all rays agree, e_l is 0, or 0.37 E₀ U_l/n if [`RayEffort::sure`]: n rays
+//! miss a part f of the emitter with the probability (1 − f)ⁿ, and f (1 − f)ⁿ ≤ 1/(e n).
 //!
 //! Range of use. Emitters with an exitance; the light of luminaires and of the sun comes on top, by
 //! [`crate::point_lights`]. Few rays may miss something small: so each point tells which emitters it sees
-//! ([`VisibleEmitters`]), and where points beside each other differ in that, callers ask again with [`RayEffort::sure`].
+//! ([`VisibleEmitters`]), and where points beside each other differ in that, callers ask again with
+//! [`RayEffort::sure`].
 //!
 //! Error. Estimated, no bound: e_l is that of a shadow with a straight edge, where 0.39 to 0.45 n^(−3/4) were
 //! measured.
@@ -69,15 +70,17 @@ use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
 use crate::sources::Source;
 
-/// Rays to an emitter that sends all direct light, before they are compared; fewer to weaker ones, but some. Chosen.
+/// Rays to an emitter that sends all direct light, before they are compared; fewer to weaker ones, but some.
+/// Chosen.
 const FIRST: f64 = 24.0;
 const FEWEST: u64 = 4;
 
-/// Share of all light that an emitter sends at least for which it is listed what may stand before it. Chosen: a list costs about as
-/// much as [`FEWEST`] rays.
+/// Share of all light that an emitter sends at least for which it is listed what may stand before it. Chosen:
+/// a list costs about as much as [`FEWEST`] rays.
 const LISTED: f64 = 0.1;
 
-/// Shadow volumes of flat things, at most, that are cut out of a flat emitter. Chosen: the cost doubles with each that overlaps.
+/// Shadow volumes of flat things, at most, that are cut out of a flat emitter. Chosen: the cost doubles with
+/// each that overlaps.
 const CUT_OUT: usize = 8;
 
 /// Rays to a curved emitter, at most, before they are compared: half of its points may face away. Chosen.
@@ -86,19 +89,21 @@ const FIRST_TO_CURVED: f64 = 32.0;
 /// Most rays to an emitter. Chosen.
 const MOST: u64 = 1024;
 
-/// Error times n^¾ of n points of the sequence over the standard deviation of what they see, and the least of these. Root mean
-/// square errors of the part of a square behind a straight edge, over random edges and shifts, were measured for n = 48 to
-/// 384: 0.39 to 0.45 n^(−3/4).
+/// Error times n^¾ of n points of the sequence over the standard deviation of what they see, and the least of
+/// these. Root mean square errors of the part of a square behind a straight edge, over random edges and
+/// shifts, were measured for n = 48 to 384: 0.39 to 0.45 n^(−3/4).
 const EDGE: f64 = 0.9;
 const LEAST: f64 = 0.5;
 
-/// Light that n rays miss, or see too much, times n: at most (1 − f)ⁿ f n = 1/e of what a part f of an emitter sends.
+/// Light that n rays miss, or see too much, times n: at most (1 − f)ⁿ f n = 1/e of what a part f of an
+/// emitter sends.
 const MISSED: f64 = 0.37;
 
 /// Light that arrives over that without shadows, below which the error counts relative to the latter. Chosen.
 const DARK: f64 = 0.02;
 
-/// An emitter is cut into cells within as many of its radii: there one cell would be larger than half its distance.
+/// An emitter is cut into cells within as many of its radii: there one cell would be larger than half its
+/// distance.
 const NEAR: f64 = 3.0;
 
 /// Direct light by rays.
@@ -215,7 +220,8 @@ impl<'a> Penumbra<'a> {
         (share >= LISTED).then(list)
     }
 
-    /// The light from an emitter that sends about the part `share` of all light without shadows: known, or by the first rays.
+    /// The light from an emitter that sends about the part `share` of all light without shadows: known, or by
+    /// the first rays.
     fn beam<'l>(
         &'l self,
         receiver: &'l ReceiverPoint,
@@ -271,7 +277,8 @@ impl<'a> Penumbra<'a> {
         Some(if before.is_nothing() { Obstruction::Nothing } else { Obstruction::Some(shadows, before) })
     }
 
-    /// Rays by which a curved emitter of the part `share` of all light errs by the accuracy, if so many are not too many.
+    /// Rays by which a curved emitter of the part `share` of all light errs by the accuracy, if so many are
+    /// not too many.
     fn first_to_curved(&self, share: f64) -> f64 {
         (EDGE * LEAST * share / self.eps).powf(4.0 / 3.0).min(FIRST_TO_CURVED)
     }

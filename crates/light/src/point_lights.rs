@@ -1,14 +1,14 @@
-//! Luminaires without an area and the sun as sources of direct light: points and lines that send an intensity in each direction, near
-//! or at infinity.
+//! Luminaires without an area and the sun as sources of direct light: points and lines that send an intensity
+//! in each direction, near or at infinity.
 //!
 //! ```text
 //! D(x) = Σ_l s_l d_l(ω) cos θ V(x, p_l) / |p_l − x|²        W m⁻²
 //! ```
 //!
 //! with the position p, the strength s of a band (W/sr) and the relative intensity d of each luminaire
-//! ([`radiosity_scene::Distribution`]), the direction ω from it to x, and V by one ray to the true surfaces: D is exact.
-//! The irradiance of a line is the mean over its points (`luminous_line`). The sun
-//! gives s cos θ where the first thing before it is an opening to the sky, with the strength s (W m⁻²) behind that; without
+//! ([`radiosity_scene::Distribution`]), the direction ω from it to x, and V by one ray to the true surfaces:
+//! D is exact. The irradiance of a line is the mean over its points (`luminous_line`). The sun gives s cos θ
+//! where the first thing before it is an opening to the sky, with the strength s (W m⁻²) behind that; without
 //! shadows the first opening before it gives so, whatever else stands there.
 
 use std::collections::BTreeMap;
@@ -34,7 +34,8 @@ pub struct PointLights {
 struct SunBeam {
     /// Unit vector to it.
     direction: DVec3,
-    /// Irradiance per band (W m⁻²) across the beam behind openings, by their surfaces; 0 behind those that are dark.
+    /// Irradiance per band (W m⁻²) across the beam behind openings, by their surfaces; 0 behind those that
+    /// are dark.
     strengths: BTreeMap<usize, Vec<f64>>,
     /// Flux per band (W) through all of them.
     flux: Vec<f64>,
@@ -77,8 +78,8 @@ impl SunBeam {
         }
     }
 
-    /// Irradiance per band (W m⁻²) across it at a point: what the first surface before the sun lets through, or the first opening
-    /// where there are no shadows.
+    /// Irradiance per band (W m⁻²) across it at a point: what the first surface before the sun lets through,
+    /// or the first opening where there are no shadows.
     fn arriving(&self, receiver: &ReceiverPoint, visibility: &Visibility) -> Option<&Vec<f64>> {
         let mut met = visibility.met_along(receiver.surface, receiver.position, self.direction);
         let behind = |met: Encounter| self.strengths.get(&met.surface).filter(|_| met.front);
@@ -120,8 +121,8 @@ impl PointLight {
         self.luminaire.position + (2.0 * part - 1.0) * self.half
     }
 
-    /// Irradiance at a point without shadows over its strength, if all its light came from its point at a `part` of its length; None
-    /// where it is 0.
+    /// Irradiance at a point without shadows over its strength, if all its light came from its point at a
+    /// `part` of its length; None where it is 0.
     fn factor(&self, receiver: &ReceiverPoint, part: f64) -> Option<f64> {
         let step = self.at(part) - receiver.position;
         let square = step.length_squared();
@@ -208,8 +209,8 @@ impl PointLights {
         self.suns.iter().for_each(|sun| sun.add(receiver, visibility, 1.0, sums));
     }
 
-    /// Adds an estimate of `scale` times the same by a ray to the sun, and one to a luminaire and a part of its length that `chance`
-    /// chooses, in proportion to the light without shadows.
+    /// Adds an estimate of `scale` times the same by a ray to the sun, and one to a luminaire and a part of
+    /// its length that `chance` chooses, in proportion to the light without shadows.
     pub fn add_one(
         &self,
         receiver: &ReceiverPoint,

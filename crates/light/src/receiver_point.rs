@@ -16,7 +16,8 @@ pub struct ReceiverPoint {
     pub position: DVec3,
     /// Unit normal of the receiver, to which the cosines of E refer.
     pub normal: DVec3,
-    /// Unit normal of the surface under the point if it differs from `normal`; nothing is seen through the surface.
+    /// Unit normal of the surface under the point if it differs from `normal`; nothing is seen through the
+    /// surface.
     pub ground: Option<DVec3>,
     /// Index of the surface under the point, if any.
     pub surface: Option<usize>,
@@ -57,7 +58,8 @@ impl ReceiverPoint {
         above(self.normal) && self.ground.is_none_or(above)
     }
 
-    /// Irradiance from the part of a planar convex polygon of exitance 1 outside the shadow volumes `volumes`.
+    /// Irradiance from the part of a planar convex polygon of exitance 1 outside the shadow volumes
+    /// `volumes`.
     pub(crate) fn factor<'a>(
         &self,
         polygon: &[DVec3],
@@ -72,7 +74,8 @@ impl ReceiverPoint {
         }
     }
 
-    /// κ = cos θ cos θ' / (π d²) (1 / scene length²) to a point of a surface; None below a horizon or behind the surface.
+    /// κ = cos θ cos θ' / (π d²) (1 / scene length²) to a point of a surface; None below a horizon or behind
+    /// the surface.
     pub fn kernel_to(&self, node: &Node) -> Option<f64> {
         let step = node.position - self.position;
         let cosines = [self.normal.dot(step), -node.normal.dot(step)];

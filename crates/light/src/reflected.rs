@@ -6,8 +6,8 @@
 //!
 //! with the irradiance E' of the other side of what lets light through.
 //!
-//! E(y) is any known irradiance at the points y, not projected on polynomials. The reflected radiosity ρ E is tabulated
-//! once per element; each point x sums over the tables ([`crate`]).
+//! E(y) is any known irradiance at the points y, not projected on polynomials. The reflected radiosity ρ E is
+//! tabulated once per element; each point x sums over the tables ([`crate`]).
 
 use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
@@ -21,16 +21,17 @@ use crate::occluders::{Occluders, Site};
 use crate::receiver_point::ReceiverPoint;
 use crate::traversal::Traversal;
 
-/// Accuracy ε down to which a cell may err by the irradiance times ε, since the errors of cells cancel. Finer ones do not, and
-/// more cells have them: then each may err by ε²/10⁻³. Measured in a box with a luminous ceiling: with ε for each the whole
-/// erred by 9e-4, 2.6e-4, 1.2e-4, 7e-5 for ε = 1e-3, 1e-4, 1e-5, 1e-6 at points not nearer than a thirtieth of its side to an edge.
+/// Accuracy ε down to which a cell may err by the irradiance times ε, since the errors of cells cancel. Finer
+/// ones do not, and more cells have them: then each may err by ε²/10⁻³. Measured in a box with a luminous
+/// ceiling: with ε for each the whole erred by 9e-4, 2.6e-4, 1.2e-4, 7e-5 for ε = 1e-3, 1e-4, 1e-5, 1e-6 at
+/// points not nearer than a thirtieth of its side to an edge.
 const CANCELLING: f64 = 1e-3;
 
 /// Irradiance (W m⁻²) per band at a node of an element.
 pub(crate) type Lit<'a> = &'a (dyn Fn(usize, &Node) -> Vec<f64> + Sync);
 
-/// Mean over the scene (W m⁻²) of a radiosity with these coefficients in the orthonormal bases, element by element;
-/// errors are judged by it. 1 where nothing shines.
+/// Mean over the scene (W m⁻²) of a radiosity with these coefficients in the orthonormal bases, element by
+/// element; errors are judged by it. 1 where nothing shines.
 pub fn scale(elements: &[Element], radiosity: impl Iterator<Item = f64>) -> f64 {
     let area: f64 = elements.iter().map(|element| element.area).sum();
     let constants = elements.iter().flat_map(|element| &element.constant);
@@ -51,8 +52,8 @@ pub struct Reflection<'a> {
 }
 
 impl<'a> Reflection<'a> {
-    /// The light that `elements`, with one coating per band, reflect under the irradiance `lit`, to be gathered to
-    /// about the relative accuracy `eps`. `scale` > 0 is the mean radiosity per band.
+    /// The light that `elements`, with one coating per band, reflect under the irradiance `lit`, to be
+    /// gathered to about the relative accuracy `eps`. `scale` > 0 is the mean radiosity per band.
     pub fn new(
         elements: &[Element],
         coatings: &[&Coating],
@@ -92,7 +93,8 @@ impl<'a> Reflection<'a> {
         Occluders::new(self.visibility, self.trees.iter().map(Tree::sender), site)
     }
 
-    /// Irradiance (W m⁻²) per band at a point of a site; `other` light arrives too: the tolerance is relative to both.
+    /// Irradiance (W m⁻²) per band at a point of a site; `other` light arrives too: the tolerance is relative
+    /// to both.
     pub fn irradiance(&self, receiver: &ReceiverPoint, occluders: &Occluders, other: &[f64]) -> Vec<f64> {
         self.irradiance_within(self.eps, receiver, occluders, other)
     }

@@ -1,13 +1,15 @@
-//! Emitters as a point sees them one by one, and what each sends without shadows where that has a closed form.
+//! Emitters as a point sees them one by one, and what each sends without shadows where that has a closed
+//! form.
 //!
 //! ```text
 //! U(x) = ∫ κ(x, y) dA_y        W m⁻² for the exitance 1
 //! ```
 //!
-//! A flat element sends what Lambert's formula says. A curved surface that shines evenly and hides nothing of itself is one
-//! source, however many elements it has: a disk is a polygon of many corners, a ball has a formula, and of other bent surfaces
-//! only the outline counts ([`super::area_light`]). Of openings to a sky, surfaces that hide a part of themselves, and what is
-//! near or reaches below the horizon, rays have to tell U.
+//! A flat element sends what Lambert's formula says. A curved surface that shines evenly and hides nothing of
+//! itself is one source, however many elements it has: a disk is a polygon of many corners, a ball has a
+//! formula, and of other bent surfaces only the outline counts ([`super::area_light`]). Of openings to a sky,
+//! surfaces that hide a part of themselves, and what is near or reaches below the horizon, rays have to tell
+//! U.
 
 use radiosity_elements::Element;
 use radiosity_geom::{Aabb, DVec3};

@@ -1,8 +1,9 @@
-//! Hierarchy traversal: visits the trees of cells for a point, and divides a cell only where its rule is too coarse.
+//! Hierarchy traversal: visits the trees of cells for a point, and divides a cell only where its rule is too
+//! coarse.
 //!
-//! A cell may err by a share ε of the irradiance E of the point, other known light included. E is not known beforehand:
-//! the first pass takes an upper bound b in its place. If E turns out below 0.4 b, the trees with too coarse cells are
-//! visited again.
+//! A cell may err by a share ε of the irradiance E of the point, other known light included. E is not known
+//! beforehand: the first pass takes an upper bound b in its place. If E turns out below 0.4 b, the trees with
+//! too coarse cells are visited again.
 
 mod cell_rule;
 
@@ -23,19 +24,22 @@ use crate::lines::line_quadrature::LineQuadrature;
 use crate::occluders::Occluders;
 use crate::receiver_point::ReceiverPoint;
 
-/// Most quarterings of a cell, of a curved one, whose quarters at a pole stay as near as it was ([`CURVED_DEPTH`]), and
-/// of one on the receiver's own surface ([`OWN_DEPTH`]). All are chosen, not tuned.
+/// Most quarterings of a cell, of a curved one, whose quarters at a pole stay as near as it was
+/// ([`CURVED_DEPTH`]), and of one on the receiver's own surface ([`OWN_DEPTH`]). All are chosen, not tuned.
 const DEPTH: usize = 24;
 const CURVED_DEPTH: usize = 12;
 const OWN_DEPTH: usize = 8;
 
-/// Most cells per sum; further cells are taken undivided, with errors up to all they contribute. Chosen; not tuned.
+/// Most cells per sum; further cells are taken undivided, with errors up to all they contribute. Chosen; not
+/// tuned.
 const MOST_CELLS: usize = 20_000;
 
-/// A receiver within this part of the radius of a ball's inside, in position and normal, lies on it. Chosen; not tuned.
+/// A receiver within this part of the radius of a ball's inside, in position and normal, lies on it. Chosen;
+/// not tuned.
 const ON_DOME: f64 = 1e-9;
 
-/// Irradiance over its bound below which the sum is repeated, and its lower limit. Both are chosen, not tuned.
+/// Irradiance over its bound below which the sum is repeated, and its lower limit. Both are chosen, not
+/// tuned.
 const DARK: f64 = 0.4;
 const LEAST: f64 = 0.05;
 
@@ -89,9 +93,10 @@ impl<'a> Traversal<'a> {
         self.shadows.all_flat()
     }
 
-    /// The irradiance from each of `trees`, channel after channel; each cell may err by `share` times the irradiance of
-    /// the point, with the known further irradiance `other` included, all in multiples of the scales. `add` adds the
-    /// irradiance from one tree with a given tolerance, `level` converts irradiance to multiples of the scales.
+    /// The irradiance from each of `trees`, channel after channel; each cell may err by `share` times the
+    /// irradiance of the point, with the known further irradiance `other` included, all in multiples of the
+    /// scales. `add` adds the irradiance from one tree with a given tolerance, `level` converts irradiance to
+    /// multiples of the scales.
     pub(crate) fn within_share(
         &mut self,
         trees: &[Tree],
@@ -136,7 +141,8 @@ impl<'a> Traversal<'a> {
         tree.roots().iter().map(bound).sum()
     }
 
-    /// Adds the irradiance from element `index` to `out`, per channel; a cell may err by `tolerance` times the scale.
+    /// Adds the irradiance from element `index` to `out`, per channel; a cell may err by `tolerance` times
+    /// the scale.
     pub(crate) fn add(&mut self, index: usize, tree: &Tree, tolerance: f64, out: &mut [f64]) {
         let Some(places) = self.occluders.before(index) else { return };
         if self.is_out_of_sight(index, tree) {
@@ -156,8 +162,8 @@ impl<'a> Traversal<'a> {
         }
     }
 
-    /// Irradiance from element `index`, an area light of exitance 1, with the error `tolerance` over its brightness
-    /// `brightness`; None where it is too near to be taken as a whole.
+    /// Irradiance from element `index`, an area light of exitance 1, with the error `tolerance` over its
+    /// brightness `brightness`; None where it is too near to be taken as a whole.
     pub(crate) fn lamp(
         &mut self,
         index: usize,

@@ -1,20 +1,23 @@
 //! Reads EULUMDAT photometric files, `.ldt`.
 //!
-//! Source: A. Stockmar, "EULUMDAT – ein Leuchtendatenformat für den europäischen Beleuchtungsplaner", Licht '90, 641–644
-//! (1990). Each line has one item:
+//! Source: A. Stockmar, "EULUMDAT – ein Leuchtendatenformat für den europäischen Beleuchtungsplaner", Licht
+//! '90, 641–644 (1990). Each line has one item:
 //!
-//! * 1 company, 2 type, 3 symmetry `Isym`, 4 and 5 number `Mc` and distance of planes, 6 and 7 number `Ng` and distance of
-//!   angles γ, 8 report, 9 luminaire, 10 its number, 11 file, 12 date;
-//! * 13 to 15 length, width, height of the luminaire, 16 and 17 length and width of its luminous area (width 0: round,
-//!   length is the diameter), 18 to 21 its heights in the planes C0, C90, C180, C270, all in mm;
-//! * 22 downward flux fraction in %, 23 light output ratio in %, 24 factor of the intensities, 25 tilt when measured;
-//! * 26 number of lamp sets, then for each: number of lamps (below 0: absolute photometry, and the flux is the luminaire's),
-//!   type, flux of all its lamps in lm, colour, colour rendering, watts;
-//! * ten direct ratios, the `Mc` angles C, the `Ng` angles γ, and intensities in cd per 1000 lm, one plane after another.
+//! * 1 company, 2 type, 3 symmetry `Isym`, 4 and 5 number `Mc` and distance of planes, 6 and 7 number `Ng`
+//!   and distance of angles γ, 8 report, 9 luminaire, 10 its number, 11 file, 12 date;
+//! * 13 to 15 length, width, height of the luminaire, 16 and 17 length and width of its luminous area (width
+//!   0: round, length is the diameter), 18 to 21 its heights in the planes C0, C90, C180, C270, all in mm;
+//! * 22 downward flux fraction in %, 23 light output ratio in %, 24 factor of the intensities, 25 tilt when
+//!   measured;
+//! * 26 number of lamp sets, then for each: number of lamps (below 0: absolute photometry, and the flux is
+//!   the luminaire's), type, flux of all its lamps in lm, colour, colour rendering, watts;
+//! * ten direct ratios, the `Mc` angles C, the `Ng` angles γ, and intensities in cd per 1000 lm, one plane
+//!   after another.
 //!
-//! By `Isym` the planes are 0: all, 1: the first, 2: C0 to C180, 3: C270 over C0 to C90, 4: C0 to C90. Of several lamp sets,
-//! which are choices, the first is taken, and that is noted. Distances, direct ratios and the downward fraction follow from
-//! the rest and are not used. A decimal comma is read as a point; blank sizes, ratios and watts are 0.
+//! By `Isym` the planes are 0: all, 1: the first, 2: C0 to C180, 3: C270 over C0 to C90, 4: C0 to C90. Of
+//! several lamp sets, which are choices, the first is taken, and that is noted. Distances, direct ratios and
+//! the downward fraction follow from the rest and are not used. A decimal comma is read as a point; blank
+//! sizes, ratios and watts are 0.
 
 mod lamps;
 mod planes;
@@ -31,7 +34,8 @@ use crate::opening::{Form, Opening};
 use crate::text::{decode_western, told};
 use crate::web::Web;
 
-/// Most planes and most angles γ. Chosen: a table at every hundredth of a degree in γ, or every twentieth in C.
+/// Most planes and most angles γ. Chosen: a table at every hundredth of a degree in γ, or every twentieth in
+/// C.
 const MOST_ANGLES: usize = 20_000;
 
 /// Direct ratios in a file, one for each room index.
@@ -45,8 +49,8 @@ const PER_LUMENS: f64 = 1000.0;
 /// Reads the luminaire in `bytes`, the contents of `file`.
 ///
 /// # Errors
-/// Numbers that are none, counts and symmetries that do not agree, intensities that cannot be, a text that ends too early
-/// or goes on.
+/// Numbers that are none, counts and symmetries that do not agree, intensities that cannot be, a text that
+/// ends too early or goes on.
 pub fn read(file: &str, bytes: &[u8]) -> Result<Photometry, Refusal> {
     let text = decode_western(bytes).map_err(|fault| fault.of_file(file))?;
     let lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim()));

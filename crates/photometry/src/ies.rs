@@ -1,19 +1,20 @@
 //! Reads IES LM-63 photometric files, `.ies`, of 1986, 1991, 1995, 2002 and 2019.
 //!
-//! Sources: ANSI/IESNA LM-63-02 and ANSI/IES LM-63-19, "Standard File Format for the Electronic Transfer of Photometric
-//! Data"; I. Ashdown, "Parsing the IESNA LM-63 Photometric Data File" (1998), for the editions before.
+//! Sources: ANSI/IESNA LM-63-02 and ANSI/IES LM-63-19, "Standard File Format for the Electronic Transfer of
+//! Photometric Data"; I. Ashdown, "Parsing the IESNA LM-63 Photometric Data File" (1998), for the editions
+//! before.
 //!
-//! * The first line tells the edition; without one it is that of 1986, whose lines before `TILT=` are plain labels. Later
-//!   ones have keywords, `[LUMINAIRE] text`, continued by `[MORE]`.
-//! * `TILT=NONE`, or `TILT=INCLUDE` with factors of the lamp's output by its tilt: read, and left out, for they are 1 as
-//!   measured. `TILT=FILE` is refused.
-//! * Then numbers, parted by blanks, commas or ends of lines: lamps, lumens of each (−1: absolute photometry), multiplier,
-//!   counts of vertical and horizontal angles, type (1 = C), unit (1 = feet, 2 = metres), width, length, height; ballast
-//!   factor, a second factor (1986 and 1991; later it is no factor), watts; vertical angles, horizontal angles, candelas of
-//!   one plane after another.
+//! * The first line tells the edition; without one it is that of 1986, whose lines before `TILT=` are plain
+//!   labels. Later ones have keywords, `[LUMINAIRE] text`, continued by `[MORE]`.
+//! * `TILT=NONE`, or `TILT=INCLUDE` with factors of the lamp's output by its tilt: read, and left out, for
+//!   they are 1 as measured. `TILT=FILE` is refused.
+//! * Then numbers, parted by blanks, commas or ends of lines: lamps, lumens of each (−1: absolute
+//!   photometry), multiplier, counts of vertical and horizontal angles, type (1 = C), unit (1 = feet,
+//!   2 = metres), width, length, height; ballast factor, a second factor (1986 and 1991; later it is no
+//!   factor), watts; vertical angles, horizontal angles, candelas of one plane after another.
 //! * Candelas are multiplied by the multiplier and the ballast factors, as the standards say.
-//! * Horizontal angles end at 0 (the same all around), 90 (symmetric about both axes), 180 (about C0–C180), run from 90 to
-//!   270 (about C90–C270), or go all around.
+//! * Horizontal angles end at 0 (the same all around), 90 (symmetric about both axes), 180 (about C0–C180),
+//!   run from 90 to 270 (about C90–C270), or go all around.
 
 mod edition;
 mod header;
@@ -40,8 +41,8 @@ const MOST_TILTS: usize = 10_000;
 /// Reads the luminaire in `bytes`, the contents of `file`.
 ///
 /// # Errors
-/// A file without `TILT=`; photometry of types A and B; counts, angles or intensities that cannot be; a text that ends
-/// too early, or goes on.
+/// A file without `TILT=`; photometry of types A and B; counts, angles or intensities that cannot be; a text
+/// that ends too early, or goes on.
 pub fn read(file: &str, bytes: &[u8]) -> Result<Photometry, Refusal> {
     let text = decode_western(bytes).map_err(|fault| fault.of_file(file))?;
     Header::of(&text).and_then(|header| photometry(&header)).map_err(|located| located.in_file(file))

@@ -6,16 +6,16 @@
 //!
 //! Photometry of luminaires: luminous intensity by direction, as tables of makers state it.
 //!
-//! Frame of a luminaire (CIE 121, coordinates C, γ; LM-63 calls them type C): the origin is the photometric centre, z
-//! points up, γ is counted from straight down (the luminaire's axis, γ = 0) and C about the vertical, counter-clockwise
-//! seen from above, from x (C = 0) over y (C = 90):
+//! Frame of a luminaire (CIE 121, coordinates C, γ; LM-63 calls them type C): the origin is the photometric
+//! centre, z points up, γ is counted from straight down (the luminaire's axis, γ = 0) and C about the
+//! vertical, counter-clockwise seen from above, from x (C = 0) over y (C = 90):
 //!
 //! ```text
 //! direction(C, γ) = (sin γ cos C, sin γ sin C, −cos γ)
 //! ```
 //!
-//! In LM-63 the length of the luminous opening is along x and its width along y. In EULUMDAT it is the other way round:
-//! the plane C0 is across the lamps, so that the width is along x and the length along y.
+//! In LM-63 the length of the luminous opening is along x and its width along y. In EULUMDAT it is the other
+//! way round: the plane C0 is across the lamps, so that the width is along x and the length along y.
 
 pub mod place;
 pub mod note;
@@ -64,7 +64,8 @@ pub struct Photometry {
 }
 
 impl Photometry {
-    /// Luminous intensity in a `direction` of the luminaire's frame, cd. The direction may have any length but 0.
+    /// Luminous intensity in a `direction` of the luminaire's frame, cd. The direction may have any length
+    /// but 0.
     pub fn intensity(&self, direction: DVec3) -> f64 {
         let gamma = direction.truncate().length().atan2(-direction.z).to_degrees();
         let c = direction.y.atan2(direction.x).to_degrees();

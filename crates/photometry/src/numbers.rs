@@ -122,7 +122,8 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The next `count` numbers, each greater than the one before it. `what` is one of them: "a vertical angle".
+    /// The next `count` numbers, each greater than the one before it. `what` is one of them: "a vertical
+    /// angle".
     pub(crate) fn increasing(&mut self, count: usize, what: &str) -> Result<Vec<f64>, Located> {
         let mut values: Vec<f64> = Vec::new();
         for index in 0..count {

@@ -9,8 +9,8 @@ pub enum Symmetry {
     Axial,
     /// Planes from C180 to C360, which mirror those from C0 to C180.
     AboutC0,
-    /// Planes from C90 to C270, which mirror those from C270 over C0 to C90 (EULUMDAT); or the latter, which mirror the
-    /// former (LM-63).
+    /// Planes from C90 to C270, which mirror those from C270 over C0 to C90 (EULUMDAT); or the latter, which
+    /// mirror the former (LM-63).
     AboutC90,
     /// All but the planes from C0 to C90.
     Quadrant,
@@ -27,8 +27,8 @@ impl Symmetry {
         }
     }
 
-    /// Planes all around for the `stated` ones: angles in [0°, 360°), which increase, and for each the index of the stated
-    /// plane that it repeats.
+    /// Planes all around for the `stated` ones: angles in [0°, 360°), which increase, and for each the index
+    /// of the stated plane that it repeats.
     pub(super) fn expand(self, stated: &[f64]) -> (Vec<f64>, Vec<usize>) {
         let images = |(row, c): (usize, &f64)| {
             self.images(*c).into_iter().map(move |image| (image.rem_euclid(360.0), row))

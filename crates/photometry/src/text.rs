@@ -2,8 +2,8 @@
 
 use crate::fault::Fault;
 
-/// The characters of a text file. A byte order mark is dropped, lines that end with a carriage return alone end with a
-/// line feed, bytes that are not UTF-8 become `�`.
+/// The characters of a text file. A byte order mark is dropped, lines that end with a carriage return alone
+/// end with a line feed, bytes that are not UTF-8 become `�`.
 ///
 /// # Errors
 /// Bytes that are no text: a zero byte among them.

@@ -1,15 +1,16 @@
 //! Photometric webs: intensities at angles C and γ, and between them.
 //!
-//! Between its nodes the intensity is bilinear in (C, γ), periodic in C; at angles γ beyond the table it is 0. With the
-//! half gaps w_k between planes (radians), and γ_i ≤ γ ≤ γ_{i+1} in steps h_i, its integral over the sphere is exactly
+//! Between its nodes the intensity is bilinear in (C, γ), periodic in C; at angles γ beyond the table it is
+//! 0. With the half gaps w_k between planes (radians), and γ_i ≤ γ ≤ γ_{i+1} in steps h_i, its integral over
+//! the sphere is exactly
 //!
 //! ```text
 //! Φ = Σ_k w_k Σ_i [I_k,i (cos γ_i − s_i) + I_k,i+1 (s_i − cos γ_{i+1})] ,     s_i = (sin γ_{i+1} − sin γ_i) / h_i
 //! ```
 //!
-//! because ∫ sin γ (γ_{i+1} − γ) dγ = h_i cos γ_i − (sin γ_{i+1} − sin γ_i), and likewise from the other end; within a step from a to b
-//! it is (γ_{i+1} − a) cos a − (γ_{i+1} − b) cos b − (sin b − sin a). For a
-//! smooth intensity the error of interpolation is O(h²).
+//! because ∫ sin γ (γ_{i+1} − γ) dγ = h_i cos γ_i − (sin γ_{i+1} − sin γ_i), and likewise from the other end;
+//! within a step from a to b it is (γ_{i+1} − a) cos a − (γ_{i+1} − b) cos b − (sin b − sin a). For a smooth
+//! intensity the error of interpolation is O(h²).
 
 use std::f64::consts::TAU;
 
@@ -43,12 +44,12 @@ pub struct Web {
 }
 
 impl Web {
-    /// The web of a table that states some planes, and repeats them by a `symmetry`. `table` has the intensities ≥ 0 of
-    /// one stated plane after another, at each of the `gammas`; all angles increase.
+    /// The web of a table that states some planes, and repeats them by a `symmetry`. `table` has the
+    /// intensities ≥ 0 of one stated plane after another, at each of the `gammas`; all angles increase.
     ///
     /// # Errors
-    /// Angles γ outside 0° … 180°, or that begin neither at 0° nor at 90°; planes that do not go around; no intensity above
-    /// 0, or one beyond all lamps.
+    /// Angles γ outside 0° … 180°, or that begin neither at 0° nor at 90°; planes that do not go around; no
+    /// intensity above 0, or one beyond all lamps.
     pub(crate) fn new(
         symmetry: Symmetry,
         stated: &[f64],
@@ -176,7 +177,8 @@ impl Web {
         weights
     }
 
-    /// Least and greatest intensity at angles γ from `least` to `most`, degrees, in any plane; a bound where γ leaves the table.
+    /// Least and greatest intensity at angles γ from `least` to `most`, degrees, in any plane; a bound where
+    /// γ leaves the table.
     pub fn range(&self, least: f64, most: f64) -> [f64; 2] {
         let last = self.gammas.len() - 1;
         let leaves = least < self.gammas[0] - EDGE || most > self.gammas[last] + EDGE;
@@ -186,8 +188,8 @@ impl Web {
         [if leaves { 0.0 } else { values().fold(f64::INFINITY, f64::min) }, values().fold(0.0, f64::max)]
     }
 
-    /// The angle, degrees, over which the greatest intensity would fall to nothing as steeply as it changes anywhere at angles γ from
-    /// `least` to `most`, degrees; 0 where the table is cut off between them.
+    /// The angle, degrees, over which the greatest intensity would fall to nothing as steeply as it changes
+    /// anywhere at angles γ from `least` to `most`, degrees; 0 where the table is cut off between them.
     pub fn scale(&self, least: f64, most: f64) -> f64 {
         let last = self.gammas.len() - 1;
         let end = self.gammas[last];

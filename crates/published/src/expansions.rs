@@ -1,10 +1,11 @@
 //! Blocks of the pairs of which one element is translated, by series, frame after frame.
 //!
-//! G(p) = Σ Φ_n (p − c)ⁿ for flat elements with nothing between them ([`super::series`]), p along the line on which the pair
-//! moves. It is always summed from its centre c, never from the frame before, so that nothing adds up. Where a displacement leaves
-//! the line, where the bound of what is left out exceeds what is allowed, or where other parts begin to face each other, the pair
-//! is expanded anew, if enough frames will lie within the range; else, as where it is rotated, curved, touching or has something
-//! between, it is integrated like that of any other scene.
+//! G(p) = Σ Φ_n (p − c)ⁿ for flat elements with nothing between them ([`super::series`]), p along the line on
+//! which the pair moves. It is always summed from its centre c, never from the frame before, so that nothing
+//! adds up. Where a displacement leaves the line, where the bound of what is left out exceeds what is
+//! allowed, or where other parts begin to face each other, the pair is expanded anew, if enough frames will
+//! lie within the range; else, as where it is rotated, curved, touching or has something between, it is
+//! integrated like that of any other scene.
 
 mod places;
 mod expansion;
@@ -33,7 +34,8 @@ const LOOSEST: f64 = 0.05;
 /// The series of the pairs of a scene that moves.
 #[derive(Debug)]
 pub struct Expansions {
-    /// Error that the series of blocks may have, relative to their largest entries, where rules are allowed `eps`.
+    /// Error that the series of blocks may have, relative to their largest entries, where rules are allowed
+    /// `eps`.
     tolerance: f64,
     eps: f64,
     places: Mutex<Places>,
@@ -69,7 +71,8 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 impl Expansions {
-    /// None yet; series may be off by `tolerance` times the largest entries of blocks, where rules are allowed `eps`.
+    /// None yet; series may be off by `tolerance` times the largest entries of blocks, where rules are
+    /// allowed `eps`.
     pub fn new(tolerance: f64, eps: f64) -> Self {
         Self {
             tolerance,
@@ -99,8 +102,8 @@ impl Expansions {
         SeriesCounts { summed: sums[0] as usize, expanded: sums[1] as usize }
     }
 
-    /// The block of a pair that has moved, by `step` since it was seen last, to the displacement `now`; and the samples of its
-    /// expansion if it was expanded anew.
+    /// The block of a pair that has moved, by `step` since it was seen last, to the displacement `now`; and
+    /// the samples of its expansion if it was expanded anew.
     fn moved(
         &self,
         pair: &mut Pair,

@@ -1,8 +1,8 @@
 //! The transfers between two elements that are displaced against each other, as a power series.
 //!
-//! x on the receiver, y on the emitter, r = y − x, and the emitter moved by p·d relative to the receiver (d: the
-//! direction, the displacement per unit of p; a receiver that moves has −d). The kernel without its clipping to
-//! positive cosines is
+//! x on the receiver, y on the emitter, r = y − x, and the emitter moved by p·d relative to the receiver (d:
+//! the direction, the displacement per unit of p; a receiver that moves has −d). The kernel without its
+//! clipping to positive cosines is
 //!
 //! ```text
 //! κ(p) = −(n_y·r′)(n_x·r′)/(π |r′|⁴) ,   r′ = r + p d ,
@@ -11,8 +11,8 @@
 //! κ(p) = Σ φ_n pⁿ ,     G(p) = Σ Φ_n pⁿ     with Φ_n the moments of φ_n in the elements' functions.
 //! ```
 //!
-//! * Range: |p d| < r for a pair of points; the least distance of the two elements for a block. Both elements have to
-//!   face each other, or to stand in front of each other's planes in a part that does not change.
+//! * Range: |p d| < r for a pair of points; the least distance of the two elements for a block. Both elements
+//!   have to face each other, or to stand in front of each other's planes in a part that does not change.
 //! * The sum is always formed at the centre of the expansion, never from the last sum: errors do not add up.
 //!
 //! Reference: D. Arquès, V. Biri, S. Michelin (2001), corrected as `docs/theory/animation.md` tells.

@@ -1,5 +1,5 @@
-//! The method of H. R. Zatz, *Galerkin radiosity: a higher order solution method for global illumination* (SIGGRAPH
-//! 93), reproduced for comparison: its quadrature and its shadow masks.
+//! The method of H. R. Zatz, *Galerkin radiosity: a higher order solution method for global illumination*
+//! (SIGGRAPH 93), reproduced for comparison: its quadrature and its shadow masks.
 
 pub mod transfers;
 mod mask;

@@ -7,12 +7,13 @@ use radiosity_work::wording::{option, words};
 use super::memory;
 use super::refusal::Refusal;
 
-/// Bytes of a cell beside its bands, and of each band, with the text that is written of them. Measured: 395 for three
-/// bands.
+/// Bytes of a cell beside its bands, and of each band, with the text that is written of them. Measured: 395
+/// for three bands.
 const CELL: u64 = 140;
 const BAND: u64 = 85;
 
-/// Refuses so many cells along u and v of every surface for which there is no room in the memory that is `allowed`, or usable.
+/// Refuses so many cells along u and v of every surface for which there is no room in the memory that is
+/// `allowed`, or usable.
 ///
 /// # Errors
 /// Where there is no room.

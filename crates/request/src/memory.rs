@@ -11,8 +11,9 @@ use super::refusal::Refusal;
 /// Part of the free memory that is used unless the user says otherwise. Chosen.
 const SHARE: f64 = 0.8;
 
-/// 80 % of the free memory of the machine, or of the control group of this process, whichever is less; None if unknown. These ranks
-/// share it where they are on one machine, and all take what the one with the least has.
+/// 80 % of the free memory of the machine, or of the control group of this process, whichever is less; None
+/// if unknown. These ranks share it where they are on one machine, and all take what the one with the least
+/// has.
 pub fn usable(ranks: &Ranks) -> Option<u64> {
     let free = [machine(), confined()].into_iter().flatten().min();
     let own = free.map(|free| free / ranks.place().companions as u64);
@@ -20,8 +21,8 @@ pub fn usable(ranks: &Ranks) -> Option<u64> {
     Some((SHARE * free as f64) as u64)
 }
 
-/// Refuses to begin on results of so many bytes where there is no room for them in what is `allowed`, or usable; `what` they are, and how
-/// to need less.
+/// Refuses to begin on results of so many bytes where there is no room for them in what is `allowed`, or
+/// usable; `what` they are, and how to need less.
 ///
 /// # Errors
 /// Where there is no room.

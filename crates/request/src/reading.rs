@@ -13,7 +13,8 @@ use radiosity_work::wording::{Wording, option, set, value, words};
 use super::method::MethodRequest;
 use super::refusal::Refusal;
 
-/// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which this adds little.
+/// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which
+/// this adds little.
 const BY_RAYS: f64 = 1e-2;
 
 /// Request for the reading of a solution; None where nothing was said.
@@ -30,7 +31,8 @@ pub struct ReadRequest {
 }
 
 impl ReadRequest {
-    /// Refuses what would have no effect on the reading of a solution with these options, or an accuracy of what is not read.
+    /// Refuses what would have no effect on the reading of a solution with these options, or an accuracy of
+    /// what is not read.
     ///
     /// # Errors
     /// The first such option.

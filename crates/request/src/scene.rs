@@ -98,7 +98,8 @@ impl SceneRequest {
         self.parse(&unsolved(self.text(ranks)?)?, ranks)
     }
 
-    /// The scene of a text that [`SceneRequest::text`] gave, with its variables and light groups as they were set.
+    /// The scene of a text that [`SceneRequest::text`] gave, with its variables and light groups as they were
+    /// set.
     ///
     /// # Errors
     /// Faults of the scene; ranks that have read different ones.
@@ -112,7 +113,8 @@ impl SceneRequest {
         self.agreed(radiosity_language::parse(&text)?, ranks)
     }
 
-    /// The scene, if all ranks have read the same one: they would do different things, and wait for each other.
+    /// The scene, if all ranks have read the same one: they would do different things, and wait for each
+    /// other.
     fn agreed(&self, scene: Scene, ranks: &Ranks) -> Result<Scene, LoadError> {
         let differing = if ranks.are_alone() { None } else { ranks.differing(fingerprint(&scene)) };
         let Some(other) = differing else { return Ok(scene) };

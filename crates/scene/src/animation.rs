@@ -1,7 +1,7 @@
 //! Animations: frames, and movers that each follow a path.
 //!
-//! Frame k, counted from 0, shows the time k over the frames in a unit of time. A moment is a real number of frames, from 0 to the
-//! last frame: also what is between two frames has a pose.
+//! Frame k, counted from 0, shows the time k over the frames in a unit of time. A moment is a real number of
+//! frames, from 0 to the last frame: also what is between two frames has a pose.
 
 use radiosity_geom::DVec3;
 

@@ -24,7 +24,8 @@ use crate::{
     unit::{self, check_unit},
 };
 
-/// A scene in the making. Parts are taken as they are given; [`SceneBuilder::build`] finds what is wrong with them.
+/// A scene in the making. Parts are taken as they are given; [`SceneBuilder::build`] finds what is wrong with
+/// them.
 ///
 /// ```
 /// use radiosity_scene::{Material, SceneBuilder};
@@ -79,7 +80,8 @@ impl SceneBuilder {
 
     /// Adds a surface, and returns it to be turned over, cut, and so on.
     ///
-    /// A surface behind an `Arc` is a surface: so lists of different shapes are added, and one shape several times.
+    /// A surface behind an `Arc` is a surface: so lists of different shapes are added, and one shape several
+    /// times.
     pub fn surface(
         &mut self,
         name: impl Into<String>,
@@ -136,7 +138,8 @@ impl SceneBuilder {
         self
     }
 
-    /// States the unit of exitance, irradiance and radiosity, such as `lx`, instead of W/m². Nothing is converted.
+    /// States the unit of exitance, irradiance and radiosity, such as `lx`, instead of W/m². Nothing is
+    /// converted.
     pub fn unit(&mut self, unit: impl Into<String>) -> &mut Self {
         self.unit = unit.into();
         self
@@ -158,8 +161,8 @@ impl SceneBuilder {
     /// The scene, if everything in it is right.
     ///
     /// # Errors
-    /// The first thing wrong with bands, unit, planes, materials, luminaires, camera or surfaces, in this order: a [`SceneError`] that names the
-    /// part and has no place in a text.
+    /// The first thing wrong with bands, unit, planes, materials, luminaires, camera or surfaces, in this
+    /// order: a [`SceneError`] that names the part and has no place in a text.
     pub fn build(self) -> Result<Scene, SceneError> {
         let name = self.name.clone();
         self.assemble().map_err(|located| located.in_code(&name))

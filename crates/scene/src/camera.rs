@@ -41,8 +41,8 @@ impl Camera {
     /// Checks that the camera has a view.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number; [`Fault::BadCamera`] if eye and target coincide or
-    /// `up` lies along the view.
+    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number; [`Fault::BadCamera`] if eye and target
+    /// coincide or `up` lies along the view.
     pub fn checked(self) -> Result<Self, Fault> {
         let numbers = [self.eye, self.target, self.up].into_iter().flat_map(|point| point.to_array());
         if let Some(value) = numbers.chain([self.fov]).find(|value| !value.is_finite()) {

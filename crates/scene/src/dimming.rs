@@ -25,8 +25,9 @@ impl Scene {
     /// state, whatever factors they had before. Groups that are not named keep theirs.
     ///
     /// # Errors
-    /// [`Fault::UnknownGroup`], [`Fault::GroupSetTwice`]; [`Fault::FixedVariable`] and [`Fault::VariableAndGroup`] for the name of
-    /// a variable; [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a factor.
+    /// [`Fault::UnknownGroup`], [`Fault::GroupSetTwice`]; [`Fault::FixedVariable`] and
+    /// [`Fault::VariableAndGroup`] for the name of a variable; [`Fault::NotFinite`] or [`Fault::OutOfRange`]
+    /// for a factor.
     pub fn dimmed(&self, settings: &[(&str, f64)]) -> Result<Self, SceneError> {
         let factors = self.factors(settings).map_err(|located| located.in_code(&self.origin))?;
         let mut dimmed = self.clone();

@@ -1,6 +1,7 @@
 //! Distributions of the intensity of luminaires over directions.
 //!
-//! With the angle γ from the aim of the luminaire, the relative intensity d and the flux factor Ω = ∫ d dω are
+//! With the angle γ from the aim of the luminaire, the relative intensity d and the flux factor Ω = ∫ d dω
+//! are
 //!
 //! ```text
 //! point             d = 1                                            Ω = 4π
@@ -10,11 +11,12 @@
 //! table             d = I in cd, as a photometric file states it      Ω = ∫ I dω = its flux in lm
 //! ```
 //!
-//! with c = cos γ, γ₀ and γ₁ half the angle less and plus half the edge, so that d = ½ at half the angle. The intensity is
-//! I = s d with the strength s of each band (W/sr, or cd where exitance is in lm/m²; without a unit for tables), the flux Φ = s Ω.
+//! with c = cos γ, γ₀ and γ₁ half the angle less and plus half the edge, so that d = ½ at half the angle. The
+//! intensity is I = s d with the strength s of each band (W/sr, or cd where exitance is in lm/m²; without a
+//! unit for tables), the flux Φ = s Ω.
 //!
-//! The frame of a luminaire is that of photometric files ([`radiosity_photometry`]): it aims along −z, the plane
-//! C = 0 contains x.
+//! The frame of a luminaire is that of photometric files ([`radiosity_photometry`]): it aims along −z, the
+//! plane C = 0 contains x.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -158,8 +160,8 @@ impl Distribution {
         }
     }
 
-    /// The angle, degrees, over which the largest d would fall to nothing as steeply as d changes anywhere at angles γ from `least` to
-    /// `most`, degrees; 0 where d jumps.
+    /// The angle, degrees, over which the largest d would fall to nothing as steeply as d changes anywhere at
+    /// angles γ from `least` to `most`, degrees; 0 where d jumps.
     fn scale(&self, least: f64, most: f64) -> f64 {
         match *self {
             Self::Table(ref table) => table.web.scale(least, most),

@@ -1,7 +1,7 @@
 //! Surfaces as they are given, in a file or in code → surfaces of one scene.
 //!
-//! A draft becomes one surface, or two if it is two-sided; `patches` in a file become several. Each is of a size that
-//! can be computed with, has a name of its own, and lies in no other.
+//! A draft becomes one surface, or two if it is two-sided; `patches` in a file become several. Each is of a
+//! size that can be computed with, has a name of its own, and lies in no other.
 
 use std::sync::Arc;
 
@@ -114,7 +114,8 @@ impl SurfaceDraft {
         self
     }
 
-    /// Makes it an opening to a sky, whose light it sends. It is flat, its front faces the room, and its material emits nothing.
+    /// Makes it an opening to a sky, whose light it sends. It is flat, its front faces the room, and its
+    /// material emits nothing.
     pub fn opening(&mut self, opening: Opening) -> &mut Self {
         self.opening = Some(opening);
         self

@@ -18,8 +18,8 @@ pub struct SceneError {
     /// Place of the fault; none if it is something absent, a file that cannot be read, or in a scene made in
     /// code.
     pub place: Option<Box<Place>>,
-    /// The part of the scene it belongs to, e.g. `surface "floor"`; in a [`Tree`](crate::Tree) down to the value,
-    /// `surface "floor", polygon.vertices[2]`.
+    /// The part of the scene it belongs to, e.g. `surface "floor"`; in a [`Tree`](crate::Tree) down to the
+    /// value, `surface "floor", polygon.vertices[2]`.
     pub owner: Option<String>,
     /// The fault, without its place.
     #[source]

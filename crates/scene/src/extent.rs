@@ -1,8 +1,9 @@
 //! Extents of luminaires: points, lines or areas that their light comes out of, evenly.
 //!
-//! A luminaire of the intensity I(ω) sends from each piece dA of its flat luminous area A the intensity I(ω) dA/A, from each piece ds
-//! of its line of the length l the intensity I(ω) ds/l: far away it is a point of the intensity I, near by it is as large as it is.
-//! As a point, at a distance of n times its size, it errs by about 1/(4 n²) of its light: by 1 % at five times.
+//! A luminaire of the intensity I(ω) sends from each piece dA of its flat luminous area A the intensity I(ω)
+//! dA/A, from each piece ds of its line of the length l the intensity I(ω) ds/l: far away it is a point of
+//! the intensity I, near by it is as large as it is. As a point, at a distance of n times its size, it errs
+//! by about 1/(4 n²) of its light: by 1 % at five times.
 
 use radiosity_geom::{DVec2, DVec3};
 use radiosity_photometry::opening::{Form, Opening};

@@ -1,8 +1,8 @@
 //! Fitting shapes together after they were read.
 //!
-//! In this order: the middle of a scene far from the origin is subtracted ([`middle`]), corners and planes that agree
-//! to the rounding of the input are made equal ([`weld`](mod@weld)), and flat sheets on others are set apart
-//! ([`stacked`]).
+//! In this order: the middle of a scene far from the origin is subtracted ([`middle`]), corners and planes
+//! that agree to the rounding of the input are made equal ([`weld`](mod@weld)), and flat sheets on others are
+//! set apart ([`stacked`]).
 
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! Glass: how much light panes let through, by the angle of incidence.
 //!
-//! At a surface of glass of the index n, light that comes in at θ goes on at θ′, sin θ = n sin θ′, and the parts r of either
-//! polarisation are reflected (Fresnel):
+//! At a surface of glass of the index n, light that comes in at θ goes on at θ′, sin θ = n sin θ′, and the
+//! parts r of either polarisation are reflected (Fresnel):
 //!
 //! ```text
 //! r_⊥ = ((cos θ − n cos θ′) / (cos θ + n cos θ′))² ,     r_∥ = ((n cos θ − cos θ′) / (n cos θ + cos θ′))²
@@ -13,7 +13,8 @@
 //! τ = ½ Σ_⊥,∥ (1 − r) / (1 + (2 N − 1) r) · a^(1 / cos θ′)
 //! ```
 //!
-//! where a is what the glass itself, along the normal, does not absorb: 1, or such that τ(0) is the transmittance stated.
+//! where a is what the glass itself, along the normal, does not absorb: 1, or such that τ(0) is the
+//! transmittance stated.
 //!
 //! Reference: J. Duffie, W. Beckman, *Solar Engineering of Thermal Processes*, 4th ed., sections 5.1 to 5.3.
 
@@ -29,8 +30,8 @@ pub struct Glass {
 }
 
 impl Glass {
-    /// 1 to 4 panes of the index n, 1 ≤ n ≤ 3, which let through the part `transmittance` of what comes along the normal, or
-    /// all but what is reflected.
+    /// 1 to 4 panes of the index n, 1 ≤ n ≤ 3, which let through the part `transmittance` of what comes along
+    /// the normal, or all but what is reflected.
     ///
     /// # Errors
     /// [`Fault::OutOfRange`] or [`Fault::NotFinite`] for a number.
@@ -65,8 +66,9 @@ impl Glass {
 mod tests {
     use super::*;
 
-    /// Along the normal r = ((n − 1)/(n + 1))² at each surface: 0.0434 for 1.526 (Duffie & Beckman, example 5.1.1), and at 60°
-    /// one cover of that index transmits ½ ((1 − 0.185)/(1 + 0.185) + (1 − 0.001)/(1 + 0.001)) = 0.843.
+    /// Along the normal r = ((n − 1)/(n + 1))² at each surface: 0.0434 for 1.526 (Duffie & Beckman, example
+    /// 5.1.1), and at 60° one cover of that index transmits ½ ((1 − 0.185)/(1 + 0.185) + (1 − 0.001)/(1 +
+    /// 0.001)) = 0.843.
     #[test]
     fn panes_let_through_what_textbooks_say() {
         let one = Glass::new(1, 1.526, None).expect("a pane");

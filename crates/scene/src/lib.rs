@@ -1,12 +1,13 @@
 //! Scenes: surfaces with their materials, luminaires, skies, movers, a camera and planes of sensors.
 //!
-//! A [`Scene`] is made by a [`SceneBuilder`], or by the crate `language` from a text, and is valid by construction: every number
-//! finite, every reflectance below 1, every surface with an area and a front, no two surfaces in one another, every name given
-//! once. A fault is a [`SceneError`] with name, cure, and, where there is a text, line and column.
+//! A [`Scene`] is made by a [`SceneBuilder`], or by the crate `language` from a text, and is valid by
+//! construction: every number finite, every reflectance below 1, every surface with an area and a front, no
+//! two surfaces in one another, every name given once. A fault is a [`SceneError`] with name, cure, and,
+//! where there is a text, line and column.
 //!
-//! In order: errors with their places and cures; patterns, materials, luminaires, skies; poses, paths and animations; surfaces as
-//! drafts and as fitted; the [`Source`] that a scene was read from; the builder; what is made of a scene: other factors
-//! (`dimming`), other materials (`painting`), another moment (`still`).
+//! In order: errors with their places and cures; patterns, materials, luminaires, skies; poses, paths and
+//! animations; surfaces as drafts and as fitted; the [`Source`] that a scene was read from; the builder; what
+//! is made of a scene: other factors (`dimming`), other materials (`painting`), another moment (`still`).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `photometry`.
 
@@ -95,14 +96,15 @@ use error::surface_title;
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Scene {
-    /// The name given in code, the built-in name, or the file's name without folder and ending; `stdin` for standard
-    /// input.
+    /// The name given in code, the built-in name, or the file's name without folder and ending; `stdin` for
+    /// standard input.
     pub name: String,
     /// The title the file gives.
     pub title: Option<String>,
     /// Names of the bands, at least one.
     pub bands: Vec<String>,
-    /// Unit of exitance, irradiance and radiosity, `W/m²` unless the file says another; printed, never computed with.
+    /// Unit of exitance, irradiance and radiosity, `W/m²` unless the file says another; printed, never
+    /// computed with.
     pub unit: String,
     /// The vector (scene length) subtracted from all coordinates of surfaces, luminaires, paths and camera:
     /// zero except for scenes far from the origin.
@@ -121,7 +123,8 @@ pub struct Scene {
     pub variables: Vec<(String, f64)>,
     /// Planes of sensors, in the coordinates that the scene was given in.
     pub planes: Vec<SensorPlane>,
-    /// The name shown in messages: a path, `<stdin>`, or the name of a scene that is built in or made in code.
+    /// The name shown in messages: a path, `<stdin>`, or the name of a scene that is built in or made in
+    /// code.
     pub origin: String,
     /// The text or the tree that the scene was read from; none for a scene that a [`SceneBuilder`] made.
     pub source: Option<Source>,

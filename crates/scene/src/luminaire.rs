@@ -1,4 +1,5 @@
-//! Luminaires: lamps given by the intensity that they send in each direction, from a point or evenly from an extent.
+//! Luminaires: lamps given by the intensity that they send in each direction, from a point or evenly from an
+//! extent.
 //!
 //! At a point x with the unit normal n, at the distance r in the unit direction −ω from the luminaire,
 //!
@@ -25,8 +26,8 @@ use crate::{
 /// Sine of the angle below which two directions count as one, as for the camera's up vector.
 const PARALLEL: f64 = 1e-9;
 
-/// Angle (degrees) within which the intensity of an area may not fall from its peak to nothing. Chosen: a point then sees the edge in
-/// some thousand cells of the area, of which 20000 are visited at most.
+/// Angle (degrees) within which the intensity of an area may not fall from its peak to nothing. Chosen: a
+/// point then sees the edge in some thousand cells of the area, of which 20000 are visited at most.
 const STEEP: f64 = 0.5;
 
 /// A lamp.
@@ -46,7 +47,8 @@ pub struct Luminaire {
     /// Point, line or area that its light comes out of, with its middle in `position`. An area is a surface
     /// of the scene too, of the same name.
     pub extent: Extent,
-    /// Factor on the relative intensities, per band (W/sr; a number for tables), not dimmed by its light group.
+    /// Factor on the relative intensities, per band (W/sr; a number for tables), not dimmed by its light
+    /// group.
     pub strength: Vec<f64>,
     /// Its light group, if it has one.
     pub group: Option<LightGroup>,
@@ -69,8 +71,8 @@ impl Luminaire {
     /// The luminaire `name` at `position` (scene length), which aims along −z, the plane C = 0 along x.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::EmptyText`] for the name, [`Fault::MissingKey`] where
-    /// no table says how much light it sends.
+    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::EmptyText`] for the name,
+    /// [`Fault::MissingKey`] where no table says how much light it sends.
     pub fn new(
         name: impl Into<String>,
         position: DVec3,
@@ -112,7 +114,8 @@ impl Luminaire {
     /// The luminaire with light that comes out of `extent`.
     ///
     /// # Errors
-    /// [`Fault::BadExtent`] for an area where intensity falls so steeply that its light could not be integrated.
+    /// [`Fault::BadExtent`] for an area where intensity falls so steeply that its light could not be
+    /// integrated.
     pub fn of_extent(self, extent: Extent) -> Result<Self, Fault> {
         let sides = self.distribution.hemispheres();
         if extent.is_area() && sides.iter().flatten().any(|side| side.scale < STEEP) {

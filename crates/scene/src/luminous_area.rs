@@ -1,7 +1,8 @@
 //! Luminous areas: flat surfaces that send the light of a luminaire.
 //!
-//! An even area A with the unit normal n sends the intensity I(ω) of the luminaire by the radiance L = I / (A cos θ), cos θ = n·ω.
-//! Its exitance is M = Φ/A with the flux Φ of the directions before it; over that of a diffuse emitter it sends
+//! An even area A with the unit normal n sends the intensity I(ω) of the luminaire by the radiance L = I / (A
+//! cos θ), cos θ = n·ω. Its exitance is M = Φ/A with the flux Φ of the directions before it; over that of a
+//! diffuse emitter it sends
 //!
 //! ```text
 //! a(ω) = π L / M = π d(ω) / (Ω cos θ) ,     ∫ a cos θ dω = π ,
@@ -22,11 +23,12 @@ use crate::{
 /// Chosen; not tuned.
 const RESOLVED: f64 = 0.5;
 
-/// Error of a cell's points over the range of what they sample, where an edge of light crosses it. Chosen: an edge anywhere between
-/// the two points of a rule leaves it right to a quarter.
+/// Error of a cell's points over the range of what they sample, where an edge of light crosses it. Chosen: an
+/// edge anywhere between the two points of a rule leaves it right to a quarter.
 const CUT: f64 = 0.25;
 
-/// Least cosine by which a bound of intensity becomes one of radiance; nearer to its plane an area sends next to nothing. Chosen.
+/// Least cosine by which a bound of intensity becomes one of radiance; nearer to its plane an area sends next
+/// to nothing. Chosen.
 const GRAZING: f64 = 1e-3;
 
 /// One side of the luminous area of a luminaire.

@@ -12,7 +12,8 @@ pub struct Material {
     pub reflectance: Vec<f64>,
     /// Emitted exitance of each band, W m⁻², ≥ 0; its mean over the parameters where it is patterned.
     pub emission: Vec<f64>,
-    /// Diffuse transmittance τ of each band, the part of what arrives on the other side that leaves here; 0 ≤ τ, ρ + τ < 1.
+    /// Diffuse transmittance τ of each band, the part of what arrives on the other side that leaves here;
+    /// 0 ≤ τ, ρ + τ < 1.
     pub transmittance: Vec<f64>,
     /// Pattern of ρ over a surface; none where it is constant.
     pub reflectance_pattern: Option<Arc<Pattern>>,
@@ -26,8 +27,8 @@ impl Material {
     /// `reflectance`: 0 ≤ ρ < 1. `emission`: exitance, W m⁻², ≥ 0 and finite.
     ///
     /// # Errors
-    /// [`Fault::OutOfRange`] or [`Fault::NotFinite`] for the first number that is wrong, [`Fault::WrongCount`] if the
-    /// lengths differ.
+    /// [`Fault::OutOfRange`] or [`Fault::NotFinite`] for the first number that is wrong,
+    /// [`Fault::WrongCount`] if the lengths differ.
     pub fn new(reflectance: Vec<f64>, emission: Vec<f64>) -> Result<Self, Fault> {
         let bands = reflectance.len();
         Material { reflectance, emission, ..Material::black(bands) }.checked()
@@ -45,7 +46,8 @@ impl Material {
     /// The material with a reflectance that varies over the surface.
     ///
     /// # Errors
-    /// [`Fault::PatternRange`] for a pattern that leaves 0 ≤ ρ < 1 − τ somewhere, [`Fault::WrongCount`] for one of other bands.
+    /// [`Fault::PatternRange`] for a pattern that leaves 0 ≤ ρ < 1 − τ somewhere, [`Fault::WrongCount`] for
+    /// one of other bands.
     pub fn with_reflectance_pattern(self, pattern: Pattern) -> Result<Self, Fault> {
         check_pattern_bands("the reflectance", &pattern, self.reflectance.len())?;
         let reflectance = pattern.means();
@@ -55,7 +57,8 @@ impl Material {
     /// The material with an emission (W m⁻²) that varies over the surface.
     ///
     /// # Errors
-    /// [`Fault::PatternRange`] for a pattern that falls below 0 somewhere, [`Fault::WrongCount`] for one of other bands.
+    /// [`Fault::PatternRange`] for a pattern that falls below 0 somewhere, [`Fault::WrongCount`] for one of
+    /// other bands.
     pub fn with_emission_pattern(self, pattern: Pattern) -> Result<Self, Fault> {
         check_pattern_bands("the emission", &pattern, self.emission.len())?;
         let emission = pattern.means();
@@ -187,8 +190,8 @@ pub(super) fn check_emissions(pattern: &Pattern, bands: usize) -> Result<(), Fau
     check_pattern(pattern, "the emission", range, |_, exitance| (!exitance.is_finite()).then_some(range))
 }
 
-/// Checks that no value is below 0, where `range` begins, and that the largest of each band is in the range that `above` names
-/// otherwise.
+/// Checks that no value is below 0, where `range` begins, and that the largest of each band is in the range
+/// that `above` names otherwise.
 fn check_pattern(
     pattern: &Pattern,
     what: &'static str,

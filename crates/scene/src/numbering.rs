@@ -1,8 +1,8 @@
 //! Numbers for the keys and values of a tree without a text, in place of the bytes that they would stand on,
 //! and the path of names that leads to a number, `surfaces[3].polygon.vertices[2]`.
 //!
-//! Numbers ascend from a table to its keys and values and from there to the next; the place of a value reaches from its own number
-//! to behind the last one in it.
+//! Numbers ascend from a table to its keys and values and from there to the next; the place of a value
+//! reaches from its own number to behind the last one in it.
 
 use std::collections::HashSet;
 

@@ -75,8 +75,8 @@ impl Outlook {
         self.opening.sky.height(step)
     }
 
-    /// The direction to the sun, and the irradiance per band (W m⁻²) across its beam behind the opening; None without a sun that
-    /// shines in.
+    /// The direction to the sun, and the irradiance per band (W m⁻²) across its beam behind the opening; None
+    /// without a sun that shines in.
     pub fn beam(&self) -> Option<(DVec3, Vec<f64>)> {
         let Opening { sky, glass } = &self.opening;
         let sun = sky.sun()?;

@@ -12,8 +12,9 @@ impl Scene {
     /// a given flux keep this flux, and openings the light of their sky. The copy has no `source`.
     ///
     /// # Errors
-    /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range; [`Fault::OneSided`] and
-    /// [`Fault::OtherTransmittance`] where a surface cannot let through what the material does.
+    /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range;
+    /// [`Fault::OneSided`] and [`Fault::OtherTransmittance`] where a surface cannot let through what the
+    /// material does.
     pub fn with_material(&self, name: &str, material: Material) -> Result<Self, SceneError> {
         self.painted(name, &material).map_err(|located| located.in_code(&self.origin))
     }

@@ -9,7 +9,8 @@ use crate::{
     track::{Times, Track},
 };
 
-/// A rigid path: first a rotation about a point, then a translation, each from the pose at rest, whatever came before.
+/// A rigid path: first a rotation about a point, then a translation, each from the pose at rest, whatever
+/// came before.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidPath {
     shift: Option<Track<DVec3>>,
@@ -47,7 +48,8 @@ impl RigidPath {
         Self { shift: Some(shift), turn: Some(turn) }
     }
 
-    /// The times at which the path may bend: it is smooth between them, and rests before the first and after the last.
+    /// The times at which the path may bend: it is smooth between them, and rests before the first and after
+    /// the last.
     pub(crate) fn times(&self) -> Vec<f64> {
         let shift = self.shift.iter().flat_map(Track::times).copied();
         let turn = self.turn.iter().flat_map(|turn| match &turn.kind {
@@ -89,8 +91,8 @@ impl Turn {
     /// any length, and between them the shorter way about one axis at constant speed.
     ///
     /// # Errors
-    /// [`Fault::NoDirection`] for degrees about an axis without a length; a number that is not finite or out of range;
-    /// what [`Track::new`] refuses.
+    /// [`Fault::NoDirection`] for degrees about an axis without a length; a number that is not finite or out
+    /// of range; what [`Track::new`] refuses.
     pub fn by_keys(center: DVec3, turns: &[(DVec3, f64)], times: Vec<f64>) -> Result<Self, Fault> {
         let times = Times::new(times, "turns", turns.len())?;
         check_point(center)?;

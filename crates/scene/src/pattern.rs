@@ -4,15 +4,16 @@
 //! q(u, v) ,     (u, v) ∈ [−1, 1]², the parameters of the surface, one q per band
 //! ```
 //!
-//! is a polynomial Σ c_ij u^i v^j, or constant on every texel of a grid. A grid of m × n texels lies on the surface by the
-//! coordinates
+//! is a polynomial Σ c_ij u^i v^j, or constant on every texel of a grid. A grid of m × n texels lies on the
+//! surface by the coordinates
 //!
 //! ```text
 //! s = o_s + k_s (u + 1)/2 ,     t = o_t + k_t (v + 1)/2 ,
 //! ```
 //!
-//! texel (i, j) being i/m ≤ s < (i + 1)/m, j/n ≤ t < (j + 1)/n; beyond [0, 1)² the grid is repeated, mirrored, or its border
-//! is continued. Texels are not interpolated: the mean of a whole grid is then the mean of its numbers.
+//! texel (i, j) being i/m ≤ s < (i + 1)/m, j/n ≤ t < (j + 1)/n; beyond [0, 1)² the grid is repeated,
+//! mirrored, or its border is continued. Texels are not interpolated: the mean of a whole grid is then the
+//! mean of its numbers.
 
 mod placement;
 mod polynomial;
@@ -92,7 +93,8 @@ impl Pattern {
         Self { kind: Kind::Polynomial(bands), picture: None }
     }
 
-    /// A grid of `columns` × `rows` texels; `values` are given band after band, row after row from v = −1, each along u.
+    /// A grid of `columns` × `rows` texels; `values` are given band after band, row after row from v = −1,
+    /// each along u.
     ///
     /// # Errors
     /// [`Fault::OutOfRange`] where a band has another count of numbers, or none; [`Fault::NotFinite`].
@@ -133,7 +135,8 @@ impl Pattern {
         }
     }
 
-    /// The column of texels at a parameter along u (axis 0), or the row at one along v (axis 1); 0 for polynomials.
+    /// The column of texels at a parameter along u (axis 0), or the row at one along v (axis 1); 0 for
+    /// polynomials.
     pub fn line(&self, axis: usize, parameter: f64) -> usize {
         match &self.kind {
             Kind::Polynomial(_) => 0,
@@ -186,8 +189,9 @@ impl Pattern {
         (0..self.bands()).map(|band| self.mean(band)).collect()
     }
 
-    /// The least and the largest value of a band: of all texels, laid on the surface or not; of a polynomial proven bounds, which are
-    /// within 10⁻⁹ of the sum of its coefficients (absolute) unless it is very uneven.
+    /// The least and the largest value of a band: of all texels, laid on the surface or not; of a polynomial
+    /// proven bounds, which are within 10⁻⁹ of the sum of its coefficients (absolute) unless it is very
+    /// uneven.
     pub fn range(&self, band: usize) -> [f64; 2] {
         self.extremes(band).map(|extreme| extreme.value)
     }

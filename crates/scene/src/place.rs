@@ -36,7 +36,8 @@ pub struct Place {
     pub line: usize,
     /// Column in characters, counted from 1.
     pub column: usize,
-    /// The line, without its end; tabs are single spaces so that columns line up. Empty if it is too long to read.
+    /// The line, without its end; tabs are single spaces so that columns line up. Empty if it is too long to
+    /// read.
     pub text: String,
     /// Number of characters of the line that are meant, at least 1.
     pub width: usize,

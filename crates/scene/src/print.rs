@@ -10,7 +10,8 @@ use crate::{
     tree::{Node, Value},
 };
 
-/// Whole numbers below this are written without a decimal point, all numbers from here on with an exponent. Chosen.
+/// Whole numbers below this are written without a decimal point, all numbers from here on with an exponent.
+/// Chosen.
 const LARGE: f64 = 1e15;
 
 /// Numbers nearer to 0 are written with an exponent. Chosen.

@@ -6,8 +6,8 @@
 //! n = ⌈|a| / s⌉ ,   m = ⌈|b| / t⌉   cells,   x_ij = o + (i + ½) a / n + (j + ½) b / m ,
 //! ```
 //!
-//! so that cells are no longer than wanted (EN 12464-1 gives the largest spacing) and fill the plane. Sensors receive
-//! along a × b.
+//! so that cells are no longer than wanted (EN 12464-1 gives the largest spacing) and fill the plane. Sensors
+//! receive along a × b.
 
 use radiosity_geom::DVec3;
 
@@ -19,10 +19,12 @@ const MOST: f64 = 1e7;
 /// Sine of the angle below which edges count as parallel, as for the camera's up vector.
 const PARALLEL: f64 = 1e-9;
 
-/// Part of a cell by which an edge may be longer than a whole number of spacings: 3 / 0.1 is not 30 in floating point.
+/// Part of a cell by which an edge may be longer than a whole number of spacings: 3 / 0.1 is not 30 in
+/// floating point.
 const ROUNDING: f64 = 1e-9;
 
-/// A parallelogram with a sensor in the middle of each of its cells, in the coordinates that the scene was given in.
+/// A parallelogram with a sensor in the middle of each of its cells, in the coordinates that the scene was
+/// given in.
 ///
 /// ```
 /// use radiosity_geom::DVec3;
@@ -42,12 +44,12 @@ pub struct SensorPlane {
 }
 
 impl SensorPlane {
-    /// The plane `name` from the corner `origin` along two `edges` (scene length), with cells at most `spacing` long
-    /// along either edge.
+    /// The plane `name` from the corner `origin` along two `edges` (scene length), with cells at most
+    /// `spacing` long along either edge.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::BadPlane`] for edges that span no plane,
-    /// [`Fault::TooManySensors`] for more than 10⁷ cells.
+    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::BadPlane`] for edges that span no
+    /// plane, [`Fault::TooManySensors`] for more than 10⁷ cells.
     pub fn new(
         name: impl Into<String>,
         origin: DVec3,

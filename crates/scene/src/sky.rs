@@ -1,7 +1,7 @@
 //! Skies: the radiance that comes from each direction, and the sun.
 //!
-//! With the zenith angle Z of a direction, its angle χ from the sun and the zenith angle Z_s of the sun, relative radiances
-//! are
+//! With the zenith angle Z of a direction, its angle χ from the sun and the zenith angle Z_s of the sun,
+//! relative radiances are
 //!
 //! ```text
 //! uniform     l = 1
@@ -10,12 +10,12 @@
 //!                                                                            CIE standard clear sky (type 12)
 //! ```
 //!
-//! times what makes the irradiance of the level ground right: E = ∫ l cos Z dω, which is π for the uniform and 7π/9 for the
-//! overcast sky. Below the horizon the ground shines evenly with ρ_g (E + E_sun)/π, all bands together, in the colour of the
-//! sky.
+//! times what makes the irradiance of the level ground right: E = ∫ l cos Z dω, which is π for the uniform
+//! and 7π/9 for the overcast sky. Below the horizon the ground shines evenly with ρ_g (E + E_sun)/π, all
+//! bands together, in the colour of the sky.
 //!
-//! Reference: ISO 15469:2004 / CIE S 011, *Spatial distribution of daylight – CIE standard general sky*, equations 1 to 4
-//! and table 1.
+//! Reference: ISO 15469:2004 / CIE S 011, *Spatial distribution of daylight – CIE standard general sky*,
+//! equations 1 to 4 and table 1.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -63,12 +63,13 @@ pub struct Sky {
 }
 
 impl Sky {
-    /// A sky that gives level ground of the reflectance `ground` the irradiance `irradiance` of each band; `up` is any vector to
-    /// the zenith.
+    /// A sky that gives level ground of the reflectance `ground` the irradiance `irradiance` of each band;
+    /// `up` is any vector to the zenith.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::WrongCount`] for other bands of the sun,
-    /// [`Fault::NoDirection`] for `up`, [`Fault::MissingKey`] for a clear sky without sun, [`Fault::SunBelow`].
+    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::WrongCount`] for other bands of
+    /// the sun, [`Fault::NoDirection`] for `up`, [`Fault::MissingKey`] for a clear sky without sun,
+    /// [`Fault::SunBelow`].
     pub fn new(
         model: SkyModel,
         up: DVec3,
@@ -148,7 +149,8 @@ impl Sky {
     }
 }
 
-/// ∫ f(ω, cos θ) cos θ dω over the hemisphere about a unit vector, by midpoints even in cos θ and in the angle about it.
+/// ∫ f(ω, cos θ) cos θ dω over the hemisphere about a unit vector, by midpoints even in cos θ and in the
+/// angle about it.
 pub(crate) fn over_hemisphere(normal: DVec3, f: impl Fn(DVec3, f64) -> f64) -> f64 {
     // Chosen: what the sky sends level ground is then right to 1e-5.
     const RINGS: usize = 256;
@@ -198,7 +200,8 @@ mod tests {
         }
     }
 
-    /// The zenith of the overcast sky is three times as bright as its horizon; the clear sky is brightest about the sun.
+    /// The zenith of the overcast sky is three times as bright as its horizon; the clear sky is brightest
+    /// about the sun.
     #[test]
     fn skies_are_bright_where_the_standard_says() {
         let overcast = sky(SkyModel::Overcast, None);

@@ -14,7 +14,8 @@ use crate::{
 /// A mark that some editors put before a text.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// A scene's text, or a tree made in code, with the name shown in messages: a path, `<stdin>` or a built-in scene's name.
+/// A scene's text, or a tree made in code, with the name shown in messages: a path, `<stdin>` or a built-in
+/// scene's name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Source {
     /// Name shown in messages.
@@ -245,7 +246,8 @@ impl Source {
         }
     }
 
-    /// The place where `span` starts; none in a tree. A span over several lines is cut at the end of its first.
+    /// The place where `span` starts; none in a tree. A span over several lines is cut at the end of its
+    /// first.
     pub fn place(&self, span: &Span) -> Option<Place> {
         match (self.included_at(span.start), &self.content) {
             (Some(own), _) => {

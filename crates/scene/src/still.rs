@@ -1,10 +1,11 @@
 //! Still scenes of frames and moments.
 //!
-//! Shapes are fitted together once, at rest, and then moved: each frame starts from rest, so nothing drifts. Where a moved flat
-//! sheet comes into the plane of another one, it is set apart from it, as at rest; what did not move stays where it is. So a
-//! surface that does not move, or whose pose is that of rest, is the same to the bit in every frame; there are as many surfaces in
-//! each, in the same order, with the same names and parameters. Of scenes made one after the other ([`Stills`]), surfaces that are
-//! where they were in the one before are the same ones in memory, too.
+//! Shapes are fitted together once, at rest, and then moved: each frame starts from rest, so nothing drifts.
+//! Where a moved flat sheet comes into the plane of another one, it is set apart from it, as at rest; what
+//! did not move stays where it is. So a surface that does not move, or whose pose is that of rest, is the
+//! same to the bit in every frame; there are as many surfaces in each, in the same order, with the same names
+//! and parameters. Of scenes made one after the other ([`Stills`]), surfaces that are where they were in the
+//! one before are the same ones in memory, too.
 
 use std::sync::Arc;
 
@@ -81,12 +82,12 @@ impl Scene {
         self.at_moment(frame as f64)
     }
 
-    /// The still scene at a moment, a real number of frames from 0 to the last one. It is called `room-12`, and its
-    /// [`Scene::animation`] is none.
+    /// The still scene at a moment, a real number of frames from 0 to the last one. It is called `room-12`,
+    /// and its [`Scene::animation`] is none.
     ///
     /// # Errors
-    /// [`Fault::NoFrames`] for a scene without motions, [`Fault::NoSuchFrame`], [`Fault::MovesInto`] where a surface that
-    /// moves lies in another one, and [`Fault::MovesAway`].
+    /// [`Fault::NoFrames`] for a scene without motions, [`Fault::NoSuchFrame`], [`Fault::MovesInto`] where a
+    /// surface that moves lies in another one, and [`Fault::MovesAway`].
     pub fn at_moment(&self, moment: f64) -> Result<Self, SceneError> {
         Ok(self.placed_at(moment)?.0)
     }
@@ -130,7 +131,8 @@ impl Scene {
         }
     }
 
-    /// For each surface the index of the mover that has moved it from rest at frame `frame`; None if it is at rest.
+    /// For each surface the index of the mover that has moved it from rest at frame `frame`; None if it is at
+    /// rest.
     ///
     /// # Errors
     /// [`Fault::NoFrames`], [`Fault::NoSuchFrame`].

@@ -8,7 +8,8 @@ use crate::{
     light_group::LightGroup, material::Material, place::Place, radiance::Radiance, thermal::Thermal,
 };
 
-/// A shape with a name, a material and wishes for its elements. Only its front emits and receives; its back blocks.
+/// A shape with a name, a material and wishes for its elements. Only its front emits and receives; its back
+/// blocks.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct SceneSurface {
@@ -26,7 +27,8 @@ pub struct SceneSurface {
     pub other_side: Option<usize>,
     /// Its light group, if it has one: its own, or else that of its material.
     pub group: Option<LightGroup>,
-    /// Flux of each band (W) that it emits, not dimmed, where that is given instead of the emission of its material.
+    /// Flux of each band (W) that it emits, not dimmed, where that is given instead of the emission of its
+    /// material.
     pub flux: Option<Vec<f64>>,
     /// Angular distribution of its light, if not diffuse: of openings to a sky and of luminous areas.
     pub radiance: Option<Radiance>,

@@ -1,14 +1,14 @@
 //! Thermal conditions: emissivities, and temperatures or net fluxes of surfaces.
 //!
-//! With the radiosity J and the irradiance H (W m⁻²), the temperature T (K), the emissivity ε and the Stefan–Boltzmann
-//! constant σ, a grey surface has
+//! With the radiosity J and the irradiance H (W m⁻²), the temperature T (K), the emissivity ε and the
+//! Stefan–Boltzmann constant σ, a grey surface has
 //!
 //! ```text
 //! J = ε σ T⁴ + (1 − ε) H ,     q = J − H = ε (σ T⁴ − H) .
 //! ```
 //!
-//! Either T is known, or the net flux q that leaves the surface as radiation; the other one follows from the balance of
-//! the scene (`radiosity_heat`). Reference: Modest, Radiative Heat Transfer, chapter 5.
+//! Either T is known, or the net flux q that leaves the surface as radiation; the other one follows from the
+//! balance of the scene (`radiosity_heat`). Reference: Modest, Radiative Heat Transfer, chapter 5.
 
 use crate::{error::Fault, ranges::check_range};
 
@@ -26,8 +26,8 @@ pub struct Thermal {
 pub enum Condition {
     /// Temperature (K), ≥ 0.
     Temperature(f64),
-    /// Heat (W m⁻²) that the surface is given and sends out as radiation; below 0 where it is cooled, 0 where it is
-    /// adiabatic. Of a two-sided surface both sides send it out together, at one temperature.
+    /// Heat (W m⁻²) that the surface is given and sends out as radiation; below 0 where it is cooled, 0 where
+    /// it is adiabatic. Of a two-sided surface both sides send it out together, at one temperature.
     HeatFlux(f64),
 }
 

@@ -7,8 +7,9 @@
 //! spline   (1 − s) a + s b + h²/6 ((1 − s)³ − (1 − s)) M₀ + h²/6 (s³ − s) M₁
 //! ```
 //!
-//! with the second derivatives M at the times, 0 at both ends, such that the first derivatives agree (C. de Boor, *A
-//! practical guide to splines*, 1978, chapter IV). Before the first time and after the last the value stays.
+//! with the second derivatives M at the times, 0 at both ends, such that the first derivatives agree (C. de
+//! Boor, *A practical guide to splines*, 1978, chapter IV). Before the first time and after the last the
+//! value stays.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -172,7 +173,8 @@ mod tests {
 
     #[test]
     fn a_spline_is_the_cubic_that_is_natural() {
-        // On [−1, 1] with a knot at 0, where its first two derivatives are continuous; the second is 0 at both ends.
+        // On [−1, 1] with a knot at 0, where its first two derivatives are continuous; the second is 0 at
+        // both ends.
         let natural = |x: f64| 3.0 * x * x - x.abs().powi(3);
         let track = track(&[2.0, 0.0, 2.0], &[-1.0, 0.0, 1.0], Curve::Spline);
         for k in -10..=10 {

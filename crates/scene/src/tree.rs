@@ -1,5 +1,5 @@
-//! A scene as a tree of values: what TOML, JSON and code have in common. Each value knows its place, bytes of a text or a number
-//! that stands for it (`numbered`).
+//! A scene as a tree of values: what TOML, JSON and code have in common. Each value knows its place, bytes of
+//! a text or a number that stands for it (`numbered`).
 
 use std::{borrow::Cow, sync::Arc};
 

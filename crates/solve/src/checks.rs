@@ -1,22 +1,22 @@
 //! Self-checks of a solution.
 //!
-//! With c the coefficients of the constant 1, the closure r = c − G c vanishes in a closed scene; a row sum is Σ_j F_ij
-//! = c_i·(G c)_i / A_i. Energy: emitted power is absorbed or lost,
+//! With c the coefficients of the constant 1, the closure r = c − G c vanishes in a closed scene; a row sum
+//! is Σ_j F_ij = c_i·(G c)_i / A_i. Energy: emitted power is absorbed or lost,
 //!
 //! ```text
 //! ∫E₀ dA = ∫(1 − ρ) E dA + ⟨B, c − G c⟩ ,
 //! ```
 //!
-//! an identity of the discrete solution whatever the quadrature, up to the solver's residual (with Gᵀ c for G c where G
-//! is not symmetric). Where direct light is split off, G transports only ρS, the radiosity of the light that was
-//! reflected at least once, and the lost power is
+//! an identity of the discrete solution whatever the quadrature, up to the solver's residual (with Gᵀ c for G
+//! c where G is not symmetric). Where direct light is split off, G transports only ρS, the radiosity of the
+//! light that was reflected at least once, and the lost power is
 //!
 //! ```text
 //! Φ + ∫(E₀ − D) dA + ∫(ρD − g) dA + ⟨ρS, c − G c⟩ ,
 //! ```
 //!
-//! with the flux Φ of the luminaires. Where luminaires shine and nothing is split off it is ⟨b, c − G c⟩ + Φ − ∫ L dA, with their
-//! irradiance L.
+//! with the flux Φ of the luminaires. Where luminaires shine and nothing is split off it is ⟨b, c − G
+//! c⟩ + Φ − ∫ L dA, with their irradiance L.
 //!
 //! Either way the lost power in a closed room shows how well the integrals agree.
 
@@ -45,11 +45,12 @@ const SETTLED_BY_RAYS: f64 = 1e-3;
 /// The self-checks of a solution. Powers are summed over bands, in the unit of exitance times scene length².
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checks {
-    /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene. Here and in the row sums only
-    /// elements count whose blocks were all computed ([`Carrier::is_complete`]) and which nothing covers.
+    /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene. Here and in the row sums
+    /// only elements count whose blocks were all computed ([`Carrier::is_complete`]) and which nothing
+    /// covers.
     pub closure_max: f64,
-    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j), over a sample of pairs that were integrated in both directions;
-    /// over all pairs with the rules of 1993.
+    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j), over a sample of pairs that were integrated in both
+    /// directions; over all pairs with the rules of 1993.
     pub reciprocity_max: f64,
     /// Smallest row sum Σ_j F_ij; 0 if no element counts.
     pub row_sum_min: f64,
@@ -61,14 +62,16 @@ pub struct Checks {
     pub energy_absorbed: f64,
     /// Power that leaves the scene.
     pub energy_lost: f64,
-    /// Upper estimate of the spectral radius of ρG, largest over the bands; below 1 if the quadrature is good.
+    /// Upper estimate of the spectral radius of ρG, largest over the bands; below 1 if the quadrature is
+    /// good.
     pub spectral_bound: f64,
     /// Largest jump of B across the seams inside a surface, relative to the larger of the two values.
     pub seam_jump_max: f64,
 }
 
 impl Checks {
-    /// The checks of a solution computed with `blocks`, which these ranks hold, into which direct light entered by `entry`.
+    /// The checks of a solution computed with `blocks`, which these ranks hold, into which direct light
+    /// entered by `entry`.
     pub fn of(solution: &Solution, blocks: &dyn Carrier, entry: &Entry, ranks: &Ranks) -> Self {
         let points = solution.emitters().points;
         let bands = solution.bands().iter().enumerate();
@@ -142,11 +145,12 @@ fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[
     which.iter().map(sum).collect()
 }
 
-/// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = S^½ G S^½ from the constant: an eigenvalue lies
-/// in the interval of that radius about λ. Where surfaces let light through, A = S G is not symmetric, and λ + ‖A v − λ v‖ is an
-/// estimate.
+/// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = S^½ G S^½ from the constant: an
+/// eigenvalue lies in the interval of that radius about λ. Where surfaces let light through, A = S G is not
+/// symmetric, and λ + ‖A v − λ v‖ is an estimate.
 ///
-/// The kernel is not negative, so the eigenfunction of the largest eigenvalue is positive, and the constant is near it.
+/// The kernel is not negative, so the eigenfunction of the largest eigenvalue is positive, and the constant
+/// is near it.
 fn spectral_bound(blocks: &dyn Carrier, coating: &Coating, ones: &[f64]) -> f64 {
     let starts = blocks.starts();
     let step = |v: &[f64]| match coating.transmits() {
@@ -219,8 +223,8 @@ mod tests {
     use super::*;
     use crate::driver::{Options, solve};
 
-    /// The checks of a unit cube whose walls have reflectance ½ and emit 1, without the walls `missing`, with the wall
-    /// `turned` turned over, and with each block multiplied by `factor` of its row and column.
+    /// The checks of a unit cube whose walls have reflectance ½ and emit 1, without the walls `missing`, with
+    /// the wall `turned` turned over, and with each block multiplied by `factor` of its row and column.
     fn checks(missing: &[&str], turned: &str, factor: impl Fn(usize, usize) -> f64) -> Checks {
         let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
         let walls = [

@@ -1,7 +1,7 @@
 //! The driver: scene → elements → blocks → system per band → solution, timed.
 //!
-//! A [`Model`] holds what does not depend on materials, the elements and their blocks; it is solved for any materials
-//! of the same surfaces.
+//! A [`Model`] holds what does not depend on materials, the elements and their blocks; it is solved for any
+//! materials of the same surfaces.
 //!
 //! It heeds interruptions ([`radiosity_work::interruption`]):
 //!

@@ -4,10 +4,11 @@
 //! E(x) = D(x) + ∫ κ(x, y) V(x, y) ρ(y) (D(y) + S_h(y)) dA_y        W m⁻²
 //! ```
 //!
-//! D is the direct light ([`radiosity_light::direct`]); S_h ≥ 0 is the polynomial of the light that was reflected at least
-//! once, cut off at zero. The integral (`light::reflected`) smooths, so E shows shadows and dark corners that
-//! polynomials cannot. x may be any point, on a surface or not. Near the foot of an obstacle E still shows errors of
-//! S_h; gathering twice, with S_h(y) replaced by the reflected light gathered at y, removes them.
+//! D is the direct light ([`radiosity_light::direct`]); S_h ≥ 0 is the polynomial of the light that was
+//! reflected at least once, cut off at zero. The integral (`light::reflected`) smooths, so E shows shadows
+//! and dark corners that polynomials cannot. x may be any point, on a surface or not. Near the foot of an
+//! obstacle E still shows errors of S_h; gathering twice, with S_h(y) replaced by the reflected light
+//! gathered at y, removes them.
 //!
 //! Reference: I. H. Sloan, *Improvement by iteration for compact operator equations*, Math. Comp. 30 (1976).
 

@@ -1,11 +1,11 @@
 //! The solution: polynomials of irradiance and radiosity on every element, per band.
 //!
-//! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both in W m⁻²; the coefficients h_k are
-//! in W m⁻² times length. Where direct light goes through shadow masks ([`radiosity_published::zatz1993::masked_light`]), E is that
-//! light plus the polynomials of the rest.
+//! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both in W m⁻²; the coefficients
+//! h_k are in W m⁻² times length. Where direct light goes through shadow masks
+//! ([`radiosity_published::zatz1993::masked_light`]), E is that light plus the polynomials of the rest.
 //!
-//! Where a scene has light groups, the light of each is kept ([`group_light`]), and the whole follows from it at any
-//! factors.
+//! Where a scene has light groups, the light of each is kept ([`group_light`]), and the whole follows from it
+//! at any factors.
 
 pub mod powers;
 pub mod group_light;
@@ -126,8 +126,8 @@ impl Solution {
         Self::new(Arc::clone(&self.elements), bands)
     }
 
-    /// The light of `groups` together, at their factors in `scene`, of which `elements` are. It stays apart where the
-    /// scene has light groups.
+    /// The light of `groups` together, at their factors in `scene`, of which `elements` are. It stays apart
+    /// where the scene has light groups.
     pub fn of_groups(
         elements: impl Into<Arc<Elements>>,
         scene: &Scene,
@@ -142,7 +142,8 @@ impl Solution {
         Self { groups: if is_apart { groups } else { Arc::default() }, ..whole }
     }
 
-    /// The light of one of its groups alone ([`Solution::groups`]), not dimmed, in the scene of this solution.
+    /// The light of one of its groups alone ([`Solution::groups`]), not dimmed, in the scene of this
+    /// solution.
     pub fn of_group(&self, scene: &Scene, group: &GroupLight) -> Self {
         let name = group.group.as_deref();
         let coating = |band: usize| Coating::of_group(scene, self.elements.list(), band, name);
@@ -199,7 +200,8 @@ impl Solution {
         Self { groups: Arc::default(), sent: Some(Box::new(sent)), ..self }
     }
 
-    /// The solution whose light surfaces reflect towards readers that gather: this one, or one of fewer reflections.
+    /// The solution whose light surfaces reflect towards readers that gather: this one, or one of fewer
+    /// reflections.
     pub(crate) fn sent(&self) -> &Self {
         self.sent.as_deref().unwrap_or(self)
     }
@@ -214,7 +216,8 @@ impl Solution {
         &self.groups
     }
 
-    /// The light of each group; of all together where the scene has none. None where direct light goes through masks.
+    /// The light of each group; of all together where the scene has none. None where direct light goes
+    /// through masks.
     pub(crate) fn light(&self) -> Option<Vec<GroupLight>> {
         if self.masked.is_some() {
             return None;

@@ -97,7 +97,8 @@ impl Solved {
     /// ```
     ///
     /// # Errors
-    /// [`RelightError::Scene`] for a group that is unknown or set twice, and a factor that is negative or not finite.
+    /// [`RelightError::Scene`] for a group that is unknown or set twice, and a factor that is negative or not
+    /// finite.
     pub fn relight(&self, settings: &[(&str, f64)]) -> Result<Self, RelightError> {
         let scene = self.scene.dimmed(settings)?;
         let outcome = self.outcome.relit(&scene).ok_or(RelightError::NotApart)?;
@@ -110,15 +111,16 @@ impl Solved {
         self.visibility.get_or_init(|| Visibility::new(&self.scene, (&self.options).into()))
     }
 
-    /// Irradiance per band at a point in the open, for the unit normal `normal`: in W m⁻² where exitance is in W m⁻²,
-    /// in lux where it is in lm m⁻². Direct light and its shadows are computed there, the rest is gathered from all
-    /// surfaces. For many points make one [`Gather`].
+    /// Irradiance per band at a point in the open, for the unit normal `normal`: in W m⁻² where exitance is
+    /// in W m⁻², in lux where it is in lm m⁻². Direct light and its shadows are computed there, the rest is
+    /// gathered from all surfaces. For many points make one [`Gather`].
     pub fn irradiance_at(&self, position: DVec3, normal: DVec3) -> Vec<f64> {
         let gather = Gather::new(&self.outcome.solution, self.visibility(), AT_A_POINT);
         gather.at(&ReceiverPoint::free(position, normal))
     }
 
-    /// Radiosity per band (unit of exitance) of the polynomials at (u, v) on a surface; None inside its holes.
+    /// Radiosity per band (unit of exitance) of the polynomials at (u, v) on a surface; None inside its
+    /// holes.
     ///
     /// ```
     /// use radiosity_solve::{Options, solved::Solved};

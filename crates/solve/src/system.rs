@@ -1,31 +1,33 @@
 //! The linear system of one band.
 //!
-//! With the coefficients e of the emitted exitance and a reflectance ρ per element, b = e + ρ G b. All coefficients are
-//! in W m⁻² times length, G has no unit. Written with b = e + √ρ y,
+//! With the coefficients e of the emitted exitance and a reflectance ρ per element, b = e + ρ G b. All
+//! coefficients are in W m⁻² times length, G has no unit. Written with b = e + √ρ y,
 //!
 //! ```text
 //! (I − √ρ G √ρ) y = √ρ G e
 //! ```
 //!
-//! is symmetric, and positive definite with lowest eigenvalue ≥ 1 − ρ_max because ‖G‖ ≤ 1 (Szirmay-Kalos 1996 in
-//! another notation). With the rules of 1993, for comparison, neither G nor the system is symmetric. Nothing is divided
-//! by ρ. Elements with ρ = 0 have no unknowns: they only enter the right-hand side. The irradiance is h = G b
-//! everywhere.
+//! is symmetric, and positive definite with lowest eigenvalue ≥ 1 − ρ_max because ‖G‖ ≤ 1 (Szirmay-Kalos 1996
+//! in another notation). With the rules of 1993, for comparison, neither G nor the system is symmetric.
+//! Nothing is divided by ρ. Elements with ρ = 0 have no unknowns: they only enter the right-hand side. The
+//! irradiance is h = G b everywhere.
 //!
-//! Where the reflectance varies over elements, the matrix S takes the place of ρ ([`radiosity_elements::coating`]), its
-//! symmetric root that of √ρ, and all of this holds: S^½ G S^½ is symmetric, and its norm is below the largest ρ. Where
-//! surfaces let light through, S couples both of their sides, and has negative eigenvalues as soon as τ² > ρ ρ'. Then the
-//! unknown is the radiosity that is not known itself, and
+//! Where the reflectance varies over elements, the matrix S takes the place of ρ
+//! ([`radiosity_elements::coating`]), its symmetric root that of √ρ, and all of this holds: S^½ G S^½ is
+//! symmetric, and its norm is below the largest ρ. Where surfaces let light through, S couples both of their
+//! sides, and has negative eigenvalues as soon as τ² > ρ ρ'. Then the unknown is the radiosity that is not
+//! known itself, and
 //!
 //! ```text
 //! (I − S G) r = S G e ,     b = e + r
 //! ```
 //!
-//! is not symmetric, but ‖S G‖ ≤ max (ρ + τ) < 1: Richardson's iteration and GMRES converge as fast as before.
+//! is not symmetric, but ‖S G‖ ≤ max (ρ + τ) < 1: Richardson's iteration and GMRES converge as fast as
+//! before.
 //!
-//! Where direct light is split off (`light::first_bounce`), the coefficients d of direct irradiance and g of irradiance
-//! that was reflected exactly once are known; s of the irradiance that was reflected at least once is unknown. With s =
-//! g + G √ρ z,
+//! Where direct light is split off (`light::first_bounce`), the coefficients d of direct irradiance and g of
+//! irradiance that was reflected exactly once are known; s of the irradiance that was reflected at least once
+//! is unknown. With s = g + G √ρ z,
 //!
 //! ```text
 //! (I − √ρ G √ρ) z = √ρ g ,     h = d + s ,     b = e + ρ h .
@@ -37,9 +39,9 @@
 //! (I − √ρ G √ρ) y = √ρ G (e + ρ l) ,     b = e + ρ l + √ρ y ,     h = l + G b .
 //! ```
 //!
-//! All are one system: the radiosity is a known part, e (or e + ρ l, or e + ρ d), plus the unknown √ρ y (or √ρ z); the
-//! irradiance is a known part, 0 (or l, or d), plus that of the first transport, G e (or G (e + ρ l), or g), plus G times
-//! the unknown radiosity.
+//! All are one system: the radiosity is a known part, e (or e + ρ l, or e + ρ d), plus the unknown √ρ y (or
+//! √ρ z); the irradiance is a known part, 0 (or l, or d), plus that of the first transport, G e (or G (e + ρ
+//! l), or g), plus G times the unknown radiosity.
 
 mod vector;
 mod series;
@@ -64,8 +66,8 @@ use radiosity_work::ranks::Ranks;
 
 use vector::{distance, per_element, sum};
 
-/// Share of the entries of a matrix above which it is held entry by entry, if it is small: a product by blocks takes
-/// some four times as long for each entry. Chosen.
+/// Share of the entries of a matrix above which it is held entry by entry, if it is small: a product by
+/// blocks takes some four times as long for each entry. Chosen.
 const THIN: f64 = 0.125;
 
 /// The system of one band.
@@ -94,13 +96,13 @@ pub struct System<'a> {
 pub struct Coefficients {
     /// h of the irradiance.
     pub irradiance: Vec<f64>,
-    /// The part of h that comes straight from the emitters: G e, l + G e where luminaires shine, or d where direct light
-    /// was split off.
+    /// The part of h that comes straight from the emitters: G e, l + G e where luminaires shine, or d where
+    /// direct light was split off.
     pub direct: Vec<f64>,
     /// b of the radiosity, b = e + ρ h.
     pub radiosity: Vec<f64>,
-    /// ‖b − e − ρ h‖₂ / ‖e‖₂ with the solver's b before that substitution, black elements included; over the known
-    /// radiosity ‖e + ρ d‖₂ where direct light d enters apart and that is more; 0 if nothing shines.
+    /// ‖b − e − ρ h‖₂ / ‖e‖₂ with the solver's b before that substitution, black elements included; over the
+    /// known radiosity ‖e + ρ d‖₂ where direct light d enters apart and that is more; 0 if nothing shines.
     pub residual: f64,
 }
 
@@ -206,8 +208,8 @@ impl<'a> System<'a> {
         Dense::new(partition, values, self.is_symmetric())
     }
 
-    /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small and not thin;
-    /// elsewhere by its blocks, which solvers that only multiply take from G as it is.
+    /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small and
+    /// not thin; elsewhere by its blocks, which solvers that only multiply take from G as it is.
     ///
     /// # Errors
     /// Values that are not finite.
@@ -254,22 +256,23 @@ impl<'a> System<'a> {
         BlockSparse::symmetric(Partition::new(&sizes), &borrowed)
     }
 
-    /// √ρ times the irradiance of the first transport, on the reflecting elements; S times it where surfaces transmit.
+    /// √ρ times the irradiance of the first transport, on the reflecting elements; S times it where surfaces
+    /// transmit.
     pub fn right_hand_side(&self) -> Vec<f64> {
         let halved = self.halved_light(&self.first);
         self.unknowns(|_, offset| halved[offset])
     }
 
-    /// Shooting measure of the unknowns, √ρ ∬ |φ_k| dA: times |y_k| it is the power that an unknown has yet to shoot
-    /// (Zatz 1993, eq. 25, corrected).
+    /// Shooting measure of the unknowns, √ρ ∬ |φ_k| dA: times |y_k| it is the power that an unknown has yet
+    /// to shoot (Zatz 1993, eq. 25, corrected).
     pub fn shooting_measure(&self) -> Vec<f64> {
         let absolute = per_element(self.elements, |i, out| out.extend(self.elements[i].absolute_integrals()));
         let root = |i: usize| if self.coating.transmits() { 1.0 } else { self.coating.reflectance[i].sqrt() };
         self.unknowns(|i, offset| root(i) * absolute[offset])
     }
 
-    /// Radiosity and irradiance from the unknowns: what G does not carry, the first transport, and G times the unknown
-    /// radiosity; then b = e + ρ h.
+    /// Radiosity and irradiance from the unknowns: what G does not carry, the first transport, and G times
+    /// the unknown radiosity; then b = e + ρ h.
     pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
         let unknown = self.unknown_radiosity(0..self.reflecting.len(), unknowns);
         self.with_irradiance(&unknown, self.irradiance(&unknown), self.direct.clone())
@@ -286,7 +289,8 @@ impl<'a> System<'a> {
         }
     }
 
-    /// The coefficients for an unknown radiosity √ρ y and the irradiance, with its direct part, that follows from it.
+    /// The coefficients for an unknown radiosity √ρ y and the irradiance, with its direct part, that follows
+    /// from it.
     fn with_irradiance(&self, unknown: &[f64], irradiance: Vec<f64>, direct: Vec<f64>) -> Coefficients {
         let solved = sum(&self.known, unknown);
         let radiosity = radiosity(self.elements, self.coating, &irradiance);
@@ -319,8 +323,8 @@ impl<'a> System<'a> {
         transposed(&both, block.len() / columns).into()
     }
 
-    /// Calls `visit` with the rows of S G that a block of G makes, for each element that reflects or transmits what arrives
-    /// on the element of the block's rows.
+    /// Calls `visit` with the rows of S G that a block of G makes, for each element that reflects or
+    /// transmits what arrives on the element of the block's rows.
     fn scattered(&self, [row, column]: [usize; 2], block: &[f64], visit: &mut dyn FnMut(usize, &[f64])) {
         let columns = self.elements[column].basis.len();
         for element in self.coating.all_behind(row).chain([row]) {
@@ -338,8 +342,8 @@ impl<'a> System<'a> {
         self.coating.halved(self.blocks.starts(), irradiance)
     }
 
-    /// Coefficients of the radiosity that unknowns of the reflecting elements number `blocks` stand for, element by element: √ρ
-    /// times them, or themselves where surfaces transmit.
+    /// Coefficients of the radiosity that unknowns of the reflecting elements number `blocks` stand for,
+    /// element by element: √ρ times them, or themselves where surfaces transmit.
     fn unknown_radiosity(&self, blocks: Range<usize>, unknowns: &[f64]) -> Vec<f64> {
         let mut radiosity = vec![0.0; self.known.len()];
         let mut rest = unknowns;

@@ -4,8 +4,8 @@
 //! F_ij = 1/A_i ∫∫ κ(x, y) V(x, y) dA_x dA_y ,     A_i F_ij = A_j F_ji ,     Σ_j F_ij ≤ 1 ,
 //! ```
 //!
-//! the share of the diffuse power leaving surface i that reaches surface j, without unit. F follows from G if each
-//! element carries a constant, φ = 1/√A: with elements a of surface i and b of surface j,
+//! the share of the diffuse power leaving surface i that reaches surface j, without unit. F follows from G if
+//! each element carries a constant, φ = 1/√A: with elements a of surface i and b of surface j,
 //!
 //! ```text
 //! A_i F_ij = Σ_a Σ_b √(A_a A_b) G_ab .
@@ -29,8 +29,8 @@ use crate::driver::{Failure, in_threads};
 /// Options of view factors: cuts, accuracies, shadows and threads.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// Cuts along u and v of surfaces that do not state their own; None chooses. The factors are those of whole
-    /// surfaces; cuts make shadows more accurate.
+    /// Cuts along u and v of surfaces that do not state their own; None chooses. The factors are those of
+    /// whole surfaces; cuts make shadows more accurate.
     pub subdivide: Option<usize>,
     /// Accuracy of the exchange of two elements.
     pub accuracy: Accuracy,

@@ -24,7 +24,8 @@ pub trait KnownBlocks: Debug + Send + Sync {
     /// Takes note of the elements of the next scene, before any of its blocks is asked for.
     fn turn_to(&self, elements: &[Element]);
 
-    /// The block of two flat elements with nothing between them, at these places among all elements, if it is known; `eps` is the
-    /// error that rules are allowed, relative to its largest entry. Called once for a pair of a scene, from any thread.
+    /// The block of two flat elements with nothing between them, at these places among all elements, if it is
+    /// known; `eps` is the error that rules are allowed, relative to its largest entry. Called once for a
+    /// pair of a scene, from any thread.
     fn block(&self, places: [usize; 2], elements: [&Element; 2], eps: f64) -> Option<Known>;
 }

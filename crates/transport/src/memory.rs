@@ -1,9 +1,9 @@
 //! The memory of a scene for the next one, in which some things have moved: blocks, and hits of rays.
 //!
-//! A block follows from its two elements, the surfaces that may stand between them, and the accuracy that the other pairs of
-//! its rows leave to it. Where all these are as they were, to the bit, so is the block: it is taken from memory, and the
-//! matrix is the one that would be integrated anew. So it is with rays ([`met`]). What did not move is found by comparing what is
-//! given, not by what somebody says has moved.
+//! A block follows from its two elements, the surfaces that may stand between them, and the accuracy that the
+//! other pairs of its rows leave to it. Where all these are as they were, to the bit, so is the block: it is
+//! taken from memory, and the matrix is the one that would be integrated anew. So it is with rays ([`met`]).
+//! What did not move is found by comparing what is given, not by what somebody says has moved.
 
 mod change;
 pub mod met;
@@ -24,8 +24,8 @@ use change::{Change, Seen};
 pub(crate) use met::{KnownRays, Met};
 use met::{MOST, Obstacles, RayCounts, Sent};
 
-/// Blocks and rays of earlier scenes. The scenes have the same surfaces in the same order, each here or there, and are solved with
-/// the same options.
+/// Blocks and rays of earlier scenes. The scenes have the same surfaces in the same order, each here or
+/// there, and are solved with the same options.
 #[derive(Debug, Default)]
 pub struct Memory {
     /// Number of the scene that was seen last, from 1.
@@ -84,7 +84,8 @@ pub(crate) struct Request {
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct IntegratedBlock {
     pub block: Block,
-    /// Bound of the norm of what it differs by from the integrated block, where it is known otherwise; else 0.
+    /// Bound of the norm of what it differs by from the integrated block, where it is known otherwise; else
+    /// 0.
     pub remainder: f64,
     #[serde(skip)]
     pub exchanged: OnceLock<Option<f64>>,
@@ -111,8 +112,8 @@ impl Memory {
         self.known.as_deref()
     }
 
-    /// Takes note of what differs in the next scene from the one before. Where the number of surfaces or elements
-    /// is another, all is forgotten.
+    /// Takes note of what differs in the next scene from the one before. Where the number of surfaces or
+    /// elements is another, all is forgotten.
     pub fn turn_to(&mut self, scene: &Scene, elements: &Arc<Elements>, visibility: &Visibility) {
         let seen = Seen::of(scene, elements, visibility);
         let change = self.seen.as_ref().and_then(|before| seen.change(before)).unwrap_or_else(|| {
@@ -142,7 +143,8 @@ impl Memory {
         self.seen.as_ref().map(|seen| seen.elements.as_ref())
     }
 
-    /// Forgets the rays that were not sent in the last scene, and those of elements that have changed since then.
+    /// Forgets the rays that were not sent in the last scene, and those of elements that have changed since
+    /// then.
     fn forget_rays(&mut self, seen: &Seen, change: &Change) {
         self.sent.retain(|_, sent| sent.scene == self.scenes);
         for sent in self.sent.values_mut() {
@@ -155,7 +157,8 @@ impl Memory {
         }
     }
 
-    /// Lends what is known of a sequence of rays, one of so many, until [`Memory::take`]: the rays of each element of this number.
+    /// Lends what is known of a sequence of rays, one of so many, until [`Memory::take`]: the rays of each
+    /// element of this number.
     pub(crate) fn lend(
         &mut self,
         sequence: usize,
@@ -194,7 +197,8 @@ impl Memory {
         (kept.request == *request).then_some(&kept.answer)
     }
 
-    /// Keeps the answers to the requests of this scene, and forgets all others; all ranks together, each those that it made.
+    /// Keeps the answers to the requests of this scene, and forgets all others; all ranks together, each
+    /// those that it made.
     pub(crate) fn keep(&mut self, answers: Vec<(Request, Arc<IntegratedBlock>)>, ranks: &Ranks) {
         let mut blocks = HashMap::with_capacity(answers.len());
         let (mut integrated, mut recalled) = (0, 0);

@@ -3,9 +3,9 @@
 use radiosity_geom::DVec3;
 use radiosity_visibility::Visibility;
 
-/// Rays that take as long as the exact block of two flat elements with nothing between; with flat blockers, and in
-/// addition for each of these; and of all others. From blocks of 30 µs, 200 µs and 250 µs a blocker, and 20 ms, and a
-/// million rays a second; whole scenes cost from a tenth to twice as much.
+/// Rays that take as long as the exact block of two flat elements with nothing between; with flat blockers,
+/// and in addition for each of these; and of all others. From blocks of 30 µs, 200 µs and 250 µs a blocker,
+/// and 20 ms, and a million rays a second; whole scenes cost from a tenth to twice as much.
 const FREE: f64 = 30.0;
 const PARTLY_HIDDEN: f64 = 200.0;
 const BLOCKER: f64 = 250.0;

@@ -1,29 +1,26 @@
 //! Blocks from rays: who sees whom is answered for all pairs of a row at once.
 //!
-//! Element i sends n_i rays, from points x spread evenly over its area A_i in cosine-distributed directions. A ray
-//! that first
-//! meets the front of element j at y has the density (1/A_i) κ V, the shape of the integrand, from either end.
-//! Combined with the rays
-//! from j by the balance heuristic,
+//! Element i sends n_i rays, from points x spread evenly over its area A_i in cosine-distributed directions.
+//! A ray that first meets the front of element j at y has the density (1/A_i) κ V, the shape of the
+//! integrand, from either end. Combined with the rays from j by the balance heuristic,
 //!
 //! ```text
 //! G_ij^kl ≈ Σ φ_k(x) φ_l(y) / (n_i/A_i + n_j/A_j)   over all rays i → j and j → i ,
 //! ```
 //!
-//! without bias, symmetric, each ray used in both directions; backs absorb. Row sums are then made to agree with the
-//! shares of rays
-//! that hit something, as far as these are known better ([`estimate`]). The rays of even and of odd number are two
-//! estimates of their own: half of what they differ by
-//! is about the error of their mean.
+//! without bias, symmetric, each ray used in both directions; backs absorb. Row sums are then made to agree
+//! with the shares of rays that hit something, as far as these are known better ([`estimate`]). The rays of
+//! even and of odd number are two estimates of their own: half of what they differ by is about the error of
+//! their mean.
 //!
 //! Pairs on which many rays would land are carried by the exact rules, if that costs less ([`strong`]).
 //!
-//! What lies on another surface exchanges with it alone, exactly ([`radiosity_kernel::rules::covering`]), and sends no
-//! rays.
+//! What lies on another surface exchanges with it alone, exactly ([`radiosity_kernel::rules::covering`]), and
+//! sends no rays.
 //!
-//! References: A. Keller, *Quasi-Monte Carlo radiosity*, EGWR 1996, 101-110; E. Veach, L. Guibas, SIGGRAPH 1995,
-//! 419-428 (the balance
-//! heuristic); Ph. Bekaert, *Hierarchical and stochastic algorithms for radiosity*, K. U. Leuven 1999.
+//! References: A. Keller, *Quasi-Monte Carlo radiosity*, EGWR 1996, 101-110; E. Veach, L. Guibas, SIGGRAPH
+//! 1995, 419-428 (the balance heuristic); Ph. Bekaert, *Hierarchical and stochastic algorithms for
+//! radiosity*, K. U. Leuven 1999.
 
 mod sender;
 mod hit;
@@ -210,8 +207,8 @@ impl<'a> SampledTransport<'a> {
         &self.sent
     }
 
-    /// Share of the rays of each element that count on no pair: they met nothing, or a back, or a pair that is carried
-    /// exactly.
+    /// Share of the rays of each element that count on no pair: they met nothing, or a back, or a pair that
+    /// is carried exactly.
     pub fn shares_lost(&self) -> Vec<f64> {
         let list = self.elements.list().iter().zip(&self.counts.weights).zip(&self.starts);
         let share = |((element, weights), start): ((&Element, &[f64; 2]), &usize)| {
@@ -222,8 +219,8 @@ impl<'a> SampledTransport<'a> {
         list.map(share).collect()
     }
 
-    /// Sends so many more rays from each element; covered ones send none. `goes_on` hears how many are done, and ends the
-    /// sending where it says no.
+    /// Sends so many more rays from each element; covered ones send none. `goes_on` hears how many are done,
+    /// and ends the sending where it says no.
     pub fn send(&mut self, rays: &[u64], goes_on: &mut dyn FnMut(u64) -> bool) {
         let list = self.elements.list();
         let tasks = rays.iter().enumerate().filter(|(element, _)| list[*element].contact.is_none());
@@ -255,11 +252,10 @@ impl<'a> SampledTransport<'a> {
         }
     }
 
-    /// Ends the pilot round before so many rays are sent from each element: pairs are carried exactly for which that
-    /// costs less than the
-    /// rays that would land on them, and of pairs with few hits to come only a part of their entries is counted. The
-    /// pilot's own hits
-    /// are forgotten: pairs that got many by chance are among those chosen.
+    /// Ends the pilot round before so many rays are sent from each element: pairs are carried exactly for
+    /// which that costs less than the rays that would land on them, and of pairs with few hits to come only a
+    /// part of their entries is counted. The pilot's own hits are forgotten: pairs that got many by chance
+    /// are among those chosen.
     pub fn settle(&mut self, planned: &[u64], accuracy: Accuracy, work: &Work<'_>) {
         self.settle_again(planned, accuracy, None, work);
     }

@@ -1,10 +1,11 @@
-//! From elements to blocks: every unordered pair is sorted, equal pairs are found, and each distinct pair is integrated
-//! once.
+//! From elements to blocks: every unordered pair is sorted, equal pairs are found, and each distinct pair is
+//! integrated once.
 //!
-//! Sorting drops the pairs behind each other, in one plane, wholly hidden, or without a sender. Pairs equal up to
-//! similarity ([`crate::schedule::congruent`]) share the block of the first of them. A block that is small
-//! compared with its row is integrated to a lower relative accuracy ([`radiosity_kernel::estimates::entry_bounds`]).
-//! The result does not depend on the order in which the threads work.
+//! Sorting drops the pairs behind each other, in one plane, wholly hidden, or without a sender. Pairs equal
+//! up to similarity ([`crate::schedule::congruent`]) share the block of the first of them. A block that is
+//! small compared with its row is integrated to a lower relative accuracy
+//! ([`radiosity_kernel::estimates::entry_bounds`]). The result does not depend on the order in which the
+//! threads work.
 
 pub(crate) mod order;
 mod congruent;
@@ -59,15 +60,17 @@ pub use work::{BlockWork, cost, shared, work};
 /// Factor that turns a coarse estimate of a curved pair into a lower bound. Chosen; not tuned.
 const ESTIMATE_SHARE: f64 = 0.5;
 
-/// Share of a pair assumed visible, for its lower bound, where blockers may hide some of it. Chosen; not tuned.
+/// Share of a pair assumed visible, for its lower bound, where blockers may hide some of it. Chosen; not
+/// tuned.
 const VISIBLE_SHARE: f64 = 0.1;
 
-/// Rule of three: if none of n independent rays passes, less than 3/n of the pair is visible at 95 %, as 0.05 = e⁻³.
+/// Rule of three: if none of n independent rays passes, less than 3/n of the pair is visible at 95 %, as
+/// 0.05 = e⁻³.
 const UNSEEN: f64 = 3.0;
 /// Fewest rays that count as a probe: they bound the visible part by 3/16. Chosen; not tuned.
 const FEWEST_RAYS: u64 = 16;
-/// Most probing rays for the blockers of a pair; where more were needed the block samples them itself. And the number
-/// that finds whether surfaces hide themselves in that case. Chosen; not tuned.
+/// Most probing rays for the blockers of a pair; where more were needed the block samples them itself. And
+/// the number that finds whether surfaces hide themselves in that case. Chosen; not tuned.
 const MOST_RAYS: f64 = 2e4;
 const MOST_OWN_RAYS: f64 = 4e3;
 
@@ -95,8 +98,8 @@ pub(crate) struct UnreachedPair {
     pub partly_hidden: bool,
 }
 
-/// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave; what `memory` holds, which was turned to
-/// this scene, is not integrated again.
+/// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave; what `memory` holds,
+/// which was turned to this scene, is not integrated again.
 pub(crate) fn by_rules(
     elements: &Elements,
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
@@ -179,8 +182,8 @@ impl Scales {
         Self { rows }
     }
 
-    /// The error of the block of a task, relative to the largest of: its largest entry, a hundredth of its row's, and
-    /// 1e-8.
+    /// The error of the block of a task, relative to the largest of: its largest entry, a hundredth of its
+    /// row's, and 1e-8.
     fn relative(&self, task: &Task, block: &Account) -> f64 {
         let row = self.rows[task.row as usize].min(self.rows[task.column as usize]);
         block.error / block.largest.max(ROW_SHARE * row).max(SMALLEST_ENTRY)
@@ -298,8 +301,8 @@ impl Scene<'_> {
         self.pose_of(task.row as usize, task.column as usize)
     }
 
-    /// Whether a block that misses the accuracy is left to others: rules of flat elements between which nothing, or
-    /// flat things only, stand know their errors better.
+    /// Whether a block that misses the accuracy is left to others: rules of flat elements between which
+    /// nothing, or flat things only, stand know their errors better.
     fn is_left(&self, task: &Task) -> bool {
         let is_flat = |element: u32| self.list[element as usize].plane.is_some();
         let are_flat = is_flat(task.row) && is_flat(task.column);
@@ -388,9 +391,11 @@ impl Scene<'_> {
         confirmed.into_iter().enumerate().map(&mut source).collect()
     }
 
-    /// Integrates the tasks that are not copies, as far as `memory` does not hold their blocks; each rank some of them.
+    /// Integrates the tasks that are not copies, as far as `memory` does not hold their blocks; each rank
+    /// some of them.
     ///
-    /// With a memory that is the rank that holds the row of a block, scene after scene: it knows what the block was before.
+    /// With a memory that is the rank that holds the row of a block, scene after scene: it knows what the
+    /// block was before.
     fn integrate(
         &self,
         tasks: &[Task],
@@ -454,8 +459,8 @@ impl Scene<'_> {
         self.block_of(places, task, goal)
     }
 
-    /// Integrates a sample of the pairs that were stored, one in a hundred, with the roles of the elements exchanged; none above
-    /// mean cost.
+    /// Integrates a sample of the pairs that were stored, one in a hundred, with the roles of the elements
+    /// exchanged; none above mean cost.
     fn reciprocity(
         &self,
         tasks: &[Task],
@@ -530,9 +535,9 @@ impl Scene<'_> {
         }
     }
 
-    /// The block of two elements of which at least one is curved. If no probing ray is hidden, the blockers are
-    /// ignored; if all are, the block is zero. Of the elements' own surfaces only those that hide some probing ray
-    /// count as blockers.
+    /// The block of two elements of which at least one is curved. If no probing ray is hidden, the blockers
+    /// are ignored; if all are, the block is zero. Of the elements' own surfaces only those that hide some
+    /// probing ray count as blockers.
     fn curved_block(&self, [row, column]: [usize; 2], task: &Task, blockers: &[usize], goal: Goal) -> Block {
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
         let Goal { accuracy, bent, least, row: largest, unseen, sampled, .. } = goal;
@@ -572,8 +577,8 @@ impl Scene<'_> {
         block
     }
 
-    /// The zero block of two flat elements if all probing rays are hidden. None if one passes, or if there are too few
-    /// rays to bound what is visible.
+    /// The zero block of two flat elements if all probing rays are hidden. None if one passes, or if there
+    /// are too few rays to bound what is visible.
     fn hidden_block(&self, [receiver, emitter]: [usize; 2], task: &Task, goal: Goal) -> Option<Block> {
         if task.blockers.is_empty() {
             return None;

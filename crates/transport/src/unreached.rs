@@ -1,19 +1,22 @@
 //! Blocks that no rule reaches, by rays from both sides.
 //!
-//! Curved surfaces that touch, come very near, or hide each other or themselves leave pairs whose rules do not converge, or do not
-//! know their error. Cosine-distributed rays know no singular pair ([`crate::sampled`]). [`BATCHES`] independent
-//! sequences of equal length estimate each of these blocks; with the standard deviation s of the batches
+//! Curved surfaces that touch, come very near, or hide each other or themselves leave pairs whose rules do
+//! not converge, or do not know their error. Cosine-distributed rays know no singular pair
+//! ([`crate::sampled`]). [`BATCHES`] independent sequences of equal length estimate each of these blocks;
+//! with the standard deviation s of the batches
 //!
 //! ```text
 //! G = mean ,     error = SURE · max_kl s_kl / √BATCHES + 1 / (D √(A_i A_j)) ,     D = n_i/A_i + n_j/A_j ,
 //! ```
 //!
-//! the last term for what fewer than one ray meets. View factors of surfaces are sums over their elements, whose errors
-//! partly cancel: there s is that of the sums ([`wholes`]). Rounds of twice as many rays as the one before follow until the error
-//! is small enough for the view factors of either element, relative to the largest of its row, or until [`most_rays`].
-//! The rays that tell when to stop are those that tell the error, so that it is told a little too small.
+//! the last term for what fewer than one ray meets. View factors of surfaces are sums over their elements,
+//! whose errors partly cancel: there s is that of the sums ([`wholes`]). Rounds of twice as many rays as the
+//! one before follow until the error is small enough for the view factors of either element, relative to the
+//! largest of its row, or until [`most_rays`]. The rays that tell when to stop are those that tell the error,
+//! so that it is told a little too small.
 //!
-//! A value by rules is kept where rays agree with it and its own error, times [`DOUBT`], is smaller than theirs.
+//! A value by rules is kept where rays agree with it and its own error, times [`DOUBT`], is smaller than
+//! theirs.
 
 mod found;
 mod wholes;
@@ -38,8 +41,8 @@ use wholes::Wholes;
 /// Rays of each element and batch in the first round. Chosen.
 const FIRST: u64 = 1 << 11;
 
-/// Rays in all, at an accuracy of 1e-3, and by which power of the accuracy they grow, down to [`FINEST`]. Chosen: one to
-/// two seconds on two cores, and ten to twenty.
+/// Rays in all, at an accuracy of 1e-3, and by which power of the accuracy they grow, down to [`FINEST`].
+/// Chosen: one to two seconds on two cores, and ten to twenty.
 const MOST: f64 = 8e6;
 const MOST_POWER: f64 = 0.35;
 const MOST_AT: f64 = 1e-3;
@@ -49,14 +52,16 @@ const FEW: f64 = 32.0;
 /// The accuracy below which no more rays are sent. Chosen.
 pub const FINEST: f64 = 1e-5;
 
-/// Factor on the error of rules that did not converge. Chosen: tori and balls on floors were off by up to this from what
-/// they told.
+/// Factor on the error of rules that did not converge. Chosen: tori and balls on floors were off by up to
+/// this from what they told.
 const DOUBT: f64 = 10.0;
 
-/// Relative error that no more rays are sent for, whatever is asked. Chosen: pairs get there whose row sums are known.
+/// Relative error that no more rays are sent for, whatever is asked. Chosen: pairs get there whose row sums
+/// are known.
 const ENOUGH: f64 = 1e-6;
 
-/// Relative error that most pairs get to by all rays they may have: 5e-5 to 2e-4 on spheres, cylinders and cones.
+/// Relative error that most pairs get to by all rays they may have: 5e-5 to 2e-4 on spheres, cylinders and
+/// cones.
 const REACHED: f64 = 1e-4;
 
 /// Errors by which a value by rules and one by rays may differ. Chosen.
@@ -65,7 +70,8 @@ const AGREED: f64 = 3.0;
 /// Relative error of rays that is enough to check a value by rules. Chosen.
 const CHECKED: f64 = 1e-3;
 
-/// Adds the blocks that are `left` to `blocks`, and tells their error there; rays that `memory` knows are not traced.
+/// Adds the blocks that are `left` to `blocks`, and tells their error there; rays that `memory` knows are not
+/// traced.
 pub(crate) fn add(
     elements: &Elements,
     visibility: &Visibility,
@@ -217,7 +223,8 @@ fn judged(
     found
 }
 
-/// Whether values by rules and by rays are as near as they should be: one in two thousand is not, by chance (Student).
+/// Whether values by rules and by rays are as near as they should be: one in two thousand is not, by chance
+/// (Student).
 fn agree(a: &[f64], b: &[f64], error: f64) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= AGREED * error)
 }

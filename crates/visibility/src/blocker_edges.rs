@@ -1,8 +1,8 @@
 //! Edges of planar blockers, which bound shadows.
 //!
-//! The planes through x and the sides of a polygon bound what it hides from x. Of a convex body only the edges between
-//! a face that x lies in front of and one that x lies behind count. If all points of a convex set lie in front of both
-//! faces, or behind both, the edge bounds no shadow for any of them.
+//! The planes through x and the sides of a polygon bound what it hides from x. Of a convex body only the
+//! edges between a face that x lies in front of and one that x lies behind count. If all points of a convex
+//! set lie in front of both faces, or behind both, the edge bounds no shadow for any of them.
 
 use radiosity_geom::{COINCIDENT, DVec3, sides};
 use smallvec::SmallVec;
@@ -12,7 +12,8 @@ use smallvec::SmallVec;
 pub struct Rim {
     /// Its ends.
     pub ends: [DVec3; 2],
-    /// A point and the outward unit normal of each of the two faces that meet there; empty for a single polygon.
+    /// A point and the outward unit normal of each of the two faces that meet there; empty for a single
+    /// polygon.
     pub(super) faces: SmallVec<[(DVec3, DVec3); 2]>,
 }
 
@@ -30,7 +31,8 @@ impl Rim {
         sides(polygon).map(|ends| Self { ends, faces: SmallVec::new() })
     }
 
-    /// Whether the edge may bound what some point in the hull of `cell` does not see of the hull of `polygon`.
+    /// Whether the edge may bound what some point in the hull of `cell` does not see of the hull of
+    /// `polygon`.
     pub fn may_part(&self, cell: &[DVec3], polygon: &[DVec3]) -> bool {
         let sides = self.faces.iter().map(|(point, outward)| side(cell, *point, *outward));
         let is_outline = match sides.collect::<SmallVec<[Side; 2]>>()[..] {
@@ -40,8 +42,8 @@ impl Rim {
         is_outline && self.parts(cell, polygon)
     }
 
-    /// Whether a plane through the edge and a point of `cell` may divide `polygon`. The determinant of both points and
-    /// the edge is linear in each point, so its signs at the corners decide for the hulls.
+    /// Whether a plane through the edge and a point of `cell` may divide `polygon`. The determinant of both
+    /// points and the edge is linear in each point, so its signs at the corners decide for the hulls.
     fn parts(&self, cell: &[DVec3], polygon: &[DVec3]) -> bool {
         let [a, b] = self.ends;
         let normals = cell.iter().map(|x| (x - a).cross(b - a));

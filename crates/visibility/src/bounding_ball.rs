@@ -38,8 +38,8 @@ impl Ball {
         self.distance(a.center, b.center) > self.radius + a.radius.max(b.radius)
     }
 
-    /// Whether the ball certainly misses the convex hull of a point and a ball: all balls about x + t a with the radius
-    /// t R, 0 ≤ t ≤ 1. False where the point lies in that ball.
+    /// Whether the ball certainly misses the convex hull of a point and a ball: all balls about x + t a with
+    /// the radius t R, 0 ≤ t ≤ 1. False where the point lies in that ball.
     pub(super) fn misses_cone(&self, x: DVec3, center: DVec3, radius: f64) -> bool {
         let (a, d) = (center - x, self.center - x);
         let length = a.length_squared() - radius * radius;
@@ -51,8 +51,8 @@ impl Ball {
         d.distance(t * a) > self.radius + t * radius + rounding
     }
 
-    /// Whether some plane through `x` and a side of the convex polygon `piece` certainly separates the piece from the
-    /// ball, so that the piece hides nothing of the ball from x.
+    /// Whether some plane through `x` and a side of the convex polygon `piece` certainly separates the piece
+    /// from the ball, so that the piece hides nothing of the ball from x.
     pub(super) fn is_beside(&self, piece: &[DVec3], x: DVec3) -> bool {
         let (middle, center) = (piece.iter().sum::<DVec3>() / piece.len() as f64 - x, self.center - x);
         sides(piece).any(|[a, b]| {

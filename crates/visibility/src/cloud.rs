@@ -15,8 +15,8 @@ impl Cloud {
         Self { tree: Bvh::build(&boxes), points }
     }
 
-    /// Whether no point rises above the plane (x − p) · n = h by more than what touches it, for the point `p` and unit
-    /// normal `n` of a surface of this `extent`.
+    /// Whether no point rises above the plane (x − p) · n = h by more than what touches it, for the point `p`
+    /// and unit normal `n` of a surface of this `extent`.
     pub(super) fn lies_below(&self, h: f64, [p, n]: [DVec3; 2], extent: f64) -> bool {
         let may_rise = |bounds: &Aabb| {
             let half = 0.5 * (bounds.max - bounds.min);

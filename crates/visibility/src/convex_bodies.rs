@@ -6,12 +6,12 @@
 //! H(x) = the cone from x over its outline ∩ what lies behind every face that x lies in front of ,
 //! ```
 //!
-//! its inside included: on a segment from x the body begins where the last of these faces is passed. The outline
-//! consists of the edges between a face that x lies in front of and one that it does not. H is convex, while the
-//! shadows of the faces overlap: a block has one shadow volume instead of five.
+//! its inside included: on a segment from x the body begins where the last of these faces is passed. The
+//! outline consists of the edges between a face that x lies in front of and one that it does not. H is
+//! convex, while the shadows of the faces overlap: a block has one shadow volume instead of five.
 //!
-//! One face may be missing if the whole scene lies on the body's side of its plane, as for a block on a floor: no
-//! segment between points of the scene passes there.
+//! One face may be missing if the whole scene lies on the body's side of its plane, as for a block on a
+//! floor: no segment between points of the scene passes there.
 
 use std::collections::HashMap;
 
@@ -115,10 +115,12 @@ impl Bodies {
     }
 }
 
-/// For each side of each face the face beyond that edge: the only one with a side along it in the other direction.
+/// For each side of each face the face beyond that edge: the only one with a side along it in the other
+/// direction.
 fn twins(faces: &[Face]) -> Vec<Vec<Option<usize>>> {
     let key = |[a, b]: [DVec3; 2]| {
-        // A power of two, equal for both directions of an edge; 1.37 keeps round lengths away from where it jumps.
+        // A power of two, equal for both directions of an edge; 1.37 keeps round lengths away from where it
+        // jumps.
         let tolerance = touching((1.37 * a.distance(b)).log2().floor().exp2(), 0.0);
         [a, b].map(|x| (x / tolerance).round().to_array().map(|x| x as i64))
     };
@@ -208,7 +210,8 @@ impl Body {
     }
 }
 
-/// The plane of the face that would close a body along `rim`, if it is flat and the whole scene lies behind it.
+/// The plane of the face that would close a body along `rim`, if it is flat and the whole scene lies behind
+/// it.
 fn missing_face(rim: &[[DVec3; 2]], cloud: &Cloud, size: f64) -> Option<Plane> {
     let point = rim[0][0];
     let area: DVec3 = rim.iter().map(|[a, b]| (b - point).cross(a - point)).sum();

@@ -1,12 +1,14 @@
 //! Covers: the parts of flat surfaces on which other flat surfaces lie.
 //!
-//! A body that stands on a floor, a picture on a wall or a sheet on a table leaves no gap through which light passes.
-//! In that limit the part of the floor under the sheet and the part of the sheet over the floor exchange light with
-//! each other only, and κ dA becomes the identity: a point sees the point that it touches. No polynomial follows the
-//! edge of that darkness, and rules for a gap of 1e-8 are slow, so both parts become elements of their own. A gap
-//! counts as closed up to four times the least gap that the rules resolve (`fit::gap`).
+//! A body that stands on a floor, a picture on a wall or a sheet on a table leaves no gap through which light
+//! passes. In that limit the part of the floor under the sheet and the part of the sheet over the floor
+//! exchange light with each other only, and κ dA becomes the identity: a point sees the point that it
+//! touches. No polynomial follows the edge of that darkness, and rules for a gap of 1e-8 are slow, so both
+//! parts become elements of their own. A gap counts as closed up to four times the least gap that the rules
+//! resolve (`fit::gap`).
 //!
-//! Of several sheets over a place the nearest covers it. A sheet that lies on another with its back covers it unseen.
+//! Of several sheets over a place the nearest covers it. A sheet that lies on another with its back covers it
+//! unseen.
 
 use std::cmp::Ordering;
 
@@ -59,7 +61,8 @@ pub fn covers(scene: &Scene) -> Vec<Cover> {
     found
 }
 
-/// The parts of the convex `pieces` outside the `covers` of their surface; `normal` is the unit normal of its front.
+/// The parts of the convex `pieces` outside the `covers` of their surface; `normal` is the unit normal of its
+/// front.
 pub fn without<'a>(
     pieces: Vec<Vec<DVec3>>,
     covers: impl Iterator<Item = &'a Cover>,
@@ -91,8 +94,8 @@ struct Contact {
     gap: f64,
 }
 
-/// All contacts: first those whose fronts face each other, the closest first, then the others. If something between two
-/// sheets faces one of them, it is closer to that one than a sheet that covers without seeing.
+/// All contacts: first those whose fronts face each other, the closest first, then the others. If something
+/// between two sheets faces one of them, it is closer to that one than a sheet that covers without seeing.
 fn contacts(scene: &Scene) -> Vec<Contact> {
     let sheets: Vec<(usize, &PlanarRegion)> = (scene.surfaces.iter().enumerate())
         .filter_map(|(index, surface)| Some((index, surface.shape.region()?)))
@@ -133,8 +136,8 @@ fn size(region: &PlanarRegion) -> [f64; 4] {
     [region.area(), x, y, z]
 }
 
-/// The largest height of the sheet `over` above the front of `under`; None where a corner is not in front. Heights
-/// refer to the plane of the larger sheet, since that of a small one is uncertain far away.
+/// The largest height of the sheet `over` above the front of `under`; None where a corner is not in front.
+/// Heights refer to the plane of the larger sheet, since that of a small one is uncertain far away.
 fn height_over(under: &PlanarRegion, over: &PlanarRegion) -> Option<f64> {
     let [small, large] = if under.extent() < over.extent() { [under, over] } else { [over, under] };
     let up = if std::ptr::eq(large, under) { 1.0 } else { -under.normal().dot(over.normal()).signum() };

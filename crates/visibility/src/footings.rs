@@ -1,9 +1,10 @@
 //! Footings: the parts of planar surfaces on which bodies stand, which no light reaches.
 //!
-//! A box on a floor hides the floor under it. The darkness there has a sharp edge that no polynomial follows, so
-//! elements have to end at the foot of the box. The surface's outline and all lines of contact draw a planar map
-//! (`faces`). A face of the map is a footing if only backs of surfaces, or other footings, are seen from it (`seal`).
-//! It is cut out of the surface as receiver and sender; as a blocker the surface stays whole.
+//! A box on a floor hides the floor under it. The darkness there has a sharp edge that no polynomial follows,
+//! so elements have to end at the foot of the box. The surface's outline and all lines of contact draw a
+//! planar map (`faces`). A face of the map is a footing if only backs of surfaces, or other footings, are
+//! seen from it (`seal`). It is cut out of the surface as receiver and sender; as a blocker the surface stays
+//! whole.
 
 mod footing;
 mod segments;
@@ -51,7 +52,8 @@ pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
     shapes
 }
 
-/// The faces, smaller by 1e-6 than the whole (as `LEAST`), that lines of contact cut off from a planar surface.
+/// The faces, smaller by 1e-6 than the whole (as `LEAST`), that lines of contact cut off from a planar
+/// surface.
 fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspect> {
     check_interrupt();
     let Some(region) = scene.surfaces[surface].shape.region() else { return Vec::new() };

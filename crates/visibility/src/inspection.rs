@@ -1,6 +1,7 @@
 //! Inspection of a scene before anything is computed: its contents, contacts, and what looks wrong.
 //!
-//! The geometry is sampled, so that hundreds of surfaces take little time; neither light nor materials are needed.
+//! The geometry is sampled, so that hundreds of surfaces take little time; neither light nor materials are
+//! needed.
 
 mod sheet;
 mod rim;

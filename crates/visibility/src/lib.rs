@@ -1,9 +1,10 @@
 //! Visibility: which surfaces may stand between two patches, and whether a segment is free.
 //!
-//! A surface that certainly misses the convex hull of two patches (the *shaft*) hides nothing; the remaining surfaces
-//! are the candidate blockers of the pair, usually few or none. Without candidates the pair is fully visible and no ray
-//! is cast. Where one flat convex blocker meets all segments between the corners of the two hulls it meets every
-//! segment, and the pair is fully hidden. Otherwise segments are tested against the candidates alone.
+//! A surface that certainly misses the convex hull of two patches (the *shaft*) hides nothing; the remaining
+//! surfaces are the candidate blockers of the pair, usually few or none. Without candidates the pair is fully
+//! visible and no ray is cast. Where one flat convex blocker meets all segments between the corners of the
+//! two hulls it meets every segment, and the pair is fully hidden. Otherwise segments are tested against the
+//! candidates alone.
 //!
 //! In order: [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`, `convex_bodies`,
 //! [`silhouette_mesh`], [`Shadows`] and `obstacle` (of what obstacles are made), `rays` and `whole` (what
@@ -87,8 +88,8 @@ impl Visibility {
         Self { obstacles, boxes, tree, rays, standing, standing_tree, bodies, places, shadows }
     }
 
-    /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`, and
-    /// without faces of a convex body that one of them belongs to.
+    /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`,
+    /// and without faces of a convex body that one of them belongs to.
     pub fn candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2]) -> Vec<usize> {
         self.some_candidates(a, b, surfaces, usize::MAX)
     }
@@ -118,8 +119,9 @@ impl Visibility {
         sorted
     }
 
-    /// Which of the two surfaces may themselves hide a part of the first, in the hull `a`, from a part of the second,
-    /// in `b`: surfaces that bend both ways, and the inside of a bowl if the other patch reaches out of the bowl.
+    /// Which of the two surfaces may themselves hide a part of the first, in the hull `a`, from a part of the
+    /// second, in `b`: surfaces that bend both ways, and the inside of a bowl if the other patch reaches out
+    /// of the bowl.
     pub fn hiding_themselves(&self, surfaces: [usize; 2], [a, b]: [&[DVec3]; 2]) -> Vec<usize> {
         if self.shadows == Shadows::Off {
             return Vec::new();
@@ -152,7 +154,8 @@ impl Visibility {
         (ball, hull)
     }
 
-    /// The first of the `blockers`, `most` at the most, whose `part`, given by a ball and hull points, reaches between two hulls.
+    /// The first of the `blockers`, `most` at the most, whose `part`, given by a ball and hull points,
+    /// reaches between two hulls.
     fn reaching_between<'a>(
         &'a self,
         blockers: &[usize],
@@ -200,9 +203,9 @@ impl Visibility {
         })
     }
 
-    /// The surfaces that reach into the box `bounds` and may stand between points of two surfaces, ascending; with
-    /// `open` also those that may stand before a point anywhere. A convex body's first face represents it. Empty
-    /// without shadows.
+    /// The surfaces that reach into the box `bounds` and may stand between points of two surfaces, ascending;
+    /// with `open` also those that may stand before a point anywhere. A convex body's first face represents
+    /// it. Empty without shadows.
     pub fn reaching_into(&self, bounds: &Aabb, open: bool) -> Vec<usize> {
         let mut found = Vec::new();
         match (self.shadows, open) {
@@ -229,8 +232,8 @@ impl Visibility {
         self.boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other))
     }
 
-    /// Whether one place of a surface may hide another one from some point. False if the surface lies behind all its
-    /// tangent planes, like the outside of a ball, or if its normals are nearly parallel.
+    /// Whether one place of a surface may hide another one from some point. False if the surface lies behind
+    /// all its tangent planes, like the outside of a ball, or if its normals are nearly parallel.
     pub fn hides_itself(&self, surface: usize) -> bool {
         self.obstacles[surface].bend != Bend::Outward
     }
@@ -240,7 +243,8 @@ impl Visibility {
         self.obstacles[surface].bend == Bend::Inward
     }
 
-    /// Whether `surface` meets the segment from `x` to `y`, without the part `margin` of its length at either end.
+    /// Whether `surface` meets the segment from `x` to `y`, without the part `margin` of its length at either
+    /// end.
     pub fn blocks(&self, surface: usize, x: DVec3, y: DVec3, margin: f64) -> bool {
         let Obstacle { ball, shape, .. } = &self.obstacles[surface];
         let ray = Ray { origin: x, direction: y - x, range: [margin, 1.0 - margin] };
@@ -296,7 +300,8 @@ impl Visibility {
         })
     }
 
-    /// Whether some surface is bent and not hollow: its points may see something only partly above their horizon.
+    /// Whether some surface is bent and not hollow: its points may see something only partly above their
+    /// horizon.
     pub fn any_horizon(&self) -> bool {
         self.obstacles.iter().any(|obstacle| obstacle.bend != Bend::Inward && obstacle.is_bent())
     }
@@ -314,8 +319,8 @@ impl Visibility {
 
 /// The surfaces that can stand between two others, ascending.
 ///
-/// A planar surface with the whole scene on one side of its plane, such as a wall of a convex room, cannot. Nor can a
-/// slightly bent wall whose depth over its diagonal is below the accuracy of the shadows.
+/// A planar surface with the whole scene on one side of its plane, such as a wall of a convex room, cannot.
+/// Nor can a slightly bent wall whose depth over its diagonal is below the accuracy of the shadows.
 fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], shadows: Shadows) -> Vec<usize> {
     let tolerance = match shadows {
         Shadows::Off => 0.0,

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Accuracy of exact shadows over that of the transfers: errors of shadows have one sign and add up in rows, while
-/// errors of rules have either sign. Chosen; not tuned.
+/// Accuracy of exact shadows over that of the transfers: errors of shadows have one sign and add up in rows,
+/// while errors of rules have either sign. Chosen; not tuned.
 const EXACT: f64 = 0.25;
 
 /// Whether and how surfaces hide each other, with the accuracy.
@@ -11,8 +11,9 @@ const EXACT: f64 = 0.25;
 pub enum Shadows {
     /// No shadows: nothing hides anything.
     Off,
-    /// Rays against the candidate blockers of each pair. A curved blocker that reaches into the shaft by less than this
-    /// part of the narrower patch's breadth is ignored: it hides at most about that part of the light between them.
+    /// Rays against the candidate blockers of each pair. A curved blocker that reaches into the shaft by less
+    /// than this part of the narrower patch's breadth is ignored: it hides at most about that part of the
+    /// light between them.
     Rays(f64),
     /// Planar blockers by their outlines if at least one of the two surfaces is planar, all else as for
     /// `Rays`.

@@ -13,7 +13,8 @@ pub const END: f64 = 1e-9;
 /// Sample points along each parameter of a curved surface. Chosen; not tuned.
 const LOOKS: usize = 5;
 
-/// A surface whose normals all have at least this cosine (0.8°) to each other counts as flat. Chosen; not tuned.
+/// A surface whose normals all have at least this cosine (0.8°) to each other counts as flat. Chosen; not
+/// tuned.
 const ALIKE: f64 = 0.9999;
 
 /// A surface with its data for visibility tests.

@@ -7,13 +7,14 @@ use radiosity_geom::{DVec3, Encounter, Ray, touching};
 use super::{OWN_END, Visibility};
 
 impl Visibility {
-    /// The first surface that a ray meets. Front and back of a two-sided surface are met at once, and the front counts.
+    /// The first surface that a ray meets. Front and back of a two-sided surface are met at once, and the
+    /// front counts.
     pub fn nearest(&self, ray: &Ray) -> Option<Encounter> {
         self.rays.nearest(ray)
     }
 
-    /// The first surface that a ray meets which starts at `origin`, on `surface`, and goes along `direction`: not that surface
-    /// itself, but where it bends back.
+    /// The first surface that a ray meets which starts at `origin`, on `surface`, and goes along `direction`:
+    /// not that surface itself, but where it bends back.
     pub fn nearest_from(&self, surface: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
         self.rays.nearest_from(surface, origin, direction)
     }
@@ -29,8 +30,8 @@ impl Visibility {
         self.rays.reach()
     }
 
-    /// The surfaces that a ray meets one after another, from `x`, on `surface` if on any, along `direction`, which is a unit
-    /// vector.
+    /// The surfaces that a ray meets one after another, from `x`, on `surface` if on any, along `direction`,
+    /// which is a unit vector.
     pub fn met_along(
         &self,
         surface: Option<usize>,

@@ -1,9 +1,9 @@
 //! Shadow volumes: the pyramid with its tip at a point, cut off at a convex blocker, that the blocker hides.
 //!
-//! Its planes are those through the point and the sides of the outline, and those of the blocker's front faces. In
-//! terms of a = y − x each is an inequality a·inward > depth. What lies wholly outside one plane is clear; what lies
-//! inside all planes is hidden. A quadrilateral with corners m ± a ± b + (±)(±) c extends along n, and likewise against
-//! it, up to
+//! Its planes are those through the point and the sides of the outline, and those of the blocker's front
+//! faces. In terms of a = y − x each is an inequality a·inward > depth. What lies wholly outside one plane is
+//! clear; what lies inside all planes is hidden. A quadrilateral with corners m ± a ± b + (±)(±) c extends
+//! along n, and likewise against it, up to
 //!
 //! ```text
 //! n·m + max(|n·a + n·b| + n·c, |n·a − n·b| − n·c)
@@ -129,8 +129,8 @@ pub struct ShadowVolume {
 }
 
 impl ShadowVolume {
-    /// The shadow volume of the convex `polygon` from `x`; None where x lies in its plane and nothing is hidden (within
-    /// 1e-9 of the distance, as `TOUCHING`).
+    /// The shadow volume of the convex `polygon` from `x`; None where x lies in its plane and nothing is
+    /// hidden (within 1e-9 of the distance, as `TOUCHING`).
     pub fn over(polygon: &[DVec3], x: DVec3) -> Option<Self> {
         let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
         let normal: DVec3 =
@@ -144,8 +144,8 @@ impl ShadowVolume {
         Some(Self::bounded(x, middle, sides, iter::once((normal * height.signum(), height.abs()))))
     }
 
-    /// The region inside the planes through `x` and each of `sides`, on the side of `middle`, and beyond the planes
-    /// `beyond`, given by unit normals away from x and distances from x.
+    /// The region inside the planes through `x` and each of `sides`, on the side of `middle`, and beyond the
+    /// planes `beyond`, given by unit normals away from x and distances from x.
     pub(crate) fn bounded(
         x: DVec3,
         middle: DVec3,

@@ -1,13 +1,13 @@
-//! Silhouette meshes: quads over a curved surface, so fine that normals and edges turn little over each. They only find
-//! the outline; light never uses them.
+//! Silhouette meshes: quads over a curved surface, so fine that normals and edges turn little over each. They
+//! only find the outline; light never uses them.
 //!
 //! ```text
 //! quad of size h, curvature κ:   distance from the surface ≤ κ h²/8 ,   error of the corrected outline ∝ h⁴
 //! ```
 //!
-//! The quads form a tree of boxes that contain the true surface, so what a region misses is certain. A quad nearer to
-//! the eye than its size, reduced where it bends little, is quartered repeatedly: on a surface that the eye lies on,
-//! the chords of a quad would rise above the eye.
+//! The quads form a tree of boxes that contain the true surface, so what a region misses is certain. A quad
+//! nearer to the eye than its size, reduced where it bends little, is quartered repeatedly: on a surface that
+//! the eye lies on, the chords of a quad would rise above the eye.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -17,11 +17,13 @@ use radiosity_geom::{Aabb, DVec3, Rect, Surface};
 /// Largest angle (rad), about, by which normals and edges turn over a quad. Chosen; not tuned.
 const TURN: f64 = 0.2;
 
-/// Most quads along a parameter, and sample points along it that measure the turning. Both are chosen, not tuned.
+/// Most quads along a parameter, and sample points along it that measure the turning. Both are chosen, not
+/// tuned.
 const MOST: usize = 64;
 const LOOKS: usize = 16;
 
-/// Most quarterings of a quad near the eye; parts of the eye's own surface that remain are ignored. Chosen; not tuned.
+/// Most quarterings of a quad near the eye; parts of the eye's own surface that remain are ignored. Chosen;
+/// not tuned.
 const DEPTH: usize = 5;
 
 /// A quad nearer to the eye than this times its bent size is quartered. Chosen; not tuned.
@@ -76,8 +78,8 @@ pub trait Region {
     fn eye(&self) -> DVec3;
     /// Whether a box may reach into the region.
     fn reaches(&self, bounds: &Aabb) -> bool;
-    /// If the eye lies on the surface: its unit normal there, and the sine of the angle to it below which the normals
-    /// of a quad around the eye keep that quad out of the region.
+    /// If the eye lies on the surface: its unit normal there, and the sine of the angle to it below which the
+    /// normals of a quad around the eye keep that quad out of the region.
     fn ground(&self) -> Option<(DVec3, f64)>;
 }
 
@@ -206,8 +208,8 @@ impl Quad {
         self.knots[0].position.distance(self.knots[2].position)
     }
 
-    /// Size of a quad of the same sagitta that turns by [`TURN`] over its diagonal, at most the true size: on the side
-    /// of a column only the breadth counts.
+    /// Size of a quad of the same sagitta that turns by [`TURN`] over its diagonal, at most the true size: on
+    /// the side of a column only the breadth counts.
     fn bent_size(&self) -> f64 {
         let sagitta = |(i, j): (usize, usize)| {
             let (a, b) = (&self.knots[i], &self.knots[j]);

@@ -23,7 +23,8 @@ impl Visibility {
         self.bodies.of(surface).map_or(&self.obstacles[surface].hull, |body| &body.hull)
     }
 
-    /// Whether a surface, or the convex body it belongs to, certainly misses the hull of the point `x` and a ball.
+    /// Whether a surface, or the convex body it belongs to, certainly misses the hull of the point `x` and a
+    /// ball.
     pub fn is_apart(&self, surface: usize, x: DVec3, center: DVec3, radius: f64) -> bool {
         self.ball_of(surface).misses_cone(x, center, radius)
     }
@@ -39,7 +40,8 @@ impl Visibility {
         self.bodies.of(surface).map_or(&self.obstacles[surface].ball, |body| &body.ball)
     }
 
-    /// Whether two surfaces belong to one convex body; then neither hides anything from points on the other's front.
+    /// Whether two surfaces belong to one convex body; then neither hides anything from points on the other's
+    /// front.
     pub fn are_of_one_body(&self, a: usize, b: usize) -> bool {
         self.bodies.place(a).is_some_and(|body| self.bodies.place(b) == Some(body))
     }
@@ -49,8 +51,8 @@ impl Visibility {
         self.bodies.of(*surface).map_or(std::slice::from_ref(surface), |body| &body.surfaces)
     }
 
-    /// Adds the shadow volumes from `x` of a planar surface to `volumes`: that of its convex body, if it has one and x
-    /// lies outside, else one for each convex piece for which `standing` holds.
+    /// Adds the shadow volumes from `x` of a planar surface to `volumes`: that of its convex body, if it has
+    /// one and x lies outside, else one for each convex piece for which `standing` holds.
     pub fn add_pyramids(
         &self,
         surface: usize,

@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 
 /// The end of work with the best that it has: at an instant, or once a person wishes it.
 ///
-/// Rays are sent no further, solvers give up, and no finer run begins. The wish ends rays alone: it is heard while they are sent.
+/// Rays are sent no further, solvers give up, and no finer run begins. The wish ends rays alone: it is heard
+/// while they are sent.
 #[derive(Debug, Default)]
 pub struct Deadline {
     at: Option<Instant>,

@@ -1,9 +1,10 @@
 //! Interruption: another thread ends work of which nothing is wanted any more.
 //!
-//! Work runs within an interruption ([`Interruption::within`]) as it runs within a pool of threads. Whatever takes long asks
-//! between small pieces of it (a row of pairs, a part of a pair, some hundred rays) whether the interruption was raised; if so
-//! the thread unwinds, as it does for a panic but without its message, up to `within`, which returns [`Interrupted`]. Nothing of
-//! the work is kept, and whatever it has borrowed is as it was: the same may be computed again.
+//! Work runs within an interruption ([`Interruption::within`]) as it runs within a pool of threads. Whatever
+//! takes long asks between small pieces of it (a row of pairs, a part of a pair, some hundred rays) whether
+//! the interruption was raised; if so the thread unwinds, as it does for a panic but without its message, up
+//! to `within`, which returns [`Interrupted`]. Nothing of the work is kept, and whatever it has borrowed is
+//! as it was: the same may be computed again.
 //!
 //! ```
 //! use radiosity_work::interruption::{Interrupted, Interruption, check_interrupt};
@@ -22,12 +23,14 @@
 //! assert!(matches!(found, Err(Interrupted)));
 //! ```
 //!
-//! Threads of the pools that the library makes (`in_threads`) hear what the thread hears that made
-//! them; those of other pools hear nothing, or what a piece of work hears that they take over while they wait. So functions that take no number of threads, such as those that read a solution,
-//! are to be called through `in_threads`. A program built with `panic = "abort"` ends instead.
+//! Threads of the pools that the library makes (`in_threads`) hear what the thread hears that made them;
+//! those of other pools hear nothing, or what a piece of work hears that they take over while they wait. So
+//! functions that take no number of threads, such as those that read a solution, are to be called through
+//! `in_threads`. A program built with `panic = "abort"` ends instead.
 //!
-//! A [`Deadline`](crate::Deadline) is something else: there work ends with the best that it has, which is then of use.
-//! [Ranks](crate::ranks) wait for each other: those that share work are to be ended as processes.
+//! A [`Deadline`](crate::Deadline) is something else: there work ends with the best that it has, which is
+//! then of use. [Ranks](crate::ranks) wait for each other: those that share work are to be ended as
+//! processes.
 
 use std::cell::RefCell;
 use std::error::Error;
@@ -122,8 +125,8 @@ pub fn listen(interruption: Option<Interruption>) {
     CURRENT.set(interruption);
 }
 
-/// Does not return where the work of this thread is to end. It takes some nanoseconds: once for each part of the work that takes
-/// microseconds.
+/// Does not return where the work of this thread is to end. It takes some nanoseconds: once for each part of
+/// the work that takes microseconds.
 #[inline]
 pub fn check_interrupt() {
     if CURRENT.with_borrow(|current| current.as_ref().is_some_and(Interruption::is_raised)) {

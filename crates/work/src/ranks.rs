@@ -1,12 +1,13 @@
 //! Ranks: processes, each with threads of its own, that share the work of one run.
 //!
-//! Every rank runs the same program on the same scene: whatever is decided follows from data that all of them have. Only the
-//! heavy parts are shared: of a list of pieces, each rank makes those that are its own, and then sends them to the ranks that
-//! need them ([`Ranks::map`], [`Ranks::exchange`]). A piece is the same whoever makes it, and sums are taken in an order that
-//! does not depend on how the pieces were shared, so that the number of ranks changes no bit of a result.
+//! Every rank runs the same program on the same scene: whatever is decided follows from data that all of them
+//! have. Only the heavy parts are shared: of a list of pieces, each rank makes those that are its own, and
+//! then sends them to the ranks that need them ([`Ranks::map`], [`Ranks::exchange`]). A piece is the same
+//! whoever makes it, and sums are taken in an order that does not depend on how the pieces were shared, so
+//! that the number of ranks changes no bit of a result.
 //!
-//! Ranks are handed down to whatever has something to share ([`Work`](crate::Work)). Nothing is shared within a piece: what makes
-//! it, and would share something by itself, is given [`Ranks::alone`].
+//! Ranks are handed down to whatever has something to share ([`Work`](crate::Work)). Nothing is shared within
+//! a piece: what makes it, and would share something by itself, is given [`Ranks::alone`].
 
 pub mod place;
 mod bytes;
@@ -81,8 +82,8 @@ impl Ranks {
         self.journal.as_deref()
     }
 
-    /// Notes what was chosen for the work to come where that does not follow from the fingerprint of the run alone, but from time
-    /// or memory too: a journal takes none of its pieces for those of another choice.
+    /// Notes what was chosen for the work to come where that does not follow from the fingerprint of the run
+    /// alone, but from time or memory too: a journal takes none of its pieces for those of another choice.
     pub fn note_choice(&self, choice: &dyn Debug) {
         if let Some(journal) = &self.journal {
             journal.note_choice(choice);
@@ -192,7 +193,8 @@ impl Ranks {
         shared.comm.exchange(bytes).iter().map(|bytes| decoded(bytes)).collect()
     }
 
-    /// Fills `values`, of which rank k has the part that ends at `ends[k]` and begins where that of the rank before ends.
+    /// Fills `values`, of which rank k has the part that ends at `ends[k]` and begins where that of the rank
+    /// before ends.
     pub fn complete(&self, values: &mut [f64], ends: &[usize]) {
         let Some(shared) = &self.shared else { return };
         let own = shares::range(ends, self.number());
@@ -200,8 +202,9 @@ impl Ranks {
         shared.comm.complete(values, ends);
     }
 
-    /// All `make(k)` for the pieces k of a part, of these costs, in order. Each rank makes some of them, in parallel. What a piece
-    /// would share by itself it has to share with [`Ranks::alone`]: others are at other pieces.
+    /// All `make(k)` for the pieces k of a part, of these costs, in order. Each rank makes some of them, in
+    /// parallel. What a piece would share by itself it has to share with [`Ranks::alone`]: others are at
+    /// other pieces.
     pub fn map<T>(&self, part: PartName, costs: &[f64], make: impl Fn(usize) -> T + Sync) -> Vec<T>
     where
         T: Serialize + DeserializeOwned + Send,
@@ -240,8 +243,8 @@ impl Ranks {
         Part { recorded: self.journal.as_ref().map(|journal| journal.part(name, pieces)) }
     }
 
-    /// All `make(k)` for k below `count`, in order, where each costs about the same: as [`Ranks::map`], with `together` of them as one
-    /// piece.
+    /// All `make(k)` for k below `count`, in order, where each costs about the same: as [`Ranks::map`], with
+    /// `together` of them as one piece.
     pub fn map_even<T>(
         &self,
         part: PartName,

@@ -1,7 +1,8 @@
-//! Sentences of messages in which options and commands are data: each front end calls them as its users type them.
+//! Sentences of messages in which options and commands are data: each front end calls them as its users type
+//! them.
 //!
-//! Text that a user gave, such as the name of a file, is text, whatever it looks like. `Display` writes the sentence as the command line
-//! has it: `--shadow-eps 1e-3`, `` `radiosity check` ``.
+//! Text that a user gave, such as the name of a file, is text, whatever it looks like. `Display` writes the
+//! sentence as the command line has it: `--shadow-eps 1e-3`, `` `radiosity check` ``.
 
 use std::fmt;
 use std::ops::Add;

@@ -1,8 +1,9 @@
 //! From boxes to a tree of forks.
 //!
-//! Top-down: of the parts of a node the one of largest area is split until there are four. A part is split between the two
-//! of 16 bins of box centres that minimise Σ area · cost (the surface-area heuristic; Goldsmith and Salmon, 1987; binning after
-//! Wald, 2007). Up to four flat surfaces make a leaf, as does any other one.
+//! Top-down: of the parts of a node the one of largest area is split until there are four. A part is split
+//! between the two of 16 bins of box centres that minimise Σ area · cost (the surface-area heuristic;
+//! Goldsmith and Salmon, 1987; binning after Wald, 2007). Up to four flat surfaces make a leaf, as does any
+//! other one.
 
 use super::fork::{Fork, WIDTH};
 use super::frame::Box32;
@@ -149,7 +150,8 @@ impl Bin {
     }
 }
 
-/// Reorders `items` by the best plane between bins; returns how many come before it. None where all centres agree.
+/// Reorders `items` by the best plane between bins; returns how many come before it. None where all centres
+/// agree.
 fn split_by_area(items: &mut [Item]) -> Option<usize> {
     let (low, high) = spread(items);
     let (_, axis, bin) = (0..3)

@@ -1,9 +1,10 @@
 //! A flat surface of three or four corners, ready for rays in double precision.
 //!
-//! With the affine parameters X(u, v) = m + u a + v b of the surface, n its normal and a*, b* the dual vectors, the ray o + t w
-//! meets the plane at t = (m − o) · n / (w · n), at u = (x − m) · a*, v = (x − m) · b*: the formulas of the surfaces
-//! themselves. A convex outline is the meet of half-planes p u + q v ≤ r. Inside of all by [`BORDER`] is a hit, outside of
-//! one by that is none; what lies between, on the border within roundings and the tolerance at seams, the surface has to tell.
+//! With the affine parameters X(u, v) = m + u a + v b of the surface, n its normal and a*, b* the dual
+//! vectors, the ray o + t w meets the plane at t = (m − o) · n / (w · n), at u = (x − m) · a*,
+//! v = (x − m) · b*: the formulas of the surfaces themselves. A convex outline is the meet of half-planes p
+//! u + q v ≤ r. Inside of all by [`BORDER`] is a hit, outside of one by that is none; what lies between, on
+//! the border within roundings and the tolerance at seams, the surface has to tell.
 
 use crate::{Hit, Jet, PlanarRegion, Ray, Surface};
 use glam::DVec3;
@@ -11,7 +12,8 @@ use glam::DVec3;
 /// Half the breadth of a border, in units of the outline's extent: some times the tolerance at seams.
 const BORDER: f64 = 1e-8;
 
-/// Corners farther off the places that affine parameters give them, as a part of their coordinates, belong to other parameters.
+/// Corners farther off the places that affine parameters give them, as a part of their coordinates, belong to
+/// other parameters.
 const AFFINE: f64 = 1e-14;
 
 const SIDES: usize = 4;

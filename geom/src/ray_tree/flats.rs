@@ -1,21 +1,21 @@
 //! Four flat surfaces side by side, and which of them a ray may hit.
 //!
-//! A flat surface lies in its plane n · x = d within |u| ≤ 1, |v| ≤ 1, u + v ≤ s, for two functions u, v affine in x that do not
-//! change along n: a parallelogram less a corner. Triangles and parallelograms are that, other quadrilaterals nearly: of the
-//! parallelograms over two sides of it that hold the quadrilateral the one is taken that has the least beside it. Everything
-//! else takes a rectangle around it.
+//! A flat surface lies in its plane n · x = d within |u| ≤ 1, |v| ≤ 1, u + v ≤ s, for two functions u, v
+//! affine in x that do not change along n: a parallelogram less a corner. Triangles and parallelograms are
+//! that, other quadrilaterals nearly: of the parallelograms over two sides of it that hold the quadrilateral
+//! the one is taken that has the least beside it. Everything else takes a rectangle around it.
 //!
-//! The ray o + t w meets the plane at t = h/c, h = d − n · o, c = n · w. All is multiplied by c, so that no division arises and
-//! roundings stay in bounds: |c u(o) + h u(w)| ≤ |c|, and so on, where the left side is off by a few roundings times |∇u|. What
-//! passes may miss by that; what does not pass certainly misses.
+//! The ray o + t w meets the plane at t = h/c, h = d − n · o, c = n · w. All is multiplied by c, so that no
+//! division arises and roundings stay in bounds: |c u(o) + h u(w)| ≤ |c|, and so on, where the left side is
+//! off by a few roundings times |∇u|. What passes may miss by that; what does not pass certainly misses.
 
 use super::fork::WIDTH;
 use super::frame::{Frame, Ray32};
 use crate::{PlanarRegion, Surface};
 use glam::DVec3;
 
-/// Roundings of the left sides, per unit of |∇u|: |c| ≤ √3 times u(o), off by 12 · 2⁻²⁴, and |h| ≤ 2 √3 times u(w), off by
-/// 5 · 2⁻²⁴, with those of c and h less than 2⁻¹⁸; and twice that for u + v.
+/// Roundings of the left sides, per unit of |∇u|: |c| ≤ √3 times u(o), off by 12 · 2⁻²⁴, and |h| ≤ 2 √3 times
+/// u(w), off by 5 · 2⁻²⁴, with those of c and h less than 2⁻¹⁸; and twice that for u + v.
 const ROUNDING: f64 = 1.0 / (1u32 << 17) as f64;
 
 /// The functions of one flat surface.
@@ -143,8 +143,8 @@ fn parallelogram(flat: &[DVec3], region: &PlanarRegion) -> [DVec3; 3] {
     best.unwrap_or_else(|| around(flat, flat[0], x, y)).0
 }
 
-/// The smallest parallelogram around points along `e` and `f`, as its middle and half sides, and the area that is left of it
-/// without the corner of highest u and v.
+/// The smallest parallelogram around points along `e` and `f`, as its middle and half sides, and the area
+/// that is left of it without the corner of highest u and v.
 fn around(flat: &[DVec3], p: DVec3, e: DVec3, f: DVec3) -> ([DVec3; 3], f64) {
     let cross = e.cross(f);
     let scale = 1.0 / cross.length_squared();

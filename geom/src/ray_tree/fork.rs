@@ -1,7 +1,8 @@
 //! A node of four children: their boxes side by side, tested at once.
 //!
-//! A ray passes a box where its latest entry into a slab comes before its earliest exit from one (Kay and Kajiya, *Ray tracing
-//! complex scenes*, 1986). The signs of its direction tell beforehand which face of a slab it enters by.
+//! A ray passes a box where its latest entry into a slab comes before its earliest exit from one (Kay and
+//! Kajiya, *Ray tracing complex scenes*, 1986). The signs of its direction tell beforehand which face of a
+//! slab it enters by.
 
 use super::frame::{Box32, ROOM, Ray32};
 

@@ -1,10 +1,11 @@
 //! Rays and boxes in single precision, rounded so that no box that a ray meets is missed.
 //!
-//! The scene is moved and scaled into [−1, 1]³ before it is rounded, so that every coordinate is off by at most 2⁻²⁵ and one
-//! margin serves all boxes: [`MARGIN`] is four times the roundings of a box and of an origin. A ray's direction is scaled to a
-//! largest coordinate of 1: its parameter then is a length of the same order as the scene. The roundings of a slab test, of
-//! one over a coordinate (2⁻²⁴), a difference (2⁻²⁴) and a product (2⁻²⁴), are relative to its result and less than [`ROOM`]
-//! (Ize, *Robust BVH ray traversal*, JCGT 2(2), 2013).
+//! The scene is moved and scaled into [−1, 1]³ before it is rounded, so that every coordinate is off by at
+//! most 2⁻²⁵ and one margin serves all boxes: [`MARGIN`] is four times the roundings of a box and of an
+//! origin. A ray's direction is scaled to a largest coordinate of 1: its parameter then is a length of the
+//! same order as the scene. The roundings of a slab test, of one over a coordinate (2⁻²⁴), a difference
+//! (2⁻²⁴) and a product (2⁻²⁴), are relative to its result and less than [`ROOM`] (Ize, *Robust BVH ray
+//! traversal*, JCGT 2(2), 2013).
 
 use crate::slabs::Slabs;
 use crate::{Aabb, Ray};
@@ -16,7 +17,8 @@ const MARGIN: f64 = 1.0 / (1u32 << 22) as f64;
 /// Factor by which the end of an interval grows.
 pub(super) const ROOM: f32 = 1.0 + 1e-6;
 
-/// One over a coordinate of a direction is no larger than this: 0 · ∞ must not arise, nor a number that is not finite.
+/// One over a coordinate of a direction is no larger than this: 0 · ∞ must not arise, nor a number that is
+/// not finite.
 const STEEPEST: f64 = 1e18;
 
 /// The map x ↦ (x − center) / half of a scene into [−1, 1]³.

@@ -1,9 +1,9 @@
 //! Cutting a polygon with holes into convex pieces of three or four vertices.
 //!
-//! The constrained Delaunay triangulation of the rings has the best-shaped triangles; triangles in the holes are
-//! dropped. Rings may touch: vertices within tolerance become one, and an edge that passes through a vertex of another
-//! ring is cut there, so that edges meet in common vertices only. Then pairs of neighbours that form a convex
-//! quadrilateral are merged, those with the largest least sine of a corner first.
+//! The constrained Delaunay triangulation of the rings has the best-shaped triangles; triangles in the holes
+//! are dropped. Rings may touch: vertices within tolerance become one, and an edge that passes through a
+//! vertex of another ring is cut there, so that edges meet in common vertices only. Then pairs of neighbours
+//! that form a convex quadrilateral are merged, those with the largest least sine of a corner first.
 
 use super::rings::{TOUCH, encloses, signed_area, to_segment};
 use crate::ShapeError;
@@ -72,8 +72,8 @@ fn triangulate(flat: &[Vec<DVec2>]) -> Option<Mesh> {
     (expected > 0.0 && (covered - expected).abs() <= 1e-9 * expected).then_some(mesh)
 }
 
-/// The triangles between points, counter-clockwise, with the edges `constraints` among their sides; the same however
-/// these are listed.
+/// The triangles between points, counter-clockwise, with the edges `constraints` among their sides; the same
+/// however these are listed.
 fn delaunay(points: &[DVec2], mut constraints: Vec<[usize; 2]>) -> Option<Vec<[usize; 3]>> {
     let mut plane = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
     let handles: Vec<_> = points

@@ -50,7 +50,8 @@ impl Affine {
         t.is_finite().then_some((t, u, v))
     }
 
-    /// The nearest point over [−1, 1]²: the foot on the plane, or the best on the four sides of a skew parallelogram.
+    /// The nearest point over [−1, 1]²: the foot on the plane, or the best on the four sides of a skew
+    /// parallelogram.
     pub(super) fn nearest(&self, point: DVec3) -> Foot {
         let foot = |[u, v]: [f64; 2]| Foot { u, v, distance: self.point(u, v).distance(point) };
         let [u, v] = self.parameters(point);

@@ -35,8 +35,8 @@ impl Bilinear {
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, coinciding neighbours, corners on one line, a planar outline that is not strictly
-    /// convex.
+    /// Numbers that are not finite, coinciding neighbours, corners on one line, a planar outline that is not
+    /// strictly convex.
     pub fn new(vertices: [DVec3; 4]) -> Result<Bilinear, ShapeError> {
         let [p, q, r, s] = vertices;
         for x in vertices {
@@ -55,8 +55,8 @@ impl Bilinear {
         if normal.length() <= 1e-12 * extent * extent {
             return Err(ShapeError::Folded { field: "vertices".into() });
         }
-        // The corners lie d · n above and below the middle plane, 2 d · n off the plane through the first corner. 0.499
-        // instead of ½, so that rounding cannot make the region refuse.
+        // The corners lie d · n above and below the middle plane, 2 d · n off the plane through the first
+        // corner. 0.499 instead of ½, so that rounding cannot make the region refuse.
         let planar = d.dot(normal.normalize()).abs() <= 0.499 * PLANARITY * extent;
         if planar && !is_convex(&vertices, normal) {
             return Err(ShapeError::Folded { field: "vertices".into() });

@@ -1,16 +1,17 @@
 //! Nearly straight tiles over their mean tangents: whether a ray meets one, and where.
 //!
-//! In the frame of a tile ([`super::sheared`]) its points are X(s, t) = (a, b, h), with (a, b) about (s, t). A ray through (p, q),
-//! with q its height, and with the slope m = (da/dh, db/dh) meets the tile where
+//! In the frame of a tile ([`super::sheared`]) its points are X(s, t) = (a, b, h), with (a, b) about (s, t).
+//! A ray through (p, q), with q its height, and with the slope m = (da/dh, db/dh) meets the tile where
 //!
 //! ```text
 //! f(s, t) = (a, b) − p − m (h − q) = 0 .
 //! ```
 //!
 //! The coefficients of the derivatives of a, b and h bound how far that of f differs from the identity, by
-//! κ = max (κ_ab + |m| κ_h) in the maximum norm. For κ < 1 there is one zero at most, and it lies within κ/(1 − κ) |f| of
-//! (s, t) − f, from any place in the tile; for κ ≤ 0.3 Newton's method finds it. So only steep rays and bent tiles are
-//! left in doubt. Compare [`crate::zeros`], which proves the same of the net seen along the ray.
+//! κ = max (κ_ab + |m| κ_h) in the maximum norm. For κ < 1 there is one zero at most, and it lies within
+//! κ/(1 − κ) |f| of (s, t) − f, from any place in the tile; for κ ≤ 0.3 Newton's method finds it. So only
+//! steep rays and bent tiles are left in doubt. Compare [`crate::zeros`], which proves the same of the net
+//! seen along the ray.
 
 use super::net::sample;
 use super::sheared::Local;

@@ -1,7 +1,8 @@
-//! Sheets that turn back on themselves within their own plane: light from one layer to the other would be undefined.
+//! Sheets that turn back on themselves within their own plane: light from one layer to the other would be
+//! undefined.
 //!
-//! A flat sheet has one normal ± n, and turns back exactly where the sign changes. A sheet that is not flat may have a
-//! fold, like the lip of the teapot's spout: its two layers then lie apart.
+//! A flat sheet has one normal ± n, and turns back exactly where the sign changes. A sheet that is not flat
+//! may have a fold, like the lip of the teapot's spout: its two layers then lie apart.
 
 use glam::DVec3;
 

@@ -42,8 +42,9 @@ pub(super) fn jet(u: f64, v: f64, at: impl Fn(f64, f64) -> Sample<DVec3>) -> Jet
     }
 }
 
-/// The normal where the tangents span no plane. On an edge collapsed to a point one tangent vanishes like the distance
-/// from the edge times the mixed derivative; elsewhere it is the normal at 1 − 1e-4 of the parameters.
+/// The normal where the tangents span no plane. On an edge collapsed to a point one tangent vanishes like the
+/// distance from the edge times the mixed derivative; elsewhere it is the normal at 1 − 1e-4 of the
+/// parameters.
 fn limit_normal(u: f64, v: f64, here: &Sample<DVec3>, at: impl Fn(f64, f64) -> Sample<DVec3>) -> DVec3 {
     let collapsed_in_t = here.by_t.length_squared() < here.by_s.length_squared();
     let limit = if collapsed_in_t {

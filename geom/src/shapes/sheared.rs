@@ -1,18 +1,18 @@
 //! Sheared boxes around bicubic tiles: which rays certainly miss a tile, and which certainly meet it.
 //!
-//! A tile has an affine frame (a, b, h): its mean tangents become the units of a and b, h is the height along its mean
-//! normal. The tile lies in the hull of its control points, so the ranges of their coordinates make a box around it,
-//! the thinner the flatter the tile: a ray that misses the box misses the tile. The four sides of the tile lie in the
-//! hulls of their own control points. If these leave a core between them,
+//! A tile has an affine frame (a, b, h): its mean tangents become the units of a and b, h is the height along
+//! its mean normal. The tile lies in the hull of its control points, so the ranges of their coordinates make
+//! a box around it, the thinner the flatter the tile: a ray that misses the box misses the tile. The four
+//! sides of the tile lie in the hulls of their own control points. If these leave a core between them,
 //!
 //! ```text
 //! max a of the side s = 0  <  a  <  min a of the side s = 1 ,     max b of t = 0  <  b  <  min b of t = 1 ,
 //! ```
 //!
-//! a ray that passes the whole height of the box within the core meets the tile: each coordinate of the difference of
-//! X(s, t) and the ray's point at w changes its sign between two opposite faces of a box of (s, t, w), so the
-//! difference vanishes somewhere (Poincaré and Miranda). This holds for any frame; a degenerate tile takes that of
-//! space.
+//! a ray that passes the whole height of the box within the core meets the tile: each coordinate of the
+//! difference of X(s, t) and the ray's point at w changes its sign between two opposite faces of a box of (s,
+//! t, w), so the difference vanishes somewhere (Poincaré and Miranda). This holds for any frame; a degenerate
+//! tile takes that of space.
 //!
 //! Compare Gottschalk, Lin, Manocha, *OBBTree*, 1996, whose boxes are turned but not sheared.
 

@@ -1,8 +1,9 @@
 //! Bicubic patches as quadtrees of tiles, to look for rays only where they pass.
 //!
-//! A ray descends from the whole patch to the quarters that it may meet, by their boxes ([`Sheared`]), until a box
-//! shows that it meets the patch or a tile is straight enough to be met directly ([`Chart`]), or down to the smallest
-//! tiles. Seen along the ray, their control points form planar nets, whose zeros are bracketed ([`zeros`]).
+//! A ray descends from the whole patch to the quarters that it may meet, by their boxes ([`Sheared`]), until
+//! a box shows that it meets the patch or a tile is straight enough to be met directly ([`Chart`]), or down
+//! to the smallest tiles. Seen along the ray, their control points form planar nets, whose zeros are
+//! bracketed ([`zeros`]).
 
 use super::chart::{Chart, Meeting};
 use super::net::{part, sample};
@@ -57,7 +58,8 @@ impl Control for DVec4 {
 /// A patch cut into tiles.
 #[derive(Clone, Debug)]
 pub(super) struct Tiles<T> {
-    /// The tiles of all levels of the quadtree, the whole patch first, four quarters of a tile one after the other.
+    /// The tiles of all levels of the quadtree, the whole patch first, four quarters of a tile one after the
+    /// other.
     tiles: Vec<Tile<T>>,
 }
 
@@ -277,8 +279,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
 
-        /// On sheets from nearly flat to tangled ones, plain and rational: segments between any points, and between
-        /// points of the sheet, where boxes say least.
+        /// On sheets from nearly flat to tangled ones, plain and rational: segments between any points, and
+        /// between points of the sheet, where boxes say least.
         #[test]
         fn rays_meet_what_all_tiles_together_meet(
             offsets in prop::collection::vec(prop::array::uniform3(-1.0..1.0), 16),

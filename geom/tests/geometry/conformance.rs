@@ -142,7 +142,8 @@ fn boxes_hold_their_part_closely() {
     });
 }
 
-/// No plane through a face of the hull's box, nor any random one, has a point of the part beyond all hull points.
+/// No plane through a face of the hull's box, nor any random one, has a point of the part beyond all hull
+/// points.
 #[test]
 fn hulls_hold_their_part() {
     each(|Exhibit { name, surface, .. }, random| {

@@ -149,8 +149,8 @@ proptest! {
             let ray = Ray::new(inside, at(rim) - inside);
             let met = tree.nearest(&ray);
             prop_assert!(met.is_some_and(|met| met.front && (met.hit.t - 1.0).abs() < 1e-6), "{ray:?} {met:?}");
-            // From there, as from each face that it lies on. A ray all but within another of these leaves it by more than the
-            // tolerance at seams before it gets behind it, for the roundings of the place.
+            // From there, as from each face that it lies on. A ray all but within another of these leaves it
+            // by more than the tolerance at seams before it gets behind it, for the roundings of the place.
             let own: Vec<usize> = (0..faces.len()).filter(|k| regions[*k].contains(at(rim))).collect();
             let direction = random.direction();
             let is_steep = own.iter().all(|k| regions[*k].normal().dot(direction).abs() > 1e-3);
@@ -250,7 +250,8 @@ fn rims_of_curved_walls_do_not_leak() {
     }
 }
 
-/// From the foot of a box on a floor, light does not get into the box; past its edges it does not stick to its sides.
+/// From the foot of a box on a floor, light does not get into the box; past its edges it does not stick to
+/// its sides.
 #[test]
 fn creases_block_one_way_only() {
     let floor: Shape = Arc::new(

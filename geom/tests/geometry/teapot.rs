@@ -32,8 +32,8 @@ fn border_points(p: &[[DVec3; 4]; 4]) -> [[DVec3; 4]; 4] {
     [column(0), p[3], reversed(column(3)), reversed(p[0])]
 }
 
-/// The border of patch `a`, by its index, along which patch `b` has the same control points, forwards or backwards, read off
-/// the table alone.
+/// The border of patch `a`, by its index, along which patch `b` has the same control points, forwards or
+/// backwards, read off the table alone.
 fn seams_of_table(teapot: &Teapot, a: usize, b: usize) -> Vec<usize> {
     let (p, q) = (border_points(&teapot.points(a)), border_points(&teapot.points(b)));
     let turned = q.map(|mut points| {

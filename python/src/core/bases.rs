@@ -53,7 +53,8 @@ pub(super) fn triangle_basis(
     write(py, &TRIANGLE, order, points, out, gradients)
 }
 
-/// Writes (s, t, w) of the rule on the triangle that a Legendre rule across and a Jacobi (1, 0) rule along collapse to.
+/// Writes (s, t, w) of the rule on the triangle that a Legendre rule across and a Jacobi (1, 0) rule along
+/// collapse to.
 #[pyfunction]
 pub(super) fn triangle_rule(
     nodes_across: Input<'_>,

@@ -10,8 +10,8 @@ use radiosity_core::legendre;
 use super::family::Family;
 use super::{Input, Output, by_rows, misfit, weight};
 
-/// `out[i · m + k]` = `p_k(x[i])` for k < m, m = `count` > 0, orthonormal for the weight (1 − x)^α (1 + x)^β, and
-/// `slopes[i · m + k]` = `p_k′(x[i])` where slopes are given.
+/// `out[i · m + k]` = `p_k(x[i])` for k < m, m = `count` > 0, orthonormal for the weight (1 − x)^α (1 + x)^β,
+/// and `slopes[i · m + k]` = `p_k′(x[i])` where slopes are given.
 #[pyfunction]
 #[pyo3(signature = (alpha, beta, count, x, out, slopes=None))]
 pub(super) fn orthonormal(

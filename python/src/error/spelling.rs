@@ -1,4 +1,5 @@
-//! Options and verbs in messages as Python has them: `--shadow-eps 1e-3` is `shadow_eps=1e-3`, `` `radiosity scenes` `` a function.
+//! Options and verbs in messages as Python has them: `--shadow-eps 1e-3` is `shadow_eps=1e-3`, ``
+//! `radiosity scenes` `` a function.
 
 use radiosity::work::wording::{Part, Wording};
 

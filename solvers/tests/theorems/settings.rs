@@ -149,9 +149,9 @@ fn the_unit_of_the_matrix_does_not_matter() {
 
 #[test]
 fn what_rises_first_and_falls_slowly_is_not_stuck() {
-    // One large unknown among 400 in a closed system that reflects 99 %: it sends its light to all others, and they
-    // send nine tenths to it. From b = e₀ the residual spreads, grows tenfold, and takes some 200 iterations to
-    // return to its first value.
+    // One large unknown among 400 in a closed system that reflects 99 %: it sends its light to all others,
+    // and they send nine tenths to it. From b = e₀ the residual spreads, grows tenfold, and takes some 200
+    // iterations to return to its first value.
     let dim = 400;
     let share = |i: usize, j: usize| match (i, j) {
         (0, 0) => 0.0,

@@ -156,8 +156,8 @@ fn sphere(patches: usize, size: usize) -> (Dense, Vec<f64>) {
 }
 
 /// Two parallel square plates of `side`² equal square patches each, at a distance of one patch width. The
-/// share cos² A / π r² (A = 1, between centres) of the light of patch j reaches patch i of the other plate. The patch
-/// in the middle of one plate emits 1; light that misses the plates is lost.
+/// share cos² A / π r² (A = 1, between centres) of the light of patch j reaches patch i of the other plate.
+/// The patch in the middle of one plate emits 1; light that misses the plates is lost.
 fn plates(side: usize) -> (Dense, Vec<f64>) {
     let across = |i: usize, j: usize| {
         let apart = |i: usize, j: usize| i.abs_diff(j).pow(2) as f64;

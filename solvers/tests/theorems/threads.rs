@@ -25,7 +25,8 @@ fn of_products_and_iterations() {
     }
 }
 
-/// Unknowns of factorisations on several threads: a last panel of one column twice (n = 1024 k + 1), and one of 452.
+/// Unknowns of factorisations on several threads: a last panel of one column twice (n = 1024 k + 1), and one
+/// of 452.
 const LARGE: [usize; 3] = [2049, 2500, 3073];
 
 /// 3/2 I plus a symmetric matrix of row sums below 1.

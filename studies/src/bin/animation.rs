@@ -1,19 +1,21 @@
-//! Ways to follow moving things: seconds of CPU, frames a second, when the set-up is repaid, and how far the light is from that of
-//! a fresh solution.
+//! Ways to follow moving things: seconds of CPU, frames a second, when the set-up is repaid, and how far the
+//! light is from that of a fresh solution.
 //!
-//! `cargo run --release -p radiosity-studies --bin animation -- [--frames N] [--order N] [--split] [--auto] [--no-shadows] [SCENE...]`
+//! `cargo run --release -p radiosity-studies --bin animation -- [--frames N] [--order N]
+//! [--split] [--auto] [--no-shadows] [SCENE...]`
 //!
-//! All ways solve the same frames of a scene with the same options, on one thread. `fresh` solves each by itself, ten of them at
-//! most, spread over the path; `selective` one after the other; `path` interpolates light; `series` sums blocks of power series.
-//! The error is the largest of any frame that was solved fresh: the relative L2 of the coefficients of irradiance. Of the rays between
-//! elements, where these carry the pairs (`--auto`), it is told which part was traced for frames after the first. `gain` is the
-//! time of fresh frames over that of this way, for all frames together; `afterwards` that for one frame more when all is set up.
-//! `repaid` is the number of frames from which on all together take less CPU than fresh ones, in brackets the same counted in
-//! blocks.
+//! All ways solve the same frames of a scene with the same options, on one thread. `fresh` solves each by
+//! itself, ten of them at most, spread over the path; `selective` one after the other; `path` interpolates
+//! light; `series` sums blocks of power series. The error is the largest of any frame that was solved fresh:
+//! the relative L2 of the coefficients of irradiance. Of the rays between elements, where these carry the
+//! pairs (`--auto`), it is told which part was traced for frames after the first. `gain` is the time of fresh
+//! frames over that of this way, for all frames together; `afterwards` that for one frame more when all is
+//! set up. `repaid` is the number of frames from which on all together take less CPU than fresh ones, in
+//! brackets the same counted in blocks.
 //!
-//! Without a scene: a lamp that slides along a ceiling and one that swings over a table, each without shadows, as the source has
-//! them, and with, beside the two tables of the source: D. Arquès, V. Biri, S. Michelin (2001), whose light passes through all
-//! bodies. About a minute.
+//! Without a scene: a lamp that slides along a ceiling and one that swings over a table, each without
+//! shadows, as the source has them, and with, beside the two tables of the source: D. Arquès, V. Biri, S.
+//! Michelin (2001), whose light passes through all bodies. About a minute.
 
 #![expect(clippy::print_stdout, reason = "tables for people")]
 
@@ -66,10 +68,12 @@ surfaces = ["lamp", "shade"]
 translate = { points = [[0, 0, 0.05], [0.4, 0, 0], [0.8, 0, 0.05]] }
 "#;
 
-/// A table of the source: its title, seconds of set-up, of a frame and of a frame solved anew, and how many frames there are.
+/// A table of the source: its title, seconds of set-up, of a frame and of a frame solved anew, and how many
+/// frames there are.
 type Printed = (&'static str, f64, f64, f64, usize);
 
-/// Table 2 counts the shadows, which are drawn afterwards, in both columns. The source prints 185 s for the sum of its numbers.
+/// Table 2 counts the shadows, which are drawn afterwards, in both columns. The source prints 185 s for the
+/// sum of its numbers.
 const SOURCE: [Printed; 2] = [
     ("table 1, room with a sliding light", 18.59, 1.41, 4.02, 100),
     ("table 2, billiard", 18.59, 1.13, 2.93, 160),
@@ -193,7 +197,8 @@ fn compare(name: &str, scene: &Scene, options: &Options, count: usize) {
         let in_blocks = follower.repaid();
         let rays = follower.account().rays;
         let (solved, told) = (follower.solved(), follower.error());
-        // Path: all frames again. Else: the last one and the one before it by turns, as the last one alone is known to the bit.
+        // Path: all frames again. Else: the last one and the one before it by turns, as the last one alone is
+        // known to the bit.
         let again: Vec<usize> = match way {
             Way::Path { .. } => (0..count).collect(),
             _ => [count - 2, count - 1].repeat(3),

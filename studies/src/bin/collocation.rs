@@ -1,8 +1,9 @@
-//! Tents by Ritz's method, and by collocation at the corners of cells, which the variational source takes for them: error,
-//! asymmetry, power.
+//! Tents by Ritz's method, and by collocation at the corners of cells, which the variational source takes for
+//! them: error, asymmetry, power.
 //!
-//! Two unit squares of reflectance ½, of which one emits: parallel, or with a common edge at a right angle. There the corners on
-//! the edge see the other square edge-on, where its irradiance has no value: collocation takes 0.
+//! Two unit squares of reflectance ½, of which one emits: parallel, or with a common edge at a right angle.
+//! There the corners on the edge see the other square edge-on, where its irradiance has no value: collocation
+//! takes 0.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

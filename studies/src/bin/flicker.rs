@@ -1,19 +1,20 @@
 //! Steadiness of the light of a film: first and second differences in time of pixels that see a thing at
 //! rest.
 //!
-//! `cargo run --release -p radiosity-studies --bin flicker -- [--frames A..B] [--size WxH] [--read basis|direct|gather] SCENE...`
+//! `cargo run --release -p radiosity-studies --bin flicker -- [--frames A..B] [--size WxH]
+//! [--read basis|direct|gather] SCENE...`
 //!
-//! A pixel counts where it and the eight around it see the same place of the same surface in three frames one after the other,
-//! luminous things left out: what moves, and its outline, are not looked at. With the radiosity f(t) of such a pixel, mean over
-//! the bands,
+//! A pixel counts where it and the eight around it see the same place of the same surface in three frames one
+//! after the other, luminous things left out: what moves, and its outline, are not looked at. With the
+//! radiosity f(t) of such a pixel, mean over the bands,
 //!
 //! ```text
 //! d₁ = f(t + 1) − f(t) ,     d₂ = f(t + 1) − 2 f(t) + f(t − 1) ,
 //! ```
 //!
-//! in % of the mean of the frame: root mean squares over the pixels of all frames, and the largest. Light that follows what moves
-//! smoothly has d₂ ≪ d₁; noise that is drawn anew for each frame has d₂ = √3 d₁, and so has a light that pops. Times are CPU
-//! seconds a frame, of the light and of the picture.
+//! in % of the mean of the frame: root mean squares over the pixels of all frames, and the largest. Light
+//! that follows what moves smoothly has d₂ ≪ d₁; noise that is drawn anew for each frame has d₂ = √3 d₁, and
+//! so has a light that pops. Times are CPU seconds a frame, of the light and of the picture.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

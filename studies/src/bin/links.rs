@@ -1,12 +1,13 @@
-//! Hierarchical radiosity: how links and time grow with the number of surfaces, and with the accuracy of one scene.
+//! Hierarchical radiosity: how links and time grow with the number of surfaces, and with the accuracy of one
+//! scene.
 //!
 //! `cargo run --release -p radiosity-studies --bin links > links.md`
 //!
-//! `halls` alone prints the halls, `cornell` alone the Cornell box. The halls are closed rooms in which boxes hover. Below
-//! their table stand the exponents p of y ~ surfacesᵖ between each row and the next, and the error of the smallest hall against
-//! elements of order 0 with blocks from many rays. An error is the root of the mean square, by area, of the errors of the
-//! surfaces' mean irradiances, in parts of the largest of these; that of the Cornell box is against polynomials of order 5.
-//! Seconds are wall time of all threads.
+//! `halls` alone prints the halls, `cornell` alone the Cornell box. The halls are closed rooms in which boxes
+//! hover. Below their table stand the exponents p of y ~ surfacesᵖ between each row and the next, and the
+//! error of the smallest hall against elements of order 0 with blocks from many rays. An error is the root of
+//! the mean square, by area, of the errors of the surfaces' mean irradiances, in parts of the largest of
+//! these; that of the Cornell box is against polynomials of order 5. Seconds are wall time of all threads.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

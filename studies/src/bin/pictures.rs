@@ -3,13 +3,14 @@
 //!
 //! `cargo run --release -p radiosity-studies --bin pictures [-- SCENE...]`
 //!
-//! Each scene is solved and taken as `radiosity render SCENE` does, in its own size, the temple
-//! in a smaller one, in which it is gathered too. The error is that of the radiosity at
-//! 1000 pixels, evenly chosen, lamps left out, over the root mean square of the radiosity: against light gathered to 1e-4
-//! by cells in flat scenes, to 1e-3 by rays at the teapot, to 3e-3 in the temple. A joint is what the error changes by, over the mean radiosity, from
-//! pixels to the next where these see different elements of one surface: the mean over sixteen pixels along a joint, since
-//! a step shows where it runs on; the largest of fifty such runs, evenly chosen. The largest step between two single pixels
-//! stands beside it: it has the noise of both pixels and of the light that they are compared with.
+//! Each scene is solved and taken as `radiosity render SCENE` does, in its own size, the temple in a smaller
+//! one, in which it is gathered too. The error is that of the radiosity at 1000 pixels, evenly chosen, lamps
+//! left out, over the root mean square of the radiosity: against light gathered to 1e-4 by cells in flat
+//! scenes, to 1e-3 by rays at the teapot, to 3e-3 in the temple. A joint is what the error changes by, over
+//! the mean radiosity, from pixels to the next where these see different elements of one surface: the mean
+//! over sixteen pixels along a joint, since a step shows where it runs on; the largest of fifty such runs,
+//! evenly chosen. The largest step between two single pixels stands beside it: it has the noise of both
+//! pixels and of the light that they are compared with.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

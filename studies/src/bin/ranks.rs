@@ -3,8 +3,9 @@
 //!     cargo run --release -p radiosity-studies --bin ranks -- [SCENE …]
 //!
 //! Each block is integrated once, and what it cost is recorded. The rule that shares blocks between ranks
-//! (`crates/transport/src/schedule/balance.rs`) is then run for so many ranks, without any process: it sees what it would see. Efficiency
-//! is the mean work of a rank over the time that all take, in which ranks wait for each other after each round.
+//! (`crates/transport/src/schedule/balance.rs`) is then run for so many ranks, without any process: it sees
+//! what it would see. Efficiency is the mean work of a rank over the time that all take, in which ranks wait
+//! for each other after each round.
 
 #![allow(clippy::print_stdout, reason = "the table is what it is for")]
 

@@ -1,10 +1,13 @@
-//! Error against time of the presets, and of the ways to read a solution: the Cornell box against path tracing.
+//! Error against time of the presets, and of the ways to read a solution: the Cornell box against path
+//! tracing.
 //!
-//! `cargo run --release -p radiosity-studies --bin read_off -- [WAY ...]` (quick, default, fine, finest, projected, masks, masks-1993; all unless
-//! said). Floor and back wall, 16 × 16 cell means of irradiance, pooled area-weighted relative L2 over both faces and the three
-//! bands, %; the reference's own noise is 0.14 %. Samples and rays are those of the transfers. Masks have 40 × 40 cells, and
-//! average by light or, as in 1993, by area. "read" names the way to read with its rates of direct and of reflected light, points
-//! along a cell's side. Times are wall times: of the solution, and of the cells of all faces with what is tabulated for them.
+//! `cargo run --release -p radiosity-studies --bin read_off -- [WAY ...]` (quick, default, fine, finest,
+//! projected, masks, masks-1993; all unless said). Floor and back wall, 16 × 16 cell means of irradiance,
+//! pooled area-weighted relative L2 over both faces and the three bands, %; the reference's own noise is 0.14
+//! %. Samples and rays are those of the transfers. Masks have 40 × 40 cells, and average by light or, as in
+//! 1993, by area. "read" names the way to read with its rates of direct and of reflected light, points along
+//! a cell's side. Times are wall times: of the solution, and of the cells of all faces with what is tabulated
+//! for them.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

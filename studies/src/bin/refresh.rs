@@ -1,8 +1,8 @@
 //! Makes the figures, tables and outputs of the documents anew, each by the command that the text names.
 //!
-//! `cargo run --release -p radiosity-studies --bin refresh -- [PART OF A COMMAND]` goes through docs/measured.md and
-//! benches/README.md, about an hour for all commands. What is made anew stands between two marks, and is what the nearest command above it prints on its
-//! standard output:
+//! `cargo run --release -p radiosity-studies --bin refresh -- [PART OF A COMMAND]` goes through
+//! docs/measured.md and benches/README.md, about an hour for all commands. What is made anew stands between
+//! two marks, and is what the nearest command above it prints on its standard output:
 //!
 //! ```text
 //! … Error against time: `cargo run --release -p radiosity-studies --bin read_off`.
@@ -11,10 +11,11 @@
 //! <!-- end -->
 //! ```
 //!
-//! A command stands in back-quotes, or alone in an indented line, and begins with `cargo`. `<!-- output, shown -->` indents
-//! what is printed by four blanks, so that it stays as it is; `<!-- run -->`, without an end, runs the command for the files
-//! it writes. A command that fails leaves its place as it was. Commands run one after another, in the current folder, which
-//! has to be the root of the repository; a document is written after each.
+//! A command stands in back-quotes, or alone in an indented line, and begins with `cargo`.
+//! `<!-- output, shown -->` indents what is printed by four blanks, so that it stays as it is;
+//! `<!-- run -->`, without an end, runs the command for the files it writes. A command that fails leaves its
+//! place as it was. Commands run one after another, in the current folder, which has to be the root of the
+//! repository; a document is written after each.
 
 #![expect(clippy::print_stderr, reason = "progress for people")]
 

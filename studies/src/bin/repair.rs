@@ -1,4 +1,5 @@
-//! Repairs 100 000 polygons of which one in a hundred has each fault, and prints how long that takes and what was found.
+//! Repairs 100 000 polygons of which one in a hundred has each fault, and prints how long that takes and what
+//! was found.
 
 use std::io::{self, Write};
 use std::time::Instant;

@@ -2,9 +2,9 @@
 //!
 //! `cargo run --release -p radiosity-studies --bin series`
 //!
-//! Four pairs of quads, each along four directions: the largest error of an entry relative to the largest entry, worst
-//! and median of the sixteen, and the bound that is told. Then the time of an expansion to N orders on one core, in
-//! integrals of the same block.
+//! Four pairs of quads, each along four directions: the largest error of an entry relative to the largest
+//! entry, worst and median of the sixteen, and the bound that is told. Then the time of an expansion to N
+//! orders on one core, in integrals of the same block.
 
 #![allow(clippy::print_stdout, reason = "the tables are what it is for")]
 
@@ -31,7 +31,8 @@ const USUAL: f64 = 1e-4;
 /// Origin and edges.
 type Quad = [[f64; 3]; 3];
 
-/// A lamp over a floor, over a wall's foot, beside a wall and askew before a wall, in lengths of a room of about 1.
+/// A lamp over a floor, over a wall's foot, beside a wall and askew before a wall, in lengths of a room of
+/// about 1.
 const PAIRS: [[Quad; 2]; 4] = [
     [[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]], [[0.4, 0.3, 0.95], [0., 0.3, 0.], [0.3, 0., 0.]]],
     [[[0., 0., 0.], [1., 0., 0.], [0., 1., 0.]], [[0.1, 0.1, 0.5], [0., 0.2, 0.], [0.2, 0., 0.]]],
@@ -73,8 +74,8 @@ fn largest(block: &[f64]) -> f64 {
     block.iter().fold(0.0, |most, x| most.max(x.abs()))
 }
 
-/// Error of the series to each of [`ORDERS`] and its bound at each of [`STEPS`], relative to the largest entry; None
-/// where part of the pair ceases to be seen before.
+/// Error of the series to each of [`ORDERS`] and its bound at each of [`STEPS`], relative to the largest
+/// entry; None where part of the pair ceases to be seen before.
 fn errors(elements: &Elements, direction: DVec3) -> Option<Vec<Vec<[f64; 2]>>> {
     let pair = pair(elements, direction);
     let expand = |centre: f64, orders: usize| {

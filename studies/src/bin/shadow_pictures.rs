@@ -1,8 +1,8 @@
 //! One shadow, four ways: the box with a lamp and a hovering panel, as in figures 7 and 8 of Zatz 1993.
 //!
-//! `cargo run --release -p radiosity-studies --bin shadow_pictures -- [PREFIX]` writes PREFIX-pictures.png and PREFIX-differences.png
-//! (docs/occluder-box unless said), each of five pictures side by side, and prints how far the radiosity of the floor's pixels
-//! is off (relative L2):
+//! `cargo run --release -p radiosity-studies --bin shadow_pictures -- [PREFIX]` writes PREFIX-pictures.png
+//! and PREFIX-differences.png (docs/occluder-box unless said), each of five pictures side by side, and prints
+//! how far the radiosity of the floor's pixels is off (relative L2):
 //!
 //! 1. polynomials alone, of order 4, on the floor 8 (figure 7);
 //! 2. the same with direct light times masks of 40 × 40 cells, order 8 on the lamp too (figure 8);
@@ -10,8 +10,8 @@
 //! 4. direct light exact at every point, the rest from polynomials of the same orders (`--read direct`);
 //! 5. all light gathered anew at every point (`--read gather`).
 //!
-//! The second file shows the differences from the finest preset, blue where too dark, red where too bright, white where equal;
-//! the ends of the scale are ±20 % of the mean radiosity.
+//! The second file shows the differences from the finest preset, blue where too dark, red where too bright,
+//! white where equal; the ends of the scale are ±20 % of the mean radiosity.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

@@ -3,12 +3,12 @@
 //!
 //! `cargo run --release -p radiosity-studies --bin sizes > sizes.md`
 //!
-//! Each row is a process of its own (`sizes ROW ORDER`, rows from 0), on one thread: "MB at most" is the most memory that the
-//! system granted it, and seconds are of processor time, both as Linux tells them. Direct light is projected, so that blocks
-//! and solver are all there is to do. Bytes of blocks are those stored, one triangle, zero blocks left out; the matrix of the
-//! system is dense. Before a row is begun its memory is told by [`MemoryEstimate`] and its time from the rows before it: more than
-//! 2 GB or two minutes are not run. Below the table stand the exponents p of y ~ surfacesᵖ between the last two rows of each
-//! order.
+//! Each row is a process of its own (`sizes ROW ORDER`, rows from 0), on one thread: "MB at most" is the most
+//! memory that the system granted it, and seconds are of processor time, both as Linux tells them. Direct
+//! light is projected, so that blocks and solver are all there is to do. Bytes of blocks are those stored,
+//! one triangle, zero blocks left out; the matrix of the system is dense. Before a row is begun its memory is
+//! told by [`MemoryEstimate`] and its time from the rows before it: more than 2 GB or two minutes are not
+//! run. Below the table stand the exponents p of y ~ surfacesᵖ between the last two rows of each order.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 #![expect(clippy::print_stderr, reason = "notes about the table")]

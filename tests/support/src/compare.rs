@@ -22,7 +22,8 @@ pub fn distance(found: &[f64], exact: &[f64]) -> f64 {
     (squares / exact.iter().map(|y| y * y).sum::<f64>()).sqrt()
 }
 
-/// The largest [`distance`] of the coefficients of irradiance in any band of two solutions on the same elements.
+/// The largest [`distance`] of the coefficients of irradiance in any band of two solutions on the same
+/// elements.
 #[track_caller]
 pub fn apart(found: &Solution, exact: &Solution) -> f64 {
     let bands = found.bands().iter().zip(exact.bands());

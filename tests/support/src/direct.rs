@@ -8,7 +8,8 @@ use radiosity::{Options, Scene};
 
 use crate::solved::outcome_of;
 
-/// Direct light of a scene's first band in the open at points, each with the normal of the receiver, to this accuracy.
+/// Direct light of a scene's first band in the open at points, each with the normal of the receiver, to this
+/// accuracy.
 pub fn in_the_open(scene: &Scene, options: &Options, points: &[(DVec3, DVec3)], eps: f64) -> Vec<f64> {
     let outcome = outcome_of(scene, options);
     let visibility = Visibility::new(scene, options.into());

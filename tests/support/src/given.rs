@@ -8,8 +8,8 @@ use radiosity::{Scene, elements};
 
 use crate::solved::elements_of;
 
-/// A solution of one band on undivided surfaces of this order, with the irradiance `total` everywhere, of which `direct` comes
-/// straight from emitters. Materials are those of the scene.
+/// A solution of one band on undivided surfaces of this order, with the irradiance `total` everywhere, of
+/// which `direct` comes straight from emitters. Materials are those of the scene.
 pub fn even(scene: &Scene, order: usize, total: f64, direct: f64) -> Solution {
     let elements = elements_of(scene, order, 1);
     let times = |factor: f64| elements.constant().iter().map(|c| factor * c).collect::<Vec<f64>>();

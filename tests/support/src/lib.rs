@@ -1,7 +1,8 @@
 //! Helpers of tests, benches and studies of several packages.
 //!
-//! Without features it needs nothing of the house, so that the crates at its foot can use it; `geom`, `solvers` and `house` add
-//! what needs surfaces, systems of equations, and scenes. A helper that fails panics where it was called.
+//! Without features it needs nothing of the house, so that the crates at its foot can use it; `geom`,
+//! `solvers` and `house` add what needs surfaces, systems of equations, and scenes. A helper that fails
+//! panics where it was called.
 
 pub mod random;
 pub mod mutations;

@@ -63,7 +63,8 @@ fn mutate(bytes: &mut Vec<u8>, mutation: &Mutation) {
     }
 }
 
-/// Runs `check` on so many broken copies of a file, whose format has these `words`; panics with the smallest that it fails on.
+/// Runs `check` on so many broken copies of a file, whose format has these `words`; panics with the smallest
+/// that it fails on.
 pub fn break_often(cases: u32, whole: &[u8], words: &[&'static str], check: impl Fn(&[u8])) {
     let changes = prop::collection::vec(mutation(words), 1..5);
     let tried = TestRunner::new(seeded(cases, 27)).run(&changes, |mutations| {

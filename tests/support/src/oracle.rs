@@ -174,7 +174,8 @@ impl Oracle {
     }
 }
 
-/// μ₀ = ½ (F(p, q) + F(q, p)) with p = α + 1, q = β + 1, F(p, q) = 1/p · Σ Π_{j=1…k} (p + q + j − 1)/(2 (p + j)).
+/// μ₀ = ½ (F(p, q) + F(q, p)) with p = α + 1, q = β + 1, F(p, q) = 1/p · Σ Π_{j=1…k} (p + q + j − 1)/(2
+/// (p + j)).
 pub fn integral(alpha: f64, beta: f64) -> Fixed {
     let (p, q) = (Fixed::float(alpha) + Fixed::new(1), Fixed::float(beta) + Fixed::new(1));
     let half = |p: &Fixed| {

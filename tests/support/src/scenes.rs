@@ -51,7 +51,8 @@ pub fn grey() -> (SceneBuilder, NamedMaterial) {
     (builder, grey)
 }
 
-/// A builder of one band with these shapes, called `surface 0` and so on, each of reflectance ½ and of its own exitance.
+/// A builder of one band with these shapes, called `surface 0` and so on, each of reflectance ½ and of its
+/// own exitance.
 pub fn shining(shapes: impl IntoIterator<Item = (Arc<dyn Surface>, f64)>) -> SceneBuilder {
     let mut builder = SceneBuilder::new("shapes", ["grey"]);
     for (index, (shape, exitance)) in shapes.into_iter().enumerate() {

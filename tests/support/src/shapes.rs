@@ -35,8 +35,8 @@ pub fn inside(surface: impl Surface + 'static) -> Arc<dyn Surface> {
     Arc::new(Flipped::new(Box::new(surface)))
 }
 
-/// The faces of a box with a corner at `corner`, fronts along the edges' cross products: inside where the edges are
-/// right-handed. For each edge in turn the face at the corner and the one across.
+/// The faces of a box with a corner at `corner`, fronts along the edges' cross products: inside where the
+/// edges are right-handed. For each edge in turn the face at the corner and the one across.
 pub fn faces(corner: DVec3, edges: [DVec3; 3]) -> [Parallelogram; 6] {
     let face = |k: usize| {
         let [across, a, b] = [0, 1, 2].map(|step| edges[(k / 2 + step) % 3]);

@@ -65,7 +65,8 @@ fn blocks_are_those_of_the_displaced_scene() {
     }
 }
 
-/// The lamp looks down at a wall that reaches above it, and moves level: the part of the wall that it sees stays.
+/// The lamp looks down at a wall that reaches above it, and moves level: the part of the wall that it sees
+/// stays.
 #[test]
 fn a_part_that_stays_is_cut_out() {
     let level = Quad { along: DVec3::new(0.0, 0.3, 0.0), ..LAMP };

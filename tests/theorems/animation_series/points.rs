@@ -20,7 +20,8 @@ fn sum(coefficients: &[f64], p: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| sum * p + c)
 }
 
-/// Decimal digits of quotients that are kept: their rounding to binary digits is then that of the exact quotient.
+/// Decimal digits of quotients that are kept: their rounding to binary digits is then that of the exact
+/// quotient.
 const DIGITS: usize = 40;
 
 /// The number nearest to an integer or a fraction of any length, by division on paper.

@@ -118,7 +118,8 @@ fn terms_are_those_of_exact_integrals() {
 fn pairs_across_a_horizon_are_refused_and_pairs_beyond_it_see_nothing() {
     let cases = cases();
     let case = cases.iter().find(|case| case.value["clamp"] == true).expect("one pair crosses");
-    // The lamp, half a length 0.12, is behind the wall's plane from p = 0.27 on and in front of it up to p = 0.03.
+    // The lamp, half a length 0.12, is behind the wall's plane from p = 0.27 on and in front of it up to
+    // p = 0.03.
     for (p, exact) in case.blocks() {
         match BlockSeries::new(&case.pair(), p, PRECISE) {
             Ok(series) => {

@@ -177,7 +177,8 @@ const PIPES: &str = r#"
     disk = { center = [0, 0, 4], normal = [0, 0, -1], radius = 2, inner_radius = 1 }
 "#;
 
-/// F₂₁ and F₂₂ of the outer of two coaxial cylinders (Howell's catalogue, C-91), for radii 1 and R and the length H.
+/// F₂₁ and F₂₂ of the outer of two coaxial cylinders (Howell's catalogue, C-91), for radii 1 and R and the
+/// length H.
 fn of_outer_cylinder(r: f64, h: f64) -> [f64; 2] {
     let (a, b) = (h * h + r * r - 1.0, h * h - r * r + 1.0);
     let arc = ((a + 2.0).powi(2) - 4.0 * r * r).sqrt() * (b / (r * a)).acos();

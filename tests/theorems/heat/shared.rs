@@ -26,8 +26,8 @@ pub(super) fn lumped(text: &str) -> Heat {
     at_order(0, text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Flat surfaces take their closed forms at any `eps`. Curved ones take longer for a smaller one, and what closure tells of
-/// them does not depend on it.
+/// Flat surfaces take their closed forms at any `eps`. Curved ones take longer for a smaller one, and what
+/// closure tells of them does not depend on it.
 pub(super) fn lumped_and_curved(text: &str) -> Heat {
     to_accuracy(1e-3, 0, text).unwrap_or_else(|error| panic!("{error}"))
 }

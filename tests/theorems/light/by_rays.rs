@@ -1,4 +1,5 @@
-//! Light gathered by rays: right in furnaces and beside curved lamps, as by cells, with an error that is true.
+//! Light gathered by rays: right in furnaces and beside curved lamps, as by cells, with an error that is
+//! true.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -141,8 +142,9 @@ fn a_reading_depends_on_nothing_but_its_point() {
 
 #[test]
 fn a_strip_of_wall_beside_a_block_is_gathered_by_cells_as_by_rays() {
-    // From these points the back wall shows in a strip between the tall block and the wall on the right, which is twisted
-    // and counts as curved: lines along the strip all miss it, and half a percent of the light was lost.
+    // From these points the back wall shows in a strip between the tall block and the wall on the right,
+    // which is twisted and counts as curved: lines along the strip all miss it, and half a percent of the
+    // light was lost.
     let scene = builtin("cornell-box");
     let options = Options { order: 2, ..Options::default() };
     let solution = outcome_of(&scene, &options).solution;

@@ -1,4 +1,5 @@
-//! Row sums in closed rooms: all that leaves a lamp reaches something, whatever curved things stand around it.
+//! Row sums in closed rooms: all that leaves a lamp reaches something, whatever curved things stand around
+//! it.
 
 use std::fmt::Write;
 
@@ -28,7 +29,8 @@ fn surface(text: &mut String, name: &str, shape: &str) {
     write!(text, "[[surfaces]]\nname = {name:?}\n{shape}\n").expect("a String takes all text");
 }
 
-/// A room with a pilaster before a wall, which is two pieces, and a cylinder between disks that hangs in the room.
+/// A room with a pilaster before a wall, which is two pieces, and a cylinder between disks that hangs in the
+/// room.
 fn pilaster() -> String {
     let mut text = String::new();
     let mut rectangle = |name: &str, [origin, edge1, edge2]: [[f64; 3]; 3]| {

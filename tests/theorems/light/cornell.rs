@@ -1,8 +1,9 @@
 //! The measured Cornell box against path-traced cell means (tests/data/cornell_reference.json).
 //!
-//! The polynomials alone are judged first: no basis of this kind can follow the shadow edges, and the bounds are what a
-//! best fit of the reference itself leaves (2.2 % on the back wall at order 8, 1.4 % on the floor in 4 × 4 at order 4)
-//! with room for quadrature. Gathered light follows the shadows: the reference's own noise is 0.14 % there.
+//! The polynomials alone are judged first: no basis of this kind can follow the shadow edges, and the bounds
+//! are what a best fit of the reference itself leaves (2.2 % on the back wall at order 8, 1.4 % on the floor
+//! in 4 × 4 at order 4) with room for quadrature. Gathered light follows the shadows: the reference's own
+//! noise is 0.14 % there.
 
 #![expect(clippy::print_stdout, reason = "the figures are worth a line in the log")]
 

@@ -67,7 +67,8 @@ fn errors(scene: &Scene, places: &[(usize, f64, f64)]) -> Vec<f64> {
     errors
 }
 
-/// Each error is below 2.5 times the accuracy, the rays' own noise included, and the mean square below half of it.
+/// Each error is below 2.5 times the accuracy, the rays' own noise included, and the mean square below half
+/// of it.
 fn assert_accurate(errors: &[f64]) {
     let mean = errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64;
     let largest = errors[errors.len() - 1];
@@ -147,7 +148,8 @@ fn assert_near(errors: &[f64]) {
     assert!(largest < 6e-3 && mean.sqrt() < 2e-3, "{largest:.1e}, {:.1e}", mean.sqrt());
 }
 
-/// Far from all else the lamp is taken as a whole, also where no more than a sliver of it is seen beside the column.
+/// Far from all else the lamp is taken as a whole, also where no more than a sliver of it is seen beside the
+/// column.
 #[test]
 fn lamps_without_a_plane() {
     let scene = lit_by_a_can(-0.9);

@@ -6,9 +6,9 @@
 //! E(x) = ∫ κ(x, y) ρ D(y) dA_y ,
 //! ```
 //!
-//! D from the factors of a rectangle seen from a point before one of its corners (Howell's catalogue, B-3 parallel and B-4
-//! perpendicular). Near the edges of the ceiling the walls beside them fill half the view, and in their corners D depends on
-//! the direction to the corner alone, however near it is.
+//! D from the factors of a rectangle seen from a point before one of its corners (Howell's catalogue, B-3
+//! parallel and B-4 perpendicular). Near the edges of the ceiling the walls beside them fill half the view,
+//! and in their corners D depends on the direction to the corner alone, however near it is.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -23,8 +23,8 @@ use radiosity_test_support::scenes::material;
 use radiosity_test_support::shapes::plate;
 
 const REFLECTANCE: f64 = 0.5;
-/// A wall is summed by cells that are narrower than this part of their distance. Chosen: by 3 × 3 Gauss points they are right
-/// to 1e-6.
+/// A wall is summed by cells that are narrower than this part of their distance. Chosen: by 3 × 3 Gauss
+/// points they are right to 1e-6.
 const NARROW: f64 = 0.3;
 
 /// Ceiling, floor and walls, fronts inside, the ceiling first.
@@ -52,7 +52,8 @@ fn parallel(a: f64, b: f64, c: f64) -> f64 {
     (part(a, b) + part(b, a)) / TAU
 }
 
-/// The factor of a rectangle that reaches a from the plane of the point and is b wide, at the distance c (B-4).
+/// The factor of a rectangle that reaches a from the plane of the point and is b wide, at the distance c
+/// (B-4).
 fn perpendicular(a: f64, b: f64, c: f64) -> f64 {
     let root = c.hypot(a);
     ((b / c).atan() - c / root * (b / root).atan()) / TAU

@@ -84,8 +84,9 @@ fn while_nothing_moves_pictures_are_the_same_to_the_bit() {
 
 #[test]
 fn half_the_step_changes_pictures_by_half() {
-    // Light and penumbrae are smooth in the place of the lamp, whose breadth is sixteen steps: the largest change of a pixel goes like
-    // the step. Noise that is drawn anew for each frame, or light that pops, changes by as much in half a step.
+    // Light and penumbrae are smooth in the place of the lamp, whose breadth is sixteen steps: the largest
+    // change of a pixel goes like the step. Noise that is drawn anew for each frame, or light that pops,
+    // changes by as much in half a step.
     let film = film(&room(9, "[[0, 0, 0], [0.1, 0, 0]]"), Transport::Exact, Read::Direct);
     let [one, two, four] = [1, 2, 4].map(|step| largest_change(&film, step));
     assert!(four > 0.1, "something happens: {four}");

@@ -115,7 +115,8 @@ fn walls_across_a_room_and_dark_rooms_are_no_footings() {
     let mut divided = room([4.0, 4.0, 3.0]);
     divided.push(quad("wall", [[2., 0., 0.], [2., 4., 0.], [2., 4., 3.], [2., 0., 3.]]));
     divided.push(quad("other", [[2.1, 0., 0.], [2.1, 0., 3.], [2.1, 4., 3.], [2.1, 4., 0.]]));
-    // What lies within the wall of 0.1 is covered; the rooms on either side are not, although no lamp shines in either.
+    // What lies within the wall of 0.1 is covered; the rooms on either side are not, although no lamp shines
+    // in either.
     let exact = [("floor", 0.4), ("ceiling", 0.4), ("y0", 0.3), ("y1", 0.3)];
     let mut turned = divided.clone();
     let count = turned.len();

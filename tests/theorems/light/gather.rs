@@ -1,4 +1,5 @@
-//! The gathered read-off against closed forms: factors of points, rooms where radiosity is 2 everywhere, contacts.
+//! The gathered read-off against closed forms: factors of points, rooms where radiosity is 2 everywhere,
+//! contacts.
 
 use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
@@ -86,7 +87,8 @@ fn the_poles_of_a_ball_see_what_the_rest_sees() {
         let jet = scene.surfaces[0].shape.jet(0.3, v);
         let found = gather.at(&ReceiverPoint::on(0, jet.position, jet.normal))[0];
         assert!((found / 2.0 - 1.0).abs() < EPS, "{found} at v = {v}");
-        // Askew by ϑ the kernel is no constant, and (1 + cos ϑ)/2 of what the normal faces lies over the ground.
+        // Askew by ϑ the kernel is no constant, and (1 + cos ϑ)/2 of what the normal faces lies over the
+        // ground.
         let askew = ReceiverPoint {
             normal: (jet.normal + 0.1 * DVec3::Y).normalize(),
             ground: Some(jet.normal),
@@ -98,8 +100,8 @@ fn the_poles_of_a_ball_see_what_the_rest_sees() {
     }
 }
 
-/// A ball of radius r at height h before a disk leaves R²/(R² + H²) − (r/h)² of it; a plate over a quarter of a square lamp
-/// hides a quarter.
+/// A ball of radius r at height h before a disk leaves R²/(R² + H²) − (r/h)² of it; a plate over a quarter of
+/// a square lamp hides a quarter.
 #[test]
 fn blockers_take_away_what_they_cover() {
     let lamp = lid(2.0, 1.0);
@@ -117,7 +119,8 @@ fn blockers_take_away_what_they_cover() {
     assert!((found / 0.25 - 1.0).abs() < 5.0 * EPS, "{found} instead of 0.25");
 }
 
-/// A cube from inside with a block on its floor and a two-sided screen. Everything emits 1 and reflects a half: E = B = 2.
+/// A cube from inside with a block on its floor and a two-sided screen. Everything emits 1 and reflects a
+/// half: E = B = 2.
 fn furnished_room() -> Scene {
     let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
     let p = DVec3::new;
@@ -182,7 +185,8 @@ fn furnace_is_two_everywhere_even_at_contacts() {
     }
     for (name, x, n) in points {
         let e = in_room(x, n);
-        // A tilted receiver sees the floor itself in part of its half-space, and the floor's own light does not reach it.
+        // A tilted receiver sees the floor itself in part of its half-space, and the floor's own light does
+        // not reach it.
         let exact = if name.starts_with("tilted") { 2.0 * 0.5 * (1.0 + 0.8) } else { 2.0 };
         assert!((e / exact - 1.0).abs() < 3.0 * EPS, "{name}: {e} at {x} along {n}");
     }
@@ -247,7 +251,8 @@ fn furnace_between_balls_is_two() {
         [(p(1.0, 0.0, 0.0), -DVec3::X), (p(0.0, 0.6, 0.8), p(0.0, -0.6, -0.8)), (p(0.0, 0.0, 0.5), DVec3::Z)]
     {
         let e = at(&gather, &solution, &visibility, x, n);
-        // Errors of the cells that the inner ball's outline cuts have the same sign. Unshadowed it would be 2.5.
+        // Errors of the cells that the inner ball's outline cuts have the same sign. Unshadowed it would be
+        // 2.5.
         assert!((e / 2.0 - 1.0).abs() < 6.0 * EPS, "{e} at {x}");
     }
 }

@@ -1,4 +1,5 @@
-//! Light is linear in emission: a solution with its groups dimmed is the solution of the scene whose lamps emit that much.
+//! Light is linear in emission: a solution with its groups dimmed is the solution of the scene whose lamps
+//! emit that much.
 
 use proptest::prelude::*;
 use radiosity::published::zatz1993::masked_light::{Average, Masking};
@@ -12,8 +13,8 @@ use radiosity_test_support::solved::solved_of;
 /// Number of lamps, each a group of its own.
 pub(crate) const LAMPS: usize = 3;
 
-/// A closed room with a panel that casts a shadow, lamps that are groups, and a wall that glows and is none. The lamps
-/// emit their share of `levels`.
+/// A closed room with a panel that casts a shadow, lamps that are groups, and a wall that glows and is none.
+/// The lamps emit their share of `levels`.
 pub(crate) fn room(levels: [f64; LAMPS]) -> Scene {
     let emission = [[3.0, 2.0], [0.0, 5.0], [1.0, 0.25]];
     let lamp = |k: usize| {

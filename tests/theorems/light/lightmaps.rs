@@ -20,8 +20,9 @@ fn lightmap(solved: &Solved, texels: usize) -> Lightmap {
     Lightmap::new(solved, Read::Gather, texels, &Work::alone())
 }
 
-/// A closed room in which everything emits 1 and reflects ½, bodies on its floor, a sheet on a wall and a ceiling of two parts
-/// included: 2 arrives everywhere, and so at every texel, those that borrow their light included.
+/// A closed room in which everything emits 1 and reflects ½, bodies on its floor, a sheet on a wall and a
+/// ceiling of two parts included: 2 arrives everywhere, and so at every texel, those that borrow their light
+/// included.
 #[test]
 fn a_furnace_has_light_two_at_every_texel() {
     let face =
@@ -51,8 +52,8 @@ fn a_furnace_has_light_two_at_every_texel() {
     }
 }
 
-/// Greatest and root-mean-square difference of texels from light gathered at their centres, relative to its mean; light at the very
-/// borders, where it may jump, left out. The texels' parts are added with `factors`.
+/// Greatest and root-mean-square difference of texels from light gathered at their centres, relative to its
+/// mean; light at the very borders, where it may jump, left out. The texels' parts are added with `factors`.
 fn difference(solved: &Solved, lightmap: &Lightmap, factors: &[f64]) -> f64 {
     let solution = &solved.outcome.solution;
     let reader = Reader::new(solution, solved.visibility(), Read::Gather, 1e-3);

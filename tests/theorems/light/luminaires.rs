@@ -1,4 +1,5 @@
-//! The light of luminaires against closed forms: the law of inverse squares and cosines, downlights, shadows, power.
+//! The light of luminaires against closed forms: the law of inverse squares and cosines, downlights, shadows,
+//! power.
 
 use std::f64::consts::PI;
 
@@ -208,7 +209,8 @@ fn a_closed_room_absorbs_what_a_point_emits() {
     }
 }
 
-/// Light at points of the room: on the floor in light and in the shadow of the crate, on a wall, under the ceiling.
+/// Light at points of the room: on the floor in light and in the shadow of the crate, on a wall, under the
+/// ceiling.
 fn readings(scene: &Scene, options: &Options, read: Read, by: By, eps: f64) -> Vec<f64> {
     let outcome = outcome_of(scene, options);
     let visibility = Visibility::new(scene, options.into());
@@ -223,7 +225,8 @@ fn readings(scene: &Scene, options: &Options, read: Read, by: By, eps: f64) -> V
     points.into_iter().map(value).collect()
 }
 
-/// The first bounce and all others are those of a Lambertian emitter that is small: a spot of the exponent 1 with the same flux.
+/// The first bounce and all others are those of a Lambertian emitter that is small: a spot of the exponent 1
+/// with the same flux.
 #[test]
 fn a_cosine_spot_is_the_limit_of_a_small_diffuse_emitter() {
     let spot = "[[luminaires]]\nposition = [2, 2, 2.2]\nflux = 1000\nspot = { exponent = 1 }\n";
@@ -304,8 +307,9 @@ fn a_lambertian_table_is_a_lambertian_emitter() {
 const QUARTERS: &str = "IESNA:LM-63-2002\n[TEST] none\n[MANUFAC] none\nTILT=NONE\n1 -1 1 3 5 1 2 0 0 0\n1 1 10\n0 45 90\n\
     0 90 180 270 360\n100 100 100\n200 200 200\n300 300 300\n400 400 400\n100 100 100\n";
 
-/// E of the luminaire of the table at the distance d before p, and aside by d towards the planes C = 0, 90, 180 and 270 where
-/// `aim` and `along` are what the scene should make of its frame: γ = 45°, r² = 2d², E = I √½ / (2d²).
+/// E of the luminaire of the table at the distance d before p, and aside by d towards the planes C = 0, 90,
+/// 180 and 270 where `aim` and `along` are what the scene should make of its frame: γ = 45°, r² = 2d², E = I
+/// √½ / (2d²).
 #[track_caller]
 fn check_quarters(entry: &str, p: DVec3, aim: DVec3, along: DVec3) {
     let text = format!(
@@ -322,7 +326,8 @@ fn check_quarters(entry: &str, p: DVec3, aim: DVec3, along: DVec3) {
     }
 }
 
-/// Photometric webs keep their sense: seen from above a luminaire that aims down, C runs counter-clockwise from x to y.
+/// Photometric webs keep their sense: seen from above a luminaire that aims down, C runs counter-clockwise
+/// from x to y.
 #[test]
 fn photometric_webs_are_turned_with_their_luminaires() {
     let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z];

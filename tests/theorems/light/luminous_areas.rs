@@ -25,14 +25,15 @@ fn alone(luminaires: &str, table: &str) -> Scene {
     parsed(&Source::new("alone", &text).including("lamp.ies", table))
 }
 
-/// An IES file of I₀ cos γ every 1/40 degree, bilinear to 2.4e-8 of I₀, with the flux 1000 lm and this opening: width, length,
-/// height in metres.
+/// An IES file of I₀ cos γ every 1/40 degree, bilinear to 2.4e-8 of I₀, with the flux 1000 lm and this
+/// opening: width, length, height in metres.
 fn lambertian(opening: &str) -> String {
     let gammas: Vec<f64> = (0..=3600).map(|k| f64::from(k) / 40.0).collect();
     ies(opening, &gammas, |gamma| 1000.0 / PI * gamma.cos().max(0.0))
 }
 
-/// Lambert's formula: E of a polygon of exitance 1, all of it above the horizon, its corners clockwise as seen from x.
+/// Lambert's formula: E of a polygon of exitance 1, all of it above the horizon, its corners clockwise as
+/// seen from x.
 fn lambert(x: V, n: V, corners: &[V]) -> f64 {
     let side = |k: usize| {
         let [a, b] = [corners[k], corners[(k + 1) % corners.len()]].map(|corner| (corner - x).normalize());
@@ -68,8 +69,9 @@ fn a_lambertian_table_on_a_rectangle_is_a_lambertian_rectangle() {
     }
 }
 
-/// On its axis, a disk of the radius R gives a plane across it at the distance h what its rings of the area 2π ρ dρ give:
-/// E = ∫ I₀ cosⁿ⁺¹ γ / r² · 2ρ dρ/R² = 2 I₀ (1 − cosⁿ⁺¹ γ_R) / ((n + 1) R²), cos γ_R = h/√(h² + R²).
+/// On its axis, a disk of the radius R gives a plane across it at the distance h what its rings of the area
+/// 2π ρ dρ give: E = ∫ I₀ cosⁿ⁺¹ γ / r² · 2ρ dρ/R² = 2 I₀ (1 − cosⁿ⁺¹ γ_R) / ((n + 1) R²), cos
+/// γ_R = h/√(h² + R²).
 fn on_axis(peak: f64, exponent: f64, radius: f64, h: f64) -> f64 {
     let cosine = h / h.hypot(radius);
     2.0 * peak * (1.0 - cosine.powf(exponent + 1.0)) / ((exponent + 1.0) * radius * radius)
@@ -135,8 +137,8 @@ fn the_edge_of_a_spot_is_seen_within_the_area() {
     }
 }
 
-/// A narrow beam meets a point from a small part of a large panel, wherever that is: from all of it comes I₀/A ∫ cosⁿ⁺¹ γ/r² dA,
-/// within 1e-6 of that of the whole plane, 2π I₀ / ((n + 1) A).
+/// A narrow beam meets a point from a small part of a large panel, wherever that is: from all of it comes
+/// I₀/A ∫ cosⁿ⁺¹ γ/r² dA, within 1e-6 of that of the whole plane, 2π I₀ / ((n + 1) A).
 #[test]
 fn narrow_beams_are_not_missed() {
     let entry = "[[luminaires]]\nposition = [0, 0, 2]\nspot = { exponent = 3000 }\nintensity = 100\nextent = [2, 2]\n";
@@ -238,7 +240,8 @@ fn readings_by_cells_and_by_rays_agree() {
     }
 }
 
-/// In motion a luminaire and its area go together, whichever is named: at frame 2 it is where another scene has it at rest.
+/// In motion a luminaire and its area go together, whichever is named: at frame 2 it is where another scene
+/// has it at rest.
 #[test]
 fn areas_move_with_their_luminaires() {
     let entry = |x: f64, more: &str| {

@@ -8,7 +8,8 @@ use radiosity_test_support::direct::in_the_open;
 use radiosity_test_support::scenes::typed;
 use radiosity_test_support::solved::outcome_of;
 
-/// A line of 2 m along x at 3 m above the middle of a black floor, which sends I₀ cos γ with I₀ = 100, and what else `more` says.
+/// A line of 2 m along x at 3 m above the middle of a black floor, which sends I₀ cos γ with I₀ = 100, and
+/// what else `more` says.
 fn line(more: &str) -> Scene {
     let text = format!(
         "bands = [\"lm\"]\n[materials.black]\nreflectance = 0\n[[surfaces]]\nname = \"floor\"\nmaterial = \"black\"\n\
@@ -18,8 +19,8 @@ fn line(more: &str) -> Scene {
     typed(&text)
 }
 
-/// On a plane at the depth h below, aside by y, with q² = h² + y²: E = I₀/l · h² ∫ dx / (q² + x²)², from one end to the other as the
-/// point sees them; ∫ dx / (q² + x²)² = x / (2 q² (q² + x²)) + atan (x/q) / (2 q³).
+/// On a plane at the depth h below, aside by y, with q² = h² + y²: E = I₀/l · h² ∫ dx / (q² + x²)², from one
+/// end to the other as the point sees them; ∫ dx / (q² + x²)² = x / (2 q² (q² + x²)) + atan (x/q) / (2 q³).
 fn exact(h: f64, y: f64, [start, end]: [f64; 2]) -> f64 {
     let q = h.hypot(y);
     let integral = |x: f64| x / (2.0 * q * q * (q * q + x * x)) + (x / q).atan() / (2.0 * q.powi(3));
@@ -44,7 +45,8 @@ fn a_line_gives_a_plane_its_closed_form() {
         let exact = exact(3.0 - z, y, [-1.0 - x, 1.0 - x]);
         assert!((found - exact).abs() < 1e-6 * exact, "{x} {y} {z}: {found}, not {exact}");
     }
-    // A sensor that looks along the line sees the part before it: E = I₀/l · h ∫ x dx / r⁴ from there to the end.
+    // A sensor that looks along the line sees the part before it: E = I₀/l · h ∫ x dx / r⁴ from there to the
+    // end.
     let (h, x) = (1.0, 0.4);
     let seen = in_the_open(&scene, &Options::default(), &[(V::new(x, 0.0, 3.0 - h), V::X)], ACCURACY)[0];
     let exact = 50.0 * h * 0.5 * (1.0 / (h * h) - 1.0 / (h * h + 0.6 * 0.6));

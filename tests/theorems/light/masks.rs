@@ -66,8 +66,8 @@ fn the_papers_average_is_coarser() {
     assert!(2.0 * weighted < paper && paper < 0.1);
 }
 
-/// At the nodes of a mask, light is that of the emitter without shadows times the part that is seen: to what the polynomials
-/// of the unshadowed light leave.
+/// At the nodes of a mask, light is that of the emitter without shadows times the part that is seen: to what
+/// the polynomials of the unshadowed light leave.
 #[test]
 fn nodes_carry_the_share_that_is_seen() {
     let scene = builtin("occluder-box");

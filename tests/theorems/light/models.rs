@@ -17,7 +17,8 @@ fn model(scene: &Scene, options: &Options) -> Model {
     Model::assemble(scene, options, &Work::alone()).expect("the scene has blocks")
 }
 
-/// `scene` with the reflectance of the material `name` multiplied by `factor`, and its emission by `brightness`.
+/// `scene` with the reflectance of the material `name` multiplied by `factor`, and its emission by
+/// `brightness`.
 fn painted(scene: &Scene, name: &str, factor: f64, brightness: f64) -> Scene {
     let is_own = |own: &&str| *own == name;
     let own = scene.surfaces.iter().find(|own| own.material_name.as_deref().filter(is_own).is_some());

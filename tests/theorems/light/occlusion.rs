@@ -1,5 +1,5 @@
-//! View factors behind blockers, against sums and differences of exact factors of rectangles and those of spheres, and the
-//! balance of closed rooms with boxes in them.
+//! View factors behind blockers, against sums and differences of exact factors of rectangles and those of
+//! spheres, and the balance of closed rooms with boxes in them.
 
 use std::collections::HashMap;
 
@@ -109,8 +109,8 @@ fn shadows_at_defaults_leave_them_to_three_digits() {
     }
 }
 
-/// In a sphere about another the inner one sees all of the outer, which sees itself past the inner one: F₀₁ = 1, F₁₀ = r²/R²,
-/// F₁₁ = 1 − r²/R².
+/// In a sphere about another the inner one sees all of the outer, which sees itself past the inner one:
+/// F₀₁ = 1, F₁₀ = r²/R², F₁₁ = 1 − r²/R².
 #[test]
 fn a_ball_in_a_sphere_hides_a_part_of_it() {
     let text = "[[surfaces]]\nsphere = { center = [0, 0, 0], radius = 0.5 }
@@ -132,7 +132,8 @@ pub(crate) fn closure(found: &ViewFactors) -> f64 {
     found.row_sums().iter().map(|sum| (sum - 1.0).abs()).fold(0.0, f64::max)
 }
 
-/// Closed rooms: with a box on the floor, one that hovers a hair above it, a thin wall, and a lamp close above a table.
+/// Closed rooms: with a box on the floor, one that hovers a hair above it, a thin wall, and a lamp close
+/// above a table.
 #[test]
 fn closed_rooms_keep_all_light() {
     let base = [[0.9, 0.8], [2.1, 1.2], [1.7, 2.4], [0.5, 2.0]];
@@ -233,8 +234,8 @@ fn nothing_leaks_between_touching_boxes() {
     }
 }
 
-/// Errors of the blocks of `scene` at the usual accuracy against those at `finest`, relative to the largest entry of the
-/// row, the largest.
+/// Errors of the blocks of `scene` at the usual accuracy against those at `finest`, relative to the largest
+/// entry of the row, the largest.
 fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
     let how =
         Discretization { subdivide: Subdivide::Auto { occluded: true }, ..Discretization::uniform(order, 1) };

@@ -1,4 +1,5 @@
-//! Direct light in pictures, by rays to emitters, against closed forms and against light computed without them.
+//! Direct light in pictures, by rays to emitters, against closed forms and against light computed without
+//! them.
 
 use std::f64::consts::PI;
 
@@ -109,8 +110,8 @@ fn under_disk(plate: Option<Parallelogram>) -> Scene {
     builder.build().expect("a scene")
 }
 
-/// Irradiance on the floor under that disk, as far aside as `aside`:
-/// ½ (1 − (h² + a² − R²)/√((h² + a² + R²)² − 4 R² a²)), the view factor from an element to a parallel disk.
+/// Irradiance on the floor under that disk, as far aside as `aside`: ½
+/// (1 − (h² + a² − R²)/√((h² + a² + R²)² − 4 R² a²)), the view factor from an element to a parallel disk.
 fn from_disk(aside: f64) -> f64 {
     let (h, a, r) = (4.0, aside * aside, DISK * DISK);
     0.5 * (1.0 - (h + a - r) / ((h + a + r).powi(2) - 4.0 * r * a).sqrt())
@@ -128,7 +129,8 @@ fn a_disk_lights_the_floor_without_noise() {
     }
 }
 
-/// Irradiance at `at` on that floor from the part u < `edge` of the disk, by the midpoint rule over strips of it.
+/// Irradiance at `at` on that floor from the part u < `edge` of the disk, by the midpoint rule over strips of
+/// it.
 fn from_part(at: DVec3, edge: f64) -> f64 {
     const STRIPS: usize = 300;
     let width = (edge.clamp(-DISK, DISK) + DISK) / STRIPS as f64;
@@ -205,8 +207,8 @@ fn parts_of_pixels_make_up_their_means() {
     assert!(several > 50, "the borders of ball and floor cross pixels: {several}");
 }
 
-/// Two lamps over a black floor, one wholly behind a panel, the other nearly behind a ball: that nothing comes from the first is
-/// known without rays, of which the other cannot have enough.
+/// Two lamps over a black floor, one wholly behind a panel, the other nearly behind a ball: that nothing
+/// comes from the first is known without rays, of which the other cannot have enough.
 #[test]
 fn rays_end_where_one_emitter_is_known_and_another_is_not() {
     let room = r#"
@@ -239,7 +241,8 @@ quad = { vertices = [[0.5,0.5,2.8],[2.5,0.5,2.8],[2.5,2.5,2.8],[0.5,2.5,2.8]] }
     assert!(raster.pixels().any(|pixel| pixel[0] > 0.1));
 }
 
-/// A disk one half of which is a hundred times as bright as the other, by rays and by polynomials: it is no single source.
+/// A disk one half of which is a hundred times as bright as the other, by rays and by polynomials: it is no
+/// single source.
 #[test]
 fn a_disk_that_shines_unevenly_lights_as_its_parts_do() {
     let room = r#"

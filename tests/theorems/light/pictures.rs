@@ -1,4 +1,5 @@
-//! Pictures by light that is computed at few pixels and fitted between, against light computed at every pixel.
+//! Pictures by light that is computed at few pixels and fitted between, against light computed at every
+//! pixel.
 
 use std::f64::consts::PI;
 
@@ -61,7 +62,8 @@ fn fitted_light_is_that_of_every_pixel() {
     }
 }
 
-/// The middle of a picture, in which an area sends I₀ cosⁿ γ, has the radiosity π L = π I₀ cosⁿ⁻¹ γ / A from where it is seen.
+/// The middle of a picture, in which an area sends I₀ cosⁿ γ, has the radiosity π L = π I₀ cosⁿ⁻¹ γ / A from
+/// where it is seen.
 #[test]
 fn luminous_areas_are_as_bright_as_they_are_towards_the_eye() {
     let text = "bands = [\"lm\"]\n[materials.black]\nreflectance = 0\n[[surfaces]]\nmaterial = \"black\"\n\

@@ -42,8 +42,8 @@ fn close(found: f64, exact: f64, error: f64) {
 
 const WAYS: [V; 4] = [V::Z, V::X, V::new(-0.6, 0.8, 0.0), V::new(0.0, 0.0, -1.0)];
 
-/// A uniform sky of the radiance L gives level ground π L and a wall π L / 2, and the ground of the reflectance ρ sends it
-/// ρ π L / 2 more, and the ceiling ρ π L.
+/// A uniform sky of the radiance L gives level ground π L and a wall π L / 2, and the ground of the
+/// reflectance ρ sends it ρ π L / 2 more, and the ceiling ρ π L.
 #[test]
 fn a_uniform_sky_gives_a_wall_half() {
     let scene = open_air("model = \"uniform\"\nilluminance = 1000\nground = 0.3");
@@ -172,7 +172,8 @@ fn a_window_keeps_power_and_its_light_is_read_by_cells_and_by_rays() {
     }
 }
 
-/// The sun lights a patch of the floor, the window moved along its rays, by E_n sin h τ; beside it there is none of it.
+/// The sun lights a patch of the floor, the window moved along its rays, by E_n sin h τ; beside it there is
+/// none of it.
 #[test]
 fn the_patch_of_the_sun_has_sharp_borders() {
     let sky = |sun: f64| {
@@ -182,17 +183,19 @@ fn the_patch_of_the_sun_has_sharp_borders() {
     };
     let opening = format!("[[surfaces]]\nname = \"opening\"\nmaterial = \"glass\"\nopening = true\n{WINDOW}");
     let at = |sun: f64, x: V| direct(&room(&sky(sun), &opening), x, &[V::Z], 1e-4)[0];
-    // The sun is in the west: light from the height z comes down z further east; the window is 1 to 2.5 above the floor.
+    // The sun is in the west: light from the height z comes down z further east; the window is 1 to 2.5 above
+    // the floor.
     let height = 1e-3;
     for (x, lit) in [(0.999, 0.0), (1.001, 1.0), (2.499, 1.0), (2.501, 0.0)] {
         let x = V::new(x - height, 3.5, height);
-        // The ground outside reflects the sun as well: it is seen from below the horizon only, and not from the floor.
+        // The ground outside reflects the sun as well: it is seen from below the horizon only, and not from
+        // the floor.
         close(at(60000.0, x) - at(0.0, x), lit * 60000.0 * 0.5_f64.sqrt(), 1e-3);
     }
 }
 
-/// Without shadows the sun shines through the table, but through the window alone; of two windows in a row only the nearer
-/// counts, whichever is lit as a group of its own.
+/// Without shadows the sun shines through the table, but through the window alone; of two windows in a row
+/// only the nearer counts, whichever is lit as a group of its own.
 #[test]
 fn without_shadows_the_sun_passes_all_but_openings() {
     // The sky itself is next to dark.

@@ -1,4 +1,5 @@
-//! Closed rooms with two boxes that are joined or leave a slit between them: narrow shadows, and narrow strips of light.
+//! Closed rooms with two boxes that are joined or leave a slit between them: narrow shadows, and narrow
+//! strips of light.
 
 use radiosity::visibility::Hiding;
 
@@ -20,7 +21,8 @@ struct Boxes {
 }
 
 impl Boxes {
-    /// The room with them: without the faces that touch, but with what the higher one's shows above the lower one.
+    /// The room with them: without the faces that touch, but with what the higher one's shows above the lower
+    /// one.
     fn in_room(&self) -> Vec<Quad> {
         let (sin, cos) = self.angle.sin_cos();
         let place = |u: f64, v: f64| [self.at[0] + cos * u - sin * v, self.at[1] + sin * u + cos * v];

@@ -24,7 +24,8 @@ fn what_is_emitted_is_absorbed_or_lost() {
     }
 }
 
-/// With ρ = ½ and exitance 1 everywhere in a closed room E = B = 2: direct light is 1, and so is what is reflected.
+/// With ρ = ½ and exitance 1 everywhere in a closed room E = B = 2: direct light is 1, and so is what is
+/// reflected.
 #[test]
 fn a_furnace_is_two_with_direct_light_split_off() {
     let scene = builtin("furnace-cube");
@@ -59,7 +60,8 @@ material = "lamp"
 quad = { vertices = [[-0.5,-0.5,1],[-0.5,0.5,1],[0.5,0.5,1],[0.5,-0.5,1]] }
 "#;
 
-/// Below the middle of the lamp half of it is seen past the plate: ½ of 4/π a/√(1+a²) atan(a/√(1+a²)) with a = ½.
+/// Below the middle of the lamp half of it is seen past the plate: ½ of 4/π a/√(1+a²) atan(a/√(1+a²)) with
+/// a = ½.
 #[test]
 fn without_reflection_there_is_direct_light_alone() {
     let scene = typed(BLACK);

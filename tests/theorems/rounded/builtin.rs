@@ -5,7 +5,8 @@ use radiosity::solve::Options;
 use radiosity_test_support::scenes::parsed;
 use radiosity_test_support::solved::outcome_of;
 
-/// The text with every number of a shape rounded to single precision. Numbers of cameras, materials and bands stay.
+/// The text with every number of a shape rounded to single precision. Numbers of cameras, materials and bands
+/// stay.
 fn single(text: &str) -> String {
     let mut tree: toml::Table = text.parse().expect("built-in scenes are TOML");
     if let Some(surfaces) = tree.get_mut("surfaces") {

@@ -165,7 +165,8 @@ fn a_plate_casts_its_shadow_however_far_the_sun_is() {
     }
 }
 
-/// Tiles of a terrace beside a kerb, in single precision as modellers leave them: the edges overlap by 3e-8 along no common corner.
+/// Tiles of a terrace beside a kerb, in single precision as modellers leave them: the edges overlap by 3e-8
+/// along no common corner.
 #[test]
 fn tiles_whose_edges_overlap_by_rounding_touch() {
     let tile = |name: &str, x: [f32; 2], y: [f32; 2]| {

@@ -8,8 +8,8 @@ use crate::rounded::sheet::{Sheet, cuboid, placed, plate, room, sheet, turned};
 pub(crate) struct Family {
     pub(crate) name: &'static str,
     pub(crate) sheets: fn(f64) -> Vec<Sheet>,
-    /// The surfaces that lose light into a body without all of its faces, or to the black back of a sheet, with the share of
-    /// their whole area that does; what is covered tightly may be left out of them instead.
+    /// The surfaces that lose light into a body without all of its faces, or to the black back of a sheet,
+    /// with the share of their whole area that does; what is covered tightly may be left out of them instead.
     pub(crate) covered: &'static [(&'static str, f64)],
 }
 

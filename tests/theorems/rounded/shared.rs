@@ -1,4 +1,5 @@
-//! The scenes of the folder `shared` beside the repository, where it is there; see what is printed with --nocapture.
+//! The scenes of the folder `shared` beside the repository, where it is there; see what is printed with
+//! --nocapture.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -45,7 +46,8 @@ fn a_part_of_stairs_far_from_the_origin_comes_to_an_end() {
 
 #[test]
 fn tiny_things_see_huge_ones() {
-    // The tiny square is a point before the huge one: Lambert's form, ½π Σ θ Γ·n, of the corners seen from its middle.
+    // The tiny square is a point before the huge one: Lambert's form, ½π Σ θ Γ·n, of the corners seen from
+    // its middle.
     let Some((scene, found)) = load("tiny-on-huge.json") else { return };
     let [tiny, huge] = [0, 1].map(|k| scene.surfaces[k].shape.region().expect("a polygon"));
     let middle = tiny.outer().iter().sum::<radiosity_geom::DVec3>() / 4.0;

@@ -23,7 +23,8 @@ pub(crate) fn plate(name: &str, corners: &[[f64; 3]]) -> Sheet {
     Sheet { two_sided: true, ..sheet(name, corners) }
 }
 
-/// The faces of a box with these corners, fronts outside, their names behind that of the box; without those in `open`.
+/// The faces of a box with these corners, fronts outside, their names behind that of the box; without those
+/// in `open`.
 pub(crate) fn cuboid(name: &str, low: [f64; 3], high: [f64; 3], open: &[&str]) -> Vec<Sheet> {
     const FACES: [(&str, [usize; 4]); 6] = [
         ("bottom", [0, 2, 3, 1]),

@@ -5,10 +5,11 @@
 //! ```
 //!
 //! over the edges a, b of both outlines with unit directions d, holes running the other way round (Stokes
-//! twice; Sparrow, *A new and simpler formulation for radiative angle factors*, 1963). Both outlines are clipped by the other's
-//! plane first. The inner integral is in closed form; the outer runs over Gauss rules graded towards the points where edge b
-//! begins, ends, or comes nearest. Edges on one line are in closed form altogether. Far apart, at distance D between
-//! the middles, ln r is replaced by ln(r/D), whose integral round a contour is the same, by a plain rule.
+//! twice; Sparrow, *A new and simpler formulation for radiative angle factors*, 1963). Both outlines are
+//! clipped by the other's plane first. The inner integral is in closed form; the outer runs over Gauss rules
+//! graded towards the points where edge b begins, ends, or comes nearest. Edges on one line are in closed
+//! form altogether. Far apart, at distance D between the middles, ln r is replaced by ln(r/D), whose integral
+//! round a contour is the same, by a plain rule.
 
 use std::f64::consts::PI;
 
@@ -69,7 +70,8 @@ fn ball(loops: &[Vec<DVec3>]) -> (DVec3, f64) {
     (middle, loops.iter().flatten().map(|p| p.distance(middle)).fold(0.0, f64::max))
 }
 
-/// (d_a·d_b) ∫∫ ln(r/D) over two edges, each given from its middle, `apart` the vector D from one middle to the other.
+/// (d_a·d_b) ∫∫ ln(r/D) over two edges, each given from its middle, `apart` the vector D from one middle to
+/// the other.
 fn far_pair(a: [DVec3; 2], b: [DVec3; 2], apart: DVec3) -> f64 {
     let (along_a, along_b) = (a[1] - a[0], b[1] - b[0]);
     let cosine = along_a.dot(along_b);
@@ -82,7 +84,8 @@ fn far_pair(a: [DVec3; 2], b: [DVec3; 2], apart: DVec3) -> f64 {
     cosine * points.map(|(s, t, w)| w * logarithm(s, t)).sum::<f64>()
 }
 
-/// The loops of `flat` before the plane of `other`, running counter-clockwise about its front, holes clockwise.
+/// The loops of `flat` before the plane of `other`, running counter-clockwise about its front, holes
+/// clockwise.
 fn loops_before(flat: &Flat, other: &Flat) -> Vec<Vec<DVec3>> {
     let origin = other.outline.loops()[0][0];
     let front = other.front.normalize();

@@ -70,7 +70,8 @@ fn lid(z: f64, up: bool, radius: f64) -> Disk {
     disk(z * DVec3::Z, normal, radius)
 }
 
-/// A plate and a quarter of a tube that meet in an edge, all 15 × 15 entries of order 4, and the tube with itself.
+/// A plate and a quarter of a tube that meet in an edge, all 15 × 15 entries of order 4, and the tube with
+/// itself.
 #[test]
 fn plate_and_quarter_tube_to_the_accuracy_asked() {
     let data = table("transfers_curved.json");
@@ -86,7 +87,8 @@ fn plate_and_quarter_tube_to_the_accuracy_asked() {
         .collect();
     let scale = 4.0 / FRAC_PI_2.sqrt();
     let expected = |k: usize, l: usize| {
-        // Our emitter index l has degrees (a, b) in (angle, height): the reference's (height, angle) is (b, a).
+        // Our emitter index l has degrees (a, b) in (angle, height): the reference's (height, angle) is (b,
+        // a).
         let [a, b] = degrees[l];
         let place = degrees.iter().position(|pair| *pair == [b, a]).expect("the index is complete");
         let sign = if a % 2 == 0 { 1.0 } else { -1.0 };
@@ -228,8 +230,8 @@ fn a_ring_in_a_box_hides_itself() {
     }
 }
 
-/// F from a ball is the part of the full solid angle that is taken up as seen from its centre. A ball that rests on
-/// the floor touches it where no rule holds: what was reached is reported.
+/// F from a ball is the part of the full solid angle that is taken up as seen from its centre. A ball that
+/// rests on the floor touches it where no rule holds: what was reached is reported.
 #[test]
 fn a_ball_on_the_floor_tells_what_it_reached() {
     let floor = Parallelogram::new(DVec3::new(-3.0, -3.0, 0.0), 6.0 * DVec3::X, 6.0 * DVec3::Y);
@@ -243,7 +245,8 @@ fn a_ball_on_the_floor_tells_what_it_reached() {
     }
 }
 
-/// ∫ φ_k E dA of the polynomials of an element, E Lambert's form of a lamp, by many points on ever smaller parts.
+/// ∫ φ_k E dA of the polynomials of an element, E Lambert's form of a lamp, by many points on ever smaller
+/// parts.
 fn moments_under(element: &Element, lamp: &[DVec3]) -> Vec<f64> {
     let quarters = |patch: Patch| {
         let halves = patch.halves(Direction::Along);
@@ -265,13 +268,15 @@ fn moments_under(element: &Element, lamp: &[DVec3]) -> Vec<f64> {
     rows.map(|row| row.iter().zip(&sums).map(|(t, sum)| t * sum).sum()).collect()
 }
 
-/// A unit ball, in 4 × 4 elements of order 6, under a square lamp of constant exitance, of half the width `half`.
+/// A unit ball, in 4 × 4 elements of order 6, under a square lamp of constant exitance, of half the width
+/// `half`.
 fn lit_ball(half: f64) -> Scene {
     ball_and(6, 4, &lamp_above(half))
 }
 
-/// Each sees the other in part, through horizons, where few points would do for the kernel alone. Blocks of the lamp with a
-/// column of the ball's elements, against Lambert's form; errors in units of the largest entry beside the lamp.
+/// Each sees the other in part, through horizons, where few points would do for the kernel alone. Blocks of
+/// the lamp with a column of the ball's elements, against Lambert's form; errors in units of the largest
+/// entry beside the lamp.
 #[test]
 fn a_ball_under_a_wide_lamp_is_lit_to_the_accuracy_asked() {
     for half in [1.0, 2.0] {

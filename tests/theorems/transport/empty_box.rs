@@ -1,5 +1,5 @@
-//! The empty unit box with a luminous ceiling, or with a flush lamp: radiosity at points and over all walls against
-//! exact references, on whole walls and on meshes graded to the edges.
+//! The empty unit box with a luminous ceiling, or with a flush lamp: radiosity at points and over all walls
+//! against exact references, on whole walls and on meshes graded to the edges.
 
 use std::time::Instant;
 
@@ -34,7 +34,8 @@ fn breaks(layers: i32) -> Vec<f64> {
     std::iter::once(0.0).chain(lower.iter().copied()).chain(upper).chain([1.0]).collect()
 }
 
-/// The box with every wall cut at the breaks, wall by wall, a cell's place on its second edge running fastest.
+/// The box with every wall cut at the breaks, wall by wall, a cell's place on its second edge running
+/// fastest.
 fn walls(layers: i32) -> Scene {
     let breaks = breaks(layers);
     let cells =
@@ -195,7 +196,8 @@ fn radiosity_at_points_of_the_box() {
     }
 }
 
-/// ‖B_h − B‖ / ‖B − E‖ at most, for ρ = ½ and ρ = 0.8, under the luminous ceiling: measured with exact matrices.
+/// ‖B_h − B‖ / ‖B − E‖ at most, for ρ = ½ and ρ = 0.8, under the luminous ceiling: measured with exact
+/// matrices.
 const WHOLE_WALLS: [(usize, [f64; 2]); 3] =
     [(4, [0.021, 8.6e-3]), (6, [0.0105, 4.5e-3]), (8, [0.0070, 3.1e-3])];
 
@@ -217,11 +219,11 @@ fn whole_walls_converge_as_the_basis_allows() {
 /// measured, stated to two digits.
 const TWO_LAYERS: [f64; 2] = [4.8e-4, 1.95e-4];
 
-/// The error of two layers of order 6, for a finer mesh whose own errors are known from exact matrices; for ρ = 0.8
-/// in proportion.
+/// The error of two layers of order 6, for a finer mesh whose own errors are known from exact matrices; for
+/// ρ = 0.8 in proportion.
 ///
-/// Galerkin solutions of nested spaces are best approximations in the norm of I − √ρ G √ρ, which is that of L2 but
-/// for a compact part: the squares of the difference of the two and of the finer one's error add up.
+/// Galerkin solutions of nested spaces are best approximations in the norm of I − √ρ G √ρ, which is that of
+/// L2 but for a compact part: the squares of the difference of the two and of the finer one's error add up.
 fn two_layers_against(reference: &Mesh, of_reference: [f64; 2]) {
     let mesh = Mesh::new(2, 6, 1e-3, false);
     for ((rho, bound), rest) in [0.5, 0.8].into_iter().zip(TWO_LAYERS).zip(of_reference) {

@@ -7,8 +7,8 @@ use radiosity_test_support::scenes::builtin;
 use crate::transport::flat::{blocks, elements};
 use crate::transport::room;
 
-/// Largest |B − 2| over a grid of 11 × 11 points on every element that reaches its corners; points outside the
-/// shape itself are passed over.
+/// Largest |B − 2| over a grid of 11 × 11 points on every element that reaches its corners; points outside
+/// the shape itself are passed over.
 pub(crate) fn error(elements: &Elements, blocks: &Blocks) -> f64 {
     let count = elements.list().len();
     let emitted = room::emission(elements, &vec![1.0; count]);

@@ -1,5 +1,6 @@
-//! Elements that see each other past their horizons, some by a corner only: every block against adaptive cubature of Lambert's
-//! form, or of what each point sees of the other element, to the accuracy asked of the block itself.
+//! Elements that see each other past their horizons, some by a corner only: every block against adaptive
+//! cubature of Lambert's form, or of what each point sees of the other element, to the accuracy asked of the
+//! block itself.
 
 use radiosity::elements::Element;
 use radiosity::elements::basis::AreaBasis;
@@ -173,7 +174,8 @@ fn stretches(heights: impl Fn(f64) -> [f64; 2]) -> Vec<[f64; 2]> {
     cuts.windows(2).map(|w| [w[0], w[1]]).filter(is_seen).collect()
 }
 
-/// Blocks of pairs of elements with their references, their scene and the largest entry of a row that each is measured against.
+/// Blocks of pairs of elements with their references, their scene and the largest entry of a row that each is
+/// measured against.
 struct Case {
     name: &'static str,
     scene: Scene,
@@ -219,7 +221,8 @@ impl Case {
     }
 }
 
-/// Smaller entries than this count as this: one of them, of 1.4e-6, is ten times as far off at 1e-4 as it asks.
+/// Smaller entries than this count as this: one of them, of 1.4e-6, is ten times as far off at 1e-4 as it
+/// asks.
 const SMALLEST: f64 = 2e-5;
 
 /// A lamp over a ball, one that is seen by one row of elements past a corner alone, and one aside.
@@ -234,8 +237,8 @@ fn what_elements_of_a_ball_see_of_a_lamp_is_about_as_accurate_as_asked() {
     ];
     for (case, eps) in cases.iter().flat_map(|case| [1e-2, 1e-4, 1e-5].map(|eps| (case, eps))) {
         let worst = case.worst(eps);
-        // At 1e-2 the tensor rule of elements at the pole, which see the lamp whole, is 3 % over; at 1e-5 one element aside is
-        // twice as far off as it asks.
+        // At 1e-2 the tensor rule of elements at the pole, which see the lamp whole, is 3 % over; at 1e-5 one
+        // element aside is twice as far off as it asks.
         assert!(worst <= 2.1, "{}, {eps:e}: {worst}", case.name);
     }
 }

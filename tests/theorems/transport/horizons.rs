@@ -1,5 +1,5 @@
-//! Disks, rings, cylinders and cones that see polygons past a horizon: as exact as asked, and the same however a scene lists its
-//! surfaces.
+//! Disks, rings, cylinders and cones that see polygons past a horizon: as exact as asked, and the same
+//! however a scene lists its surfaces.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -51,8 +51,8 @@ fn factor(found: &ViewFactors, i: usize, j: usize) -> f64 {
     found.factor(place(i).expect("it is listed"), place(j).expect("it is listed"))
 }
 
-/// Compares the factor of two shapes in both listings with each other and, if it is known, with the exact one: it may be off by
-/// the accuracy asked and `slack`.
+/// Compares the factor of two shapes in both listings with each other and, if it is known, with the exact
+/// one: it may be off by the accuracy asked and `slack`.
 fn compare(shapes: &[Shape; 2], exact: f64, slack: f64) -> Result<(), TestCaseError> {
     for eps in ACCURACIES {
         let listings = [[0, 1], [1, 0]].map(|order| factors(shapes, &order, eps));
@@ -108,7 +108,8 @@ fn tubes_see_polygons_past_their_horizons_as_exactly_as_asked() {
     });
 }
 
-/// A room with a plate, two panels that stand on the floor, a ball, and a post with a lid, which hide each other from it.
+/// A room with a plate, two panels that stand on the floor, a ball, and a post with a lid, which hide each
+/// other from it.
 fn room() -> Vec<Shape> {
     let [x, y, z] = [4.0 * DVec3::X, 3.0 * DVec3::Y, 2.5 * DVec3::Z];
     let side = |origin, a, b| -> Shape { Arc::new(plate(origin, a, b)) };

@@ -1,9 +1,10 @@
 //! The rules of 1993 against the paper's numbers, an independent reproduction of them, and theorems.
 //!
-//! The tables are metric (30) in percent of an independent implementation (Python, SciPy's Gauss rules and polynomials),
-//! each number to the digits given. It is the mean of |B_Galerkin − B_exact| / B_exact over the centres of 500 × 500 cells
-//! of a unit square of reflectance 1 that receives from another of exitance 1. The paper quotes .04 (parallel,
-//! distance 1, N = 4), 16.9 (distance .1, N = 7), 33.2 (perpendicular, Legendre, N = 7), 1.4 (Jacobi, N = 4 and 5).
+//! The tables are metric (30) in percent of an independent implementation (Python, SciPy's Gauss rules and
+//! polynomials), each number to the digits given. It is the mean of |B_Galerkin − B_exact| / B_exact over the
+//! centres of 500 × 500 cells of a unit square of reflectance 1 that receives from another of exitance 1. The
+//! paper quotes .04 (parallel, distance 1, N = 4), 16.9 (distance .1, N = 7), 33.2 (perpendicular, Legendre,
+//! N = 7), 1.4 (Jacobi, N = 4 and 5).
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -53,8 +54,8 @@ fn at_centres(f: impl Fn(f64, f64) -> f64) -> Vec<f64> {
     (0..CELLS * CELLS).map(|k| f(centre(k / CELLS), centre(k % CELLS))).collect()
 }
 
-/// Irradiance from a parallel unit square of exitance 1 at distance d: configuration factor of a rectangle with one
-/// corner above the point, four times.
+/// Irradiance from a parallel unit square of exitance 1 at distance d: configuration factor of a rectangle
+/// with one corner above the point, four times.
 fn under_ceiling(d: f64) -> Vec<f64> {
     let half = |a: f64, b: f64| a / a.hypot(d) * (b / a.hypot(d)).atan();
     let corner = |a: f64, b: f64| (half(a, b) + half(b, a)) / TAU;
@@ -295,7 +296,8 @@ fn first_coefficient_is_the_form_factor() {
     assert_eq!(transfer.samples, 160_000);
 }
 
-/// Largest difference of what the first element receives from each function of the second, relative to the largest.
+/// Largest difference of what the first element receives from each function of the second, relative to the
+/// largest.
 fn difference(a: &Blocks, b: &Blocks) -> f64 {
     let [_, first, both] = a.starts() else { panic!("there are two elements") };
     let (mut largest, mut scale) = (0.0f64, 0.0f64);
@@ -310,8 +312,9 @@ fn difference(a: &Blocks, b: &Blocks) -> f64 {
     largest / scale
 }
 
-/// Where the kernel is smooth, many points of 1993 give a flat receiver what our rules give it, from curved emitters too.
-/// (Receivers whose area element varies project on their polynomials otherwise: in the parameters, not in area.)
+/// Where the kernel is smooth, many points of 1993 give a flat receiver what our rules give it, from curved
+/// emitters too. (Receivers whose area element varies project on their polynomials otherwise: in the
+/// parameters, not in area.)
 #[test]
 fn with_many_points_flat_receivers_get_what_we_give_them() {
     let skew =
@@ -402,8 +405,9 @@ fn the_report_tells_how_far_the_hybrid_is_from_reciprocal() {
     assert!(expected > 1e-4 && (reported - expected).abs() < 1e-14, "{reported} {expected}");
 }
 
-/// A panel over half of the middle plane hides exactly half: what it lets pass from x to y it hides from the mirror
-/// image of x to that of y. With an odd number of points on one side only, no segment meets the panel's edge.
+/// A panel over half of the middle plane hides exactly half: what it lets pass from x to y it hides from the
+/// mirror image of x to that of y. With an odd number of points on one side only, no segment meets the
+/// panel's edge.
 #[test]
 fn a_panel_over_half_hides_half() {
     let panel = [[0.0, -1.0, 0.5], [0.5, -1.0, 0.5], [0.5, 2.0, 0.5], [0.0, 2.0, 0.5]];

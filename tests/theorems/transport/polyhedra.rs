@@ -45,7 +45,8 @@ fn prism(sides: usize, height: f64, squeeze: f64, lean: f64) -> Vec<Outline> {
     caps.into_iter().chain((0..sides).map(wall)).collect()
 }
 
-/// The triangles of the hull of points in general position; None where it is nearly flat or a face is a sliver.
+/// The triangles of the hull of points in general position; None where it is nearly flat or a face is a
+/// sliver.
 fn hull(points: Vec<DVec3>) -> Option<Vec<Outline>> {
     let n = points.len();
     let triples = (0..n).flat_map(|i| (0..i).flat_map(move |j| (0..j).map(move |k| [i, j, k])));

@@ -110,8 +110,9 @@ fn no_ray_leaves_a_closed_room() {
 
 #[test]
 fn what_crosses_a_wall_hides_what_it_encloses() {
-    // A box through the wall x = 1 and a ball sunk into the floor: of the wall's and the floor's rays those are lost that
-    // start inside, where all backs absorb; of what is outside the room all but those of the faces that cross the wall.
+    // A box through the wall x = 1 and a ball sunk into the floor: of the wall's and the floor's rays those
+    // are lost that start inside, where all backs absorb; of what is outside the room all but those of the
+    // faces that cross the wall.
     let (mut builder, grey) = grey();
     let cube = builtin("furnace-cube");
     for surface in &cube.surfaces {
@@ -282,7 +283,8 @@ fn a_closed_room_keeps_its_power() {
 
 #[test]
 fn a_floor_under_a_small_lamp_is_lit_by_the_rays_of_the_lamp() {
-    // Hardly any ray of the floor meets the lamp: what is known of its row sum must not spoil what the lamp's own rays tell.
+    // Hardly any ray of the floor meets the lamp: what is known of its row sum must not spoil what the lamp's
+    // own rays tell.
     let mut builder = SceneBuilder::new("lamp", ["grey"]);
     let dark = builder.material("dark", material(0.3, 0.0));
     let lamp = builder.material("lamp", material(0.0, 1000.0));

@@ -233,7 +233,8 @@ fn costs_stay_near_the_counts_that_suffice() {
                     cost.samples, cost.distinct
                 );
                 println!("{line}");
-                // Within the slack, or one point more in each of the (at most four) directions that carry the accuracy.
+                // Within the slack, or one point more in each of the (at most four) directions that carry the
+                // accuracy.
                 let more = |known: u64| {
                     let points = (known as f64).powf(0.25);
                     (SLACK * known as f64).max((points + 1.0).powi(4))

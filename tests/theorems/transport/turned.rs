@@ -4,9 +4,9 @@
 //! A F = ∫ E(x) dA ,     E(x) = −1/2π Σ_k β_k n·γ_k ,
 //! ```
 //!
-//! by Lambert's form, γ_k the unit normal of the triangle of x and side k of what x sees of the polygon, counter-clockwise
-//! about its front, and β_k the side's angle at x. A disk has one horizon, and of it only the segment before the polygon's plane
-//! counts: there E is smooth. A ring is one disk less another.
+//! by Lambert's form, γ_k the unit normal of the triangle of x and side k of what x sees of the polygon,
+//! counter-clockwise about its front, and β_k the side's angle at x. A disk has one horizon, and of it only
+//! the segment before the polygon's plane counts: there E is smooth. A ring is one disk less another.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
@@ -65,8 +65,8 @@ impl Ring {
         all[1]
     }
 
-    /// ∫E dA over what of the disk of this radius is before the polygon's plane: v ≥ −h/g for the height h + g v over it, with
-    /// v = r sin φ and u = r cos φ (2t − 1) in the disk.
+    /// ∫E dA over what of the disk of this radius is before the polygon's plane: v ≥ −h/g for the height
+    /// h + g v over it, with v = r sin φ and u = r cos φ (2t − 1) in the disk.
     fn segment(&self, radius: f64, polygon: &[DVec3], seen: &[DVec3], panels: usize) -> f64 {
         let up = normal(polygon);
         let across = up - self.normal * up.dot(self.normal);

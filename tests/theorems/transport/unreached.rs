@@ -17,7 +17,8 @@ fn scene(build: impl FnOnce(&mut SceneBuilder, &radiosity::scene::NamedMaterial)
     builder.build().expect("the scene is valid")
 }
 
-/// Asks the factors for some accuracies; they keep to what is told, and what is told is not much more than is asked.
+/// Asks the factors for some accuracies; they keep to what is told, and what is told is not much more than is
+/// asked.
 fn check(name: &str, scene: &Scene, known: &[(usize, usize, f64)]) {
     for eps in [3e-3, 3e-4] {
         let found = factors_of(scene, Hiding::Auto, eps, eps);
@@ -77,8 +78,8 @@ fn the_inside_of_a_torus_sees_itself_alone() {
 
 #[test]
 fn long_cylinders_side_by_side_touch_along_a_line() {
-    // Infinitely long F = (√(X² − 1) + asin(1/X) − X)/π, X = 1 + s/d; here s = 0 (Hottel's strings): 1/2 − 1/π. Ends
-    // take about r/L of it.
+    // Infinitely long F = (√(X² − 1) + asin(1/X) − X)/π, X = 1 + s/d; here s = 0 (Hottel's strings):
+    // 1/2 − 1/π. Ends take about r/L of it.
     let (length, exact) = (2000.0, 0.5 - 1.0 / PI);
     let scene = scene(|builder, grey| {
         for (name, x) in [("left", -1.0), ("right", 1.0)] {
@@ -90,7 +91,8 @@ fn long_cylinders_side_by_side_touch_along_a_line() {
     check("cylinders", &scene, &[(0, 1, exact), (1, 0, exact)]);
 }
 
-/// Coaxial disks of radii a and b at the distance h: F = (X − √(X² − 4 (b/a)²))/2, X = 1 + (b² + h²)/a² (Howell C-41).
+/// Coaxial disks of radii a and b at the distance h: F = (X − √(X² − 4 (b/a)²))/2, X = 1 + (b² + h²)/a²
+/// (Howell C-41).
 fn coaxial(a: f64, b: f64, h: f64) -> f64 {
     let x = 1.0 + (b * b + h * h) / (a * a);
     0.5 * (x - (x * x - 4.0 * (b / a).powi(2)).sqrt())

@@ -188,7 +188,8 @@ proptest! {
         prop_assert!((still - trembling).abs() < 2.0 * tremor * (1.0 - tremor.ln()) + 1e-15, "{still} {trembling}");
         let parts = [DVec3::Y, -DVec3::Y].map(|side| clip_polygon(&moved, cut * DVec3::Y, side));
         let sum: f64 = parts.iter().map(|part| polygon_exchange(&floor, part)).sum();
-        // Clipping passes over heights of 1e-12 of the distance, which is not that of the parts: over either plane.
+        // Clipping passes over heights of 1e-12 of the distance, which is not that of the parts: over either
+        // plane.
         let low = |c: &[DVec3], n: DVec3, o: DVec3| {
             let heights = c.iter().map(|x| (x - o).dot(n).abs());
             heights.filter(|height| *height < 4e-12).fold(0.0, f64::max)

@@ -1,8 +1,8 @@
 //! Films by `ffmpeg`, which gets the pictures through a pipe as they are made.
 //!
-//! They come as rows of red, green and blue and are stored as yuv420p, which all players show: brightness for each pixel, colour
-//! for four together, so that sizes are even. The film grows in a temporary file, which takes the name that was typed when it is
-//! complete.
+//! They come as rows of red, green and blue and are stored as yuv420p, which all players show: brightness for
+//! each pixel, colour for four together, so that sizes are even. The film grows in a temporary file, which
+//! takes the name that was typed when it is complete.
 
 use std::io::{self, Read, Write};
 use std::path::Path;

@@ -64,7 +64,8 @@ pub(crate) struct Wanted<'a> {
 }
 
 impl PictureArgs {
-    /// The picture, if one is wanted; `reserve` opens its file, which has to be none of the `others`, named by what they hold.
+    /// The picture, if one is wanted; `reserve` opens its file, which has to be none of the `others`, named
+    /// by what they hold.
     pub(crate) fn wanted(
         &self,
         scene: &Scene,

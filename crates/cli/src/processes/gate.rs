@@ -50,7 +50,8 @@ pub(super) fn pass(world: &SimpleCommunicator, call: Call, before: u64) -> Passe
     passed(world, [own, u64::MAX - own], &|_| ())
 }
 
-/// Waits until all ranks are here, where this one has failed; after `patience` it gives up, which ends its process.
+/// Waits until all ranks are here, where this one has failed; after `patience` it gives up, which ends its
+/// process.
 pub(super) fn fail(world: &SimpleCommunicator, patience: Duration, give_up: &dyn Fn()) {
     passed(world, [u64::MAX, 0], &|waited| {
         if waited > patience {

@@ -35,7 +35,8 @@ pub(crate) struct ReportPageArgs {
     #[arg(long = "plane", value_name = "PLANE", allow_hyphen_values = true)]
     pub(crate) plane: Vec<String>,
 
-    /// Cells along u and v of every surface for least and greatest values [default: 8x8, fewer of many surfaces]
+    /// Cells along u and v of every surface for least and greatest values [default: 8x8, fewer of many
+    /// surfaces]
     #[arg(long, value_name = "NxM")]
     pub(crate) cells: Option<Counts>,
 

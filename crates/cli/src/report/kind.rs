@@ -27,8 +27,8 @@ enum Kind {
 }
 
 impl Files {
-    /// The files that the ending of `path` tells, for a document with these figures; `reserve` finds out whether one can be
-    /// written.
+    /// The files that the ending of `path` tells, for a document with these figures; `reserve` finds out
+    /// whether one can be written.
     pub(super) fn reserve(
         path: &Path,
         figures: &[String],

@@ -30,7 +30,8 @@ use crate::{
     sensors::Sensors,
 };
 
-/// Cells along each side of a surface, and most cells of all. Chosen: seconds in rooms of a thousand surfaces.
+/// Cells along each side of a surface, and most cells of all. Chosen: seconds in rooms of a thousand
+/// surfaces.
 const SIDE: usize = 8;
 const MOST: usize = 20_000;
 

@@ -9,8 +9,8 @@ use super::root::square_root;
 use super::varied::Varied;
 use crate::element::Element;
 
-/// The reflectance ρ(x) of an element, with S_kl = ∫ ρ φ_k φ_l dA, by which coefficients of irradiance become those of
-/// reflected radiosity.
+/// The reflectance ρ(x) of an element, with S_kl = ∫ ρ φ_k φ_l dA, by which coefficients of irradiance become
+/// those of reflected radiosity.
 #[derive(Debug)]
 pub(super) struct Paint {
     pub(super) varied: Varied,
@@ -51,7 +51,8 @@ impl Paint {
         self.varied.most()
     }
 
-    /// About ρ at parameters of the surface: its mean over a tile, which few points of a cell represent better.
+    /// About ρ at parameters of the surface: its mean over a tile, which few points of a cell represent
+    /// better.
     pub(super) fn about(&self, parameters: [f64; 2]) -> f64 {
         self.varied.tiles.at(parameters).unwrap_or_else(|| self.at(parameters))
     }

@@ -30,8 +30,8 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    /// The element of the other side at these parameters: what something covers there, else the cell, or at a rounding beside all
-    /// of them the first.
+    /// The element of the other side at these parameters: what something covers there, else the cell, or at a
+    /// rounding beside all of them the first.
     pub(super) fn behind(&self, [u, v]: [f64; 2]) -> Option<usize> {
         let [pane, ..] = &self.panes[..] else { return None };
         let covered = self.panes.iter().filter_map(|pane| Some((pane.behind, pane.cover.as_deref()?)));

@@ -10,7 +10,8 @@
 
 use nalgebra::DMatrix;
 
-/// R of the symmetric, positive semidefinite matrix S, row-major; eigenvalues that rounding made negative count as 0.
+/// R of the symmetric, positive semidefinite matrix S, row-major; eigenvalues that rounding made negative
+/// count as 0.
 pub(super) fn square_root(matrix: &[f64]) -> Vec<f64> {
     let n = matrix.len().isqrt();
     let eigen = DMatrix::from_row_slice(n, n, matrix).symmetric_eigen();

@@ -1,7 +1,8 @@
 //! Tiles: the rectangles of parameters over which a pattern is taken as constant.
 //!
-//! A tile is bounded by lines along which the pattern may jump, and holds one texel; where there would be more than
-//! [`MOST`] along a direction, several, whose mean over the parameters it has. A polynomial has a single tile, the whole.
+//! A tile is bounded by lines along which the pattern may jump, and holds one texel; where there would be
+//! more than [`MOST`] along a direction, several, whose mean over the parameters it has. A polynomial has a
+//! single tile, the whole.
 
 use std::collections::BTreeMap;
 
@@ -9,8 +10,8 @@ use radiosity_core::dot;
 use radiosity_geom::Rect;
 use radiosity_scene::Pattern;
 
-/// Most tiles along each direction of an element. What is lost of texels by taking means is their variation within a
-/// tile times that of two polynomials: below (N/64)² of the contrast. Chosen; not tuned.
+/// Most tiles along each direction of an element. What is lost of texels by taking means is their variation
+/// within a tile times that of two polynomials: below (N/64)² of the contrast. Chosen; not tuned.
 const MOST: usize = 64;
 
 /// A band of a pattern over a rectangle of parameters, with its mean on every tile.
@@ -103,7 +104,8 @@ fn lines(pattern: &Pattern, axis: usize, parts: &[[f64; 2]]) -> Vec<Line> {
     lines.into_values().collect()
 }
 
-/// The means over all tiles, v fastest: sums over columns for each row first, so that repeated texels are read once a strip.
+/// The means over all tiles, v fastest: sums over columns for each row first, so that repeated texels are
+/// read once a strip.
 fn means(pattern: &Pattern, band: usize, along: &[Strip], across: &[Strip]) -> Vec<f64> {
     let rows: BTreeMap<usize, f64> =
         across.iter().flat_map(|strip| strip.lines.iter().map(|line| (line.index, line.parameter))).collect();

@@ -4,8 +4,9 @@
 //! S_kl = ∫ q φ_k φ_l dA ,      e_k = ∫ q φ_k dA .
 //! ```
 //!
-//! Where q is constant on texels, exact up to what [`tiles`](super::tiles) take together; where it is a polynomial in the
-//! parameters, exact on affine elements, and to the accuracy of the area element on curved ones.
+//! Where q is constant on texels, exact up to what [`tiles`](super::tiles) take together; where it is a
+//! polynomial in the parameters, exact on affine elements, and to the accuracy of the area element on curved
+//! ones.
 
 use std::sync::Arc;
 
@@ -86,8 +87,8 @@ impl Varied {
         rows.map(|row| dot(row, &sums)).collect()
     }
 
-    /// Calls `add` with q times the area that a point stands for, and the raw functions there, for points that are
-    /// exact for products of so many functions.
+    /// Calls `add` with q times the area that a point stands for, and the raw functions there, for points
+    /// that are exact for products of so many functions.
     fn integrate(&self, element: &Element, functions: usize, add: &mut dyn FnMut(f64, &[f64])) {
         let basis = &element.basis;
         let mut raw = vec![0.0; basis.len()];

@@ -4,7 +4,8 @@
 //! z_m = fract(½ + m a) ,     a_d = g⁻ᵈ ,   g^(D + 1) = g + 1 .
 //! ```
 //!
-//! Reference: M. Roberts, *The unreasonable effectiveness of quasirandom sequences* (2018): generalised golden ratio.
+//! Reference: M. Roberts, *The unreasonable effectiveness of quasirandom sequences* (2018): generalised
+//! golden ratio.
 
 /// Roots g of g^(D + 1) = g + 1 for D = 1, 2, 3, 4.
 const ROOTS: [f64; 4] =

@@ -1,7 +1,7 @@
 //! Shifts that make many sequences of one: z ↦ fract(z + shift).
 //!
-//! Shifted by independent numbers, evenly distributed in [0, 1)ᴰ, a sequence gives independent estimates without bias
-//! (R. Cranley, T. Patterson, SIAM J. Numer. Anal. 13 (1976) 904-914).
+//! Shifted by independent numbers, evenly distributed in [0, 1)ᴰ, a sequence gives independent estimates
+//! without bias (R. Cranley, T. Patterson, SIAM J. Numer. Anal. 13 (1976) 904-914).
 
 /// Numbers in [0, 1) that belong to `number`.
 pub fn shift<const D: usize>(number: u64) -> [f64; D] {

@@ -1,7 +1,7 @@
 //! Points spread evenly over the area of an element, or of some patches.
 //!
-//! On flat elements points are distributed by area exactly. On curved ones they are distributed by the parameters, and
-//! each carries the area element there over its mean as a weight.
+//! On flat elements points are distributed by area exactly. On curved ones they are distributed by the
+//! parameters, and each carries the area element there over its mean as a weight.
 
 use radiosity_geom::DVec3;
 
@@ -9,8 +9,8 @@ use crate::Element;
 use crate::patch::{Node, Patch};
 use crate::rule::UnitRule;
 
-/// Points of the Gauss rule, along either parameter, that finds the area of a curved patch. The area is a weight
-/// that divides out in the mean; 8 points find it to 1e-6 on a half sphere.
+/// Points of the Gauss rule, along either parameter, that finds the area of a curved patch. The area is a
+/// weight that divides out in the mean; 8 points find it to 1e-6 on a half sphere.
 const AREA_POINTS: usize = 8;
 
 /// Where two numbers in [0, 1] lie, and the weight of that point: 1 / (A p), p the density of points per

@@ -80,8 +80,8 @@ impl Nodes {
     }
 }
 
-/// Sides in pieces, each in a box that leaves out no point nearer to it than the tolerance: a point is in few of them also
-/// where long sides cross.
+/// Sides in pieces, each in a box that leaves out no point nearer to it than the tolerance: a point is in few
+/// of them also where long sides cross.
 pub(super) struct Near {
     tree: Bvh,
     /// The side of each piece.

@@ -45,8 +45,8 @@ impl Sheet {
         self.region().map_or(0.0, PlanarRegion::extent)
     }
 
-    /// The order of two sheets that coincide: the smaller lies on the larger; of equal ones the one whose typed middle,
-    /// or else normal, comes later.
+    /// The order of two sheets that coincide: the smaller lies on the larger; of equal ones the one whose
+    /// typed middle, or else normal, comes later.
     fn rank(&self) -> [f64; 7] {
         let corners = self.typed.corners();
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;

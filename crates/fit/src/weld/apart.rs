@@ -1,16 +1,16 @@
 //! Flat sheets that lie in front of or behind each other, within their tolerance but apart.
 //!
-//! A box that hovers over a floor, a picture before a wall, two plates: their gap has the same sign in all corners, and
-//! light depends on it. The rules of transport hold for every gap but the [least](gap::least), so such sheets are not
-//! welded, except for gaps within the rounding of their coordinates.
+//! A box that hovers over a floor, a picture before a wall, two plates: their gap has the same sign in all
+//! corners, and light depends on it. The rules of transport hold for every gap but the [least](gap::least),
+//! so such sheets are not welded, except for gaps within the rounding of their coordinates.
 
 use std::collections::HashSet;
 
 use super::sheet::Sheets;
 use crate::{coincident::common_area, gap};
 
-/// Thickness, in tolerances, of the slab that must contain two parallel sheets. Sheets of one body have different
-/// tolerances, but all or none of them have to be apart. Chosen; not tuned.
+/// Thickness, in tolerances, of the slab that must contain two parallel sheets. Sheets of one body have
+/// different tolerances, but all or none of them have to be apart. Chosen; not tuned.
 const SLAB: f64 = 100.0;
 
 /// Least common part of two sheets in front of each other, over the smaller area. Chosen; not tuned.

@@ -120,7 +120,8 @@ impl Places {
         })
     }
 
-    /// Whether two places are nearer than the tolerance of a pair of their sheets, but not equal to rounding already.
+    /// Whether two places are nearer than the tolerance of a pair of their sheets, but not equal to rounding
+    /// already.
     fn are_one(&self, own: usize, other: usize, sheets: &Sheets, apart: &Apart) -> bool {
         let distance = self.list[own].distance(self.list[other]);
         let pairs = || self.sheets[own].iter().flat_map(|a| self.sheets[other].iter().map(move |b| (*a, *b)));

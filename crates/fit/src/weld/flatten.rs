@@ -1,15 +1,16 @@
 //! The smallest moves of corners that put each into its planes.
 //!
-//! A plane with the nodes x_i and the normal n is flat when the heights h_i = n·x_i are an affine function of the
-//! coordinates (s_i, t_i) across n. With q₀, q₁, q₂ orthonormal vectors that span 1, s, t over its nodes,
+//! A plane with the nodes x_i and the normal n is flat when the heights h_i = n·x_i are an affine function of
+//! the coordinates (s_i, t_i) across n. With q₀, q₁, q₂ orthonormal vectors that span 1, s, t over its nodes,
 //!
 //! ```text
 //! r = h − Σ_k q_k (q_k·h) = 0 .
 //! ```
 //!
-//! Moves δ change r by J δ = Q (n·δ_i), Q the same projection. The least-squares solution of J δ = −r is δ = −J⁺ r,
-//! found by conjugate gradients on the normal equations, started from 0 (CGLS; Björck, *Numerical Methods for Least
-//! Squares Problems*, 1996, 7.4). The planes tilt with their nodes, so a few steps of Newton's method follow.
+//! Moves δ change r by J δ = Q (n·δ_i), Q the same projection. The least-squares solution of J δ = −r is
+//! δ = −J⁺ r, found by conjugate gradients on the normal equations, started from 0 (CGLS; Björck, *Numerical
+//! Methods for Least Squares Problems*, 1996, 7.4). The planes tilt with their nodes, so a few steps of
+//! Newton's method follow.
 
 use radiosity_core::{dot, norm};
 use radiosity_geom::DVec3;
@@ -17,19 +18,20 @@ use radiosity_geom::DVec3;
 use super::corners::Corners;
 use super::planes::{Plane, Planes};
 
-/// Most steps of Newton's method, each of which squares the relative error, and of conjugate gradients in each
-/// (`ITERATIONS`). Both are chosen, not tuned.
+/// Most steps of Newton's method, each of which squares the relative error, and of conjugate gradients in
+/// each (`ITERATIONS`). Both are chosen, not tuned.
 const STEPS: usize = 6;
 const ITERATIONS: usize = 1000;
 
 /// Residual over the initial one at which conjugate gradients end. Chosen; not tuned.
 const LEFT: f64 = 1e-12;
 
-/// Singular values of J below this, with the largest about 1, count as zero: almost parallel planes then share no
-/// corner that would have to move far to lie in both. Chosen; not tuned.
+/// Singular values of J below this, with the largest about 1, count as zero: almost parallel planes then
+/// share no corner that would have to move far to lie in both. Chosen; not tuned.
 const LEAST_SINGULAR: f64 = 1e-5;
 
-/// Largest move of a corner in tolerances of its sheets; a corner that would move farther stays. Chosen; not tuned.
+/// Largest move of a corner in tolerances of its sheets; a corner that would move farther stays. Chosen; not
+/// tuned.
 const FARTHEST: f64 = 16.0;
 
 /// The final positions of the nodes; heights below `reach` (scene length) are rounding.

@@ -1,7 +1,7 @@
 //! Planes, and the corners that are meant to lie in them.
 //!
-//! A plane belongs to one flat sheet or to several that lie in it. It has all their corners, and those of other sheets
-//! that end on one of them, such as the foot of a box on a floor.
+//! A plane belongs to one flat sheet or to several that lie in it. It has all their corners, and those of
+//! other sheets that end on one of them, such as the foot of a box on a floor.
 
 use std::collections::BTreeSet;
 

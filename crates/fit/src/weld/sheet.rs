@@ -27,7 +27,8 @@ pub(super) struct Sheets {
 }
 
 impl Sheets {
-    /// The sheets among `shapes`, from which `middle` was subtracted; `asked` is the user's tolerance (scene length).
+    /// The sheets among `shapes`, from which `middle` was subtracted; `asked` is the user's tolerance (scene
+    /// length).
     pub(super) fn of(shapes: &[&mut Arc<dyn Surface>], middle: DVec3, asked: Option<f64>) -> Self {
         let shapes: Vec<&Arc<dyn Surface>> =
             shapes.iter().map(|shape| &**shape).filter(|shape| !shape.corners().is_empty()).collect();

@@ -1,35 +1,38 @@
 //! Tolerances: distances that the corners of a sheet may lie off their intended positions.
 //!
 //! The coordinates themselves show their rounding: to single or double precision
-//! ([`coordinate_rounding`](radiosity_geom::coordinate_rounding)), or to a number of decimals if no coordinate of the
-//! scene has more and most use the last one. Corners off the planes of their own sheets show it too: all of the scene
-//! may be rounded as coarsely. Within this uncertainty it is unknown which of two sheets is in front. In addition a
-//! corner touches a sheet within a millionth of the smaller extent.
+//! ([`coordinate_rounding`](radiosity_geom::coordinate_rounding)), or to a number of decimals if no
+//! coordinate of the scene has more and most use the last one. Corners off the planes of their own sheets
+//! show it too: all of the scene may be rounded as coarsely. Within this uncertainty it is unknown which of
+//! two sheets is in front. In addition a corner touches a sheet within a millionth of the smaller extent.
 
 use radiosity_geom::{DVec3, LOOSE};
 
 /// Unit roundoff of double precision.
 const DOUBLE: f64 = 1.0 / (1u64 << 53) as f64;
 
-/// Most decimals that are considered, and the least extent of a scene in units of the last one (`LEAST_UNITS`): shorter
-/// numbers may have been typed as meant. Both are chosen, not tuned.
+/// Most decimals that are considered, and the least extent of a scene in units of the last one
+/// (`LEAST_UNITS`): shorter numbers may have been typed as meant. Both are chosen, not tuned.
 const DECIMALS: i32 = 9;
 const LEAST_UNITS: f64 = 3e5;
 
-/// Roundings by which a corner may miss a plane through other corners: each misses by up to one, and a plane through
-/// three adds up to three more where it is extended; twice that.
+/// Roundings by which a corner may miss a plane through other corners: each misses by up to one, and a plane
+/// through three adds up to three more where it is extended; twice that.
 const ROUNDINGS: f64 = 8.0;
 
-/// Distance from other sheets that corners may have, over that from the planes of their own sheets (chosen, not tuned);
-/// and the largest such distance over a sheet's own extent, equal to `PLANARITY` of flat regions in geom.
+/// Distance from other sheets that corners may have, over that from the planes of their own sheets (chosen,
+/// not tuned); and the largest such distance over a sheet's own extent, equal to `PLANARITY` of flat regions
+/// in geom.
 const UNEVEN: f64 = 4.0;
 const MOST_UNEVEN: f64 = 2e-5;
 
-/// Largest move of corners over the shortest side, and over the breadth, of their sheet. Both are chosen, not tuned.
+/// Largest move of corners over the shortest side, and over the breadth, of their sheet. Both are chosen, not
+/// tuned.
 const SHORTEST: f64 = 0.1;
 const BREADTH: f64 = 0.01;
 
-/// Rounding of heights of turned corners, and over planes through such corners, in units of 2⁻⁵³. Chosen; not tuned.
+/// Rounding of heights of turned corners, and over planes through such corners, in units of 2⁻⁵³. Chosen; not
+/// tuned.
 const COMPUTED: f64 = 32.0;
 
 /// The tolerances of one sheet (scene length).
@@ -90,7 +93,8 @@ impl Tolerance {
         self.uncertainty(other).max(self.touch.min(other.touch)).min(self.most).min(other.most)
     }
 
-    /// The distance within which either sheet may be in front: the coarser rounding of the two, or the finer noise.
+    /// The distance within which either sheet may be in front: the coarser rounding of the two, or the finer
+    /// noise.
     pub(super) fn uncertainty(&self, other: &Self) -> f64 {
         let rounding = self.rounding.max(other.rounding);
         rounding.max(self.noise.min(other.noise)).min(self.most).min(other.most)
@@ -113,8 +117,8 @@ impl Measures {
     }
 }
 
-/// Rounding of the coordinates (scene length) in a scene of the extent `extent` if all have the same few decimals, and
-/// most use the last one; else 0.
+/// Rounding of the coordinates (scene length) in a scene of the extent `extent` if all have the same few
+/// decimals, and most use the last one; else 0.
 pub(super) fn decimal(corners: impl Iterator<Item = DVec3>, extent: f64) -> f64 {
     let mut coordinates: Vec<f64> = corners.flat_map(|x| x.to_array()).filter(|x| *x != 0.0).collect();
     coordinates.sort_unstable_by(f64::total_cmp);

@@ -1,4 +1,5 @@
-//! Accessors: numbers in buffers (section 3.6.2). Ranges are checked once, numbers read when they are asked for.
+//! Accessors: numbers in buffers (section 3.6.2). Ranges are checked once, numbers read when they are asked
+//! for.
 
 use std::borrow::Cow;
 use std::collections::HashMap;

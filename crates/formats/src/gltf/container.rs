@@ -1,5 +1,5 @@
-//! GLB: a header of 12 bytes, a chunk of JSON, and a chunk of binary data (section 4.4). A file without that header is
-//! the JSON itself.
+//! GLB: a header of 12 bytes, a chunk of JSON, and a chunk of binary data (section 4.4). A file without that
+//! header is the JSON itself.
 
 use radiosity_photometry::located::Located;
 use radiosity_photometry::place::Place;

@@ -68,7 +68,8 @@ impl<'a, 'b> Nodes<'a, 'b> {
         }
     }
 
-    /// Adds the scene that the file names, or its first one; without scenes, all nodes that are nobody's children.
+    /// Adds the scene that the file names, or its first one; without scenes, all nodes that are nobody's
+    /// children.
     pub(super) fn add_scene(mut self) -> Result<(), Located> {
         let top = self.json.place(self.json.text());
         let roots = match self.root.scenes.is_empty() {

@@ -1,7 +1,7 @@
 //! Corners of surfaces, those at one place welded.
 //!
-//! Two corners are at one place if they differ by what rounding leaves of the coordinates of either's surface, in the
-//! precision of its object. What else is in the file, and how large it is, does not matter.
+//! Two corners are at one place if they differ by what rounding leaves of the coordinates of either's
+//! surface, in the precision of its object. What else is in the file, and how large it is, does not matter.
 
 use std::collections::HashMap;
 
@@ -10,8 +10,8 @@ use radiosity_geom::{Aabb, Bvh, sides, unit_roundoff};
 
 use crate::model::{Shape, Surface};
 
-/// Roundings by which two corners that are meant to be one may differ: each is computed, by a few operations. Chosen; not
-/// tuned.
+/// Roundings by which two corners that are meant to be one may differ: each is computed, by a few operations.
+/// Chosen; not tuned.
 const ROUNDINGS: f64 = 8.0;
 
 /// Part of the shortest side at a corner that its place may be uncertain by. Chosen; not tuned.
@@ -30,7 +30,8 @@ pub(super) struct Corners {
 }
 
 impl Corners {
-    /// The corners of `surfaces`, holes behind outlines; curved surfaces have none. `objects` names the object of each.
+    /// The corners of `surfaces`, holes behind outlines; curved surfaces have none. `objects` names the
+    /// object of each.
     pub(super) fn welded(surfaces: &[Surface], objects: &[usize]) -> Corners {
         let (mut given, mut starts) = (Vec::new(), vec![0]);
         for surface in surfaces {

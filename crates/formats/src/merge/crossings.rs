@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
-/// Pairs of sides that are compared: at least, and for each side, before loops count as crossing. Chosen; not tuned:
-/// boundaries of real meshes take a few for each side.
+/// Pairs of sides that are compared: at least, and for each side, before loops count as crossing. Chosen; not
+/// tuned: boundaries of real meshes take a few for each side.
 const LEAST: usize = 1_000_000;
 const FOR_EACH: usize = 100;
 
@@ -15,8 +15,8 @@ struct Part {
     high: f64,
 }
 
-/// Whether two sides of `loops` without a common corner come as near to each other as `near`. True too where the answer
-/// would take too long.
+/// Whether two sides of `loops` without a common corner come as near to each other as `near`. True too where
+/// the answer would take too long.
 pub(super) fn cross(loops: &[Vec<DVec2>], near: f64) -> bool {
     let sides: Vec<[DVec2; 2]> = loops
         .iter()

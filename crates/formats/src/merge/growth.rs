@@ -6,7 +6,8 @@ use super::face::{FLAT, Face};
 /// Roundings within which corners lie in a plane through others. Chosen; not tuned.
 const ROUNDINGS: f64 = 8.0;
 
-/// Faces at a side beyond which it joins nothing. Chosen; not tuned: walls and partitions that meet are fewer.
+/// Faces at a side beyond which it joins nothing. Chosen; not tuned: walls and partitions that meet are
+/// fewer.
 const MOST_AT_SIDE: usize = 16;
 
 /// A side of a face.

@@ -9,11 +9,12 @@ const TURN: f64 = 1e-4;
 /// Roundings within which a dropped corner lies on its side: of it and of both ends. Chosen; not tuned.
 const ROUNDINGS: f64 = 4.0;
 
-/// Rounds of taking corners back into sides that would bend. Chosen; not tuned: one is enough but for gentle curves.
+/// Rounds of taking corners back into sides that would bend. Chosen; not tuned: one is enough but for gentle
+/// curves.
 const ROUNDS: usize = 16;
 
-/// Drops corners at which every surface that has one there goes straight on; so no other surface keeps a corner in the
-/// middle of a side. Of `count` surfaces those that are not merged keep all their corners.
+/// Drops corners at which every surface that has one there goes straight on; so no other surface keeps a
+/// corner in the middle of a side. Of `count` surfaces those that are not merged keep all their corners.
 pub(super) fn straighten(merged: &mut [Merged], corners: &Corners, count: usize) {
     let mut may_go = droppable(merged, corners, count);
     let mut rounds = 0;

@@ -1,7 +1,7 @@
 //! Chromaticities: of spectra, of black bodies, of mixtures.
 //!
-//! Sources: MGF 2.0, entities `cxy`, `cspec`, `cct`, `cmix`; colour matching functions of the CIE 1931 standard
-//! observer for 2° (ISO/CIE 11664-1), from 380 to 780 nm.
+//! Sources: MGF 2.0, entities `cxy`, `cspec`, `cct`, `cmix`; colour matching functions of the CIE 1931
+//! standard observer for 2° (ISO/CIE 11664-1), from 380 to 780 nm.
 
 use radiosity_photometry::fault::Fault;
 
@@ -66,8 +66,8 @@ const COOLEST: f64 = 1000.0;
 /// Least y: darker colours are none that an eye sees. Of the spectrum's colours the least is 0.0048.
 const LEAST_Y: f64 = 1e-3;
 
-/// Part of the largest of red, green and blue by which those of a grey may differ: chromaticities are written with three
-/// digits. Chosen; not tuned.
+/// Part of the largest of red, green and blue by which those of a grey may differ: chromaticities are written
+/// with three digits. Chosen; not tuned.
 const GREY: f64 = 4e-3;
 
 /// A colour without its brightness (CIE 1931 x, y).
@@ -185,7 +185,8 @@ impl Chromaticity {
         }
     }
 
-    /// Red, green and blue of it at brightness 1. What is grey but for the digits that chromaticities have is grey.
+    /// Red, green and blue of it at brightness 1. What is grey but for the digits that chromaticities have is
+    /// grey.
     pub(super) fn bands(&self) -> [f64; 3] {
         let bands = colour::of_chromaticity(self.x, self.y);
         if colour::is_grey(&bands, GREY) { [1.0; 3] } else { bands }
@@ -212,7 +213,8 @@ mod tests {
 
     #[test]
     fn known_lights_have_their_chromaticities() {
-        // CIE 015:2018: illuminant E, illuminant A (2856 K), the locus of black bodies at 6500 K, and a line at 600 nm.
+        // CIE 015:2018: illuminant E, illuminant A (2856 K), the locus of black bodies at 6500 K, and a line
+        // at 600 nm.
         near(Chromaticity::of_spectrum(300.0, 900.0, &[2.0, 2.0]), 1.0 / 3.0, 1.0 / 3.0, 2e-4);
         near(Chromaticity::of_black_body(2856.0), 0.44757, 0.40745, 5e-4);
         near(Chromaticity::of_black_body(6500.0), 0.3135, 0.3237, 5e-4);

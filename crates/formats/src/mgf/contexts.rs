@@ -1,4 +1,5 @@
-//! Contexts of MGF: a current vertex, colour or material, with or without a name (MGF 2.0, "Entities and Contexts").
+//! Contexts of MGF: a current vertex, colour or material, with or without a name (MGF 2.0, "Entities and
+//! Contexts").
 
 use std::collections::HashMap;
 

@@ -107,7 +107,8 @@ impl<'a> Reader<'a> {
         fault.in_line(self.includes.current(), line)
     }
 
-    /// Entity `xf`: with arguments it begins a transform; without it ends one, or goes back to its next instance.
+    /// Entity `xf`: with arguments it begins a transform; without it ends one, or goes back to its next
+    /// instance.
     fn transform<'t>(
         &mut self,
         arguments: &[&str],

@@ -127,7 +127,8 @@ fn check_normal(vertex: Vertex, kind: &str) -> Result<(), Fault> {
     }
 }
 
-/// Entity `prism`: its faces, the given one first, its opposite last. They face outwards; with a length below 0, inwards.
+/// Entity `prism`: its faces, the given one first, its opposite last. They face outwards; with a length below
+/// 0, inwards.
 ///
 /// # Errors
 /// Fewer than three points, no area, no length.

@@ -10,9 +10,9 @@ use crate::colour::{chromaticity, luminance};
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 
-/// The text of a model; reading it gives the model back but for rounding, the title, the unit, the camera, the names
-/// of bands other than red, green and blue, and blanks in names. MGF's materials have two sides unless they are
-/// one-sided: [`Sides::Open`] is written as both, and surfaces without a material are black.
+/// The text of a model; reading it gives the model back but for rounding, the title, the unit, the camera,
+/// the names of bands other than red, green and blue, and blanks in names. MGF's materials have two sides
+/// unless they are one-sided: [`Sides::Open`] is written as both, and surfaces without a material are black.
 ///
 /// # Errors
 /// Models that MGF has no words for: bands that are neither one nor three, a torus that overlaps itself.

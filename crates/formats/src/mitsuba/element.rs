@@ -112,7 +112,8 @@ impl Element {
         parsed.collect::<Result<_, _>>().map_err(|fault| self.at(fault))
     }
 
-    /// The three numbers of `value`, one standing for all, or those of `x`, `y` and `z`, which are `absent` if they are.
+    /// The three numbers of `value`, one standing for all, or those of `x`, `y` and `z`, which are `absent`
+    /// if they are.
     ///
     /// # Errors
     /// Another count, and words that are no numbers.

@@ -39,7 +39,8 @@ impl Parameters {
         Ok(())
     }
 
-    /// `text` with the values of its parameters. Of several names that fit behind a `$` the longest counts; `\$` is a `$`.
+    /// `text` with the values of its parameters. Of several names that fit behind a `$` the longest counts;
+    /// `\$` is a `$`.
     ///
     /// # Errors
     /// A parameter that has no value, and a text that becomes too long.

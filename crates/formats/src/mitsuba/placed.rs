@@ -1,6 +1,6 @@
-//! Shapes where a transform puts them. Mirror images keep their fronts: normals are turned by the inverse transpose, as
-//! in Mitsuba. So do meshes that state normals; of others the front is where the corners run counter-clockwise once they
-//! are placed.
+//! Shapes where a transform puts them. Mirror images keep their fronts: normals are turned by the inverse
+//! transpose, as in Mitsuba. So do meshes that state normals; of others the front is where the corners run
+//! counter-clockwise once they are placed.
 
 use glam::{DAffine3, DVec3};
 use radiosity_photometry::fault::Fault;

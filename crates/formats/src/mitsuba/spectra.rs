@@ -26,8 +26,8 @@ pub(super) fn pairs(element: &Element, attribute: &str) -> Result<Vec<[f64; 2]>,
     words(element.required(attribute)?).map(pair).collect()
 }
 
-/// Means over red, green and blue of a spectrum that is linear between its values and 0 beyond them. Of a band that is
-/// partly beyond them the mean is that of the rest.
+/// Means over red, green and blue of a spectrum that is linear between its values and 0 beyond them. Of a
+/// band that is partly beyond them the mean is that of the rest.
 ///
 /// # Errors
 /// No values, wavelengths that do not grow.

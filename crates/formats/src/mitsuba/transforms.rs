@@ -61,7 +61,8 @@ fn rotation(step: &Element) -> Result<DAffine3, Refusal> {
     Ok(DAffine3::from_mat3(DMat3::from_cols(turned(DVec3::X), turned(DVec3::Y), turned(DVec3::Z))))
 }
 
-/// A view from `origin` to `target`: z becomes the way there, y is in the plane of it and of `up`, x points to the left.
+/// A view from `origin` to `target`: z becomes the way there, y is in the plane of it and of `up`, x points
+/// to the left.
 fn view(step: &Element) -> Result<DAffine3, Refusal> {
     let point = |name: &str| step.triple(name).map(DVec3::from);
     let (origin, target) = (point("origin")?, point("target")?);

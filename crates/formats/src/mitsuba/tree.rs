@@ -14,8 +14,8 @@ use crate::budget::Budget;
 use crate::files::Files;
 use crate::includes::Includes;
 
-/// Most bytes of a file, most elements and bytes of attributes of a scene with its includes. Chosen; not tuned: a scene
-/// names its meshes, it does not hold them.
+/// Most bytes of a file, most elements and bytes of attributes of a scene with its includes. Chosen; not
+/// tuned: a scene names its meshes, it does not hold them.
 const LONGEST: usize = 1 << 26;
 const MOST_ELEMENTS: usize = 2_000_000;
 const MOST_CHARACTERS: usize = 1 << 28;
@@ -23,7 +23,8 @@ const MOST_CHARACTERS: usize = 1 << 28;
 /// Most elements in one another. Chosen: scenes have six.
 const DEEPEST: usize = 64;
 
-/// Most quotes in an element and most prefixes of namespaces in a file: the time of reading them is quadratic. Chosen.
+/// Most quotes in an element and most prefixes of namespaces in a file: the time of reading them is
+/// quadratic. Chosen.
 const MOST_QUOTES: usize = 1000;
 const MOST_PREFIXES: usize = 100;
 
@@ -33,7 +34,8 @@ const LONGEST_MESSAGE: usize = 160;
 /// The root element of the scene `file`, what it includes in the places of the includes.
 ///
 /// # Errors
-/// Text that is no XML, entities, parameters without values, files that cannot be included, too much of anything.
+/// Text that is no XML, entities, parameters without values, files that cannot be included, too much of
+/// anything.
 pub(super) fn read(file: &str, text: &str, files: &dyn Files) -> Result<Element, Refusal> {
     let mut reader = Reader {
         includes: Includes::new(file, files),
@@ -186,7 +188,8 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The path of a file seen from the scene's folder: in the first folder that has it, or in the first of all.
+    /// The path of a file seen from the scene's folder: in the first folder that has it, or in the first of
+    /// all.
     fn found(&mut self, name: &str, source: &Source) -> String {
         let path =
             |folder: &String| if folder.is_empty() { name.to_owned() } else { format!("{folder}/{name}") };

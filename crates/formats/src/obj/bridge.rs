@@ -1,7 +1,8 @@
 //! Outlines that run along bridges to holes and back: polygons with holes for formats that have none.
 //!
-//! Each hole is joined to the outline by a side that meets nothing else, by the way of Eberly (*Triangulation by Ear
-//! Clipping*, 2002, section 5), the hole that reaches farthest first. The area stays the same whatever the bridge.
+//! Each hole is joined to the outline by a side that meets nothing else, by the way of Eberly (*Triangulation
+//! by Ear Clipping*, 2002, section 5), the hole that reaches farthest first. The area stays the same whatever
+//! the bridge.
 
 use std::f64::consts::TAU;
 
@@ -76,8 +77,8 @@ fn visible(ring: &[Corner], from: DVec2) -> usize {
     first.unwrap_or_else(|| occurrence(ring, end, from))
 }
 
-/// The side of `ring` that a ray to greater x meets first, and the x of the meeting. The inside lies to the left of a
-/// side, so it runs upwards there.
+/// The side of `ring` that a ray to greater x meets first, and the x of the meeting. The inside lies to the
+/// left of a side, so it runs upwards there.
 fn first_side(ring: &[Corner], from: DVec2) -> Option<(usize, f64)> {
     let meeting = |index: usize| {
         let [a, b] = [ring[index].flat, ring[(index + 1) % ring.len()].flat];

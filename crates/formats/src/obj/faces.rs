@@ -120,8 +120,8 @@ impl Faces {
         Ok(())
     }
 
-    /// The number of a vertex that a corner `v`, `v/vt`, `v//vn` or `v/vt/vn` has: from 1 on, or below 0 backwards from
-    /// the last vertex.
+    /// The number of a vertex that a corner `v`, `v/vt`, `v//vn` or `v/vt/vn` has: from 1 on, or below 0
+    /// backwards from the last vertex.
     fn corner(&self, word: &str) -> Result<usize, Fault> {
         let first = word.split('/').next().unwrap_or(word);
         let count = self.vertices.len();

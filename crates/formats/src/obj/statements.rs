@@ -1,7 +1,7 @@
 //! Statements of OBJ and MTL: lines without comments, joined where they end with a backslash.
 //!
-//! A number sign begins a comment at the beginning of a line or behind a blank. Where a statement gives a name, a blank
-//! has to follow too: programs write `usemtl Material #25`.
+//! A number sign begins a comment at the beginning of a line or behind a blank. Where a statement gives a
+//! name, a blank has to follow too: programs write `usemtl Material #25`.
 
 use std::borrow::Cow;
 

@@ -20,9 +20,9 @@ pub struct Written {
     pub mtl: String,
 }
 
-/// Writes a model of polygons and bilinear patches; `mtl_name` is the name that the file of materials will have. Each
-/// surface is an object; one of two sides is two, the second `name:back`, since OBJ leaves sides open. Holes are joined to
-/// their outlines by bridges, which keeps the area. `Ke` is the exitance over π.
+/// Writes a model of polygons and bilinear patches; `mtl_name` is the name that the file of materials will
+/// have. Each surface is an object; one of two sides is two, the second `name:back`, since OBJ leaves sides
+/// open. Holes are joined to their outlines by bridges, which keeps the area. `Ke` is the exitance over π.
 ///
 /// # Errors
 /// A curved surface, and bands other than one, or red, green and blue. The refusal's file is empty.

@@ -1,7 +1,8 @@
 //! OpenEXR: floating-point numbers, linear.
 //!
-//! The first layer with channels R, G and B is read, else the first of a channel Y, else the first of a single channel besides an
-//! alpha channel A. Reference: Academy Software Foundation, *Technical Introduction to OpenEXR*.
+//! The first layer with channels R, G and B is read, else the first of a channel Y, else the first of a
+//! single channel besides an alpha channel A. Reference: Academy Software Foundation, *Technical Introduction
+//! to OpenEXR*.
 
 use std::io::Cursor;
 
@@ -15,7 +16,8 @@ use radiosity_photometry::fault::Fault;
 use super::reduction::{Picture, Reduction, Refused};
 use super::refusals::{check_size, check_texels, damaged};
 
-/// Most bytes of one texel, all of its channels together, so that a block of a file has at most 128 MB. Chosen; not tuned.
+/// Most bytes of one texel, all of its channels together, so that a block of a file has at most 128 MB.
+/// Chosen; not tuned.
 const WIDEST: usize = 64;
 
 /// Reads an OpenEXR, averaged to at most `most` texels.

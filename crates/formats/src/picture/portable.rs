@@ -1,7 +1,8 @@
 //! PNG: grey, coloured or of a palette, 1 to 16 bits, interlaced or not.
 //!
-//! The coding that is asked for counts, else that of an `sRGB` chunk, else that of a `gAMA` chunk; without them pictures of up to
-//! 8 bits are sRGB and those of 16 bits linear. Reference: W3C, *Portable Network Graphics*, third edition (2025).
+//! The coding that is asked for counts, else that of an `sRGB` chunk, else that of a `gAMA` chunk; without
+//! them pictures of up to 8 bits are sRGB and those of 16 bits linear. Reference: W3C, *Portable Network
+//! Graphics*, third edition (2025).
 
 use std::io::Cursor;
 

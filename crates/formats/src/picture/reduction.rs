@@ -1,8 +1,8 @@
 //! Averaging a picture while it is read.
 //!
-//! The m × n texels that are kept are the means of the w × h of the file over their areas: along a row the texel x of the file
-//! covers [x m, (x + 1) m] of the line [0, w m], the kept texel i covers [i w, (i + 1) w], and what they have in common is the
-//! weight, a whole number. So the mean of all stays what it was.
+//! The m × n texels that are kept are the means of the w × h of the file over their areas: along a row the
+//! texel x of the file covers [x m, (x + 1) m] of the line [0, w m], the kept texel i covers [i w, (i + 1)
+//! w], and what they have in common is the weight, a whole number. So the mean of all stays what it was.
 
 /// Numbers of texels, row after row from the top, each from the left.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,7 +97,8 @@ impl Reduction {
     }
 }
 
-/// The kept texels, at most two, that a texel of the file lies in, with the lengths of what they have in common.
+/// The kept texels, at most two, that a texel of the file lies in, with the lengths of what they have in
+/// common.
 fn cells(place: usize, from: usize, to: usize) -> [(usize, usize); 2] {
     let (start, end) = (place * to, (place + 1) * to);
     let first = start / from;

@@ -163,8 +163,8 @@ enum Kept {
     No,
 }
 
-/// Reads one element. `take` is asked about each property by its index, without a value, and then given the values of
-/// those that it wants.
+/// Reads one element. `take` is asked about each property by its index, without a value, and then given the
+/// values of those that it wants.
 fn row(
     properties: &[Property],
     numbers: &mut dyn Numbers,

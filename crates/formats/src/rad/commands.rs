@@ -1,4 +1,5 @@
-//! Commands in a Radiance scene that are followed without running them: `!xform` and `!genbox`, also piped to `xform`.
+//! Commands in a Radiance scene that are followed without running them: `!xform` and `!genbox`, also piped to
+//! `xform`.
 //!
 //! Sources: Radiance, manual pages `xform(1)` and `genbox(1)`.
 

@@ -49,7 +49,8 @@ impl Materials {
         })
     }
 
-    /// Defines the modifier that a primitive is. Returns what is left out of it, or none if it is no modifier.
+    /// Defines the modifier that a primitive is. Returns what is left out of it, or none if it is no
+    /// modifier.
     ///
     /// # Errors
     /// Unknown modifiers, too few numbers, numbers below 0.

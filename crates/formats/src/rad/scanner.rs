@@ -1,7 +1,8 @@
 //! The words of a Radiance scene: primitives, commands, comments.
 //!
-//! Source: Radiance reference manual, "Scene Description": a primitive is modifier, type and name, then three lists, each
-//! with its count before it: texts, integers (none), numbers. An alias has the name of another modifier instead.
+//! Source: Radiance reference manual, "Scene Description": a primitive is modifier, type and name, then three
+//! lists, each with its count before it: texts, integers (none), numbers. An alias has the name of another
+//! modifier instead.
 
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::{number, short};

@@ -1,7 +1,8 @@
-//! Flat faces in the same place: one plane, one region, whatever vertex they begin with and whichever way they run.
+//! Flat faces in the same place: one plane, one region, whatever vertex they begin with and whichever way
+//! they run.
 //!
-//! Two bodies that touch have faces in the same place too, their fronts opposite: these are sound, `radiosity` sets them
-//! apart by the bodies behind them.
+//! Two bodies that touch have faces in the same place too, their fronts opposite: these are sound,
+//! `radiosity` sets them apart by the bodies behind them.
 
 use radiosity_fit::ring::tolerance;
 

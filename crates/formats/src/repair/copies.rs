@@ -1,7 +1,8 @@
 //! Which of two surfaces in the same place is kept.
 //!
-//! The emitter, or else the first. Two one-sided faces back to back are the two sides of one sheet: of one material they
-//! become one two-sided surface, of two materials the one is named the back of the other, which `radiosity` lets be.
+//! The emitter, or else the first. Two one-sided faces back to back are the two sides of one sheet: of one
+//! material they become one two-sided surface, of two materials the one is named the back of the other, which
+//! `radiosity` lets be.
 
 use std::collections::HashSet;
 
@@ -46,8 +47,8 @@ impl<'a> Copies<'a> {
         self.model.surfaces[surface].sides != Sides::Both && !self.both[surface]
     }
 
-    /// Settles two surfaces in the same place, the first by index first, with the same front or opposite ones. Front and
-    /// back of one sheet stay.
+    /// Settles two surfaces in the same place, the first by index first, with the same front or opposite
+    /// ones. Front and back of one sheet stay.
     pub(super) fn settle(&mut self, first: usize, second: usize, is_alike: bool) {
         if !is_alike && are_sides_of_one(self.model, [first, second]) {
             return;

@@ -1,8 +1,8 @@
 //! Disks and rings in the plane of other flat faces.
 //!
-//! `radiosity` sets apart polygons by itself, but not disks. A disk that shows its front to a larger face, such as the
-//! foot of a glass on a shelf, gets no light and is removed; any other is raised off the larger face, before its own
-//! front, by a gap that lets no light through. A polygon on a larger disk fares alike.
+//! `radiosity` sets apart polygons by itself, but not disks. A disk that shows its front to a larger face,
+//! such as the foot of a glass on a shelf, gets no light and is removed; any other is raised off the larger
+//! face, before its own front, by a gap that lets no light through. A polygon on a larger disk fares alike.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;

@@ -20,8 +20,8 @@ impl Edit {
         self.shapes.insert(surface, shapes);
     }
 
-    /// Makes the changes. Of a surface that becomes several the parts are named `name-1`, `name-2`, …; returns their
-    /// new names by the old index, and the new indices of all changed surfaces.
+    /// Makes the changes. Of a surface that becomes several the parts are named `name-1`, `name-2`, …;
+    /// returns their new names by the old index, and the new indices of all changed surfaces.
     pub(super) fn apply(mut self, model: &mut Model) -> Edited {
         let mut edited = Edited::default();
         if self.is_empty() {

@@ -38,7 +38,8 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
     }
 }
 
-/// Groups of mantles that are parts of one, each with the index of its surface: those that agree with the first of a group.
+/// Groups of mantles that are parts of one, each with the index of its surface: those that agree with the
+/// first of a group.
 fn lines(model: &Model) -> Vec<Vec<(usize, Mantle)>> {
     let of = |(index, surface): (usize, &Surface)| Some((index, Mantle::of(&surface.shape)?));
     let mut mantles: Vec<_> = model.surfaces.iter().enumerate().filter_map(of).map(Some).collect();

@@ -1,4 +1,5 @@
-//! Polygons whose vertices lie in no common plane: four that turn one way become a bilinear patch, others triangles.
+//! Polygons whose vertices lie in no common plane: four that turn one way become a bilinear patch, others
+//! triangles.
 
 use std::collections::HashMap;
 

@@ -18,8 +18,8 @@ const PARALLEL: f64 = 1e-6;
 /// Roundings by which heights over planes through rounded corners may miss. As in `radiosity_geom`.
 const ROUNDINGS: f64 = 8.0;
 
-/// Faces overlap if their common part is wider than this part of the smaller extent and than the part `OF_BREADTH` of
-/// the narrower breadth. As in `radiosity_scene`.
+/// Faces overlap if their common part is wider than this part of the smaller extent and than the part
+/// `OF_BREADTH` of the narrower breadth. As in `radiosity_scene`.
 const WIDTH: f64 = 1e-6;
 const OF_BREADTH: f64 = 1e-3;
 
@@ -133,7 +133,8 @@ impl Sheet {
         let common = self.bounds.intersection(other.bounds);
         let mut widths = (common.max - common.min).to_array();
         widths.sort_by(f64::total_cmp);
-        // Something wide that lies in a plane is wide along two of the three axes, however the plane is tilted.
+        // Something wide that lies in a plane is wide along two of the three axes, however the plane is
+        // tilted.
         if widths[1] < 0.5 * least {
             return 0.0;
         }
@@ -189,8 +190,8 @@ impl Sheets {
         near.into_iter().filter(move |other| *other != own && sheet.shares_plane(&self.list[*other]))
     }
 
-    /// Mean height over a face's front of the body that it belongs to: of faces in other planes with a side along one of
-    /// its own; 0 if it belongs to none. As in `radiosity_scene`.
+    /// Mean height over a face's front of the body that it belongs to: of faces in other planes with a side
+    /// along one of its own; 0 if it belongs to none. As in `radiosity_scene`.
     pub(super) fn body(&self, own: &Sheet) -> f64 {
         let tolerance = touching(own.extent, own.bounds.center().length());
         let mut near = Vec::new();

@@ -92,7 +92,8 @@ impl Found {
         if count < 3 {
             return false;
         }
-        // The tip of the fault, and its neighbours; the first points of the ring are kept rather than the last.
+        // The tip of the fault, and its neighbours; the first points of the ring are kept rather than the
+        // last.
         for tip in [count - 1, 0, count - 2, 1] {
             let [a, b, c] = [count - 1, 0, 1].map(|step| kept[(tip + step) % count]);
             if let Some(fault) = Fault::at(a, b, c, tolerance) {

@@ -1,5 +1,5 @@
-//! Binary STL: 80 bytes of any kind, the number of triangles, and 50 bytes for each: a normal, three corners, and a
-//! word that programs use for colours; little-endian.
+//! Binary STL: 80 bytes of any kind, the number of triangles, and 50 bytes for each: a normal, three corners,
+//! and a word that programs use for colours; little-endian.
 
 use glam::DVec3;
 use radiosity_photometry::located::Located;
@@ -11,7 +11,8 @@ use crate::model::Sides;
 const HEADER: usize = 84;
 const TRIANGLE: usize = 50;
 
-/// Whether the bytes are a binary STL: as long as the number of triangles says, or no text that begins with `solid`.
+/// Whether the bytes are a binary STL: as long as the number of triangles says, or no text that begins with
+/// `solid`.
 pub(super) fn is_binary(bytes: &[u8]) -> bool {
     let start = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
     let is_solid = start.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));

@@ -5,12 +5,12 @@ use std::collections::HashMap;
 use earcut::Earcut;
 use glam::{DVec2, DVec3};
 
-/// Parts of the whole area that pieces may miss it by, and that a piece has to exceed: roundings of sums. Chosen; not
-/// tuned.
+/// Parts of the whole area that pieces may miss it by, and that a piece has to exceed: roundings of sums.
+/// Chosen; not tuned.
 const ROUNDING: f64 = 1e-9;
 
-/// Convex pieces that together are `outline` without `holes`, each seen from the same side counter-clockwise as the
-/// outline; none where the outlines cross.
+/// Convex pieces that together are `outline` without `holes`, each seen from the same side counter-clockwise
+/// as the outline; none where the outlines cross.
 pub(super) fn pieces(outline: &[DVec3], holes: &[Vec<DVec3>]) -> Option<Vec<Vec<DVec3>>> {
     let points: Vec<DVec3> = outline.iter().chain(holes.iter().flatten()).copied().collect();
     let flat = flat(&points, outline)?;
@@ -41,8 +41,8 @@ pub(super) fn pieces(outline: &[DVec3], holes: &[Vec<DVec3>]) -> Option<Vec<Vec<
         .then(|| joined.iter().map(|piece| piece.iter().map(|corner| points[*corner]).collect()).collect())
 }
 
-/// The points in the plane of the outline, within a square of side 1; the outline runs counter-clockwise. None without a
-/// plane.
+/// The points in the plane of the outline, within a square of side 1; the outline runs counter-clockwise.
+/// None without a plane.
 fn flat(points: &[DVec3], outline: &[DVec3]) -> Option<Vec<DVec2>> {
     let first = *outline.first()?;
     let size = points.iter().map(|p| (*p - first).abs().max_element()).fold(0.0, f64::max);

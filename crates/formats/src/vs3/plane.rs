@@ -1,5 +1,5 @@
-//! Surfaces in a plane of their own: origin, azimuth, tilt, and coordinates in the plane (geometry `3a`; manual of
-//! View3D 3.5, section 3.1, where it is called 3b).
+//! Surfaces in a plane of their own: origin, azimuth, tilt, and coordinates in the plane (geometry `3a`;
+//! manual of View3D 3.5, section 3.1, where it is called 3b).
 
 use glam::{DVec2, DVec3};
 
@@ -37,9 +37,9 @@ impl Form {
     }
 }
 
-/// The corners of a surface, counter-clockwise seen from its front, from [`Form::count`] numbers: x, y, z of the origin,
-/// azimuth (clockwise from +y) and tilt (0 faces up, 90 stands) in degrees, then measures in the plane, whose first axis
-/// runs to the right and whose second runs upwards as the front is seen.
+/// The corners of a surface, counter-clockwise seen from its front, from [`Form::count`] numbers: x, y, z of
+/// the origin, azimuth (clockwise from +y) and tilt (0 faces up, 90 stands) in degrees, then measures in the
+/// plane, whose first axis runs to the right and whose second runs upwards as the front is seen.
 pub(super) fn corners(form: Form, numbers: &[f64]) -> Vec<DVec3> {
     let (plane, inner) = numbers.split_at_checked(5).unwrap_or_default();
     let [x, y, z, azimuth, tilt] = plane else { return Vec::new() };

@@ -1,5 +1,5 @@
-//! Writes a model as View3D input. Polygons of more than four corners, with holes or with a notch become convex pieces
-//! `name#1`, `name#2`, …, which View3D combines into one again.
+//! Writes a model as View3D input. Polygons of more than four corners, with holes or with a notch become
+//! convex pieces `name#1`, `name#2`, …, which View3D combines into one again.
 
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -15,9 +15,10 @@ use crate::model::{Material, Model, Shape, Sides, Surface};
 /// Digits that emittances are rounded to, so that 1 − 0.1 is 0.9.
 const DIGITS: f64 = 1e12;
 
-/// The text of a model. View3D has one band and no emission: the emittance is 1 − ρ, with ρ the luminance of three bands
-/// and the mean of others; emission is left out. A surface of two sides becomes two surfaces, the second `name:back`;
-/// [`Sides::Open`] is written as the front. Surfaces of a material `obstruction` become obstructions.
+/// The text of a model. View3D has one band and no emission: the emittance is 1 − ρ, with ρ the luminance of
+/// three bands and the mean of others; emission is left out. A surface of two sides becomes two surfaces, the
+/// second `name:back`; [`Sides::Open`] is written as the front. Surfaces of a material `obstruction` become
+/// obstructions.
 ///
 /// # Errors
 /// A curved surface, or an outline that crosses itself.

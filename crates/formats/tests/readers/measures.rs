@@ -1,4 +1,4 @@
-//! What is measured of models: areas and fronts of shapes, names, notes.
+//! Measures of models: areas and fronts of shapes, names, notes.
 
 use std::f64::consts::PI;
 

@@ -111,7 +111,8 @@ fn only_opaque_pictures_may_have_an_alpha_channel() {
     refused(&keyed, "column 2, row 1 from the top is transparent");
 }
 
-/// An interlaced PNG of 8-bit grey, whose rows within passes are not filtered, made by hand after section 8 of its standard.
+/// An interlaced PNG of 8-bit grey, whose rows within passes are not filtered, made by hand after section 8
+/// of its standard.
 fn interlaced(columns: usize, rows: usize, grey: impl Fn(usize, usize) -> u8) -> Vec<u8> {
     let plain =
         plain([columns as u32, rows as u32], ColorType::Grayscale, BitDepth::Eight, &vec![0; columns * rows]);

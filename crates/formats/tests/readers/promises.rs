@@ -1,4 +1,4 @@
-//! What readers promise of whatever they are given.
+//! Promises that readers keep whatever they are given.
 
 use glam::DVec3;
 use radiosity_formats::model::{Model, Shape};
@@ -31,8 +31,8 @@ pub(crate) fn parts(shape: &Shape) -> (Vec<DVec3>, Vec<f64>, Vec<usize>) {
     }
 }
 
-/// Asserts that a refusal says cause and file, and that numbers of a model are numbers, materials are there and have a value for
-/// each band, and polygons have corners.
+/// Asserts that a refusal says cause and file, and that numbers of a model are numbers, materials are there
+/// and have a value for each band, and polygons have corners.
 #[track_caller]
 pub(crate) fn assert_promised(found: &Result<Model, Refusal>) {
     let model = match found {

@@ -75,8 +75,8 @@ fn cuboid(name: &str, low: DVec3, size: DVec3, is_outward: bool) -> Vec<Surface>
     faces.into_iter().enumerate().map(face).collect()
 }
 
-/// A room with boxes that stand on its floor and on each other, a picture, a window in a wall, a table on legs, a
-/// globe and a two-sided board.
+/// A room with boxes that stand on its floor and on each other, a picture, a window in a wall, a table on
+/// legs, a globe and a two-sided board.
 fn furnished() -> Vec<Surface> {
     let mut all = cuboid("room", DVec3::ZERO, DVec3::new(6.0, 5.0, 3.0), false);
     all.extend(cuboid("crate", DVec3::new(1.0, 1.0, 0.0), DVec3::splat(0.8), true));
@@ -166,8 +166,8 @@ proptest! {
         prop_assert_eq!(before, after);
     }
 
-    /// Any ring of few points, most of them on a grid or beside it by rounding so that all kinds of contacts occur, becomes
-    /// sound polygons, and repairing them again changes nothing.
+    /// Any ring of few points, most of them on a grid or beside it by rounding so that all kinds of contacts
+    /// occur, becomes sound polygons, and repairing them again changes nothing.
     #[test]
     fn any_ring_becomes_sound(
         points in prop::collection::vec([coordinate(), coordinate()], 3..12),
@@ -194,8 +194,8 @@ proptest! {
         prop_assert_eq!(after, again);
     }
 
-    /// Squares thrown into one plane: afterwards those that lay partly on others cover the same place once, and every
-    /// coordinate that was cut nowhere is the old one.
+    /// Squares thrown into one plane: afterwards those that lay partly on others cover the same place once,
+    /// and every coordinate that was cut nowhere is the old one.
     #[test]
     fn partly_covered_squares_cover_their_union_once(
         places in prop::collection::vec((0..24u8, 0..24u8, 4..9u8), 2..7),
@@ -523,7 +523,8 @@ fn of_faces_that_show_opposite_fronts_the_smaller_area_is_turned_and_none_of_hal
 
 #[test]
 fn a_fan_of_many_crossings_is_mended() {
-    // A star polygon {n/k} has k − 1 crossings on each side; the even–odd rule leaves rings of alternate depth.
+    // A star polygon {n/k} has k − 1 crossings on each side; the even–odd rule leaves rings of alternate
+    // depth.
     let (count, step) = (201, 80);
     let corner = |k: usize| {
         let angle = std::f64::consts::TAU * (k * step % count) as f64 / count as f64;

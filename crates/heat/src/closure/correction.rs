@@ -6,15 +6,16 @@
 //! minimise Σ ‖ΔG_ij‖² / w_ij     subject to Σ_j ΔG_ij c_j = r_i ;     ΔG_ij = w_ij (λ_i c_jᵀ + c_i λ_jᵀ) .
 //! ```
 //!
-//! w_ij is the square of G_ij between constants, 0 for exact pairs: large exchanges err by more than small ones (M. E. Larsen,
-//! J. R. Howell, *J. Heat Transfer* 108 (1986) 239-242). The part of λ_i along c_i, l_i c_i, solves
+//! w_ij is the square of G_ij between constants, 0 for exact pairs: large exchanges err by more than small
+//! ones (M. E. Larsen, J. R. Howell, *J. Heat Transfer* 108 (1986) 239-242). The part of λ_i along c_i, l_i
+//! c_i, solves
 //!
 //! ```text
 //! Σ_j W_ij (l_i + l_j) = r_i · c_i ,     W_ij = A_i w_ij A_j ,
 //! ```
 //!
-//! a positive semidefinite system, by conjugate gradients with its diagonal as preconditioner; the part across c_i is
-//! r_i A_i / Σ_j W_ij there.
+//! a positive semidefinite system, by conjugate gradients with its diagonal as preconditioner; the part
+//! across c_i is r_i A_i / Σ_j W_ij there.
 
 use radiosity_elements::Elements;
 use radiosity_kernel::Blocks;
@@ -25,8 +26,8 @@ use radiosity_work::ranks::Ranks;
 
 use super::pairs::Pairs;
 
-/// Most corrections one after another, each of what rounding left of the one before, and the largest deficit that is left
-/// alone. Chosen.
+/// Most corrections one after another, each of what rounding left of the one before, and the largest deficit
+/// that is left alone. Chosen.
 const TURNS: usize = 4;
 const SETTLED: f64 = 1e-15;
 
@@ -117,7 +118,8 @@ fn copied(elements: &Elements, blocks: &Blocks, values: impl Fn(usize, usize, &[
     copy
 }
 
-/// The matrix Σ_j W_ij (x_i + x_j), by rows; rows without a pair that may be corrected are those of the unit matrix.
+/// The matrix Σ_j W_ij (x_i + x_j), by rows; rows without a pair that may be corrected are those of the unit
+/// matrix.
 struct Weights {
     partition: Partition,
     diagonal: Vec<f64>,

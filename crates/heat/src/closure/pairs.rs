@@ -1,10 +1,10 @@
 //! Exchanges of two elements that are known beforehand, and those that follow from them.
 //!
-//! Each closed row is an equation for the exchanges X_ij = A_i F_ij that are not known. They are the edges of a graph of the rows, X_ii
-//! a loop. An edge at whose end no other one is left follows from that row. What is left when no such end remains follows
-//! where a part of the graph has as many edges as rows and a loop or an odd cycle: its equations, those of a signless
-//! Laplacian matrix, have one solution (D. Cvetković, P. Rowlinson, S. K. Simić, *Linear Algebra Appl.* 423 (2007)
-//! 155-171).
+//! Each closed row is an equation for the exchanges X_ij = A_i F_ij that are not known. They are the edges of
+//! a graph of the rows, X_ii a loop. An edge at whose end no other one is left follows from that row. What is
+//! left when no such end remains follows where a part of the graph has as many edges as rows and a loop or an
+//! odd cycle: its equations, those of a signless Laplacian matrix, have one solution (D. Cvetković, P.
+//! Rowlinson, S. K. Simić, *Linear Algebra Appl.* 423 (2007) 155-171).
 
 use radiosity_elements::Element;
 use radiosity_kernel::blocks::FirstEntry;
@@ -22,7 +22,8 @@ const MOST: usize = 1000;
 /// The pairs of elements whose exchange has to be found by quadrature or rays that err.
 #[derive(Debug)]
 pub(super) struct Pairs {
-    /// For each pair (i, j), i ≤ j, at its place in the triangle, whether its exchange is exact; empty if there are too many.
+    /// For each pair (i, j), i ≤ j, at its place in the triangle, whether its exchange is exact; empty if
+    /// there are too many.
     exact: Vec<bool>,
     elements: usize,
 }
@@ -77,8 +78,8 @@ impl Pairs {
     }
 }
 
-/// Whether the contour integral of two elements that carry constants is their exchange: both are flat, and nothing can
-/// stand between.
+/// Whether the contour integral of two elements that carry constants is their exchange: both are flat, and
+/// nothing can stand between.
 fn is_integrated_exactly(visibility: &Visibility, [one, other]: [&Element; 2]) -> bool {
     let is_simple = |element: &Element| element.plane.is_some() && element.basis.len() == 1;
     let surfaces = [one.surface, other.surface];

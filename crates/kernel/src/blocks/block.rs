@@ -7,16 +7,16 @@ use crate::moments::Moments;
 /// The accuracy asked of blocks.
 #[derive(Clone, Copy, Debug)]
 pub struct Accuracy {
-    /// ε of the smooth rules, relative to the block's largest entry or to a hundredth of its row's, whichever is
-    /// larger. On curved elements an entry below 1e-8 counts as 1e-8.
+    /// ε of the smooth rules, relative to the block's largest entry or to a hundredth of its row's, whichever
+    /// is larger. On curved elements an entry below 1e-8 counts as 1e-8.
     pub eps: f64,
     /// ε of the visibility within a block.
     pub shadow_eps: f64,
 }
 
 impl Accuracy {
-    /// Loosened for a block whose shadows are small compared with its row: ε times `factor` where above 1, up to
-    /// √ε_shadow; ε_shadow times its square.
+    /// Loosened for a block whose shadows are small compared with its row: ε times `factor` where above 1, up
+    /// to √ε_shadow; ε_shadow times its square.
     pub fn loosened(&self, factor: f64) -> Self {
         let eps = (self.eps * factor).min(self.shadow_eps.sqrt()).max(self.eps);
         Self { eps, shadow_eps: self.shadow_eps * factor.max(1.0).powi(2) }
@@ -125,7 +125,8 @@ impl Block {
         }
     }
 
-    /// The block with receiver and emitter exchanged; `rows` is the number of the receiver's functions before.
+    /// The block with receiver and emitter exchanged; `rows` is the number of the receiver's functions
+    /// before.
     pub fn turned(mut self, rows: usize) -> Self {
         let columns = self.values.len() / rows;
         self.values = (0..self.values.len()).map(|k| self.values[k % rows * columns + k / rows]).collect();

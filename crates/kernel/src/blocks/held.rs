@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use radiosity_work::ranks::{Ranks, shares};
 
-/// The rows of elements that a rank holds, and those of the others: runs of elements, in order, with about as many coefficients.
+/// The rows of elements that a rank holds, and those of the others: runs of elements, in order, with about as
+/// many coefficients.
 #[derive(Clone, Debug)]
 pub struct Held {
     ranks: Ranks,

@@ -1,8 +1,8 @@
 //! Reciprocity A_i F_ij = A_j F_ji of the transfers, measured on a sample of pairs.
 //!
-//! Each pair is integrated and stored once, so that the stored transfers are reciprocal by construction. The rules are
-//! tested only where a pair is integrated again with the roles of its elements exchanged, which makes the outer
-//! integral the inner one.
+//! Each pair is integrated and stored once, so that the stored transfers are reciprocal by construction. The
+//! rules are tested only where a pair is integrated again with the roles of its elements exchanged, which
+//! makes the outer integral the inner one.
 
 use serde::{Deserialize, Serialize};
 

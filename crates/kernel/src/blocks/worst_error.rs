@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 pub struct WorstError {
     /// The two elements; in view factors the two surfaces.
     pub pair: [usize; 2],
-    /// By rules of an entry, relative to the largest of: the block's largest entry, a hundredth of its row's, and 1e-8;
-    /// by rays of the view factors of either element, relative to the largest of its row.
+    /// By rules of an entry, relative to the largest of: the block's largest entry, a hundredth of its row's,
+    /// and 1e-8; by rays of the view factors of either element, relative to the largest of its row.
     pub error: f64,
     /// The error that was asked for.
     pub asked: f64,

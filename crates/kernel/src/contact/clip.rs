@@ -1,9 +1,9 @@
 //! Clips two polygons for quadrature, so that they touch in whole edges or corners.
 //!
-//! Each polygon is clipped once by the plane of the other: the plane is the same for all its points, and what lies
-//! behind it exchanges nothing. The rest can touch the other polygon only on the line where the planes meet. Both are
-//! then cut across that line wherever either has a corner on it, so that every contact is one whole common edge or one
-//! common corner. A box that stands on a floor needs no rule of its own.
+//! Each polygon is clipped once by the plane of the other: the plane is the same for all its points, and what
+//! lies behind it exchanges nothing. The rest can touch the other polygon only on the line where the planes
+//! meet. Both are then cut across that line wherever either has a corner on it, so that every contact is one
+//! whole common edge or one common corner. A box that stands on a floor needs no rule of its own.
 
 use radiosity_geom::{DVec3, clip_polygon};
 
@@ -60,8 +60,8 @@ impl Facet {
 
 /// Cuts two facets, each in front of the other's plane, so that they touch in whole edges or corners.
 ///
-/// The pairs of parts make up the pair of facets; one pair if no cut is needed. Planes at an angle below 1e-9 count as
-/// parallel.
+/// The pairs of parts make up the pair of facets; one pair if no cut is needed. Planes at an angle below 1e-9
+/// count as parallel.
 pub fn match_contact(p: &Facet, q: &Facet, tolerance: f64) -> Vec<(Facet, Facet)> {
     let line = p.normal.cross(q.normal);
     if line.length() < 1e-9 {

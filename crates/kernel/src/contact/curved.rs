@@ -1,9 +1,9 @@
 //! Contact of two patches of which at least one is curved.
 //!
-//! Rules exist for a whole common edge and for a common corner. Other contacts are reduced to these. A corner on a side
-//! of the other patch cuts that patch. A contact at a tip, a side of the chart that is one point (the apex of a cone,
-//! the pole of a sphere), is halved towards the tip until the rest carries nothing. An edge run through at different
-//! speeds goes by [`crate::rules::common_edge::unequal_speed`].
+//! Rules exist for a whole common edge and for a common corner. Other contacts are reduced to these. A corner
+//! on a side of the other patch cuts that patch. A contact at a tip, a side of the chart that is one point
+//! (the apex of a cone, the pole of a sphere), is halved towards the tip until the rest carries nothing. An
+//! edge run through at different speeds goes by [`crate::rules::common_edge::unequal_speed`].
 
 use std::sync::Arc;
 
@@ -109,7 +109,8 @@ pub(crate) fn sides(patch: &Patch) -> Vec<Border<'_>> {
     }
 }
 
-/// The direction along which to halve a curved patch that is touched at one of `corners`, if a side there is collapsed.
+/// The direction along which to halve a curved patch that is touched at one of `corners`, if a side there is
+/// collapsed.
 fn tip(patch: &Patch, corners: impl Iterator<Item = usize> + Clone) -> Option<Direction> {
     let collapsed = collapsed(patch);
     corners.clone().find_map(|corner| {

@@ -1,7 +1,7 @@
 //! Contact of two patches: a common edge, a common corner, or none.
 //!
-//! The contact alone decides the rule. Flat pairs come already cut, so that contacts are whole edges or corners
-//! ([`crate::contact::clip`]); for pairs with a curved patch see [`crate::contact::curved`].
+//! The contact alone decides the rule. Flat pairs come already cut, so that contacts are whole edges or
+//! corners ([`crate::contact::clip`]); for pairs with a curved patch see [`crate::contact::curved`].
 
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{DVec3, distance_to_segment, sides};
@@ -62,8 +62,9 @@ fn overlapping_sides(p: &[DVec3], i: usize, q: &[DVec3], j: usize, tolerance: f6
 
 /// Distance between two patches: exact for flat ones, a lower bound where one is curved.
 ///
-/// The larger of two bounds: the distance of the corners' polygons less both sagittas, good for small or nearly flat
-/// patches; and the distance of points of uniform grids less half the diagonals of the grids' cells.
+/// The larger of two bounds: the distance of the corners' polygons less both sagittas, good for small or
+/// nearly flat patches; and the distance of points of uniform grids less half the diagonals of the grids'
+/// cells.
 pub fn gap(p: &Patch, q: &Patch) -> f64 {
     let by_corners = polygon_distance(&p.polygon(), &q.polygon()) - p.sagitta() - q.sagitta();
     if p.is_flat() && q.is_flat() || by_corners > 0.5 * (diagonal(p) + diagonal(q)) {
@@ -89,8 +90,8 @@ fn grid(patch: &Patch) -> Vec<DVec3> {
     (0..GRID * GRID).map(|k| patch.node(place(k / GRID), place(k % GRID)).position).collect()
 }
 
-/// Half the diagonal of a cell of the grid, times 1.2 since an arc is longer than its chord. The 1.2 is chosen, not
-/// tuned.
+/// Half the diagonal of a cell of the grid, times 1.2 since an arc is longer than its chord. The 1.2 is
+/// chosen, not tuned.
 fn cell(patch: &Patch) -> f64 {
     0.6 * diagonal(patch) / (GRID - 1) as f64
 }
@@ -129,8 +130,8 @@ pub fn point_to_polygon(x: DVec3, polygon: &[DVec3]) -> f64 {
     sides(polygon).map(|side| distance_to_segment(x, side)).fold(f64::INFINITY, f64::min)
 }
 
-/// Distance of two segments: minimises over the lines, clamps one parameter, then the other (C. Ericson, *Real-Time
-/// Collision Detection*, 5.1.9). Lines whose sin² is below 1e-14 count as parallel.
+/// Distance of two segments: minimises over the lines, clamps one parameter, then the other (C. Ericson,
+/// *Real-Time Collision Detection*, 5.1.9). Lines whose sin² is below 1e-14 count as parallel.
 fn segment_to_segment([a, b]: [DVec3; 2], [c, d]: [DVec3; 2]) -> f64 {
     let (u, v, w) = (b - a, d - c, a - c);
     let (uu, vv, uv) = (u.length_squared(), v.length_squared(), u.dot(v));

@@ -6,21 +6,22 @@
 //! f(x, y) = n_x·(y − x) ,   f(y, x) = n_y·(x − y)
 //! ```
 //!
-//! is negative, and is smooth only on patches where neither changes sign. f is sampled on uniform grids over both
-//! patches. Between the samples it differs from the multilinear interpolant by at most Σ_d h_d²/8 max|∂_d² f|. With
-//! second differences Δ for h²∂², a point C amid the other patch, and R the distance of its farthest sample from C,
+//! is negative, and is smooth only on patches where neither changes sign. f is sampled on uniform grids over
+//! both patches. Between the samples it differs from the multilinear interpolant by at most Σ_d h_d²/8
+//! max|∂_d² f|. With second differences Δ for h²∂², a point C amid the other patch, and R the distance of its
+//! farthest sample from C,
 //!
 //! ```text
 //! |f − interpolant| ≤ ⅛ Σ_d { |Δ_d n| R + |Δ_d n·(C − x)| + |Δ_d y| } ,
 //! ```
 //!
-//! Twice this bound is used, because the differences are themselves sampled. A sign is certain only beyond it;
-//! everything else is `Partly`, for which the rules are right though slower. Where patches touch, f vanishes and no
-//! margin can be kept: there a denser grid decides alone.
+//! Twice this bound is used, because the differences are themselves sampled. A sign is certain only beyond
+//! it; everything else is `Partly`, for which the rules are right though slower. Where patches touch, f
+//! vanishes and no margin can be kept: there a denser grid decides alone.
 //!
-//! About δ² of the most that two patches can exchange comes at cosines below δ. If no cosine is below −δ, the pairs of
-//! points that do not see each other matter as little; a slightly bent wall and its floor are such a pair. They count
-//! as facing each other wholly if δ² is below `SLIGHT` times the accuracy.
+//! About δ² of the most that two patches can exchange comes at cosines below δ. If no cosine is below −δ, the
+//! pairs of points that do not see each other matter as little; a slightly bent wall and its floor are such a
+//! pair. They count as facing each other wholly if δ² is below `SLIGHT` times the accuracy.
 
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_geom::DVec3;
@@ -105,8 +106,8 @@ impl Samples {
         heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
     }
 
-    /// Whether all samples of the other, lowered by `margin`, are at a sine of at least `least` above all tangent
-    /// planes.
+    /// Whether all samples of the other, lowered by `margin`, are at a sine of at least `least` above all
+    /// tangent planes.
     fn rises_above(&self, other: &Self, margin: f64, least: f64) -> bool {
         let planes = if self.flat { &self.nodes[..1] } else { &self.nodes[..] };
         planes.iter().all(|x| {
@@ -202,7 +203,8 @@ mod tests {
 
     #[test]
     fn a_bump_between_the_corners_is_noticed() {
-        // Flat at its border, which a low observer sees from the front; the bump faces away from the observer between.
+        // Flat at its border, which a low observer sees from the front; the bump faces away from the observer
+        // between.
         let height = |i: usize, j: usize| if (1..3).contains(&i) && (1..3).contains(&j) { 1.0 } else { 0.0 };
         let points = std::array::from_fn(|i| {
             std::array::from_fn(|j| DVec3::new(i as f64 / 3.0, j as f64 / 3.0, height(i, j)))

@@ -50,8 +50,8 @@ pub fn of(receiver: &Element, emitter: &Element) -> Planes {
     Planes::Exchanging
 }
 
-/// Least and largest height of an element over a plane (scene length). Heights within rounding are 0, for elements of
-/// which the smaller is `extent` wide.
+/// Least and largest height of an element over a plane (scene length). Heights within rounding are 0, for
+/// elements of which the smaller is `extent` wide.
 fn heights((point, normal): (DVec3, DVec3), element: &Element, extent: f64) -> [f64; 2] {
     let height = |x: &DVec3| {
         let offset = x - point;

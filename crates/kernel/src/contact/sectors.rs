@@ -1,5 +1,5 @@
-//! Sectors: the patches of an element, halved until their lines and normals turn by no more than about a quarter
-//! circle.
+//! Sectors: the patches of an element, halved until their lines and normals turn by no more than about a
+//! quarter circle.
 
 use std::collections::VecDeque;
 
@@ -8,14 +8,15 @@ use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_geom::DVec3;
 use radiosity_work::interruption::check_interrupt;
 
-/// Largest turn of the lines and normals of a sector, radians. A quarter circle is 1.571: the rest of 0.03 is a margin,
-/// so that exact quarters, whose turn is estimated from chords, are not cut.
+/// Largest turn of the lines and normals of a sector, radians. A quarter circle is 1.571: the rest of 0.03 is
+/// a margin, so that exact quarters, whose turn is estimated from chords, are not cut.
 const LARGEST_TURN: f64 = 1.6;
-/// Most sectors of an element, after which larger turns remain: a crease turns by the same angle however short the line
-/// across it. Chosen; not tuned.
+/// Most sectors of an element, after which larger turns remain: a crease turns by the same angle however
+/// short the line across it. Chosen; not tuned.
 const MOST_SECTORS: usize = 256;
 
-/// The patches of an element, each halved until it turns by `LARGEST_TURN` at most, or `MOST_SECTORS` are reached.
+/// The patches of an element, each halved until it turns by `LARGEST_TURN` at most, or `MOST_SECTORS` are
+/// reached.
 pub fn sectors(element: &Element) -> Vec<Patch> {
     check_interrupt();
     let mut open: VecDeque<Patch> = element.patches.iter().cloned().collect();
@@ -32,8 +33,8 @@ pub fn sectors(element: &Element) -> Vec<Patch> {
     done
 }
 
-/// Largest turns of lines and normals along s and along t, in radians, from 8 chords of three lines; 0 along a side
-/// that is one point.
+/// Largest turns of lines and normals along s and along t, in radians, from 8 chords of three lines; 0 along
+/// a side that is one point.
 fn turns(patch: &Patch) -> [f64; 2] {
     const STEPS: usize = 8;
     let place = |k: usize| k as f64 / STEPS as f64;

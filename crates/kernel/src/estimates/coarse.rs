@@ -4,8 +4,8 @@
 //! G_00 ≈ Σ_a Σ_b w_a w_b κ(x_a, y_b) / √(A_i A_j) ,
 //! ```
 //!
-//! with the nodes at the centres of the cells of uniform grids. The two sides have different numbers of nodes, so that
-//! nodes at a contact do not coincide.
+//! with the nodes at the centres of the cells of uniform grids. The two sides have different numbers of
+//! nodes, so that nodes at a contact do not coincide.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Node, Patch};
@@ -40,8 +40,8 @@ impl CoarseEstimate {
         Self { nodes: points.map(|n| weighted(&parts, n)), area: element.area }
     }
 
-    /// Coarse estimate of the first entry of the block of this receiver and an emitter, without blockers; capped by ∫κ
-    /// dA ≤ 1 on either side.
+    /// Coarse estimate of the first entry of the block of this receiver and an emitter, without blockers;
+    /// capped by ∫κ dA ≤ 1 on either side.
     pub fn entry(&self, emitter: &Self) -> f64 {
         let unit = (self.area * emitter.area).sqrt();
         let most = self.area.min(emitter.area) / unit;
@@ -69,8 +69,8 @@ pub fn scale(receivers: &[Patch], emitters: &[Patch], unit: f64) -> f64 {
     (sum(&weighted(receivers, few), &weighted(emitters, more)) / unit).min(1.0)
 }
 
-/// The largest kernel value between grids that reach the corners of the patches: corners may see each other where
-/// nothing else does.
+/// The largest kernel value between grids that reach the corners of the patches: corners may see each other
+/// where nothing else does.
 pub fn largest_kernel(receivers: &[Patch], emitters: &[Patch]) -> f64 {
     let place = |k: usize| k as f64 / (CORNERED - 1) as f64;
     let grid = |patch: &Patch| -> Vec<Node> {

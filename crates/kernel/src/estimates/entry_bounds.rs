@@ -1,15 +1,15 @@
 //! Bounds of the entries of a block from balls around its elements.
 //!
-//! With balls of radii R_i and R_j around two elements, d the distance of their centres and h_i the height of j's
-//! centre over the plane of i, the distance and both cosines of the kernel lie in known intervals:
+//! With balls of radii R_i and R_j around two elements, d the distance of their centres and h_i the height of
+//! j's centre over the plane of i, the distance and both cosines of the kernel lie in known intervals:
 //!
 //! ```text
 //! |G_kl| ≤ sup κ √(A_i A_j) ,   sup κ ≤ (h_i + R_j)(h_j + R_i) / π(d − R_i − R_j)⁴ ,
 //!  G_00  ≥ inf κ √(A_i A_j) ,   inf κ ≥ (h_i − R_j)(h_j − R_i) / π(d + R_i + R_j)⁴ ,
 //! ```
 //!
-//! because ∫|φ_k| dA ≤ √A. These bounds tell before integration which blocks are small compared with the largest of
-//! their row, and need a lower relative accuracy.
+//! because ∫|φ_k| dA ≤ √A. These bounds tell before integration which blocks are small compared with the
+//! largest of their row, and need a lower relative accuracy.
 
 use core::f64::consts::FRAC_1_PI;
 
@@ -42,8 +42,8 @@ impl EntryBounds {
         Self { center, radius, area: element.area, plane: element.plane }
     }
 
-    /// Whether the balls are nearer than half the larger radius: the kernel may then vary too much for a coarse
-    /// estimate.
+    /// Whether the balls are nearer than half the larger radius: the kernel may then vary too much for a
+    /// coarse estimate.
     pub fn is_near(&self, other: &Self) -> bool {
         let gap = self.center.distance(other.center) - self.radius - other.radius;
         gap < 0.5 * self.radius.max(other.radius)
@@ -73,11 +73,11 @@ impl EntryBounds {
     }
 }
 
-/// ε of a block relative to its own largest entry, loosened in steps of powers of two, so that congruent pairs agree;
-/// at most by 2⁶⁰ and up to `LOOSEST`.
+/// ε of a block relative to its own largest entry, loosened in steps of powers of two, so that congruent
+/// pairs agree; at most by 2⁶⁰ and up to `LOOSEST`.
 ///
-/// `least` is a lower bound of the scale of the error, [`ROW_SHARE`] times the largest entry of the weaker of both
-/// rows; `entry` is an upper bound of the block's own entries.
+/// `least` is a lower bound of the scale of the error, [`ROW_SHARE`] times the largest entry of the weaker of
+/// both rows; `entry` is an upper bound of the block's own entries.
 pub fn relaxed(eps: f64, least: f64, entry: f64) -> f64 {
     let factor = least / entry;
     if factor >= 2.0 { (eps * factor.log2().floor().min(60.0).exp2()).min(LOOSEST).max(eps) } else { eps }

@@ -4,8 +4,8 @@
 //! G = T_i M T_jᵀ ,     |δM_ab| counts as max_k |T_ka| max_l |T_lb| |δM_ab| ,     G_00 = T_00 M_00 T_00
 //! ```
 //!
-//! Where the area element is constant T is diagonal, and this is the exact change of an entry. Elsewhere an entry is a
-//! sum over several moments, of which the largest counts.
+//! Where the area element is constant T is diagonal, and this is the exact change of an entry. Elsewhere an
+//! entry is a sum over several moments, of which the largest counts.
 
 use radiosity_elements::basis::AreaBasis;
 

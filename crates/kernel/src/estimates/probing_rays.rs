@@ -1,11 +1,11 @@
 //! Probing rays: which of the candidate blockers hide anything of one element from the other.
 //!
-//! Most surfaces that reach into the hull of two elements hide nothing. n rays join points that face each other, evenly
-//! spread over the parameters of both sides. If none is hidden by a set of surfaces, these hide less than 3/n of all
-//! such rays at 95 % (the rule of three, which holds for independent rays; these are quasi-random). If all are hidden,
-//! less than 3/n pass. The share of rays is taken for the share of the light. If some are hidden, no blocker is
-//! dropped, not even one that no ray meets: many such blockers would be missed together, and always to the same side.
-//! The rays then end early.
+//! Most surfaces that reach into the hull of two elements hide nothing. n rays join points that face each
+//! other, evenly spread over the parameters of both sides. If none is hidden by a set of surfaces, these hide
+//! less than 3/n of all such rays at 95 % (the rule of three, which holds for independent rays; these are
+//! quasi-random). If all are hidden, less than 3/n pass. The share of rays is taken for the share of the
+//! light. If some are hidden, no blocker is dropped, not even one that no ray meets: many such blockers would
+//! be missed together, and always to the same side. The rays then end early.
 
 use radiosity_elements::patch::Patch;
 use radiosity_visibility::Visibility;
@@ -14,8 +14,8 @@ use radiosity_work::interruption::heed_at;
 use crate::moments::integrand::kernel;
 use crate::moments::node_pair::node_pair;
 
-/// Pairs of points, in all and at least in each pair of parts, that estimate the share of points that face each other.
-/// Chosen; not tuned.
+/// Pairs of points, in all and at least in each pair of parts, that estimate the share of points that face
+/// each other. Chosen; not tuned.
 const LOOKS: u64 = 128;
 const FEWEST_LOOKS: u64 = 4;
 /// Most points in a pair of parts. Chosen; not tuned.
@@ -44,8 +44,9 @@ pub enum Hidden {
 }
 
 impl ProbingRays {
-    /// Casts at least about `enough` rays between two elements, given by their parts and `surfaces`, against `blockers`
-    /// and their `own` surfaces; fewer once some rays passed, some did not and all `own` surfaces were met.
+    /// Casts at least about `enough` rays between two elements, given by their parts and `surfaces`, against
+    /// `blockers` and their `own` surfaces; fewer once some rays passed, some did not and all `own` surfaces
+    /// were met.
     pub fn between(
         [receivers, emitters]: [&[Patch]; 2],
         surfaces: [usize; 2],

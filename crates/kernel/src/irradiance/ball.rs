@@ -8,10 +8,12 @@
 //! h = d/r ,   x = √(h² − 1) ,   y = −x c/s ,
 //! ```
 //!
-//! with the radius r, the distance d of the centre, and the cosine c and sine s of the angle between it and the normal. 0 ≤ F ≤ 1.
+//! with the radius r, the distance d of the centre, and the cosine c and sine s of the angle between it and
+//! the normal. 0 ≤ F ≤ 1.
 //!
-//! References: J. M. Snyder, *Area light sources for real-time graphics*, Microsoft Research MSR-TR-96-11 (1996); S. Lagarde, C. de
-//! Rousiers, *Moving Frostbite to physically based rendering*, SIGGRAPH 2014 course notes.
+//! References: J. M. Snyder, *Area light sources for real-time graphics*, Microsoft Research MSR-TR-96-11
+//! (1996); S. Lagarde, C. de Rousiers, *Moving Frostbite to physically based rendering*, SIGGRAPH 2014 course
+//! notes.
 
 use std::f64::consts::FRAC_1_PI;
 

@@ -4,15 +4,15 @@
 //! E = 1/(2π) | Σ_k θ_k n·(u_k × u_{k+1}) / sin θ_k | ,     u_k = a_k/|a_k| ,   cos θ_k = u_k·u_{k+1} ,
 //! ```
 //!
-//! with the corners a_k relative to the receiver point; the polygon lies above the horizon. 0 ≤ E ≤ 1. θ/sin θ is
-//! analytic in y = sin² θ/2 = (1 − cos θ)/2 except at y = 1:
+//! with the corners a_k relative to the receiver point; the polygon lies above the horizon. 0 ≤ E ≤ 1. θ/sin
+//! θ is analytic in y = sin² θ/2 = (1 − cos θ)/2 except at y = 1:
 //!
 //! ```text
 //! θ/sin θ = asin √y / √(y (1 − y)) = Σ_k 4ᵏ (k!)²/(2k + 1)! yᵏ .
 //! ```
 //!
-//! * θ ≤ 60°, y ≤ ¼: a polynomial of degree 13 that interpolates it at the Chebyshev points of [0, ¼]. Its error is
-//!   5e-17, since the singularity y = 1 lies seven half widths from the middle of the interval.
+//! * θ ≤ 60°, y ≤ ¼: a polynomial of degree 13 that interpolates it at the Chebyshev points of [0, ¼]. Its
+//!   error is 5e-17, since the singularity y = 1 lies seven half widths from the middle of the interval.
 //! * 60° < θ ≤ 120°: the half angle, θ/sin θ = (θ/2)/sin(θ/2) / cos(θ/2) with cos θ/2 = √((1 + cos θ)/2).
 //! * beyond 120°, where 1 + cos θ cancels: θ itself, from sine and cosine.
 //!
@@ -36,7 +36,8 @@ const SERIES: [[f64; 2]; 7] = [
 /// Corners that are computed side by side: those of a quadrilateral.
 const LANES: usize = 4;
 
-/// Irradiance from a polygon of exitance 1 above the horizon of the unit normal `n`; corners relative to the point.
+/// Irradiance from a polygon of exitance 1 above the horizon of the unit normal `n`; corners relative to the
+/// point.
 pub fn polygon(n: DVec3, corners: &[DVec3]) -> f64 {
     let Some(last) = corners.last() else { return 0.0 };
     if corners.len() <= LANES {
@@ -76,8 +77,8 @@ fn quad(n: DVec3, corners: [DVec3; LANES]) -> f64 {
     (0..LANES).map(|k| side(n, unit(k), unit((k + 1) % LANES))).sum::<f64>().abs() / TAU
 }
 
-/// θ n·(u × v)/sin θ of a side between the unit vectors `u` and `v`, for angles θ that differ from 180° by more than
-/// rounding; 0 for a side that is seen end on.
+/// θ n·(u × v)/sin θ of a side between the unit vectors `u` and `v`, for angles θ that differ from 180° by
+/// more than rounding; 0 for a side that is seen end on.
 pub fn side(n: DVec3, u: DVec3, v: DVec3) -> f64 {
     let (cross, cosine) = (u.cross(v), u.dot(v));
     let rise = n.dot(cross);

@@ -1,15 +1,15 @@
 //! Irradiance at a point from the visible part of an evenly bright polygon; exact behind planar blockers.
 //!
-//! F(P) is Lambert's formula (`lambert`) for a convex polygon P of exitance 1, clipped at the horizon of x. A convex
-//! blocker hides from x what lies in its shadow volume C (`visibility::shadow_volume`). The part of P outside C₁, C₂, …
-//! gives
+//! F(P) is Lambert's formula (`lambert`) for a convex polygon P of exitance 1, clipped at the horizon of x. A
+//! convex blocker hides from x what lies in its shadow volume C (`visibility::shadow_volume`). The part of P
+//! outside C₁, C₂, … gives
 //!
 //! ```text
 //! F(P; C₁, C₂, …) = F(P; C₂, …) − F(P ∩ C₁; C₂, …) ,
 //! ```
 //!
-//! so a single blocker costs two polygons. Where more than four overlap, P \ C₁ is cut into convex pieces instead, one
-//! plane of the shadow volume at a time. Either way overlapping shadows count once. 0 ≤ F ≤ 1.
+//! so a single blocker costs two polygons. Where more than four overlap, P \ C₁ is cut into convex pieces
+//! instead, one plane of the shadow volume at a time. Either way overlapping shadows count once. 0 ≤ F ≤ 1.
 
 use radiosity_geom::DVec3;
 use radiosity_visibility::bounding_ball::Ball;
@@ -18,16 +18,18 @@ use smallvec::SmallVec;
 
 use crate::irradiance::lambert;
 
-/// Most overlapping shadow volumes for which the formula of the header is used: at most 2⁴ polygons. Chosen; not tuned.
+/// Most overlapping shadow volumes for which the formula of the header is used: at most 2⁴ polygons. Chosen;
+/// not tuned.
 const FEW: usize = 4;
 
-/// Irradiance at `x` with the unit normal `n` from a convex planar polygon of exitance 1 without blockers. The part
-/// below the horizon does not count.
+/// Irradiance at `x` with the unit normal `n` from a convex planar polygon of exitance 1 without blockers.
+/// The part below the horizon does not count.
 pub fn irradiance(x: DVec3, n: DVec3, polygon: &[DVec3]) -> f64 {
     visible_irradiance(x, n, polygon, [].iter())
 }
 
-/// As [`irradiance`], from the part of the polygon outside all `volumes`, which are shadow volumes as seen from `x`.
+/// As [`irradiance`], from the part of the polygon outside all `volumes`, which are shadow volumes as seen
+/// from `x`.
 pub fn visible_irradiance<'a>(
     x: DVec3,
     n: DVec3,
@@ -70,8 +72,9 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], volumes: impl Iterator<Item = &'a Sh
     (outside(n, polygon, rest()) - outside(n, &first.hidden_part(polygon), rest())).max(0.0)
 }
 
-/// The part of the convex `polygon` inside any of `volumes`, which all have the same tip, as convex polygons without
-/// overlaps, relative to that tip; and whether this part is the whole polygon. `ball` contains the polygon.
+/// The part of the convex `polygon` inside any of `volumes`, which all have the same tip, as convex polygons
+/// without overlaps, relative to that tip; and whether this part is the whole polygon. `ball` contains the
+/// polygon.
 pub fn inside_any(polygon: &[DVec3], ball: &Ball, volumes: &[ShadowVolume]) -> (Vec<Corners>, bool) {
     let Some(eye) = volumes.first().map(ShadowVolume::eye) else { return (Vec::new(), false) };
     let whole: Corners = polygon.iter().map(|corner| corner - eye).collect();
@@ -139,8 +142,8 @@ mod tests {
         visible_irradiance(x, DVec3::Z, lamp, volumes.iter())
     }
 
-    /// Below the corner of a rectangle a × b at distance c, with A = a/c, B = b/c:
-    /// F = 1/(2π) [A/√(1+A²) atan(B/√(1+A²)) + B/√(1+B²) atan(A/√(1+B²))].
+    /// Below the corner of a rectangle a × b at distance c, with A = a/c, B = b/c: F = 1/(2π) [A/√(1+A²)
+    /// atan(B/√(1+A²)) + B/√(1+B²) atan(A/√(1+B²))].
     #[test]
     fn rectangle_above_its_corner() {
         for (a, b) in [(1.0f64, 1.0f64), (0.3, 2.0), (20.0, 5.0)] {
@@ -187,7 +190,8 @@ mod tests {
     }
 
     proptest! {
-        /// Light that a blocker lets pass, and light that would pass only through its outline, make up all of it.
+        /// Light that a blocker lets pass, and light that would pass only through its outline, make up all of
+        /// it.
         #[test]
         fn a_blocker_and_its_outline_share_the_light(
             x in (-1.0..1.0, -1.0..1.0), center in (-1.0..1.0, -1.0..1.0, 0.3..1.7), half in 0.1..0.8,

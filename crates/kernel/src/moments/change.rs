@@ -1,9 +1,9 @@
 //! The matrix C that changes moments from the polynomials of a patch to those of its element.
 //!
-//! T_m(s, t) = p_i(2s − 1) p_j(2t − 1) are the patch's own polynomials, L_k the element's raw functions. On a flat
-//! patch L_k is a polynomial of the chart, so that L_k = Σ_m C_km T_m exactly. Where an affine chart covers the whole
-//! box of the element's frame, C only permutes and changes signs; elsewhere it is the projection by an exact Gauss
-//! rule.
+//! T_m(s, t) = p_i(2s − 1) p_j(2t − 1) are the patch's own polynomials, L_k the element's raw functions. On a
+//! flat patch L_k is a polynomial of the chart, so that L_k = Σ_m C_km T_m exactly. Where an affine chart
+//! covers the whole box of the element's frame, C only permutes and changes signs; elsewhere it is the
+//! projection by an exact Gauss rule.
 
 use radiosity_core::basis::total;
 use radiosity_elements::basis::AreaBasis;
@@ -35,7 +35,8 @@ impl Change {
         })
     }
 
-    /// The change from the patch's polynomials of the given `degrees` (along, across), which span the element's.
+    /// The change from the patch's polynomials of the given `degrees` (along, across), which span the
+    /// element's.
     pub(crate) fn projected(patch: &Patch, basis: &AreaBasis, degrees: &[(usize, usize)]) -> Self {
         let (count, own, width) = (basis.len(), degrees.len(), basis.total_degree() + 1);
         let rule = UnitRule::of(width);

@@ -4,11 +4,11 @@
 //! T_m(s, t) = p_i(a₀ + a₁ s) p_j(b₀ + b₁ t)
 //! ```
 //!
-//! so that sums over tensor grids factorise. Where the chart runs along the coordinates of the element's frame (every
-//! curved patch; parallelograms cut parallel to their sides), these are the element's raw functions. Elsewhere the
-//! patch has its own polynomials p_i(2s − 1) p_j(2t − 1) and the element's functions are combinations of them
-//! ([`Change`]). With D the highest total degree of these functions, i + j ≤ D where the chart is affine, and i, j ≤ D
-//! where it is bilinear.
+//! so that sums over tensor grids factorise. Where the chart runs along the coordinates of the element's
+//! frame (every curved patch; parallelograms cut parallel to their sides), these are the element's raw
+//! functions. Elsewhere the patch has its own polynomials p_i(2s − 1) p_j(2t − 1) and the element's functions
+//! are combinations of them ([`Change`]). With D the highest total degree of these functions, i + j ≤ D where
+//! the chart is affine, and i, j ≤ D where it is bilinear.
 
 use radiosity_core::basis::total;
 use radiosity_elements::basis::AreaBasis;

@@ -1,4 +1,5 @@
-//! Values of the orthonormal Legendre polynomials p_0 … p_n at a point, by recurrences unrolled for the usual lengths.
+//! Values of the orthonormal Legendre polynomials p_0 … p_n at a point, by recurrences unrolled for the usual
+//! lengths.
 
 use radiosity_core::legendre;
 use radiosity_elements::basis::HIGHEST_ORDER;

@@ -1,7 +1,7 @@
 //! Tensor rules between two patches, contracted one direction at a time.
 //!
-//! With points (s_a, t_b) on the receiver, (u_c, v_d) on the emitter, and functions that are products along each
-//! direction,
+//! With points (s_a, t_b) on the receiver, (u_c, v_d) on the emitter, and functions that are products along
+//! each direction,
 //!
 //! ```text
 //! X_β(ab, c)  = Σ_d κ(ab, cd) p_β(v_d) ,      W_l(ab) = Σ_c p_α(u_c) X_β(ab, c) ,     l = (α, β)
@@ -9,7 +9,8 @@
 //! ```
 //!
 //! This takes N + 1 multiplications a sample, not (N + 1)(N + 2)/2. Receiver points are processed in tiles of
-//! [`LANES`], so that every inner loop has a fixed length. Between two planes both cosines are factors of the sums,
+//! [`LANES`], so that every inner loop has a fixed length. Between two planes both cosines are factors of the
+//! sums,
 //!
 //! ```text
 //! κ = h(x) h(y) / (π r⁴) ,    h(y) = n_x·(y − x₀),  h(x) = n_y·(x − y₀) ,
@@ -29,8 +30,8 @@ use crate::moments::integrand::Sees;
 /// Receiver points in a tile: one AVX-512 register of f64, two of AVX.
 pub const LANES: usize = 8;
 
-/// Floor of squared distances: points that coincide exchange nothing, and 0/0 is avoided. r⁴ is then 1e-300, still a
-/// normal number.
+/// Floor of squared distances: points that coincide exchange nothing, and 0/0 is avoided. r⁴ is then 1e-300,
+/// still a normal number.
 const COINCIDENT: f64 = 1e-150;
 
 /// Values at the points that are computed together.

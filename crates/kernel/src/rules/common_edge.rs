@@ -1,23 +1,23 @@
 //! Two patches with a common edge: regularising coordinates on six subdomains.
 //!
-//! The edge is t = 0 in the receiver's chart and v = 0 in the emitter's; s and u run along it in the same sense. With
-//! z = |u − s| the kernel κ is homogeneous of degree −2 in (t, v, z). The six subdomains are the two signs of u − s
-//! with each of
+//! The edge is t = 0 in the receiver's chart and v = 0 in the emitter's; s and u run along it in the same
+//! sense. With z = |u − s| the kernel κ is homogeneous of degree −2 in (t, v, z). The six subdomains are the
+//! two signs of u − s with each of
 //!
 //! ```text
 //! t = x,  v = xa, z = xb        t = xa, v = x,  z = xb        t = xa, v = xb, z = x
 //! base = (1 − z) y ,   (s, u) = (base, base + z) or (base + z, base) ,   dV = x² (1 − z) dx dy da db
 //! ```
 //!
-//! x, y, a, b ∈ [0, 1]; x²κ is analytic there. For two parallelograms it depends on neither x nor y: n_x and n_y are
-//! those of the exact rule for the polynomials, and n_a alone decides the accuracy:
+//! x, y, a, b ∈ [0, 1]; x²κ is analytic there. For two parallelograms it depends on neither x nor y: n_x and
+//! n_y are those of the exact rule for the polynomials, and n_a alone decides the accuracy:
 //!
 //! ```text
 //! n_a = ⌈ N/2 + ln(1/(cε)) / (2 ln ϱ) ⌉ ,  ϱ = σ + √(σ² − 1) ,  c = min(1, 7.5 (1 − cos φ)) ,
 //! ```
 //!
-//! where φ is the dihedral angle. With the edge length l, the depths h_P and h_Q and h = max(h_P, h_Q), σ is the least
-//! of
+//! where φ is the dihedral angle. With the edge length l, the depths h_P and h_Q and h = max(h_P, h_Q), σ is
+//! the least of
 //!
 //! * 1 + 2 sin(φ/2),
 //! * q + √(1 + q²), q = min(l/h, h/l), unless l = h,
@@ -25,7 +25,8 @@
 //!
 //! Patches that are no parallelograms take more points in x and y: n = n_exact + 1 + ⌈log₁₀(1/ε)/1.5⌉.
 //!
-//! Reference: Sauter and Schwab, *Boundary Element Methods*, chapter 5; also `docs/theory/transport.md`, §5 and §6.
+//! Reference: Sauter and Schwab, *Boundary Element Methods*, chapter 5; also `docs/theory/transport.md`, §5
+//! and §6.
 
 pub(crate) mod sum;
 pub(crate) mod triangles;
@@ -45,8 +46,8 @@ use crate::rules::common_edge::sum::EdgeSum;
 use crate::rules::common_edge::table::EdgeTable;
 use crate::rules::far;
 
-/// Largest ratio among edge and depths for which the rule is used; beyond it the pair is split. At 2.5 a point gives 2
-/// log₁₀ ϱ = 0.8 digits, on equal extents at a right angle 1.3. Chosen; not tuned.
+/// Largest ratio among edge and depths for which the rule is used; beyond it the pair is split. At 2.5 a
+/// point gives 2 log₁₀ ϱ = 0.8 digits, on equal extents at a right angle 1.3. Chosen; not tuned.
 pub const LARGEST_ASPECT: f64 = 2.5;
 
 /// Shape of a pair with a common edge.
@@ -99,23 +100,24 @@ impl Wedge {
 /// Numbers of points [x, y, angular] for degrees `[receiver, emitter]`.
 pub fn counts(p: &Patch, q: &Patch, wedge: &Wedge, degrees: [usize; 2], eps: f64) -> [usize; 3] {
     let affine = p.is_parallelogram() && q.is_parallelogram();
-    // A chart that is not affine varies along x and y too. On triangles 4 points more were enough, on curved sheets 0,
-    // 2 and 4 for ε = 1e-2, 1e-4 and 1e-8; 1 + ⌈log₁₀(1/ε)/1.5⌉ gives 3, 4 and 7.
+    // A chart that is not affine varies along x and y too. On triangles 4 points more were enough, on curved
+    // sheets 0, 2 and 4 for ε = 1e-2, 1e-4 and 1e-8; 1 + ⌈log₁₀(1/ε)/1.5⌉ gives 3, 4 and 7.
     let exact = far::exact(degrees);
     let extra = if affine { 0 } else { 1 + (-eps.log10() / 1.5).ceil() as usize };
-    // The kernel's peak grows as the angle closes: below 30° σ alone asks for too few points. 7.5 = 1/(1 − cos 30°), so
-    // that the factor is 1 from 30° on. The floor, reached at 0.003°, keeps ε above zero.
+    // The kernel's peak grows as the angle closes: below 30° σ alone asks for too few points.
+    // 7.5 = 1/(1 − cos 30°), so that the factor is 1 from 30° on. The floor, reached at 0.003°, keeps ε above
+    // zero.
     let peak = (7.5 * (1.0 - wedge.cosine)).clamp(1e-8, 1.0);
     let angular = far::points(degrees[0].max(degrees[1]), eps * peak, wedge.rate());
     [exact + extra, exact + extra, angular]
 }
 
-/// Adds two flat patches that see each other wholly, oriented with their common edge at t = 0, at any angle and of any
-/// proportions.
+/// Adds two flat patches that see each other wholly, oriented with their common edge at t = 0, at any angle
+/// and of any proportions.
 ///
-/// Two parallelograms go by `ParallelogramPair`. Other patches are cut in triangles: the two at the edge go by
-/// `triangles`, and the pairs of all others, which meet the edge in a corner at most, are returned for
-/// the caller to integrate. Returns None, and adds nothing, where the kernel is too nearly singular.
+/// Two parallelograms go by `ParallelogramPair`. Other patches are cut in triangles: the two at the edge go
+/// by `triangles`, and the pairs of all others, which meet the edge in a corner at most, are returned for the
+/// caller to integrate. Returns None, and adds nothing, where the kernel is too nearly singular.
 pub fn integrate_flat(
     moments: &mut Moments,
     p: &Patch,
@@ -141,7 +143,8 @@ pub fn integrate_flat(
     Some(rest.into_iter().filter_map(|(a, b)| Some((a.clone()?, b.clone()?))).collect())
 }
 
-/// Cuts a flat patch with its edge at t = 0 by the shorter diagonal: the triangle at that edge, and the other one.
+/// Cuts a flat patch with its edge at t = 0 by the shorter diagonal: the triangle at that edge, and the other
+/// one.
 fn triangles(patch: &Patch) -> [Option<Patch>; 2] {
     let (polygon, Patch::Flat { normal, .. }) = (patch.polygon(), patch) else { return [None, None] };
     let triangle = |[a, b, c]: [usize; 3]| {
@@ -164,9 +167,9 @@ fn doubled(triangle: &Patch) -> Patch {
     Patch::Flat { corners: [*a, *b, b + (c - a), *c], normal: *normal }
 }
 
-/// Adds two patches oriented with their common edge at t = 0, point by point. The variable t changes in the outermost
-/// loops only: for fixed t and v, the sums over y, over the two signs and (in the first two subdomains) over b involve
-/// the polynomials along the edge alone.
+/// Adds two patches oriented with their common edge at t = 0, point by point. The variable t changes in the
+/// outermost loops only: for fixed t and v, the sums over y, over the two signs and (in the first two
+/// subdomains) over b involve the polynomials along the edge alone.
 ///
 /// ```text
 /// S_ij = Σ κ p_i(s) p_j(u) ,   Q_il = Σ p_β(v) S_ij ,   M_kl = Σ p_α(t) Q_il ,   k = (i, α), l = (j, β)

@@ -1,17 +1,17 @@
 //! Two patches with one common corner: regularising coordinates on four subdomains, or two for triangles.
 //!
-//! With the corner as origin, points of two parallelograms are s p₁ + t p₂ and u q₁ + v q₂, of two triangles s (p₁ + t
-//! (p₂ − p₁)) and u (q₁ + v (q₂ − q₁)), all coordinates in [0, 1]. In each of the subdomains
+//! With the corner as origin, points of two parallelograms are s p₁ + t p₂ and u q₁ + v q₂, of two triangles
+//! s (p₁ + t (p₂ − p₁)) and u (q₁ + v (q₂ − q₁)), all coordinates in [0, 1]. In each of the subdomains
 //!
 //! ```text
 //! parallelograms: (s, t, u, v) = x · (1, a, b, c)  and the other three places of the 1 ,   dV = x³ dx da db dc
 //! triangles:      (s, u) = x · (1, a) or x · (a, 1) ,  t = b, v = c ,                      dV = x dx da db dc
 //! ```
 //!
-//! x²κ does not depend on x, and its only singularity is that of 1/r⁴, outside the cube of (a, b, c). The sum over x is
-//! therefore exact, and the zeros of r² give the numbers of points along a, b and c
-//! (`crate::rules::orders::subdivided_cube`). The cube is halved as long as that saves points, so that
-//! angles and proportions of the patches do not matter.
+//! x²κ does not depend on x, and its only singularity is that of 1/r⁴, outside the cube of (a, b, c). The sum
+//! over x is therefore exact, and the zeros of r² give the numbers of points along a, b and c
+//! (`crate::rules::orders::subdivided_cube`). The cube is halved as long as that saves points, so that angles
+//! and proportions of the patches do not matter.
 //!
 //! Reference: Sauter and Schwab, *Boundary Element Methods*, chapter 5.
 
@@ -29,9 +29,9 @@ const DEEPEST: u32 = 60;
 /// Factor of ε for triangles, whose area elements vary over the subdomains. Chosen; not tuned.
 const FAN_SHARE: f64 = 0.5;
 
-/// Numbers of points [x, angular] for degrees `[receiver, emitter]`, where visibility is sampled or a chart is not
-/// affine. ϱ ≤ 4.2 was found on perpendicular and tilted squares with one common corner, N = 4 and 8, ε = 1e-2 to 1e-8;
-/// more points in x as at a common edge ([`crate::rules::common_edge::counts`]).
+/// Numbers of points [x, angular] for degrees `[receiver, emitter]`, where visibility is sampled or a chart
+/// is not affine. ϱ ≤ 4.2 was found on perpendicular and tilted squares with one common corner, N = 4 and 8,
+/// ε = 1e-2 to 1e-8; more points in x as at a common edge ([`crate::rules::common_edge::counts`]).
 pub fn counts(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64) -> [usize; 2] {
     let affine = p.is_parallelogram() && q.is_parallelogram();
     let extra = if affine { 0 } else { 1 + (-eps.log10() / 1.5).ceil() as usize };
@@ -58,8 +58,8 @@ pub fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, points: [usize; 2]
 
 /// Adds two flat patches that see each other wholly, oriented with their common corner at (0, 0).
 ///
-/// Returns false, and adds nothing, where the cubes take too many parts because the patches (nearly) meet elsewhere
-/// too.
+/// Returns false, and adds nothing, where the cubes take too many parts because the patches (nearly) meet
+/// elsewhere too.
 pub fn integrate_flat(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64) -> bool {
     let plans: Option<Vec<Plan>> = if p.is_parallelogram() && q.is_parallelogram() {
         (0..4).map(|place| Plan::new(p, q, Subdomain::Box(place), degrees, eps)).collect()

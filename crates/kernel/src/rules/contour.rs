@@ -6,18 +6,18 @@
 //! A_i F_ij = ∫∫ κ dA dA = 1/(2π) |∮∮ ln r dx·dy| = 1/(2π) |Σ_ab (d_a·d_b) ∫∫ ln r ds dt|
 //! ```
 //!
-//! over pairs of edges with unit directions d (E. M. Sparrow, *A new and simpler formulation for radiative angle
-//! factors*, J. Heat Transfer 85, 1963). The polygons may touch in any way and need not be convex. The form depends on
-//! their position:
+//! over pairs of edges with unit directions d (E. M. Sparrow, *A new and simpler formulation for radiative
+//! angle factors*, J. Heat Transfer 85, 1963). The polygons may touch in any way and need not be convex. The
+//! form depends on their position:
 //!
 //! * far apart compared with both sizes → `distant`, where nothing cancels;
 //! * near, one much larger than the other → `unequal`, which cuts the long edges;
 //! * else edge by edge (`pair`): nothing at right angles, `parallel` and `crossing` lines in closed form,
 //!   `skew` ones by one quadrature.
 //!
-//! Σ d_a = 0 around a polygon, so that ln r may be replaced by ln r + 3/2 everywhere, which has the simplest integrals.
-//! Rounding errors are some 1e-16 of the square of the polygons' extent: some 1e-16 of their area unless they are
-//! slender, when the digits of their aspect ratio are lost.
+//! Σ d_a = 0 around a polygon, so that ln r may be replaced by ln r + 3/2 everywhere, which has the simplest
+//! integrals. Rounding errors are some 1e-16 of the square of the polygons' extent: some 1e-16 of their area
+//! unless they are slender, when the digits of their aspect ratio are lost.
 
 mod segment;
 mod crossing;
@@ -38,11 +38,12 @@ use segment::{Segment, segments};
 
 /// Largest ratio of the polygons' radii for the sum edge by edge. Chosen; not tuned.
 const LARGEST_RATIO: f64 = 4.0;
-/// ∫∫ κ dA dA between two convex planar polygons, corners anticlockwise seen from the front: A_i F_ij, length².
+/// ∫∫ κ dA dA between two convex planar polygons, corners anticlockwise seen from the front: A_i F_ij,
+/// length².
 ///
-/// Either is clipped by the plane of the other, heights below 1e-12 of the distance being ignored; nothing else hides
-/// them. The error is some 1e-15 of the square of the smaller extent, and if the two are apart also of the result.
-/// Polygons without area exchange nothing.
+/// Either is clipped by the plane of the other, heights below 1e-12 of the distance being ignored; nothing
+/// else hides them. The error is some 1e-15 of the square of the smaller extent, and if the two are apart
+/// also of the result. Polygons without area exchange nothing.
 ///
 /// ```
 /// use radiosity_kernel::polygon_exchange;
@@ -65,7 +66,8 @@ fn normal(polygon: &[DVec3]) -> Option<DVec3> {
     fan.sum::<DVec3>().try_normalize()
 }
 
-/// The exchange (length²) of two convex polygons with the unit normals of their fronts, and the number of logarithms.
+/// The exchange (length²) of two convex polygons with the unit normals of their fronts, and the number of
+/// logarithms.
 fn clipped((p, n): (&[DVec3], DVec3), (q, m): (&[DVec3], DVec3)) -> (f64, u64) {
     match (in_front(p, q[0], m), in_front(q, p[0], n)) {
         (Some(p), Some(q)) => exchange(&p, &q),
@@ -104,8 +106,8 @@ fn in_front(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Option<Cow<'_, [D
     (corners.len() > 2).then_some(Cow::Owned(corners))
 }
 
-/// A_i F_ij (length²) of two polygons wholly in front of each other, with three corners at least, and the number of
-/// logarithms.
+/// A_i F_ij (length²) of two polygons wholly in front of each other, with three corners at least, and the
+/// number of logarithms.
 pub(crate) fn exchange(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
     let (sum, terms) = contours(p, q);
     (0.5 * FRAC_1_PI * sum.abs(), terms)

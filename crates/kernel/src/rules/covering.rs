@@ -1,11 +1,12 @@
-//! Two flat elements that lie on each other ([`radiosity_visibility::covers`]): each point exchanges light with the one it touches.
+//! Two flat elements that lie on each other ([`radiosity_visibility::covers`]): each point exchanges light
+//! with the one it touches.
 //!
 //! ```text
 //! κ(x, y) dA_y → δ(x − y) ,     G_kl = ∫ φ_k(x) φ_l(x) dA_x .
 //! ```
 //!
-//! The Gauss rule is exact: n points integrate degree 2n − 1, the product of two polynomials and a bilinear area
-//! element.
+//! The Gauss rule is exact: n points integrate degree 2n − 1, the product of two polynomials and a bilinear
+//! area element.
 
 use radiosity_elements::Element;
 use radiosity_elements::rule::UnitRule;

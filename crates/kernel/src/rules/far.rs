@@ -6,21 +6,22 @@
 //! n_d = ⌈ N/2 + ln(1/ε) / (2 ln ϱ) ⌉ ,     ϱ = 2r + √(4r² + 1) ,     n_d ≥ 1.
 //! ```
 //!
-//! N is the degree of the element's polynomials, plus 1 where the chart is not affine; ε is halved on a chart without
-//! right angles. The kernel is analytic in the ellipse with foci at the ends of the interval and the sum of half axes ϱ
-//! (in halves of the interval). On parallel unit squares at distances 1, 0.5 and 0.3 (N = 4, 8; ε = 1e-2, 1e-4, 1e-8)
-//! the formula is within one point of the need. Closer pairs, r < ¼, are split first.
+//! N is the degree of the element's polynomials, plus 1 where the chart is not affine; ε is halved on a chart
+//! without right angles. The kernel is analytic in the ellipse with foci at the ends of the interval and the
+//! sum of half axes ϱ (in halves of the interval). On parallel unit squares at distances 1, 0.5 and 0.3
+//! (N = 4, 8; ε = 1e-2, 1e-4, 1e-8) the formula is within one point of the need. Closer pairs, r < ¼, are
+//! split first.
 //!
 //! Reference: L. N. Trefethen, *Approximation Theory and Approximation Practice*, chapter 19 (ϱ⁻²ⁿ).
 
 use radiosity_elements::patch::Patch;
 
-/// Smallest gap/extent for which the rule is used. Measured on parallel unit squares at distance 0.3 for ε = 1e-4:
-/// splitting up to ¼ takes 1.5e4 samples, up to ½ and 1 it takes 3.8e4 and 1.5e5.
+/// Smallest gap/extent for which the rule is used. Measured on parallel unit squares at distance 0.3 for
+/// ε = 1e-4: splitting up to ¼ takes 1.5e4 samples, up to ½ and 1 it takes 3.8e4 and 1.5e5.
 pub const SMALLEST_RATIO: f64 = 0.25;
 
-/// Factor of ε on charts without right angles, where the formula was measured to fall a little short. Chosen; not
-/// tuned.
+/// Factor of ε on charts without right angles, where the formula was measured to fall a little short. Chosen;
+/// not tuned.
 const ASKEW: f64 = 0.5;
 
 /// Points for degree `degree` and accuracy `eps` in a direction of convergence rate ϱ (error like ϱ⁻²ⁿ).
@@ -29,8 +30,8 @@ pub fn points(degree: usize, eps: f64, rho: f64) -> usize {
     count.ceil().max(1.0) as usize
 }
 
-/// Points that integrate degree N_i + N_j + 1 exactly: the product of both sides' polynomials and a linear area
-/// element.
+/// Points that integrate degree N_i + N_j + 1 exactly: the product of both sides' polynomials and a linear
+/// area element.
 pub fn exact(degrees: [usize; 2]) -> usize {
     (degrees[0] + degrees[1] + 3) / 2
 }
@@ -57,8 +58,8 @@ mod tests {
 
     use super::*;
 
-    /// Points per direction of two parallel unit squares: distance, then ε = 1e-2, 1e-4, 1e-8 at degree 4 and degree 8.
-    /// Each is within one of the number that was measured to suffice.
+    /// Points per direction of two parallel unit squares: distance, then ε = 1e-2, 1e-4, 1e-8 at degree 4 and
+    /// degree 8. Each is within one of the number that was measured to suffice.
     #[test]
     fn counts_follow_the_measured_table() {
         let square = |z: f64| Patch::Flat {

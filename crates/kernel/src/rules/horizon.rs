@@ -75,16 +75,17 @@ use queue::Queue;
 pub use view::Ball;
 use view::View;
 
-/// Points of the rules tried on an outer patch, relative to those that the unclipped kernel needs. Chosen; not tuned.
+/// Points of the rules tried on an outer patch, relative to those that the unclipped kernel needs. Chosen;
+/// not tuned.
 const RUNGS: [f64; 3] = [0.35, 0.55, 1.0];
-/// Fewest points of these rules, and how many each has at least more than the one before: W, clipped, may need many
-/// points where the kernel needs few, and no rule is compared with itself. Chosen; not tuned.
+/// Fewest points of these rules, and how many each has at least more than the one before: W, clipped, may
+/// need many points where the kernel needs few, and no rule is compared with itself. Chosen; not tuned.
 const FEWEST: usize = 3;
 const STEP: usize = 2;
 /// Share of the tolerance within which two of these rules have to agree. Chosen; not tuned.
 const CLIMB_SHARE: f64 = 0.5;
-/// Error of the finer of two rules, relative to their difference: r/(1 − r) = 0.28 with r = (3/5)³ at a kink of second
-/// order.
+/// Error of the finer of two rules, relative to their difference: r/(1 − r) = 0.28 with r = (3/5)³ at a kink
+/// of second order.
 const FINER_RULE: f64 = 0.3;
 
 /// Share of the tolerance for settled cells, to each its share of the patch. Chosen; not tuned.
@@ -93,8 +94,8 @@ const SETTLED: f64 = 0.25;
 const MOST_NUMBERS: usize = 8_000_000;
 const WHOLES: usize = 4;
 
-/// Error of a patch of which only corners see anything, relative to what it would carry if all points saw as much.
-/// Chosen; not tuned.
+/// Error of a patch of which only corners see anything, relative to what it would carry if all points saw as
+/// much. Chosen; not tuned.
 const CORNER: f64 = 0.05;
 const CORNERS: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
 
@@ -124,9 +125,9 @@ pub struct Side<'a> {
     pub ball: Option<Ball>,
 }
 
-/// The moments of an outer patch with inner ones apart from it, to `tolerance` in the block's entries, with about
-/// `budget` evaluations. Each inner patch comes with its points along and across by depth: of itself, of its quarters,
-/// and so on as deep as points are given.
+/// The moments of an outer patch with inner ones apart from it, to `tolerance` in the block's entries, with
+/// about `budget` evaluations. Each inner patch comes with its points along and across by depth: of itself,
+/// of its quarters, and so on as deep as points are given.
 pub fn integrate(
     outer: &Side,
     basis: &AreaBasis,
@@ -175,8 +176,8 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
-    /// The outer patch without halves that see nothing: if only a corner sees something, few points would miss it. None
-    /// if all is dark.
+    /// The outer patch without halves that see nothing: if only a corner sees something, few points would
+    /// miss it. None if all is dark.
     fn seeing(&self) -> Option<Patch> {
         let mut patch = self.outer.patch.clone();
         let inner = |half: &Patch| {
@@ -206,9 +207,9 @@ impl Job<'_> {
         views.any(|x| !self.inner.iter().any(|part| part.may_be_seen_from(&x)))
     }
 
-    /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel. Returns the moments
-    /// by the first rule that agrees with the one before, and true; else those by the last, which has the full number
-    /// of points.
+    /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel. Returns the
+    /// moments by the first rule that agrees with the one before, and true; else those by the last, which has
+    /// the full number of points.
     fn climb(&mut self, patch: Patch) -> (Whole, bool) {
         let [first, others @ ..] = rungs(self.outer.points);
         let mut whole = self.whole(patch, first);
@@ -336,8 +337,8 @@ impl Job<'_> {
         (moments, is_dark)
     }
 
-    /// Points with weights in area of a rule on a part of the outer patch: a tensor rule, or a rule on what lies before
-    /// the plane of the inner patches.
+    /// Points with weights in area of a rule on a part of the outer patch: a tensor rule, or a rule on what
+    /// lies before the plane of the inner patches.
     fn nodes(&mut self, part: &Patch, points: [usize; 2]) -> Vec<(Node, f64)> {
         let Nodes { nodes, evaluations } = match &self.front {
             Some(front) => front.nodes(part, points),

@@ -1,16 +1,17 @@
 //! A concave patch with itself: relative coordinates that regularise the kernel.
 //!
-//! Where the two points of a smooth surface meet, the kernel is bounded, but its limit depends on the direction of
-//! approach and at the point itself it is 0/0. With z = |u − s| and w = |v − t| in polar form on two triangles,
+//! Where the two points of a smooth surface meet, the kernel is bounded, but its limit depends on the
+//! direction of approach and at the point itself it is 0/0. With z = |u − s| and w = |v − t| in polar form on
+//! two triangles,
 //!
 //! ```text
 //! (z, w) = (x, xa)   and   (xa, x) ,     dz dw = x dx da
 //! (s, u) = (1 − z) y + (0, z) ,   (t, v) = (1 − w) y' + (0, w) or (w, 0) ,     dV = x (1 − z)(1 − w) dx da dy dy' ,
 //! ```
 //!
-//! it is analytic in x, a, y, y' ∈ [0, 1]. Two of the four signs of (u − s, v − t) follow by exchanging the points: the
-//! block is H + Hᵀ, and this rule sums H. The nearest singularity in a is a = ±iq, a complex direction in which both
-//! points meet, with q the smaller over the larger extent. Hence
+//! it is analytic in x, a, y, y' ∈ [0, 1]. Two of the four signs of (u − s, v − t) follow by exchanging the
+//! points: the block is H + Hᵀ, and this rule sums H. The nearest singularity in a is a = ±iq, a complex
+//! direction in which both points meet, with q the smaller over the larger extent. Hence
 //!
 //! ```text
 //! n_a = ⌈ N/2 + ln(1/ε) / (2 ln ϱ) ⌉ + 1 ,  ϱ = σ + √(σ² − 1) ,  σ = q + √(1 + q²) .

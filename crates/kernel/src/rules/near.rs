@@ -4,10 +4,10 @@
 //! M_kl = ∫_P L_k(x) I_l(x) dA_x ,      I_l(x) = ∫_Q κ(x, y) L_l(y) dA_y .
 //! ```
 //!
-//! The inner integral is taken in polar coordinates about the foot of x (`polar`). Its rays are exact, so that their
-//! cost does not depend on the distance of x from the plane of Q; each edge costs more the nearer x is to it. The outer
-//! integral runs over cells of P that follow the edges of Q (`plan`). Both are planned before any kernel value is
-//! known.
+//! The inner integral is taken in polar coordinates about the foot of x (`polar`). Its rays are exact, so
+//! that their cost does not depend on the distance of x from the plane of Q; each edge costs more the nearer
+//! x is to it. The outer integral runs over cells of P that follow the edges of Q (`plan`). Both are planned
+//! before any kernel value is known.
 
 mod ellipse;
 mod radial;
@@ -56,10 +56,11 @@ impl Plan {
         (plan.cost < split).then_some(plan)
     }
 
-    /// For two flat convex patches in front of each other that see each other wholly. They may touch: distances have a
-    /// floor.
+    /// For two flat convex patches in front of each other that see each other wholly. They may touch:
+    /// distances have a floor.
     ///
-    /// None if it would take too many cells, and for bases whose raw functions are not products of total degree.
+    /// None if it would take too many cells, and for bases whose raw functions are not products of total
+    /// degree.
     pub fn new(moments: &Moments, p: &Patch, q: &Patch, eps: f64) -> Option<Self> {
         let known = |basis: &AreaBasis| basis.is_product() && basis.space() == Space::Total;
         if !moments.bases().into_iter().all(known) {

@@ -1,6 +1,7 @@
 //! Control points of arcs as rational cubics.
 //!
-//! A quarter of a circle is the conic with the weights 1, √½, 1; raised by one degree, its weights are 1, w, w, 1 with w = (1 + √2)/3.
+//! A quarter of a circle is the conic with the weights 1, √½, 1; raised by one degree, its weights are 1, w,
+//! w, 1 with w = (1 + √2)/3.
 
 /// A point of a text, x, y, z.
 pub(super) type Point = [f64; 3];

@@ -1,10 +1,11 @@
 //! The text of the cathedral: a nave and two aisles under vaults, and a lamp that travels along the nave.
 //!
-//! All lengths are in metres and are the design of this scene; z points up, the nave runs along y from the wall y = 0. A bay is as
-//! long as the distance of two columns and is written for x > 0 about its middle; half a turn makes the other side. Groin vaults are four
-//! webs, parts of two cylinders (the one across the nave round, the one along it elliptic) that end at the groins. Webs, the walls over
-//! arches and windows are ruled between an arc and a second curve at the same parameters, so that every seam is exact; capitals and bases
-//! lead from a square to a circle.
+//! All lengths are in metres and are the design of this scene; z points up, the nave runs along y from the
+//! wall y = 0. A bay is as long as the distance of two columns and is written for x > 0 about its middle;
+//! half a turn makes the other side. Groin vaults are four webs, parts of two cylinders (the one across the
+//! nave round, the one along it elliptic) that end at the groins. Webs, the walls over arches and windows are
+//! ruled between an arc and a second curve at the same parameters, so that every seam is exact; capitals and
+//! bases lead from a square to a circle.
 
 use std::fmt::Write;
 
@@ -222,7 +223,8 @@ impl Cathedral {
         }
     }
 
-    /// The webs over x > 0: two against the arches across the nave, and the two halves of that against the windows.
+    /// The webs over x > 0: two against the arches across the nave, and the two halves of that against the
+    /// windows.
     fn vault(&mut self) {
         let half = 0.5 * BAY;
         for (place, sign) in [("near", -1.0), ("far", 1.0)] {

@@ -1,4 +1,5 @@
-//! The text of the teapot's scene: Newell's pot in the middle of a room that is open in front, under four lamps.
+//! The text of the teapot's scene: Newell's pot in the middle of a room that is open in front, under four
+//! lamps.
 
 use std::fmt::Write;
 
@@ -9,7 +10,8 @@ const TABLE: &str = include_str!("../../scenes/teapot-table.toml");
 
 const ROOM: &str = include_str!("../../scenes/teapot.toml");
 
-/// Corners of the floor's hole under the pot, and its radius. The pot's bottom touches the floor in one point.
+/// Corners of the floor's hole under the pot, and its radius. The pot's bottom touches the floor in one
+/// point.
 const HOLE_CORNERS: usize = 8;
 const HOLE_RADIUS: f64 = 1.3;
 

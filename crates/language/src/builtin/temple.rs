@@ -1,10 +1,10 @@
 //! The text of the temple: a vaulted nave between two rows of columns, an aisle on either side.
 //!
-//! All lengths are in metres and are the design of this scene; z points up, the nave runs along y from the wall y = 0
-//! to the dais. A half turn about the temple's vertical axis exchanges the two rows: everything is written for x > 0,
-//! and the parts of a row are turned to the other side. A column consists of quarters, each turned four times. No two
-//! surfaces cross: floors end where plinths and pilasters stand, and base and capital lead from square to circle by
-//! exact arcs, so that every contact is a common edge or a part of one.
+//! All lengths are in metres and are the design of this scene; z points up, the nave runs along y from the
+//! wall y = 0 to the dais. A half turn about the temple's vertical axis exchanges the two rows: everything is
+//! written for x > 0, and the parts of a row are turned to the other side. A column consists of quarters,
+//! each turned four times. No two surfaces cross: floors end where plinths and pilasters stand, and base and
+//! capital lead from square to circle by exact arcs, so that every contact is a common edge or a part of one.
 
 use std::fmt::Write;
 
@@ -177,7 +177,8 @@ impl Temple {
         self.surface("vault", "plaster", Put::Here, &vault);
     }
 
-    /// The wall at y with its front towards `normal` y: one piece behind the nave, others behind the aisles and steps.
+    /// The wall at y with its front towards `normal` y: one piece behind the nave, others behind the aisles
+    /// and steps.
     fn end_wall(&mut self, name: &str, y: f64, normal: f64) {
         let [inner, outer, second] = [COLUMN - BEAM, COLUMN + BEAM, STEP + TREAD];
         let mut pieces = vec![("nave", [-inner, inner], [UPPER, SPRINGING])];
@@ -202,7 +203,8 @@ impl Temple {
         }
     }
 
-    /// Surfaces along a whole side: the floor before the columns, floor and ceiling of the aisle, the top of the wall.
+    /// Surfaces along a whole side: the floor before the columns, floor and ceiling of the aisle, the top of
+    /// the wall.
     fn side_wall(&mut self, turned: bool) {
         let (side, put, length) = (side(turned), Put::across(turned), [0.0, self.length, 0.0]);
         let across = |x: [f64; 2]| [x[1] - x[0], 0.0, 0.0];
@@ -267,7 +269,8 @@ impl Temple {
         }
     }
 
-    /// A profile in x and z drawn along y from `y[0]` by `y[1]`; its front is to the right of the profile seen along y.
+    /// A profile in x and z drawn along y from `y[0]` by `y[1]`; its front is to the right of the profile
+    /// seen along y.
     fn moulding(&mut self, name: &str, put: Put, profile: [[f64; 2]; 4], y: [f64; 2]) {
         let curve = profile.map(|[x, z]| [x, y[0], z]);
         let shape = format!("extrusion = {{ curve = {curve:?}, direction = [0, {}, 0] }}", y[1]);

@@ -63,7 +63,8 @@ fn read_part(name: &At<String>, node: &Node) -> Result<PartFile, Located> {
     Ok(PartFile { name: name.clone(), content: read_content(&fields, "")? })
 }
 
-/// The lists of surfaces, luminaires and instances; `prefix` stands before the names of those that are given none.
+/// The lists of surfaces, luminaires and instances; `prefix` stands before the names of those that are given
+/// none.
 pub(crate) fn read_content(fields: &Fields<'_>, prefix: &str) -> Result<ContentFile, Located> {
     Ok(ContentFile {
         surfaces: fields.get("surfaces").map_or(Ok(Vec::new()), |node| read_surfaces(node, prefix))?,
@@ -92,7 +93,8 @@ fn read_instance(index: usize, node: &Node, prefix: &str) -> Result<InstanceFile
     })
 }
 
-/// A row, `count = 5, step = [1, 0, 0]`, or up to three of them, `count = [3, 2], step = [[1, 0, 0], [0, 1, 0]]`.
+/// A row, `count = 5, step = [1, 0, 0]`, or up to three of them,
+/// `count = [3, 2], step = [[1, 0, 0], [0, 1, 0]]`.
 fn read_array(node: &Node) -> Result<ArrayFile, Located> {
     let fields = Fields::new(node, &["count", "step"])?;
     let (count, step) = (fields.node("count")?, fields.node("step")?);

@@ -145,7 +145,8 @@ fn refuse_others(fields: &Fields<'_>, kind: &PatternKind) -> Result<(), Located>
     }
 }
 
-/// One list for all bands, or a list of such with one per band: lists of numbers are in it, or lists of those.
+/// One list for all bands, or a list of such with one per band: lists of numbers are in it, or lists of
+/// those.
 fn each_band<T>(node: &Node, read: fn(&Node) -> Result<T, Located>) -> Result<EachBand<T>, Located> {
     let items = list(node)?;
     let first = items.first().and_then(Node::items);

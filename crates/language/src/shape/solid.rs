@@ -100,8 +100,8 @@ impl Extent {
 }
 
 impl Face {
-    /// The face of the box between two corners, its front outside or inside. Seen from the front, v runs up (toward +y
-    /// at bottom and top), and u to the right.
+    /// The face of the box between two corners, its front outside or inside. Seen from the front, v runs up
+    /// (toward +y at bottom and top), and u to the right.
     fn surface(
         &self,
         [low, high]: [DVec3; 2],

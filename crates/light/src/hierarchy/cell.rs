@@ -1,11 +1,11 @@
 //! A cell: a patch with the values of a field at its 2 × 2 Gauss points.
 //!
-//! The field has one or more channels (a band each, or the constant 1). Brightness, variation and detail of a cell
-//! decide about its division; each is the largest over the channels, in multiples of the channel's scale. Quarters
-//! without a field of their own take the bilinear function through the four points, which is continued to the border of
-//! the cell: receivers at an edge that two surfaces share see nothing but that border. Only where the field is known to
-//! jump, continued values keep within the range of the four. Quarters are made when first needed, and kept near the root,
-//! where many points need them.
+//! The field has one or more channels (a band each, or the constant 1). Brightness, variation and detail of a
+//! cell decide about its division; each is the largest over the channels, in multiples of the channel's
+//! scale. Quarters without a field of their own take the bilinear function through the four points, which is
+//! continued to the border of the cell: receivers at an edge that two surfaces share see nothing but that
+//! border. Only where the field is known to jump, continued values keep within the range of the four.
+//! Quarters are made when first needed, and kept near the root, where many points need them.
 
 use std::ops::Deref;
 use std::sync::OnceLock;
@@ -26,11 +26,12 @@ pub(crate) const POINTS: usize = 4;
 /// Levels below the root down to which quarters are kept. Chosen; not tuned.
 const KEPT: u8 = 5;
 
-/// Error of the rule over the second difference, at least, where the field bends at once: of |s| over −1 ≤ s ≤ 1 the two-point rule
-/// makes 0.577 for ½, with the second difference 0.577.
+/// Error of the rule over the second difference, at least, where the field bends at once: of |s| over
+/// −1 ≤ s ≤ 1 the two-point rule makes 0.577 for ½, with the second difference 0.577.
 const BENT: f64 = 0.13;
 
-/// A cell with straight sides whose normals have at least this cosine to each other counts as flat. Chosen; not tuned.
+/// A cell with straight sides whose normals have at least this cosine to each other counts as flat. Chosen;
+/// not tuned.
 const LEVEL: f64 = 0.999;
 
 /// A patch with the values of a field at its Gauss points.
@@ -62,7 +63,8 @@ pub(crate) struct Cell {
     pub(crate) brightness: f64,
     /// Largest difference of a value from the mean, over the channel's scale.
     pub(crate) spread: f64,
-    /// Largest difference between the mean by the cell's points and that by its finest parts, over the channel's scale.
+    /// Largest difference between the mean by the cell's points and that by its finest parts, over the
+    /// channel's scale.
     pub(crate) detail: f64,
     /// Whether the bilinear function of the four values may be continued beyond their range.
     is_smooth: bool,
@@ -140,7 +142,8 @@ impl Cell {
         self
     }
 
-    /// The cell of an emitter of the exitance 1 that spreads its light so, in one channel of this scale, as a point sees it.
+    /// The cell of an emitter of the exitance 1 that spreads its light so, in one channel of this scale, as a
+    /// point sees it.
     pub(crate) fn seen(&self, radiance: &Radiance, point: DVec3, scale: f64) -> Self {
         let towards = |y: DVec3| radiance.relative((point - y).normalize_or_zero());
         let values = self.nodes.iter().map(|node| towards(node.position)).collect();
@@ -212,7 +215,8 @@ impl Cell {
         self.patch.is_parallelogram()
     }
 
-    /// Largest difference of the values of `quarters` from the bilinear function of this cell, over the channel's scale.
+    /// Largest difference of the values of `quarters` from the bilinear function of this cell, over the
+    /// channel's scale.
     pub(crate) fn misfit(&self, quarters: &[Cell; 4], scale: &[f64]) -> f64 {
         let continued = self.continued(scale.len());
         let differences = quarters.iter().zip(&continued).flat_map(|(quarter, continued)| {
@@ -232,9 +236,9 @@ impl Cell {
         self.is_smooth = false;
     }
 
-    /// Stores its quarters, which carry the same field and have their own, and updates spread, detail and brightness from them:
-    /// a cell whose points all miss a peak knows it so. Its values are shifted to have their mean, so that a cell that is taken
-    /// undivided errs alike in both directions.
+    /// Stores its quarters, which carry the same field and have their own, and updates spread, detail and
+    /// brightness from them: a cell whose points all miss a peak knows it so. Its values are shifted to have
+    /// their mean, so that a cell that is taken undivided errs alike in both directions.
     pub(crate) fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
         let whole: f64 = quarters.iter().map(Cell::area).sum();
         let channels = scale.len();
@@ -265,7 +269,8 @@ impl Cell {
         }
     }
 
-    /// The directions of the two halvings. A long curved cell, as at a pole, is halved twice along its length.
+    /// The directions of the two halvings. A long curved cell, as at a pole, is halved twice along its
+    /// length.
     pub(super) fn directions(&self) -> [Direction; 2] {
         let apart = |i: usize, j: usize| self.nodes[i].position.distance(self.nodes[j].position);
         let (along, across) = (apart(0, 2).max(apart(1, 3)), apart(0, 1).max(apart(2, 3)));
@@ -284,8 +289,8 @@ impl Cell {
         [a, b, c, d].map(|patch| Self::at_level(patch, self.level + 1))
     }
 
-    /// The four quarters with the bilinear function of the field. Nothing shines less than 0; what may jump keeps within the
-    /// range of the four values.
+    /// The four quarters with the bilinear function of the field. Nothing shines less than 0; what may jump
+    /// keeps within the range of the four values.
     fn interpolated(&self, scale: &[f64]) -> [Cell; 4] {
         let channels = scale.len();
         let range = |channel: usize| {

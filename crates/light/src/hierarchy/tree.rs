@@ -1,8 +1,8 @@
 //! The tree of cells of an element, with its radiosity.
 //!
-//! A tree is at least so fine that its points see every polynomial. Where the radiosity varies, it has all cells of
-//! [`EVEN`] levels; below them cells are divided while the bilinear function of a cell misses its quarters by δ (in
-//! multiples of the scale) and
+//! A tree is at least so fine that its points see every polynomial. Where the radiosity varies, it has all
+//! cells of [`EVEN`] levels; below them cells are divided while the bilinear function of a cell misses its
+//! quarters by δ (in multiples of the scale) and
 //!
 //! ```text
 //! δ > BENT ε         for a cell in a corner of the patch ;
@@ -10,11 +10,11 @@
 //! δ w² > BEYOND ε    for the others :
 //! ```
 //!
-//! a cell fills much of the view of a receiver on another surface that lies beside it in a corner, or along an edge,
-//! however small it is; the share of such receivers is about w along an edge. Other cells fill about w² of any view. So shadow
-//! edges end at the width that the accuracy asks for; corners of three surfaces, in which light depends on the direction to
-//! the corner alone, have cells down to [`DEEPEST`], few of them; before a luminaire near a surface cells are as small as its light
-//! peaks.
+//! a cell fills much of the view of a receiver on another surface that lies beside it in a corner, or along
+//! an edge, however small it is; the share of such receivers is about w along an edge. Other cells fill about
+//! w² of any view. So shadow edges end at the width that the accuracy asks for; corners of three surfaces, in
+//! which light depends on the direction to the corner alone, have cells down to [`DEEPEST`], few of them;
+//! before a luminaire near a surface cells are as small as its light peaks.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
@@ -27,19 +27,20 @@ use crate::hierarchy::border::Border;
 use crate::hierarchy::cell::{Cell, POINTS};
 use crate::occluders::Sender;
 
-/// Levels of quarters below the patches of an element that are all made where the field varies, so that no small shadow is
-/// overlooked. Chosen; not tuned.
+/// Levels of quarters below the patches of an element that are all made where the field varies, so that no
+/// small shadow is overlooked. Chosen; not tuned.
 const EVEN: usize = 4;
 
 /// Most levels. Chosen; not tuned.
 const DEEPEST: usize = 12;
 
-/// See the head of this file. Chosen; not tuned. With 10 for the latter, too, 2 % of the power was lost of a luminaire 5 cm below a
-/// ceiling 4 m wide.
+/// See the head of this file. Chosen; not tuned. With 10 for the latter, too, 2 % of the power was lost of a
+/// luminaire 5 cm below a ceiling 4 m wide.
 const BENT: f64 = 10.0;
 const BEYOND: f64 = 1.0;
 
-/// A field jumps in a cell where its bilinear function misses the quarters by more than this part of its variation. Chosen; not tuned.
+/// A field jumps in a cell where its bilinear function misses the quarters by more than this part of its
+/// variation. Chosen; not tuned.
 const JUMP: f64 = 0.5;
 
 /// A cell whose field varies by less than this multiple of the accuracy is not divided. Chosen; not tuned.
@@ -66,7 +67,8 @@ pub(crate) struct Tree {
 pub(crate) type Field<'a> = &'a dyn Fn(&Node, &mut [f64]);
 
 impl Tree {
-    /// The tree of an element of exitance 1 in one channel, whose brightness is `brightness` > 0 times the scale.
+    /// The tree of an element of exitance 1 in one channel, whose brightness is `brightness` > 0 times the
+    /// scale.
     pub(crate) fn uniform(element: &Element, brightness: f64) -> Self {
         Self::grown(element, &[1.0 / brightness], |bare, scale| {
             with_field(bare, scale, &|_, out| out.fill(1.0))
@@ -83,8 +85,8 @@ impl Tree {
         Sender { surface: self.surface, plane: self.plane, bounds: self.bounds }
     }
 
-    /// The tree of an element with `field`, whose channels have the positive `scale`; it resolves the field to about
-    /// the accuracy `eps` relative to the scale.
+    /// The tree of an element with `field`, whose channels have the positive `scale`; it resolves the field
+    /// to about the accuracy `eps` relative to the scale.
     pub(crate) fn new(element: &Element, scale: &[f64], eps: f64, field: Field<'_>) -> Self {
         // ⌈N/4⌉ quarterings: the 2 × 2 points per cell then see every polynomial of the element.
         let least = element.basis.total_degree().div_ceil(4);
@@ -134,7 +136,8 @@ impl Growth<'_> {
         self.divided(cell, Border::WHOLE, 0, false)
     }
 
-    /// The cell with the quarters that it needs; `bends` says whether the bilinear function of the cell above misses it.
+    /// The cell with the quarters that it needs; `bends` says whether the bilinear function of the cell above
+    /// misses it.
     fn divided(&self, mut cell: Cell, border: Border, level: usize, bends: bool) -> Cell {
         let varies = level < EVEN && cell.spread > self.rough;
         if level == DEEPEST || !(level < self.least || varies || bends) {

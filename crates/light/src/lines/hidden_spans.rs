@@ -1,9 +1,9 @@
 //! Hidden spans: the parts of the scan lines of a projection plane that blockers hide.
 //!
-//! A planar blocker hides an interval of a line. Each quad of a curved blocker's silhouette mesh meets the plane
-//! through the eye and the line in a segment, which hides an interval. These intervals are joined, and only the ends of
-//! the union are corrected from the mesh to the true surface ([`crate::lines::silhouette`]). The accuracy of the
-//! result is that of the correction; the mesh only has to find the outline.
+//! A planar blocker hides an interval of a line. Each quad of a curved blocker's silhouette mesh meets the
+//! plane through the eye and the line in a segment, which hides an interval. These intervals are joined, and
+//! only the ends of the union are corrected from the mesh to the true surface ([`crate::lines::silhouette`]).
+//! The accuracy of the result is that of the correction; the mesh only has to find the outline.
 
 use std::borrow::Cow;
 
@@ -15,10 +15,12 @@ use smallvec::{SmallVec, smallvec};
 use crate::lines::projection::ProjectionPlane;
 use crate::lines::silhouette::{Crossing, outline};
 
-/// Two ends nearer than this part of the plane's side are both corrected; the farther counts. Chosen; not tuned.
+/// Two ends nearer than this part of the plane's side are both corrected; the farther counts. Chosen; not
+/// tuned.
 const CLOSE: f64 = 0.02;
 
-/// Ends so far outside a line, over its length, are corrected too: the surface may exceed its mesh. Chosen; not tuned.
+/// Ends so far outside a line, over its length, are corrected too: the surface may exceed its mesh. Chosen;
+/// not tuned.
 const OUTSIDE: f64 = 0.1;
 
 /// Factor by which normals may turn farther inside a quad than between its corners. Chosen; not tuned.
@@ -27,8 +29,8 @@ const STEEPER: f64 = 1.5;
 /// Largest correction that is accepted, over the projected size of the quad. Chosen; not tuned.
 const BELIEVED: f64 = 1.0;
 
-/// Between two ends in one mesh without an outline a gap up to this part of a quad's projected breadth is a crack
-/// between quads of different sizes. Chosen; not tuned.
+/// Between two ends in one mesh without an outline a gap up to this part of a quad's projected breadth is a
+/// crack between quads of different sizes. Chosen; not tuned.
 const CRACK: f64 = 0.25;
 
 /// The blockers before a projection plane.
@@ -111,8 +113,8 @@ impl<'a> HiddenSpans<'a> {
         self.volumes.push(volume);
     }
 
-    /// Adds a curved blocker; `ground` is its unit normal at the eye if the eye lies on it. `is_own`: the plane stands
-    /// for a piece of the blocker itself, and only quads well before it count.
+    /// Adds a curved blocker; `ground` is its unit normal at the eye if the eye lies on it. `is_own`: the
+    /// plane stands for a piece of the blocker itself, and only quads well before it count.
     pub(crate) fn add_curved(&mut self, mesh: &'a SilhouetteMesh, ground: Option<DVec3>, is_own: bool) {
         let far = if is_own { 1.0 - self.plane.width() } else { f64::INFINITY };
         let ground = ground.map(|normal| (normal, self.plane.rise(normal)));
@@ -202,7 +204,8 @@ impl<'a> HiddenSpans<'a> {
         apart
     }
 
-    /// An end of a hidden interval, corrected to the surface; `side` is +1 for the high end, −1 for the low one.
+    /// An end of a hidden interval, corrected to the surface; `side` is +1 for the high end, −1 for the low
+    /// one.
     fn corrected(&self, t: f64, end: End, side: f64) -> Place<'_> {
         let size = |seen: &[DVec3; 4]| seen.iter().map(|p| (p.x / p.z - end.s).abs()).fold(0.0, f64::max);
         let found = end.causes.iter().flatten().filter_map(|(index, crossing)| {

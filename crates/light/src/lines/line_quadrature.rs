@@ -5,12 +5,12 @@
 //! ```
 //!
 //! with N_k the bilinear functions of the cell's 2 × 2 points. Along a line the visible parts are known
-//! ([`crate::lines::hidden_spans`]), and κ is integrated over each by Gauss's rule. Across lines the integrand
-//! is continuous, with bends where the outline meets the border of the cell and roots where it touches a line. It is
-//! integrated by Simpson's rule on panels that are halved while two estimates differ by more than the tolerance. If the
-//! outline runs along the lines, so that some see all and others nothing, lines of the other direction are taken. The
-//! same is done if every line sees all of the cell, or none: a visible or hidden strip beside the edge of a column may
-//! lie between two lines.
+//! ([`crate::lines::hidden_spans`]), and κ is integrated over each by Gauss's rule. Across lines the
+//! integrand is continuous, with bends where the outline meets the border of the cell and roots where it
+//! touches a line. It is integrated by Simpson's rule on panels that are halved while two estimates differ by
+//! more than the tolerance. If the outline runs along the lines, so that some see all and others nothing,
+//! lines of the other direction are taken. The same is done if every line sees all of the cell, or none: a
+//! visible or hidden strip beside the edge of a column may lie between two lines.
 
 use std::f64::consts::PI;
 
@@ -23,15 +23,18 @@ use crate::receiver_point::ReceiverPoint;
 /// Gauss points on each visible part of a line. Chosen; not tuned.
 const POINTS: usize = 3;
 
-/// Initial panels of a cell and of a whole area light, and most halvings of a panel. All are chosen, not tuned.
+/// Initial panels of a cell and of a whole area light, and most halvings of a panel. All are chosen, not
+/// tuned.
 const PANELS: usize = 3;
 const LAMP_PANELS: usize = 10;
 const DEEPEST: usize = 6;
 
-/// Error of the better of two estimates over their difference, where the integrand has a bend. Chosen; not tuned.
+/// Error of the better of two estimates over their difference, where the integrand has a bend. Chosen; not
+/// tuned.
 const BEND: f64 = 0.7;
 
-/// Variation of the visible part between lines above which the outline is taken to run along them. Chosen; not tuned.
+/// Variation of the visible part between lines above which the outline is taken to run along them. Chosen;
+/// not tuned.
 const ALONG: f64 = 0.6;
 
 /// Integrals along a line or over a panel: visible, weighted with each N_k, and unoccluded.
@@ -79,14 +82,15 @@ impl<'a> LineQuadrature<'a> {
         Self { is_of_lamp: true, ..Self::new(receiver, spans) }
     }
 
-    /// The visible shares of the four points, each accurate to about `tolerance`; they sum to 1 without blockers.
+    /// The visible shares of the four points, each accurate to about `tolerance`; they sum to 1 without
+    /// blockers.
     pub(crate) fn shares(&mut self, tolerance: f64) -> [f64; 4] {
         let sums = self.sums(tolerance);
         if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
     }
 
-    /// Visible and unoccluded irradiance from exitance 1 on the part of the plane that shines; the first is accurate
-    /// to about `tolerance` times the second.
+    /// Visible and unoccluded irradiance from exitance 1 on the part of the plane that shines; the first is
+    /// accurate to about `tolerance` times the second.
     pub(crate) fn irradiances(&mut self, tolerance: f64) -> [f64; 2] {
         let sums = self.sums(tolerance);
         let plane = self.spans.plane();

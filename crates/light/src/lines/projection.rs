@@ -6,8 +6,8 @@
 //! P − x = λ (o − x) + S a + T b ,      (S, T, λ) = [a, b, o − x]⁻¹ (P − x) .
 //! ```
 //!
-//! It is seen at (s, t) = (S, T)/λ and lies before the plane if 0 < λ < 1. The plane through x and the line t = const
-//! is T − t λ = 0, linear in P.
+//! It is seen at (s, t) = (S, T)/λ and lies before the plane if 0 < λ < 1. The plane through x and the line
+//! t = const is T − t λ = 0, linear in P.
 
 use radiosity_geom::{Aabb, COINCIDENT, DVec3};
 
@@ -32,8 +32,8 @@ pub(crate) struct ProjectionPlane {
 }
 
 impl ProjectionPlane {
-    /// For a polygon that stands for a piece of surface inside `hull`; None where the eye lies in the polygon's plane,
-    /// to 1e-12 (chosen, not tuned).
+    /// For a polygon that stands for a piece of surface inside `hull`; None where the eye lies in the
+    /// polygon's plane, to 1e-12 (chosen, not tuned).
     pub(crate) fn new(eye: DVec3, polygon: &[DVec3], hull: &[DVec3]) -> Option<Self> {
         let (origin, along, across) =
             (polygon[0], polygon[1] - polygon[0], polygon[polygon.len() - 1] - polygon[0]);
@@ -98,7 +98,8 @@ impl ProjectionPlane {
             && self.sides.iter().all(|(side, low)| top(*side) > *low)
     }
 
-    /// Largest distance of a corner of the polygon from the first one, over the first one's distance from the eye.
+    /// Largest distance of a corner of the polygon from the first one, over the first one's distance from the
+    /// eye.
     pub(crate) fn width(&self) -> f64 {
         let far = self.outline.iter().map(|[s, t]| s * self.along + t * self.across);
         far.map(|y| y.length()).fold(0.0, f64::max) / self.origin.distance(self.eye)

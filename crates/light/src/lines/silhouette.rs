@@ -1,26 +1,29 @@
 //! The crossing of a curved surface's outline with a scan line.
 //!
-//! The outline of a surface X(u, v) from x consists of its borders and of its silhouette g = n · (X − x) = 0. A
-//! silhouette mesh gives a first approximation of the crossing, on an edge of a quad. From there Newton steps solve
+//! The outline of a surface X(u, v) from x consists of its borders and of its silhouette g = n · (X − x) = 0.
+//! A silhouette mesh gives a first approximation of the crossing, on an edge of a quad. From there Newton
+//! steps solve
 //!
 //! ```text
 //! border      h(w)    = m · (X(w) − x) = 0                 m the normal of the plane through x and the line
 //! silhouette  h(u, v) = 0 ,   g(u, v) = 0
 //! ```
 //!
-//! with the slopes of g taken from the corners of the quad. A point off the silhouette by ε is seen off the outline by
-//! κ ε²/2 only (κ: curvature), and the outline crosses the line where its tangent along m × n does. So one step from a
-//! mesh of width h leaves an error of order h⁴.
+//! with the slopes of g taken from the corners of the quad. A point off the silhouette by ε is seen off the
+//! outline by κ ε²/2 only (κ: curvature), and the outline crosses the line where its tangent along m × n
+//! does. So one step from a mesh of width h leaves an error of order h⁴.
 //!
-//! Along the view d the surface leaves its tangent plane by −|d|²/2 · (dg/dd)/|X − x| along n. That side of the
-//! silhouette is hidden, which tells the beginning of a hidden interval from its end where a quad shows both.
+//! Along the view d the surface leaves its tangent plane by −|d|²/2 · (dg/dd)/|X − x| along n. That side of
+//! the silhouette is hidden, which tells the beginning of a hidden interval from its end where a quad shows
+//! both.
 
 use radiosity_geom::{DVec2, DVec3, Jet, Surface};
 use radiosity_visibility::silhouette_mesh::Quad;
 
 use crate::lines::projection::ProjectionPlane;
 
-/// Newton steps towards a border, and most steps towards a silhouette ([`STEPS`]). Both are chosen, not tuned.
+/// Newton steps towards a border, and most steps towards a silhouette ([`STEPS`]). Both are chosen, not
+/// tuned.
 const BORDER_STEPS: usize = 2;
 const STEPS: usize = 5;
 
@@ -121,7 +124,8 @@ impl Line<'_> {
         None
     }
 
-    /// Whether the surface is on the hidden side of its silhouette at `offset` from the eye: before an end for side 1.
+    /// Whether the surface is on the hidden side of its silhouette at `offset` from the eye: before an end
+    /// for side 1.
     fn ends(&self, jet: &Jet, offset: DVec3, slope: DVec2, side: f64) -> bool {
         let view = offset.reject_from(jet.normal);
         let [uu, uv, vv] = [jet.du.dot(jet.du), jet.du.dot(jet.dv), jet.dv.dot(jet.dv)];

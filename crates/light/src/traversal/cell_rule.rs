@@ -9,9 +9,9 @@
 //! curved                  Gauss                   Gauss · lines             Gauss · lines
 //! ```
 //!
-//! A straight cell, as of a tube along its axis, whose front is seen everywhere counts as flat unless blockers are
-//! curved. On the inside of a whole ball the kernel between points that see each other is constant. A cell that can
-//! send no more than the tolerance is left to its visible points.
+//! A straight cell, as of a tube along its axis, whose front is seen everywhere counts as flat unless
+//! blockers are curved. On the inside of a whole ball the kernel between points that see each other is
+//! constant. A cell that can send no more than the tolerance is left to its visible points.
 
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::iter;
@@ -33,27 +33,30 @@ const STRAIGHT: f64 = 0.7;
 /// A curved cell of larger width over distance is divided. Chosen; not tuned.
 const NEAR: f64 = 1.5;
 
-/// Relative error assumed for a near cell of the point's own smooth surface, where κ is bounded. Chosen; not tuned.
+/// Relative error assumed for a near cell of the point's own smooth surface, where κ is bounded. Chosen; not
+/// tuned.
 const NEAR_OWN: f64 = 0.1;
 
 /// Factor on the error of a curved cell: the errors of its neighbours have the same sign. Chosen; not tuned.
 const CURVED: f64 = 20.0;
 
-/// (1 − cos ϑ)²/AREA_RULE bounds the relative error of two-point rules for the area of a piece of a ball of width ϑ:
-/// for ∫ cos φ dφ it is ϑ⁴/4320 ≈ (1 − cos ϑ)²/1080.
+/// (1 − cos ϑ)²/AREA_RULE bounds the relative error of two-point rules for the area of a piece of a ball of
+/// width ϑ: for ∫ cos φ dφ it is ϑ⁴/4320 ≈ (1 − cos ϑ)²/1080.
 const AREA_RULE: f64 = 500.0;
 
-/// Lambert's formula is not tried if its error, with Gauss's F, exceeds so many tolerances. Chosen; not tuned.
+/// Lambert's formula is not tried if its error, with Gauss's F, exceeds so many tolerances. Chosen; not
+/// tuned.
 const HOPELESS: f64 = 1.5;
 
-/// Contribution, in multiples of the tolerance, of a flat cell behind flat blockers up to which its points decide what
-/// is visible: whatever they say ([`SHADED`]), and if all of them agree ([`AGREED`]). Shadow edges cross cells at random
-/// places, so the errors cancel. Chosen: in rooms with boxes gathered light was then right to two tolerances, with 4 and
-/// 12 to ten, in the same time.
+/// Contribution, in multiples of the tolerance, of a flat cell behind flat blockers up to which its points
+/// decide what is visible: whatever they say ([`SHADED`]), and if all of them agree ([`AGREED`]). Shadow
+/// edges cross cells at random places, so the errors cancel. Chosen: in rooms with boxes gathered light was
+/// then right to two tolerances, with 4 and 12 to ten, in the same time.
 const SHADED: f64 = 1.0;
 const AGREED: f64 = 4.0;
 
-/// Error of a curved cell across its silhouette or the horizon, over its largest contribution. Chosen; not tuned.
+/// Error of a curved cell across its silhouette or the horizon, over its largest contribution. Chosen; not
+/// tuned.
 const RIM: f64 = 0.25;
 
 /// Width over distance above which line quadrature is not trusted. Chosen; not tuned.
@@ -113,7 +116,8 @@ impl Traversal<'_> {
         Estimate { weights: scaled(cell, weights, factor), error: factor * by_form }
     }
 
-    /// Flat blockers: Lambert's formula for the visible pieces, or the visible points of a cell that sends little.
+    /// Flat blockers: Lambert's formula for the visible pieces, or the visible points of a cell that sends
+    /// little.
     fn hidden_flat(
         &self,
         pass: &Pass,
@@ -322,16 +326,18 @@ impl Traversal<'_> {
     }
 }
 
-/// Error over F of the Gauss rule for a cell of `width` w = h/r without blockers: 0.02 B w⁴ + 0.05 ΔB w³ + δB.
+/// Error over F of the Gauss rule for a cell of `width` w = h/r without blockers: 0.02 B w⁴ + 0.05 ΔB
+/// w³ + δB.
 ///
-/// A square of even B seen face on has 0.0083 w⁴ = 2 · 72/4320 · (side/r)⁴, as ∂⁴κ/∂s⁴ = 72 κ for κ ∝ (1 + s²)⁻². Both
-/// constants were measured when the rule was written, without a record.
+/// A square of even B seen face on has 0.0083 w⁴ = 2 · 72/4320 · (side/r)⁴, as ∂⁴κ/∂s⁴ = 72 κ for κ ∝
+/// (1 + s²)⁻². Both constants were measured when the rule was written, without a record.
 fn gauss_error(cell: &Cell, width: f64) -> f64 {
     let square = width * width;
     cell.brightness * 0.02 * square * square + cell.spread * 0.05 * square * width + cell.detail
 }
 
-/// Error over F of Lambert's formula with B̄ from the four points: ΔB min(1, 0.3 w²) + δB; 0.3 as in [`gauss_error`].
+/// Error over F of Lambert's formula with B̄ from the four points: ΔB min(1, 0.3 w²) + δB; 0.3 as in
+/// [`gauss_error`].
 fn lambert_error(cell: &Cell, width: f64) -> f64 {
     cell.spread * (0.3 * width * width).min(1.0) + cell.detail
 }

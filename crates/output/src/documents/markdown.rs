@@ -14,8 +14,8 @@ pub fn picture_name(stem: &str, figure: &str) -> String {
     format!("{stem}-{figure}.png")
 }
 
-/// Writes the text of the document, whose file is named `stem` without its ending. Its figures are to be written beside
-/// it under their [`picture_name`].
+/// Writes the text of the document, whose file is named `stem` without its ending. Its figures are to be
+/// written beside it under their [`picture_name`].
 ///
 /// # Errors
 /// Whatever `out` reports.

@@ -36,8 +36,8 @@ struct PlanPage<'a> {
     pub legend: Vec<String>,
 }
 
-/// The page of what the sensors of a plane read in a band, or in the mean of all; `colours` chooses colours and isolines for
-/// the range of its values.
+/// The page of what the sensors of a plane read in a band, or in the mean of all; `colours` chooses colours
+/// and isolines for the range of its values.
 pub fn plan_page(
     scene: &Scene,
     plane: &SensorPlane,

@@ -1,4 +1,5 @@
-//! The report for people: what a scene's light and heat are, how good the numbers are, and how they were found.
+//! The report for people: what a scene's light and heat are, how good the numbers are, and how they were
+//! found.
 
 mod light_part;
 mod overview;

@@ -1,9 +1,10 @@
 //! One HTML file to walk through a solved scene in a browser, without a server or a network.
 //!
-//! The page draws the triangles of the surfaces ([`crate::pictures::tessellation`]) by WebGL 2 and colours them from their textures of
-//! light ([`crate::pictures::lightmap`]) with the exposure and tone of pictures. It keeps the light of each group and band apart, so that
-//! groups can be dimmed and values read at any point. Its script and style stand beside this file; `packing` says how the
-//! numbers are written, `header` what they belong to.
+//! The page draws the triangles of the surfaces ([`crate::pictures::tessellation`]) by WebGL 2 and colours
+//! them from their textures of light ([`crate::pictures::lightmap`]) with the exposure and tone of pictures.
+//! It keeps the light of each group and band apart, so that groups can be dimmed and values read at any
+//! point. Its script and style stand beside this file; `packing` says how the numbers are written, `header`
+//! what they belong to.
 
 mod start;
 mod packing;
@@ -23,12 +24,12 @@ use header::Header;
 use packing::Packed;
 pub use start::{Start, StartColours};
 
-/// Most values of light, over all texels, parts and bands, of two bytes each. Chosen: the page stays below 3 MB even where they
-/// cannot be compressed.
+/// Most values of light, over all texels, parts and bands, of two bytes each. Chosen: the page stays below 3
+/// MB even where they cannot be compressed.
 const VALUES: usize = 1_000_000;
 
-/// Fewest texels, so that scenes of many groups and bands get larger pages instead of coarser light; most, so that those of one band
-/// take no longer. Both are chosen.
+/// Fewest texels, so that scenes of many groups and bands get larger pages instead of coarser light; most, so
+/// that those of one band take no longer. Both are chosen.
 const FEWEST: usize = 20_000;
 const MOST: usize = 400_000;
 

@@ -7,8 +7,8 @@ use super::mark::Mark;
 use super::picture::Picture;
 use super::scale::Scale;
 
-/// Least difference of values, relative to the greatest, that isolines are chosen for: below it, errors of gathered
-/// light would be drawn. Chosen.
+/// Least difference of values, relative to the greatest, that isolines are chosen for: below it, errors of
+/// gathered light would be drawn. Chosen.
 const TOLD: f64 = 0.01;
 
 /// The colours of `field` by `scale`; white where nothing is seen, mixed in pixels that are covered in part.
@@ -45,8 +45,8 @@ impl FalseColours {
         }
     }
 
-    /// Draws the isolines of `field` on a picture of its size; `parts` names, pixel by pixel, the part of the picture that a
-    /// pixel belongs to wholly.
+    /// Draws the isolines of `field` on a picture of its size; `parts` names, pixel by pixel, the part of the
+    /// picture that a pixel belongs to wholly.
     pub fn draw_isolines(&self, picture: &mut Picture, field: &Field, parts: &[Option<u32>]) {
         let mut lines = LabelledIsolines::default();
         for mark in &self.isolines {

@@ -9,8 +9,8 @@ pub struct Field {
 }
 
 impl Field {
-    /// `values` in row order, each over the part `coverage` in [0, 1] of its pixel; where that is 0 the value is
-    /// without meaning.
+    /// `values` in row order, each over the part `coverage` in [0, 1] of its pixel; where that is 0 the value
+    /// is without meaning.
     ///
     /// # Panics
     /// If the numbers of values and coverages are not that of the pixels.

@@ -1,8 +1,8 @@
 //! Smooth values between the samples of a grid.
 //!
-//! Catmull and Rom's cubics in both directions (1974): the slope at a sample is that between its neighbours. They pass
-//! through the samples, are smooth, and are exact where the values are linear. Beyond the outermost samples the line
-//! through the last two goes on. No value leaves the range of the samples.
+//! Catmull and Rom's cubics in both directions (1974): the slope at a sample is that between its neighbours.
+//! They pass through the samples, are smooth, and are exact where the values are linear. Beyond the outermost
+//! samples the line through the last two goes on. No value leaves the range of the samples.
 
 /// Samples at (i, j), i from 0 to n − 1 and j from 0 to m − 1.
 #[derive(Clone, Debug)]

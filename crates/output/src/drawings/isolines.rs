@@ -1,10 +1,11 @@
 //! Isolines: where a field has one value.
 //!
-//! Marching squares (Lorensen and Cline 1987, in the plane): the field is linear along the lines between the middles of
-//! neighbouring pixels, and in each cell of four middles the places where it takes the value are joined. Of the two
-//! ways to join four places the mean of the corners decides (Nielson and Hamann 1991). Cells in which anything is
-//! hidden, or that lie in two parts of a picture, hold no isoline: what jumps there has no value in between. Lines
-//! therefore may end anywhere, which libraries of closed contours do not offer.
+//! Marching squares (Lorensen and Cline 1987, in the plane): the field is linear along the lines between the
+//! middles of neighbouring pixels, and in each cell of four middles the places where it takes the value are
+//! joined. Of the two ways to join four places the mean of the corners decides (Nielson and Hamann 1991).
+//! Cells in which anything is hidden, or that lie in two parts of a picture, hold no isoline: what jumps
+//! there has no value in between. Lines therefore may end anywhere, which libraries of closed contours do not
+//! offer.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +16,8 @@ use super::field::Field;
 pub(super) struct Isoline {
     /// The value.
     pub level: f64,
-    /// Its points in pixels from the left upper corner, x right and y down; the first again at the end of a closed line.
+    /// Its points in pixels from the left upper corner, x right and y down; the first again at the end of a
+    /// closed line.
     pub points: Vec<[f64; 2]>,
 }
 
@@ -25,8 +27,8 @@ impl Isoline {
         self.points.len() > 2 && self.points.first() == self.points.last()
     }
 
-    /// The lines of a field at a level; `parts` names, pixel by pixel, the part of the picture that a pixel belongs to
-    /// wholly.
+    /// The lines of a field at a level; `parts` names, pixel by pixel, the part of the picture that a pixel
+    /// belongs to wholly.
     ///
     /// # Panics
     /// If there is not a part per pixel.
@@ -47,8 +49,8 @@ impl Isoline {
         crossings.lines().into_iter().map(|points| Self { level, points }).collect()
     }
 
-    /// The line with its steps of a pixel evened out: `times` times each point between its neighbours moves to the mean of
-    /// itself and their middle. Straight lines stay, and ends stay.
+    /// The line with its steps of a pixel evened out: `times` times each point between its neighbours moves
+    /// to the mean of itself and their middle. Straight lines stay, and ends stay.
     #[must_use]
     pub(super) fn smoothed(&self, times: usize) -> Self {
         let mut points = self.points.clone();
@@ -75,7 +77,8 @@ fn evened_ring(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     (0..=count).map(|k| mean(own(k + count - 1), own(k), own(k + 1))).collect()
 }
 
-/// A line between the middles of two neighbouring pixels: twice the index of the left or upper one, plus 1 downwards.
+/// A line between the middles of two neighbouring pixels: twice the index of the left or upper one, plus 1
+/// downwards.
 type Side = usize;
 
 /// The places where a field takes a value, on the sides of cells, and which of them are joined.
@@ -217,7 +220,8 @@ mod tests {
             let lines = Isoline::all(&field(size, cone), &whole(size), radius);
             assert_eq!(lines.len(), 1);
             assert!(lines[0].is_closed());
-            // Between two middles the cone bends by 1/(8r); each of four times a point moves by 1/(4r) to the mean.
+            // Between two middles the cone bends by 1/(8r); each of four times a point moves by 1/(4r) to the
+            // mean.
             for (line, bound) in [(&lines[0], 0.15 / radius), (&lines[0].smoothed(4), 1.3 / radius)] {
                 let farthest =
                     line.points.iter().map(|[x, y]| (cone(*x, *y) - radius).abs()).fold(0.0, f64::max);
@@ -254,7 +258,8 @@ mod tests {
         for (field, through) in [(corners(3.0, 0.0, 3.0, 0.0), true), (corners(1.2, 0.0, 1.2, 0.0), false)] {
             let lines = Isoline::all(&field, &whole([2, 2]), 1.0);
             assert_eq!(lines.len(), 2);
-            // Lines that let the high corners through cut off the low ones, at the right upper and the left lower corner.
+            // Lines that let the high corners through cut off the low ones, at the right upper and the left
+            // lower corner.
             let near = |line: &Isoline, corner: [f64; 2]| {
                 line.points.iter().all(|point| distance(*point, corner) < 1.0)
             };

@@ -1,6 +1,7 @@
 //! Labels: short texts on a picture at any angle, dark in a light halo.
 //!
-//! Letters are taken at twice or more of their size and averaged, so that turned ones are as smooth as upright ones.
+//! Letters are taken at twice or more of their size and averaged, so that turned ones are as smooth as
+//! upright ones.
 
 use super::lettering::Lettering;
 use super::picture::{Colour, Picture};
@@ -74,7 +75,8 @@ impl Label<'_> {
         }
     }
 
-    /// Lets pixels take `colour` by the mean of `part`, a function of the offset from the middle along and across.
+    /// Lets pixels take `colour` by the mean of `part`, a function of the offset from the middle along and
+    /// across.
     fn cover(&self, picture: &mut Picture, part: impl Fn([f64; 2]) -> f64, colour: Colour) {
         let corners = self.corners();
         let range = |k: usize| {
@@ -153,7 +155,8 @@ impl Ink {
         }
     }
 
-    /// The part covered at an offset from the middle, in pixels of the large letters; linear between their middles.
+    /// The part covered at an offset from the middle, in pixels of the large letters; linear between their
+    /// middles.
     fn at(&self, offset: [f64; 2]) -> f64 {
         let [x, y] = [0, 1].map(|k| offset[k] + 0.5 * f64::from(self.size[k]) - 0.5);
         let [left, top] = [x, y].map(f64::floor);

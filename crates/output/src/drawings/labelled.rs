@@ -1,8 +1,8 @@
 //! Isolines on a picture with their values, as on a map.
 //!
-//! A line is dark in a light casing, so that it is seen on every colour. Its value stands in a gap of the line, along it
-//! and never upside down, where the line is about straight, and where the text meets neither another text, nor another
-//! line, nor the rim of the picture. A line without such a place has none.
+//! A line is dark in a light casing, so that it is seen on every colour. Its value stands in a gap of the
+//! line, along it and never upside down, where the line is about straight, and where the text meets neither
+//! another text, nor another line, nor the rim of the picture. A line without such a place has none.
 
 use super::isolines::Isoline;
 use super::label::Label;
@@ -16,13 +16,14 @@ const CASING: Colour = [255; 3];
 const OPACITY: f64 = 0.45;
 /// Times that steps of a pixel are evened out. Chosen by eye.
 const EVENED: usize = 6;
-/// Shortest line that is drawn, over the height of a text; and shortest that gets a value, over the text's breadth.
-/// Chosen.
+/// Shortest line that is drawn, over the height of a text; and shortest that gets a value, over the text's
+/// breadth. Chosen.
 const SHORTEST: f64 = 2.0;
 const ROOM: f64 = 2.0;
 /// Least chord over length of the piece of line under a text. Chosen.
 const STRAIGHT: f64 = 0.96;
-/// Length of line, over the longer side of the picture, for each of which one value is told; and most of them. Chosen.
+/// Length of line, over the longer side of the picture, for each of which one value is told; and most of
+/// them. Chosen.
 const STRETCH: f64 = 0.9;
 const MOST: usize = 4;
 /// Cosine of the angle with the horizontal below which a line counts as steep. Chosen.

@@ -7,7 +7,8 @@ use super::picture::{Colour, Picture};
 /// A line of text.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lettering<'a> {
-    /// The text. ASCII, Latin-1, and superscript digits and minus; what the font has not shows as a question mark.
+    /// The text. ASCII, Latin-1, and superscript digits and minus; what the font has not shows as a question
+    /// mark.
     pub text: &'a str,
     /// Wanted height of a line in pixels; the font has 16, 20, 24 and 32, the next lower is taken.
     pub size: u32,
@@ -32,8 +33,8 @@ impl Lettering<'_> {
         });
     }
 
-    /// Calls `ink` for every pixel of the line before it is turned, from its left upper corner, with the part of it that
-    /// letters cover.
+    /// Calls `ink` for every pixel of the line before it is turned, from its left upper corner, with the part
+    /// of it that letters cover.
     pub(crate) fn ink(&self, mut ink: impl FnMut([i32; 2], f64)) {
         let size = raster(self.size);
         let mut right = 0;

@@ -1,8 +1,9 @@
 //! A picture of 8-bit sRGB pixels, to draw on and to write as PNG.
 //!
-//! Pixel (x, y) covers [x, x + 1] × [y, y + 1], y down. Lines and disks are anti-aliased: a pixel takes the colour by
-//! the part c ≈ clamp(½ + r − d, 0, 1) that a shape of half width r covers, with d the distance of the pixel's middle
-//! from the shape's. Colours are mixed as they are encoded, which keeps thin dark letters on white dark.
+//! Pixel (x, y) covers [x, x + 1] × [y, y + 1], y down. Lines and disks are anti-aliased: a pixel takes the
+//! colour by the part c ≈ clamp(½ + r − d, 0, 1) that a shape of half width r covers, with d the distance of
+//! the pixel's middle from the shape's. Colours are mixed as they are encoded, which keeps thin dark letters
+//! on white dark.
 
 use std::io::{self, Write};
 

@@ -23,14 +23,16 @@ pub fn round_below(size: f64) -> f64 {
     round.into_iter().rev().find(|x| *x <= size * (1.0 + 1e-12)).unwrap_or(size)
 }
 
-/// A range of round ends around one that ascends or is a single number: multiples of a power of ten that is at most half as wide.
+/// A range of round ends around one that ascends or is a single number: multiples of a power of ten that is
+/// at most half as wide.
 pub fn round_around([low, high]: [f64; 2]) -> [f64; 2] {
     let step = if high > low { power_below(0.5 * (high - low)) } else { 1.0 };
     let [first, last] = [(low / step + SLACK).floor(), (high / step - SLACK).ceil()];
     [first * step, last.max(first + 1.0) * step]
 }
 
-/// Multiples of 1, 2 or 5 times a power of ten in a range that ascends, 3 to 9 of them, with the text of each.
+/// Multiples of 1, 2 or 5 times a power of ten in a range that ascends, 3 to 9 of them, with the text of
+/// each.
 pub(crate) fn multiples([low, high]: [f64; 2]) -> Vec<Mark> {
     let step = [1.0, 2.0, 5.0, 10.0].map(|x| x * power_below((high - low) / 8.0));
     let step = step.into_iter().find(|step| (high - low) / step <= 8.0 * (1.0 + SLACK)).unwrap_or(step[3]);
@@ -48,8 +50,8 @@ const RATIOS: [&[f64]; 4] = [
     &[1.0],
 ];
 
-/// Round numbers in about equal ratios in a range of positive numbers that ascends, 3 to 9 of them, with the text of each.
-/// In a range of less than about a factor of 2 they are multiples.
+/// Round numbers in about equal ratios in a range of positive numbers that ascends, 3 to 9 of them, with the
+/// text of each. In a range of less than about a factor of 2 they are multiples.
 pub(super) fn ratios([low, high]: [f64; 2]) -> Vec<Mark> {
     let powers = low.log10().floor() as i32..=high.log10().floor() as i32;
     let within = |mantissas: &'static [f64], every: usize| -> Vec<f64> {
@@ -105,8 +107,8 @@ pub fn significant(number: f64, digits: usize) -> String {
     if is_handy { value.to_string() } else { format!("{value:e}") }
 }
 
-/// `values` of one column, all with the decimals that give the largest four digits; with powers of ten where that is far
-/// from 1.
+/// `values` of one column, all with the decimals that give the largest four digits; with powers of ten where
+/// that is far from 1.
 pub(crate) fn column(values: &[f64]) -> Vec<String> {
     let largest = values.iter().fold(0.0, |largest, value| f64::max(largest, value.abs()));
     match largest {

@@ -1,4 +1,5 @@
-//! Strokes: lines of many pieces whose coverage is counted once where pieces meet, so that they have an even tone.
+//! Strokes: lines of many pieces whose coverage is counted once where pieces meet, so that they have an even
+//! tone.
 
 use super::picture::{Colour, Picture};
 use super::segment::Segment;

@@ -1,9 +1,10 @@
 //! Rasters as OpenEXR: 32-bit floating point, linear, without exposure or white balance.
 //!
-//! Three bands become the channels R, G and B; any other number one channel each, named as the band (`band-2` where a
-//! name has letters outside Latin-1). The numbers are radiosities in W m⁻²; the radiance of a diffuse surface is the
-//! radiosity over π. Channel A is the part of the pixel in which a surface is seen; it is left out if a band is called
-//! A. The radiosities are means over the whole pixel, as the format wants colours: multiplied by A.
+//! Three bands become the channels R, G and B; any other number one channel each, named as the band (`band-2`
+//! where a name has letters outside Latin-1). The numbers are radiosities in W m⁻²; the radiance of a diffuse
+//! surface is the radiosity over π. Channel A is the part of the pixel in which a surface is seen; it is left
+//! out if a band is called A. The radiosities are means over the whole pixel, as the format wants colours:
+//! multiplied by A.
 
 use std::io::{self, Cursor, Read, Seek, Write};
 

@@ -48,8 +48,8 @@ pub fn texture_size(sizes: Vec<[usize; 2]>) -> [usize; 2] {
 }
 
 impl<'a> Baked<'a> {
-    /// The scene with what is `shown` of the light in `lightmap`, on its `triangulations`: both are of this scene, surface by
-    /// surface.
+    /// The scene with what is `shown` of the light in `lightmap`, on its `triangulations`: both are of this
+    /// scene, surface by surface.
     pub fn new(
         scene: &'a Scene,
         triangulations: &'a [Triangulation],
@@ -61,7 +61,8 @@ impl<'a> Baked<'a> {
         Self { scene, triangulations, lightmap, atlas, raster }
     }
 
-    /// The texels of all surfaces side by side, as they are: unit of exitance, per band, linear. Nothing is seen between them.
+    /// The texels of all surfaces side by side, as they are: unit of exitance, per band, linear. Nothing is
+    /// seen between them.
     pub fn raster(&self) -> &Raster {
         &self.raster
     }

@@ -1,7 +1,7 @@
 //! NPY, the format of NumPy, version 1.0.
 //!
-//! A magic text, the length of the header, a header in Python's notation padded to a multiple of 64 bytes, then the numbers,
-//! little-endian, in C order.
+//! A magic text, the length of the header, a header in Python's notation padded to a multiple of 64 bytes,
+//! then the numbers, little-endian, in C order.
 
 use std::io::{self, Write};
 

@@ -4,8 +4,8 @@
 //! with numpy.load("F.npz") as file: file["F"], file["names"]
 //! ```
 //!
-//! A sparse matrix has the members that `scipy.sparse.load_npz` reads: `format`, `shape` and `data`, with `row` and `col`, or
-//! with `indices` and `indptr`.
+//! A sparse matrix has the members that `scipy.sparse.load_npz` reads: `format`, `shape` and `data`, with
+//! `row` and `col`, or with `indices` and `indptr`.
 
 use std::io::{self, Write};
 

@@ -56,7 +56,8 @@ pub fn npz(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
     named(factors, archive)
 }
 
-/// NPZ with the factors that are not zero, which `scipy.sparse.load_npz` reads, and `names` and `areas` beside them.
+/// NPZ with the factors that are not zero, which `scipy.sparse.load_npz` reads, and `names` and `areas`
+/// beside them.
 ///
 /// # Errors
 /// Errors of writing to `out`.
@@ -102,9 +103,10 @@ pub fn nonzero_pairs(factors: &ViewFactors) -> Vec<[usize; 2]> {
 /// Characters of the first line that View3D writes, and reads back by their number.
 const VIEW3D_LINE: usize = 30;
 
-/// Text in the form that View3D 3.5 writes (its format 0): a line with program, version, format, whether factors are adjusted to
-/// an enclosure and whether they hold emittances (0, 0), and the number of surfaces; the areas; a row of factors for each
-/// surface; and the `emittances` ε, one for each surface. Numbers have all their digits.
+/// Text in the form that View3D 3.5 writes (its format 0): a line with program, version, format, whether
+/// factors are adjusted to an enclosure and whether they hold emittances (0, 0), and the number of surfaces;
+/// the areas; a row of factors for each surface; and the `emittances` ε, one for each surface. Numbers have
+/// all their digits.
 ///
 /// # Errors
 /// Errors of writing to `out`.

@@ -1,8 +1,8 @@
 //! A solution as an unstructured grid of VTK (`.vtu`), which ParaView opens.
 //!
-//! Irradiance and radiosity are polynomials on every element, and VTK's Lagrange cells are polynomials through values at
-//! nodes: the grid holds the light itself, not samples of it. With L_a the polynomial that is 1 at node a and 0 at all
-//! others, and ξ the cell's own coordinates,
+//! Irradiance and radiosity are polynomials on every element, and VTK's Lagrange cells are polynomials
+//! through values at nodes: the grid holds the light itself, not samples of it. With L_a the polynomial that
+//! is 1 at node a and 0 at all others, and ξ the cell's own coordinates,
 //!
 //! ```text
 //! x(ξ) = Σ_a x_a L_a(ξ) ,     E(ξ) = Σ_a E_a L_a(ξ) .
@@ -10,12 +10,13 @@
 //!
 //! | element | cells | degree |
 //! | --- | --- | --- |
-//! | flat | Lagrange triangles, and quadrilaterals where a patch is a parallelogram | the total degree of the polynomials |
+//! | flat | Lagrange triangles; quadrilaterals for patches that are parallelograms | total degree of the polynomials |
 //! | curved | Lagrange quadrilaterals over rectangles of the parameters | at least the order |
 //!
-//! E(ξ) is exact to rounding in both. So is x(ξ) on flat elements and on polynomial patches of that degree; other curved
-//! elements take a higher degree or several cells (`vtu/bending.rs`), and the grid states how far x(ξ) is from the surface at
-//! equal parameters. Each cell has points of its own: light jumps between elements.
+//! E(ξ) is exact to rounding in both. So is x(ξ) on flat elements and on polynomial patches of that degree;
+//! other curved elements take a higher degree or several cells (`vtu/bending.rs`), and the grid states how
+//! far x(ξ) is from the surface at equal parameters. Each cell has points of its own: light jumps between
+//! elements.
 //!
 //! Reference: VTK's XML formats, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
 
@@ -36,7 +37,8 @@ use cell::{Cell, Corner};
 pub use error::VtuError;
 use xml::{Document, Numbers};
 
-/// Highest degree of a cell: with even nodes rounding grows by a factor of 3·10⁴ at degree 20, and by 10⁹ at 40.
+/// Highest degree of a cell: with even nodes rounding grows by a factor of 3·10⁴ at degree 20, and by 10⁹ at
+/// 40.
 const HIGHEST_DEGREE: usize = 20;
 
 /// A solution as cells of VTK.
@@ -66,7 +68,8 @@ impl<'a> Grid<'a> {
     /// The cells of `solution`, whose elements are those of `scene`.
     ///
     /// # Errors
-    /// Light that is no polynomial, because it goes through shadow masks; polynomials of a higher degree than 20.
+    /// Light that is no polynomial, because it goes through shadow masks; polynomials of a higher degree than
+    /// 20.
     pub fn new(scene: &'a Scene, solution: &'a Solution) -> Result<Self, VtuError> {
         if solution.masked().is_some() {
             return Err(VtuError::Masked);
@@ -97,8 +100,8 @@ impl<'a> Grid<'a> {
         self.points.positions.len() / 3
     }
 
-    /// Greatest distance found between a point of a cell and the point of the surface with the same parameters (scene
-    /// length), half-way between the nodes.
+    /// Greatest distance found between a point of a cell and the point of the surface with the same
+    /// parameters (scene length), half-way between the nodes.
     pub fn deviation(&self) -> f64 {
         self.deviation
     }

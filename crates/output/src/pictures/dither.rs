@@ -4,11 +4,12 @@
 //! u(x, y) = fract(52.9829189 fract(0.06711056 x + 0.00583715 y))
 //! ```
 //!
-//! An encoded value e becomes ⌊e + u⌋: e on the average, so that walls whose light changes slowly show no bands. Whole numbers,
-//! black and white among them, stay. Neighbours get different u: the noise has no coarse grain.
+//! An encoded value e becomes ⌊e + u⌋: e on the average, so that walls whose light changes slowly show no
+//! bands. Whole numbers, black and white among them, stay. Neighbours get different u: the noise has no
+//! coarse grain.
 //!
-//! Reference: J. Jimenez, *Next generation post processing in Call of Duty: Advanced Warfare*, SIGGRAPH 2014 (interleaved
-//! gradient noise).
+//! Reference: J. Jimenez, *Next generation post processing in Call of Duty: Advanced Warfare*, SIGGRAPH 2014
+//! (interleaved gradient noise).
 
 /// u at the middle of the pixel in this column and row.
 pub(super) fn dither(column: u32, row: u32) -> f64 {

@@ -1,7 +1,7 @@
 //! Light at the places of a frame: those that the pixels of a picture see, or the texels of a surface.
 //!
-//! Direct light is computed at every place. Other light, where it is gathered, is computed at few of them and interpolated
-//! between neighbours in the frame (`smooth`).
+//! Direct light is computed at every place. Other light, where it is gathered, is computed at few of them and
+//! interpolated between neighbours in the frame (`smooth`).
 
 pub(crate) mod eye;
 mod fit;
@@ -74,8 +74,8 @@ impl<'a> FrameLight<'a> {
         Some(sum)
     }
 
-    /// Gathered light per band (W m⁻²) where a point between the places of the frame sees `seen`; None where light is not
-    /// gathered, or no place around goes with it.
+    /// Gathered light per band (W m⁻²) where a point between the places of the frame sees `seen`; None where
+    /// light is not gathered, or no place around goes with it.
     pub(crate) fn between(&self, at: [f64; 2], seen: &Seen) -> Option<Vec<f64>> {
         self.smooth.as_ref()?.between(at, seen)
     }

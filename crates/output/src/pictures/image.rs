@@ -1,7 +1,7 @@
 //! Photographs: linear light in three channels, exposed to sRGB.
 //!
-//! A pixel with several samples is the mean of their colours on the screen, not the colour of their mean. Codes are dithered
-//! (`dither`), all channels alike, so that grey stays grey.
+//! A pixel with several samples is the mean of their colours on the screen, not the colour of their mean.
+//! Codes are dithered (`dither`), all channels alike, so that grey stays grey.
 
 use super::dither::dither;
 use super::raster::Raster;
@@ -17,13 +17,14 @@ pub struct Image<'a> {
 }
 
 impl<'a> Image<'a> {
-    /// The colours of radiosities times `balance`: three bands are red, green and blue; others are averaged to grey.
+    /// The colours of radiosities times `balance`: three bands are red, green and blue; others are averaged
+    /// to grey.
     pub fn new(raster: &'a Raster, balance: [f64; 3]) -> Self {
         Self { raster, balance }
     }
 
-    /// Exposure that brings the brightest fiftieth of the non-black pixels to white: 1 over the 98th percentile of
-    /// their largest channel; 1 for a black picture.
+    /// Exposure that brings the brightest fiftieth of the non-black pixels to white: 1 over the 98th
+    /// percentile of their largest channel; 1 for a black picture.
     pub fn automatic_exposure(&self) -> f64 {
         let largest = |values: &[f64]| self.colour(values).into_iter().fold(0.0, f64::max);
         let mut levels: Vec<f64> = self.raster.pixels().map(largest).filter(|x| *x > 0.0).collect();

@@ -1,18 +1,19 @@
 //! Light maps: the irradiance of every surface as a texture.
 //!
-//! The texture of a surface has W × H texels. Their centres span its whole square of parameters, borders included,
+//! The texture of a surface has W × H texels. Their centres span its whole square of parameters, borders
+//! included,
 //!
 //! ```text
 //! u_i = −1 + 2 i/(W − 1) ,     v_j = −1 + 2 j/(H − 1) ,
 //! ```
 //!
-//! so that bilinear interpolation never asks for light beyond the outermost texels: textures that lie side by side in an atlas
-//! need no padding. The coordinates of an image in [0, 1], whose texels have their centres at (i + ½)/W, follow as
-//! s = (½ + ½(1 + u)(W − 1))/W, and t likewise.
+//! so that bilinear interpolation never asks for light beyond the outermost texels: textures that lie side by
+//! side in an atlas need no padding. The coordinates of an image in [0, 1], whose texels have their centres
+//! at (i + ½)/W, follow as s = (½ + ½(1 + u)(W − 1))/W, and t likewise.
 //!
-//! A texel outside the outline of a flat surface, in a hole, under a body or a sheet has no light of its own. If a bilinear
-//! interpolation inside may ask for it, it takes the light of the nearest open point; every other takes the mean of its
-//! neighbours, ring by ring. No dark fringe appears at borders.
+//! A texel outside the outline of a flat surface, in a hole, under a body or a sheet has no light of its own.
+//! If a bilinear interpolation inside may ask for it, it takes the light of the nearest open point; every
+//! other takes the mean of its neighbours, ring by ring. No dark fringe appears at borders.
 //!
 //! Irradiance is kept apart by light group, not dimmed, so that with the factors f_g
 //!
@@ -88,7 +89,8 @@ impl Lightmap {
             .sum()
     }
 
-    /// Radiosity (unit of exitance) of a surface of `scene` in a band at its parameters, under the irradiance `irradiance`.
+    /// Radiosity (unit of exitance) of a surface of `scene` in a band at its parameters, under the irradiance
+    /// `irradiance`.
     pub(crate) fn radiosity(
         &self,
         scene: &Scene,
@@ -103,8 +105,8 @@ impl Lightmap {
         radiosity + behind.map_or(0.0, |other| transmittance * self.irradiance(other, band, parameters))
     }
 
-    /// The light of `solved`, in about `texels` texels together, shared among the surfaces by area: every one has two along each
-    /// parameter at the least, a curved one nine. About how long that takes is told first.
+    /// The light of `solved`, in about `texels` texels together, shared among the surfaces by area: every one
+    /// has two along each parameter at the least, a curved one nine. About how long that takes is told first.
     pub fn new(solved: &Solved, read: Read, texels: usize, work: &Work<'_>) -> Self {
         let solution = &solved.outcome.solution;
         let (parts, alone): (Vec<Part>, Vec<Solution>) = parts(&solved.scene, solution).into_iter().unzip();
@@ -136,8 +138,8 @@ impl Lightmap {
         Self { parts, surfaces }
     }
 
-    /// The texels along u and along v that [`Lightmap::new`] gives each surface of `scene` of about `texels`: what is reckoned
-    /// before the work.
+    /// The texels along u and along v that [`Lightmap::new`] gives each surface of `scene` of about `texels`:
+    /// what is reckoned before the work.
     pub fn sizes(scene: &Scene, texels: usize) -> Vec<[usize; 2]> {
         sizes(scene, texels)
     }
@@ -165,20 +167,22 @@ impl LightTexture {
         places::parameters(self.size, texel)
     }
 
-    /// The place of the parameters (u, v) in an image of these texels, in [0, 1] from the outer border of the first texel.
+    /// The place of the parameters (u, v) in an image of these texels, in [0, 1] from the outer border of the
+    /// first texel.
     pub(crate) fn image_coordinates(&self, [u, v]: [f64; 2]) -> [f64; 2] {
         let place = |x: f64, count: usize| (0.5 + 0.5 * (1.0 + x) * (count - 1) as f64) / count as f64;
         [place(u, self.size[0]), place(v, self.size[1])]
     }
 
-    /// Irradiance (unit of exitance) of a part in a band, undimmed: rows of constant v from v = −1 on, u fastest.
+    /// Irradiance (unit of exitance) of a part in a band, undimmed: rows of constant v from v = −1 on, u
+    /// fastest.
     pub fn texels(&self, part: usize, band: usize) -> &[f32] {
         let count = self.size[0] * self.size[1];
         &self.values[(part * self.bands + band) * count..][..count]
     }
 
-    /// Whether the light of texel (i, j) was computed at its own centre or at the nearest open point, not filled in from its
-    /// neighbours.
+    /// Whether the light of texel (i, j) was computed at its own centre or at the nearest open point, not
+    /// filled in from its neighbours.
     pub fn is_computed(&self, [i, j]: [usize; 2]) -> bool {
         self.computed[j * self.size[0] + i]
     }
@@ -259,8 +263,8 @@ impl All<'_> {
     }
 }
 
-/// The parts that the light of a solution is kept apart by, each with its light, not dimmed; dark ones left out. None where it is
-/// not kept apart.
+/// The parts that the light of a solution is kept apart by, each with its light, not dimmed; dark ones left
+/// out. None where it is not kept apart.
 fn parts(scene: &Scene, solution: &Solution) -> Vec<(Part, Solution)> {
     let known = scene.light_groups();
     let part = |light: &GroupLight| {

@@ -37,7 +37,8 @@ impl Pinhole {
         Ray { origin: self.eye, direction, range: [0.0, f64::INFINITY] }
     }
 
-    /// Rays through `samples × samples` points of a regular grid over a pixel, counted from the left upper one.
+    /// Rays through `samples × samples` points of a regular grid over a pixel, counted from the left upper
+    /// one.
     pub(super) fn rays(&self, [column, row]: [u32; 2], samples: u32) -> impl Iterator<Item = Ray> {
         let offset = move |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
         (0..samples * samples).map(move |k| {

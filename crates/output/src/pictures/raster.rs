@@ -20,8 +20,8 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// Radiosities of `bands` in row order from the top left, bands fastest, and for each pixel the part of it in which
-    /// the front of a surface is seen. The radiosities are means over the whole pixel.
+    /// Radiosities of `bands` in row order from the top left, bands fastest, and for each pixel the part of
+    /// it in which the front of a surface is seen. The radiosities are means over the whole pixel.
     ///
     /// # Panics
     /// If there are not `width · height` coverages or not as many values times bands.

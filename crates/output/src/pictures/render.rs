@@ -1,8 +1,8 @@
 //! Pictures of a solution: camera rays meet the true surfaces, where radiosity is read.
 //!
-//! The camera is a pinhole; a ray that meets the back of a surface, or nothing, is black. Light is
-//! computed at the middles of the pixels (`frame_light`).
-//! Pixels that an edge of a surface crosses or that differ from one beside them average `samples × samples` points of a regular grid.
+//! The camera is a pinhole; a ray that meets the back of a surface, or nothing, is black. Light is computed
+//! at the middles of the pixels (`frame_light`). Pixels that an edge of a surface crosses or that differ from
+//! one beside them average `samples × samples` points of a regular grid.
 
 use std::ops::Range;
 
@@ -28,21 +28,24 @@ use super::samples::Samples;
 pub use crate::readings::reader::Read;
 use crate::readings::shown::Shown;
 
-/// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not tuned.
+/// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not
+/// tuned.
 const GATHERED: f64 = 3e-3;
 
-/// Relative difference of the radiosities of two pixels from which both are sampled finely. Chosen: four steps of eight bits,
-/// and twice the error in penumbrae.
+/// Relative difference of the radiosities of two pixels from which both are sampled finely. Chosen: four
+/// steps of eight bits, and twice the error in penumbrae.
 const CONTRAST: f64 = 0.04;
 
 /// Seconds that gathering the light of a picture may take unless asked for. Chosen.
 const PATIENCE: f64 = 10.0;
 
-/// Threads that the time is reckoned with, whatever the number that works: what is read does not depend on it. Chosen.
+/// Threads that the time is reckoned with, whatever the number that works: what is read does not depend on
+/// it. Chosen.
 const THREADS: f64 = 2.0;
 
-/// Pixels that are worked on at once; rows of more before and after them, that neighbours agree: a pixel's value hangs on
-/// those two steps of the lattice away, of each of its spacings, and one beside it. The former is chosen.
+/// Pixels that are worked on at once; rows of more before and after them, that neighbours agree: a pixel's
+/// value hangs on those two steps of the lattice away, of each of its spacings, and one beside it. The former
+/// is chosen.
 const AT_ONCE: usize = 1 << 20;
 const MARGIN: usize = 5 * COARSEST;
 
@@ -158,8 +161,9 @@ impl Shot<'_> {
         Pixel { radiosity: vec![0.0; self.light.solution().bands().len()], coverage: 0.0, samples: None }
     }
 
-    /// Whether an edge of a surface crosses a pixel of a frame that begins with the row `first`. That does not depend on light, so that
-    /// pixels at edges of little contrast are sampled alike in all frames of a film.
+    /// Whether an edge of a surface crosses a pixel of a frame that begins with the row `first`. That does
+    /// not depend on light, so that pixels at edges of little contrast are sampled alike in all frames of a
+    /// film.
     fn is_edge(&self, frame: &Frame, pixel: usize, first: usize) -> bool {
         let Some(middle) = frame.seen(pixel) else { return false };
         let [column, row] = frame.place(pixel).map(|at| at as isize);
@@ -239,8 +243,8 @@ fn apart(a: &Pixel, b: &Pixel) -> bool {
     a.coverage != b.coverage || 2.0 * apart > CONTRAST * both
 }
 
-/// Factors that make the emitted light of a three-band scene white, as a camera's white balance. All are 1 if a band
-/// emits nothing, and for any other number of bands.
+/// Factors that make the emitted light of a three-band scene white, as a camera's white balance. All are 1 if
+/// a band emits nothing, and for any other number of bands.
 pub fn white_balance(solution: &Solution) -> [f64; 3] {
     if solution.bands().len() != 3 {
         return [1.0; 3];

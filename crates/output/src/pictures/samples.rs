@@ -1,8 +1,8 @@
 //! The samples of one pixel that averages several.
 //!
-//! A raster holds their mean. A photograph needs them apart: where a lamp ends within a pixel, the mean is as bright as the
-//! lamp once it is cut off at white, and edges become stairs. Of more than 16, sorted by brightness, groups of
-//! about equal numbers are averaged: such samples look alike.
+//! A raster holds their mean. A photograph needs them apart: where a lamp ends within a pixel, the mean is as
+//! bright as the lamp once it is cut off at white, and edges become stairs. Of more than 16, sorted by
+//! brightness, groups of about equal numbers are averaged: such samples look alike.
 
 use serde::{Deserialize, Serialize};
 
@@ -27,7 +27,8 @@ pub struct Part {
 }
 
 impl Samples {
-    /// The samples of a pixel of so many `bands`, `count` in all, of which some have `seen` these radiosities.
+    /// The samples of a pixel of so many `bands`, `count` in all, of which some have `seen` these
+    /// radiosities.
     pub(super) fn new(mut seen: Vec<Vec<f64>>, bands: usize, count: usize) -> Self {
         let brightness = |sample: &Vec<f64>| sample.iter().sum::<f64>();
         seen.sort_by(|a, b| brightness(a).total_cmp(&brightness(b)));

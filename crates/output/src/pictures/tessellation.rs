@@ -1,9 +1,11 @@
-//! Triangles of every surface, for programs that draw triangles: positions, normals and parameters at their corners.
+//! Triangles of every surface, for programs that draw triangles: positions, normals and parameters at their
+//! corners.
 //!
-//! Flat surfaces become the fewest convex pieces that the scene knows them by, cut into fans; where a sheet lies on them they
-//! are left out, so that no two triangles fill one place. Bodies that stand on a surface hide it and cut nothing. Curved
-//! surfaces are cut along lines of constant u and v, finely enough that the surface and its parameters are nowhere
-//! farther from the triangles than a tolerance. Corners that two flat surfaces share are the same in both to the last bit.
+//! Flat surfaces become the fewest convex pieces that the scene knows them by, cut into fans; where a sheet
+//! lies on them they are left out, so that no two triangles fill one place. Bodies that stand on a surface
+//! hide it and cut nothing. Curved surfaces are cut along lines of constant u and v, finely enough that the
+//! surface and its parameters are nowhere farther from the triangles than a tolerance. Corners that two flat
+//! surfaces share are the same in both to the last bit.
 //!
 //! Triangles run counter-clockwise seen from the front.
 
@@ -56,7 +58,8 @@ pub fn tessellation(scene: &Scene, tolerance: f64) -> Vec<Triangulation> {
     scene.surfaces.par_iter().enumerate().map(surface).collect()
 }
 
-/// Convex pieces of a flat surface outside its `covers`: with no corners on its borders other than its own, where that can be.
+/// Convex pieces of a flat surface outside its `covers`: with no corners on its borders other than its own,
+/// where that can be.
 fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
     if covers.is_empty() {
         return region.convex_pieces().to_vec();
@@ -71,7 +74,8 @@ fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
 }
 
 impl Triangulation {
-    /// The triangles of convex facets of a surface, cut into fans; equal corners become one, and what has no area is left out.
+    /// The triangles of convex facets of a surface, cut into fans; equal corners become one, and what has no
+    /// area is left out.
     fn of(shape: &dyn Surface, facets: Vec<Vec<Corner>>) -> Self {
         let mut triangulation = Self::default();
         let mut known = HashMap::new();

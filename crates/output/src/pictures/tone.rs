@@ -1,22 +1,22 @@
 //! Tones: from linear light, exposed, to the light that a screen shows, both 1 for white.
 //!
-//! Light up to K = 0.8 of white stays as it is, so that greys keep their ratios. Brighter light would be burnt out above white;
-//! a shoulder lets it approach white instead,
+//! Light up to K = 0.8 of white stays as it is, so that greys keep their ratios. Brighter light would be
+//! burnt out above white; a shoulder lets it approach white instead,
 //!
 //! ```text
 //! y = 1 − (1 − K) e^(−(x − K)/(1 − K)) ,     x > K ,
 //! ```
 //!
-//! of slope 1 at K: within a step of eight bits of white from x = 2 on. It maps the greatest channel x of a colour, the others
-//! keep their ratios to it, so that the hue stays. What is much brighter than white then turns towards white,
-//! by the part
+//! of slope 1 at K: within a step of eight bits of white from x = 2 on. It maps the greatest channel x of a
+//! colour, the others keep their ratios to it, so that the hue stays. What is much brighter than white then
+//! turns towards white, by the part
 //!
 //! ```text
 //! g = 1 − 1/(1 + D (x − y)) ,     D = 0.15 .
 //! ```
 //!
-//! References: H. Uchimura, *HDR theory and practice*, CEDEC 2017 (the shoulder); Khronos Group, *PBR Neutral tone mapper*,
-//! 2024 (the greatest channel, K, g and D).
+//! References: H. Uchimura, *HDR theory and practice*, CEDEC 2017 (the shoulder); Khronos Group, *PBR Neutral
+//! tone mapper*, 2024 (the greatest channel, K, g and D).
 
 /// K, as a share of white.
 const KNEE: f64 = 0.8;

@@ -1,8 +1,8 @@
 //! The borders of elements as a camera sees them: hidden lines removed, curved borders curved.
 //!
-//! Camera rays at `samples × samples` points per pixel find the visible elements. A point is on a border if its right
-//! or its lower neighbour sees another element. With e = 1 there and S points along a pixel's side, the coverage of a
-//! pixel with its middle at (x, y) is
+//! Camera rays at `samples × samples` points per pixel find the visible elements. A point is on a border if
+//! its right or its lower neighbour sees another element. With e = 1 there and S points along a pixel's side,
+//! the coverage of a pixel with its middle at (x, y) is
 //!
 //! ```text
 //! 1/S Σ e(a, b) Λ(a − x) Λ(b − y) ,     Λ(x) = max(0, 1 − |x|) ,

@@ -4,8 +4,9 @@
 //! d = 100 (B − B′) / mean B′
 //! ```
 //!
-//! with B and B′ the means over the bands of a pixel, or one band of both, and the mean of B′ over all pixels that see
-//! something in it: relative to the picture, since in its dark places the ratio of two small numbers says nothing.
+//! with B and B′ the means over the bands of a pixel, or one band of both, and the mean of B′ over all pixels
+//! that see something in it: relative to the picture, since in its dark places the ratio of two small numbers
+//! says nothing.
 
 use crate::drawings::field::Field;
 

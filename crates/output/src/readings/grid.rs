@@ -6,10 +6,10 @@
 //! mean E = 1/A_cell ∫_{cell ∩ element} E dA ,
 //! ```
 //!
-//! with A_cell the area of the cell within the surface's outer outline, holes included: the mean counts a hole, where
-//! something else stands, as dark. Integrals of polynomials are exact on flat surfaces. Recomputed light is integrated
-//! by Gauss rules over the pieces of the cell; direct light, cheap but with shadow edges, gets more points than
-//! gathered light.
+//! with A_cell the area of the cell within the surface's outer outline, holes included: the mean counts a
+//! hole, where something else stands, as dark. Integrals of polynomials are exact on flat surfaces.
+//! Recomputed light is integrated by Gauss rules over the pieces of the cell; direct light, cheap but with
+//! shadow edges, gets more points than gathered light.
 
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -51,8 +51,8 @@ pub struct Cell {
     pub area: f64,
     /// Area of its elements: without holes, and without footprints that are cut out of them (scene length²).
     pub exposed: f64,
-    /// The point in the middle of the cell's parameters, in the coordinates that the scene is computed in: less
-    /// [`Scene::middle`](radiosity_scene::Scene::middle).
+    /// The point in the middle of the cell's parameters, in the coordinates that the scene is computed in:
+    /// less [`Scene::middle`](radiosity_scene::Scene::middle).
     #[serde(with = "vector")]
     pub position: DVec3,
 }
@@ -73,7 +73,8 @@ impl Default for Rates {
     }
 }
 
-/// Most cells that a thread gets at once: cells in shadow take many times as long as others. Chosen; not tuned.
+/// Most cells that a thread gets at once: cells in shadow take many times as long as others. Chosen; not
+/// tuned.
 const AT_ONCE: usize = 8;
 
 /// The means over `cells` = [along u, along v] of every surface, v fastest.
@@ -108,7 +109,8 @@ fn outline(shape: &dyn Surface) -> Option<Vec<Vec<DVec3>>> {
     PlanarRegion::new(region.outer().to_vec(), Vec::new()).ok().map(|whole| whole.convex_pieces().to_vec())
 }
 
-/// ∫ E dA, ∫ B dA and ∫ (1 − ρ − τ) E dA per band, and ∫ dA, over the part of a surface in a rectangle of its parameters.
+/// ∫ E dA, ∫ B dA and ∫ (1 − ρ − τ) E dA per band, and ∫ dA, over the part of a surface in a rectangle of its
+/// parameters.
 struct Integrals {
     irradiance: Vec<f64>,
     radiosity: Vec<f64>,
@@ -185,7 +187,8 @@ impl Integrals {
         sums
     }
 
-    /// The means; `area` is that of the cell if the surface has an outline, else the integrated area is taken.
+    /// The means; `area` is that of the cell if the surface has an outline, else the integrated area is
+    /// taken.
     fn cell(self, surface: usize, index: [usize; 2], position: DVec3, area: Option<f64>) -> Cell {
         let exposed = self.covered;
         let area = area.unwrap_or(exposed);
@@ -239,7 +242,8 @@ fn area(patch: &Patch) -> f64 {
     weights.map(|((s, ws), (t, wt))| ws * wt * patch.node(s, t).area).sum()
 }
 
-/// Gauss points per direction where direct light is smooth: 2 × 2 then err by about 8e-5 ([`DirectLight::is_smooth`]).
+/// Gauss points per direction where direct light is smooth: 2 × 2 then err by about 8e-5
+/// ([`DirectLight::is_smooth`]).
 const SMOOTH: usize = 2;
 
 /// Mean of D per band over a patch.
@@ -275,7 +279,8 @@ fn gathered(
     })
 }
 
-/// ∫ value dA / ∫ dA over a patch, both by the same Gauss rule, which is exact for constants with any number of points.
+/// ∫ value dA / ∫ dA over a patch, both by the same Gauss rule, which is exact for constants with any number
+/// of points.
 fn mean(patch: &Patch, points: usize, value: impl Fn(&Node) -> Vec<f64>) -> Vec<f64> {
     let rule = UnitRule::of(points);
     let (mut total, mut area) = (Vec::new(), 0.0);

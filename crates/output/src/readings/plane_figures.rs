@@ -7,7 +7,8 @@ use super::probe::Reading;
 use super::uniformity::Uniformity;
 use super::warning::Warning;
 
-/// Part of the greatest irradiance of a plane below which there is no light: it is the rounding of gathered light.
+/// Part of the greatest irradiance of a plane below which there is no light: it is the rounding of gathered
+/// light.
 const DARK: f64 = 1e-9;
 
 /// Figures of the readings of a plane's sensors.

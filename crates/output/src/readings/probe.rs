@@ -14,8 +14,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::readings::reader::{Light, Reader, Value};
 
-/// Least cosine between a probe's normal and its surface's for which they count as equal: where only polynomials are
-/// known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not tuned.
+/// Least cosine between a probe's normal and its surface's for which they count as equal: where only
+/// polynomials are known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not
+/// tuned.
 const SAME_NORMAL: f64 = 0.9999;
 const EQUAL_NORMAL: f64 = 1.0 - 1e-14;
 
@@ -31,7 +32,8 @@ pub struct Probe {
 impl Probe {
     /// A probe that receives along a direction of any length; None for one of length 0, or not finite.
     pub fn along(position: DVec3, direction: DVec3) -> Option<Self> {
-        // Scaled by the largest component first: squares of very long or short directions leave the range of numbers.
+        // Scaled by the largest component first: squares of very long or short directions leave the range of
+        // numbers.
         let largest = direction.abs().max_element();
         let is_some = direction.is_finite() && largest > 0.0;
         is_some.then(|| Self { position, normal: (direction / largest).normalize() })

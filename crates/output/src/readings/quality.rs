@@ -7,9 +7,9 @@
 //! | fine | 4 | 1e-3 | 3e-3 | 7e-4 | 4, 2 |
 //! | finest | 4 | 1e-3 | 3e-3 | 4e-4, twice | 4, 3 |
 //!
-//! Chosen on the Cornell box (`cargo run --release -p radiosity-studies --bin read_off`) so that the errors of all stages are similar.
-//! Shadows of the draft's transfers may be rough: cells and points are gathered with exact shadows, and in pictures
-//! read from polynomials the error of the basis dominates.
+//! Chosen on the Cornell box (`cargo run --release -p radiosity-studies --bin read_off`) so that the errors
+//! of all stages are similar. Shadows of the draft's transfers may be rough: cells and points are gathered
+//! with exact shadows, and in pictures read from polynomials the error of the basis dominates.
 
 use radiosity_solve::Options;
 use radiosity_solve::gather::choice::{By, USUAL_EPS};

@@ -19,7 +19,8 @@ pub struct ReadError {
     pub rms: f64,
     /// Largest relative deviation.
     pub largest: f64,
-    /// Number of readings of less than 2 % of the scene's mean radiosity in a band; theirs are relative to these 2 %.
+    /// Number of readings of less than 2 % of the scene's mean radiosity in a band; theirs are relative to
+    /// these 2 %.
     pub dark: usize,
 }
 

@@ -21,7 +21,7 @@ pub enum Read {
     Direct,
     /// Direct light, and the light that all surfaces reflect, gathered anew at every point, with shadows.
     Gather,
-    /// The same, with the light of those surfaces gathered as well: slower, for the last digit.
+    /// As gather, with the light of those surfaces gathered as well: slower, for the last digit.
     GatherTwice,
 }
 
@@ -137,8 +137,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Irradiance per band (W m⁻²) on the other side of a place of an element that lets light through; 0 elsewhere. `normal` is
-    /// that of the element.
+    /// Irradiance per band (W m⁻²) on the other side of a place of an element that lets light through; 0
+    /// elsewhere. `normal` is that of the element.
     pub(super) fn behind(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
         match self.solution.behind(element, place) {
             Some((behind, place)) => self.irradiance(behind, &place, -normal).irradiance,

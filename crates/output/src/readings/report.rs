@@ -43,7 +43,8 @@ pub struct Report {
     pub unknowns: usize,
     /// Name of the basis whose functions are summed.
     pub basis: &'static str,
-    /// The variational functional at the solution, for each band and light group; empty where nothing was solved for, or a file was read.
+    /// The variational functional at the solution, for each band and light group; empty where nothing was
+    /// solved for, or a file was read.
     pub functionals: Vec<Functional>,
     /// Total degree where a surface does not state its own.
     pub order: usize,
@@ -75,8 +76,8 @@ pub struct Report {
     pub kernel_samples_distinct: u64,
     /// Segments tested for visibility.
     pub shadow_rays: u64,
-    /// Largest error that unresolved parts leave in a block, relative to the larger of its largest entry and a
-    /// hundredth of its row's; zero where every part was resolved.
+    /// Largest error that unresolved parts leave in a block, relative to the larger of its largest entry and
+    /// a hundredth of its row's; zero where every part was resolved.
     pub accuracy_reached: f64,
     /// Estimated relative error of the radiosity, where an accuracy was wanted.
     pub accuracy_estimate: Option<f64>,
@@ -109,8 +110,8 @@ pub struct Transport {
     pub rays: u64,
     /// Pairs of elements that were carried exactly beside the rays.
     pub exact_pairs: usize,
-    /// Estimate of the relative error that rays leave in the mean irradiances of the elements (L2, largest of the
-    /// bands); none if exact.
+    /// Estimate of the relative error that rays leave in the mean irradiances of the elements (L2, largest of
+    /// the bands); none if exact.
     pub error: Option<f64>,
     /// Numbers of nodes, links and pairs, if hierarchical.
     pub links: Option<Counts>,
@@ -198,7 +199,8 @@ impl Report {
         }
     }
 
-    /// Adds the errors of readings by rays that were to err by `asked`, with a warning where they err by much more.
+    /// Adds the errors of readings by rays that were to err by `asked`, with a warning where they err by much
+    /// more.
     pub fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
         self.warnings.extend(error.and_then(|error| error.warning(asked)));
         self.read_error = error;

@@ -8,10 +8,10 @@ use serde::Deserialize;
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum Shown {
-    /// What leaves surfaces, as the eye sees it.
+    /// Exitance of surfaces, as the eye sees it.
     #[default]
     Radiosity,
-    /// What arrives at surfaces, as an illuminance meter shows it where the unit is lx.
+    /// Irradiance of surfaces, as an illuminance meter shows it where the unit is lx.
     Irradiance,
 }
 
@@ -59,7 +59,8 @@ fn is_lux(unit: &str) -> bool {
     matches!(unit, "lx" | "lux" | "lm/m²" | "lm/m^2" | "lm m⁻²")
 }
 
-/// The unit of power where exitance is in `unit` and lengths are metres: lm for lx, W for W/m², else their product.
+/// The unit of power where exitance is in `unit` and lengths are metres: lm for lx, W for W/m², else their
+/// product.
 pub(crate) fn power_unit(unit: &str) -> String {
     match unit {
         _ if is_lux(unit) => "lm".to_owned(),

@@ -1,11 +1,13 @@
-//! The light of each surface: means and extremes of irradiance, and the powers that arrive, stay and are sent out.
+//! The light of each surface: means and extremes of irradiance, and the powers that arrive, stay and are sent
+//! out.
 //!
 //! ```text
 //! Φ = ∫ E dA ,     mean E = Φ / A ,     absorbed ∫ (1 − ρ − τ) E dA ,     emitted ∫ E₀ dA ,
 //! ```
 //!
-//! from the means over cells ([`grid`](super::grid)), where A is the area of the elements: without holes, and without
-//! footprints that are cut out of them. Extremes are those of the means over the part of each cell that elements cover.
+//! from the means over cells ([`grid`](super::grid)), where A is the area of the elements: without holes, and
+//! without footprints that are cut out of them. Extremes are those of the means over the part of each cell
+//! that elements cover.
 
 use radiosity_solve::solution::Solution;
 
@@ -32,8 +34,8 @@ pub struct SurfaceLight {
 }
 
 impl SurfaceLight {
-    /// The light of each surface that has elements, in the scene's order; `cells` are those of the surfaces of `solution`,
-    /// surface after surface.
+    /// The light of each surface that has elements, in the scene's order; `cells` are those of the surfaces
+    /// of `solution`, surface after surface.
     pub fn of(solution: &Solution, cells: &[Cell]) -> Vec<Self> {
         let bare = |cells: &&[Cell]| cells.iter().any(|cell| cell.exposed > 0.0);
         cells.chunk_by(|a, b| a.surface == b.surface).filter(bare).map(|own| light(solution, own)).collect()

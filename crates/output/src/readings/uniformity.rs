@@ -1,4 +1,5 @@
-//! Figures of the sensors of a plane: extremes, mean, and uniformity as EN 12464-1 has it (U0) and to the maximum (Ud).
+//! Figures of the sensors of a plane: extremes, mean, and uniformity as EN 12464-1 has it (U0) and to the
+//! maximum (Ud).
 //!
 //! ```text
 //! U0 = min E / mean E ,     Ud = min E / max E

@@ -1,7 +1,7 @@
 //! Luminous openings in the words of LM-63: unit, width, length and height, whose signs tell the form.
 //!
-//! Where editions give the same signs different forms, the file's own edition counts; otherwise those of all are read, for
-//! many files state one edition and follow another.
+//! Where editions give the same signs different forms, the file's own edition counts; otherwise those of all
+//! are read, for many files state one edition and follow another.
 
 use super::edition::Edition;
 use crate::located::Located;

@@ -1,13 +1,14 @@
 //! Which functions a run sums, and the polynomials on elements that hold them.
 //!
-//! cos(k x + c) on x ∈ [−1, 1] has the orthonormal Legendre coefficients √(2 (2n + 1)) j_n(k), times a cosine or sine of c, where
+//! cos(k x + c) on x ∈ [−1, 1] has the orthonormal Legendre coefficients √(2 (2n + 1)) j_n(k), times a cosine
+//! or sine of c, where
 //!
 //! ```text
 //! |j_n(k)| ≤ kⁿ / (2n + 1)!! ,
 //! ```
 //!
-//! and a cell of half width h has k = i π h / 2 for the degree i (DLMF 10.14.4, 10.54.2). The order of a cell is the first at
-//! which the rest of this series is below the tolerance.
+//! and a cell of half width h has k = i π h / 2 for the degree i (DLMF 10.14.4, 10.54.2). The order of a cell
+//! is the first at which the rest of this series is below the tolerance.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -92,7 +93,8 @@ impl Basis {
         Ground { how: Discretization { order, space, ..*how }, mesh: Some(mesh) }
     }
 
-    /// The functions on a surface that is cut into `cells`; `degree` and `space` are those of cosines. None for polynomials.
+    /// The functions on a surface that is cut into `cells`; `degree` and `space` are those of cosines. None
+    /// for polynomials.
     pub fn functions(self, cells: &[Rect], degree: usize, space: Space) -> Option<Box<dyn SurfaceFunctions>> {
         match self {
             Self::Legendre => None,
@@ -127,7 +129,8 @@ fn mapped(mesh: &Mesh, order: &dyn Fn(&Rect, usize) -> usize) -> Mesh {
     Mesh::new(mesh.surfaces().iter().map(surface).collect())
 }
 
-/// Cells and orders that hold cosines of the degrees that `mesh` states; cells on which no order would do are cut.
+/// Cells and orders that hold cosines of the degrees that `mesh` states; cells on which no order would do are
+/// cut.
 fn holding_cosines(mut mesh: Mesh, tolerance: f64) -> Mesh {
     let order = |rect: &Rect, degree: usize| {
         let widths = [rect.u[1] - rect.u[0], rect.v[1] - rect.v[0]];

@@ -4,10 +4,10 @@
 //! f_ij(u, v) = cos(i π u′) cos(j π v′) ,     u′ = (u + 1)/2 ,  v′ = (v + 1)/2 ∈ [0, 1]
 //! ```
 //!
-//! with i + j ≤ N, or i, j ≤ N. On a surface of constant area element and area A they are orthogonal, ∫ f_ij² dA = A, A/2 or A/4
-//! for none, one or two of i and j above 0. A function of slope ≠ 0 at a side, mirrored there, has a kink: its coefficients
-//! fall like 1/i², and the error of the best sum in L² like N^(−3/2) in each direction. Elementwise polynomials have no such
-//! limit.
+//! with i + j ≤ N, or i, j ≤ N. On a surface of constant area element and area A they are orthogonal, ∫ f_ij²
+//! dA = A, A/2 or A/4 for none, one or two of i and j above 0. A function of slope ≠ 0 at a side, mirrored
+//! there, has a kink: its coefficients fall like 1/i², and the error of the best sum in L² like N^(−3/2) in
+//! each direction. Elementwise polynomials have no such limit.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -2,7 +2,8 @@
 
 use std::fmt::Debug;
 
-/// Finitely many functions f_a over the parameters (u, v) ∈ [−1, 1]² of a surface, linearly independent there. They have no unit.
+/// Finitely many functions f_a over the parameters (u, v) ∈ [−1, 1]² of a surface, linearly independent
+/// there. They have no unit.
 pub trait SurfaceFunctions: Debug + Send + Sync {
     /// Number of functions.
     fn count(&self) -> usize;

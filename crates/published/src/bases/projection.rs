@@ -4,8 +4,9 @@
 //! T_ka = ∫ φ_k f_a dA ,     M_ab = Σ_k T_ka T_kb = ∫ f_a f_b dA
 //! ```
 //!
-//! with the orthonormal polynomials φ_k of all elements together; the second equation holds where the polynomials hold the
-//! functions. Gauss rules on the patches of each element, exact for products of polynomials on flat ones.
+//! with the orthonormal polynomials φ_k of all elements together; the second equation holds where the
+//! polynomials hold the functions. Gauss rules on the patches of each element, exact for products of
+//! polynomials on flat ones.
 
 use radiosity_core::dot;
 use radiosity_elements::Element;
@@ -17,8 +18,8 @@ use radiosity_geom::{DVec3, Surface};
 
 use super::functions::SurfaceFunctions;
 
-/// Points per direction beyond the order of an element: what functions and area elements need that are no polynomials of that
-/// order. Chosen.
+/// Points per direction beyond the order of an element: what functions and area elements need that are no
+/// polynomials of that order. Chosen.
 const MORE_POINTS: usize = 8;
 
 /// The functions of a surface as polynomials on some of its elements.

@@ -1,13 +1,15 @@
-//! The subspace that the functions of a basis span among the polynomials on elements, and the orthogonal projection on it.
+//! The subspace that the functions of a basis span among the polynomials on elements, and the orthogonal
+//! projection on it.
 //!
 //! ```text
 //! Q = orthonormal columns of (c, T) ,     P = Q Qᵀ
 //! ```
 //!
-//! surface by surface, by modified Gram–Schmidt, done twice; columns that add nothing are left out. c are the coefficients of the
-//! constant 1: it comes first, since each of these bases has it in its span, and so power is kept to rounding whatever the basis.
-//! Pivots would exchange it for a column that has it only to what is left out.
-//! Parts of a surface on which others lie have functions of their own, for they receive other light than what is around them.
+//! surface by surface, by modified Gram–Schmidt, done twice; columns that add nothing are left out. c are the
+//! coefficients of the constant 1: it comes first, since each of these bases has it in its span, and so power
+//! is kept to rounding whatever the basis. Pivots would exchange it for a column that has it only to what is
+//! left out. Parts of a surface on which others lie have functions of their own, for they receive other light
+//! than what is around them.
 
 use std::ops::Range;
 
@@ -120,7 +122,8 @@ impl Group {
         }
     }
 
-    /// Σ_k |Q_ka| m_k: bounds of integrals of absolute values, from those `m` of the polynomials of all elements.
+    /// Σ_k |Q_ka| m_k: bounds of integrals of absolute values, from those `m` of the polynomials of all
+    /// elements.
     pub fn bounded(&self, m: &[f64]) -> Vec<f64> {
         let own: Vec<f64> = self.ranges.iter().flat_map(|range| &m[range.clone()]).copied().collect();
         self.columns.iter().map(|column| column.iter().zip(&own).map(|(q, m)| q.abs() * m).sum()).collect()

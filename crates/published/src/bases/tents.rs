@@ -4,8 +4,9 @@
 //! Λ_ij(u, v) = λ_i(u) λ_j(v) ,     λ_i linear between breaks, 1 at break i and 0 at all others
 //! ```
 //!
-//! They are continuous across the cells of the surface, and sum to 1. On triangles and other polygons the cells are those of the
-//! parallelogram around them, cut off at the outline: there are no tents of three corners.
+//! They are continuous across the cells of the surface, and sum to 1. On triangles and other polygons the
+//! cells are those of the parallelogram around them, cut off at the outline: there are no tents of three
+//! corners.
 
 use super::functions::SurfaceFunctions;
 

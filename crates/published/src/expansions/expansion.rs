@@ -5,11 +5,12 @@ use radiosity_geom::DVec3;
 
 use crate::series::{BlockSeries, MovedBlock, Settings, TranslatedPair};
 
-/// N. Chosen: from four to twelve orders reach from a tenth to four tenths of the distance at 1e-4 and are repaid after three to
-/// twelve displacements (`docs/theory/animation.md`).
+/// N. Chosen: from four to twelve orders reach from a tenth to four tenths of the distance at 1e-4 and are
+/// repaid after three to twelve displacements (`docs/theory/animation.md`).
 pub const ORDERS: usize = 8;
 
-/// Displacements within the range for which a pair is expanded. Chosen: an expansion costs about five integrals.
+/// Displacements within the range for which a pair is expanded. Chosen: an expansion costs about five
+/// integrals.
 const PAYS: f64 = 8.0;
 
 /// Part of the range from where the pair is to the centre, so that most of the range lies ahead. Chosen.
@@ -31,8 +32,8 @@ pub(super) struct Expansion {
 }
 
 impl Expansion {
-    /// For a pair displaced by `now`, which was displaced by `step` less before; None where there is no series, or where it would
-    /// not be repaid if the pair goes on like this.
+    /// For a pair displaced by `now`, which was displaced by `step` less before; None where there is no
+    /// series, or where it would not be repaid if the pair goes on like this.
     pub(super) fn ahead(
         [receiver, emitter]: [&Element; 2],
         now: DVec3,

@@ -7,8 +7,8 @@ use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
 use radiosity_geom::DVec3;
 
-/// Relative difference of coordinates, and of values of functions, that is rounding. Chosen: coordinates of moved things were
-/// rounded two or three times, and what follows from them is amplified by the functions.
+/// Relative difference of coordinates, and of values of functions, that is rounding. Chosen: coordinates of
+/// moved things were rounded two or three times, and what follows from them is amplified by the functions.
 const ROUNDED: f64 = 1e-14;
 const ROUNDED_VALUES: f64 = 1e-10;
 

@@ -4,8 +4,8 @@
 //! (I − S T S) y = S T E₀ ,     B = E₀ + S y ,     S = √(ρ/A)
 //! ```
 //!
-//! The equation of `solve::system` on constants: with b = √A B it reads (I − √ρ G √ρ) y = √ρ G e, G = A^−½ T A^−½.
-//! Leaves with ρ = 0 have no unknowns.
+//! The equation of `solve::system` on constants: with b = √A B it reads (I − √ρ G √ρ) y = √ρ G e, G = A^−½ T
+//! A^−½. Leaves with ρ = 0 have no unknowns.
 
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Partition, Report, Settings, SolveError};
@@ -99,8 +99,8 @@ impl<'a> BandSystem<'a> {
         self.hierarchy.leaves().iter().zip(power).map(|(leaf, power)| power / leaf.area).collect()
     }
 
-    /// The gathering of 1991: B ← E₀ + ρ T B/A from B = E₀ on, until no radiosity changes by more than `tolerance` of
-    /// the greatest one, or `most` times. Returns B (W m⁻²) and the number of gatherings.
+    /// The gathering of 1991: B ← E₀ + ρ T B/A from B = E₀ on, until no radiosity changes by more than
+    /// `tolerance` of the greatest one, or `most` times. Returns B (W m⁻²) and the number of gatherings.
     pub fn gathered(&self, tolerance: f64, most: usize) -> (Vec<f64>, usize) {
         let mut radiosity = self.exitance.clone();
         for count in 1..=most {

@@ -17,12 +17,13 @@ use super::refinement::{Pair, Refinement};
 use super::solution::{Hierarchical, Light};
 use super::tree::Tree;
 
-/// Solves a scene of Lambertian surfaces with constants on elements that the light asks for; back sides only hide.
+/// Solves a scene of Lambertian surfaces with constants on elements that the light asks for; back sides only
+/// hide.
 ///
-/// `observer` hears of each round. The result does not depend on the number of threads. No error is estimated: a link
-/// carries at most the power `options.eps`, but for the least faces, and links of clusters err the less the larger `separation` is.
-/// In a hall of 1014 surfaces the mean irradiances err by 2 % of the largest at separation 1.5, by 0.9 % at 3
-/// (study `links`).
+/// `observer` hears of each round. The result does not depend on the number of threads. No error is
+/// estimated: a link carries at most the power `options.eps`, but for the least faces, and links of clusters
+/// err the less the larger `separation` is. In a hall of 1014 surfaces the mean irradiances err by 2 % of the
+/// largest at separation 1.5, by 0.9 % at 3 (study `links`).
 ///
 /// # Errors
 /// Options out of range, and what the solver says.
@@ -99,8 +100,8 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Refines the pair of the root with itself at first, then the links that became too bright, and links what is
-    /// found. Returns whether any pair was open, so that something changed.
+    /// Refines the pair of the root with itself at first, then the links that became too bright, and links
+    /// what is found. Returns whether any pair was open, so that something changed.
     fn refine(&mut self, tree: &mut Tree, light: &mut [Vec<f64>], is_first: bool) -> bool {
         let least_area = self.options.least_area * tree.nodes().first().map_or(0.0, |root| root.area);
         let oracle = Oracle { eps: self.options.eps, separation: self.options.separation };

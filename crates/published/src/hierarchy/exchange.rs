@@ -4,8 +4,8 @@
 //! w = ∬ κ dA dA ,     κ = cos⁺ cos⁺ / (π r²)                                   (length²)
 //! ```
 //!
-//! Between flat faces in closed form ([`polygon_exchange`]), exact also where they touch; between a flat and a curved one
-//! by Lambert's formula at the Gauss points of the curved one; else by the Gauss points of both.
+//! Between flat faces in closed form ([`polygon_exchange`]), exact also where they touch; between a flat and
+//! a curved one by Lambert's formula at the Gauss points of the curved one; else by the Gauss points of both.
 
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_geom::{DVec3, clip_polygon};
@@ -14,8 +14,8 @@ use radiosity_kernel::{kernel, polygon_exchange};
 
 use super::face::Face;
 
-/// Gauss points per direction on the first and the second face: two numbers, so that no point meets itself where a face
-/// exchanges light with itself. Chosen; not tuned.
+/// Gauss points per direction on the first and the second face: two numbers, so that no point meets itself
+/// where a face exchanges light with itself. Chosen; not tuned.
 const POINTS: [usize; 2] = [4, 5];
 
 /// w of two faces, which may be one and the same.

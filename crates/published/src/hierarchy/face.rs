@@ -42,8 +42,8 @@ impl Face {
         Self::over((surface, shape), &pieces, Rect::FULL, shape.area())
     }
 
-    /// The part over `rect`, where its convex `pieces` reach if it is flat; `area` (scene length²) is that of the
-    /// surface.
+    /// The part over `rect`, where its convex `pieces` reach if it is flat; `area` (scene length²) is that of
+    /// the surface.
     fn over(
         (surface, shape): (usize, &Arc<dyn Surface>),
         pieces: &[Vec<DVec3>],
@@ -91,7 +91,8 @@ impl Face {
         }
     }
 
-    /// Sets the moments, for its `area` (scene length²); those of the constant function are then right to rounding.
+    /// Sets the moments, for its `area` (scene length²); those of the constant function are then right to
+    /// rounding.
     pub(crate) fn measure(&mut self, area: f64) {
         let mut moments = [0.0; HARMONICS];
         if let Some(normal) = self.normal {

@@ -5,15 +5,16 @@
 //! push:  Φ_c = Φ_c + (A_c/A_p) Φ_p ,   Φ_c = Φ_c + m_c·f_p ,   f_c = f_c + f_p
 //! ```
 //!
-//! Push is the transpose of pull. Pull keeps constants, push keeps power; Φ/A, the irradiance, is handed down unchanged.
+//! Push is the transpose of pull. Pull keeps constants, push keeps power; Φ/A, the irradiance, is handed down
+//! unchanged.
 
 use radiosity_core::dot;
 
 use super::harmonics::{HARMONICS, add};
 use super::tree::Tree;
 
-/// A number on every face and nine on every cluster: radiosity (W m⁻²) and directional intensity (W, times π per sr)
-/// going up, power (W) and directional field (W m⁻²) coming down.
+/// A number on every face and nine on every cluster: radiosity (W m⁻²) and directional intensity (W, times π
+/// per sr) going up, power (W) and directional field (W m⁻²) coming down.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fields {
     /// Of the faces, in the order of the tree.

@@ -1,7 +1,8 @@
 //! Grouping of surfaces into clusters: a binary tree over their bounding boxes.
 //!
-//! Surfaces longer than half of a group part from the rest of it: the walls of a room would make every group large. A
-//! group of similar surfaces parts at the median of their centres, along the longest side of the box of these.
+//! Surfaces longer than half of a group part from the rest of it: the walls of a room would make every group
+//! large. A group of similar surfaces parts at the median of their centres, along the longest side of the box
+//! of these.
 
 use radiosity_geom::Aabb;
 

@@ -4,9 +4,9 @@
 //! max(0, n·ω) = Σ_lm A_l Y_lm(n) Y_lm(ω) ,     A₀ = π , A₁ = 2π/3 , A₂ = π/4 , A₃ = 0 , A₄ = −π/24 , …
 //! ```
 //!
-//! Cut off after l = 2 the sum is ¼ + ½ t + 5/32 (3 t² − 1) of t = n·ω: its greatest error is 1/16, at t = ±1, and its
-//! least value −0.0396. Reference: R. Ramamoorthi, P. Hanrahan, *On the relationship between radiance and
-//! irradiance*, JOSA A 18 (2001), eq. 19.
+//! Cut off after l = 2 the sum is ¼ + ½ t + 5/32 (3 t² − 1) of t = n·ω: its greatest error is 1/16, at
+//! t = ±1, and its least value −0.0396. Reference: R. Ramamoorthi, P. Hanrahan, *On the relationship between
+//! radiance and irradiance*, JOSA A 18 (2001), eq. 19.
 
 use std::f64::consts::PI;
 
@@ -21,7 +21,8 @@ const COSINE: [f64; HARMONICS] = {
     [PI, one, one, one, two, two, two, two, two]
 };
 
-/// Y_lm of a unit vector, in the order (0,0), (1,−1), (1,0), (1,1), (2,−2), …, (2,2); orthonormal on the sphere.
+/// Y_lm of a unit vector, in the order (0,0), (1,−1), (1,0), (1,1), (2,−2), …, (2,2); orthonormal on the
+/// sphere.
 pub fn harmonics(DVec3 { x, y, z }: DVec3) -> [f64; HARMONICS] {
     let (zero, one) = ((0.25 / PI).sqrt(), (0.75 / PI).sqrt());
     let (two, axial) = ((3.75 / PI).sqrt(), (0.3125 / PI).sqrt());

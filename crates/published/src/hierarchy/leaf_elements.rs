@@ -4,8 +4,8 @@
 //! B_leaf = Σ_i √A_i x_i / Σ_i A_i ,     y_i = √A_i Φ_leaf / Σ_i A_i ,     i the elements on a leaf
 //! ```
 //!
-//! x and y are coefficients of the area-orthonormal constants. A leaf has one element, what other surfaces cover left out,
-//! or none where all of it is a hole or covered.
+//! x and y are coefficients of the area-orthonormal constants. A leaf has one element, what other surfaces
+//! cover left out, or none where all of it is a hole or covered.
 
 use radiosity_elements::cells::Layers;
 use radiosity_elements::mesh::{Mesh, Tree};

@@ -4,9 +4,9 @@
 //! y = Σ_links P_pᵀ G_pq P_q x + its transpose ,     P pulls the leaves' coefficients up to a node (`two_scale`)
 //! ```
 //!
-//! Linked at the leaves only, this is the flat operator of [`Blocks`](radiosity_kernel::Blocks). A link of larger
-//! elements stands for the products of all their leaves with what the kernel has beyond its projection left out
-//! (Gortler, Schröder, Cohen, Hanrahan 1993).
+//! Linked at the leaves only, this is the flat operator of [`Blocks`](radiosity_kernel::Blocks). A link of
+//! larger elements stands for the products of all their leaves with what the kernel has beyond its projection
+//! left out (Gortler, Schröder, Cohen, Hanrahan 1993).
 
 use std::ops::Range;
 
@@ -63,8 +63,8 @@ impl LinkedBlocks {
         all
     }
 
-    /// Links two elements by G, row by row: rows of the first, columns of the second. It is used both ways; a link of
-    /// an element with itself once.
+    /// Links two elements by G, row by row: rows of the first, columns of the second. It is used both ways; a
+    /// link of an element with itself once.
     ///
     /// # Panics
     /// If there is no such element, or `values` has another size than the block.
@@ -87,7 +87,8 @@ impl LinkedBlocks {
         all
     }
 
-    /// The coefficients of the leaves, from those of all levels added; the transpose of [`LinkedBlocks::pull`].
+    /// The coefficients of the leaves, from those of all levels added; the transpose of
+    /// [`LinkedBlocks::pull`].
     pub fn push(&self, mut all: Vec<f64>) -> Vec<f64> {
         for Node { coefficients, parent } in &self.nodes {
             let Some((parent, scale)) = parent else { continue };

@@ -4,8 +4,8 @@
 //! Φ_p = Σ_q w B_q ,     f_p = Σ_q w s_q Y(d_pq) ,     s_q = B_q of a face, x_q·Y(−d_pq) of a cluster
 //! ```
 //!
-//! The weight w is the exchange of two faces times visibility; with clusters it is V/(π r²), times the area that a face
-//! shows towards the cluster's centre.
+//! The weight w is the exchange of two faces times visibility; with clusters it is V/(π r²), times the area
+//! that a face shows towards the cluster's centre.
 
 use std::f64::consts::PI;
 

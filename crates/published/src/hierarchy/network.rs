@@ -119,7 +119,8 @@ impl Hierarchy {
         Fields::pull(&self.tree, &self.nodes, radiosity)
     }
 
-    /// The power that the leaves receive (W), from what all nodes receive; the transpose of [`Hierarchy::pull`].
+    /// The power that the leaves receive (W), from what all nodes receive; the transpose of
+    /// [`Hierarchy::pull`].
     pub fn push(&self, received: Fields) -> Vec<f64> {
         received.push(&self.tree, &self.nodes)
     }
@@ -129,7 +130,8 @@ impl Hierarchy {
         self.push(self.links.gather(&self.tree, &self.pull(radiosity)))
     }
 
-    /// T_ii of each leaf: the light that it sends to itself over links of the faces that contain it (scene length²).
+    /// T_ii of each leaf: the light that it sends to itself over links of the faces that contain it (scene
+    /// length²).
     pub(crate) fn own(&self) -> Vec<f64> {
         let nodes = self.tree.nodes();
         let clusters = self.tree.clusters();

@@ -9,7 +9,8 @@ pub struct HierarchyOptions {
     pub eps: f64,
     /// Faces up to this part of the area of all surfaces are not cut; above 0.
     pub least_area: f64,
-    /// Least distance of the centres of two linked nodes of which one is a cluster, in sums of their radii; at least 1.
+    /// Least distance of the centres of two linked nodes of which one is a cluster, in sums of their radii;
+    /// at least 1.
     pub separation: f64,
     /// Most rounds of refinement; at least 1.
     pub rounds: usize,
@@ -22,8 +23,8 @@ pub struct HierarchyOptions {
 }
 
 impl Default for HierarchyOptions {
-    /// Links of 1e-4 of the power, faces of 1e-5 of the area, balls half a sum of radii apart, eight rounds, sixteen
-    /// rays, conjugate gradients to 1e-8.
+    /// Links of 1e-4 of the power, faces of 1e-5 of the area, balls half a sum of radii apart, eight rounds,
+    /// sixteen rays, conjugate gradients to 1e-8.
     fn default() -> Self {
         Self {
             eps: 1e-4,

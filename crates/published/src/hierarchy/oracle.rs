@@ -1,15 +1,15 @@
 //! The oracle: whether a pair of nodes is linked, split or left out.
 //!
-//! With the areas a that the nodes show each other at most, the power that q sends to p is estimated from above, without
-//! visibility, by that to a disc (Hanrahan, Salzman, Aupperle 1991)
+//! With the areas a that the nodes show each other at most, the power that q sends to p is estimated from
+//! above, without visibility, by that to a disc (Hanrahan, Salzman, Aupperle 1991)
 //!
 //! ```text
 //! Φ ≤ B_q a_q a_p / (π r² + max(a_p, a_q)) ,    a = A min(1, h/r) ,    a = min(A, π R²) of a cluster ,
 //! ```
 //!
 //! where h is the greatest height of the other node over the plane of a flat face. Weighted so by brightness
-//! (Smits, Arvo, Salesin 1992) a pair is linked if Φ in both directions and in all bands is at most eps of the power
-//! that the scene emits. A cluster is linked only to nodes from which its ball keeps apart.
+//! (Smits, Arvo, Salesin 1992) a pair is linked if Φ in both directions and in all bands is at most eps of
+//! the power that the scene emits. A cluster is linked only to nodes from which its ball keeps apart.
 
 use std::f64::consts::PI;
 
@@ -39,8 +39,8 @@ pub(crate) struct Oracle {
 }
 
 impl Oracle {
-    /// The verdict about two nodes; `light` tells of a node the power that it sends (B A per band, in parts of the
-    /// emitted power).
+    /// The verdict about two nodes; `light` tells of a node the power that it sends (B A per band, in parts
+    /// of the emitted power).
     pub(crate) fn judge(&self, tree: &Tree, light: &[Vec<f64>], [p, q]: [usize; 2]) -> Verdict {
         let nodes = [p, q].map(|node| &tree.nodes()[node]);
         let [first, second] = nodes;
@@ -83,7 +83,8 @@ fn height(node: &Node, other: &Node) -> f64 {
     }
 }
 
-/// Greatest cosine between the normal of a flat face and the direction to the other node, about; 1 for others.
+/// Greatest cosine between the normal of a flat face and the direction to the other node, about; 1 for
+/// others.
 fn cosine(node: &Node, height: f64, distance: f64) -> f64 {
     let is_flat = node.face.as_ref().is_some_and(|face| face.normal.is_some());
     if is_flat { (height / distance).min(1.0) } else { 1.0 }

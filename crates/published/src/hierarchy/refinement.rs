@@ -1,8 +1,9 @@
 //! Refinement: the pairs of nodes that are to be linked.
 //!
-//! From the pair of the root with itself on, a pair is linked, left out or replaced by pairs of children: of the larger
-//! node, by radius, or of the other where the larger is no larger than the least area (Hanrahan, Salzman, Aupperle 1991,
-//! with clusters as of Smits, Arvo, Greenberg 1994). A node's pair with itself becomes the pairs of its children.
+//! From the pair of the root with itself on, a pair is linked, left out or replaced by pairs of children: of
+//! the larger node, by radius, or of the other where the larger is no larger than the least area (Hanrahan,
+//! Salzman, Aupperle 1991, with clusters as of Smits, Arvo, Greenberg 1994). A node's pair with itself
+//! becomes the pairs of its children.
 
 use radiosity_work::interruption::check_interrupt;
 

@@ -4,8 +4,8 @@
 //! V = Σ_k κ(x_k, y_k) v(x_k, y_k) / Σ_k κ(x_k, y_k) ,     κ = cos⁺ cos⁺ / (π r²)
 //! ```
 //!
-//! over quasi-random pairs of points, spread by area over the surfaces of either node. Pairs with κ = 0 cast no ray. The
-//! points follow from the numbers of the nodes alone, so that no thread changes a bit.
+//! over quasi-random pairs of points, spread by area over the surfaces of either node. Pairs with κ = 0 cast
+//! no ray. The points follow from the numbers of the nodes alone, so that no thread changes a bit.
 
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::{shift, shifted};
@@ -19,8 +19,8 @@ use super::tree::Tree;
 /// Pairs of points that are tried for each ray that is wanted. Chosen; not tuned.
 const TRIES: u64 = 4;
 
-/// The part of the exchange of two nodes that is not hidden, by `rays` rays or fewer; 0 where no pair of points faces
-/// each other.
+/// The part of the exchange of two nodes that is not hidden, by `rays` rays or fewer; 0 where no pair of
+/// points faces each other.
 pub(crate) fn visible_part(tree: &Tree, obstacles: &RayTree, [p, q]: [usize; 2], rays: usize) -> f64 {
     let shift = shift::<4>((p as u64) << 32 | q as u64);
     let (mut all, mut free, mut cast) = (0.0, 0.0, 0);

@@ -1,7 +1,7 @@
 //! The tree of nodes: clusters, below them whole surfaces, below these the cells of their parameters.
 //!
-//! The children of a node stand behind it in the list: up the tree is from the end to the beginning. Areas of cells are
-//! scaled to add up to that of the face that was cut, so that means by area keep constants.
+//! The children of a node stand behind it in the list: up the tree is from the end to the beginning. Areas of
+//! cells are scaled to add up to that of the face that was cut, so that means by area keep constants.
 
 use std::sync::Arc;
 

@@ -4,12 +4,12 @@
 //! H_mk = ∫_child φ_m^child φ_k^parent dA ,     push: b^child = H b^parent ,     pull: b^parent = Σ_children Hᵀ b^child
 //! ```
 //!
-//! Push restricts the parent's polynomial to the child, without error where the child carries polynomials of at least
-//! the parent's order in coordinates that are affine in the parent's. Pull is its transpose and the L₂ projection on
-//! the parent's polynomials. Where the children cover the parent, Σ HᵀH = 1: pull undoes push, and push keeps
-//! ‖b‖₂² = ∫ B² dA (Parseval). The measure of the child integrates the products exactly, so that H is exact up to
-//! rounding. On a parallelogram with quarters as children H is the product of the matrices of
-//! [`radiosity_core::legendre`] and of ½, from √(A_child/A_parent).
+//! Push restricts the parent's polynomial to the child, without error where the child carries polynomials of
+//! at least the parent's order in coordinates that are affine in the parent's. Pull is its transpose and the
+//! L₂ projection on the parent's polynomials. Where the children cover the parent, Σ HᵀH = 1: pull undoes
+//! push, and push keeps ‖b‖₂² = ∫ B² dA (Parseval). The measure of the child integrates the products exactly,
+//! so that H is exact up to rounding. On a parallelogram with quarters as children H is the product of the
+//! matrices of [`radiosity_core::legendre`] and of ½, from √(A_child/A_parent).
 //!
 //! Reference: S. Gortler, P. Schröder, M. Cohen, P. Hanrahan, *Wavelet radiosity*, SIGGRAPH 93 (1993), §4.
 

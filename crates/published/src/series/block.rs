@@ -85,8 +85,8 @@ impl BlockSeries {
     /// Expands the block of `pair` about p = `centre`.
     ///
     /// # Errors
-    /// A tolerance out of range; elements that touch or nearly do there, or of which one passes through the plane of the
-    /// other.
+    /// A tolerance out of range; elements that touch or nearly do there, or of which one passes through the
+    /// plane of the other.
     pub fn new(pair: &TranslatedPair, centre: f64, settings: Settings) -> Result<Self, SeriesError> {
         settings.checked()?;
         let Settings { orders, tolerance } = settings;
@@ -107,20 +107,20 @@ impl BlockSeries {
         Ok(Self { centre, range, radius, terms, remainder, rule_error, samples: count })
     }
 
-    /// The displacements at which the series may be evaluated: within its radius, and as long as the same parts of the
-    /// elements face each other.
+    /// The displacements at which the series may be evaluated: within its radius, and as long as the same
+    /// parts of the elements face each other.
     pub fn range(&self) -> Span {
         self.range
     }
 
-    /// The largest |p − centre| for which the bound of what is left out is half the tolerance and the rules have enough
-    /// points; infinite where the elements do not face each other.
+    /// The largest |p − centre| for which the bound of what is left out is half the tolerance and the rules
+    /// have enough points; infinite where the elements do not face each other.
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
-    /// The |p − centre| below which the series converges: the least distance of the elements at the centre, over the
-    /// length of the direction.
+    /// The |p − centre| below which the series converges: the least distance of the elements at the centre,
+    /// over the length of the direction.
     pub fn convergence(&self) -> f64 {
         self.remainder.convergence
     }
@@ -130,7 +130,8 @@ impl BlockSeries {
         self.remainder.at((p - self.centre).abs())
     }
 
-    /// Φ_n, row-major, receiver's functions by emitter's, 1/lengthⁿ where the direction is a length; n = 0 … N.
+    /// Φ_n, row-major, receiver's functions by emitter's, 1/lengthⁿ where the direction is a length; n = 0 …
+    /// N.
     pub fn terms(&self) -> &[Vec<f64>] {
         &self.terms
     }

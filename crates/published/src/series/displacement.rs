@@ -6,7 +6,8 @@
 //! κ(p) = −(n_y·(r + p))(n_x·(r + p))/π · Σ a_k p^k
 //! ```
 //!
-//! It holds the products of displacements along different axes, which a sum of three series along the axes lacks. Range:
+//! It holds the products of displacements along different axes, which a sum of three series along the axes
+//! lacks. Range:
 //! |p| < r. (N + 1)(N + 2)(N + 3)/6 coefficients to total degree N.
 
 use core::f64::consts::FRAC_1_PI;

@@ -1,9 +1,9 @@
 //! Parts of two flat patches that face each other while one is translated.
 //!
-//! The height of a corner c of one patch over the plane of the other is h(p) = h(0) + p n·d. A patch is in front of the
-//! plane, behind it or cut by it, until the first corner that is not yet in the plane reaches it. Parts that face each
-//! other are a polygon that stays as it is only where the patch is in front, or where it is cut and moves along the
-//! plane.
+//! The height of a corner c of one patch over the plane of the other is h(p) = h(0) + p n·d. A patch is in
+//! front of the plane, behind it or cut by it, until the first corner that is not yet in the plane reaches
+//! it. Parts that face each other are a polygon that stays as it is only where the patch is in front, or
+//! where it is cut and moves along the plane.
 
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{DVec3, ROUNDING, clip_polygon};
@@ -38,8 +38,9 @@ struct Polygon {
 }
 
 impl Faces {
-    /// Of the receiver's patch `p` and the emitter's `q`, which is displaced by `shift` and moves along `direction`;
-    /// heights below `tolerance` (scene length) are zero. Only flat patches have a normal of their own: None for others.
+    /// Of the receiver's patch `p` and the emitter's `q`, which is displaced by `shift` and moves along
+    /// `direction`; heights below `tolerance` (scene length) are zero. Only flat patches have a normal of
+    /// their own: None for others.
     pub(crate) fn of([p, q]: [&Patch; 2], shift: DVec3, direction: DVec3, tolerance: f64) -> Option<Self> {
         let (receiver, emitter) = (Polygon::of(p, DVec3::ZERO)?, Polygon::of(q, shift)?);
         let sides =

@@ -17,8 +17,8 @@ pub struct TranslatedPair<'a> {
 }
 
 impl<'a> TranslatedPair<'a> {
-    /// `direction` is the displacement of the emitter relative to the receiver per unit of p (scene length). Where the
-    /// receiver moves it is the opposite of the receiver's; where both move, the difference.
+    /// `direction` is the displacement of the emitter relative to the receiver per unit of p (scene length).
+    /// Where the receiver moves it is the opposite of the receiver's; where both move, the difference.
     ///
     /// # Errors
     /// A direction without length, or a curved element.

@@ -1,4 +1,5 @@
-//! Two points with their normals: the kernel between them, its series along a direction, and what bounds its terms.
+//! Two points with their normals: the kernel between them, its series along a direction, and what bounds its
+//! terms.
 
 use core::f64::consts::FRAC_1_PI;
 
@@ -31,8 +32,8 @@ pub(crate) struct Quotient {
 }
 
 impl PointPair {
-    /// κ of the pair with the emitter displaced by `displacement`, negative where one side faces away and positive where
-    /// both do.
+    /// κ of the pair with the emitter displaced by `displacement`, negative where one side faces away and
+    /// positive where both do.
     pub fn kernel(&self, displacement: DVec3) -> f64 {
         let r = self.offset + displacement;
         let r2 = r.length_squared();
@@ -47,8 +48,8 @@ impl PointPair {
         quotient(&numerator.map(|x| [x]), &[a], &[b], rows);
     }
 
-    /// Bound of what the powers above p^N, N = `orders`, add to κ at p along `direction`; infinite where the series
-    /// diverges.
+    /// Bound of what the powers above p^N, N = `orders`, add to κ at p along `direction`; infinite where the
+    /// series diverges.
     pub fn remainder(&self, direction: DVec3, orders: usize, p: f64) -> f64 {
         let of_pair = self.quotient(direction, self.offset.length_squared());
         let step = p.abs();

@@ -5,15 +5,15 @@
 //! ξ₀ = 1 ,   n r² ξ_n = −(2(n + 1) α ξ_{n−1} + (n + 2) β ξ_{n−2})
 //! ```
 //!
-//! with Gegenbauer's polynomials C⁽²⁾; the recurrence follows from (1 + Ap + Bp²) f′ + 2(A + 2Bp) f = 0. With a
-//! quadratic numerator N₀ + N₁p + N₂p² the quotient follows from two synthetic divisions,
+//! with Gegenbauer's polynomials C⁽²⁾; the recurrence follows from (1 + Ap + Bp²) f′ + 2(A + 2Bp) f = 0. With
+//! a quadratic numerator N₀ + N₁p + N₂p² the quotient follows from two synthetic divisions,
 //!
 //! ```text
 //! w_n = N_n − A w_{n−1} − B w_{n−2} ,     φ_n = w_n − A φ_{n−1} − B φ_{n−2} ,
 //! ```
 //!
-//! four multiplications and additions per order, without a division. Both forms are stable for every angle, α = 0
-//! included (ξ_{2m} = (−1)ᵐ (m + 1) Bᵐ, odd terms zero). They converge for |p| √β < r.
+//! four multiplications and additions per order, without a division. Both forms are stable for every angle,
+//! α = 0 included (ξ_{2m} = (−1)ᵐ (m + 1) Bᵐ, odd terms zero). They converge for |p| √β < r.
 //!
 //! Reference: NIST Digital Library of Mathematical Functions, 18.9.1 and 18.12.4 (λ = 2).
 
@@ -30,7 +30,8 @@ pub fn inverse_square(alpha: f64, beta: f64, r2: f64, out: &mut [f64]) {
     }
 }
 
-/// Writes φ_0 … φ_{m−1} of (N₀ + N₁p + N₂p²)/(1 + A p + B p²)², m = `out.len()`, for W quotients side by side.
+/// Writes φ_0 … φ_{m−1} of (N₀ + N₁p + N₂p²)/(1 + A p + B p²)², m = `out.len()`, for W quotients side by
+/// side.
 #[inline]
 pub(super) fn quotient<const W: usize>(
     numerator: &[[f64; W]; 3],

@@ -7,8 +7,8 @@ use super::error::SeriesError;
 pub struct Settings {
     /// N, the highest power of p.
     pub orders: usize,
-    /// Largest error of an entry, relative to the largest entry at the centre of the expansion, from 1e-15 to below 1:
-    /// half of it for the rules, half for the powers left out.
+    /// Largest error of an entry, relative to the largest entry at the centre of the expansion, from 1e-15 to
+    /// below 1: half of it for the rules, half for the powers left out.
     pub tolerance: f64,
 }
 
@@ -22,8 +22,9 @@ impl Settings {
         if (1e-15..1.0).contains(&tolerance) { Ok(()) } else { Err(SeriesError::Tolerance { tolerance }) }
     }
 
-    /// About the displacement over the distance to which the series holds: C_n⁽²⁾ is about (n + 1)/2 where the motion is
-    /// across, so that the first term left out is (N + 2)/2 · h^{N+1} = tolerance/2. The rules have points for it.
+    /// About the displacement over the distance to which the series holds: C_n⁽²⁾ is about (n + 1)/2 where
+    /// the motion is across, so that the first term left out is (N + 2)/2 · h^{N+1} = tolerance/2. The rules
+    /// have points for it.
     pub(crate) fn reach(&self) -> f64 {
         let first = self.orders as f64 + 1.0;
         (self.tolerance / (first + 1.0)).powf(1.0 / first).min(MOST_APPROACH)

@@ -1,7 +1,7 @@
 //! Shadow masks: the part of an emitter that each place of an element sees.
 //!
-//! Zatz 1993, section 5.1: light from an emitter h is kept without shadows as a polynomial of the receiver i, and
-//! multiplied by a mask wherever it is read or sent on:
+//! Zatz 1993, section 5.1: light from an emitter h is kept without shadows as a polynomial of the receiver i,
+//! and multiplied by a mask wherever it is read or sent on:
 //!
 //! ```text
 //! E_i(x) = M_{i←h}(x) Σ_k p_k φ_k(x) ,      p = G°_{ih} b_h      (G°: without visibility),   0 ≤ M ≤ 1
@@ -10,17 +10,19 @@
 //! weighted:  M = ∫ κ V dA_h / ∫ κ dA_h
 //! ```
 //!
-//! The plain mask is the paper's; it ignores cosines and distance, and finer masks do not converge to the truth. The
-//! weighted one is exact at its nodes for an even emitter. Both are known at the corners of equal cells of the
-//! element's coordinates and bilinear in between. Nodes where something stands on the element have no value of their
-//! own; they take that of the nearest free node, so that the interpolation does not darken the rim around the contact.
+//! The plain mask is the paper's; it ignores cosines and distance, and finer masks do not converge to the
+//! truth. The weighted one is exact at its nodes for an even emitter. Both are known at the corners of equal
+//! cells of the element's coordinates and bilinear in between. Nodes where something stands on the element
+//! have no value of their own; they take that of the nearest free node, so that the interpolation does not
+//! darken the rim around the contact.
 
 use std::num::NonZeroUsize;
 
 /// The mask at coordinates in [−1, 1]²; None where the element is covered or does not reach.
 pub(super) type Sample<'a> = &'a dyn Fn([f64; 2]) -> Option<f64>;
 
-/// A function on an element with values in [0, 1], given at (cells + 1)² nodes, the second coordinate fastest.
+/// A function on an element with values in [0, 1], given at (cells + 1)² nodes, the second coordinate
+/// fastest.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Mask {
     cells: usize,
@@ -88,8 +90,8 @@ mod tests {
             prop_assert!((mask.at([u, v]) - f([u, v])).abs() < 1e-14);
         }
 
-        /// Except near the shadow's edge a mask has the values of light or dark; no value leaves the range of the
-        /// samples.
+        /// Except near the shadow's edge a mask has the values of light or dark; no value leaves the range of
+        /// the samples.
         #[test]
         fn steps_stay_where_they_are(angle in 0.0..std::f64::consts::TAU, u in -1.0..1.0, v in -1.0..1.0) {
             let (sin, cos) = angle.sin_cos();

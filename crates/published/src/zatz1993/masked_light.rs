@@ -6,11 +6,12 @@
 //! D_i(x) = Σ_{h masked for i} M_{i←h}(x) Σ_k (G°_ih e_h)_k φ_k(x) + Σ_{h not masked} Σ_k (G_ih e_h)_k φ_k(x)
 //! ```
 //!
-//! with G° without visibility and G with it (Zatz 1993, eq. 29). D with its masks takes the place of exact direct light
-//! in `light::first_bounce`. The light that an emitter reflects is not part of it; its shadows are in the blocks.
+//! with G° without visibility and G with it (Zatz 1993, eq. 29). D with its masks takes the place of exact
+//! direct light in `light::first_bounce`. The light that an emitter reflects is not part of it; its shadows
+//! are in the blocks.
 //!
-//! A pair is masked if something may stand between the two elements and hides, somewhere, more of the unshadowed light
-//! than the accuracy of shadows times all arriving light.
+//! A pair is masked if something may stand between the two elements and hides, somewhere, more of the
+//! unshadowed light than the accuracy of shadows times all arriving light.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -34,7 +35,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::zatz1993::mask::Mask;
 
-/// Rays along each direction of an emitter's patch, at centres of equal parts, in a plain average. Chosen; not tuned.
+/// Rays along each direction of an emitter's patch, at centres of equal parts, in a plain average. Chosen;
+/// not tuned.
 const RAYS: usize = 16;
 
 /// Resolution of masks, and the average that they sample.
@@ -178,8 +180,8 @@ impl MaskedLight {
         self.masked.iter().all(Vec::is_empty)
     }
 
-    /// Irradiance (W m⁻²) of a band at a point of element `receiver`; `position` matters on flat elements, `parameters` on
-    /// curved ones.
+    /// Irradiance (W m⁻²) of a band at a point of element `receiver`; `position` matters on flat elements,
+    /// `parameters` on curved ones.
     pub fn at(
         &self,
         band: usize,
@@ -264,8 +266,8 @@ impl<'a> Receiver<'a> {
         self.setting.visibility.candidates(&self.element().hull, &other.hull, surfaces)
     }
 
-    /// Whether an emitter needs a mask: at some visited node more of its light is hidden than the accuracy of shadows
-    /// times all unshadowed light, but not all of it at all nodes.
+    /// Whether an emitter needs a mask: at some visited node more of its light is hidden than the accuracy of
+    /// shadows times all unshadowed light, but not all of it at all nodes.
     fn is_needed(&self, emitter: usize) -> bool {
         let known = self.known.borrow();
         let power = |other: usize| self.setting.coatings.iter().map(|c| c.exitance[other]).sum::<f64>();

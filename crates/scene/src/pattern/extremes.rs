@@ -1,17 +1,20 @@
 //! The largest value of a polynomial on [−1, 1]², with a proven bound.
 //!
-//! On a rectangle a polynomial of degrees n, m lies between the least and the largest of its coefficients b_jk in Bernstein's basis,
-//! and those at the corners are its values there. A rectangle whose largest coefficient is no larger than a value that is taken
-//! somewhere else cannot hold the maximum; all others are halved (de Casteljau).
+//! On a rectangle a polynomial of degrees n, m lies between the least and the largest of its coefficients
+//! b_jk in Bernstein's basis, and those at the corners are its values there. A rectangle whose largest
+//! coefficient is no larger than a value that is taken somewhere else cannot hold the maximum; all others are
+//! halved (de Casteljau).
 //!
-//! The coefficients come from polar forms: that of u^i on [−1, 1] at degree n is, for j arguments 1 and n − j arguments −1,
+//! The coefficients come from polar forms: that of u^i on [−1, 1] at degree n is, for j arguments 1 and n − j
+//! arguments −1,
 //!
 //! ```text
 //! K_i(j) = Σ_k (−1)^(i−k) C(j, k) C(n − j, i − k) / C(n, i) ,      |K_i(j)| ≤ 1 ,     b_jk = Σ c_il K_i(j) K_l(k) ,
 //! ```
 //!
-//! so that rounding stays near Σ |c| times the precision of numbers. References: G. Farin, *Curves and Surfaces for CAGD*, 5th
-//! edition (2002), chapters 4 and 5; R. Moore, *Methods and Applications of Interval Analysis* (1979), section 6.
+//! so that rounding stays near Σ |c| times the precision of numbers. References: G. Farin, *Curves and
+//! Surfaces for CAGD*, 5th edition (2002), chapters 4 and 5; R. Moore, *Methods and Applications of Interval
+//! Analysis* (1979), section 6.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -21,7 +24,8 @@ use super::polynomial::{Polynomial, Term};
 /// Distance of the bound from a value that is taken, over Σ |c|, at which the search ends. Chosen; not tuned.
 const NEAR: f64 = 1e-9;
 
-/// Most rectangles that are looked at: along a line of maxima 2¹⁷ of them came within 2.3·10⁻⁹ only. Chosen; not tuned.
+/// Most rectangles that are looked at: along a line of maxima 2¹⁷ of them came within 2.3·10⁻⁹ only. Chosen;
+/// not tuned.
 const MOST: usize = 1 << 18;
 
 /// The largest value of a polynomial on [−1, 1]²: found and bounded.

@@ -23,7 +23,8 @@ pub enum Wrap {
     Clamp,
 }
 
-/// Borders of texels nearer than this to a border of the surface are on it: rounding brought them there. Chosen; not tuned.
+/// Borders of texels nearer than this to a border of the surface are on it: rounding brought them there.
+/// Chosen; not tuned.
 const ROUNDED: f64 = 1e-12;
 
 impl Default for Placement {

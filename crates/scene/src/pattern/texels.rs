@@ -43,7 +43,8 @@ impl Texels {
             .sum()
     }
 
-    /// The largest number of a band times `sign`, with its column from the left and its row from the top, counted from 0.
+    /// The largest number of a band times `sign`, with its column from the left and its row from the top,
+    /// counted from 0.
     pub(super) fn maximum(&self, band: usize, sign: f64) -> (f64, [usize; 2]) {
         let all = self.values[band].iter().map(|value| sign * value).enumerate();
         // The last of equal ones: it is the nearest to the top.

@@ -1,12 +1,13 @@
 //! Interpolation through nested Chebyshev points.
 //!
 //! ```text
-//! x_k = cos(π k / n) ,  k = 0 … n ;      p(x) = Σ_k w_k f_k/(x − x_k) / Σ_k w_k/(x − x_k) ,    w_k = (−1)^k, halved at both ends
+//! x_k = cos(π k / n) ,   k = 0 … n ,
+//! p(x) = Σ_k w_k f_k/(x − x_k) / Σ_k w_k/(x − x_k) ,   w_k = (−1)^k, halved at both ends
 //! ```
 //!
-//! The points of n intervals are among those of 2 n. An analytic function is met to ρ^−n, ρ the sum of the half axes of the
-//! ellipse with the foci ±1 in which it is analytic. (J.-P. Berrut, L. N. Trefethen, *Barycentric Lagrange interpolation*, SIAM
-//! Rev. 46 (2004), 501–517. doi:10.1137/S0036144502417715)
+//! The points of n intervals are among those of 2 n. An analytic function is met to ρ^−n, ρ the sum of the
+//! half axes of the ellipse with the foci ±1 in which it is analytic. (J.-P. Berrut, L. N. Trefethen,
+//! *Barycentric Lagrange interpolation*, SIAM Rev. 46 (2004), 501–517. doi:10.1137/S0036144502417715)
 
 use std::f64::consts::PI;
 
@@ -17,7 +18,8 @@ pub(super) fn point(k: usize, intervals: usize) -> f64 {
     (PI * (2.0 * k - n) / (2.0 * n)).sin()
 }
 
-/// The factors of the values at the points of `intervals` in the interpolant at `x` in [−1, 1]; their sum is 1.
+/// The factors of the values at the points of `intervals` in the interpolant at `x` in [−1, 1]; their sum is
+/// 1.
 pub(super) fn factors(intervals: usize, x: f64) -> Vec<f64> {
     let points: Vec<f64> = (0..=intervals).map(|k| point(k, intervals)).collect();
     if let Some(met) = points.iter().position(|point| *point == x) {

@@ -1,22 +1,24 @@
 //! Light along a known path: solved at few moments, interpolated between them.
 //!
-//! The coefficients h of the light are smooth functions of the moment t as long as no shadow edge passes and the path does not
-//! bend. Between the bends of all paths they are solved, on segments, at 5, 9 or 17 Chebyshev points ([`super::chebyshev`]), which
-//! are nested: at the points between m + 1 others the interpolant h_m through these shows its error
+//! The coefficients h of the light are smooth functions of the moment t as long as no shadow edge passes and
+//! the path does not bend. Between the bends of all paths they are solved, on segments, at 5, 9 or 17
+//! Chebyshev points ([`super::chebyshev`]), which are nested: at the points between m + 1 others the
+//! interpolant h_m through these shows its error
 //!
 //! ```text
 //! d_m = max_t ‖h(t) − h_m(t)‖ / ‖h(t)‖ ,    r = d_m / d_{m/2} ,
 //! ```
 //!
-//! norms over all elements, for the worst of the bands and light groups. For analytic functions d falls geometrically: the
-//! interpolant through all 2 m + 1 points errs by about d_m r², of which three times d_m r is told. Where that is above what is
-//! wanted, and twice as many points are not expected to do (d_m r³), the segment is halved. Before a segment is accepted, its
-//! frame farthest from all points is solved as well: what comes and goes between the points is seen if it is there, and what that
-//! frame errs by is told if it is more.
+//! norms over all elements, for the worst of the bands and light groups. For analytic functions d falls
+//! geometrically: the interpolant through all 2 m + 1 points errs by about d_m r², of which three times d_m r
+//! is told. Where that is above what is wanted, and twice as many points are not expected to do (d_m r³), the
+//! segment is halved. Before a segment is accepted, its frame farthest from all points is solved as well:
+//! what comes and goes between the points is seen if it is there, and what that frame errs by is told if it
+//! is more.
 //!
-//! A segment of few frames, and all after many moments were solved in vain, is solved frame by frame instead: these frames are
-//! then as they are alone. So is a frame whose elements are not those of the points: things that slide over others change the
-//! elements below.
+//! A segment of few frames, and all after many moments were solved in vain, is solved frame by frame instead:
+//! these frames are then as they are alone. So is a frame whose elements are not those of the points: things
+//! that slide over others change the elements below.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -39,20 +41,21 @@ use super::sequence::Sequence;
 /// Numbers of intervals between the points of a segment.
 const LEVELS: [usize; 3] = [4, 8, 16];
 
-/// Factor on the error that is told: points see the error of kinks, where shadow edges pass, in a few places only. Measured:
-/// beside a panel that moves before blocks 1e-4 was told and 3.7e-4 true without it.
+/// Factor on the error that is told: points see the error of kinks, where shadow edges pass, in a few places
+/// only. Measured: beside a panel that moves before blocks 1e-4 was told and 3.7e-4 true without it.
 const SURE: f64 = 3.0;
 
-/// Part of the error that rays leave which interpolation may add to it: finer would be to follow their noise. Chosen.
+/// Part of the error that rays leave which interpolation may add to it: finer would be to follow their noise.
+/// Chosen.
 const OF_NOISE: f64 = 0.3;
 
-/// Moments that may be solved in vain before all other frames are solved one by one: at least so many, and one for so many frames.
-/// Chosen.
+/// Moments that may be solved in vain before all other frames are solved one by one: at least so many, and
+/// one for so many frames. Chosen.
 const PATIENCE: usize = 10;
 const FRAMES_EACH: usize = 5;
 
-/// Most frames of a segment that are solved one by one rather than halved again. Chosen: down to 6, twenty frames of a shadow edge
-/// cost up to 30 solutions.
+/// Most frames of a segment that are solved one by one rather than halved again. Chosen: down to 6, twenty
+/// frames of a shadow edge cost up to 30 solutions.
 const FEW: usize = 24;
 
 /// The light of frames along a known path.
@@ -90,8 +93,8 @@ struct Node {
 }
 
 impl<'a> Course<'a> {
-    /// The light of the frames `first` to `last` of a sequence, to be interpolated to the relative accuracy `tolerance`. Nothing is
-    /// solved yet.
+    /// The light of the frames `first` to `last` of a sequence, to be interpolated to the relative accuracy
+    /// `tolerance`. Nothing is solved yet.
     pub(super) fn new(sequence: Sequence<'a>, [first, last]: [usize; 2], tolerance: f64) -> Self {
         Self {
             ahead: between_bends(&sequence, [first, last.max(first)]),
@@ -123,7 +126,8 @@ impl<'a> Course<'a> {
         self.segments.iter().filter_map(|segment| segment.error).reduce(f64::max)
     }
 
-    /// The light of a frame; segments up to it are solved where they are not yet. A frame outside of those that were asked for is solved by itself.
+    /// The light of a frame; segments up to it are solved where they are not yet. A frame outside of those
+    /// that were asked for is solved by itself.
     ///
     /// # Errors
     /// As [`Sequence::at`].
@@ -300,8 +304,8 @@ fn are_alike(nodes: &[Arc<Node>]) -> bool {
     nodes[1..].iter().all(|node| carry_alike(&nodes[0].elements, &node.elements))
 }
 
-/// Whether the same functions carry light on both, and what others cover is the same on both to the bit: how it is cut follows from
-/// what covers it.
+/// Whether the same functions carry light on both, and what others cover is the same on both to the bit: how
+/// it is cut follows from what covers it.
 fn carry_alike(first: &Elements, other: &Elements) -> bool {
     let mut pairs = first.list().iter().zip(other.list());
     let is_kept = |(a, b): (&Element, &Element)| {
@@ -317,7 +321,8 @@ fn farthest([first, last]: [usize; 2], points: &[f64]) -> usize {
     (first..=last).max_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(first)
 }
 
-/// d_m for m = `coarse` intervals: how far the light of those nodes between is from the interpolant through the others.
+/// d_m for m = `coarse` intervals: how far the light of those nodes between is from the interpolant through
+/// the others.
 fn missed(nodes: &[Arc<Node>], coarse: usize) -> f64 {
     let step = (nodes.len() - 1) / (2 * coarse);
     let known: Vec<Arc<Node>> = nodes.iter().step_by(2 * step).cloned().collect();

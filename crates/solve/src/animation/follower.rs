@@ -24,8 +24,9 @@ pub enum Way {
         /// Relative error that interpolation may have.
         tolerance: f64,
     },
-    /// As [`Way::Selective`]; blocks of what is translated are sums of series ([`radiosity_published::series`]) as far as that pays, where exact
-    /// blocks carry the pairs. Curved and rotated things, and pairs with something between, are integrated.
+    /// As [`Way::Selective`]; blocks of what is translated are sums of series
+    /// ([`radiosity_published::series`]) as far as that pays, where exact blocks carry the pairs. Curved and
+    /// rotated things, and pairs with something between, are integrated.
     Series {
         /// Error that a block may have, relative to its largest entry.
         tolerance: f64,
@@ -87,8 +88,9 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// The number of frames after which the set-up was repaid, as far as frames were asked for: from then on all cost less, in
-    /// blocks that were integrated or rays that were traced, than if each had been solved alone. None if they do not.
+    /// The number of frames after which the set-up was repaid, as far as frames were asked for: from then on
+    /// all cost less, in blocks that were integrated or rays that were traced, than if each had been solved
+    /// alone. None if they do not.
     pub fn repaid(&self) -> Option<usize> {
         self.ledger.repaid()
     }

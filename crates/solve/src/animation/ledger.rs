@@ -15,7 +15,8 @@ impl Ledger {
         self.repaid = is_repaid.then(|| self.repaid.unwrap_or(self.frames));
     }
 
-    /// The number of frames from which on all together cost less than if each were solved alone; None if they cost as much.
+    /// The number of frames from which on all together cost less than if each were solved alone; None if they
+    /// cost as much.
     pub(super) fn repaid(&self) -> Option<usize> {
         self.repaid
     }

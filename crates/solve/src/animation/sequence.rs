@@ -1,9 +1,10 @@
 //! Frames solved one after the other, each as it would be alone.
 //!
-//! Nothing is known of the path: any frame may follow any other. What has not moved keeps its blocks, and rays that nothing has
-//! come into the way of meet what they met (`crates/transport/src/memory.rs`); what has is integrated and traced again, and so are the
-//! pairs between which it came or went. The solution of a frame does not depend on the frames before it, not in a bit, so nothing
-//! can drift. Whether rays or exact blocks carry the pairs, and how surfaces are cut, is decided once, for the scene at rest.
+//! Nothing is known of the path: any frame may follow any other. What has not moved keeps its blocks, and
+//! rays that nothing has come into the way of meet what they met (`crates/transport/src/memory.rs`); what has
+//! is integrated and traced again, and so are the pairs between which it came or went. The solution of a
+//! frame does not depend on the frames before it, not in a bit, so nothing can drift. Whether rays or exact
+//! blocks carry the pairs, and how surfaces are cut, is decided once, for the scene at rest.
 
 use std::mem;
 use std::sync::Arc;
@@ -87,8 +88,8 @@ impl<'a> Sequence<'a> {
         }
     }
 
-    /// As [`Sequence::new`], but blocks between flat elements that are translated, with nothing between them, are sums of series as
-    /// far as that pays; they may be off by `tolerance` times their largest entries.
+    /// As [`Sequence::new`], but blocks between flat elements that are translated, with nothing between them,
+    /// are sums of series as far as that pays; they may be off by `tolerance` times their largest entries.
     pub fn by_series(scene: &'a Scene, options: &Options, tolerance: f64) -> Self {
         let kept = Kept::with_series(Expansions::new(tolerance, options.eps));
         Self { kept, ..Self::fresh(scene, options) }
@@ -118,7 +119,8 @@ impl<'a> Sequence<'a> {
             return Err(AnimationError::ByRays);
         }
         let still = self.stills.at(moment)?;
-        // It is put back once the frame is solved: what fails or is interrupted leaves nothing that belongs to half a frame.
+        // It is put back once the frame is solved: what fails or is interrupted leaves nothing that belongs
+        // to half a frame.
         let anew = self.kept.anew();
         let mut kept = mem::replace(&mut self.kept, anew);
         kept.expansions.iter().for_each(|expansions| expansions.begin());
@@ -151,8 +153,8 @@ impl<'a> Sequence<'a> {
         self.spent
     }
 
-    /// Bound of the relative difference between the light of the last frame and that of the frame alone, L2 of its coefficients,
-    /// that series make; None where there were none.
+    /// Bound of the relative difference between the light of the last frame and that of the frame alone, L2
+    /// of its coefficients, that series make; None where there were none.
     pub fn error(&self) -> Option<f64> {
         self.error
     }

@@ -38,8 +38,8 @@ impl Balance {
         Self { starts: blocks.starts().to_vec(), ones, lost }
     }
 
-    /// Powers, summed over the bands of `light` with compensation, since their balance is a check; direct light entered
-    /// by `entry`.
+    /// Powers, summed over the bands of `light` with compensation, since their balance is a check; direct
+    /// light entered by `entry`.
     pub(crate) fn powers(&self, light: &[Lit<'_>], entry: &Entry) -> Powers {
         let mut sums = [Compensated::default(); 3];
         for (index, Lit { coating, flux, coefficients }) in light.iter().enumerate() {

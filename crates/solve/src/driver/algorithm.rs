@@ -10,7 +10,7 @@ pub enum Algorithm {
     /// Polynomials on elements, with transfers between all of them
     #[default]
     Galerkin,
-    /// Constants on elements that the light asks for, with links between groups of them: hierarchical radiosity, for
-    /// those who compare; --eps is the greatest power of a link
+    /// Constants on elements that the light asks for, with links between groups of them: hierarchical
+    /// radiosity, for those who compare; --eps is the greatest power of a link
     Hierarchical,
 }

@@ -76,7 +76,8 @@ impl Need<'_> {
         less
     }
 
-    /// The half, quarter, … of the rays that would fit; elements follow from their number where nothing else is asked for.
+    /// The half, quarter, … of the rays that would fit; elements follow from their number where nothing else
+    /// is asked for.
     fn fewer_rays(&self, rays: u64, allowed: u64) -> Option<Fit> {
         let peak = |rays: u64| {
             let subdivide = match self.how.subdivide {

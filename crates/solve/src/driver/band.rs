@@ -11,8 +11,8 @@ use crate::system::ritz::{Found, Ritz};
 
 use super::options::Options;
 
-/// Least time of a linear system, after a deadline too, so that a small scene has a result. Chosen: a person waits as long without
-/// noticing.
+/// Least time of a linear system, after a deadline too, so that a small scene has a result. Chosen: a person
+/// waits as long without noticing.
 const LEAST: Duration = Duration::from_secs(1);
 
 /// The cost of a band's linear system.
@@ -22,8 +22,8 @@ pub(super) struct Effort {
     pub converged: bool,
 }
 
-/// The cost of a finished solver; with `keep_partial` the best iterate of one that did not converge counts too, if it has
-/// one: a factorisation that ran out of time has none.
+/// The cost of a finished solver; with `keep_partial` the best iterate of one that did not converge counts
+/// too, if it has one: a factorisation that ran out of time has none.
 fn effort(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<Option<Effort>, SolveError> {
     match ended {
         Ok(reports) => Ok(reports
@@ -39,8 +39,8 @@ fn effort(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<
     }
 }
 
-/// Solves the systems of one band, which differ in their emission alone. Without light there is nothing to solve, and
-/// no effort. Several ranks, whose clocks differ, go on to the end.
+/// Solves the systems of one band, which differ in their emission alone. Without light there is nothing to
+/// solve, and no effort. Several ranks, whose clocks differ, go on to the end.
 ///
 /// # Errors
 /// Those of the solver.

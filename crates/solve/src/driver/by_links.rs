@@ -1,4 +1,5 @@
-//! Hierarchical radiosity as a run: refined by the light of the whole scene, then solved for each light group.
+//! Hierarchical radiosity as a run: refined by the light of the whole scene, then solved for each light
+//! group.
 
 use std::sync::Arc;
 
@@ -29,8 +30,8 @@ use crate::system::Coefficients;
 /// Faces up to this part of the area of all surfaces are not cut. Chosen.
 const LEAST_AREA: f64 = 1e-6;
 
-/// The greatest power of a link at which clusters are linked from 1½ sums of their radii on, and how this distance grows
-/// with smaller powers. Chosen: the error of clusters falls with it, and not with the power.
+/// The greatest power of a link at which clusters are linked from 1½ sums of their radii on, and how this
+/// distance grows with smaller powers. Chosen: the error of clusters falls with it, and not with the power.
 const USUAL: f64 = 1e-3;
 const FARTHER: f64 = 0.3;
 

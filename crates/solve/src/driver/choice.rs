@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Rays for each surface, and in all at least, at the default accuracy of shadows. From two real rooms (soda shop,
-/// classroom): 3 % of the light gathered at points.
+/// Rays for each surface, and in all at least, at the default accuracy of shadows. From two real rooms (soda
+/// shop, classroom): 3 % of the light gathered at points.
 const RAYS_PER_SURFACE: u64 = 250;
 const FEWEST_RAYS: u64 = 400_000;
 
@@ -21,8 +21,8 @@ const LEAST_PART: f64 = 0.125;
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Transport {
-    /// Exactly where that costs no more than as good an answer by rays, from what is known of the pairs beforehand; by
-    /// rays elsewhere.
+    /// Exactly where that costs no more than as good an answer by rays, from what is known of the pairs
+    /// beforehand; by rays elsewhere.
     #[default]
     Auto,
     /// Every pair to the accuracy asked for.

@@ -1,7 +1,8 @@
 //! Whether direct light is split off.
 //!
-//! Split off, D is as sharp as it is in truth, but loses the power that its quadrature misses; projected, it is as
-//! smooth as polynomials, and power is kept to rounding. Sharp shadows need the first, furnaces the second.
+//! Split off, D is as sharp as it is in truth, but loses the power that its quadrature misses; projected, it
+//! is as smooth as polynomials, and power is kept to rounding. Sharp shadows need the first, furnaces the
+//! second.
 
 use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
@@ -17,8 +18,8 @@ const LARGE: f64 = 0.25;
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Direct {
-    /// Split where there are openings to a sky or luminous areas, and where luminaires or small flat emitters cast shadows of flat
-    /// surfaces; else projected.
+    /// Split where there are openings to a sky or luminous areas, and where luminaires or small flat emitters
+    /// cast shadows of flat surfaces; else projected.
     Auto,
     /// An exact source at every point, with its shadows.
     Split,
@@ -27,8 +28,8 @@ pub enum Direct {
 }
 
 impl Direct {
-    /// Whether the direct light of all `emitters`, of one scene, is split off. `plain`: the transfers are those of the
-    /// default kernel without changes.
+    /// Whether the direct light of all `emitters`, of one scene, is split off. `plain`: the transfers are
+    /// those of the default kernel without changes.
     pub(super) fn splits(self, emitters: &[Emitters<'_>], visibility: &Visibility, plain: bool) -> bool {
         match self {
             Self::Split => true,

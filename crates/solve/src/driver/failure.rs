@@ -34,7 +34,8 @@ pub enum Failure {
         /// The choice that treats light as diffuse.
         what: Wording,
     },
-    /// A basis was asked for whose functions reach over elements, where reflectance varies or light comes through.
+    /// A basis was asked for whose functions reach over elements, where reflectance varies or light comes
+    /// through.
     #[error("{}", self.message())]
     NotEven {
         /// Name of the first of these surfaces.
@@ -68,7 +69,8 @@ pub enum Failure {
         /// Name of the first surface that differs.
         surface: String,
     },
-    /// Light leaves a surface that was black and dark when a model was assembled, so that its blocks were left out.
+    /// Light leaves a surface that was black and dark when a model was assembled, so that its blocks were
+    /// left out.
     #[error(
         "surface '{surface}' sends light now, but did not when the model was assembled: assemble the model with a \
          reflectance above 0 there"

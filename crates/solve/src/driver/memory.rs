@@ -1,7 +1,7 @@
 //! An estimate of a solution's memory, before anything is allocated.
 //!
-//! With m_i functions on element i, n unknowns in the band that has most, and P the pairs of elements whose planes
-//! allow them to see each other, in bytes
+//! With m_i functions on element i, n unknowns in the band that has most, and P the pairs of elements whose
+//! planes allow them to see each other, in bytes
 //!
 //! ```text
 //! elements   Σ (8 m_i² + 3000)             (bases; patches, hulls, coefficients)
@@ -9,13 +9,14 @@
 //! system     8 n² , twice for a method that factors the matrix, up to 3000 unknowns and for such a method;
 //!            320 n above that for a method that only multiplies, and twice the blocks for others
 //! groups     8 g (2 b + 8) Σ m_i          (g light groups in b bands: what is kept, and the work on one band)
-//! memory     elements and blocks once more, 300 |P|, and 64 for each ray, where the next scene differs in the places of some
-//! things
+//! memory     elements and blocks once more, 300 |P|, and 64 for each ray, where the next scene differs in
+//!            the places of some things
 //! ```
 //!
-//! and 10 MB for the program. Of N ranks each holds 2/N − 1/N² of the blocks, those of its rows and of its columns, and all else; a
-//! method that needs single entries gathers all blocks, once as they are and twice as messages. Integrated blocks are freed before the
-//! system is set up, so the peak is the larger of the two sums. Pairs that repeat or are hidden reduce it, which is not known beforehand.
+//! and 10 MB for the program. Of N ranks each holds 2/N − 1/N² of the blocks, those of its rows and of its
+//! columns, and all else; a method that needs single entries gathers all blocks, once as they are and twice
+//! as messages. Integrated blocks are freed before the system is set up, so the peak is the larger of the two
+//! sums. Pairs that repeat or are hidden reduce it, which is not known beforehand.
 
 use radiosity_elements::{CutSize, Discretization, cut_sizes, shares};
 use radiosity_scene::{Material, Scene};
@@ -43,8 +44,8 @@ const KEPT: u64 = 2;
 /// Bytes of a pair beside its block. Chosen; not tuned.
 const PAIR: u64 = 300;
 
-/// Bytes per entry of pairs with a curved element, of which rules leave some to rays. Measured: 12 in a room of 20
-/// cylinders at order 10, all of whose shadows go by rays.
+/// Bytes per entry of pairs with a curved element, of which rules leave some to rays. Measured: 12 in a room
+/// of 20 cylinders at order 10, all of whose shadows go by rays.
 const BY_RAYS: u64 = 14;
 
 /// Rays that a pair of elements carries, if any; two to ten in real rooms.

@@ -1,9 +1,10 @@
 //! A model: the elements of a scene and the blocks between them, to be solved for any materials.
 //!
-//! G is geometry only. Reflectance and emission enter the system that is made of it, so that a change of materials
-//! needs no new blocks. Light that was reflected once is linear in the reflectance of what reflected it: where direct
-//! light is split off, a change of reflectance does not gather it anew. What depends on the materials of the scene from which a
-//! model was assembled are choices: which pairs are left out because neither side ever sends light, and where rays were sent from.
+//! G is geometry only. Reflectance and emission enter the system that is made of it, so that a change of
+//! materials needs no new blocks. Light that was reflected once is linear in the reflectance of what
+//! reflected it: where direct light is split off, a change of reflectance does not gather it anew. What
+//! depends on the materials of the scene from which a model was assembled are choices: which pairs are left
+//! out because neither side ever sends light, and where rays were sent from.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -77,7 +78,8 @@ impl Model {
     /// Cuts `scene` into elements and computes the blocks between them.
     ///
     /// # Errors
-    /// A scene that cannot be cut into elements, memory that does not suffice, or threads that cannot be started.
+    /// A scene that cannot be cut into elements, memory that does not suffice, or threads that cannot be
+    /// started.
     pub fn assemble(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Self, Failure> {
         let choice = Choice::of(scene, options);
         options.in_threads(work.ranks, || Self::assembled(scene, options, Plan::of(choice), None, work))?
@@ -189,12 +191,13 @@ impl Model {
         })
     }
 
-    /// Solves for the materials of `scene`, and the factors of its light groups. Its surfaces are those of the scene from which the model was assembled, such as
-    /// [`Scene::with_material`] and [`Scene::dimmed`] keep them.
+    /// Solves for the materials of `scene`, and the factors of its light groups. Its surfaces are those of
+    /// the scene from which the model was assembled, such as [`Scene::with_material`] and [`Scene::dimmed`]
+    /// keep them.
     ///
     /// # Errors
-    /// [`Failure::OtherSurface`] and [`Failure::Unlit`] for a scene that the model is not made for; a linear solver that
-    /// fails or does not converge, or threads that cannot be started.
+    /// [`Failure::OtherSurface`] and [`Failure::Unlit`] for a scene that the model is not made for; a linear
+    /// solver that fails or does not converge, or threads that cannot be started.
     pub fn solve(&self, scene: &Scene, work: &Work<'_>) -> Result<Outcome, Failure> {
         self.check(scene)?;
         self.options.in_threads(work.ranks, || self.solved(scene, work))?
@@ -300,8 +303,8 @@ impl Model {
         self.subspace.as_ref().map_or_else(|| self.elements.coefficients(), Subspace::dim)
     }
 
-    /// The first light of each emission: that of the scene it was assembled from, if it emits as much. In a subspace what enters
-    /// apart lies in it.
+    /// The first light of each emission: that of the scene it was assembled from, if it emits as much. In a
+    /// subspace what enters apart lies in it.
     fn first_light(&self, scene: &Scene, emissions: &[Emission], ranks: &Ranks) -> Vec<Reflected> {
         let first = self.first.reflected(emissions).unwrap_or_else(|| {
             let stage = Stage {
@@ -389,7 +392,8 @@ fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
     }
 }
 
-/// Refuses functions over several elements where S does not commute with their projection: power would be lost.
+/// Refuses functions over several elements where S does not commute with their projection: power would be
+/// lost.
 fn require_even(scene: &Scene, options: &Options) -> Result<(), Failure> {
     let basis = options.basis;
     if basis.is_elementwise() {

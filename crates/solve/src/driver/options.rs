@@ -61,8 +61,8 @@ pub struct Options {
     /// Preconditioner of cg and gmres.
     #[serde(default)]
     pub preconditioner: Preconditioning,
-    /// Light that was reflected so many times at the most before it arrives, by the Galerkin algorithm to no wanted accuracy; None
-    /// for all. Solution files hold all light.
+    /// Light that was reflected so many times at the most before it arrives, by the Galerkin algorithm to no
+    /// wanted accuracy; None for all. Solution files hold all light.
     #[serde(skip)]
     pub bounces: Option<usize>,
     /// Relative residual ‖r‖₂/‖b‖₂ of the linear solve.
@@ -71,8 +71,8 @@ pub struct Options {
     pub max_iterations: usize,
     /// Whether the best iterate counts as a solution if the solver does not converge.
     pub keep_partial: bool,
-    /// Most bytes to use ([`MemoryEstimate`](crate::driver::memory::MemoryEstimate)); a run that needs more is refused before it
-    /// begins.
+    /// Most bytes to use ([`MemoryEstimate`](crate::driver::memory::MemoryEstimate)); a run that needs more
+    /// is refused before it begins.
     #[serde(skip)]
     pub memory: Option<u64>,
     /// Threads, 0 for all that a rank may use; the result does not depend on it.
@@ -116,8 +116,8 @@ impl Options {
         Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
     }
 
-    /// The elements of `scene`, cut as `how` says or into the cells of `mesh`; for the rules of 1993, which know no footings, with
-    /// whole surfaces.
+    /// The elements of `scene`, cut as `how` says or into the cells of `mesh`; for the rules of 1993, which
+    /// know no footings, with whole surfaces.
     ///
     /// # Errors
     /// As for [`Elements::new`].

@@ -45,8 +45,8 @@ pub struct Outcome {
     pub converged: bool,
     /// Number of coefficients per band.
     pub unknowns: usize,
-    /// The variational functional at the solution, band by band and in each of all light groups; empty where nothing was solved
-    /// for.
+    /// The variational functional at the solution, band by band and in each of all light groups; empty where
+    /// nothing was solved for.
     pub functionals: Vec<Functional>,
     /// The carrier of the pairs of elements, and the reason for it.
     pub choice: Choice,
@@ -80,8 +80,8 @@ impl Outcome {
     }
 }
 
-/// The variational functional I(y) = ½ ⟨(I − √ρ G √ρ) y, y⟩ − ⟨f, y⟩ at a solution ([`crate::system::ritz`]): lower in a larger
-/// space, by half the square of the error of energy.
+/// The variational functional I(y) = ½ ⟨(I − √ρ G √ρ) y, y⟩ − ⟨f, y⟩ at a solution ([`crate::system::ritz`]):
+/// lower in a larger space, by half the square of the error of energy.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Functional {
     /// Name of the band.

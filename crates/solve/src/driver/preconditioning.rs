@@ -8,7 +8,8 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
 pub enum Preconditioning {
-    /// The inverses of the diagonal blocks (block Jacobi): the identity for elements that do not see themselves
+    /// The inverses of the diagonal blocks (block Jacobi): the identity for elements that do not see
+    /// themselves
     #[default]
     Block,
     /// Nothing

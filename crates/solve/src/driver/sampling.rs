@@ -1,15 +1,16 @@
 //! The sampled transport of a scene: rays in two stages, and what is left of error.
 //!
-//! A pilot, spread by area, tells about how bright each element is. The rays after it are sent by area and brightness:
+//! A pilot, spread by area, tells about how bright each element is. The rays after it are sent by area and
+//! brightness:
 //!
 //! ```text
 //! n_i ∝ A_i (1 + β B_i / B̄) ,     B̄ = Σ A_i B_i / Σ A_i ,
 //! ```
 //!
-//! so that small lamps send enough. They go in rounds of all elements, so that the work can be stopped after any of
-//! them. The scene is then solved with the rays of even and with those of odd number, too. Half of the difference of
-//! these two solutions is about the error of the solution by all rays. (Rays by brightness: P. Hanrahan, D. Salzman,
-//! L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
+//! so that small lamps send enough. They go in rounds of all elements, so that the work can be stopped after
+//! any of them. The scene is then solved with the rays of even and with those of odd number, too. Half of the
+//! difference of these two solutions is about the error of the solution by all rays. (Rays by brightness: P.
+//! Hanrahan, D. Salzman, L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
 
 use radiosity_core::dot;
 use radiosity_elements::coating::Coating;
@@ -29,12 +30,12 @@ use crate::system::{Coefficients, System};
 use super::band::solve_band;
 use super::options::Options;
 
-/// Share of the rays that the pilot sends, one round of them at most. Chosen; between 0.05 and 0.2 errors changed by less than a
-/// tenth of themselves.
+/// Share of the rays that the pilot sends, one round of them at most. Chosen; between 0.05 and 0.2 errors
+/// changed by less than a tenth of themselves.
 const PILOT: f64 = 0.1;
 
-/// β: weight of brightness against area. An office needs a third of its rays from its lamps; here a lamp that sends
-/// all light of a scene gets β/(1 + β) of them.
+/// β: weight of brightness against area. An office needs a third of its rays from its lamps; here a lamp that
+/// sends all light of a scene gets β/(1 + β) of them.
 const BRIGHTNESS: f64 = 0.3;
 
 /// Fewest rays of an element in the pilot round, and in all. Chosen.
@@ -43,8 +44,8 @@ const FEWEST: [u64; 2] = [4, 16];
 /// Accuracy of pairs that are carried exactly, in multiples of n^-½ for n rays in all. Chosen; not tuned.
 const EXACT: f64 = 5.0;
 
-/// Part of the accuracy of single exact pairs that is left in mean irradiances: between a tenth and a hundredth in two
-/// rooms (`cargo run --release -p radiosity-studies --bin rays -- sooner`).
+/// Part of the accuracy of single exact pairs that is left in mean irradiances: between a tenth and a
+/// hundredth in two rooms (`cargo run --release -p radiosity-studies --bin rays -- sooner`).
 const LEFT: f64 = 0.1;
 
 /// Rays of a round: about a second's on two cores.
@@ -63,7 +64,8 @@ pub struct Sampling {
     /// Pairs of elements that were carried exactly beside them.
     pub exact_pairs: usize,
     /// Estimate of the relative error that rays, and exact pairs, leave: L2 over the elements of their mean
-    /// irradiance, largest of the bands and light groups. None where half the rays are too few for a solution.
+    /// irradiance, largest of the bands and light groups. None where half the rays are too few for a
+    /// solution.
     pub error: Option<f64>,
 }
 
@@ -82,7 +84,8 @@ pub(super) struct Subject<'a> {
 }
 
 impl Subject<'_> {
-    /// The blocks by `rays` rays after the pilot, and what they are worth; what `memory` knows is not found again.
+    /// The blocks by `rays` rays after the pilot, and what they are worth; what `memory` knows is not found
+    /// again.
     pub(super) fn sample(&self, rays: u64, mut memory: Option<&mut Memory>) -> (Blocks, Sampling) {
         let work = self.work;
         let _listening = work.deadline.map(Deadline::listen);
@@ -207,8 +210,8 @@ impl Subject<'_> {
         Ok(bright)
     }
 
-    /// Relative L2 of half the difference of the solutions by either half of the rays, largest of the bands and light
-    /// groups.
+    /// Relative L2 of half the difference of the solutions by either half of the rays, largest of the bands
+    /// and light groups.
     fn error(&self, transport: &SampledTransport) -> Result<f64, SolveError> {
         let even = self.mean_irradiances(transport, Rays::Even)?;
         let odd = self.mean_irradiances(transport, Rays::Odd)?;

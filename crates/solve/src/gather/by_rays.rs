@@ -1,28 +1,30 @@
 //! Light at a point by rays, with an error that is known.
 //!
-//! Of N cosine-distributed rays from x each first meets the front of a surface at y; M = N/2 further ones go to points y
-//! of the emitters, of density q(y) (`light::lamps`). With the density κ(x, y) of the former and both combined
-//! by the balance heuristic,
+//! Of N cosine-distributed rays from x each first meets the front of a surface at y; M = N/2 further ones go
+//! to points y of the emitters, of density q(y) (`light::lamps`). With the density κ(x, y) of the former and
+//! both combined by the balance heuristic,
 //!
 //! ```text
 //! E(x) ≈ 1/N Σ_cosine ( ρ E₁(y) + E₀(y) κ/(κ + q M/N) )  +  1/N Σ_emitters E₀(y) V κ/(κ + q M/N)     W m⁻² .
 //! ```
 //!
-//! E₁(y) = S_h(y) + E₀(z) V κ(y, z)/q(z) is the irradiance of y: S_h ≥ 0, the polynomials of the light that was reflected
-//! at least once, and the direct light by one ray to a point z of an emitter, so that shadow edges are sharp there too.
-//! The polynomials E_h of all light take its place near an emitter, where one ray says little, and on elements that are
-//! small as seen from x: these are right in the mean. Where only reflected light is gathered, for pictures, they are left
-//! only on elements that x nearly touches. The estimate has no bias beside that of these polynomials; emitters may be near
-//! or far, curved, partly hidden. Over a patch x is spread over it. Eight sequences, shifted independently, tell the
-//! standard deviation s of their mean; rays are doubled until s is below the accuracy asked for, or many times the usual
-//! number are sent.
+//! E₁(y) = S_h(y) + E₀(z) V κ(y, z)/q(z) is the irradiance of y: S_h ≥ 0, the polynomials of the light that
+//! was reflected at least once, and the direct light by one ray to a point z of an emitter, so that shadow
+//! edges are sharp there too. The polynomials E_h of all light take its place near an emitter, where one ray
+//! says little, and on elements that are small as seen from x: these are right in the mean. Where only
+//! reflected light is gathered, for pictures, they are left only on elements that x nearly touches. The
+//! estimate has no bias beside that of these polynomials; emitters may be near or far, curved, partly hidden.
+//! Over a patch x is spread over it. Eight sequences, shifted independently, tell the standard deviation s of
+//! their mean; rays are doubled until s is below the accuracy asked for, or many times the usual number are
+//! sent.
 //!
-//! The light of luminaires at x is exact ([`radiosity_light::point_lights`]); E₁(y) has that of one of them, by a ray.
+//! The light of luminaires at x is exact ([`radiosity_light::point_lights`]); E₁(y) has that of one of them,
+//! by a ray.
 //!
 //! Gathered twice, E₁(y) is itself estimated so, by one ray of either kind.
 //!
-//! References: P. Shirley, C. Wang, K. Zimmerman, *Monte Carlo techniques for direct lighting calculations*, ACM TOG 15
-//! (1996); E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance heuristic).
+//! References: P. Shirley, C. Wang, K. Zimmerman, *Monte Carlo techniques for direct lighting calculations*,
+//! ACM TOG 15 (1996); E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance heuristic).
 
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -48,24 +50,26 @@ use crate::solution::{Place, Solution};
 /// Independent sequences. Chosen.
 const BATCHES: usize = 8;
 
-/// Cosine-distributed rays of each sequence before the error is first looked at; in pictures, where readings beside each other
-/// are averaged. Half of the former took errors of 2 % for 1 % at bright points of a classroom.
+/// Cosine-distributed rays of each sequence before the error is first looked at; in pictures, where readings
+/// beside each other are averaged. Half of the former took errors of 2 % for 1 % at bright points of a
+/// classroom.
 const FIRST: u64 = 64;
 const FIRST_OF_MANY: u64 = 32;
 
-/// Factor on the standard deviation of so few sequences where it decides that rays are enough: those whose sequences agree by
-/// chance stop first. Measured in a classroom.
+/// Factor on the standard deviation of so few sequences where it decides that rays are enough: those whose
+/// sequences agree by chance stop first. Measured in a classroom.
 const CAUTION: f64 = 1.25;
 
 /// Rays to emitters for each cosine-distributed one, M/N.
 const TO_LAMPS: f64 = 0.5;
 
-/// Distance of an emitter, in its radii, within which polynomials say more of its light than one ray. Measured in a shop with
-/// tubes: with 2 and 1 the readings took more rays, and erred more.
+/// Distance of an emitter, in its radii, within which polynomials say more of its light than one ray.
+/// Measured in a shop with tubes: with 2 and 1 the readings took more rays, and erred more.
 const NEAR: f64 = 4.0;
 
-/// Square root of the area of an element, over its distance, up to which its polynomials are right in the mean. Measured in a
-/// shop, a classroom and a temple: with 0.25 and 2 for 1 the error was the same, the time up to twice as long and the same.
+/// Square root of the area of an element, over its distance, up to which its polynomials are right in the
+/// mean. Measured in a shop, a classroom and a temple: with 0.25 and 2 for 1 the error was the same, the time
+/// up to twice as long and the same.
 const SMALL: f64 = 1.0;
 
 /// [`SMALL`] where only reflected light is gathered, for pictures: there polynomials are left only where
@@ -73,7 +77,8 @@ const SMALL: f64 = 1.0;
 /// % in 14, 17, 23 and 28 s with polynomials everywhere, 10, 4 and 1.
 const SMALL_BEHIND_PIXELS: f64 = 10.0;
 
-/// Relative standard deviation times the number of rays to the power ¾: up to this in rooms. Measured in the Cornell box.
+/// Relative standard deviation times the number of rays to the power ¾: up to this in rooms. Measured in the
+/// Cornell box.
 const ROUGHNESS: f64 = 1.5;
 
 /// Most rays over their expected number; never more than [`MOST`] are sent: some ten seconds. Both are
@@ -84,7 +89,8 @@ const MOST: f64 = 1.6e7;
 /// Distance of surfaces that cover each other, over the diagonal of the scene's box. Chosen.
 const COVERED: f64 = 1e-9;
 
-/// Irradiance over the mean radiosity of the scene below which the error counts relative to the latter. Chosen.
+/// Irradiance over the mean radiosity of the scene below which the error counts relative to the latter.
+/// Chosen.
 const DARK: f64 = 0.02;
 
 /// Where light is read.
@@ -141,8 +147,8 @@ pub struct RayGather<'a> {
 enum Far {
     /// The polynomials of the element.
     Polynomials,
-    /// Direct light by a ray that `chance` chooses, the rest by the polynomials; all by the polynomials on elements whose
-    /// area is below the square of `small` times the distance.
+    /// Direct light by a ray that `chance` chooses, the rest by the polynomials; all by the polynomials on
+    /// elements whose area is below the square of `small` times the distance.
     Direct { chance: u64, small: f64 },
     /// All by rays that this number chooses.
     Gathered(u64),
@@ -172,8 +178,8 @@ fn most_rays(eps: f64) -> u64 {
 }
 
 impl<'a> RayGather<'a> {
-    /// The light of `solution`, gathered once or twice, to about the relative accuracy `eps`; once where the number of reflections
-    /// is limited.
+    /// The light of `solution`, gathered once or twice, to about the relative accuracy `eps`; once where the
+    /// number of reflections is limited.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
         let scale = scales(solution);
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
@@ -190,7 +196,8 @@ impl<'a> RayGather<'a> {
         self.gathered(&start, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
     }
 
-    /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W m⁻² per band).
+    /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W
+    /// m⁻² per band).
     pub fn reflected(&self, receiver: &ReceiverPoint, other: &[f64]) -> Estimate {
         self.gathered(&Start::Point(*receiver), None, FIRST_OF_MANY, other)
     }
@@ -219,8 +226,8 @@ impl<'a> RayGather<'a> {
         missed
     }
 
-    /// Reflected light, and direct light where there are `shares`, from `first` rays of each sequence on; `other` light
-    /// (W m⁻² per band) arrives too.
+    /// Reflected light, and direct light where there are `shares`, from `first` rays of each sequence on;
+    /// `other` light (W m⁻² per band) arrives too.
     fn gathered(&self, start: &Start, shares: Option<&Shares>, first: u64, other: &[f64]) -> Estimate {
         let middle = start.middle();
         let [position, normal] = [middle.position, middle.normal].map(|vector| vector.to_array());
@@ -290,8 +297,9 @@ impl<'a> RayGather<'a> {
         }
     }
 
-    /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that rays `to_lamps` leave, of
-    /// these shares and as many for each cosine-distributed one; without exitance where these are none.
+    /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that rays
+    /// `to_lamps` leave, of these shares and as many for each cosine-distributed one; without exitance where
+    /// these are none.
     fn add_met(
         &self,
         receiver: &ReceiverPoint,
@@ -369,8 +377,9 @@ impl<'a> RayGather<'a> {
         irradiance
     }
 
-    /// Whether readings take all light at a point of an element from its polynomials, because it is near an emitter or smaller
-    /// than a square of this width. Never among luminaires: before one of them light peaks, which no polynomial follows.
+    /// Whether readings take all light at a point of an element from its polynomials, because it is near an
+    /// emitter or smaller than a square of this width. Never among luminaires: before one of them light
+    /// peaks, which no polynomial follows.
     fn is_rough(&self, element: usize, there: &ReceiverPoint, width: f64) -> bool {
         let is_held =
             is_small(&self.solution.elements().list()[element], width) || self.lamps.is_near(there, NEAR);
@@ -429,8 +438,8 @@ impl<'a> RayGather<'a> {
         Some(lit)
     }
 
-    /// Adds the light of the luminaires for the cosine-distributed rays of these numbers: `lit` at a point; over a patch that
-    /// of a ray from each point where one of those starts.
+    /// Adds the light of the luminaires for the cosine-distributed rays of these numbers: `lit` at a point;
+    /// over a patch that of a ray from each point where one of those starts.
     fn add_points(
         &self,
         start: &Start,

@@ -1,8 +1,8 @@
 //! The choice of how light is gathered at points: by cells, or by rays.
 //!
-//! Cells ([`crate::gather::Gather`]) cost time in proportion to the elements and to what stands before them, little more where
-//! more digits are asked for; least in small rooms of flat things. Rays ([`crate::gather::by_rays`]) cost about the same
-//! whatever the scene is, and ε^(−4/3).
+//! Cells ([`crate::gather::Gather`]) cost time in proportion to the elements and to what stands before them,
+//! little more where more digits are asked for; least in small rooms of flat things. Rays
+//! ([`crate::gather::by_rays`]) cost about the same whatever the scene is, and ε^(−4/3).
 
 use radiosity_elements::Element;
 use radiosity_visibility::Visibility;
@@ -11,18 +11,19 @@ use serde::{Deserialize, Serialize};
 use crate::gather::by_rays::usual_rays;
 use crate::solution::Solution;
 
-/// Seconds of a ray; of a flat element behind flat things, and for each of those; of one that is curved or may lie
-/// behind something curved. Measured on one core: Cornell box, offices, teapot, soda shop.
+/// Seconds of a ray; of a flat element behind flat things, and for each of those; of one that is curved or
+/// may lie behind something curved. Measured on one core: Cornell box, offices, teapot, soda shop.
 const RAY: f64 = 0.7e-6;
 const FLAT: f64 = 1.5e-6;
 const BEHIND_FLAT: f64 = 0.02e-6;
 const CURVED: f64 = 100e-6;
 
-/// Rays among luminaires over those without: where one shines on a surface beside it, few rays meet the peak. Chosen.
+/// Rays among luminaires over those without: where one shines on a surface beside it, few rays meet the peak.
+/// Chosen.
 const PEAKS: f64 = 30.0;
 
-/// Accuracy that light is gathered to where nothing else is asked for. Chosen: that of the polynomials that it is gathered
-/// from in rooms, about.
+/// Accuracy that light is gathered to where nothing else is asked for. Chosen: that of the polynomials that
+/// it is gathered from in rooms, about.
 pub const USUAL_EPS: f64 = 1.25e-3;
 
 /// Ways to gather light at points.

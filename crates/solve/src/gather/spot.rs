@@ -1,9 +1,9 @@
 //! The surface that a point lies on, and where on it.
 //!
-//! A point within a tolerance of a surface whose front its normal faces lies on that surface. The coordinates that
-//! users type are rounded, so it may lie slightly behind the surface or beyond its edge. It is therefore moved onto the
-//! surface and slightly away from surfaces that touch there, or inwards at an edge, so that its light is the limit from
-//! the open side.
+//! A point within a tolerance of a surface whose front its normal faces lies on that surface. The coordinates
+//! that users type are rounded, so it may lie slightly behind the surface or beyond its edge. It is therefore
+//! moved onto the surface and slightly away from surfaces that touch there, or inwards at an edge, so that
+//! its light is the limit from the open side.
 
 use radiosity_elements::Elements;
 use radiosity_geom::{Aabb, DVec3, Rect, Surface, overhang};
@@ -12,9 +12,9 @@ use radiosity_visibility::Visibility;
 
 use crate::solution::Place;
 
-/// A point lies on a surface if it is nearer than this part of the scene's diagonal and than `OF_ITS_OWN` of the
-/// surface's diagonal. Coordinates are rounded relative to the scene's size, but small things may stand before a sky.
-/// Both are chosen, not tuned.
+/// A point lies on a surface if it is nearer than this part of the scene's diagonal and than `OF_ITS_OWN` of
+/// the surface's diagonal. Coordinates are rounded relative to the scene's size, but small things may stand
+/// before a sky. Both are chosen, not tuned.
 const ON_SURFACE: f64 = 1e-6;
 const OF_ITS_OWN: f64 = 1e-4;
 
@@ -36,13 +36,13 @@ pub struct Spot {
     pub normal: DVec3,
 }
 
-/// If the unit directions away from touching surfaces sum up to less than this length, they cancel and the point is
-/// moved inwards instead. Chosen; not tuned.
+/// If the unit directions away from touching surfaces sum up to less than this length, they cancel and the
+/// point is moved inwards instead. Chosen; not tuned.
 const ASIDE: f64 = 0.1;
 
 impl Spot {
-    /// The spot for the point `x` with the unit normal `n`: on the surface within tolerance whose normal is nearest to
-    /// n. None where no such surface faces n.
+    /// The spot for the point `x` with the unit normal `n`: on the surface within tolerance whose normal is
+    /// nearest to n. None where no such surface faces n.
     pub fn find(elements: &Elements, visibility: &Visibility, x: DVec3, n: DVec3) -> Option<Self> {
         let diagonal = visibility.bounds().diagonal();
         let tolerance = ON_SURFACE * diagonal;
@@ -69,7 +69,8 @@ impl Spot {
         })
     }
 
-    /// The spot at these parameters of a surface in a scene of this diagonal. None inside a hole that fills a cell.
+    /// The spot at these parameters of a surface in a scene of this diagonal. None inside a hole that fills a
+    /// cell.
     pub fn at(elements: &Elements, surface: usize, parameters: [f64; 2], diagonal: f64) -> Option<Self> {
         Self::within(elements, surface, parameters, INWARDS * diagonal, DVec3::ZERO)
     }
@@ -80,7 +81,8 @@ impl Spot {
         ReceiverPoint { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }
     }
 
-    /// The spot at the parameters `at`, moved by the length `step` along `away`, or inwards if `away` nearly vanishes.
+    /// The spot at the parameters `at`, moved by the length `step` along `away`, or inwards if `away` nearly
+    /// vanishes.
     fn within(elements: &Elements, surface: usize, at: [f64; 2], step: f64, away: DVec3) -> Option<Self> {
         let shape = elements.shape(surface);
         let step = step.min(INWARDS / ON_SURFACE * OF_ITS_OWN * extent(shape));

@@ -1,9 +1,9 @@
 //! Walks: paths of rays from a receiver from surface to surface, against the light.
 //!
-//! A walk begins with a cosine-distributed ray from the receiver and goes on from where it ends, with the probability of
-//! the largest reflectance there, at most [`LIKELIEST`]; through a surface that lets light through it goes on from either side,
-//! in proportion to ρ and τ. The product w of the reflectances so far over these probabilities makes sums over the ends y unbiased
-//! estimates of the Neumann series:
+//! A walk begins with a cosine-distributed ray from the receiver and goes on from where it ends, with the
+//! probability of the largest reflectance there, at most [`LIKELIEST`]; through a surface that lets light
+//! through it goes on from either side, in proportion to ρ and τ. The product w of the reflectances so far
+//! over these probabilities makes sums over the ends y unbiased estimates of the Neumann series:
 //!
 //! ```text
 //! E[ Σ_ends w f(y) ] = (G + GρG + GρGρG + …) f    at the receiver,     (G f)(x) = ∫ κ(x, y) V(x, y) f(y) dA_y .
@@ -38,7 +38,8 @@ pub(crate) struct End {
     pub(crate) chance: u64,
 }
 
-/// The side of a surface whose light is sent on: that which a ray met, or the other of one that lets light through.
+/// The side of a surface whose light is sent on: that which a ray met, or the other of one that lets light
+/// through.
 pub(crate) struct Lit {
     pub(crate) element: usize,
     pub(crate) place: Place,
@@ -59,8 +60,8 @@ impl<'a> Walks<'a> {
         Self { solution, visibility }
     }
 
-    /// Walks from a receiver in a direction of its hemisphere, given by a point of the unit square; `visit` gets every end with
-    /// its weights w, band by band. `chance` chooses the rest.
+    /// Walks from a receiver in a direction of its hemisphere, given by a point of the unit square; `visit`
+    /// gets every end with its weights w, band by band. `chance` chooses the rest.
     pub(crate) fn walk(
         &self,
         mut from: ReceiverPoint,
@@ -72,7 +73,8 @@ impl<'a> Walks<'a> {
         while let Some(end) = self.end(&from, lambert(from.normal, direction), chance) {
             visit(&end, &weights);
             let likely = end.lit.brightest().min(LIKELIEST);
-            // Other numbers than those that `visit` makes of `chance`: what the dice allow must not choose its rays.
+            // Other numbers than those that `visit` makes of `chance`: what the dice allow must not choose
+            // its rays.
             let [dice, polar, turn] = shift(number_of([f64::from_bits(chance), 1.0]));
             chance = number_of([f64::from_bits(chance), 2.0]);
             if dice >= likely {

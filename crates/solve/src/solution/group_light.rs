@@ -1,7 +1,8 @@
 //! The light of one group, apart from that of all others.
 //!
-//! Light is linear in emission: with h_g the irradiance of group g alone, not dimmed, and f_g its factor, the scene's
-//! irradiance is h = Σ_g f_g h_g. So are its direct part, the shadow masks and the powers of its balance.
+//! Light is linear in emission: with h_g the irradiance of group g alone, not dimmed, and f_g its factor, the
+//! scene's irradiance is h = Σ_g f_g h_g. So are its direct part, the shadow masks and the powers of its
+//! balance.
 
 use std::sync::Arc;
 
@@ -25,7 +26,8 @@ pub struct GroupLight {
 }
 
 impl GroupLight {
-    /// Σ f x over the `parts` x with their `factors` f, all of one group and over the same functions, without masks.
+    /// Σ f x over the `parts` x with their `factors` f, all of one group and over the same functions, without
+    /// masks.
     pub(crate) fn together<'a>(factors: &[f64], parts: impl Iterator<Item = &'a Self> + Clone) -> Self {
         let first = parts.clone().next();
         let bands = 0..first.map_or(0, |part| part.bands.len());
@@ -41,7 +43,8 @@ impl GroupLight {
     }
 }
 
-/// Irradiance of one band, by coefficients in the orthonormal bases, element by element, in W m⁻² times scene length.
+/// Irradiance of one band, by coefficients in the orthonormal bases, element by element, in W m⁻² times scene
+/// length.
 #[derive(Clone, Debug)]
 pub struct Incident {
     /// h of the irradiance.
@@ -59,7 +62,8 @@ impl From<Coefficients> for Incident {
 }
 
 impl Incident {
-    /// Σ f x over the `parts` x with their `factors` f; the residual is the largest of any part that is not dark.
+    /// Σ f x over the `parts` x with their `factors` f; the residual is the largest of any part that is not
+    /// dark.
     pub(super) fn together<'a>(factors: &[f64], parts: impl Iterator<Item = &'a Self> + Clone) -> Self {
         let sum = |of: fn(&Self) -> &Vec<f64>| {
             let mut sum: Vec<f64> = Vec::new();

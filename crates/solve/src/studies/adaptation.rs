@@ -1,15 +1,15 @@
 //! Adaptation: solves on finer and finer discretisations until a wanted accuracy is reached.
 //!
-//! Each run has more polynomials or elements than the one before, and more accurate transfers. Its error is estimated
-//! from light gathered at points, plus what transfers and shadows may miss: that of the polynomials by what is gathered
-//! beside them (`estimate`), that of gathered light by walks (`gathered`).
-//! Against exact answers and much finer runs the estimate of polynomials is within a factor of three of the error
+//! Each run has more polynomials or elements than the one before, and more accurate transfers. Its error is
+//! estimated from light gathered at points, plus what transfers and shadows may miss: that of the polynomials
+//! by what is gathered beside them (`estimate`), that of gathered light by walks (`gathered`). Against exact
+//! answers and much finer runs the estimate of polynomials is within a factor of three of the error
 //! (`cargo test --release --test stress -- --ignored`), that of gathered light within two
 //! (`cargo run --release -p radiosity-studies --bin estimates`).
 //!
-//! Where the goal is gathered light, elements are refined where they are responsible for its error (`local`); where
-//! rays carry the pairs, by more of them (`rays`); for polynomials all alike (`rungs`); for hierarchical radiosity by weaker
-//! links (`links`).
+//! Where the goal is gathered light, elements are refined where they are responsible for its error (`local`);
+//! where rays carry the pairs, by more of them (`rays`); for polynomials all alike (`rungs`); for
+//! hierarchical radiosity by weaker links (`links`).
 
 mod goal;
 mod achieved;
@@ -46,11 +46,12 @@ const FEW: usize = 300;
 const NO_ERROR_OF_ELEMENTS: &str =
     "an accuracy of the polynomials is asked for, and rays do not tell the error of elements";
 
-/// Solves `scene` on finer and finer discretisations until the estimated error is small enough, or the next run would
-/// be too large or end too late. A finer run that does not fit into memory, or whose solver does not converge, also ends the sequence.
+/// Solves `scene` on finer and finer discretisations until the estimated error is small enough, or the next
+/// run would be too large or end too late. A finer run that does not fit into memory, or whose solver does
+/// not converge, also ends the sequence.
 ///
-/// Order and layers in `options` are lower bounds, `eps` and `shadow_eps` upper bounds; given cuts stay. Every run
-/// is told from its beginning.
+/// Order and layers in `options` are lower bounds, `eps` and `shadow_eps` upper bounds; given cuts stay.
+/// Every run is told from its beginning.
 ///
 /// # Errors
 /// Any error of the first run; of later runs those that do not end the sequence.
@@ -69,8 +70,8 @@ pub fn adapt(scene: &Scene, options: &Options, goal: &Goal, work: &Work<'_>) -> 
     }
 }
 
-/// Whether rays carry the pairs: where polynomials are the goal, in small scenes only if they are asked for, because their
-/// own error tells nothing of that of elements.
+/// Whether rays carry the pairs: where polynomials are the goal, in small scenes only if they are asked for,
+/// because their own error tells nothing of that of elements.
 fn is_by_rays(scene: &Scene, options: &Options, goal: &Goal, choice: &Choice) -> bool {
     let is_asked_for = options.transport == Transport::Sampled || options.rays.is_some();
     choice.sampled && (goal.of != Aim::Solution || is_asked_for || scene.surfaces.len() > FEW)

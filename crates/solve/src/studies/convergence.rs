@@ -1,16 +1,16 @@
-//! Convergence: one scene solved at rising orders, on meshes with more and more layers, and in other [ways](Way); how its
-//! error falls.
+//! Convergence: one scene solved at rising orders, on meshes with more and more layers, and in other
+//! [ways](Way); how its error falls.
 //!
-//! The error of a run is its [distance](crate::studies::error_norm) from a reference. Without one this is the finest
-//! of the uniform runs, whose own unknown error then adds to that of every other run. Between two runs of n and n′ unknowns of
-//! one way, on the same number of layers, the rate is
+//! The error of a run is its [distance](crate::studies::error_norm) from a reference. Without one this is the
+//! finest of the uniform runs, whose own unknown error then adds to that of every other run. Between two runs
+//! of n and n′ unknowns of one way, on the same number of layers, the rate is
 //!
 //! ```text
 //! log(error / error′) / log(n′ / n) .
 //! ```
 //!
-//! The error of energy of a run is the distance of its variational functional I ([`crate::system::ritz`]) from that of the finest
-//! uniform run, I*,
+//! The error of energy of a run is the distance of its variational functional I ([`crate::system::ritz`])
+//! from that of the finest uniform run, I*,
 //!
 //! ```text
 //! √((I − I*) / |I*|) ,     I − I* = ½ ‖y − y*‖² in the norm of the system where the spaces are nested.
@@ -29,15 +29,15 @@ use crate::solution::Solution;
 use crate::studies::adaptation::{Aim, Goal, adapt};
 use crate::studies::error_norm::distance;
 
-/// Powers of the strongest links of the hierarchical runs, in parts of the largest. Chosen: from a tenth of a second to
-/// some seconds in the Cornell box.
+/// Powers of the strongest links of the hierarchical runs, in parts of the largest. Chosen: from a tenth of a
+/// second to some seconds in the Cornell box.
 const LINKS: [f64; 4] = [1e-2, 2.5e-3, 6e-4, 1.5e-4];
 
 /// Accuracies of gathered light that elements are refined for. Chosen.
 const WANTED: [f64; 4] = [3e-2, 1e-2, 3e-3, 1e-3];
 
-/// Cells of a surface along u and v of the runs by constants and by tents. Chosen: about as many unknowns as polynomials of the
-/// usual orders.
+/// Cells of a surface along u and v of the runs by constants and by tents. Chosen: about as many unknowns as
+/// polynomials of the usual orders.
 const CELLS: [usize; 5] = [1, 2, 4, 8, 16];
 
 /// Rays of the sampled runs: from 2¹⁷ by factors of four. Chosen.
@@ -98,14 +98,15 @@ pub struct Run {
     pub samples: u64,
     /// Segments tested for visibility.
     pub rays: u64,
-    /// Wall time from elements to coefficients (s); of refined elements with all runs before and their estimates.
+    /// Wall time from elements to coefficients (s); of refined elements with all runs before and their
+    /// estimates.
     pub seconds: f64,
     /// Relative error; None for the run that is itself the reference.
     pub error: Option<f64>,
     /// Order of convergence in the unknowns from the run before; None without one, or with equal unknowns.
     pub rate: Option<f64>,
-    /// Relative error of energy against the finest uniform run; None for that run, and where the two are minima of different
-    /// functionals or rounding and the accuracy of the transfers exceed it.
+    /// Relative error of energy against the finest uniform run; None for that run, and where the two are
+    /// minima of different functionals or rounding and the accuracy of the transfers exceed it.
     pub energy: Option<f64>,
 }
 
@@ -134,8 +135,8 @@ struct Made {
     seconds: f64,
 }
 
-/// Solves `scene` at orders 0 to `options.order` on 0 to `options.layers.count` layers, layers slowest, and then in the
-/// `other` ways.
+/// Solves `scene` at orders 0 to `options.order` on 0 to `options.layers.count` layers, layers slowest, and
+/// then in the `other` ways.
 ///
 /// The finished part of all runs is told, in thousandths.
 ///

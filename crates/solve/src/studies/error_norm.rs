@@ -4,12 +4,13 @@
 //! d(B, B′) = ‖B − B′‖ / ‖B′ − E₀‖ ,     ‖f‖² = Σ_bands ∫ f² dA
 //! ```
 //!
-//! The emitted exitance is given and not computed: it cancels in the difference and is left out of the norm, so that a
-//! lamp a thousand times as bright as its room does not make every error look small. The integrals run over the common
-//! refinement of the two cuts: every element of B′ meets the elements of B on its surface in patches on which both are
-//! polynomials. On flat patches the Gauss rules are exact, on curved ones good to many more digits than the solutions; where
-//! reflectance varies, as good as the points of a rule represent its texels.
-//! Squares are added in a fixed order: the result does not depend on the number of threads.
+//! The emitted exitance is given and not computed: it cancels in the difference and is left out of the norm,
+//! so that a lamp a thousand times as bright as its room does not make every error look small. The integrals
+//! run over the common refinement of the two cuts: every element of B′ meets the elements of B on its surface
+//! in patches on which both are polynomials. On flat patches the Gauss rules are exact, on curved ones good
+//! to many more digits than the solutions; where reflectance varies, as good as the points of a rule
+//! represent its texels. Squares are added in a fixed order: the result does not depend on the number of
+//! threads.
 
 use radiosity_elements::Element;
 use radiosity_elements::parameters::of_node;
@@ -31,10 +32,12 @@ pub enum Incomparable {
     Surfaces(usize, usize),
 }
 
-/// ‖B − B′‖ / ‖B′ − E₀‖ of `solution` B and `reference` B′, all bands pooled; 0 if nothing is reflected in either.
+/// ‖B − B′‖ / ‖B′ − E₀‖ of `solution` B and `reference` B′, all bands pooled; 0 if nothing is reflected in
+/// either.
 ///
 /// # Errors
-/// Solutions with different numbers of bands or surfaces. The caller guarantees that the surfaces are the same.
+/// Solutions with different numbers of bands or surfaces. The caller guarantees that the surfaces are the
+/// same.
 pub fn distance(solution: &Solution, reference: &Solution) -> Result<f64, Incomparable> {
     let bands = [solution, reference].map(|s| s.bands().len());
     if bands[0] != bands[1] {

@@ -1,7 +1,7 @@
 //! The map from the coefficients of reflecting elements to those of a subspace, and back.
 //!
-//! Unknowns stand in the groups of elements some of which reflect, in their order; coefficients of elements that reflect nothing
-//! are zero.
+//! Unknowns stand in the groups of elements some of which reflect, in their order; coefficients of elements
+//! that reflect nothing are zero.
 
 use std::ops::Range;
 

@@ -1,6 +1,7 @@
 //! Ritz's method: the system of one band in the functions of a basis.
 //!
-//! With orthonormal columns Q of a [subspace](radiosity_published::bases::subspace) and y = Q a, the minimum of the variational functional
+//! With orthonormal columns Q of a [subspace](radiosity_published::bases::subspace) and y = Q a, the minimum
+//! of the variational functional
 //!
 //! ```text
 //! I(y) = ½ ⟨(I − √ρ G √ρ) y, y⟩ − ⟨f, y⟩ ,     f = √ρ times the irradiance of the first transport
@@ -12,20 +13,20 @@
 //! (I − Qᵀ √ρ G √ρ Q) a = Qᵀ f ,
 //! ```
 //!
-//! which is symmetric and positive definite with the whole system, its eigenvalues between those of the latter. Polynomials of an
-//! order on each element are the case Q = I. Irradiance and direct light are told in the subspace as well, P h and P d: what is
-//! read is what the basis can say. Constants lie in each subspace, so the balance of power is that of the polynomials, kept to
-//! rounding.
+//! which is symmetric and positive definite with the whole system, its eigenvalues between those of the
+//! latter. Polynomials of an order on each element are the case Q = I. Irradiance and direct light are told
+//! in the subspace as well, P h and P d: what is read is what the basis can say. Constants lie in each
+//! subspace, so the balance of power is that of the polynomials, kept to rounding.
 //!
-//! Light of the first K reflections alone (`--bounces`) is a sum of powers instead, with t_k the irradiance that was reflected
-//! exactly k times:
+//! Light of the first K reflections alone (`--bounces`) is a sum of powers instead, with t_k the irradiance
+//! that was reflected exactly k times:
 //!
 //! ```text
 //! h_K = d + Σ_{k=1..K} t_k ,     t_{k+1} = P G ρ t_k .
 //! ```
 //!
-//! Reference: L. Szirmay-Kalos, *Application of variational calculus in the radiosity method*, Periodica Polytechnica El. Eng.
-//! 40 (1996), 123–138.
+//! Reference: L. Szirmay-Kalos, *Application of variational calculus in the radiosity method*, Periodica
+//! Polytechnica El. Eng. 40 (1996), 123–138.
 
 use std::borrow::Cow;
 
@@ -65,16 +66,16 @@ pub(crate) struct Bounced {
 }
 
 impl<'a> Ritz<'a> {
-    /// `system` in the functions of a subspace; in those of its elements for None. Direct light that enters it apart lies in
-    /// the subspace.
+    /// `system` in the functions of a subspace; in those of its elements for None. Direct light that enters
+    /// it apart lies in the subspace.
     pub fn new(system: System<'a>, subspace: Option<&'a Subspace>) -> Self {
         let starts = system.blocks.starts();
         let reduction = subspace.map(|own| Reduction::new(own, &system.reflecting, starts));
         Self { system, reduction }
     }
 
-    /// The method for the one that was asked for, where the matrix `is_symmetric` or not. In a subspace it is known by its
-    /// products, so that a choice that is left open falls on a method that multiplies.
+    /// The method for the one that was asked for, where the matrix `is_symmetric` or not. In a subspace it is
+    /// known by its products, so that a choice that is left open falls on a method that multiplies.
     pub(crate) fn method(&self, asked: &'static Method, is_symmetric: bool) -> &'static Method {
         if self.reduction.is_none() || asked.access != Access::BySize {
             return asked;
@@ -97,7 +98,8 @@ impl<'a> Ritz<'a> {
         };
         let product = Projected::new(reduction, self.system.operator(&Method::CG, threads)?);
         if method.only_multiplies() {
-            // Diagonal blocks would cost as much as the whole matrix; those of flat surfaces are the identity.
+            // Diagonal blocks would cost as much as the whole matrix; those of flat surfaces are the
+            // identity.
             return Ok((Box::new(product), Preconditioner::None));
         }
         Ok((Box::new(product.entries(self.system.ranks())?), asked))
@@ -128,8 +130,8 @@ impl<'a> Ritz<'a> {
         Found { coefficients: self.system.with_irradiance(&unknown, irradiance, direct), functional }
     }
 
-    /// Light that was reflected `bounces` times at the most, and once less. Residuals are the radiosity of the next reflection, as
-    /// for [`Coefficients::residual`].
+    /// Light that was reflected `bounces` times at the most, and once less. Residuals are the radiosity of
+    /// the next reflection, as for [`Coefficients::residual`].
     pub(crate) fn bounced(&self, bounces: usize) -> Bounced {
         let direct = self.projected(self.system.direct.clone());
         let mut irradiance = direct.clone();

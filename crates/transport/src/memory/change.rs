@@ -16,7 +16,8 @@ pub(super) struct Seen {
     starts: Vec<[u64; 2]>,
 }
 
-/// Whether each element and surface is another than in the scene before, and whether rays start on each surface in another way.
+/// Whether each element and surface is another than in the scene before, and whether rays start on each
+/// surface in another way.
 #[derive(Debug)]
 pub(super) struct Change {
     pub elements: Vec<bool>,

@@ -1,15 +1,16 @@
 //! Hits of rays in the scene before, taken again where nothing has come into their way.
 //!
-//! A ray meets the nearest of all surfaces. Where neither its element nor what it met has changed, it meets that again, to the bit,
-//! unless a surface that has changed comes before it: only those are asked (`Obstacles`).
+//! A ray meets the nearest of all surfaces. Where neither its element nor what it met has changed, it meets
+//! that again, to the bit, unless a surface that has changed comes before it: only those are asked
+//! (`Obstacles`).
 
 use std::sync::Arc;
 
 use radiosity_geom::{DVec3, Encounter, Hit, RayTree};
 use serde::{Deserialize, Serialize};
 
-/// Most rays that are kept, by all ranks and all sequences of rays together; others are traced in every scene. Chosen: half a gigabyte, the rays
-/// of the scene before and those of this one.
+/// Most rays that are kept, by all ranks and all sequences of rays together; others are traced in every
+/// scene. Chosen: half a gigabyte, the rays of the scene before and those of this one.
 pub const MOST: u64 = 1 << 23;
 
 /// Bytes of a ray that is kept.
@@ -117,7 +118,8 @@ impl KnownRays {
         (!tree.may_come_before(origin, direction, end, *reach)).then_some(met)
     }
 
-    /// Keeps what rays of an element met, the first of them of this index, and counts how many had been `recalled`.
+    /// Keeps what rays of an element met, the first of them of this index, and counts how many had been
+    /// `recalled`.
     pub(crate) fn keep(&mut self, element: usize, first: u64, met: &[Met], recalled: u64) {
         self.counts.recalled += recalled;
         self.counts.traced += met.len() as u64 - recalled;

@@ -1,21 +1,21 @@
-//! Occlusion correction by outlines: what planar blockers take away from the transfer between two elements of which at
-//! least one is flat.
+//! Occlusion correction by outlines: what planar blockers take away from the transfer between two elements of
+//! which at least one is flat.
 //!
 //! ```text
 //! G = G⁰ − S ,     S_kl = ∫ φ_k(x) ∫_{H(x)} φ_l(y) κ(x, y) dA_y dA_x ,
 //! ```
 //!
-//! where G⁰ is the unobstructed block and H(x) the part of the inner element that is hidden from the outer point x.
-//! H(x) consists of polygons, found by clipping ([`radiosity_kernel::irradiance::visible_polygon`]). It lies behind a blocker,
-//! away from x, so that the inner integral is smooth even where the one over all y is singular. Constants are
-//! integrated by Lambert's formula, higher functions by Gauss rules over the polygons, halved while they are near
-//! ([`radiosity_kernel::rules::far`]).
+//! where G⁰ is the unobstructed block and H(x) the part of the inner element that is hidden from the outer
+//! point x. H(x) consists of polygons, found by clipping ([`radiosity_kernel::irradiance::visible_polygon`]).
+//! It lies behind a blocker, away from x, so that the inner integral is smooth even where the one over all y
+//! is singular. Constants are integrated by Lambert's formula, higher functions by Gauss rules over the
+//! polygons, halved while they are near ([`radiosity_kernel::rules::far`]).
 //!
-//! The outer element is the one farther from the blockers relative to its size: the shadows on the other then move
-//! smoothly with x. A curved element is always the outer one; its points see the part of the flat one above their
-//! tangent planes. The inner integral jumps along sides of blockers that stand on the outer element: it is cut along
-//! them. It has kinks where an edge of one blocker passes a corner of another or of the element: cells are halved until
-//! two levels agree.
+//! The outer element is the one farther from the blockers relative to its size: the shadows on the other then
+//! move smoothly with x. A curved element is always the outer one; its points see the part of the flat one
+//! above their tangent planes. The inner integral jumps along sides of blockers that stand on the outer
+//! element: it is cut along them. It has kinks where an edge of one blocker passes a corner of another or of
+//! the element: cells are halved until two levels agree.
 
 mod edges;
 mod kinks;
@@ -51,14 +51,15 @@ const DEPTH: usize = 14;
 const INNER_DEPTH: usize = 40;
 /// Largest relative error of the inner rules. Chosen; not tuned.
 const LOOSEST: f64 = 0.05;
-/// Most cells of one patch of the outer element; what is left then counts as error. The worst patches of the built-in
-/// scenes, and of the rooms with slits in `tests/stress`, take a tenth of it.
+/// Most cells of one patch of the outer element; what is left then counts as error. The worst patches of the
+/// built-in scenes, and of the rooms with slits in `tests/stress`, take a tenth of it.
 const MOST_CELLS: u64 = 1 << 16;
 
 /// Number of outer patches from which they are summed in parallel. Chosen; not tuned.
 const MANY: usize = 8;
 
-/// Width over length below which a hidden polygon is a rounding error: collinear edges of shadows leave such slivers.
+/// Width over length below which a hidden polygon is a rounding error: collinear edges of shadows leave such
+/// slivers.
 const SLIVER: f64 = 1e-13;
 
 /// Differences of two levels below this part of the entry are rounding.
@@ -67,11 +68,12 @@ const ROUNDING: f64 = 1e-15;
 /// Allowed difference of two levels, as a multiple of the error allowed of the finer one. Chosen; not tuned.
 const AGREED: f64 = 2.5;
 
-/// Halvings before a cell counts as wholly visible or wholly hidden because all its points are: few points may miss the
-/// edge of a shadow. Chosen; not tuned.
+/// Halvings before a cell counts as wholly visible or wholly hidden because all its points are: few points
+/// may miss the edge of a shadow. Chosen; not tuned.
 const SURE: usize = 2;
 
-/// Safety factor on a cell's maximal contribution, which is estimated from its corners and middle. Chosen; not tuned.
+/// Safety factor on a cell's maximal contribution, which is estimated from its corners and middle. Chosen;
+/// not tuned.
 const CARRIED: f64 = 1.2;
 
 /// The accuracy asked of an occlusion correction.
@@ -129,8 +131,8 @@ impl Occlusion {
     }
 }
 
-/// The block between two elements with planar `blockers`, its correction accurate to `limit`. `unshaded` makes the
-/// unobstructed block.
+/// The block between two elements with planar `blockers`, its correction accurate to `limit`. `unshaded`
+/// makes the unobstructed block.
 pub(crate) fn occluded_block(
     pair: [&Element; 2],
     blockers: &[usize],
@@ -281,7 +283,8 @@ impl<'a> Work<'a> {
         Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
 
-    /// Adds a cell of the outer element with an error up to `limit`. `coarse` are its moments by one rule, if known.
+    /// Adds a cell of the outer element with an error up to `limit`. `coarse` are its moments by one rule, if
+    /// known.
     fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<Sum>, limit: f64, depth: usize) {
         check_interrupt();
         let blockers = self.task.visibility.narrow_bodies(blockers, &cell.hull(), self.task.edges.inner());
@@ -332,8 +335,8 @@ impl<'a> Work<'a> {
             && self.task.edges.may_be_passed_over(cell, blockers, self.task.points as f64, self.task.accuracy)
     }
 
-    /// Maximal contribution of a cell to an entry, estimated from the unobstructed irradiance at its corners and
-    /// middle.
+    /// Maximal contribution of a cell to an entry, estimated from the unobstructed irradiance at its corners
+    /// and middle.
     fn most(&self, cell: &Patch) -> f64 {
         let nodes =
             [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[s, t]| cell.node(s, t));
@@ -343,9 +346,9 @@ impl<'a> Work<'a> {
         nodes.iter().map(seen).fold(0.0, f64::max) * nodes[0].area * self.task.constants
     }
 
-    /// Moments of what is hidden from a cell, receiver's raw functions by emitter's. If the outer element has constants
-    /// only, the moments with its two coordinates follow: one number may agree on two levels by chance, three hardly
-    /// do.
+    /// Moments of what is hidden from a cell, receiver's raw functions by emitter's. If the outer element has
+    /// constants only, the moments with its two coordinates follow: one number may agree on two levels by
+    /// chance, three hardly do.
     fn sum(&mut self, cell: &Patch, blockers: &[usize], points: [usize; 2]) -> Sum {
         let (own, other) = (self.task.outer.basis.len(), self.task.inner.basis.len());
         let witnesses = if own == 1 { 2 * other } else { 0 };
@@ -462,8 +465,8 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Points per direction of the outer rule, for functions of this degree times the inner integral, which is smooth
-/// except for kinks. One point more per three digits is chosen, not tuned.
+/// Points per direction of the outer rule, for functions of this degree times the inner integral, which is
+/// smooth except for kinks. One point more per three digits is chosen, not tuned.
 fn points(degree: usize, accuracy: f64) -> usize {
     (0.5 * degree as f64 + 1.5 - accuracy.log10() / 3.0) as usize
 }
@@ -497,9 +500,9 @@ impl Cut {
         }
     }
 
-    /// Points of the rule on the parts, of `usual` points per direction, along and across, after a rule of `coarse`
-    /// points on the whole. Halves lie beside the same points as the whole in the direction that is not cut: another
-    /// number of points there tells whether these suffice.
+    /// Points of the rule on the parts, of `usual` points per direction, along and across, after a rule of
+    /// `coarse` points on the whole. Halves lie beside the same points as the whole in the direction that is
+    /// not cut: another number of points there tells whether these suffice.
     fn points(self, usual: usize, coarse: [usize; 2]) -> [usize; 2] {
         let other = |points: usize| if points == usual { usual + 1 } else { usual };
         match self {

@@ -4,15 +4,15 @@
 //! S_kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) [V(x, y) = v] dA_x dA_y ≈ 1/n Σ_m f(z_m)
 //! ```
 //!
-//! where v = 1 sums what is seen and v = 0 what is hidden: whichever is rarer; the other follows from a smooth rule
-//! over all. The integrand jumps at the edges of shadows, where a tensor rule makes errors of one sign wherever an edge
-//! runs along its grid. The points z_m of a Kronecker sequence ([`radiosity_elements::sampling::kronecker`]) lie on no
-//! grid.
+//! where v = 1 sums what is seen and v = 0 what is hidden: whichever is rarer; the other follows from a
+//! smooth rule over all. The integrand jumps at the edges of shadows, where a tensor rule makes errors of one
+//! sign wherever an edge runs along its grid. The points z_m of a Kronecker sequence
+//! ([`radiosity_elements::sampling::kronecker`]) lie on no grid.
 //!
-//! The sequence is cut into [`BATCHES`] equal batches, each nearly equidistributed. The error is estimated as half the
-//! standard deviation of the mean of their sums, as if these were independent: consecutive batches balance each other's
-//! errors. Batches with few points of the kind that is summed may agree by chance, so that the error is at least the
-//! contribution of one such point, or of three if none was met.
+//! The sequence is cut into [`BATCHES`] equal batches, each nearly equidistributed. The error is estimated as
+//! half the standard deviation of the mean of their sums, as if these were independent: consecutive batches
+//! balance each other's errors. Batches with few points of the kind that is summed may agree by chance, so
+//! that the error is at least the contribution of one such point, or of three if none was met.
 
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::{Node, Patch};
@@ -30,11 +30,12 @@ const FEWEST: usize = 16;
 const MOST: usize = 1 << 14;
 /// Points that cost about as much as a rule over all where a horizon cuts the patches. Chosen; not tuned.
 const DEAR: f64 = 3e3;
-/// Counting error of the points that are summed: one point, or three if none was met (rule of three: 0.05 = e⁻³).
+/// Counting error of the points that are summed: one point, or three if none was met (rule of three:
+/// 0.05 = e⁻³).
 const OFF: f64 = 1.0;
 const UNMET: f64 = 3.0;
-/// Standard deviations of the mean, as if batches were independent, that count as its error. Half of one is what is
-/// found on the average; a disk that hid part of another was off by three.
+/// Standard deviations of the mean, as if batches were independent, that count as its error. Half of one is
+/// what is found on the average; a disk that hid part of another was off by three.
 const SURE: f64 = 2.0;
 
 /// The points that are summed: those that see each other, or those hidden from each other.
@@ -53,8 +54,8 @@ pub(crate) struct SampledVisibility {
     pub values: Vec<f64>,
     /// Whether `values` are of what is hidden.
     pub hidden: bool,
-    /// Estimated error of `values` (a standard deviation, see the module's header) where it exceeds the limit; else
-    /// zero.
+    /// Estimated error of `values` (a standard deviation, see the module's header) where it exceeds the
+    /// limit; else zero.
     pub error: f64,
     pub samples: u64,
     pub rays: u64,
@@ -126,8 +127,8 @@ impl Work<'_> {
         self.sum(limit, f64::INFINITY)
     }
 
-    /// The integral and its estimated error. The latter exceeds `limit` if [`MOST`] points do not suffice, or as soon
-    /// as more than `most` points are predicted to be needed.
+    /// The integral and its estimated error. The latter exceeds `limit` if [`MOST`] points do not suffice, or
+    /// as soon as more than `most` points are predicted to be needed.
     fn sum(&mut self, limit: f64, most: f64) -> (Vec<f64>, f64) {
         let mut points = FEWEST;
         let mut batches: Vec<Vec<f64>> = (0..BATCHES).map(|_| self.batch(points)).collect();
@@ -168,7 +169,8 @@ impl Work<'_> {
         sum
     }
 
-    /// The contribution of [`OFF`] or [`UNMET`] points: batches with few points of the summed kind may agree by chance.
+    /// The contribution of [`OFF`] or [`UNMET`] points: batches with few points of the summed kind may agree
+    /// by chance.
     fn least_error(&self) -> f64 {
         let Count { samples, facing, seen, weight } = self.count;
         if facing == 0 {
@@ -226,8 +228,8 @@ mod tests {
         AreaBasis::new(0, frame, patches).expect("a square has area")
     }
 
-    /// For two squares, one above the other, of which the lower one sees the upper one from x < `to` only: the result,
-    /// and the exact integral.
+    /// For two squares, one above the other, of which the lower one sees the upper one from x < `to` only:
+    /// the result, and the exact integral.
     fn found(to: f64, limit: f64) -> (SampledVisibility, f64) {
         found_of(to, limit, Choice::Rarer)
     }

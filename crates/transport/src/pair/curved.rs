@@ -95,17 +95,18 @@ use attempt::DOUBT;
 use constant::constant;
 use job::{Job, Task};
 
-/// Samples, about, for all parts left when the samples are spent, and points per direction for each. Chosen; not tuned.
+/// Samples, about, for all parts left when the samples are spent, and points per direction for each. Chosen;
+/// not tuned.
 const LEFT_SAMPLES: f64 = 2e5;
 const FEWEST_LEFT: usize = 1;
 const MOST_LEFT: usize = 4;
 /// Factor that turns the sum so far into a lower bound of the block's first entry. Chosen; not tuned.
 const FOUND_SHARE: f64 = 0.5;
 
-/// The block between two elements. `blockers` are the surfaces that may stand between them, their own included. Sampled
-/// shadows may make a standard deviation of `shadow_error` in an entry. All other errors are measured against the
-/// block's first entry or `least`, whichever is larger. The smaller the block compared with the largest entry of its
-/// `row`, the less contacts and horizons are refined.
+/// The block between two elements. `blockers` are the surfaces that may stand between them, their own
+/// included. Sampled shadows may make a standard deviation of `shadow_error` in an entry. All other errors
+/// are measured against the block's first entry or `least`, whichever is larger. The smaller the block
+/// compared with the largest entry of its `row`, the less contacts and horizons are refined.
 pub(crate) fn block(
     receiver: &Element,
     emitter: &Element,
@@ -137,8 +138,8 @@ pub(crate) fn block(
     job.finish()
 }
 
-/// The block of a curved element with itself. `blockers` are the surfaces within its hull; `least` and `row` as for
-/// [`block`].
+/// The block of a curved element with itself. `blockers` are the surfaces within its hull; `least` and `row`
+/// as for [`block`].
 pub(crate) fn self_block(
     element: &Element,
     blockers: &[usize],
@@ -165,7 +166,8 @@ pub(crate) fn self_block(
         block.values.iter_mut().for_each(|value| *value *= 0.5);
         return block;
     }
-    // Half of all pairs are summed and then mirrored: entries on the diagonal double, the deviation grows by √2.
+    // Half of all pairs are summed and then mirrored: entries on the diagonal double, the deviation grows by
+    // √2.
     job.budget.shadow_error *= FRAC_1_SQRT_2;
     for (index, part) in parts.iter().enumerate() {
         job.tasks.push_back(Task::Same(part.clone(), job.state(part, part, blockers)));

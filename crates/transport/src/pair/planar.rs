@@ -4,19 +4,19 @@
 //! G_kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_x dA_y
 //! ```
 //!
-//! Constants on elements without blockers go by [`contour`], exactly. All other pairs of flat patches are clipped and
-//! cut until a rule covers their contact ([`radiosity_kernel::contact::clip`]):
+//! Constants on elements without blockers go by [`contour`], exactly. All other pairs of flat patches are
+//! clipped and cut until a rule covers their contact ([`radiosity_kernel::contact::clip`]):
 //!
-//! * a common edge → [`common_edge`], and a common corner → [`common_vertex`]; where visibility is sampled, slender
-//!   patches (aspect > 2.5) are halved first;
+//! * a common edge → [`common_edge`], and a common corner → [`common_vertex`]; where visibility is sampled,
+//!   slender patches (aspect > 2.5) are halved first;
 //! * far apart, gap/extent ≥ ¼ → [`far`];
 //! * near → [`radiosity_kernel::rules::near`] where that is cheaper than halving the longest extent.
 //!
 //! What planar blockers hide is subtracted afterwards by its outline ([`crate::occlusion::outlines`]). Where
-//! rays are asked for, a pair that a blocker may cut is halved a few times first: free parts get the smooth rule and
-//! hidden parts are dropped. The rest is sampled until it is accurate enough
-//! ([`crate::occlusion::sampled`]), except where patches touch: there every sample of the contact rule gets
-//! a ray.
+//! rays are asked for, a pair that a blocker may cut is halved a few times first: free parts get the smooth
+//! rule and hidden parts are dropped. The rest is sampled until it is accurate enough
+//! ([`crate::occlusion::sampled`]), except where patches touch: there every sample of the contact rule gets a
+//! ray.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Direction, Patch};
@@ -38,14 +38,15 @@ use crate::occlusion::sampled::{Choice, SampledVisibility};
 
 /// Smallest extent of patches that may still be halved, relative to the larger element. Chosen; not tuned.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
-/// A part whose area is below this times ε √(A_i A_j) is left out; ∫κ dA ≤ 1 bounds what it carries. Chosen; not tuned.
+/// A part whose area is below this times ε √(A_i A_j) is left out; ∫κ dA ≤ 1 bounds what it carries. Chosen;
+/// not tuned.
 const NEGLIGIBLE: f64 = 1e-3;
-/// Most angular points of the corner rule, which takes their third power, and of slender parts at the smallest size.
-/// Chosen; not tuned.
+/// Most angular points of the corner rule, which takes their third power, and of slender parts at the
+/// smallest size. Chosen; not tuned.
 const MOST_SLIVER_POINTS: usize = 16;
 
-/// The block between two elements. `blockers` are the surfaces that may stand between them; sampling their shadows may
-/// make a standard deviation of `error` in an entry.
+/// The block between two elements. `blockers` are the surfaces that may stand between them; sampling their
+/// shadows may make a standard deviation of `error` in an entry.
 pub(crate) fn block(
     receiver: &Element,
     emitter: &Element,
@@ -275,8 +276,8 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// A pair apart: adds what is seen, or all of it less what is hidden. Errors of parts have either sign, so that
-    /// their variances add.
+    /// A pair apart: adds what is seen, or all of it less what is hidden. Errors of parts have either sign,
+    /// so that their variances add.
     fn scatter(&mut self, p: &Patch, q: &Patch, contact: &Contact, sees: Sees) {
         let volume = polygon_area(&p.polygon()) * polygon_area(&q.polygon());
         let limit = self.shadow_error / self.scale * volume.sqrt() / self.unit;
@@ -321,8 +322,8 @@ impl<'a> Job<'a> {
         p.longest().1.max(q.longest().1) > SMALLEST_PART * self.size
     }
 
-    /// Halves a pair across its longest extent; both sides together along a common edge if that is as long (0.999
-    /// allows for rounding).
+    /// Halves a pair across its longest extent; both sides together along a common edge if that is as long
+    /// (0.999 allows for rounding).
     fn halve(&mut self, p: &Patch, q: &Patch, contact: &Contact, mut state: State) {
         if let Contact::Edge(a, b) = contact {
             let wedge = Wedge::of(a, b);

@@ -6,12 +6,10 @@
 //! Σ_j d_i (A_i F_ij) d_j = R_i   for all i ,
 //! ```
 //!
-//! for given sums R_i, and G_ij becomes d_i G_ij d_j, which is symmetric still. The d are found by turns, d_i ← d_i
-//! √(R_i / Σ_j A_i F_ij)
-//! (the damped iteration of R. Sinkhorn, P. Knopp, *Pacific J. Math.* 21 (1967) 343-348, for symmetric matrices); a
-//! row that nothing
-//! enters keeps d_i = 1. Smoothing by least squares is in M. E. Larsen, J. R. Howell, *J. Heat Transfer* 108 (1986)
-//! 239-242.
+//! for given sums R_i, and G_ij becomes d_i G_ij d_j, which is symmetric still. The d are found by turns, d_i
+//! ← d_i √(R_i / Σ_j A_i F_ij) (the damped iteration of R. Sinkhorn, P. Knopp, *Pacific J. Math.* 21 (1967)
+//! 343-348, for symmetric matrices); a row that nothing enters keeps d_i = 1. Smoothing by least squares is
+//! in M. E. Larsen, J. R. Howell, *J. Heat Transfer* 108 (1986) 239-242.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,24 +1,24 @@
 //! Blocks from the sums over hits.
 //!
-//! With W_i the rays of element i (the sum of their weights) and D_ij = W_i/A_i + W_j/A_j, G_ij = S_ij / D_ij. Two
-//! things are known
-//! beside it: the rays of i that count on no pair, and how these are spread over i, tell the projections
+//! With W_i the rays of element i (the sum of their weights) and D_ij = W_i/A_i + W_j/A_j,
+//! G_ij = S_ij / D_ij. Two things are known beside it: the rays of i that count on no pair, and how these are
+//! spread over i, tell the projections
 //!
 //! ```text
 //! t_i^k = ∫ φ_k s dA = c_i^k − (A_i/W_i) Σ w φ_k(x)   over the rays that count on no pair ,
 //! ```
 //!
-//! of s, the part of the hemisphere that sampled pairs fill; so do the rays that meet nothing, less what exact pairs
-//! fill. Where no ray
-//! is lost this is exact. The blocks tell them too, as Σ_j G_ij c_j. By their variances, α = V/(V + V_own) with
+//! of s, the part of the hemisphere that sampled pairs fill; so do the rays that meet nothing, less what
+//! exact pairs fill. Where no ray is lost this is exact. The blocks tell them too, as Σ_j G_ij c_j. By their
+//! variances, α = V/(V + V_own) with
 //!
 //! ```text
 //! V_i = Σ_j n_ij / D_ij² ,     V_own,i = A_i² p (1 − p) / W_i ,     p the share of rays that are not lost ,
 //! ```
 //!
-//! the better of the two counts: Σ_j G_ij c_j + α (t_i − Σ_j G_ij c_j). For k = 0 factors d_i G_ij d_j bring it about
-//! ([`closure`]); for k > 0 what is missing is spread over the entries G_ij^k0 in the proportions of the exchanges.
-//! G stays symmetric, and a closed scene keeps its power.
+//! the better of the two counts: Σ_j G_ij c_j + α (t_i − Σ_j G_ij c_j). For k = 0 factors d_i G_ij d_j bring
+//! it about ([`closure`]); for k > 0 what is missing is spread over the entries G_ij^k0 in the proportions of
+//! the exchanges. G stays symmetric, and a closed scene keeps its power.
 
 use radiosity_elements::Element;
 use radiosity_kernel::Blocks;
@@ -131,8 +131,8 @@ impl<'a> Estimate<'a> {
         estimate
     }
 
-    /// Takes what own rays tell of the next element, from what they missed, what landed on pairs on which none counts,
-    /// and Σ_j G_ij c_j over these with its relative error.
+    /// Takes what own rays tell of the next element, from what they missed, what landed on pairs on which
+    /// none counts, and Σ_j G_ij c_j over these with its relative error.
     fn take(&mut self, index: usize, missed: &[f64], exact: &[f64], (fixed, error): (&[f64], f64)) {
         check_interrupt();
         let (element, weight) = (&self.list[index], self.weights[index]);

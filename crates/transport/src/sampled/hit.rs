@@ -23,8 +23,8 @@ pub(super) struct Hit {
     pub to: [f64; 2],
 }
 
-/// The hit of the ray of number `index` from element `source`, given what it meets first; none where it leaves the scene or meets a
-/// back, which absorbs it.
+/// The hit of the ray of number `index` from element `source`, given what it meets first; none where it
+/// leaves the scene or meets a back, which absorbs it.
 pub(super) fn hit(
     elements: &Elements,
     source: usize,

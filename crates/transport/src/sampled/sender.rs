@@ -1,8 +1,9 @@
 //! Rays that leave an element: from points spread evenly over its area, in cosine-distributed directions.
 //!
-//! The density of points and directions together is cos θ / (π A), that of κ V dA_y over the whole hemisphere. The
-//! numbers are a Kronecker sequence in four dimensions, shifted by a hash of a number of the element, so that a ray depends
-//! on its element and its own number only: not on threads, nor on how many rays are sent in all.
+//! The density of points and directions together is cos θ / (π A), that of κ V dA_y over the whole
+//! hemisphere. The numbers are a Kronecker sequence in four dimensions, shifted by a hash of a number of the
+//! element, so that a ray depends on its element and its own number only: not on threads, nor on how many
+//! rays are sent in all.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;

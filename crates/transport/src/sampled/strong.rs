@@ -1,8 +1,9 @@
 //! Pairs that are carried exactly beside the rays: those for which as good a block by rays would cost more.
 //!
-//! A pair that n rays meet has a relative error of about n^-½. An exact block removes it, for the time of a number of
-//! rays that depends on what the pair is. It is taken where more rays than that are expected to land on the pair: what
-//! is left to the rays are many weak pairs. Rays that land on a pair of these are not counted.
+//! A pair that n rays meet has a relative error of about n^-½. An exact block removes it, for the time of a
+//! number of rays that depends on what the pair is. It is taken where more rays than that are expected to
+//! land on the pair: what is left to the rays are many weak pairs. Rays that land on a pair of these are not
+//! counted.
 
 use std::collections::HashSet;
 
@@ -30,7 +31,8 @@ pub(super) struct Strong {
 }
 
 impl Strong {
-    /// The pairs of `tally`, of which each rank judges those in its rows, that are worth it for the number of hits that is `expected` of them.
+    /// The pairs of `tally`, of which each rank judges those in its rows, that are worth it for the number of
+    /// hits that is `expected` of them.
     pub(super) fn worth(
         elements: &Elements,
         visibility: &Visibility,

@@ -16,9 +16,8 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::sampled::hit::Hit;
 
-/// Hits for each entry of a block from which all of its entries are counted. In a classroom and a soda shop, values of
-/// 0, 1 and 4 made
-/// no difference to the light at points beyond a fiftieth of its error.
+/// Hits for each entry of a block from which all of its entries are counted. In a classroom and a soda shop,
+/// values of 0, 1 and 4 made no difference to the light at points beyond a fiftieth of its error.
 const HITS_PER_ENTRY: f64 = 1.0;
 
 /// Values of the functions of an element at a point; of up to order 7 without an allocation.
@@ -26,9 +25,8 @@ pub(super) type Values = SmallVec<[f64; 36]>;
 
 /// Sums over hits, by pairs of elements.
 ///
-/// Of pairs with few hits only the entries that are constant on one side are kept, S_ij^0l and S_ij^k0: what varies on
-/// both sides is noise
-/// there, and it meets the small high coefficients of what is sent.
+/// Of pairs with few hits only the entries that are constant on one side are kept, S_ij^0l and S_ij^k0: what
+/// varies on both sides is noise there, and it meets the small high coefficients of what is sent.
 #[derive(Debug)]
 pub(super) struct Tally {
     rows: Vec<Row>,

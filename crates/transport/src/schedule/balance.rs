@@ -1,9 +1,9 @@
 //! The distribution of blocks over ranks, so that all have about as much to do.
 //!
-//! What a block costs is known only afterwards: near and partly hidden pairs cost a hundred times as much as others. The blocks are
-//! therefore made in three rounds. A pilot tells what the blocks of each class cost; by that most are shared; the rest go to the
-//! ranks that turn out to have done less. Within a round the dearest blocks are shared first, each to the rank with the least
-//! ([`radiosity_work::ranks::shares`]).
+//! What a block costs is known only afterwards: near and partly hidden pairs cost a hundred times as much as
+//! others. The blocks are therefore made in three rounds. A pilot tells what the blocks of each class cost;
+//! by that most are shared; the rest go to the ranks that turn out to have done less. Within a round the
+//! dearest blocks are shared first, each to the rank with the least ([`radiosity_work::ranks::shares`]).
 
 use std::collections::HashMap;
 
@@ -47,7 +47,8 @@ pub(super) struct Balance {
     all: [f64; 2],
 }
 
-/// The rounds in which so many blocks are made by so many ranks: one where there is nobody to share them with.
+/// The rounds in which so many blocks are made by so many ranks: one where there is nobody to share them
+/// with.
 pub(super) fn rounds(pieces: usize, ranks: usize) -> Vec<Vec<usize>> {
     if ranks == 1 {
         return vec![(0..pieces).collect()];

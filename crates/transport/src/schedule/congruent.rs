@@ -1,13 +1,14 @@
 //! Congruent pairs: parallelograms that are equal up to similarity, and therefore share one block.
 //!
-//! G has neither scale nor directions. With the centres c, the half sides a and b along which the basis runs, and
-//! d = c_j − c_i, the pose of a pair is the table of scalar products of a_i, b_i, a_j, b_j and d, divided by |d|²,
-//! together with the sides on which the fronts lie. Motions and reflections do not change it. Reversing a half side, or
-//! exchanging the two of an element, only changes signs or order of the polynomials; exchanging the elements transposes
-//! the block. Each pair is therefore brought to a standard form first.
+//! G has neither scale nor directions. With the centres c, the half sides a and b along which the basis runs,
+//! and d = c_j − c_i, the pose of a pair is the table of scalar products of a_i, b_i, a_j, b_j and d, divided
+//! by |d|², together with the sides on which the fronts lie. Motions and reflections do not change it.
+//! Reversing a half side, or exchanging the two of an element, only changes signs or order of the
+//! polynomials; exchanging the elements transposes the block. Each pair is therefore brought to a standard
+//! form first.
 //!
-//! Poses are found by a hash of their rounded entries and compared entry by entry. Where rounding makes the standard
-//! form ambiguous, congruent pairs may be missed; pairs that are not congruent never pass.
+//! Poses are found by a hash of their rounded entries and compared entry by entry. Where rounding makes the
+//! standard form ambiguous, congruent pairs may be missed; pairs that are not congruent never pass.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -17,13 +18,14 @@ use radiosity_elements::basis::Frame;
 use radiosity_elements::space::Space;
 use radiosity_geom::DVec3;
 
-/// Poses are equal if no entry differs by more, absolutely below 1 and relatively above: some hundred rounding errors.
+/// Poses are equal if no entry differs by more, absolutely below 1 and relatively above: some hundred
+/// rounding errors.
 const EQUAL: f64 = 1e-13;
-/// Grid of the hash: entries are rounded to multiples of this. Far above rounding, far below differences between
-/// distinct pairs in practice. Chosen; not tuned.
+/// Grid of the hash: entries are rounded to multiples of this. Far above rounding, far below differences
+/// between distinct pairs in practice. Chosen; not tuned.
 const GRID: f64 = 1e-8;
-/// Offset of the grid, so that frequent entries such as 0 and ½ do not lie where rounding changes. Any odd fraction
-/// serves.
+/// Offset of the grid, so that frequent entries such as 0 and ½ do not lie where rounding changes. Any odd
+/// fraction serves.
 const OFFSET: f64 = 0.37;
 
 /// A parallelogram element: centre and the half sides along which its polynomials run.
@@ -36,8 +38,8 @@ pub(crate) struct Panel {
 }
 
 impl Panel {
-    /// The element as a panel, if it is a parallelogram that fills its frame and carries product polynomials of total
-    /// degree.
+    /// The element as a panel, if it is a parallelogram that fills its frame and carries product polynomials
+    /// of total degree.
     pub(crate) fn of(element: &Element) -> Option<Self> {
         let (Some((_, normal)), [patch]) = (element.plane, &element.patches[..]) else { return None };
         let Frame::Plane { origin, first, second } = element.basis.frame() else { return None };
@@ -73,8 +75,8 @@ struct Turn {
 }
 
 impl Pose {
-    /// The standard form of a pair. None where the centre of one lies in the plane of the other to 1e-6 of the
-    /// distance: the fronts are then not certain.
+    /// The standard form of a pair. None where the centre of one lies in the plane of the other to 1e-6 of
+    /// the distance: the fronts are then not certain.
     pub(crate) fn of(receiver: &Panel, emitter: &Panel) -> Option<Self> {
         let d = emitter.center - receiver.center;
         let scale = d.length_squared();
@@ -170,12 +172,14 @@ impl Turn {
     }
 }
 
-/// Brings two half sides into standard form: the longer first, else the one with the larger product with the first of
-/// `others`. Each is reversed if needed so that its first nonzero product with one of `others` is positive.
+/// Brings two half sides into standard form: the longer first, else the one with the larger product with the
+/// first of `others`. Each is reversed if needed so that its first nonzero product with one of `others` is
+/// positive.
 fn stand([a, b]: [DVec3; 2], others: &[DVec3; 3], scale: f64) -> ([DVec3; 2], Turn) {
     let rank = |side: DVec3| {
         let along = |other: &DVec3| rounded(side.dot(*other).abs() / scale);
-        // The two sides of the other panel are not ordered yet; their sum of squares is independent of their order.
+        // The two sides of the other panel are not ordered yet; their sum of squares is independent of their
+        // order.
         let both = others[1..].iter().map(|other| (side.dot(*other) / scale).powi(2)).sum::<f64>();
         [rounded(side.length_squared() / scale), along(&others[0]), rounded(both)]
     };

@@ -1,9 +1,9 @@
 //! The accuracy that each block has to reach.
 //!
 //! A block that is small compared with the largest of its row needs few digits
-//! ([`radiosity_kernel::estimates::entry_bounds`]). The error of its shadows is measured against its row too, and
-//! against the largest of the view factors F_ij = √(A_j/A_i) G_ij of either element: a small error of a block can be a
-//! large one of the view factors from a small element to a large one.
+//! ([`radiosity_kernel::estimates::entry_bounds`]). The error of its shadows is measured against its row too,
+//! and against the largest of the view factors F_ij = √(A_j/A_i) G_ij of either element: a small error of a
+//! block can be a large one of the view factors from a small element to a large one.
 
 use radiosity_kernel::Accuracy;
 use radiosity_kernel::estimates::entry_bounds::{ROW_SHARE, relaxed};
@@ -14,20 +14,22 @@ use crate::memory::Request;
 use crate::occlusion::outlines::Limit;
 use crate::schedule::task::{Scene, Task};
 
-/// Error allowed for the shadows of a block, as a factor on ε_shadow times the largest entry of its row: errors of
-/// sampled shadows have either sign and weigh little in the sum over many blocks. Chosen; not tuned.
+/// Error allowed for the shadows of a block, as a factor on ε_shadow times the largest entry of its row:
+/// errors of sampled shadows have either sign and weigh little in the sum over many blocks. Chosen; not
+/// tuned.
 const SHADOWED_ROW_SHARE: f64 = 0.25;
 
-/// Error allowed for shadows by outlines, or sampled between flat elements, as a factor on ε_shadow times the largest
-/// view factor of either element: the errors of the few shadowed blocks of a row may add up. Chosen; not tuned.
+/// Error allowed for shadows by outlines, or sampled between flat elements, as a factor on ε_shadow times the
+/// largest view factor of either element: the errors of the few shadowed blocks of a row may add up. Chosen;
+/// not tuned.
 const FACTOR_SHARE: f64 = 0.25;
 
-/// Floor of the shadow tolerance, as a factor on the upper bound of the entry and on ε_shadow; view factors, and hence
-/// the bound, are at most 1. Chosen; not tuned.
+/// Floor of the shadow tolerance, as a factor on the upper bound of the entry and on ε_shadow; view factors,
+/// and hence the bound, are at most 1. Chosen; not tuned.
 const SLIGHT: f64 = 1e-3;
 
-/// Safety factor on the coarse estimate of a near pair, and the largest factor by which such a pair is loosened for its
-/// shadows. Chosen; not tuned.
+/// Safety factor on the coarse estimate of a near pair, and the largest factor by which such a pair is
+/// loosened for its shadows. Chosen; not tuned.
 const NEAR_ROUGHNESS: f64 = 3.0;
 const LARGEST_NEAR_FACTOR: f64 = 8.0;
 
@@ -38,14 +40,16 @@ pub(super) struct Goal {
     pub(super) accuracy: Accuracy,
     /// Accuracy relative to the block's largest entry where surfaces of the pair hide part of it themselves.
     pub(super) bent: Accuracy,
-    /// [`ROW_SHARE`] times a lower bound of the row's largest entry: the scale of the error where the block is smaller.
+    /// [`ROW_SHARE`] times a lower bound of the row's largest entry: the scale of the error where the block
+    /// is smaller.
     pub(super) least: f64,
     /// About the largest entry of its row.
     pub(super) row: f64,
-    /// Light (as an entry) that may pass unnoticed where all probing rays are hidden, or be hidden where none is.
+    /// Light (as an entry) that may pass unnoticed where all probing rays are hidden, or be hidden where none
+    /// is.
     pub(super) unseen: f64,
-    /// Standard deviation allowed for sampled shadows if both elements are flat. Smaller than for curved ones, because
-    /// flat pairs have fewer parts, whose errors balance less.
+    /// Standard deviation allowed for sampled shadows if both elements are flat. Smaller than for curved
+    /// ones, because flat pairs have fewer parts, whose errors balance less.
     pub(super) flat: f64,
     /// Standard deviation allowed for sampled shadows if an element is curved.
     pub(super) sampled: f64,
@@ -116,7 +120,8 @@ impl Scene<'_> {
             return free;
         }
         let tolerable = self.tolerable(task, &largest.factors);
-        // A coarse estimate may miss all that two elements of a row see of each other: the tolerance is never zero.
+        // A coarse estimate may miss all that two elements of a row see of each other: the tolerance is never
+        // zero.
         let floor = SLIGHT * task.entries[1].min(1.0);
         let of_factors = |share: f64| accuracy.shadow_eps * row.min(share * tolerable).max(floor);
         let shadowed = SHADOWED_ROW_SHARE * row;
@@ -135,8 +140,8 @@ impl Scene<'_> {
         Goal { accuracy, bent, ..shaded }
     }
 
-    /// Whether shadows are found by outlines: all blockers and at least one element are planar, and neither hides part
-    /// of itself (its light would be taken off twice).
+    /// Whether shadows are found by outlines: all blockers and at least one element are planar, and neither
+    /// hides part of itself (its light would be taken off twice).
     fn has_outlines(&self, task: &Task) -> bool {
         let is_planar = |index: u32| self.list[index as usize].plane.is_some();
         (is_planar(task.row) || is_planar(task.column))
@@ -163,8 +168,8 @@ impl Scene<'_> {
         (self.list[other].area / self.list[own].area).sqrt()
     }
 
-    /// The first entry at which a view factor of the task would reach the largest of its row in `factors`; the smaller
-    /// of the two rows.
+    /// The first entry at which a view factor of the task would reach the largest of its row in `factors`;
+    /// the smaller of the two rows.
     fn tolerable(&self, task: &Task, factors: &[f64]) -> f64 {
         let [row, column] = [task.row, task.column].map(|index| index as usize);
         let entry = |pair: [usize; 2]| factors[pair[0]] / self.factor_scale(pair);

@@ -1,4 +1,5 @@
-//! The blocks that were integrated, each on one rank, and their way to the ranks that hold their rows and columns.
+//! The blocks that were integrated, each on one rank, and their way to the ranks that hold their rows and
+//! columns.
 
 use std::sync::Arc;
 
@@ -98,7 +99,8 @@ impl Integrated {
         self.told[place].as_ref().expect("all blocks were made")
     }
 
-    /// Sends the values of each block to the ranks that hold its row or its column; to all ranks where its task is `left`.
+    /// Sends the values of each block to the ranks that hold its row or its column; to all ranks where its
+    /// task is `left`.
     pub(super) fn deliver(
         &mut self,
         tasks: &[Task],

@@ -1,12 +1,13 @@
 //! The outer element of a pair: decided by shape and place, never by the order of the scene.
 //!
-//! A rule that takes one integral inside the other has another error when the two are exchanged. With this order A_i
-//! F_ij does not depend on how the scene lists its surfaces:
+//! A rule that takes one integral inside the other has another error when the two are exchanged. With this
+//! order A_i F_ij does not depend on how the scene lists its surfaces:
 //!
-//! 1. planar elements with curved sides, such as disks: rules are refined over the outer element, and polygons can be
-//!    cut at its plane beforehand;
+//! 1. planar elements with curved sides, such as disks: rules are refined over the outer element, and
+//!    polygons can be cut at its plane beforehand;
 //! 2. polygons;
-//! 3. all others: the points of a planar outer element share one horizon, which is cut out of the inner patch.
+//! 3. all others: the points of a planar outer element share one horizon, which is cut out of the inner
+//!    patch.
 //!
 //! Of two in one class the larger comes first; of equal areas the one with the lower coordinates.
 
@@ -17,7 +18,8 @@ use radiosity_elements::patch::Node;
 use radiosity_geom::DVec3;
 use radiosity_kernel::contact::planes::plane_of;
 
-/// Parameters of the compared point on each patch: arbitrary, but off symmetry lines, so that mirror images differ.
+/// Parameters of the compared point on each patch: arbitrary, but off symmetry lines, so that mirror images
+/// differ.
 const PLACE: (f64, f64) = (0.375, 0.4375);
 
 /// Class, area and points of an element, by which elements are ordered.

@@ -8,7 +8,8 @@ use crate::schedule::goal::Goal;
 use crate::schedule::task::{Scene, Task};
 
 impl Scene<'_> {
-    /// The block of a task that `memory` holds; that of flat elements with nothing between may be known otherwise as well.
+    /// The block of a task that `memory` holds; that of flat elements with nothing between may be known
+    /// otherwise as well.
     pub(super) fn recalled(&self, task: &Task, goal: Goal, memory: &Memory) -> Option<Arc<IntegratedBlock>> {
         let request = goal.request(task, self.visibility);
         if let Some(answer) = memory.recall(&request) {

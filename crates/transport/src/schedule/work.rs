@@ -30,7 +30,8 @@ impl BlockWork {
     }
 }
 
-/// Integrates the blocks of all pairs of which at least one element `sends` light, and tells what each of them cost.
+/// Integrates the blocks of all pairs of which at least one element `sends` light, and tells what each of
+/// them cost.
 pub fn work(
     elements: &Elements,
     sends: &(dyn Fn(usize) -> bool + Sync),
@@ -49,7 +50,8 @@ pub fn work(
     pieces.map(|(place, piece)| BlockWork { piece, account: integrated.told(place).block }).collect()
 }
 
-/// Kernel samples and rays of each of so many ranks that share this work, round by round: ranks wait for each other between rounds.
+/// Kernel samples and rays of each of so many ranks that share this work, round by round: ranks wait for each
+/// other between rounds.
 pub fn shared(work: &[BlockWork], ranks: usize) -> Vec<Vec<[u64; 2]>> {
     let pieces: Vec<Piece> = work.iter().map(|work| work.piece).collect();
     let mut balance = Balance::new(ranks);

@@ -1,7 +1,7 @@
 //! Wholes between which view factors are asked for: single elements, or surfaces.
 //!
-//! With exchanges A_I F_IJ = Σ √(A_i A_j) G_ij over the elements i of I and j of J, between constants; of single elements
-//! all entries of G count.
+//! With exchanges A_I F_IJ = Σ √(A_i A_j) G_ij over the elements i of I and j of J, between constants; of
+//! single elements all entries of G count.
 
 use std::collections::HashMap;
 
@@ -73,8 +73,8 @@ impl Wholes {
         self.relative_to(rows, self.wholes([found.row, found.column]), found.error * unit, most)
     }
 
-    /// Sets the relative error of every pair: that of the exchange of its wholes, of which `firsts` are the first entries
-    /// by each batch.
+    /// Sets the relative error of every pair: that of the exchange of its wholes, of which `firsts` are the
+    /// first entries by each batch.
     pub(super) fn judge(
         &self,
         list: &[Element],
@@ -106,8 +106,9 @@ impl Wholes {
         [a.min(b), a.max(b)]
     }
 
-    /// The larger of the errors of the two view factors, each over the largest of its row. The exchange itself may be as
-    /// large as `most`: where nothing is known of a row, an exchange of which nothing is known is in error by all of it.
+    /// The larger of the errors of the two view factors, each over the largest of its row. The exchange
+    /// itself may be as large as `most`: where nothing is known of a row, an exchange of which nothing is
+    /// known is in error by all of it.
     fn relative_to(&self, rows: &[f64], pair: [usize; 2], error: f64, most: f64) -> f64 {
         let relative = |whole: usize| {
             let largest = rows[whole].max(most / self.areas[whole]);

@@ -1,8 +1,8 @@
 //! The faces of a planar map.
 //!
-//! Segments are cut where they meet, and pieces with a free end are dropped. Each piece is then passed once in either
-//! direction, turning clockwise into the next piece at each end: that goes once around each face, with the face on the
-//! left. A face is bounded if its ring encloses a positive area.
+//! Segments are cut where they meet, and pieces with a free end are dropped. Each piece is then passed once
+//! in either direction, turning clockwise into the next piece at each end: that goes once around each face,
+//! with the face on the left. A face is bounded if its ring encloses a positive area.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -44,8 +44,8 @@ impl Nodes {
     }
 }
 
-/// The bounded faces, counter-clockwise, of the map that `segments` draw in a plane with the coordinates `to_plane`.
-/// Points closer than `tolerance` are one.
+/// The bounded faces, counter-clockwise, of the map that `segments` draw in a plane with the coordinates
+/// `to_plane`. Points closer than `tolerance` are one.
 pub(super) fn faces(
     segments: &Segments,
     to_plane: &dyn Fn(DVec3) -> DVec2,

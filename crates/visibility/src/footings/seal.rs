@@ -1,9 +1,10 @@
 //! Whether light can reach a part of a surface.
 //!
-//! Rays leave from places all over the part in directions all over the half-space. The part is sealed off if each ray
-//! first meets the back of a surface. Where two bodies touch, only one side, or none, may separate them: a ray may then
-//! also end on the front of a part that is itself sealed off. Parts that depend on each other in this way have to be
-//! the smaller parts of their surfaces; otherwise a whole room would count as a footing.
+//! Rays leave from places all over the part in directions all over the half-space. The part is sealed off if
+//! each ray first meets the back of a surface. Where two bodies touch, only one side, or none, may separate
+//! them: a ray may then also end on the front of a part that is itself sealed off. Parts that depend on each
+//! other in this way have to be the smaller parts of their surfaces; otherwise a whole room would count as a
+//! footing.
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Encounter, PlanarRegion, Ray, touching};
 use radiosity_scene::Scene;
@@ -70,7 +71,8 @@ pub(super) fn keep_apart(suspects: &mut [Suspect]) {
     }
 }
 
-/// The boxes of the parts, inflated by more than the 1e-6 of the extent at which a point off the plane still counts.
+/// The boxes of the parts, inflated by more than the 1e-6 of the extent at which a point off the plane still
+/// counts.
 fn tree<'a>(suspects: impl Iterator<Item = &'a Suspect>) -> Bvh {
     let around = |suspect: &Suspect| {
         let region = &suspect.footing.region;
@@ -98,8 +100,8 @@ pub(super) fn sealed(scene: &Scene, obstacles: &Visibility, suspects: &[Suspect]
     }
 }
 
-/// The suspects whose fronts are seen from the part `own`, ascending; None where a ray meets another front or leaves
-/// the scene.
+/// The suspects whose fronts are seen from the part `own`, ascending; None where a ray meets another front or
+/// leaves the scene.
 fn fronts_seen(
     scene: &Scene,
     obstacles: &Visibility,

@@ -1,7 +1,7 @@
 //! Points inside a closed surface.
 //!
-//! A ray from a point inside leaves the closed surface once more often than it enters it: the number of crossings is
-//! odd. Rays along edges may miscount, so most of three decide.
+//! A ray from a point inside leaves the closed surface once more often than it enters it: the number of
+//! crossings is odd. Rays along edges may miscount, so most of three decide.
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Ray};
 

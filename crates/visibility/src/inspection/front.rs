@@ -108,16 +108,16 @@ pub(super) fn blind(sheets: &Sheets, lying: &HashSet<&str>) -> Vec<Warning> {
         .collect()
 }
 
-/// Whether a point of a box may be seen, at a sine of at least `GRAZING`, from a planar sheet of this `extent` that
-/// passes through the point x with the normal n.
+/// Whether a point of a box may be seen, at a sine of at least `GRAZING`, from a planar sheet of this
+/// `extent` that passes through the point x with the normal n.
 fn lies_before((x, n): &(DVec3, DVec3), extent: f64, bounds: &Aabb) -> bool {
     let half = 0.5 * (bounds.max - bounds.min);
     let height = (bounds.center() - *x).dot(*n) + half.dot(n.abs());
     height > GRAZING * (bounds.distance_squared(*x).sqrt() - extent).max(0.0)
 }
 
-/// Whether the fronts at two points face each other, with a sine of at least `GRAZING`; the second's back counts too
-/// if it is `two_sided`.
+/// Whether the fronts at two points face each other, with a sine of at least `GRAZING`; the second's back
+/// counts too if it is `two_sided`.
 fn faces((x, n): &(DVec3, DVec3), (y, m): &(DVec3, DVec3), two_sided: bool) -> bool {
     let d = *y - *x;
     let (out, into) = (d.dot(*n), -d.dot(*m));

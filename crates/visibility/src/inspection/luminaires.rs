@@ -1,4 +1,5 @@
-//! Luminaires whose light reaches no front, what is odd about their tables, and how far points err that are as large as their tables say.
+//! Luminaires whose light reaches no front, what is odd about their tables, and how far points err that are
+//! as large as their tables say.
 
 use std::f64::consts::PI;
 
@@ -15,10 +16,12 @@ const RAYS: u32 = 256;
 /// Units of illuminance, in which the light of tables comes out.
 const ILLUMINANCE: [&str; 4] = ["lx", "lux", "lm/m²", "lm/m^2"];
 
-/// Times the size of an opening from which on its light is that of a point, to 1 %: the five-times rule of photometry.
+/// Times the size of an opening from which on its light is that of a point, to 1 %: the five-times rule of
+/// photometry.
 const FIVE_TIMES: f64 = 5.0;
 
-/// A luminaire that shines as a point, yet nearer to a surface than five times the size of the opening that its file states.
+/// A luminaire that shines as a point, yet nearer to a surface than five times the size of the opening that
+/// its file states.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NearPoint {
     /// Name of the luminaire.
@@ -29,7 +32,8 @@ pub struct NearPoint {
     pub distance: f64,
     /// Largest width w of the opening, m.
     pub width: f64,
-    /// About the largest error of the light there, as a part of it: w²/(2 r)² at the distance r, as on the axis of a disk.
+    /// About the largest error of the light there, as a part of it: w²/(2 r)² at the distance r, as on the
+    /// axis of a disk.
     pub error: f64,
 }
 

@@ -1,7 +1,7 @@
 //! Surfaces that pass through others in some frame of a scene in which something moves.
 //!
-//! Some of the frames are looked at, spread evenly from the first to the last. What is moved along one path stays as it is at rest to
-//! each other; of all other pairs those are tested whose boxes overlap.
+//! Some of the frames are looked at, spread evenly from the first to the last. What is moved along one path
+//! stays as it is at rest to each other; of all other pairs those are tested whose boxes overlap.
 
 use std::collections::BTreeMap;
 

@@ -1,8 +1,8 @@
 //! Regions: the parts into which closed surfaces cut space.
 //!
-//! A shell has a side within and a side without. Two sides bound one region where the same shells lie around both: around
-//! the side within a shell lie those around the shell, and itself. A region is closed if some shell lies around it and
-//! all its sides are fronts: what leaves a front in it reaches fronts, all of it.
+//! A shell has a side within and a side without. Two sides bound one region where the same shells lie around
+//! both: around the side within a shell lie those around the shell, and itself. A region is closed if some
+//! shell lies around it and all its sides are fronts: what leaves a front in it reaches fronts, all of it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -39,8 +39,8 @@ struct Region {
 }
 
 impl Regions {
-    /// The regions of `scene`; None if some surface is no part of a closed surface whose fronts are all on one side. A surface of two sides
-    /// has to be closed in itself.
+    /// The regions of `scene`; None if some surface is no part of a closed surface whose fronts are all on
+    /// one side. A surface of two sides has to be closed in itself.
     pub fn of(scene: &Scene) -> Option<Self> {
         let sheets = Sheets::of(scene);
         let groups = shell::groups(&sheets, &rim::rims(&sheets));

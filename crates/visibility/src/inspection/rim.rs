@@ -134,7 +134,8 @@ impl Place<'_> {
         self.reach(sheet, other.drop(self.point)? - self.point, false)
     }
 
-    /// The sheet at `offset`, if it is close; `grows`: that sheet would have to grow in this direction to touch.
+    /// The sheet at `offset`, if it is close; `grows`: that sheet would have to grow in this direction to
+    /// touch.
     fn reach(&self, sheet: usize, offset: DVec3, grows: bool) -> Option<Reach> {
         let (distance, size) = (offset.length(), self.size(sheet));
         let is_sideways = offset.dot(self.direction).abs() <= 0.5 * distance;
@@ -149,8 +150,8 @@ impl Place<'_> {
     }
 }
 
-/// Whether a sheet of this `normal` would grow along `offset`, at a cosine of at most 0.9 (chosen, not tuned): close
-/// parallel sheets leave no gap.
+/// Whether a sheet of this `normal` would grow along `offset`, at a cosine of at most 0.9 (chosen, not
+/// tuned): close parallel sheets leave no gap.
 fn is_across(offset: DVec3, normal: DVec3) -> bool {
     offset.dot(normal).abs() <= 0.9 * offset.length()
 }

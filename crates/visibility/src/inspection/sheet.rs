@@ -65,7 +65,8 @@ pub(super) fn backs(surfaces: &[SceneSurface]) -> BTreeMap<usize, usize> {
     surfaces.iter().enumerate().filter_map(|(back, surface)| Some((front_of(surface)?, back))).collect()
 }
 
-/// Whether one surface covers the other; the fronts of two such surfaces are opposite, since a scene has no others.
+/// Whether one surface covers the other; the fronts of two such surfaces are opposite, since a scene has no
+/// others.
 fn covers(front: &SceneSurface, back: &SceneSurface) -> bool {
     let [front, back] = [front, back].map(|surface| Sheet::new(0, surface, None));
     let room = LOOSE * front.extent;
@@ -139,7 +140,8 @@ impl Sheet {
         }
     }
 
-    /// Points all over the sheet with the front's normal, some close to its corners (places chosen, not tuned).
+    /// Points all over the sheet with the front's normal, some close to its corners (places chosen, not
+    /// tuned).
     pub(super) fn samples(&self) -> Vec<(DVec3, DVec3)> {
         const STEPS: [f64; 5] = [-0.97, -0.5, 0.03, 0.5, 0.97];
         match self.shape.region() {

@@ -1,8 +1,8 @@
 //! Shells: sheets connected along their borders, and the volume of the closed ones.
 //!
-//! A shell is closed where every place of every border meets exactly one other border. Its volume follows from Gauss'
-//! theorem, V = ⅓ ∮ (x − c) · n dA for any c, positive where the fronts are outside. Two fronts agree along a common
-//! border if they run along it in opposite directions.
+//! A shell is closed where every place of every border meets exactly one other border. Its volume follows
+//! from Gauss' theorem, V = ⅓ ∮ (x − c) · n dA for any c, positive where the fronts are outside. Two fronts
+//! agree along a common border if they run along it in opposite directions.
 
 use std::collections::HashSet;
 
@@ -67,7 +67,8 @@ pub(super) fn groups(sheets: &Sheets, rims: &[Rim]) -> Vec<Group> {
     groups
 }
 
-/// For each sheet its neighbours across a border: 1 if the fronts agree, −1 if they disagree, 0 if neither is defined.
+/// For each sheet its neighbours across a border: 1 if the fronts agree, −1 if they disagree, 0 if neither is
+/// defined.
 fn joints(sheets: &Sheets, rims: &[Rim]) -> Vec<Vec<(usize, f64)>> {
     let mut joints = vec![Vec::new(); sheets.list.len()];
     let mut known = HashSet::new();

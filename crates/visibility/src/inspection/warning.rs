@@ -15,7 +15,8 @@ pub struct Warning {
 }
 
 impl Warning {
-    /// Whether it is of something that only some uses of a scene need: view factors need neither light nor a camera.
+    /// Whether it is of something that only some uses of a scene need: view factors need neither light nor a
+    /// camera.
     pub fn is_of_something_missing(&self) -> bool {
         matches!(self.code, "no-emitter" | "no-camera" | "no-material")
     }

@@ -4,8 +4,8 @@ use std::fmt::Debug;
 
 use super::place::Place;
 
-/// Messages between ranks. All ranks call the same functions in the same order; a call ends when the others have made theirs.
-/// Only one thread of a rank calls at a time.
+/// Messages between ranks. All ranks call the same functions in the same order; a call ends when the others
+/// have made theirs. Only one thread of a rank calls at a time.
 pub trait Comm: Debug + Send + Sync {
     /// The number of this rank, from 0.
     fn rank(&self) -> usize;
@@ -25,6 +25,7 @@ pub trait Comm: Debug + Send + Sync {
     /// The bytes that each rank has for this one, in their order; `to[k]` are those of this one for rank k.
     fn exchange(&self, to: Vec<Vec<u8>>) -> Vec<Vec<u8>>;
 
-    /// Fills `values`, of which rank k has the part that ends at `ends[k]` and begins where that of the rank before ends.
+    /// Fills `values`, of which rank k has the part that ends at `ends[k]` and begins where that of the rank
+    /// before ends.
     fn complete(&self, values: &mut [f64], ends: &[usize]);
 }

@@ -1,12 +1,12 @@
 //! The journal of a run, in files: a run that was killed goes on from there, on any number of ranks.
 //!
-//! The shared parts of a run follow each other in the same order every time ([`super`]). A journal keeps each piece under its own
-//! number and that of its part, which hangs on all that went before: names and numbers of pieces of earlier parts, and what was
-//! chosen ([`Ranks::note_choice`](super::Ranks::note_choice)). A run that took another way, because its time was up or it had
-//! less memory, therefore finds no foreign pieces.
+//! The shared parts of a run follow each other in the same order every time ([`super`]). A journal keeps each
+//! piece under its own number and that of its part, which hangs on all that went before: names and numbers of
+//! pieces of earlier parts, and what was chosen ([`Ranks::note_choice`](super::Ranks::note_choice)). A run
+//! that took another way, because its time was up or it had less memory, therefore finds no foreign pieces.
 //!
-//! Each rank writes a file of its own, `RUN-RANK.journal`; a run that goes on reads the files of all. A file is a header and
-//! records:
+//! Each rank writes a file of its own, `RUN-RANK.journal`; a run that goes on reads the files of all. A file
+//! is a header and records:
 //!
 //! ```text
 //! header   8 bytes, 4 bytes of the version of pieces, 8 bytes of the fingerprint of the run
@@ -68,8 +68,8 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// The journal in `folder` of the run with this fingerprint, of the rank with this number; `any` tells, once all ranks have
-    /// called it, whether any of them said yes.
+    /// The journal in `folder` of the run with this fingerprint, of the rank with this number; `any` tells,
+    /// once all ranks have called it, whether any of them said yes.
     ///
     /// # Errors
     /// A folder that cannot be written, or that holds what `begin` does not say.

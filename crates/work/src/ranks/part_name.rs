@@ -1,7 +1,7 @@
 //! The parts of a run that ranks share.
 
-/// The parts of a run that ranks share. Its name numbers a part in a [journal](super::journal): where one gets another meaning, the
-/// version of pieces is to be raised there.
+/// The parts of a run that ranks share. Its name numbers a part in a [journal](super::journal): where one
+/// gets another meaning, the version of pieces is to be raised there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PartName {
     /// Rows of pairs of elements, sorted by what they need.

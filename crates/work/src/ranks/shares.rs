@@ -4,8 +4,9 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::ops::Range;
 
-/// The rank of each piece of work: the dearest first, each to the rank with the least so far (R. L. Graham, *SIAM J. Appl. Math.*
-/// 17 (1969) 416-429: at most 4/3 of the best possible longest time). Costs are ≥ 0 and finite, in any unit.
+/// The rank of each piece of work: the dearest first, each to the rank with the least so far (R. L. Graham,
+/// *SIAM J. Appl. Math.* 17 (1969) 416-429: at most 4/3 of the best possible longest time). Costs are ≥ 0 and
+/// finite, in any unit.
 pub fn by_cost(costs: &[f64], ranks: usize) -> Vec<usize> {
     beside(&vec![0.0; ranks], costs)
 }
@@ -53,8 +54,8 @@ impl Ord for Load {
     }
 }
 
-/// Cuts a row of things of these weights (≥ 0) into one part for each rank, as even as they can be one after the other: the ends
-/// of the parts.
+/// Cuts a row of things of these weights (≥ 0) into one part for each rank, as even as they can be one after
+/// the other: the ends of the parts.
 pub fn ends(weights: &[f64], ranks: usize) -> Vec<usize> {
     let all: f64 = weights.iter().sum();
     let mut ends = Vec::with_capacity(ranks);

@@ -1,4 +1,5 @@
-//! Ranks that are threads of one process: what ranks compute can so be tested where nothing else is installed.
+//! Ranks that are threads of one process: what ranks compute can so be tested where nothing else is
+//! installed.
 
 use std::sync::{Arc, Barrier, Mutex};
 use std::thread;
@@ -23,7 +24,8 @@ struct Table {
     messages: Vec<Vec<Mutex<Vec<u8>>>>,
 }
 
-/// Does `work` on `count` ranks, each a thread, which is given them as it sees them; the results in their order.
+/// Does `work` on `count` ranks, each a thread, which is given them as it sees them; the results in their
+/// order.
 ///
 /// # Panics
 /// If one of them does; the others would wait for it, therefore `work` must not panic on some of them only.

@@ -1,14 +1,17 @@
-//! The error that `--accuracy` tells beside the true one: of light gathered at points, against that of much finer runs.
+//! The error that `--accuracy` tells beside the true one: of light gathered at points, against that of much
+//! finer runs.
 //!
 //! `cargo run --release -p radiosity-studies --bin estimates [-- SCENE...]`
 //!
-//! SCENE is a name of the list (`scenes.rs`) or a file. Each scene is solved to several accuracies, within twenty seconds. Its light and that of a
-//! fine run are then gathered at 2048 points, spread over the surfaces by area, and the error is ‖ρ(E − E′)‖ / ‖ρ E′‖, E′
-//! of the fine run. By cells both are gathered to 1e-4; by rays with the same rays, to 5e-4, so that their noise is mostly the
-//! same. The last column is the estimate over the error.
+//! SCENE is a name of the list (`scenes.rs`) or a file. Each scene is solved to several accuracies, within
+//! twenty seconds. Its light and that of a fine run are then gathered at 2048 points, spread over the
+//! surfaces by area, and the error is ‖ρ(E − E′)‖ / ‖ρ E′‖, E′ of the fine run. By cells both are gathered to
+//! 1e-4; by rays with the same rays, to 5e-4, so that their noise is mostly the same. The last column is the
+//! estimate over the error.
 //!
-//! `cargo run --release -p radiosity-studies --bin estimates -- unknowns [SCENE...]` holds elements refined where they bear the error against
-//! elements cut and raised alike: unknowns, seconds (without estimates for the latter) and errors of both.
+//! `cargo run --release -p radiosity-studies --bin estimates -- unknowns [SCENE...]` holds elements refined
+//! where they bear the error against elements cut and raised alike: unknowns, seconds (without estimates for
+//! the latter) and errors of both.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

@@ -17,8 +17,9 @@ use crate::timed;
 /// Cells along each side of the floor.
 const CELLS: usize = 16;
 
-/// Mean of the irradiance at the cells' centres, and of the floor, by point-to-quad factors on 6 × 48² cells, extrapolated; good
-/// to 2e-5. The mean of the floor to 12 digits is twice its radiosity in tests/data/box_radiosity.json.
+/// Mean of the irradiance at the cells' centres, and of the floor, by point-to-quad factors on 6 × 48² cells,
+/// extrapolated; good to 2e-5. The mean of the floor to 12 digits is twice its radiosity in
+/// tests/data/box_radiosity.json.
 const MEASURED_MEANS: [f64; 2] = [0.342683, 0.342438];
 const EXACT_MEAN: f64 = 2.0 * 0.1712160424482545;
 

@@ -13,7 +13,8 @@ use radiosity_geom::DVec3;
 
 use crate::timed;
 
-/// Parallel at distance 1 and 0.1, and perpendicular with a common edge: closed forms, evaluated with 40 digits.
+/// Parallel at distance 1 and 0.1, and perpendicular with a common edge: closed forms, evaluated with 40
+/// digits.
 const EXACT: [f64; 3] = [0.199_824_895_698_387_38, 0.826_994_522_397_256_6, 0.200_043_776_075_403_15];
 
 /// Program and relative errors with times, as measured elsewhere.

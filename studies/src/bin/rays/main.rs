@@ -2,19 +2,20 @@
 //!
 //! `cargo run --release -p radiosity-studies --bin rays -- STUDY`, with one of
 //!
-//! * `rooms FOLDER FILE.svg`: scenes `NAME.json` with points `NAME_reference.json`, which have a position `p`, a normal `n` and
-//!   an irradiance `E` each. E is read at the points by rays from the solution, and by samples of the emitters
-//!   themselves; "L2" is √(Σ (E − E_ref)² / Σ E_ref²), "median" that of |E − E_ref| / E_ref over points above 1 % of
-//!   the mean.
+//! * `rooms FOLDER FILE.svg`: scenes `NAME.json` with points `NAME_reference.json`, which have a position
+//!   `p`, a normal `n` and an irradiance `E` each. E is read at the points by rays from the solution, and by
+//!   samples of the emitters themselves; "L2" is √(Σ (E − E_ref)² / Σ E_ref²), "median" that of
+//!   |E − E_ref| / E_ref over points above 1 % of the mean.
 //! * `halls`: the closed rooms of the study `sizes`, at the rays that 3 % of error are told for.
-//! * `told [FOLDER]`: the error told against the true one (100 times as many rays, the same elements) in built-in
-//!   scenes, a hall, and the rooms of FOLDER.
-//! * `against SCENE`: error of the irradiance at points, by rays and by exact blocks (`temple`: minutes); the truth is
-//!   by 10⁸ rays.
-//! * `sooner FILE.svg`: error against time of exact blocks, of rays, and of both together, in two rooms of few surfaces.
+//! * `told [FOLDER]`: the error told against the true one (100 times as many rays, the same elements) in
+//!   built-in scenes, a hall, and the rooms of FOLDER.
+//! * `against SCENE`: error of the irradiance at points, by rays and by exact blocks (`temple`: minutes); the
+//!   truth is by 10⁸ rays.
+//! * `sooner FILE.svg`: error against time of exact blocks, of rays, and of both together, in two rooms of
+//!   few surfaces.
 //!
-//! Seconds are of wall time, all of the solution but reading the scene; memory is the most that the process had so far
-//! (Linux).
+//! Seconds are of wall time, all of the solution but reading the scene; memory is the most that the process
+//! had so far (Linux).
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

@@ -15,8 +15,8 @@ use crate::judge::Points;
 /// Rays of the rooms.
 const RAYS: [u64; 4] = [100_000, 400_000, 1_600_000, 6_400_000];
 
-/// Hierarchical radiosity with clusters, linear, on two other rooms of the same kind: scenes and (s of CPU, relative L2)
-/// with RenderPark 4, the best of many settings. The classroom did not finish in 120 s.
+/// Hierarchical radiosity with clusters, linear, on two other rooms of the same kind: scenes and (s of CPU,
+/// relative L2) with RenderPark 4, the best of many settings. The classroom did not finish in 120 s.
 const HIERARCHICAL: [(&str, &[(f64, f64)]); 2] = [
     ("hierarchical radiosity, office of 429 polygons", &[(17.0, 3.0e-2), (53.0, 2.1e-2)]),
     ("hierarchical radiosity, office of 319 polygons and 220 curved", &[(5.0, 4.8e-2)]),

@@ -1,7 +1,7 @@
 //! Error against time of exact blocks, of rays, and of rays beside exact blocks of the strong pairs.
 //!
-//! All on the same elements; the truth are exact blocks at 1e-5. The error is relative L2 of the mean irradiances of
-//! the elements, the time that of blocks and solution.
+//! All on the same elements; the truth are exact blocks at 1e-5. The error is relative L2 of the mean
+//! irradiances of the elements, the time that of blocks and solution.
 
 use std::error::Error;
 use std::path::Path;

@@ -13,8 +13,8 @@ use crate::subject::Subject;
 
 /// Accuracy of what counts as exact where everything is planar, and elsewhere.
 const EXACT: [f64; 2] = [1e-5, 3e-4];
-/// Where most elements bend, or pairs are more than this, some are judged, by points of a sequence for each pair of their
-/// patches.
+/// Where most elements bend, or pairs are more than this, some are judged, by points of a sequence for each
+/// pair of their patches.
 const MOST_PAIRS: usize = 1 << 12;
 /// About so many then.
 const JUDGED: usize = 128;

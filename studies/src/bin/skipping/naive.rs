@@ -16,7 +16,8 @@ const STEPS: [f64; 4] =
     [0.856_674_883_854_502_9, 0.733_891_856_627_125_9, 0.628_706_721_037_808_7, 0.538_597_257_282_365_9];
 const BEGIN: [f64; 4] = [0.137, 0.762, 0.391, 0.918];
 
-/// S by `points` points of a Kronecker sequence in [0, 1]⁴ for each pair of patches: no rule for the kernel, and no grid.
+/// S by `points` points of a Kronecker sequence in [0, 1]⁴ for each pair of patches: no rule for the kernel,
+/// and no grid.
 pub(crate) fn scattered(
     [receiver, emitter]: [&Element; 2],
     visibility: &Visibility,

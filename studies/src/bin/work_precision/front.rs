@@ -1,7 +1,7 @@
 //! The cheapest runs for each error, and the time that an error takes.
 //!
-//! A run is on the front if none that takes as little is more accurate. Between two neighbours of the front log t is linear in
-//! log e; beyond its last the line of least squares through the last three runs goes on.
+//! A run is on the front if none that takes as little is more accurate. Between two neighbours of the front
+//! log t is linear in log e; beyond its last the line of least squares through the last three runs goes on.
 
 use crate::record::Record;
 use crate::work::Work;

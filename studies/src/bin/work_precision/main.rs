@@ -1,15 +1,17 @@
 //! Error against work: high orders, constant elements and the rules of 1993 on the same axes.
 //!
-//! `cargo run --release -p radiosity-studies --bin work_precision -- [SCENE ... | --redraw]` runs every study, or only those named (box-a,
-//! box-b, lit-sphere, two-boxes, cornell-box, cornell-cells, teapot), on one thread, takes what it measured into
-//! docs/work-precision.csv, draws docs/work-precision*.svg from all that is there (against time, samples, unknowns), and prints
-//! the equal-error speed-ups over constant elements as Markdown. `--redraw` runs nothing.
+//! `cargo run --release -p radiosity-studies --bin work_precision -- [SCENE ... | --redraw]` runs every
+//! study, or only those named (box-a, box-b, lit-sphere, two-boxes, cornell-box, cornell-cells, teapot), on
+//! one thread, takes what it measured into docs/work-precision.csv, draws docs/work-precision*.svg from all
+//! that is there (against time, samples, unknowns), and prints the equal-error speed-ups over constant
+//! elements as Markdown. `--redraw` runs nothing.
 //!
-//! Errors are those of the polynomials alone, relative L² over the scene of what is reflected: against a finer run in
-//! rooms, against Lambert's form on the lit sphere. `cornell-cells` reads 16 × 16 cells and holds those of floor and back wall
-//! against path tracing, whose own noise is 0.14 %. Times are CPU times of one thread, of the solution and of cells where
-//! these are read. A time with ~ goes on beyond the finest constant elements by the line through the last three, to a quarter of
-//! their error; beyond that it is only told what they took.
+//! Errors are those of the polynomials alone, relative L² over the scene of what is reflected: against a
+//! finer run in rooms, against Lambert's form on the lit sphere. `cornell-cells` reads 16 × 16 cells and
+//! holds those of floor and back wall against path tracing, whose own noise is 0.14 %. Times are CPU times of
+//! one thread, of the solution and of cells where these are read. A time with ~ goes on beyond the finest
+//! constant elements by the line through the last three, to a quarter of their error; beyond that it is only
+//! told what they took.
 
 mod diagram;
 mod family;

@@ -1,4 +1,5 @@
-//! Figures 9 and 11: a room with two boxes at four orders, with masks of 20 × 20 cells, and what is wrong with it.
+//! Figures 9 and 11: a room with two boxes at four orders, with masks of 20 × 20 cells, and what is wrong
+//! with it.
 
 use std::error::Error;
 use std::fs::File;
@@ -34,7 +35,8 @@ const GAP: u32 = 4;
 /// Ends of the scale of differences, % of the mean.
 const ENDS: f64 = 40.0;
 
-/// Prints the errors and writes the pictures, their differences from light gathered at every pixel below them.
+/// Prints the errors and writes the pictures, their differences from light gathered at every pixel below
+/// them.
 pub(crate) fn figure_9(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     let scene = radiosity::builtin("two-boxes")?;
     let exact = picture(&scene, &Quality::Fine.options(), Read::Gather)?;

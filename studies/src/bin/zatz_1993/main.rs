@@ -1,12 +1,14 @@
 //! The figures and the table of H. R. Zatz, "Galerkin radiosity" (1993), computed again.
 //!
-//! `cargo run --release -p radiosity-studies --bin zatz_1993 -- [PART ...]` prints Markdown, the paper's numbers beside ours: `figure-4` and
-//! `figure-5` (error against order of two squares), `table-1` (times and shots, with figure 12), `figure-9` (the two boxes at
-//! orders 0, 1, 3 and 7; figure 11 is the second row of the picture it writes, docs/zatz-two-boxes.png); all unless said.
+//! `cargo run --release -p radiosity-studies --bin zatz_1993 -- [PART ...]` prints Markdown, the paper's
+//! numbers beside ours: `figure-4` and `figure-5` (error against order of two squares), `table-1` (times and
+//! shots, with figure 12), `figure-9` (the two boxes at orders 0, 1, 3 and 7; figure 11 is the second row of
+//! the picture it writes, docs/zatz-two-boxes.png); all unless said.
 //!
-//! Figures 7 and 8 are `studies/src/bin/shadow_pictures.rs`. Figure 13, the temple, is `radiosity solve temple`: 655 surfaces
-//! where the paper has 607. Only the squares are known to the last number: sizes, reflectances, cameras and stopping
-//! rules of the rooms were not published, and the scenes here are stand-ins of the same make.
+//! Figures 7 and 8 are `studies/src/bin/shadow_pictures.rs`. Figure 13, the temple, is
+//! `radiosity solve temple`: 655 surfaces where the paper has 607. Only the squares are known to the last
+//! number: sizes, reflectances, cameras and stopping rules of the rooms were not published, and the scenes
+//! here are stand-ins of the same make.
 
 mod boxes;
 mod memory;

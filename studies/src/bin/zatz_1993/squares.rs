@@ -1,7 +1,7 @@
 //! Figures 4 and 5: two unit squares, one of exitance 1, the other receiving with reflectance 1.
 //!
-//! Metric (30) is the mean of |B_Galerkin − B_exact| / B_exact over the centres of 500 × 500 cells of the receiver, in
-//! percent. The paper says that it takes N + 1 points per direction; its numbers fit N + 2.
+//! Metric (30) is the mean of |B_Galerkin − B_exact| / B_exact over the centres of 500 × 500 cells of the
+//! receiver, in percent. The paper says that it takes N + 1 points per direction; its numbers fit N + 2.
 
 use std::io::{self, Write};
 

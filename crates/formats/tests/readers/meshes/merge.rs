@@ -194,8 +194,8 @@ fn fan(outline: &[DVec3]) -> Vec<Vec<DVec3>> {
 
 #[test]
 fn what_is_small_beside_a_large_ground_keeps_its_corners() {
-    // A plate whose corner is cut off by 21 mm, and a sheet half a millimetre above it, once in decimals and once in
-    // single precision, each with a ground of 20 km in the same object.
+    // A plate whose corner is cut off by 21 mm, and a sheet half a millimetre above it, once in decimals and
+    // once in single precision, each with a ground of 20 km in the same object.
     let p = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
     let plate =
         [p(0.1, 0.0, 0.0), p(1.0, 0.0, 0.0), p(1.0, 0.985, 0.0), p(0.985, 1.0, 0.0), p(0.1, 1.0, 0.0)];

@@ -12,10 +12,10 @@ use crate::measures::names;
 use crate::memory::Memory;
 use crate::promises::assert_promised;
 
-/// What stands in place of words of meshes.
+/// Replacements of words of meshes.
 const WORDS: [&str; 5] = ["\\\n", "[", "{}", "null", "\"a\""];
 
-/// What all readers promise, and that surfaces are flat, have a place and names of their own.
+/// Checks the promises of all readers, and that surfaces are flat, have a place and names of their own.
 fn check(found: Result<Model, Refusal>) {
     assert_promised(&found);
     let Ok(model) = found else { return };

@@ -10,7 +10,7 @@ use crate::promises::{assert_promised, parts};
 
 type Reader = fn(&str, &[u8], &Memory) -> Result<Model, Refusal>;
 
-/// What stands in place of words of MGF and Radiance.
+/// Replacements of words of MGF and Radiance.
 const WORDS: [&str; 6] = ["-a 99999", "=", "xf", "\\\n", "{", "!"];
 
 /// Whether no number of a shape is so large or so small that sums of numbers lose it.
@@ -20,7 +20,7 @@ fn is_usual(shape: &Shape) -> bool {
     all.all(|number| number == 0.0 || (1e-4..1e4).contains(&number.abs()))
 }
 
-/// What all readers promise, that every surface has a material, and that what is written can be read.
+/// Checks the promises of all readers, that every surface has a material, and that what is written can be read.
 fn check(found: Result<Model, Refusal>) {
     assert_promised(&found);
     let Ok(model) = found else { return };

@@ -104,7 +104,8 @@ fn pieces(folder: &Path, name: &str) -> BTreeMap<usize, Piece> {
     scene["surfaces"].as_array().expect("a list").iter().map(piece).collect()
 }
 
-/// Into how many pieces the prepared scenes cut a surface: quads into triangles, outlines that touch themselves too.
+/// Into how many pieces the prepared scenes cut a surface: quads into triangles, outlines that touch
+/// themselves too.
 fn count_of_pieces(shape: &Shape) -> usize {
     match shape {
         Shape::Quad(_) => 2,
@@ -149,7 +150,8 @@ fn are_coincident(one: &Shape, other: &Shape) -> bool {
         && overlap.to_array().iter().filter(|length| **length > 1e-6).count() >= 2
 }
 
-/// Every surface of the room is in the prepared scene with its material and its area, but for the coincident ones.
+/// Every surface of the room is in the prepared scene with its material and its area, but for the coincident
+/// ones.
 fn assert_prepared(folder: &Path, name: &str, coincident: usize) {
     let model = room(folder, name);
     let pieces = pieces(folder, name);

@@ -8,8 +8,8 @@
 //! κ_rc = ∫₀¹∫₀¹ x²κ p_r(2a − 1) p_c(2b − 1) da db
 //! ```
 //!
-//! Where one side is much deeper, the edge short or the angle small, the kernel has a peak in the square of (a, b). The
-//! square is halved as long as that saves points; each part has its own numbers of points
+//! Where one side is much deeper, the edge short or the angle small, the kernel has a peak in the square of
+//! (a, b). The square is halved as long as that saves points; each part has its own numbers of points
 //! ([`crate::rules::orders::subdivided_cube`]).
 
 use core::f64::consts::FRAC_1_PI;
@@ -71,8 +71,8 @@ impl ParallelogramPair {
         Self { edge, depths, strength: FRAC_1_PI * strength * origin.area * far.area, upright }
     }
 
-    /// κ_rc of the three subdomains for polynomials of the given degrees [receiver, emitter], and the number of kernel
-    /// values. None where the kernel is too nearly singular.
+    /// κ_rc of the three subdomains for polynomials of the given degrees [receiver, emitter], and the number
+    /// of kernel values. None where the kernel is too nearly singular.
     pub(crate) fn moments(&self, degrees: [usize; 2], eps: f64) -> Option<([Angular; 3], u64)> {
         let mut samples = 0;
         let along_edge = degrees[0] + degrees[1] + 1;

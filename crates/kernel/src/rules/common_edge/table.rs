@@ -11,10 +11,10 @@
 //! Y_ij(z) = ∫₀¹ (1 − z) p_i(2s − 1) p_j(2u − 1) dy ,   Y_ij(xb) = Σ_c C_ijc(x) p_c(2b − 1) ,
 //! ```
 //!
-//! with n = (j, β). The second subdomain exchanges the roles of t and v; in the third, z = x, the sum over c belongs to
-//! v = xb. All sums are finite: r ≤ β, c ≤ i + j + 1. Reversing the edge, s → 1 − s and u → 1 − u, exchanges the signs
-//! of u − s and multiplies by (−1)^{i+j}: even i + j takes κ⁺ + κ⁻, odd i + j takes κ⁺ − κ⁻. B, C and Y depend on the
-//! degrees only.
+//! with n = (j, β). The second subdomain exchanges the roles of t and v; in the third, z = x, the sum over c
+//! belongs to v = xb. All sums are finite: r ≤ β, c ≤ i + j + 1. Reversing the edge, s → 1 − s and u → 1 − u,
+//! exchanges the signs of u − s and multiplies by (−1)^{i+j}: even i + j takes κ⁺ + κ⁻, odd i + j takes
+//! κ⁺ − κ⁻. B, C and Y depend on the degrees only.
 
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, Mutex};
@@ -67,7 +67,8 @@ impl EdgeTable {
         self.nodes.len() * self.nodes.len()
     }
 
-    /// Moments M in the patches' own polynomials of total degree, receiver's index first, from the angular moments.
+    /// Moments M in the patches' own polynomials of total degree, receiver's index first, from the angular
+    /// moments.
     pub(crate) fn moments(&self, angular: &[Angular; 3]) -> Vec<f64> {
         let counts = self.degrees.map(total::count);
         let mut moments = vec![0.0; counts[0] * counts[1]];

@@ -1,9 +1,10 @@
-//! Two triangles with a common edge: the kernel's homogeneity used as for parallelograms, on other subdomains.
+//! Two triangles with a common edge: the kernel's homogeneity used as for parallelograms, on other
+//! subdomains.
 //!
-//! With the edge e from the origin and the third corners p and q, the points are x = σ e + τ p and y = σ′ e + ν q,
-//! where σ, τ ≥ 0, σ + τ ≤ 1 and likewise σ′, ν ≥ 0, σ′ + ν ≤ 1. With z = σ′ − σ the kernel depends on (τ, ν, z) alone
-//! and is homogeneous of degree −2 ([`crate::rules::common_edge::parallelograms`]). For given (τ, ν, z) the
-//! length of the interval of σ is
+//! With the edge e from the origin and the third corners p and q, the points are x = σ e + τ p and y = σ′
+//! e + ν q, where σ, τ ≥ 0, σ + τ ≤ 1 and likewise σ′, ν ≥ 0, σ′ + ν ≤ 1. With z = σ′ − σ the kernel depends
+//! on (τ, ν, z) alone and is homogeneous of degree −2 ([`crate::rules::common_edge::parallelograms`]). For
+//! given (τ, ν, z) the length of the interval of σ is
 //!
 //! ```text
 //! 1 − max(τ, ν + z)  (z ≥ 0) ,     1 − max(τ + |z|, ν)  (z < 0) .
@@ -16,9 +17,9 @@
 //!          (τ, ν, z) = x (a, 1 − b, b) ,      dV = x² dx da db
 //! ```
 //!
-//! The sums over x ∈ [0, 1] and over the interval, of length 1 − x, are exact. The difference y − x is linear in a and
-//! in b, so that the zeros of r² give the numbers of points ([`crate::rules::orders::analyticity`]). The
-//! square of (a, b) is halved as long as that saves points.
+//! The sums over x ∈ [0, 1] and over the interval, of length 1 − x, are exact. The difference y − x is linear
+//! in a and in b, so that the zeros of r² give the numbers of points ([`crate::rules::orders::analyticity`]).
+//! The square of (a, b) is halved as long as that saves points.
 
 use core::f64::consts::FRAC_1_PI;
 

@@ -7,7 +7,8 @@
 //! u = σ(s) where q(σ(s), 0) = p(s, 0) ,     σ′ = |p_s| / |q_u|
 //! ```
 //!
-//! and σ′ multiplies its area element. σ is analytic where both speeds are; it is interpolated at Chebyshev points.
+//! and σ′ multiplies its area element. σ is analytic where both speeds are; it is interpolated at Chebyshev
+//! points.
 
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::UnitRule;

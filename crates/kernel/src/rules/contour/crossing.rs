@@ -1,8 +1,8 @@
 //! Edges on lines that cross: the double integral in closed form.
 //!
-//! Let s and t count from the crossing, c = cos θ ≥ 0 and r² = s² + t² − 2stc. r is homogeneous of degree one, so
-//! s ∂ₛ ln r + t ∂ₜ ln r = 1, and the divergence of (s, t) ln r is 2 ln r + 1. Gauss's theorem leaves integrals of
-//! ln r along single sides of the rectangle,
+//! Let s and t count from the crossing, c = cos θ ≥ 0 and r² = s² + t² − 2stc. r is homogeneous of degree
+//! one, so s ∂ₛ ln r + t ∂ₜ ln r = 1, and the divergence of (s, t) ln r is 2 ln r + 1. Gauss's theorem leaves
+//! integrals of ln r along single sides of the rectangle,
 //!
 //! ```text
 //! ∫ ln r dt = [ u ln r + w atan(u/w) ] − t₁ + t₀ ,     u = t − sc ,  w = |s| sin θ ,
@@ -10,21 +10,22 @@
 //!                       + ½ Σ_i ± s|s| sin θ [atan(u/w)] + ½ Σ_j ± t|t| sin θ [atan(u/w)] .
 //! ```
 //!
-//! Edges that touch lie on such lines or on parallel ones. Lines at a distance h add ½ h² ∫∫ ds dt/r², which is below
-//! rounding for the h accepted here. Where the crossing is far away the terms are large and cancel: such pairs are left
-//! to quadrature.
+//! Edges that touch lie on such lines or on parallel ones. Lines at a distance h add ½ h² ∫∫ ds dt/r², which
+//! is below rounding for the h accepted here. Where the crossing is far away the terms are large and cancel:
+//! such pairs are left to quadrature.
 
 use crate::rules::contour::segment::Segment;
 
 /// Largest distance of the crossing from the ends, relative to the longer segment. Chosen; not tuned.
 const REACH: f64 = 3.0;
-/// Largest distance h of the lines, relative to the longer segment and √sin θ: ½ h² is then 1.3e-19 of its square,
-/// times sin θ.
+/// Largest distance h of the lines, relative to the longer segment and √sin θ: ½ h² is then 1.3e-19 of its
+/// square, times sin θ.
 const APART: f64 = 5e-10;
 /// Largest rounding error of the crossing, relative to the longer segment: two units of rounding.
 const ROUNDING: f64 = 4e-16;
 
-/// ∫∫ (ln r + 3/2) ds dt over two segments at an angle up to 90°; None where the lines do not cross near them.
+/// ∫∫ (ln r + 3/2) ds dt over two segments at an angle up to 90°; None where the lines do not cross near
+/// them.
 pub(super) fn integral(a: &Segment, b: &Segment) -> Option<f64> {
     let size = a.length.max(b.length);
     let normal = a.direction.cross(b.direction);

@@ -1,16 +1,17 @@
 //! Polygons far apart compared with their sizes: a product of Gauss rules in which nothing cancels.
 //!
-//! Both contours are closed, so that functions of one end alone may be subtracted from ln r. Let p and q be the middles
-//! of the polygons, R = |p − q| the unit of length, u = p − q, x and y the points relative to their middles, and
+//! Both contours are closed, so that functions of one end alone may be subtracted from ln r. Let p and q be
+//! the middles of the polygons, R = |p − q| the unit of length, u = p − q, x and y the points relative to
+//! their middles, and
 //!
 //! ```text
 //! ε_x = 2u·x + x² ,   x̂ = x / (1 + ε_x) ,   η_x = ε_x / (1 + ε_x)      (for y with −u),
 //! ln r − ln|x − q| − ln|y − p| = ½ ln(1 + z) ,     z = −2 x̂·ŷ − η_x η_y ,
 //! ```
 //!
-//! which is of the size of the result, (size/R)², before it is summed. The contour integral of ln r itself loses the
-//! digits of (R/size)². √(1 + z) is the cross ratio of x, y, p and q; by Ptolemy's inequality it differs from 1 by at
-//! most
+//! which is of the size of the result, (size/R)², before it is summed. The contour integral of ln r itself
+//! loses the digits of (R/size)². √(1 + z) is the cross ratio of x, y, p and q; by Ptolemy's inequality it
+//! differs from 1 by at most
 //!
 //! ```text
 //! k = |x||y| / (|x − q||y − p|) ,
@@ -18,9 +19,9 @@
 //!
 //! so that ½ ln(1 + z) = w + w³/3 + w⁵/5 + … with w = z/(2 + z), |w| ≤ k/(1 − k), needs few terms.
 //!
-//! Along an edge the integrand is analytic, except where the edge's line meets the other polygon in complex points. Of
-//! all edges inside a ball of radius ϱ whose centre is at least D from all points of the other polygon, those on the
-//! tangent cone converge slowest: like (σ + √(σ² − 1))⁻²ⁿ with σ = √(D² − ϱ²)/ϱ.
+//! Along an edge the integrand is analytic, except where the edge's line meets the other polygon in complex
+//! points. Of all edges inside a ball of radius ϱ whose centre is at least D from all points of the other
+//! polygon, those on the tangent cone converge slowest: like (σ + √(σ² − 1))⁻²ⁿ with σ = √(D² − ϱ²)/ϱ.
 
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
@@ -31,7 +32,8 @@ use crate::rules::contour::segment::edges;
 const LARGEST_CROSS: f64 = 0.1;
 /// ln(1/ε) of the rules: ε = 3e-14.
 const DIGITS: f64 = 31.0;
-/// Points added to the formula: with 0.3 no error above 2e-14 of A_i A_j/R² was found among 20 000 random pairs.
+/// Points added to the formula: with 0.3 no error above 2e-14 of A_i A_j/R² was found among 20 000 random
+/// pairs.
 const SURPLUS: f64 = 0.3;
 /// Most points per edge. Chosen; not tuned.
 const MOST: usize = 14;
@@ -81,8 +83,8 @@ impl Plan {
         Some(Self { points: [points(p.radius, clear_q)?, points(q.radius, clear_p)?], cross })
     }
 
-    /// ∮∮ ln r dx·dy, and the number of logarithms. The first omitted term of the series is below 1e-16 of each
-    /// logarithm.
+    /// ∮∮ ln r dx·dy, and the number of logarithms. The first omitted term of the series is below 1e-16 of
+    /// each logarithm.
     pub(super) fn integral(&self, p: Shape, q: Shape) -> (f64, u64) {
         match self.cross {
             k if k <= 3e-3 => self.sum::<3>(p, q),
@@ -123,7 +125,8 @@ impl Plan {
     }
 }
 
-/// Points per edge inside a ball, if all of the other polygon is at least `clear` from its middle; None if too many.
+/// Points per edge inside a ball, if all of the other polygon is at least `clear` from its middle; None if
+/// too many.
 fn points(radius: f64, clear: f64) -> Option<usize> {
     if clear <= radius {
         return None;
@@ -161,8 +164,8 @@ struct Lanes {
 }
 
 impl Side {
-    /// Start and step of an edge relative to the middle, so that its points are not rounded at the distance of the
-    /// origin.
+    /// Start and step of an edge relative to the middle, so that its points are not rounded at the distance
+    /// of the origin.
     fn seen(&self, (start, end): (DVec3, DVec3)) -> (DVec3, DVec3) {
         ((start - self.center) * self.scale, (end - start) * self.scale)
     }

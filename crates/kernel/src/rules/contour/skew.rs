@@ -6,17 +6,17 @@
 //! ∫ ln r dt = [ u ln √(u² + w²) + w atan(u/w) ] − u₁ + u₀ .
 //! ```
 //!
-//! As a function of the outer arc length s this is analytic except at c ± iδ for each end of the inner edge, c being
-//! the foot of the end on the outer line and δ its distance; and at s* ± ih/sin θ, where the lines pass each other at
-//! the distance h, if the foot on the inner line lies on the inner edge. On a panel [l, m] Gauss' rule converges like
-//! ϱ⁻²ⁿ,
+//! As a function of the outer arc length s this is analytic except at c ± iδ for each end of the inner edge,
+//! c being the foot of the end on the outer line and δ its distance; and at s* ± ih/sin θ, where the lines
+//! pass each other at the distance h, if the foot on the inner line lies on the inner edge. On a panel [l, m]
+//! Gauss' rule converges like ϱ⁻²ⁿ,
 //!
 //! ```text
 //! ϱ = σ + √(σ² − 1) ,   σ = (|c + iδ − l| + |c + iδ − m|) / (m − l) ;
 //! ```
 //!
-//! Panels where that is too slow are cut at c if it is inside, else at a quarter of the way from c to the far end.
-//! Their number grows like log(1/δ).
+//! Panels where that is too slow are cut at c if it is inside, else at a quarter of the way from c to the far
+//! end. Their number grows like log(1/δ).
 
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
@@ -57,7 +57,8 @@ pub(super) fn integral(a: &Segment, b: &Segment) -> (f64, u64) {
 
 /// ∫ (ln r + 1) dt along the inner edge, from points of the outer one.
 struct Field {
-    /// Vector product of the outer start, relative to the inner start, with the inner direction; its derivative in s.
+    /// Vector product of the outer start, relative to the inner start, with the inner direction; its
+    /// derivative in s.
     across: [DVec3; 2],
     /// Foot of the outer start on the inner line; its derivative in s.
     foot: [f64; 2],

@@ -1,15 +1,15 @@
 //! A small polygon near a large one.
 //!
-//! The contour integral of ln r over edges of length L, relative to an area l², loses the digits of L/l. But the small
-//! contour is closed, so that any function of the point y of the large one may be subtracted from ln r, another on
-//! every stretch of it. With the small polygon in a ball of radius ϱ about the origin,
+//! The contour integral of ln r over edges of length L, relative to an area l², loses the digits of L/l. But
+//! the small contour is closed, so that any function of the point y of the large one may be subtracted from
+//! ln r, another on every stretch of it. With the small polygon in a ball of radius ϱ about the origin,
 //!
 //! ```text
 //! ln r − ln|y| = ½ ln(1 + z) ,     z = (x² − 2x·y) / y² ,
 //! ```
 //!
-//! is of the size l/|y|; a product of Gauss rules sums it on stretches no longer than their distance. Stretches near
-//! the ball are cut down to its size and go edge by edge.
+//! is of the size l/|y|; a product of Gauss rules sums it on stretches no longer than their distance.
+//! Stretches near the ball are cut down to its size and go edge by edge.
 
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
@@ -28,8 +28,8 @@ const MOST: usize = 16;
 /// Smallest σ for which [`MOST`] points give [`DIGITS`]: 2 · 16 · ln(σ + √(σ² − 1)) = 35.
 const SMALLEST_SIGMA: f64 = 1.66;
 
-/// The terms of all edges of a polygon in the ball of `radius` about the origin with one edge of another polygon, and
-/// the number of logarithms.
+/// The terms of all edges of a polygon in the ball of `radius` about the origin with one edge of another
+/// polygon, and the number of logarithms.
 pub(super) fn integral(small: &[Segment], radius: f64, edge: &Segment) -> (f64, u64) {
     let (mut sum, mut terms) = (0.0, 0);
     let mut stretches = vec![*edge];

@@ -20,8 +20,8 @@ use radiosity_elements::patch::{Direction, Patch};
 
 use crate::estimates::entry_norm::EntryNorm;
 
-/// Error of the halves, relative to their difference from the whole: 2⁻³ at a kink of second order, doubled for its
-/// position.
+/// Error of the halves, relative to their difference from the whole: 2⁻³ at a kink of second order, doubled
+/// for its position.
 const FINER: f64 = 0.25;
 /// Points that halves take in the direction of halving, relative to those of the whole. Chosen; not tuned.
 const HALF_POINTS: f64 = 0.75;
@@ -45,7 +45,8 @@ pub(super) struct Cell {
     whole: Whole,
     /// The halves along and across, where they were computed.
     halves: [Option<[Whole; 2]>; 2],
-    /// Difference of the halves from the whole in either direction; inherited where the halves were not computed.
+    /// Difference of the halves from the whole in either direction; inherited where the halves were not
+    /// computed.
     errors: [f64; 2],
     /// Which errors are not inherited.
     own: [bool; 2],

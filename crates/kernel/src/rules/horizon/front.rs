@@ -81,8 +81,8 @@ impl Front {
         nodes
     }
 
-    /// Cuts a patch into parts on each of which the rule with `points` integrates h and h² to a relative error of about
-    /// `eps`: near the centre of a disk the lines end at the plane in very different places.
+    /// Cuts a patch into parts on each of which the rule with `points` integrates h and h² to a relative
+    /// error of about `eps`: near the centre of a disk the lines end at the plane in very different places.
     pub fn parts(&self, patch: &Patch, points: [usize; 2], eps: f64) -> Vec<Patch> {
         let limit = self.moments(patch, points).map(|moment| eps * moment);
         let mut parts = Vec::new();
@@ -98,7 +98,8 @@ impl Front {
         parts
     }
 
-    /// The direction in which the moments of the halves differ most from those of the whole, if by more than `limit`.
+    /// The direction in which the moments of the halves differ most from those of the whole, if by more than
+    /// `limit`.
     fn uneven(&self, part: &Patch, points: [usize; 2], limit: [f64; 2]) -> Option<Direction> {
         let whole = self.moments(part, points);
         let off = |direction: Direction| {
@@ -220,8 +221,8 @@ mod tests {
         Patch::curved(disk, &Rect { u: [start.min(0.0), start.min(0.0) + 0.5], v: [-1.0, 1.0] })
     }
 
-    /// The part x > d of the quarter disk x² + y² < 1 has the area ½ (acos d − d √(1 − d²)), and ∫ (x − d) dA over it
-    /// is ⅓ (1 − d²)^(3/2) minus d times that.
+    /// The part x > d of the quarter disk x² + y² < 1 has the area ½ (acos d − d √(1 − d²)), and ∫ (x − d) dA
+    /// over it is ⅓ (1 − d²)^(3/2) minus d times that.
     #[test]
     fn segments_of_a_disk_have_their_area_and_moment() {
         for d in [0.5f64, 0.1, 0.01] {

@@ -33,13 +33,13 @@ pub(super) enum Lines {
     Winding(Direction),
 }
 
-/// Factors of a node's weight in area: the patch's area element, the weights across and along lines, the widths of the
-/// strip and of the visible part.
+/// Factors of a node's weight in area: the patch's area element, the weights across and along lines, the
+/// widths of the strip and of the visible part.
 pub(super) type Factors = [f64; 5];
 
-/// Calls `take` with the nodes and weights of a rule on the visible part of a patch, with these points along and
-/// across, its lines running in the direction of `lines`; they are grouped in strips where a height vanishes at their
-/// ends. Returns the number of evaluations.
+/// Calls `take` with the nodes and weights of a rule on the visible part of a patch, with these points along
+/// and across, its lines running in the direction of `lines`; they are grouped in strips where a height
+/// vanishes at their ends. Returns the number of evaluations.
 pub(super) fn seen(
     patch: &Patch,
     lines: Lines,
@@ -127,7 +127,8 @@ fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
         let between =
             |k: &usize| values[k - 1][which] * values[k + 1][which] < 0.0 && values[*k][which] == 0.0;
         out.extend((1..PLACES - 1).filter(between).map(place));
-        // Two roots may lie between neighbours of equal sign: the vertex of the parabola through three values is tried.
+        // Two roots may lie between neighbours of equal sign: the vertex of the parabola through three values
+        // is tried.
         for k in 1..PLACES - 1 {
             let [a, b, c] = [k - 1, k, k + 1].map(|k| values[k][which]);
             let bend = a - 2.0 * b + c;

@@ -175,7 +175,8 @@ fn is_dark(ranges: &[[f64; 2]; HEIGHTS], margins: &Heights) -> bool {
     ranges.iter().zip(margins).any(|([_, high], margin)| high + margin <= 0.0)
 }
 
-/// The sum over both directions of the largest second difference of the last height, the one over the ball's cone.
+/// The sum over both directions of the largest second difference of the last height, the one over the ball's
+/// cone.
 fn bend(grid: &[Heights]) -> f64 {
     let height = |place: usize| grid[place][HEIGHTS - 1];
     second_differences(|a, b, c| (height(a) - 2.0 * height(b) + height(c)).abs())
@@ -190,8 +191,8 @@ fn monotone(grid: &[Heights], which: usize, direction: Direction) -> bool {
     });
     let [low, high] =
         steps.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| [low.min(d), high.max(d)]);
-    // Steps of one sign, none below a tenth of the largest, beside which a turn might lie. The tenth is chosen, not
-    // tuned.
+    // Steps of one sign, none below a tenth of the largest, beside which a turn might lie. The tenth is
+    // chosen, not tuned.
     (low > 0.0 || high < 0.0) && low.abs().min(high.abs()) > 0.1 * low.abs().max(high.abs())
 }
 

@@ -1,9 +1,9 @@
-//! Heights that are positive where two points see each other: over each other's tangent planes, and over the cone of a
-//! ball.
+//! Heights that are positive where two points see each other: over each other's tangent planes, and over the
+//! cone of a ball.
 //!
-//! Let e be the vector from x to the ball's centre c, r its radius, d = y − x, and E = |e|² − r² the squared length of
-//! the tangents from x. The ball hides y inside the cone of the tangents beyond the plane e·d = E of their points of
-//! contact, which is where
+//! Let e be the vector from x to the ball's centre c, r its radius, d = y − x, and E = |e|² − r² the squared
+//! length of the tangents from x. The ball hides y inside the cone of the tangents beyond the plane e·d = E
+//! of their points of contact, which is where
 //!
 //! ```text
 //! h = E |d|² − (e·d)²  if e·d > E ,     h = E (|y − c|² − r²)  otherwise

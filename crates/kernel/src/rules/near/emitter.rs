@@ -1,16 +1,16 @@
 //! The inner patch of a near pair, and the singularities of its inner integral.
 //!
-//! I_l(x) is analytic on the receiver's plane, however near the emitter, except at complex points at distance zero from
-//! an edge of the emitter (if their foot lies on it) or from a corner. On a straight line x(s) = x₀ + s X of a cell's
-//! chart these are the roots of two quadratics,
+//! I_l(x) is analytic on the receiver's plane, however near the emitter, except at complex points at distance
+//! zero from an edge of the emitter (if their foot lies on it) or from a corner. On a straight line
+//! x(s) = x₀ + s X of a cell's chart these are the roots of two quadratics,
 //!
 //! ```text
 //! |x(s) − v|² = 0 :          s = ( −X·w ± 𝚒 |X × w| ) / |X|² ,   w = x₀ − v ,
 //! distance(x(s), edge) = 0 : the same with the parts of X and w across the edge.
 //! ```
 //!
-//! On a receiver inclined to the emitter's plane, the emitter's polynomials add a term h² ln h where the line meets
-//! that plane inside the emitter.
+//! On a receiver inclined to the emitter's plane, the emitter's polynomials add a term h² ln h where the line
+//! meets that plane inside the emitter.
 
 use num_complex::Complex64;
 use radiosity_elements::basis::AreaBasis;
@@ -19,14 +19,15 @@ use radiosity_geom::{DVec2, DVec3};
 
 use crate::rules::near::polar::{Edge, Polar, edges};
 
-/// Singularities farther than this from the cell, in lengths of the cell, are ignored; strong maps bring those up to it
-/// near. Chosen; not tuned.
+/// Singularities farther than this from the cell, in lengths of the cell, are ignored; strong maps bring
+/// those up to it near. Chosen; not tuned.
 const FAR: f64 = 1e3;
 /// Imaginary part below which a singularity gets a line in the other direction. Chosen; not tuned.
 const CLOSE: f64 = 0.25;
 /// Most such lines. Chosen; not tuned.
 const MOST_CLOSE: usize = 4;
-/// Singularities whose difference is below this part of their distance from the cell count as one. Chosen; not tuned.
+/// Singularities whose difference is below this part of their distance from the cell count as one. Chosen;
+/// not tuned.
 const ALIKE: f64 = 0.02;
 /// Parameters of the lines on which singularities are looked for. Chosen; not tuned.
 const LINES: [f64; 7] = [0.0, 0.02, 0.25, 0.5, 0.75, 0.98, 1.0];
@@ -42,8 +43,8 @@ impl<'a> Emitter<'a> {
         Self { patch: patch.clone(), edges: edges(patch), polar: Polar::new(patch, basis, eps) }
     }
 
-    /// Whether the emitter's polynomials, extended to the feet of a cell's points, grow so little that rounding stays
-    /// below ε.
+    /// Whether the emitter's polynomials, extended to the feet of a cell's points, grow so little that
+    /// rounding stays below ε.
     pub(super) fn reached(&self, cell: &Patch, basis: &AreaBasis, eps: f64) -> bool {
         let normal = self.patch.node(0.5, 0.5).normal;
         let growth = |x: &DVec3| {
@@ -58,8 +59,8 @@ impl<'a> Emitter<'a> {
 
     /// Singularities of the inner integral on lines along and across a cell's chart.
     ///
-    /// One that is close to the cell and found in one direction may lie between the lines of the other direction, which
-    /// then gets a line at its parameter.
+    /// One that is close to the cell and found in one direction may lie between the lines of the other
+    /// direction, which then gets a line at its parameter.
     pub(super) fn places(&self, cell: &Patch, floor: f64, eps: f64) -> [Vec<Complex64>; 2] {
         let directions = [Direction::Along, Direction::Across];
         let mut found = directions.map(|direction| self.roots(cell, direction, &LINES, floor, eps));

@@ -1,8 +1,8 @@
 //! The outer rule of a near pair: cells of the receiver, planned before integration.
 //!
 //! In each direction of a cell the nearest singularities ([`emitter`](crate::rules::near::emitter)) choose
-//! the sinh map; where convergence stays slow the cell is cut. Before that the receiver is cut along the projections of
-//! near edges, so that the layers of width ≈ gap along these lie at sides of cells.
+//! the sinh map; where convergence stays slow the cell is cut. Before that the receiver is cut along the
+//! projections of near edges, so that the layers of width ≈ gap along these lie at sides of cells.
 
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::patch::Patch;
@@ -18,13 +18,13 @@ use crate::rules::near::line::{LineRule, Request};
 use crate::rules::near::polar::{Edge, Polar, edges, fraction};
 use crate::rules::near::stretch::Stretch;
 
-/// Distance, relative to the pair's size, below which nothing is resolved: 500 rounding errors; for touching patches it
-/// changes the result by as little. Chosen; not tuned.
+/// Distance, relative to the pair's size, below which nothing is resolved: 500 rounding errors; for touching
+/// patches it changes the result by as little. Chosen; not tuned.
 const SHARPEST: f64 = 1e-13;
 /// Smallest transfer that the accuracy is relative to. Chosen; not tuned.
 const LEAST_TRANSFER: f64 = 1e-3;
-/// Height of an edge over the receiver, relative to the receiver's size, up to which the receiver is cut along its
-/// projection. Chosen; not tuned.
+/// Height of an edge over the receiver, relative to the receiver's size, up to which the receiver is cut
+/// along its projection. Chosen; not tuned.
 const HOT: f64 = 0.1;
 /// Cost of a sample of the polar rule, in samples of a tensor rule. Chosen; not tuned.
 const POLAR_COST: f64 = 5.0;
@@ -75,8 +75,8 @@ impl<'a> Planner<'a> {
         self.floor = SHARPEST * outer.longest().1.max(inner.longest().1);
         let edges = edges(inner);
         let parts = cut_along(outer, &edges);
-        // The inner integral's error counts relative to its mean, the transfer; where that is small the inner integral
-        // is small on part of the receiver. √ of the transfer was enough in all cases measured.
+        // The inner integral's error counts relative to its mean, the transfer; where that is small the inner
+        // integral is small on part of the receiver. √ of the transfer was enough in all cases measured.
         let transfer = mean_irradiance(&parts, &Polar::new(inner, self.inner, self.eps));
         self.eps *= transfer.clamp(LEAST_TRANSFER, 1.0).sqrt();
         let emitter = Emitter::new(inner, self.inner, self.eps);
@@ -151,7 +151,8 @@ impl<'a> Planner<'a> {
     }
 }
 
-/// Mean irradiance over coplanar parts from an emitter of radiosity 1, to some ten percent (3 × 3 points on each part).
+/// Mean irradiance over coplanar parts from an emitter of radiosity 1, to some ten percent (3 × 3 points on
+/// each part).
 fn mean_irradiance(parts: &[Patch], emitter: &Polar) -> f64 {
     let rule = UnitRule::of(3);
     let (mut sum, mut area) = (0.0, 0.0);
@@ -215,7 +216,8 @@ fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) 
         .collect()
 }
 
-/// Tensor samples if the longest extent is halved until every part is far enough apart; infinite above `limit`.
+/// Tensor samples if the longest extent is halved until every part is far enough apart; infinite above
+/// `limit`.
 pub(super) fn split_cost(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, limit: f64) -> f64 {
     let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
     let gap = gap(p, q);

@@ -1,21 +1,23 @@
 //! The inner integral of a near flat pair, in polar coordinates about the foot of the outer point.
 //!
-//! The outer point x has the height h > 0 over the plane of the polygon Q, and the foot x′ in it. With w = y − x′,
+//! The outer point x has the height h > 0 over the plane of the polygon Q, and the foot x′ in it. With
+//! w = y − x′,
 //!
 //! ```text
 //! I_l(x) = ∫_Q κ(x, y) L_l(y) dA = h/π ∫_Q (g + n_x·w) L_l(x′ + w) / (|w|² + h²)² dA ,    g = n_x·(x′ − x) .
 //! ```
 //!
-//! Q is the signed sum of the triangles between x′ and its edges. On an edge at the signed distance p from x′, with s
-//! counted along it from the foot of x′, v(s) the vector from x′ to its point, R² = p² + s² and w = t v(s),
+//! Q is the signed sum of the triangles between x′ and its edges. On an edge at the signed distance p from
+//! x′, with s counted along it from the foot of x′, v(s) the vector from x′ to its point, R² = p² + s² and
+//! w = t v(s),
 //!
 //! ```text
 //! I_l = h/π Σ_edges ∫ p ds/R⁴ ∫₀¹ t (g + t n_x·v) L_l(x′ + t v) / (t² + η²)² dt ,    η = h/R .
 //! ```
 //!
 //! The integral along a ray is exact for every η ([`crate::rules::near::radial`]): h → 0 costs nothing. The
-//! rest is analytic in s except at s = ±𝚒D, D = √(p² + h²) being the distance of x from the edge's line. s = D sinh μ
-//! makes it converge exponentially, and the cost of the nearest edge grows like ln(1/D).
+//! rest is analytic in s except at s = ±𝚒D, D = √(p² + h²) being the distance of x from the edge's line.
+//! s = D sinh μ makes it converge exponentially, and the cost of the nearest edge grows like ln(1/D).
 
 use num_complex::Complex64;
 use radiosity_elements::basis::AreaBasis;
@@ -116,8 +118,8 @@ impl<'a> Polar<'a> {
         self.edges.iter().map(points).sum::<usize>() * self.radial.len()
     }
 
-    /// Where the line `start` + s `step` meets the plane inside the polygon, h = 0 and I_l has a term of order h² ln h;
-    /// None if that stays below `eps` for all s ∈ [0, 1].
+    /// Where the line `start` + s `step` meets the plane inside the polygon, h = 0 and I_l has a term of
+    /// order h² ln h; None if that stays below `eps` for all s ∈ [0, 1].
     pub(super) fn crossing(&self, start: DVec3, step: DVec3, eps: f64) -> Option<Complex64> {
         let (height, slope) = ((start - self.edges[0].0.start).dot(self.normal), step.dot(self.normal));
         let size = self.edges.iter().map(|(edge, _)| edge.length).fold(0.0, f64::max);
@@ -132,8 +134,8 @@ impl<'a> Polar<'a> {
         inside.then_some(Complex64::from(place))
     }
 
-    /// Irradiance at x from the emitter with radiosity 1, by Lambert's formula (1760): E = 1/(2π) |Σ_edges θ n_x·(a ×
-    /// b)/|a × b||, a and b the vectors from x to an edge's ends and θ the angle between them.
+    /// Irradiance at x from the emitter with radiosity 1, by Lambert's formula (1760): E = 1/(2π) |Σ_edges θ
+    /// n_x·(a × b)/|a × b||, a and b the vectors from x to an edge's ends and θ the angle between them.
     pub(super) fn irradiance(&self, x: &Node) -> f64 {
         let edge = |(edge, outward): &(Edge, DVec3)| {
             let (a, moment) = (edge.start - x.position, edge.along * edge.length);

@@ -10,7 +10,8 @@
 //! α_j = w_j Σ_i (2i + 1) P_i(2t_j − 1) A_i ,    A_i = ∫₀¹ t P_i(2t − 1)/(t² + η²)² dt , B_i with t² .
 //! ```
 //!
-//! With z = −1 + 2𝚒η and Legendre's function of the second kind, Neumann's ∫₋₁¹ P_i(x)/(z − x) dx = 2 Q_i(z) gives
+//! With z = −1 + 2𝚒η and Legendre's function of the second kind, Neumann's ∫₋₁¹ P_i(x)/(z − x) dx = 2 Q_i(z)
+//! gives
 //!
 //! ```text
 //! c_i = ∫₀¹ P_i/(t − 𝚒η) dt = −2 Q_i(z) ,   d_i = ∫₀¹ P_i/(t − 𝚒η)² dt = −4 Q_i′(z) ,
@@ -18,9 +19,10 @@
 //! (z² − 1) Q_i′ = i (z Q_i − Q_{i−1}) ,   Q₀ = −¼ ln(1 + η⁻²) − ½ 𝚒 atan(1/η) .
 //! ```
 //!
-//! Q_i satisfies (i + 1) Q_{i+1} = (2i + 1) z Q_i − i Q_{i−1}. It is computed forwards while that keeps enough digits,
-//! else backwards from a high index (Miller's algorithm), being the decaying solution. For η > ½, where the two parts
-//! of B_i cancel, t P_i is expanded: B_i = ½ A_i + ½ ((i + 1) A_{i+1} + i A_{i−1})/(2i + 1).
+//! Q_i satisfies (i + 1) Q_{i+1} = (2i + 1) z Q_i − i Q_{i−1}. It is computed forwards while that keeps
+//! enough digits, else backwards from a high index (Miller's algorithm), being the decaying solution. For
+//! η > ½, where the two parts of B_i cancel, t P_i is expanded: B_i = ½ A_i + ½ ((i + 1) A_{i+1} + i
+//! A_{i−1})/(2i + 1).
 //!
 //! Reference: NIST Digital Library of Mathematical Functions, §14.
 
@@ -31,9 +33,11 @@ use crate::rules::near::ellipse::ellipse;
 
 /// Accuracy of the recurrences relative to that of the rule. Chosen; not tuned.
 const RECURRENCE_ACCURACY: f64 = 1e-4;
-/// Largest η for forward recurrence: beyond it the moments need Q to full relative accuracy. Chosen; not tuned.
+/// Largest η for forward recurrence: beyond it the moments need Q to full relative accuracy. Chosen; not
+/// tuned.
 const FARTHEST_FORWARD: f64 = 1.0;
-/// Loss of accuracy that forward recurrence may always have, as a natural logarithm: a factor 20. Chosen; not tuned.
+/// Loss of accuracy that forward recurrence may always have, as a natural logarithm: a factor 20. Chosen; not
+/// tuned.
 const LEAST_LOSS: f64 = 3.0;
 
 /// The rule of n points along rays.

@@ -1,6 +1,7 @@
 //! Σ_m v_m L_l(a_m, b_m) for all l, over many points at once.
 //!
-//! The points are processed in tiles that fill the processor's lanes; each lane keeps its own sums to the end.
+//! The points are processed in tiles that fill the processor's lanes; each lane keeps its own sums to the
+//! end.
 
 use radiosity_core::{basis::total, legendre};
 use radiosity_elements::basis::HIGHEST_ORDER;

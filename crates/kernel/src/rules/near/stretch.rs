@@ -4,17 +4,18 @@
 //! s = c + b sinh μ ,    ∫₀¹ f(s) ds = ∫ f(s(μ)) b cosh μ dμ
 //! ```
 //!
-//! An f with a singularity at c ± 𝚒b becomes analytic up to |Im μ| = π/2 for every b. Let the nearest singularity lie
-//! on the ellipse ϱ of the μ-interval. For f times a polynomial of degree N the error of n points is at most of order
-//! G(ϱ′)ᴺ ϱ′⁻²ⁿ for every 1 < ϱ′ ≤ ϱ. G = a + √(a² − 1) is the growth of Legendre polynomials at the farthest place
-//! a ≥ 1, in the coordinates of their element, that the ellipse ϱ′ reaches. Hence
+//! An f with a singularity at c ± 𝚒b becomes analytic up to |Im μ| = π/2 for every b. Let the nearest
+//! singularity lie on the ellipse ϱ of the μ-interval. For f times a polynomial of degree N the error of n
+//! points is at most of order G(ϱ′)ᴺ ϱ′⁻²ⁿ for every 1 < ϱ′ ≤ ϱ. G = a + √(a² − 1) is the growth of Legendre
+//! polynomials at the farthest place a ≥ 1, in the coordinates of their element, that the ellipse ϱ′ reaches.
+//! Hence
 //!
 //! ```text
 //! n = ⌈ min over ϱ′ of (N ln G(ϱ′) + ln(1/ε)) / (2 ln ϱ′) ⌉ .
 //! ```
 //!
-//! Reference: P. R. Johnston, D. Elliott, *A sinh transformation for evaluating nearly singular boundary element
-//! integrals*, Int. J. Numer. Methods Eng. 62 (2005).
+//! Reference: P. R. Johnston, D. Elliott, *A sinh transformation for evaluating nearly singular boundary
+//! element integrals*, Int. J. Numer. Methods Eng. 62 (2005).
 
 use num_complex::Complex64;
 use radiosity_elements::rule::UnitRule;
@@ -57,7 +58,8 @@ impl Stretch {
         rho(mu).min(rho(Complex64::new(-mu.re, core::f64::consts::PI - mu.im)))
     }
 
-    /// Points for polynomials of degree `degree` on an element of whose frame [0, 1] covers the part `fraction`.
+    /// Points for polynomials of degree `degree` on an element of whose frame [0, 1] covers the part
+    /// `fraction`.
     pub(super) fn points(&self, rho: f64, fraction: f64, degree: usize, eps: f64) -> usize {
         let most = rho.clamp(1.0 + 1e-6, LARGEST_RHO).ln();
         let accuracy = -eps.ln();

@@ -76,7 +76,8 @@ fn exact_blocks_are_met_at_every_accuracy() {
     }
 }
 
-/// F of two parallel unit squares (Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11).
+/// F of two parallel unit squares (Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*,
+/// C-11).
 fn parallel_squares(gap: f64) -> f64 {
     let (x, root) = (1.0 / gap, (1.0 + 1.0 / (gap * gap)).sqrt());
     let log = 0.5 * ((1.0 + x * x) * (1.0 + x * x) / (1.0 + 2.0 * x * x)).ln();
@@ -93,7 +94,8 @@ fn parallel_squares_at_any_gap() {
     }
 }
 
-/// A₁F₁₂ of two perpendicular rectangles with a common edge of length 1 and depths `a` and `b` (Howell, C-14).
+/// A₁F₁₂ of two perpendicular rectangles with a common edge of length 1 and depths `a` and `b` (Howell,
+/// C-14).
 fn perpendicular(a: f64, b: f64) -> f64 {
     if a.min(b) == 0.0 {
         return 0.0;

@@ -1,30 +1,31 @@
 //! Number of Gauss points for 1/r⁴ along a line, from its complex singularities.
 //!
-//! Along one variable x ∈ [0, 1] of a rule on planes the squared distance is a quadratic, r² = |c + x d|². 1/r⁴ is
-//! analytic except at its two complex roots
+//! Along one variable x ∈ [0, 1] of a rule on planes the squared distance is a quadratic, r² = |c + x d|².
+//! 1/r⁴ is analytic except at its two complex roots
 //!
 //! ```text
 //! x = (−c·d ± i √(c²d² − (c·d)²)) / d² .
 //! ```
 //!
-//! Gauss' rule with n points then converges like ϱ⁻²ⁿ, where ϱ = |w + √(w² − 1)| > 1 is the sum of the half axes of the
-//! ellipse with foci ±1 through w = 2x − 1 (L. N. Trefethen, *Approximation Theory and Approximation Practice*, chapter
-//! 19):
+//! Gauss' rule with n points then converges like ϱ⁻²ⁿ, where ϱ = |w + √(w² − 1)| > 1 is the sum of the half
+//! axes of the ellipse with foci ±1 through w = 2x − 1 (L. N. Trefethen, *Approximation Theory and
+//! Approximation Practice*, chapter 19):
 //!
 //! ```text
 //! n = ⌈ N/2 + ln(C/ε) / (2 ln ϱ) ⌉ ,   C = 2 + 4/(ϱ − 1)
 //! ```
 //!
-//! for polynomials of degree N times the kernel and the accuracy ε relative to the kernel's largest value. C, the size
-//! of the kernel on the ellipse, was measured on wedges of 1° to 170°, depths from 1 : 10 to 10 : 1, and skew ones:
-//! there n is at most one point short of ε relative to the integral.
+//! for polynomials of degree N times the kernel and the accuracy ε relative to the kernel's largest value. C,
+//! the size of the kernel on the ellipse, was measured on wedges of 1° to 170°, depths from 1 : 10 to 10 : 1,
+//! and skew ones: there n is at most one point short of ε relative to the integral.
 
 use radiosity_geom::DVec3;
 
 /// Smallest ϱ: keeps ln ϱ > 0 where a root lies on the interval. The count then exceeds all rules.
 const CLOSEST: f64 = 1.0 + 1e-9;
 
-/// Larger half axis of the ellipse of 1/|c + x d|⁴ on [0, 1]; infinite where that is constant. ϱ grows with it.
+/// Larger half axis of the ellipse of 1/|c + x d|⁴ on [0, 1]; infinite where that is constant. ϱ grows with
+/// it.
 #[inline]
 pub(crate) fn half_axis(c: DVec3, d: DVec3) -> f64 {
     let dd = d.length_squared();

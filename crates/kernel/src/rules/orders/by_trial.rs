@@ -1,9 +1,9 @@
 //! Numbers of points for contacts of curved patches, found by trial.
 //!
-//! The formulas of [`crate::rules::common_edge`] and [`crate::rules::common_vertex`] know the
-//! singularities of parallelograms. Curved patches have nearer ones: sides that run together, lines that bend across a
-//! narrow gap. The rule itself is therefore tried on sections of its domain: a sum over
-//! one set of variables with the others fixed at a few values. The least n is taken with
+//! The formulas of [`crate::rules::common_edge`] and [`crate::rules::common_vertex`] know the singularities
+//! of parallelograms. Curved patches have nearer ones: sides that run together, lines that bend across a
+//! narrow gap. The rule itself is therefore tried on sections of its domain: a sum over one set of variables
+//! with the others fixed at a few values. The least n is taken with
 //!
 //! ```text
 //! Σ_r |S_r(n) − S_r(n + 2)| ≤ ε/2 Σ_r |S_r(n + 2)|
@@ -29,7 +29,8 @@ const FEW: usize = 4;
 const EDGE_PARTS: usize = 6;
 const CORNER_PARTS: usize = 4;
 
-/// Numbers of points, and what the sums of the largest rules still differ by, relative, if that is too much; else 0.
+/// Numbers of points, and what the sums of the largest rules still differ by, relative, if that is too much;
+/// else 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<const N: usize> {
     /// Numbers of points of each variable.
@@ -38,8 +39,8 @@ pub struct Trial<const N: usize> {
     pub missed: f64,
 }
 
-/// Numbers of points [x, y, angular] for constants on two patches with their common edge at t = 0. `node` is the
-/// emitter's chart, at the receiver's speed along the edge.
+/// Numbers of points [x, y, angular] for constants on two patches with their common edge at t = 0. `node` is
+/// the emitter's chart, at the receiver's speed along the edge.
 pub fn edge(p: &Patch, node: &dyn Fn(f64, f64) -> Node, eps: f64) -> Trial<3> {
     let value = |part: usize, [x, y, a, b]: [f64; 4]| {
         let [t, v, z] = [[1.0, a, b], [a, 1.0, b], [a, b, 1.0]][part % 3].map(|place| x * place);
@@ -66,8 +67,8 @@ pub fn edge(p: &Patch, node: &dyn Fn(f64, f64) -> Node, eps: f64) -> Trial<3> {
     Trial::of([radial, along, angular])
 }
 
-/// Numbers of points [x, angular] for constants on two patches with their common corner at (0, 0); at most `most`
-/// angular ones.
+/// Numbers of points [x, angular] for constants on two patches with their common corner at (0, 0); at most
+/// `most` angular ones.
 pub fn vertex(p: &Patch, q: &Patch, most: usize, eps: f64) -> Trial<2> {
     let value = |part: usize, x: f64, [a, b, c]: [f64; 3]| {
         let places = [[1.0, a, b, c], [a, 1.0, b, c], [a, b, 1.0, c], [a, b, c, 1.0]];
@@ -96,8 +97,8 @@ impl<const N: usize> Trial<N> {
     }
 }
 
-/// The least n ≥ `first` whose sums S_r(n) agree with S_r(n + 2), and 0; `most` if none does, and what they differ by,
-/// relative.
+/// The least n ≥ `first` whose sums S_r(n) agree with S_r(n + 2), and 0; `most` if none does, and what they
+/// differ by, relative.
 fn least(
     first: usize,
     most: usize,

@@ -1,13 +1,14 @@
 //! Number of Gauss points per direction that the chart of a curved patch needs.
 //!
-//! All integrands contain the patch's area element A, normals n and positions x. The least n is taken whose rule agrees
-//! with that of 32 points on the vector area and the first moments
+//! All integrands contain the patch's area element A, normals n and positions x. The least n is taken whose
+//! rule agrees with that of 32 points on the vector area and the first moments
 //!
 //! ```text
 //! ∫ A n ds ,   ∫ A (x − C) ds     and the same along t
 //! ```
 //!
-//! over the middle line and both borders in either direction, C the patch's middle. An affine chart adds none.
+//! over the middle line and both borders in either direction, C the patch's middle. An affine chart adds
+//! none.
 
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::UnitRule;

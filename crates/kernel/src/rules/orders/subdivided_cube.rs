@@ -1,6 +1,7 @@
 //! Subdivision of the unit square or cube for the integral of 1/r⁴, r linear in each variable.
 //!
-//! A part is halved across the variable that needs most points, as long as the two halves together need fewer points.
+//! A part is halved across the variable that needs most points, as long as the two halves together need fewer
+//! points.
 
 use radiosity_elements::rule::MOST_POINTS;
 use radiosity_geom::DVec3;
@@ -9,8 +10,8 @@ use smallvec::SmallVec;
 
 use crate::rules::orders::analyticity;
 
-/// Values of the other variables at which the convergence rate along one is taken. Denser at the ends, where peaks lie;
-/// coarser sets missed some.
+/// Values of the other variables at which the convergence rate along one is taken. Denser at the ends, where
+/// peaks lie; coarser sets missed some.
 const PLACES: [f64; 9] = [0.0, 0.05, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1.0];
 /// Most parts before subdivision stops. Chosen; not tuned.
 const MOST_PARTS: usize = 512;
@@ -113,8 +114,8 @@ impl<const D: usize> Multilinear<'_, D> {
     }
 }
 
-/// The least half axis ([`analyticity::half_axis`]) over lines between the given ones, which stand at the corners of a
-/// square or the ends of an interval.
+/// The least half axis ([`analyticity::half_axis`]) over lines between the given ones, which stand at the
+/// corners of a square or the ends of an interval.
 fn least_half_axis(lines: &[[DVec3; 2]]) -> f64 {
     if let [[start, end]] = lines {
         return analyticity::half_axis(*start, end - start);

@@ -1,4 +1,5 @@
-//! Settings: how the light was solved and read, what was done to the scene, and the command that does it again.
+//! Settings: how the light was solved and read, what was done to the scene, and the command that does it
+//! again.
 
 use radiosity_scene::Scene;
 

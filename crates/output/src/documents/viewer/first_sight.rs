@@ -1,7 +1,7 @@
 //! The view that a page opens with, by the light of its textures. The exposure of the page is chosen for it.
 //!
-//! Pixels average samples where they or a neighbour see another surface, as those of pictures do: where a lamp fills about a
-//! fiftieth of the view, its borders decide on the exposure.
+//! Pixels average samples where they or a neighbour see another surface, as those of pictures do: where a
+//! lamp fills about a fiftieth of the view, its borders decide on the exposure.
 
 use radiosity_geom::Encounter;
 use radiosity_scene::Camera;
@@ -72,7 +72,8 @@ impl Sight<'_> {
         front.then_some((surface, [hit.u, hit.v]))
     }
 
-    /// The mean quantity per band of a pixel by `samples × samples` rays, and the part of them that meet a front.
+    /// The mean quantity per band of a pixel by `samples × samples` rays, and the part of them that meet a
+    /// front.
     fn mean(&self, size: [u32; 2], pixel: u32, samples: u32) -> (Vec<f64>, f64) {
         let part = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
         let share = 1.0 / f64::from(samples * samples);

@@ -1,12 +1,14 @@
 //! Numbers of a page: deflated (RFC 1951) and in Base64 (RFC 4648).
 //!
-//! Light is stored surface by surface, then as in [`LightTexture::texels`] part by part, band by band, row by row, in IEEE 754
-//! half precision (to 0.05 %) times a scale that keeps it in range. Of the bits of each texel, taken as a number of 16 bits, those
-//! of the texel before it in its row are subtracted, of the first those of the first in the row before; then all lower bytes
-//! come first, all higher ones after them. Light that varies slowly leaves small differences, which deflate well.
+//! Light is stored surface by surface, then as in [`LightTexture::texels`] part by part, band by band, row by
+//! row, in IEEE 754 half precision (to 0.05 %) times a scale that keeps it in range. Of the bits of each
+//! texel, taken as a number of 16 bits, those of the texel before it in its row are subtracted, of the first
+//! those of the first in the row before; then all lower bytes come first, all higher ones after them. Light
+//! that varies slowly leaves small differences, which deflate well.
 //!
-//! Triangles are stored surface by surface: of all corners the positions (three single-precision numbers each, little-endian), of all
-//! corners the parameters (two each), then the corners of the triangles (32-bit, counted within the surface).
+//! Triangles are stored surface by surface: of all corners the positions (three single-precision numbers
+//! each, little-endian), of all corners the parameters (two each), then the corners of the triangles (32-bit,
+//! counted within the surface).
 
 use std::io::Write;
 

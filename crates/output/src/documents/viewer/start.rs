@@ -11,8 +11,8 @@ pub struct Start {
     pub camera: Camera,
     /// Samples along each side of a pixel, once the picture stands still.
     pub samples: u32,
-    /// Factor on radiosities before they become colours, in proportion up to white; None: as it is chosen for pictures, with a
-    /// soft approach to white.
+    /// Factor on radiosities before they become colours, in proportion up to white; None: as it is chosen for
+    /// pictures, with a soft approach to white.
     pub exposure: Option<f64>,
     /// Quantity that is shown.
     pub shown: Shown,

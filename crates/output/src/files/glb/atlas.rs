@@ -1,8 +1,9 @@
 //! An atlas: rectangles of texels side by side in one image.
 //!
-//! They stand in rows, highest first. The image is about as wide as a square of all their texels, or as the widest, and as high
-//! as the rows need: a rectangle far higher than that square leaves much empty. Around each is a margin, which repeats its outermost
-//! texels: graphics hardware that smooths edges reads a pixel at its middle, which may lie beyond the edge of the triangle.
+//! They stand in rows, highest first. The image is about as wide as a square of all their texels, or as the
+//! widest, and as high as the rows need: a rectangle far higher than that square leaves much empty. Around
+//! each is a margin, which repeats its outermost texels: graphics hardware that smooths edges reads a pixel
+//! at its middle, which may lie beyond the edge of the triangle.
 
 /// Part by which an image is wider than the root of its texels, to leave room at the ends of rows. Chosen.
 const ROOM: f64 = 1.05;

@@ -1,6 +1,7 @@
 //! The binary part of a GLB: numbers of vertices by kind, indices, an image.
 //!
-//! A GLB is a header, the JSON, padded with blanks, and the binary, padded with zeros, each to a multiple of four bytes.
+//! A GLB is a header, the JSON, padded with blanks, and the binary, padded with zeros, each to a multiple of
+//! four bytes.
 
 use std::io::{self, Write};
 

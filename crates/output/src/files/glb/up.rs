@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use glam::{DQuat, DVec3};
 use radiosity_scene::Camera;
 
-/// The turn that brings the scene's up to +y. Up is the axis nearest to that of the camera, and +z without a camera, as
-/// cameras have it that state none.
+/// The turn that brings the scene's up to +y. Up is the axis nearest to that of the camera, and +z without a
+/// camera, as cameras have it that state none.
 pub(super) fn turn(camera: Option<&Camera>) -> DQuat {
     let up = camera.map_or(DVec3::Z, |camera| camera.up);
     let (x, y, z) = (up.x.abs(), up.y.abs(), up.z.abs());

@@ -6,7 +6,8 @@ use thiserror::Error;
 
 use super::version::VERSION;
 
-/// A solution file that cannot be used. Displays as `file: message`; the cure is separate, see [`SolutionError::cure`].
+/// A solution file that cannot be used. Displays as `file: message`; the cure is separate, see
+/// [`SolutionError::cure`].
 #[derive(Debug, Error)]
 #[error("{origin}: {fault}")]
 pub struct SolutionError {

@@ -1,5 +1,5 @@
-//! Cost and self-checks of a solution as the file keeps them; without times and threads, so that the same input makes
-//! the same file.
+//! Cost and self-checks of a solution as the file keeps them; without times and threads, so that the same
+//! input makes the same file.
 
 use radiosity_kernel::{PairCounts, WorstError};
 use radiosity_published::hierarchy::Counts;

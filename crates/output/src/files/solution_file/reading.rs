@@ -1,7 +1,7 @@
 //! Reading of a solution file: from its text back to the solved scene.
 //!
-//! The scene is read and cut again, and every element of the file is compared with it, so that a damaged or changed
-//! file is refused. The coefficients are taken as they are.
+//! The scene is read and cut again, and every element of the file is compared with it, so that a damaged or
+//! changed file is refused. The coefficients are taken as they are.
 
 use std::sync::Arc;
 
@@ -41,8 +41,8 @@ pub fn is_solution(text: &str) -> bool {
     likely && serde_json::from_str(text).map_or(true, |header: Header| header.format == FORMAT)
 }
 
-/// Reads a solution file: the scene, the options and the solution that it was written from, bit by bit. Shadow
-/// masks are made again, by these ranks.
+/// Reads a solution file: the scene, the options and the solution that it was written from, bit by bit.
+/// Shadow masks are made again, by these ranks.
 ///
 /// # Errors
 /// A text that is damaged, of another version, or does not fit the scene in it.

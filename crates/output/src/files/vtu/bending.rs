@@ -1,16 +1,17 @@
 //! Cells near enough to a curved patch, by the distance of the polynomials through the cells' nodes from it.
 //!
-//! With (p + 1)² even nodes the interpolant's error is largest about half-way between nodes next to the sides. It is
-//! measured at all points half-way between nodes along one direction or both.
+//! With (p + 1)² even nodes the interpolant's error is largest about half-way between nodes next to the
+//! sides. It is measured at all points half-way between nodes along one direction or both.
 
 use radiosity_elements::patch::{Direction, Patch};
 use radiosity_geom::DVec3;
 
-/// Distance from the surface, over the extent of the element, up to which a cell is near enough. Chosen: finer than a pixel of
-/// any picture.
+/// Distance from the surface, over the extent of the element, up to which a cell is near enough. Chosen:
+/// finer than a pixel of any picture.
 const NEAR: f64 = 1e-6;
 
-/// Degree up to which a cell is tried before it is cut. Chosen: a turn of 45° is then good to 1e-6 of its radius.
+/// Degree up to which a cell is tried before it is cut. Chosen: a turn of 45° is then good to 1e-6 of its
+/// radius.
 const CURVED_DEGREE: usize = 5;
 
 /// Most cells of an element: at creases no cut is fine enough. Chosen.
@@ -117,7 +118,8 @@ mod tests {
         Patch::curved(Arc::new(wall), &Rect::FULL)
     }
 
-    /// The chord of a circle of radius 1 over the angle φ is 1 − cos ½φ from it, and less along the radius only.
+    /// The chord of a circle of radius 1 over the angle φ is 1 − cos ½φ from it, and less along the radius
+    /// only.
     #[test]
     fn a_chord_is_its_sagitta_away() {
         let found = Deviation::of(&quarter_turn(), 1);

@@ -1,8 +1,8 @@
-//! Nodes of VTK's Lagrange cells, evenly spaced, in VTK's order: corners, then the inner nodes of the sides, then those
-//! of the interior.
+//! Nodes of VTK's Lagrange cells, evenly spaced, in VTK's order: corners, then the inner nodes of the sides,
+//! then those of the interior.
 
-/// Coordinates of the nodes of the triangle (0, 0), (1, 0), (0, 1); the interior is numbered like a triangle whose degree
-/// is less by 3.
+/// Coordinates of the nodes of the triangle (0, 0), (1, 0), (0, 1); the interior is numbered like a triangle
+/// whose degree is less by 3.
 pub(super) fn triangle(degree: usize) -> Vec<[f64; 2]> {
     let mut places = Vec::new();
     let (mut inset, mut rest) = (0, degree);
@@ -27,8 +27,8 @@ pub(super) fn triangle(degree: usize) -> Vec<[f64; 2]> {
     }
 }
 
-/// Coordinates of the nodes of the unit square, `degree` along both sides; sides and interior run along ascending
-/// coordinates, the first fastest.
+/// Coordinates of the nodes of the unit square, `degree` along both sides; sides and interior run along
+/// ascending coordinates, the first fastest.
 pub(super) fn quadrilateral(degree: usize) -> Vec<[f64; 2]> {
     let n = degree;
     let corners = [[0, 0], [n, 0], [n, n], [0, n]];

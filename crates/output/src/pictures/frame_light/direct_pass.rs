@@ -1,4 +1,5 @@
-//! Direct light at the middles of pixels: by few rays first, and by more where pixels beside each other see other emitters.
+//! Direct light at the middles of pixels: by few rays first, and by more where pixels beside each other see
+//! other emitters.
 
 use radiosity_light::penumbra::{RayEffort, VisibleEmitters};
 use radiosity_work::ranks::PartName;
@@ -9,8 +10,8 @@ use super::frame::Frame;
 use super::picture_light::{Lit, PictureLight};
 use super::tally::Tally;
 
-/// Pixels that are compared with one, to each side. Chosen: with first rays that miss a shadow in four of five pixels, one of so
-/// many still finds it.
+/// Pixels that are compared with one, to each side. Chosen: with first rays that miss a shadow in four of
+/// five pixels, one of so many still finds it.
 const BESIDE: isize = 2;
 
 /// Pixels that one thread looks at after each other. Chosen: they take some microseconds each.
@@ -39,7 +40,8 @@ pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<V
     all
 }
 
-/// Whether a pixel sees some emitters wholly and the others not at all, but one beside it on the same surface does not see the same.
+/// Whether a pixel sees some emitters wholly and the others not at all, but one beside it on the same surface
+/// does not see the same.
 fn is_unsure(frame: &Frame, all: &[Lit], pixel: usize) -> bool {
     let (Some(seen), Some(shade @ VisibleEmitters::Sees(_))) = (frame.seen(pixel), all[pixel].shade) else {
         return false;

@@ -9,8 +9,9 @@ use radiosity_visibility::Visibility;
 use radiosity_work::ranks::vector;
 use serde::{Deserialize, Serialize};
 
-/// Least cosine between the normals of places that belong together; most height of one over the plane of the other, over
-/// their distance, on one surface and on two. Chosen: leaves of a book apart, patches of a teapot together.
+/// Least cosine between the normals of places that belong together; most height of one over the plane of the
+/// other, over their distance, on one surface and on two. Chosen: leaves of a book apart, patches of a teapot
+/// together.
 const ALIKE: f64 = 0.9;
 const BENT: f64 = 0.3;
 const LEVEL: f64 = 0.1;

@@ -4,9 +4,10 @@
 //! min Σ_i w_i (p(d_i) − f_i)² ,     f ≈ p(0) ,     w_i = (1 − (r_i/R)²)² ,
 //! ```
 //!
-//! with d_i the offset in the tangent plane of the place and r_i the distance in the picture; p has the degree 2 where
-//! there are enough values, else 1. Where the places lie on one side p(0) is extrapolated: a = |Σ w d| / √(Σw Σ w d²), 0
-//! where they lie around it, tells how far. Values may carry errors, which the fit averages.
+//! with d_i the offset in the tangent plane of the place and r_i the distance in the picture; p has the
+//! degree 2 where there are enough values, else 1. Where the places lie on one side p(0) is extrapolated:
+//! a = |Σ w d| / √(Σw Σ w d²), 0 where they lie around it, tells how far. Values may carry errors, which the
+//! fit averages.
 
 use radiosity_core::dot;
 use smallvec::SmallVec;
@@ -56,7 +57,8 @@ impl<'a> Fit<'a> {
         Self { values: SmallVec::new() }
     }
 
-    /// Takes the value of all bands at the offset `at`, with a weight above 0. Their sum has the standard deviation `error`.
+    /// Takes the value of all bands at the offset `at`, with a weight above 0. Their sum has the standard
+    /// deviation `error`.
     pub(crate) fn take(&mut self, at: [f64; 2], weight: f64, bands: &'a [f64], error: f64) {
         self.values.push(Value { at, weight, bands, error });
     }
@@ -162,7 +164,8 @@ impl<'a> Fit<'a> {
     }
 }
 
-/// A Cholesky factor L of the normal equations' matrix M = L Lᵀ. Its leading rows are the factor of fewer terms.
+/// A Cholesky factor L of the normal equations' matrix M = L Lᵀ. Its leading rows are the factor of fewer
+/// terms.
 ///
 /// With L y = b and L z = e₀ the fit is p(0) = z · y, and Σ w (p − f)² = Σ w f² − y · y.
 struct PartialCholesky {

@@ -16,8 +16,8 @@ use crate::readings::shown::{Here, Shown};
 use super::eye::Seen;
 use super::smooth::Known;
 
-/// Pairs of an emitter and something that may stand before it, at most, for which direct light is computed without rays.
-/// Chosen.
+/// Pairs of an emitter and something that may stand before it, at most, for which direct light is computed
+/// without rays. Chosen.
 const FEW: usize = 2000;
 
 /// Error of gathered light by rays, over the accuracy asked for: ten or so values are averaged where light is
@@ -27,8 +27,8 @@ pub(crate) const AVERAGED: f64 = 2.0;
 /// Error of direct light in penumbrae, over the accuracy asked for. Chosen: the eye finds no steps there.
 const IN_PENUMBRA: f64 = 2.0;
 
-/// RayEffort of the search for direct light on the other side of an element that lets light through: there is no
-/// frame to compare it with.
+/// RayEffort of the search for direct light on the other side of an element that lets light through: there is
+/// no frame to compare it with.
 const BEHIND: RayEffort = RayEffort { rough: 1.0, sure: true };
 
 /// Direct irradiance at a place.
@@ -172,8 +172,8 @@ impl<'a> PictureLight<'a> {
             .collect()
     }
 
-    /// Irradiance per band (W m⁻²) on the other side of a place that lets light through: direct light, and polynomials for the
-    /// rest; else 0.
+    /// Irradiance per band (W m⁻²) on the other side of a place that lets light through: direct light, and
+    /// polynomials for the rest; else 0.
     fn behind(&self, seen: &Seen) -> Vec<f64> {
         let shows = self.shown == Shown::Radiosity;
         let behind = if shows { self.solution.behind(seen.element, &seen.place) } else { None };
@@ -197,8 +197,8 @@ impl<'a> PictureLight<'a> {
     }
 }
 
-/// Whether direct light has closed forms at little cost: flat emitters behind few things, all flat. So it is without
-/// shadows too.
+/// Whether direct light has closed forms at little cost: flat emitters behind few things, all flat. So it is
+/// without shadows too.
 fn is_exact(solution: &Solution, visibility: &Visibility) -> bool {
     let (list, coatings) = (solution.elements().list(), solution.coatings());
     let emits = |element: &usize| coatings.iter().any(|coating| coating.exitance[*element] > 0.0);

@@ -1,14 +1,15 @@
 //! Smooth light over a picture: computed at few pixels, interpolated between them.
 //!
-//! Light is computed at every [`COARSEST`]-th pixel both ways, and fitted between (`fit`) from those that lie on
-//! the same smooth surface. Where fewer than four do, where they lie too far on one side, or where the fit leaves
-//! more than [`ROUGH`] beside the values' own errors, pixels half as far apart follow, down to all pixels: at contacts and in
-//! corners, where light changes fast. So do they where the values lie in a row, too few to tell whether light bends between
-//! them. Near the borders of surfaces the coarsest are not trusted. Computed values with errors are themselves replaced by the
-//! fit, which averages them.
+//! Light is computed at every [`COARSEST`]-th pixel both ways, and fitted between (`fit`) from those that lie
+//! on the same smooth surface. Where fewer than four do, where they lie too far on one side, or where the fit
+//! leaves more than [`ROUGH`] beside the values' own errors, pixels half as far apart follow, down to all
+//! pixels: at contacts and in corners, where light changes fast. So do they where the values lie in a row,
+//! too few to tell whether light bends between them. Near the borders of surfaces the coarsest are not
+//! trusted. Computed values with errors are themselves replaced by the fit, which averages them.
 //!
-//! References: G. Ward, F. Rubinstein, R. Clear, *A ray tracing solution for diffuse interreflection*, SIGGRAPH 1988
-//! (interpolation of indirect light); there by the distances of what is seen, here by what the fit leaves.
+//! References: G. Ward, F. Rubinstein, R. Clear, *A ray tracing solution for diffuse interreflection*,
+//! SIGGRAPH 1988 (interpolation of indirect light); there by the distances of what is seen, here by what the
+//! fit leaves.
 
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
@@ -43,7 +44,8 @@ const ASIDE_BETWEEN: f64 = 0.8;
 /// Reach of the fit for places between pixels, in pixels.
 const BETWEEN: f64 = 2.5;
 
-/// Pixels that one thread computes after each other, and fits. Chosen: they take some milliseconds, and some microseconds, each.
+/// Pixels that one thread computes after each other, and fits. Chosen: they take some milliseconds, and some
+/// microseconds, each.
 const DEAR: usize = 1;
 const CHEAP: usize = 256;
 
@@ -114,8 +116,8 @@ impl<'a> Smooth<'a> {
         &self.values[pixel * self.bands..(pixel + 1) * self.bands]
     }
 
-    /// The light at a place seen at a point of the picture, counted from the first row of the frame; None where no pixel
-    /// around sees that surface.
+    /// The light at a place seen at a point of the picture, counted from the first row of the frame; None
+    /// where no pixel around sees that surface.
     pub(crate) fn between(&self, [x, y]: [f64; 2], seen: &Seen) -> Option<Vec<f64>> {
         let mut fit = Fit::new();
         let [column, row] = [x, y].map(|at| at.floor() as isize);
@@ -146,8 +148,8 @@ fn wanted(frame: &Frame, known: &[Option<Known>], open: &[usize], spacing: usize
     wanted
 }
 
-/// Pixels of the lattice from `steps[0]` to `steps[1]` of its steps from the one before a pixel, both ways; only the pixel itself
-/// where all belong to the lattice.
+/// Pixels of the lattice from `steps[0]` to `steps[1]` of its steps from the one before a pixel, both ways;
+/// only the pixel itself where all belong to the lattice.
 fn around(
     frame: &Frame,
     pixel: usize,

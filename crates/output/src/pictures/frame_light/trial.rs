@@ -9,19 +9,20 @@ use rayon::prelude::*;
 use super::eye::Seen;
 use super::picture_light::PictureLight;
 
-/// Places at which light is computed, and of those the ones at which it is gathered. Chosen: a thousandth of a picture.
+/// Places at which light is computed, and of those the ones at which it is gathered. Chosen: a thousandth of
+/// a picture.
 const TRIAL: usize = 256;
 const TRIAL_GATHERED: usize = 32;
 
-/// Direct light in all over that of all places once: some is computed again, or at finer samples. Measured in the built-in
-/// scenes: 1.3 to 4.
+/// Direct light in all over that of all places once: some is computed again, or at finer samples. Measured in
+/// the built-in scenes: 1.3 to 4.
 const MORE: f64 = 1.5;
 
 /// Places for each at which other light is gathered. Measured: 15 to 25.
 pub(crate) const INTERPOLATED: f64 = 20.0;
 
-/// About the seconds that the light of so many places takes, by those of a few, evenly chosen; `seen` gives what a place sees. The
-/// first of these ranks tries it.
+/// About the seconds that the light of so many places takes, by those of a few, evenly chosen; `seen` gives
+/// what a place sees. The first of these ranks tries it.
 pub(crate) fn seconds(
     light: &PictureLight,
     places: usize,

@@ -3,8 +3,8 @@
 /// The eight neighbours of a texel.
 const AROUND: [[isize; 2]; 8] = [[-1, -1], [0, -1], [1, -1], [-1, 0], [1, 0], [-1, 1], [0, 1], [1, 1]];
 
-/// Gives every texel that is not `known` the mean of those of its eight neighbours that are, ring by ring outwards; zero to all
-/// where none is.
+/// Gives every texel that is not `known` the mean of those of its eight neighbours that are, ring by ring
+/// outwards; zero to all where none is.
 pub(super) fn fill(plane: &mut [f32], size: [usize; 2], known: &[bool]) {
     let mut known = known.to_vec();
     let mut ring: Vec<usize> = (0..plane.len()).filter(|texel| !known[*texel]).collect();

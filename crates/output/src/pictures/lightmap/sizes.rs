@@ -1,13 +1,13 @@
 //! Sizes of light textures: texels of about one size on all surfaces, as many as a budget allows.
 //!
-//! A surface whose parameter lines are at most a and b long along u and v gets ⌈a/h⌉ + 1 by ⌈b/h⌉ + 1 texels of the side h, with h
-//! the least for which all together stay within the budget.
+//! A surface whose parameter lines are at most a and b long along u and v gets ⌈a/h⌉ + 1 by ⌈b/h⌉ + 1 texels
+//! of the side h, with h the least for which all together stay within the budget.
 
 use radiosity_geom::Surface;
 use radiosity_scene::Scene;
 
-/// Fewest texels along a parameter of a flat surface, and of a curved one, on which light varies with the normal; most of
-/// any. All are chosen.
+/// Fewest texels along a parameter of a flat surface, and of a curved one, on which light varies with the
+/// normal; most of any. All are chosen.
 const FEWEST: usize = 2;
 const FEWEST_CURVED: usize = 9;
 const MOST: usize = 2048;

@@ -7,8 +7,8 @@ use super::corner::Corner;
 /// Most cells along a parameter. Chosen.
 const FINEST: usize = 512;
 
-/// The cells of a curved surface, two triangles each, such that the middles of their sides and their own lie within `tolerance`
-/// (scene length) of the surface's points there.
+/// The cells of a curved surface, two triangles each, such that the middles of their sides and their own lie
+/// within `tolerance` (scene length) of the surface's points there.
 pub(super) fn facets(shape: &dyn Surface, tolerance: f64) -> Vec<Vec<Corner>> {
     let mut cells = [1, 1];
     loop {

@@ -6,11 +6,12 @@ use radiosity_geom::{DVec3, Surface};
 
 use super::corner::Corner;
 
-/// Most cells along a parameter. Chosen: the error of what a planar quadrilateral needs at all falls as the square of their number.
+/// Most cells along a parameter. Chosen: the error of what a planar quadrilateral needs at all falls as the
+/// square of their number.
 const FINEST: usize = 64;
 
-/// The `pieces` of a flat surface with the parameters of their corners, so cut that parameters interpolated over a triangle lie
-/// within `tolerance` (scene length) of their places.
+/// The `pieces` of a flat surface with the parameters of their corners, so cut that parameters interpolated
+/// over a triangle lie within `tolerance` (scene length) of their places.
 pub(super) fn facets(shape: &dyn Surface, pieces: Vec<Vec<DVec3>>, tolerance: f64) -> Vec<Vec<Corner>> {
     let mut cells = 1;
     loop {

@@ -43,8 +43,8 @@ fn geometry(scene: &Scene, outcome: &Outcome) -> Vec<Warning> {
         .collect()
 }
 
-/// A warning where power appears, or is lost though no element sends light past all others by more than their transfers
-/// may miss.
+/// A warning where power appears, or is lost though no element sends light past all others by more than their
+/// transfers may miss.
 fn power(solved: &Solved) -> Option<Warning> {
     let Solved { options, outcome, .. } = solved;
     let checks = &outcome.checks;
@@ -61,13 +61,15 @@ fn power(solved: &Solved) -> Option<Warning> {
     Some(Warning::general("power-balance", words(message) + "; " + cure_of_power(outcome)))
 }
 
-/// Why power is lost or found, and what helps. Transfers lose of the radiosity B that they carry what their row sums miss 1 by,
+/// Why power is lost or found, and what helps. Transfers lose of the radiosity B that they carry what their
+/// row sums miss 1 by,
 ///
 /// ```text
 /// |⟨B, c − G c⟩| ≲ max_i |1 − Σ_j F_ij| ∫ B dA ,
 /// ```
 ///
-/// and nothing where rays made these sums agree. What is much more than that is direct light, which enters otherwise.
+/// and nothing where rays made these sums agree. What is much more than that is direct light, which enters
+/// otherwise.
 fn cure_of_power(outcome: &Outcome) -> Wording {
     let Outcome { checks, solution, .. } = outcome;
     let has_points = !solution.emitters().points.is_empty();
@@ -160,8 +162,8 @@ fn why(end: End) -> Option<Wording> {
     })
 }
 
-/// Share of the power that is lost, and of what an element sends too much, from which the geometry is inspected; and the
-/// number of surfaces up to which that takes about a second at most. Chosen.
+/// Share of the power that is lost, and of what an element sends too much, from which the geometry is
+/// inspected; and the number of surfaces up to which that takes about a second at most. Chosen.
 const ODD: f64 = 0.01;
 const FEW: usize = 300;
 
@@ -171,9 +173,8 @@ const BEYOND: f64 = 2.0;
 /// Errors of the transfers within which row sums count as 1.
 const CLOSED: f64 = 3.0;
 
-/// Error of the mean irradiances of elements above which more rays are advised. Chosen: light gathered from such
-/// elements at points was
-/// 3 % off in a classroom.
+/// Error of the mean irradiances of elements above which more rays are advised. Chosen: light gathered from
+/// such elements at points was 3 % off in a classroom.
 const ROUGH: f64 = 0.15;
 
 /// A warning where rays leave a large error.

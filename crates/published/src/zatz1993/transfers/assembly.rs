@@ -24,8 +24,8 @@ enum Outcome {
     Integrated(Block),
 }
 
-/// Integrates each ordered pair with `extra` points per direction above the order, and converts the paper's K to G,
-/// which is then not symmetric. Ordered pairs are told; those of the blocks count unordered.
+/// Integrates each ordered pair with `extra` points per direction above the order, and converts the paper's K
+/// to G, which is then not symmetric. Ordered pairs are told; those of the blocks count unordered.
 ///
 /// # Errors
 /// [`NoChart`]: a surface that is neither a parallelogram nor curved.
@@ -97,7 +97,8 @@ fn integrate(
     }
     let free = |x, y| visibility.free(&blockers, x, y);
     let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
-    // One point more on one side, so that the points of an element with itself never coincide, where κ is 0/0.
+    // One point more on one side, so that the points of an element with itself never coincide, where κ is
+    // 0/0.
     let emitting = emitter.charted(extra + usize::from(same));
     let transfer = transfer(receiver.charted(extra), emitting, rules, sees);
     let kind = match (same, transfer.edge) {

@@ -1,6 +1,7 @@
 //! One parameter of one patch: points, weights, and the values of its functions there.
 //!
-//! For a weight W(x) = (1 − x)^α (1 + x)^β: Σ_a w_a f(x_a) = ∫₋₁¹ f W dx for polynomials f of degree ≤ 2n − 1.
+//! For a weight W(x) = (1 − x)^α (1 + x)^β: Σ_a w_a f(x_a) = ∫₋₁¹ f W dx for polynomials f of
+//! degree ≤ 2n − 1.
 
 use radiosity_core::gauss;
 use radiosity_core::jacobi::{self, Weight};

@@ -43,8 +43,8 @@ impl Border {
     }
 }
 
-/// The sides of `p` and `q` that are one edge in space, in either direction and at equal speed; None without such
-/// sides. A side that is collapsed to a point is no edge.
+/// The sides of `p` and `q` that are one edge in space, in either direction and at equal speed; None without
+/// such sides. A side that is collapsed to a point is no edge.
 pub(super) fn common(p: &Patch, q: &Patch) -> Option<[Border; 2]> {
     let corners = [p.corners(), q.corners()].concat();
     let size = corners.iter().map(|c| c.distance(corners[0])).fold(0.0, f64::max);

@@ -1,14 +1,16 @@
 //! An element as a single parametric patch, which the paper's rules need, and conversion of K to G.
 //!
-//! φ = T L, with L the parameter-orthonormal polynomials and T lower triangular. A function Σ_l b_l φ_l has the
-//! parameter coefficients Tᵀ b, so K, which maps parameter coefficients to parameter coefficients, becomes
+//! φ = T L, with L the parameter-orthonormal polynomials and T lower triangular. A function Σ_l b_l φ_l has
+//! the parameter coefficients Tᵀ b, so K, which maps parameter coefficients to parameter coefficients,
+//! becomes
 //!
 //! ```text
 //! G = T_i^−ᵀ K T_jᵀ .
 //! ```
 //!
-//! On a parallelogram T = (2/√A) I and G = √(A_i/A_j) K. On a receiver whose area element varies the paper projects in
-//! the parameters, so that even exact integrals give another G than projection with respect to area.
+//! On a parallelogram T = (2/√A) I and G = √(A_i/A_j) K. On a receiver whose area element varies the paper
+//! projects in the parameters, so that even exact integrals give another G than projection with respect to
+//! area.
 
 use nalgebra::DMatrix;
 use radiosity_elements::Element;

@@ -25,7 +25,8 @@ pub enum Rules {
 pub enum Reading {
     /// Weight (1 − s²)² (1 + t)², Gauss–Legendre points on the emitter: nearest to the paper's numbers.
     H1,
-    /// Weight (1 + t)², Gauss–Jacobi points on the emitter with the weight divided out: nearest to the paper's text.
+    /// Weight (1 + t)², Gauss–Jacobi points on the emitter with the weight divided out: nearest to the
+    /// paper's text.
     H2,
     /// Weight (1 + t)², Gauss–Legendre points on the emitter.
     H3,
@@ -47,7 +48,8 @@ pub struct Transfer {
     pub rays: u64,
 }
 
-/// K^kl from `emitter` to `receiver`; `sees`, where given, says whether the segment between two points is free.
+/// K^kl from `emitter` to `receiver`; `sees`, where given, says whether the segment between two points is
+/// free.
 ///
 /// # Panics
 /// If an element has no points.

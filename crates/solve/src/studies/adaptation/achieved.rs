@@ -58,7 +58,8 @@ pub enum End {
     Memory,
     /// The solver did not converge in the next run, or in the first.
     NotConverged,
-    /// The next run would have ended after the [deadline](radiosity_work::Deadline), or its rays or its solver were stopped there.
+    /// The next run would have ended after the [deadline](radiosity_work::Deadline), or its rays or its
+    /// solver were stopped there.
     Time,
     /// A person [wished](radiosity_work::Deadline::wish) the end.
     Stopped,

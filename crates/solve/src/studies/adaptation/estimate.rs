@@ -7,18 +7,20 @@
 //! ```
 //!
 //! D the direct light and S_h the polynomial of the rest. The error of polynomials is orthogonal to them: it
-//! oscillates, and the integral removes nearly all of it, so that E₀ + ρ E_g is much nearer to B than B_h is. Therefore
+//! oscillates, and the integral removes nearly all of it, so that E₀ + ρ E_g is much nearer to B than B_h is.
+//! Therefore
 //!
 //! ```text
 //! ‖B − B_h‖² ≈ ∫ ρ² (E_g − E_h)² dA ≈ Σ_patches 1/n Σ_k (ρ (E_g − E_h))²(x_k) J(x_k) ,
 //! ```
 //!
-//! at [points](super::points) x_k; J is the area element. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks, shadow edges and corners count wherever they lie, as
-//! no rate of convergence is assumed; a detail between the points is missed.
+//! at [points](super::points) x_k; J is the area element. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks,
+//! shadow edges and corners count wherever they lie, as no rate of convergence is assumed; a detail between
+//! the points is missed.
 //!
 //! An error of the transfers does not oscillate. E_g shows its first effect, but not its effect after further
-//! reflections; and many blocks have such errors at random. A tenth of the largest is added as a sum of squares: a
-//! guess, too small where nearly everything reflects nearly all.
+//! reflections; and many blocks have such errors at random. A tenth of the largest is added as a sum of
+//! squares: a guess, too small where nearly everything reflects nearly all.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -37,8 +39,8 @@ use super::goal::{Aim, Goal};
 use super::points::{Point, points};
 use super::sensor::Sensor;
 
-/// Accuracy of gathering: the first, and the factor by which it falls ([`SHARPER`]) until it is below the part
-/// [`OF_FOUND`] of the estimated error or [`OF_WANTED`] of the wanted one. All are chosen, not tuned.
+/// Accuracy of gathering: the first, and the factor by which it falls ([`SHARPER`]) until it is below the
+/// part [`OF_FOUND`] of the estimated error or [`OF_WANTED`] of the wanted one. All are chosen, not tuned.
 const LOOSEST: f64 = 3e-2;
 const SHARPER: f64 = 0.2;
 const OF_FOUND: f64 = 0.3;
@@ -47,8 +49,8 @@ const OF_WANTED: f64 = 0.1;
 /// Part of the transfers' error that reaches the radiosity unseen by E_g: a guess, see the header.
 const TRANSFERRED: f64 = 0.1;
 
-/// Estimated ‖B − B_h‖/‖B − E₀‖ of the run `outcome`, all bands pooled, accurate enough to compare with the goal; B_h are
-/// the polynomials, or E₀ + ρ E_g where gathered light is the goal ([`gathered`]).
+/// Estimated ‖B − B_h‖/‖B − E₀‖ of the run `outcome`, all bands pooled, accurate enough to compare with the
+/// goal; B_h are the polynomials, or E₀ + ρ E_g where gathered light is the goal ([`gathered`]).
 ///
 /// # Errors
 /// Threads that cannot be started.

@@ -6,26 +6,28 @@
 //! E_g = D + G ρ (D + S_h) ,     (G f)(x) = ∫ κ(x, y) V(x, y) f(y) dA_y ,
 //! ```
 //!
-//! D the direct light, misses the light E that would be right by e = E − E_g. Since E = D + Gρ E, and S_g = E_g − D is
-//! gathered reflected light,
+//! D the direct light, misses the light E that would be right by e = E − E_g. Since E = D + Gρ E, and
+//! S_g = E_g − D is gathered reflected light,
 //!
 //! ```text
 //! e = d + G ρ e ,     d = G ρ r ,     r = S_g − S_h ,     so     e = G ρ r + G ρ G ρ r + … .
 //! ```
 //!
-//! e is estimated at sensors by walks: cosine-distributed rays from the sensor and on from where they end, with the
-//! probability of the largest reflectance there. Each end y adds r(y) times the reflectances so far over these probabilities.
-//! r is gathered by cells ([`CellEnds`]), or where rays are what light is read by ([`Goal::by`]) by one further ray
-//! ([`RayGather::missed`]). Two halves of the walks give e′ and e″, independent of each other: the mean of their product is e²,
-//! that of a square would have the noise of the walks as well. With weights w_k of the sensors,
+//! e is estimated at sensors by walks: cosine-distributed rays from the sensor and on from where they end,
+//! with the probability of the largest reflectance there. Each end y adds r(y) times the reflectances so far
+//! over these probabilities. r is gathered by cells ([`CellEnds`]), or where rays are what light is read by
+//! ([`Goal::by`]) by one further ray ([`RayGather::missed`]). Two halves of the walks give e′ and e″,
+//! independent of each other: the mean of their product is e², that of a square would have the noise of the
+//! walks as well. With weights w_k of the sensors,
 //!
 //! ```text
 //! ‖e‖² ≈ Σ_k w_k e′e″ + s ,     s² = Σ_k (w_k e′e″)² ,
 //! ```
 //!
-//! s so that few sensors do not promise too much. Walks are doubled while their noise is much of the sum, or could be why it is
-//! larger than wanted. The part e_j of e that comes from ends on element j makes it responsible for ½ Σ_k w_k (e′e″_j + e′_j e″)
-//! of ‖e‖²: this is the importance that light from j has for the sensors, all reflections included.
+//! s so that few sensors do not promise too much. Walks are doubled while their noise is much of the sum, or
+//! could be why it is larger than wanted. The part e_j of e that comes from ends on element j makes it
+//! responsible for ½ Σ_k w_k (e′e″_j + e′_j e″) of ‖e‖²: this is the importance that light from j has for the
+//! sensors, all reflections included.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -49,23 +51,26 @@ use crate::solution::{Band, Solution};
 use super::goal::Goal;
 use super::sensor::Sensor;
 
-/// Numbers of walks, and the fewest per half and sensor. Chosen: with four times the first number of rays whose ends gather by
-/// cells the estimates of boxes changed by 5 %; in small scenes a finer run costs less than many of these.
+/// Numbers of walks, and the fewest per half and sensor. Chosen: with four times the first number of rays
+/// whose ends gather by cells the estimates of boxes changed by 5 %; in small scenes a finer run costs less
+/// than many of these.
 const BY_CELLS: Numbers = Numbers { first: 1 << 12, noisy: 1 << 14, doubtful: 1 << 12, most: 1 << 16 };
 const BY_RAYS: Numbers = Numbers { first: 1 << 16, noisy: 1 << 18, doubtful: 1 << 18, most: 1 << 22 };
 const FEWEST: u64 = 2;
 
-/// Walks for each ray that carried the pairs where an estimate is doubtful: a finer run would send at least as many. Chosen.
+/// Walks for each ray that carried the pairs where an estimate is doubtful: a finer run would send at least
+/// as many. Chosen.
 const PER_RAY: u64 = 2;
 
 /// Part of the estimate that the noise of walks may be. Chosen.
 const NOISE: f64 = 0.5;
 
-/// Standard deviations beyond which noise is no reason to refine. Chosen; in a classroom read at 200 points the noise of the
-/// first walks is three times the error.
+/// Standard deviations beyond which noise is no reason to refine. Chosen; in a classroom read at 200 points
+/// the noise of the first walks is three times the error.
 const SURELY: f64 = 2.0;
 
-/// Accuracy of gathering by cells: this part of the expected error, or [`LOOSEST`]. With 9e-3 estimates were a third of the errors.
+/// Accuracy of gathering by cells: this part of the expected error, or [`LOOSEST`]. With 9e-3 estimates were
+/// a third of the errors.
 const OF_EXPECTED: f64 = 0.3;
 const LOOSEST: f64 = 3e-3;
 
@@ -130,8 +135,9 @@ struct Light {
     parts: BTreeMap<usize, [Vec<f64>; 2]>,
 }
 
-/// Light gathered by cells where rays end: coarsely, and at one end in [`ONE_IN`] finely as well, whose difference counts so many
-/// times. The mean is that of the fine values (Heinrich, Giles: multilevel Monte Carlo).
+/// Light gathered by cells where rays end: coarsely, and at one end in [`ONE_IN`] finely as well, whose
+/// difference counts so many times. The mean is that of the fine values (Heinrich, Giles: multilevel Monte
+/// Carlo).
 struct CellEnds<'a> {
     gather: Gather<'a>,
     coarse: f64,
@@ -186,8 +192,8 @@ struct Missing<'a> {
     rays: u64,
 }
 
-/// The estimated error of what `sensors` read; no better than tells whether it is below `wanted`, and not much worse.
-/// Light is gathered as an error of about `expected` needs it, until the deadline.
+/// The estimated error of what `sensors` read; no better than tells whether it is below `wanted`, and not
+/// much worse. Light is gathered as an error of about `expected` needs it, until the deadline.
 pub(super) fn missed(
     outcome: &Outcome,
     visibility: &Visibility,
@@ -381,7 +387,8 @@ impl Sums {
         self.noise > NOISE * self.missed()
     }
 
-    /// Whether the error is above `wanted` even if it is less than it seems by [`SURELY`] times the noise of the walks.
+    /// Whether the error is above `wanted` even if it is less than it seems by [`SURELY`] times the noise of
+    /// the walks.
     fn is_surely_above(&self, wanted: f64) -> bool {
         self.product - SURELY * self.noise > wanted.powi(2) * self.size
     }

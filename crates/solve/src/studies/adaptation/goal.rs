@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::gather::choice::By;
 
-/// Part of the wanted accuracy that light is read to. With .9 the error of reading was as large as that of what was read. Chosen.
+/// Part of the wanted accuracy that light is read to. With .9 the error of reading was as large as that of
+/// what was read. Chosen.
 const OF_ACCURACY: f64 = 0.3;
 
 /// The wanted accuracy, and what is to have it.
@@ -15,11 +16,13 @@ pub struct Goal {
     pub accuracy: f64,
     /// Light that is to have this accuracy.
     pub of: Aim,
-    /// Where light is read, if that is [`Aim::Points`] or [`Aim::Seen`]: positions, from the scene's middle as its surfaces, and unit normals.
+    /// Where light is read, if that is [`Aim::Points`] or [`Aim::Seen`]: positions, from the scene's middle
+    /// as its surfaces, and unit normals.
     pub points: Vec<[DVec3; 2]>,
     /// The way light is read.
     pub by: By,
-    /// A run with more unknowns per band is not begun, except the first, and but for links, which need no matrix.
+    /// A run with more unknowns per band is not begun, except the first, and but for links, which need no
+    /// matrix.
     pub most_unknowns: usize,
 }
 
@@ -30,8 +33,8 @@ pub enum Aim {
     /// The polynomials of the radiosity, without the emitted exitance.
     #[default]
     Solution,
-    /// The light that surfaces reflect of what is gathered from the solution at their points, as sensors and pictures
-    /// are read.
+    /// The light that surfaces reflect of what is gathered from the solution at their points, as sensors and
+    /// pictures are read.
     Gathered,
     /// The light gathered at given points.
     Points,
@@ -40,8 +43,8 @@ pub enum Aim {
 }
 
 impl Goal {
-    /// `accuracy` of the polynomials, or of light gathered on all surfaces, with at most 8000 unknowns per band, whose matrix
-    /// has half a gigabyte (8000² · 8 bytes).
+    /// `accuracy` of the polynomials, or of light gathered on all surfaces, with at most 8000 unknowns per
+    /// band, whose matrix has half a gigabyte (8000² · 8 bytes).
     pub fn new(accuracy: f64, of: Aim) -> Self {
         Self { accuracy, of, points: Vec::new(), by: By::Auto, most_unknowns: 8000 }
     }
@@ -61,7 +64,8 @@ impl Goal {
         Self { by, ..self }
     }
 
-    /// Relative accuracy that light is read to, so that its error is hardly more than that of what it is read from.
+    /// Relative accuracy that light is read to, so that its error is hardly more than that of what it is read
+    /// from.
     pub fn reading(accuracy: f64) -> f64 {
         OF_ACCURACY * accuracy
     }

@@ -1,16 +1,17 @@
 //! Importance: how much light that leaves a place is worth to what is read.
 //!
-//! What is read is a weighted mean J = Σ_k w_k E(x_k), Σ_k w_k = 1, of the irradiance at sensors. It is linear in the exitance
-//! E₀ of all surfaces,
+//! What is read is a weighted mean J = Σ_k w_k E(x_k), Σ_k w_k = 1, of the irradiance at sensors. It is
+//! linear in the exitance E₀ of all surfaces,
 //!
 //! ```text
 //! J = ∫ Ψ(y) E₀(y) dA_y ,     Ψ = G σ ,     σ = Σ_k w_k δ_{x_k} + ρ G σ        (Ψ in 1/area),
 //! ```
 //!
-//! so that Ψ is the irradiance that there would be if the sensors were the lamps: G is symmetric (B. Smits, J. Arvo, D.
-//! Salesin, *An importance-driven radiosity algorithm*, SIGGRAPH 1992). [Walks](crate::gather::walks) from the sensors end
-//! with the density Ψ; its mean over an element is the sum of the weights of the ends there over the area. Polynomials would
-//! oscillate beside sensors that are nearer than an element is large.
+//! so that Ψ is the irradiance that there would be if the sensors were the lamps: G is symmetric (B. Smits,
+//! J. Arvo, D. Salesin, *An importance-driven radiosity algorithm*, SIGGRAPH 1992).
+//! [Walks](crate::gather::walks) from the sensors end with the density Ψ; its mean over an element is the sum
+//! of the weights of the ends there over the area. Polynomials would oscillate beside sensors that are nearer
+//! than an element is large.
 
 use radiosity_elements::Elements;
 use radiosity_elements::sampling::kronecker;
@@ -26,15 +27,18 @@ use crate::system::Coefficients;
 use super::goal::{Aim, Goal};
 use super::sensor::Sensor;
 
-/// Walks in all, at the least, and fewest from each sensor. Chosen: 2 % of noise in the mean over a thousandth of all surfaces.
+/// Walks in all, at the least, and fewest from each sensor. Chosen: 2 % of noise in the mean over a
+/// thousandth of all surfaces.
 const WALKS: u64 = 1 << 21;
 const FEWEST: u64 = 16;
 
-/// Parts of the sensors that are worked on beside each other; each has a sum of its own, so that threads change no digit.
+/// Parts of the sensors that are worked on beside each other; each has a sum of its own, so that threads
+/// change no digit.
 const PARTS: usize = 16;
 
-/// The importance of light from each element for what `goal` reads, its mean as irradiance of a solution on the same elements,
-/// in 1/area; nothing emits there. Of surfaces the mean is read over what they reflect, weighted by the squares of reflectances.
+/// The importance of light from each element for what `goal` reads, its mean as irradiance of a solution on
+/// the same elements, in 1/area; nothing emits there. Of surfaces the mean is read over what they reflect,
+/// weighted by the squares of reflectances.
 ///
 /// # Errors
 /// Threads that cannot be started.
@@ -79,7 +83,8 @@ fn of_sensors(
     solution.with_bands(bands.collect())
 }
 
-/// A band with the irradiance that has these integrals over the elements, constant on each, where nothing emits.
+/// A band with the irradiance that has these integrals over the elements, constant on each, where nothing
+/// emits.
 fn unlit(band: &Band, elements: &Elements, integrals: &[f64]) -> Band {
     let mut irradiance = vec![0.0; elements.coefficients()];
     for ((element, start), integral) in elements.list().iter().zip(elements.starts()).zip(integrals) {

@@ -11,7 +11,8 @@ use super::achieved::{Achieved, Adapted, End};
 use super::goal::Goal;
 use super::run::{estimated, finer};
 
-/// Greatest power of the first links, in parts of the wanted accuracy; factor from run to run; and the least power. Chosen.
+/// Greatest power of the first links, in parts of the wanted accuracy; factor from run to run; and the least
+/// power. Chosen.
 const FIRST: f64 = 0.1;
 const WEAKER: f64 = 0.25;
 const LEAST: f64 = 1e-8;

@@ -1,9 +1,9 @@
 //! Refinement of those elements that are responsible for the error of what is read.
 //!
 //! From run to run the elements that bear most of the error (`gathered`) are cut, or get more polynomials
-//! (`smoothness`): as few as bear what must go, so that surfaces whose light is read nowhere stay as they are. (W.
-//! Dörfler, *A convergent adaptive algorithm for Poisson's equation*, SIAM J. Numer. Anal. 33 (1996), for the choice by
-//! a part of the whole.)
+//! (`smoothness`): as few as bear what must go, so that surfaces whose light is read nowhere stay as they
+//! are. (W. Dörfler, *A convergent adaptive algorithm for Poisson's equation*, SIAM J. Numer. Anal. 33
+//! (1996), for the choice by a part of the whole.)
 
 use std::time::Instant;
 
@@ -25,12 +25,13 @@ const BORNE: [f64; 2] = [0.5, 0.95];
 /// Part of the squared error that is wanted which refined elements may leave. Chosen.
 const LEFT: f64 = 0.5;
 
-/// Accuracy of blocks and of their shadows over the expected error: errors of single blocks balance in what is gathered.
-/// With a quarter and 1 the errors were mostly the same, in up to three times the time.
+/// Accuracy of blocks and of their shadows over the expected error: errors of single blocks balance in what
+/// is gathered. With a quarter and 1 the errors were mostly the same, in up to three times the time.
 const OF_BLOCKS: f64 = 0.5;
 const OF_SHADOWS: f64 = 3.0;
 
-/// After so many runs without a smaller error errors of blocks are taken for the cause, and their accuracies are multiplied by
+/// After so many runs without a smaller error errors of blocks are taken for the cause, and their accuracies
+/// are multiplied by
 /// [`SHARPENING`]: one run may look worse by chance. Both are chosen.
 const VAIN: usize = 2;
 const SHARPENING: f64 = 0.4;
@@ -38,8 +39,8 @@ const SHARPENING: f64 = 0.4;
 /// Error that the first run is expected to have where less is wanted. Chosen.
 const FIRST: f64 = 3e-3;
 
-/// The least part of the last error that the next run is expected to have; its transfers are made for that. Chosen: refined
-/// where 95 % of the squared error is borne, errors fell by a factor of 1.5 to 4.
+/// The least part of the last error that the next run is expected to have; its transfers are made for that.
+/// Chosen: refined where 95 % of the squared error is borne, errors fell by a factor of 1.5 to 4.
 const NEXT: f64 = 0.25;
 
 /// Solves `scene` by exact blocks, for the reason `why`, on elements refined where the goal needs it.
@@ -115,8 +116,8 @@ pub(super) fn locally(
     Ok(Adapted { outcome, options: chosen, achieved: Achieved::new(goal, Some(error), end) })
 }
 
-/// The mesh with those elements refined that bear this part of what all bear; None where none of them may be. Surfaces that
-/// state their own order or cuts keep them.
+/// The mesh with those elements refined that bear this part of what all bear; None where none of them may be.
+/// Surfaces that state their own order or cuts keep them.
 fn refined(scene: &Scene, solution: &Solution, shares: &[f64], part: f64) -> Option<Mesh> {
     let list = solution.elements().list();
     let is_free = |index: &usize| {

@@ -1,7 +1,9 @@
-//! Points spread over all elements: those of a low-discrepancy sequence (Roberts's R2), shifted from patch to patch.
+//! Points spread over all elements: those of a low-discrepancy sequence (Roberts's R2), shifted from patch to
+//! patch.
 //!
-//! Each patch has as many; where there are more patches than points, the patches at equal steps of area have one. Every
-//! discretisation has points of its own: what was refined for the sake of some would look too good from the same.
+//! Each patch has as many; where there are more patches than points, the patches at equal steps of area have
+//! one. Every discretisation has points of its own: what was refined for the sake of some would look too good
+//! from the same.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Node, Patch};

@@ -17,8 +17,8 @@ const RAYS_ORDER: usize = 2;
 /// Least and largest factor on the rays from run to run. Chosen; not tuned.
 const MORE: [f64; 2] = [2.0, 16.0];
 
-/// Solves `scene` by more and more rays, and elements as fine as these support, until the error that rays leave is
-/// small enough.
+/// Solves `scene` by more and more rays, and elements as fine as these support, until the error that rays
+/// leave is small enough.
 pub(super) fn by_rays(
     scene: &Scene,
     options: &Options,

@@ -1,8 +1,8 @@
 //! Refinement of all elements alike, until the polynomials are accurate.
 //!
-//! In a scene without shadows the radiosity is smooth except at edges where surfaces meet, and layers graded towards
-//! them converge fastest. Shadow edges lie anywhere, and so do the kinks on a surface that bends away from its light,
-//! where the light crosses its horizon: there the elements are cut evenly.
+//! In a scene without shadows the radiosity is smooth except at edges where surfaces meet, and layers graded
+//! towards them converge fastest. Shadow edges lie anywhere, and so do the kinks on a surface that bends away
+//! from its light, where the light crosses its horizon: there the elements are cut evenly.
 
 use std::time::Instant;
 

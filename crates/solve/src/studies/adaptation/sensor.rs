@@ -11,7 +11,8 @@ use crate::solution::{Band, Solution};
 use super::goal::{Aim, Goal};
 use super::points::{Point, points};
 
-/// Most sensors of those asked for at which errors are estimated, one of each of as many equal stretches of their list. Chosen.
+/// Most sensors of those asked for at which errors are estimated, one of each of as many equal stretches of
+/// their list. Chosen.
 const MOST: usize = 512;
 
 /// A receiver, and how much its light counts.
@@ -38,7 +39,8 @@ impl Sensor {
         all.filter(|sensor| sensor.weights.iter().any(|weight| *weight > 0.0)).collect()
     }
 
-    /// Sensors at the points of a goal, or at some of them. All count the same, but where reflected light is seen by ρ².
+    /// Sensors at the points of a goal, or at some of them. All count the same, but where reflected light is
+    /// seen by ρ².
     pub(super) fn at(goal: &Goal, solution: &Solution, visibility: &Visibility) -> Vec<Self> {
         let weight = |spot: Option<&Spot>, band: &Band| match (goal.of, spot) {
             (Aim::Seen, Some(spot)) => band.coating.squared(spot.element),
@@ -54,7 +56,8 @@ impl Sensor {
     }
 }
 
-/// Indices of [`MOST`] of so many points, one of each equal stretch, at places that do not keep step with the rows of a plane.
+/// Indices of [`MOST`] of so many points, one of each equal stretch, at places that do not keep step with the
+/// rows of a plane.
 fn some(count: usize) -> impl Iterator<Item = usize> {
     let chosen = count.min(MOST);
     (0..chosen).map(move |k| {

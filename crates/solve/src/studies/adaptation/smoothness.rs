@@ -1,15 +1,17 @@
 //! The refinement of an element: higher orders where its light is smooth, cuts elsewhere.
 //!
-//! The coefficients s_k of reflected light in the orthonormal polynomials, all bands together, have the part of degree n
+//! The coefficients s_k of reflected light in the orthonormal polynomials, all bands together, have the part
+//! of degree n
 //!
 //! ```text
 //! e_n² = Σ_{k of degree n} s_k² ,     r = min(e_N / e_{N−1}, (e_N / e_{N−2})^½) ,
 //! ```
 //!
-//! of which r tells the decay; the second form where the former is even or odd. A cut into four halves the element, and divides
-//! an error of order N by about 2^(N+1); the orders that as many polynomials allow divide it by r^−N and more. So the order rises where r is below [`SMOOTH`]. (Decay of
-//! coefficients: C. Mavriplis, *Adaptive mesh strategies for the spectral element method*, 1994.) The cut is across
-//! the parameter along which light varies, if it does not vary along both.
+//! of which r tells the decay; the second form where the former is even or odd. A cut into four halves the
+//! element, and divides an error of order N by about 2^(N+1); the orders that as many polynomials allow
+//! divide it by r^−N and more. So the order rises where r is below [`SMOOTH`]. (Decay of coefficients: C.
+//! Mavriplis, *Adaptive mesh strategies for the spectral element method*, 1994.) The cut is across the
+//! parameter along which light varies, if it does not vary along both.
 
 use radiosity_elements::Element;
 use radiosity_elements::basis::{Frame, HIGHEST_ORDER};
@@ -25,8 +27,8 @@ const SMOOTH: f64 = 0.5;
 /// Rise of the order. Chosen.
 const STEP: usize = 2;
 
-/// Ratio of the squared variations along the parameters from which one of them is cut alone: more than a cut of both would even
-/// out at order 2. Chosen.
+/// Ratio of the squared variations along the parameters from which one of them is cut alone: more than a cut
+/// of both would even out at order 2. Chosen.
 const ONE_SIDED: f64 = 16.0;
 
 /// The refinement of element `index`.

@@ -1,18 +1,18 @@
 //! Edges of blockers whose shadows a rule over a cell of the outer element may miss.
 //!
-//! What is hidden from x varies with x on two lengths. One is the distance d of x from the edge that bounds the shadow:
-//! a slit makes a strip of light of about that width. The other is the width of the penumbra, in which the edge passes
-//! over the inner element,
+//! What is hidden from x varies with x on two lengths. One is the distance d of x from the edge that bounds
+//! the shadow: a slit makes a strip of light of about that width. The other is the width of the penumbra, in
+//! which the edge passes over the inner element,
 //!
 //! ```text
 //! p = w d / d′ ,     w the width of the inner element across the edge, d′ its distance from the edge.
 //! ```
 //!
-//! A Gauss rule of n points over a cell of width h may miss what is narrower than about h/n inside it and h/n² at its
-//! border, where its points are denser; so may the next level. Edges near a cell are assumed at its border. Narrow
-//! penumbras are looked for if n ≤ 2, as seen from the middle of the cell, and from its corners too if high accuracy is
-//! asked: in all rooms tried, finer rules found the others. An edge counts only if planes through it and a point of the
-//! cell cut the inner element, and if it lies between the two.
+//! A Gauss rule of n points over a cell of width h may miss what is narrower than about h/n inside it and
+//! h/n² at its border, where its points are denser; so may the next level. Edges near a cell are assumed at
+//! its border. Narrow penumbras are looked for if n ≤ 2, as seen from the middle of the cell, and from its
+//! corners too if high accuracy is asked: in all rooms tried, finer rules found the others. An edge counts
+//! only if planes through it and a point of the cell cut the inner element, and if it lies between the two.
 
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{COINCIDENT, DVec3, extreme_points, separated};
@@ -20,15 +20,16 @@ use radiosity_kernel::contact::flat::segment_distance;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::blocker_edges::Rim;
 
-/// Distance of an edge from a cell of size 1, times n², below which its shadow may be missed. Chosen; not tuned.
+/// Distance of an edge from a cell of size 1, times n², below which its shadow may be missed. Chosen; not
+/// tuned.
 const NEAR: f64 = 4.0;
 /// Width of a penumbra in a cell of size 1, times n, below which it may be missed. Chosen; not tuned.
 const NARROW: f64 = 2.0;
-/// Most points per direction of rules that may miss penumbras as seen from the middle of the cell. Found enough in all
-/// rooms tried.
+/// Most points per direction of rules that may miss penumbras as seen from the middle of the cell. Found
+/// enough in all rooms tried.
 const COARSE: f64 = 2.0;
-/// Relative accuracy below which penumbras as seen from the corners count too, such as those of slits seen edge on.
-/// Chosen; not tuned.
+/// Relative accuracy below which penumbras as seen from the corners count too, such as those of slits seen
+/// edge on. Chosen; not tuned.
 const TIGHT: f64 = 1e-4;
 /// The edges of the blockers of a pair.
 #[derive(Debug)]
@@ -55,8 +56,8 @@ impl Edges {
         &self.inner
     }
 
-    /// Whether a rule of `points` points per direction and this relative `accuracy` may miss shadows of `blockers`
-    /// within a cell.
+    /// Whether a rule of `points` points per direction and this relative `accuracy` may miss shadows of
+    /// `blockers` within a cell.
     pub(super) fn may_be_passed_over(
         &self,
         cell: &Patch,
@@ -86,8 +87,8 @@ impl Edges {
     }
 }
 
-/// Width of `points` as seen from `middle` across an edge, times the distance of `middle` from the edge's line; the
-/// least of this and the same from each of `rest`.
+/// Width of `points` as seen from `middle` across an edge, times the distance of `middle` from the edge's
+/// line; the least of this and the same from each of `rest`.
 fn seen_breadth(points: &[DVec3], rim: &Rim, middle: DVec3, rest: &[DVec3]) -> f64 {
     let [a, b] = rim.ends;
     let along = (b - a).normalize_or_zero();

@@ -1,16 +1,17 @@
 //! Lines on the outer element along which what is hidden has a kink.
 //!
-//! Seen from x, an edge of a blocker passes a corner of the inner element, or a corner of a blocker an edge of the inner
-//! element, where x crosses the plane through that edge and that corner. Between these planes the hidden part of the inner
-//! element keeps its corners, and its integral is smooth in x. Rules whose cells end at the planes converge by the number of
-//! their points; halved cells across a kink only by the power 3/2 of their number. Where three edges cross, the kink is
-//! curved; it is left to halving.
+//! Seen from x, an edge of a blocker passes a corner of the inner element, or a corner of a blocker an edge
+//! of the inner element, where x crosses the plane through that edge and that corner. Between these planes
+//! the hidden part of the inner element keeps its corners, and its integral is smooth in x. Rules whose cells
+//! end at the planes converge by the number of their points; halved cells across a kink only by the power 3/2
+//! of their number. Where three edges cross, the kink is curved; it is left to halving.
 
 use radiosity_geom::{COINCIDENT, DVec3, sides};
 use radiosity_kernel::contact::clip::Facet;
 use radiosity_visibility::Visibility;
 
-/// Most lines that an element is cut along: where blockers are many, halving cells is cheaper. Chosen; not tuned.
+/// Most lines that an element is cut along: where blockers are many, halving cells is cheaper. Chosen; not
+/// tuned.
 const MOST: usize = 12;
 
 /// A line on a plane: a point of it, and the direction across it in the plane.
@@ -70,7 +71,8 @@ fn line([a, b, c]: [DVec3; 3], facet: &Facet, points: &[DVec3]) -> Option<Line> 
     (low < -least && high > least).then_some(line)
 }
 
-/// Parts of an element narrower than this, relative to the whole, are not cut off: rounding. Chosen; not tuned.
+/// Parts of an element narrower than this, relative to the whole, are not cut off: rounding. Chosen; not
+/// tuned.
 const LEAST: f64 = 1e-9;
 
 impl Line {

@@ -1,7 +1,8 @@
 //! The two sides of an occlusion correction: the outer element as patches, the inner one as facets.
 //!
-//! The outer one is curved, or farther from the blockers relative to its size. A flat outer element is cut along the
-//! sides of blockers that stand on it. Of two flat elements only the parts in front of each other count.
+//! The outer one is curved, or farther from the blockers relative to its size. A flat outer element is cut
+//! along the sides of blockers that stand on it. Of two flat elements only the parts in front of each other
+//! count.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
@@ -14,12 +15,12 @@ use radiosity_visibility::Visibility;
 
 use crate::occlusion::outlines::kinks::{Line, kinks};
 
-/// Height of a blocker's side over the plane of the outer element, relative to the side's length, up to which it counts
-/// as standing there: its shadow almost jumps. Chosen; not tuned.
+/// Height of a blocker's side over the plane of the outer element, relative to the side's length, up to which
+/// it counts as standing there: its shadow almost jumps. Chosen; not tuned.
 const STANDING: f64 = 1e-2;
 
-/// Relative accuracy below which the outer element is cut along kinks: above, halving cells takes fewer points
-/// (`docs/measured.md`).
+/// Relative accuracy below which the outer element is cut along kinks: above, halving cells takes fewer
+/// points (`docs/measured.md`).
 const SHARP: f64 = 1e-4;
 
 /// The two sides of a pair of which at least one is flat.
@@ -102,8 +103,8 @@ fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Vi
     if emitter > receiver || (emitter == receiver && fewer) { Side::Emitter } else { Side::Receiver }
 }
 
-/// A facet cut along the sides of blockers that (almost) stand on it, and along those that pass through its plane; only
-/// the parts that a side touches are cut.
+/// A facet cut along the sides of blockers that (almost) stand on it, and along those that pass through its
+/// plane; only the parts that a side touches are cut.
 fn cut_along(facet: &Facet, blockers: &[usize], visibility: &Visibility) -> Vec<Facet> {
     let mut parts = vec![facet.clone()];
     for piece in blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten() {

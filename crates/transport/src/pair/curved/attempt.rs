@@ -16,26 +16,26 @@ use crate::pair::curved::job::{Job, ROUGHNESS, State};
 const FEWEST_POINTS: usize = 4;
 /// Points per direction for degree 0 of sampled shadows once the samples are spent. Chosen; not tuned.
 const POINTS_WHEN_SPENT: usize = 3;
-/// Largest part, relative to the block's first entry, that is attempted: a horizon may pass large ones unseen. Chosen;
-/// not tuned.
+/// Largest part, relative to the block's first entry, that is attempted: a horizon may pass large ones
+/// unseen. Chosen; not tuned.
 const LARGEST_ATTEMPT: f64 = 0.25;
-/// Cosine of the dihedral angle below which an edge counts as smooth (172°). The kernel is bounded there, and plain
-/// rules cost a small part of those for edges. Chosen; not tuned.
+/// Cosine of the dihedral angle below which an edge counts as smooth (172°). The kernel is bounded there, and
+/// plain rules cost a small part of those for edges. Chosen; not tuned.
 const SMOOTH: f64 = -0.99;
-/// Share of the block's error for one attempt, and the power of digits/4 by which it falls beyond four digits: more
-/// parts are attempted then. Chosen; not tuned.
+/// Share of the block's error for one attempt, and the power of digits/4 by which it falls beyond four
+/// digits: more parts are attempted then. Chosen; not tuned.
 const ATTEMPT_SHARE: f64 = 0.03;
 const MORE_ATTEMPTS: i32 = 6;
-/// Ratio of the error to the difference of two rules on near parts, where both miss the kernel's peak: measured on a
-/// ball that lies on a floor.
+/// Ratio of the error to the difference of two rules on near parts, where both miss the kernel's peak:
+/// measured on a ball that lies on a floor.
 const PEAKED: f64 = 2.0;
 /// Least error of an attempt that missed its accuracy, as a share of what it carries. Chosen; not tuned.
 pub(super) const DOUBT: f64 = 0.1;
 
 impl<'a> Job<'a> {
-    /// Attempts a part that no rule covers: one cut by a horizon, or a contact of another kind. The error is the
-    /// difference of the rule with n and n + 2 points. `contact` is None for a patch with itself. Returns whether the
-    /// result is kept: because it is accurate enough, or because the samples are spent.
+    /// Attempts a part that no rule covers: one cut by a horizon, or a contact of another kind. The error is
+    /// the difference of the rule with n and n + 2 points. `contact` is None for a patch with itself. Returns
+    /// whether the result is kept: because it is accurate enough, or because the samples are spent.
     pub(super) fn attempt(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) -> bool {
         let share = self.budget.share(p, q);
         if !self.spent() && self.carried(p, q, share) > LARGEST_ATTEMPT * self.budget.scale {
@@ -51,7 +51,8 @@ impl<'a> Job<'a> {
         self.moments.merge(&coarse, false);
         self.moments.merge(&fine, kept);
         if kept {
-            // Two rules may miss one horizon alike: an attempt that missed its accuracy has at least this error.
+            // Two rules may miss one horizon alike: an attempt that missed its accuracy has at least this
+            // error.
             let doubt = if enough { 0.0 } else { DOUBT * self.first_entry(&fine) };
             let reach = SMALLEST_RATIO * p.longest().1.max(q.longest().1);
             let is_near = matches!(contact, Some(Touch::Apart(gap)) if *gap < reach);
@@ -113,8 +114,8 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Adds two planar patches by a product rule: n × n points on the part of the first that the second sees, (n + 1)² on
-/// the part of the second that the first sees.
+/// Adds two planar patches by a product rule: n × n points on the part of the first that the second sees,
+/// (n + 1)² on the part of the second that the first sees.
 fn before_planes(
     moments: &mut Moments,
     [p, q]: [&Patch; 2],

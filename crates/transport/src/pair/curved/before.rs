@@ -6,15 +6,15 @@
 //! κ(x, y) ∝ max(0, n_x·(y − x)) max(0, n_y·(x − y)) ,
 //! ```
 //!
-//! because either height is over one plane, the same for all points of the other element. Cutting along this line once
-//! keeps all rules away from it.
+//! because either height is over one plane, the same for all points of the other element. Cutting along this
+//! line once keeps all rules away from it.
 
 use radiosity_elements::patch::Patch;
 use radiosity_kernel::contact::clip::Facet;
 use radiosity_kernel::contact::planes::Plane;
 
-/// The parts of two elements, flat ones without what lies behind the other's plane, if it has one in `planes`. Points
-/// closer to a plane than `tolerance` lie on it.
+/// The parts of two elements, flat ones without what lies behind the other's plane, if it has one in
+/// `planes`. Points closer to a plane than `tolerance` lie on it.
 pub(super) fn each_other(
     [first, second]: [Vec<Patch>; 2],
     planes: [Option<Plane>; 2],

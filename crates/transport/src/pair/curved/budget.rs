@@ -11,15 +11,15 @@ const CONTACT_SAMPLES: f64 = 5e5;
 /// Samples of a block after which horizons are refined no more, per squared digit of 1/ε; they are cheaper
 /// than those of contacts. Chosen; not tuned.
 const HORIZON_SAMPLES: f64 = 1e6;
-/// Share of its row's largest entry below which a block gets fewer samples in proportion, and the least share of them.
-/// Chosen; not tuned.
+/// Share of its row's largest entry below which a block gets fewer samples in proportion, and the least share
+/// of them. Chosen; not tuned.
 const SMALL_IN_ROW: f64 = 0.25;
 const LEAST_WORTH: f64 = 0.25;
-/// Rays of a block, times ε_shadow², after which shadows of contacts and small parts are sampled by the coarsest rule:
-/// the error of n rays is about 1/√n. Chosen; not tuned.
+/// Rays of a block, times ε_shadow², after which shadows of contacts and small parts are sampled by the
+/// coarsest rule: the error of n rays is about 1/√n. Chosen; not tuned.
 const RAYS: f64 = 1.0;
-/// Samples, as a multiple of those for contacts and horizons together, after which all that is left is summed at once.
-/// Chosen; not tuned.
+/// Samples, as a multiple of those for contacts and horizons together, after which all that is left is summed
+/// at once. Chosen; not tuned.
 const OVERDRAFT: u64 = 2;
 /// Samples that take as long as to look how two parts lie to each other. Chosen: 10 µs against 10 ns.
 const LOOK: u64 = 1000;
@@ -59,7 +59,8 @@ impl Budget {
         share < NEGLIGIBLE * self.may_err()
     }
 
-    /// Whether everything left is summed at once: parts already queued when the samples were spent take some too.
+    /// Whether everything left is summed at once: parts already queued when the samples were spent take some
+    /// too.
     pub(super) fn overdrawn(&self, moments: &Moments) -> bool {
         moments.distinct + LOOK * self.looks
             > OVERDRAFT * (self.most(CONTACT_SAMPLES) + self.most_for_horizons())
@@ -101,22 +102,22 @@ impl Budget {
         (self.scale / (SMALL_IN_ROW * self.row)).clamp(LEAST_WORTH, 1.0)
     }
 
-    /// Samples, given those per squared digit d²: for d < 4 they fall like d⁴/16, for d > 4 they grow like d² (d/4)²,
-    /// times [`Budget::worth`]. Both meet d² at d = 4. Chosen; not tuned.
+    /// Samples, given those per squared digit d²: for d < 4 they fall like d⁴/16, for d > 4 they grow like d²
+    /// (d/4)², times [`Budget::worth`]. Both meet d² at d = 4. Chosen; not tuned.
     fn most(&self, per_digit: f64) -> u64 {
         let digits = -self.accuracy.eps.log10().min(-2.0);
         let squared = (digits * digits).min(digits.powi(4) / 16.0);
         (self.worth() * per_digit * squared * self.beyond().powi(2)) as u64
     }
 
-    /// ε for a part of this `share`: small parts need fewer digits. The factor ¼ and the limit 1e-2 are chosen, not
-    /// tuned.
+    /// ε for a part of this `share`: small parts need fewer digits. The factor ¼ and the limit 1e-2 are
+    /// chosen, not tuned.
     pub(super) fn eps(&self, share: f64) -> f64 {
         (self.accuracy.eps * (0.25 * self.scale / share).max(1.0)).min(1e-2)
     }
 
-    /// Allowed error of a part, relative to its upper bound `share`: less than ε where the block carries little, by
-    /// grazing light.
+    /// Allowed error of a part, relative to its upper bound `share`: less than ε where the block carries
+    /// little, by grazing light.
     pub(super) fn slight(&self, share: f64) -> f64 {
         self.accuracy.eps * (self.scale / share).min(1.0)
     }

@@ -33,8 +33,8 @@ impl Job<'_> {
     }
 }
 
-/// The kernel's value if it is the same, to 1e-10, at 9 × 16 pairs of points: both patches lie on the inside of one
-/// sphere.
+/// The kernel's value if it is the same, to 1e-10, at 9 × 16 pairs of points: both patches lie on the inside
+/// of one sphere.
 pub(super) fn constant(p: &Patch, q: &Patch) -> Option<f64> {
     if p.is_flat() || q.is_flat() {
         return None;

@@ -1,6 +1,7 @@
 //! Fans: all parts of one element as seen from one part of the other, with nothing or one ball in between.
 //!
-//! They are integrated together, because their sum is smooth where a horizon passes from one part to the next.
+//! They are integrated together, because their sum is smooth where a horizon passes from one part to the
+//! next.
 
 use std::collections::VecDeque;
 
@@ -23,9 +24,9 @@ use crate::pair::curved::points::quartered;
 const HORIZON_SHARE: f64 = 0.3;
 
 impl Job<'_> {
-    /// Sorts the inner parts of a fan. Touching and negligible parts become pairs; parts all wholly visible and apart
-    /// take tensor rules; near ones are halved, or the outer part is, if it is longer. The rest is cut at its horizons
-    /// together.
+    /// Sorts the inner parts of a fan. Touching and negligible parts become pairs; parts all wholly visible
+    /// and apart take tensor rules; near ones are halved, or the outer part is, if it is longer. The rest is
+    /// cut at its horizons together.
     pub(super) fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
         let reach = outer.longest().1;
         let mut open: VecDeque<Patch> = inner.into();
@@ -88,7 +89,8 @@ impl Job<'_> {
         self.cut_or_halve(outer, near, clipped, whole);
     }
 
-    /// Cuts the inner parts of a fan at their horizons together; where some are near, halves the outer part instead.
+    /// Cuts the inner parts of a fan at their horizons together; where some are near, halves the outer part
+    /// instead.
     fn cut_or_halve(
         &mut self,
         outer: &Patch,
@@ -96,8 +98,8 @@ impl Job<'_> {
         mut clipped: Vec<(Patch, f64)>,
         whole: Vec<(Patch, f64)>,
     ) {
-        // Beside parts cut by horizons, wholly visible ones are treated the same way: the sum of all is smoother than
-        // any of them.
+        // Beside parts cut by horizons, wholly visible ones are treated the same way: the sum of all is
+        // smoother than any of them.
         clipped.extend(whole);
         if near.is_empty() {
             return self.horizon(outer, &clipped);
@@ -113,8 +115,8 @@ impl Job<'_> {
         self.moments.tensor(outer, inner, points, None);
     }
 
-    /// Inner parts apart from an outer part, cut at their horizons together: where a horizon passes from one to the
-    /// next, their sum stays smooth.
+    /// Inner parts apart from an outer part, cut at their horizons together: where a horizon passes from one
+    /// to the next, their sum stays smooth.
     pub(super) fn horizon(&mut self, outer: &Patch, inner: &[(Patch, f64)]) {
         let mut points = [1; 2];
         let mut sides = Vec::new();

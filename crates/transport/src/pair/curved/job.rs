@@ -20,14 +20,15 @@ use crate::pair::curved::budget::Budget;
 use crate::pair::curved::points::Points;
 use crate::pair::curved::size::area;
 
-/// Largest share, relative to the block's scale, of parts that are attempted before they are halved or cut at horizons.
-/// Chosen; not tuned.
+/// Largest share, relative to the block's scale, of parts that are attempted before they are halved or cut at
+/// horizons. Chosen; not tuned.
 pub(super) const SMALL_PART: f64 = 0.02;
 /// Safety factor on a coarse estimate as an upper bound. Chosen; not tuned.
 pub(super) const ROUGHNESS: f64 = 3.0;
 /// Ratio of areas below which a coarse estimate is trusted to find a block negligible. Chosen; not tuned.
 const LARGEST_AREA_RATIO: f64 = 100.0;
-/// Smallest scale of the block of a surface with itself: what it sends to others is larger. Chosen; not tuned.
+/// Smallest scale of the block of a surface with itself: what it sends to others is larger. Chosen; not
+/// tuned.
 const SMALLEST_OWN_SCALE: f64 = 5e-3;
 
 /// A part of the block to do.
@@ -107,8 +108,9 @@ impl<'a> Job<'a> {
         if a == b { SMALLEST_OWN_SCALE } else { SMALLEST_ENTRY }
     }
 
-    /// Whether the whole block is below its allowed error, as of a nearly flat surface with itself. Elements of very
-    /// different sizes are excluded, where a coarse estimate may miss corners that alone see each other.
+    /// Whether the whole block is below its allowed error, as of a nearly flat surface with itself. Elements
+    /// of very different sizes are excluded, where a coarse estimate may miss corners that alone see each
+    /// other.
     pub(super) fn carries_nothing(&mut self, rough: f64, [receivers, emitters]: [&[Patch]; 2]) -> bool {
         let [a, b] = self.elements.map(|element| element.area);
         let may_err = self.budget.may_err();
@@ -154,7 +156,8 @@ impl<'a> Job<'a> {
         Block { unresolved: self.unresolved, error: self.error, ..block }
     }
 
-    /// The state of a pair of sectors: being a sector counts as the halvings that would make a part of the same size.
+    /// The state of a pair of sectors: being a sector counts as the halvings that would make a part of the
+    /// same size.
     pub(super) fn state(&self, p: &Patch, q: &Patch, blockers: &[usize]) -> State {
         let halved = -(area(p) * area(q) / (self.budget.unit * self.budget.unit)).log2();
         let levels = self.budget.accuracy.shadow_levels().saturating_sub(halved.max(0.0) as u32);
@@ -177,8 +180,8 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Halves a pair towards the case of a rule: at a cut, at a tip, or across the longest extent; both sides together
-    /// along a common edge that is as long.
+    /// Halves a pair towards the case of a rule: at a cut, at a tip, or across the longest extent; both sides
+    /// together along a common edge that is as long.
     pub(super) fn halve(&mut self, p: &Patch, q: &Patch, contact: &Touch, state: &State) {
         let whole = |patch: &Patch| vec![patch.clone()];
         match contact {

@@ -27,8 +27,8 @@ impl Points {
         [0, 1, 2, 3].map(|k| (counts[k] + charts[k]).min(MOST_POINTS))
     }
 
-    /// Points [x, y, angular] of the rule of a common edge: by trial, and no fewer than flat patches at this `wedge` need,
-    /// as sums with few points may agree by chance.
+    /// Points [x, y, angular] of the rule of a common edge: by trial, and no fewer than flat patches at this
+    /// `wedge` need, as sums with few points may agree by chance.
     pub(super) fn edge(&self, p: &Patch, q: &Patch, matched: bool, wedge: &Wedge) -> Trial<3> {
         let (eps, exact) = (self.eps, self.exact_degree());
         let Trial { points: [radial, along, angular], missed } = if matched {
@@ -63,16 +63,16 @@ impl Points {
     }
 }
 
-/// Points for the charts of two touching patches: half as many again as for patches apart, since between touching
-/// patches the charts alone make the kernel vary. The half is chosen, not tuned.
+/// Points for the charts of two touching patches: half as many again as for patches apart, since between
+/// touching patches the charts alone make the kernel vary. The half is chosen, not tuned.
 pub(super) fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
     let most =
         [chart_orders::points(p, eps), chart_orders::points(q, eps)].concat().into_iter().max().unwrap_or(0);
     most + most.div_ceil(2)
 }
 
-/// Points of the tensor rule on an inner patch, its quarters, their quarters and so on: extents halve, and charts take
-/// about a quarter less points each time. The 0.75 is chosen, not tuned.
+/// Points of the tensor rule on an inner patch, its quarters, their quarters and so on: extents halve, and
+/// charts take about a quarter less points each time. The 0.75 is chosen, not tuned.
 pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc<[[usize; 2]]> {
     let charts = chart_orders::points(patch, eps);
     let extents = patch.extents();
@@ -82,7 +82,8 @@ pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc
         let chart = (charts[axis] as f64 * 0.75f64.powi(depth as i32)).ceil() as usize;
         (far::points(degree, eps, rho) + chart).min(MOST_POINTS)
     };
-    // A horizon tangent to a quarter's lines cuts off less of each smaller quarter: one level per two digits, and one.
+    // A horizon tangent to a quarter's lines cuts off less of each smaller quarter: one level per two digits,
+    // and one.
     let deepest = (1 + (-0.5 * eps.log10()).ceil() as usize).min(horizon::DEEPEST);
     (0..=deepest).map(|depth| [0, 1].map(|axis| count(axis, depth))).collect()
 }

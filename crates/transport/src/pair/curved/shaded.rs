@@ -9,8 +9,8 @@ use crate::pair::curved::size::area;
 
 impl Job<'_> {
     /// Samples what two parts see of each other. Returns true if what is hidden was subtracted, so that the
-    /// unobstructed part has yet to be added. Errors of parts have either sign, so that their variances add: each part
-    /// gets its share.
+    /// unobstructed part has yet to be added. Errors of parts have either sign, so that their variances add:
+    /// each part gets its share.
     pub(super) fn scatter(&mut self, p: &Patch, q: &Patch, facing: Facing, blockers: &[usize]) -> bool {
         let own = self.surfaces();
         let free = |x, y| self.visibility.free_between(own, blockers, x, y);

@@ -4,8 +4,8 @@ use std::fmt;
 use std::fmt::{Debug, Write};
 use std::hash::{DefaultHasher, Hasher};
 
-/// A number that tells a run from others: of its scene and options, as they print for programmers, and of the version of the
-/// program.
+/// A number that tells a run from others: of its scene and options, as they print for programmers, and of the
+/// version of the program.
 pub fn fingerprint(run: &dyn Debug) -> u64 {
     digest(&(env!("CARGO_PKG_VERSION"), run))
 }

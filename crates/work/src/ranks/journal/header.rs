@@ -8,8 +8,8 @@
 const FAMILY: &[u8] = b"RADJRNL";
 const FORMAT: u8 = b'2';
 
-/// Version of the pieces of runs, to be raised where those of one scene and options change their meaning, as coefficients do with
-/// the order of the functions of an element, or where parts are named or numbered anew.
+/// Version of the pieces of runs, to be raised where those of one scene and options change their meaning, as
+/// coefficients do with the order of the functions of an element, or where parts are named or numbered anew.
 const PIECES: u32 = 4;
 
 /// Bytes of a header.

@@ -37,7 +37,8 @@ struct RecordPlace {
 }
 
 impl Kept {
-    /// Takes note of what a file holds; how it was made says `fingerprint`. A piece is checked when it is wanted.
+    /// Takes note of what a file holds; how it was made says `fingerprint`. A piece is checked when it is
+    /// wanted.
     ///
     /// # Errors
     /// One that cannot be read, or is of another run or of an earlier version of the program.

@@ -94,7 +94,7 @@ const PART: &str = "<scene version=\"0.6.0\"><shape type=\"shapegroup\" id=\"gro
 
 const MESH: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nf 1 2 3 4\nf 1 3 2\n";
 
-/// What stands in place of words of XML.
+/// Replacements of words of XML.
 const WORDS: [&str; 6] = ["<", "\"", "$", "&lt;", "&x;", "]]"];
 
 fn break_scenes(cases: u32) {

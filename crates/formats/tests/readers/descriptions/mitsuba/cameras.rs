@@ -28,7 +28,8 @@ fn a_camera_looks_at_its_target() {
     assert_eq!((plain.eye, plain.target, plain.up), (DVec3::ZERO, DVec3::Z, DVec3::Y));
 }
 
-/// tan of half the angle over that of the other axis is the aspect; 36 mm × 24 mm at 50 mm is 46.8° on the diagonal.
+/// tan of half the angle over that of the other axis is the aspect; 36 mm × 24 mm at 50 mm is 46.8° on the
+/// diagonal.
 #[test]
 fn angles_become_those_from_the_lower_to_the_upper_border() {
     let fov = |properties: &str, width, height| camera(&(film(width, height) + properties)).fov;

@@ -127,8 +127,8 @@ fn meshes_are_read_and_merged() {
     assert!(model.notes.is_empty(), "{:?}", model.notes);
 }
 
-/// Mitsuba finds normals that a mesh does not state from its corners once they are placed; those that it states, and what
-/// an instance places, it turns as the surface is.
+/// Mitsuba finds normals that a mesh does not state from its corners once they are placed; those that it
+/// states, and what an instance places, it turns as the surface is.
 #[test]
 fn mirrored_meshes_keep_their_fronts_where_they_state_normals() {
     let corners = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";

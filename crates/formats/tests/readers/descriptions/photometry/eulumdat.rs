@@ -13,7 +13,8 @@ fn read(lines: &[String]) -> Result<Photometry, Refusal> {
     luminaire::read("lamp.LDT", lines.join("\n").as_bytes())
 }
 
-/// A file with eight planes and three angles γ, and its lines. The flux of its lamps is 2000 lm, its ratio 0.8.
+/// A file with eight planes and three angles γ, and its lines. The flux of its lamps is 2000 lm, its ratio
+/// 0.8.
 fn right() -> Vec<String> {
     let file = Eulumdat {
         isym: 4,

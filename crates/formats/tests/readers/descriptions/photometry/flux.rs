@@ -58,7 +58,8 @@ fn zones_have_their_part_of_the_flux() {
     assert_eq!(lamp.flux_between(90.0, 180.0), 0.0);
 }
 
-/// The range of a table over a zone holds every intensity in it; its scale is what the steepest step says: from 100 to 50 cd within 10°.
+/// The range of a table over a zone holds every intensity in it; its scale is what the steepest step says:
+/// from 100 to 50 cd within 10°.
 #[test]
 fn ranges_hold_what_is_between_and_scales_the_steepest_step() {
     let text =
