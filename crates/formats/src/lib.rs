@@ -2,12 +2,12 @@
 //! repaired, and written.
 //!
 //! Flow: bytes → [`read`] → `Model` → [`repair`] → a scene of `radiosity`, or text of another format
-//! ([`write`]). Files of luminaires are read by `photometry`.
+//! (`write`). Files of luminaires are read by `photometry`.
 //!
 //! In order: [`files`] (that a scene names), [`model`], `names` and `colour` (what readers make);
 //! [`format`](mod@format) (which there are); [`picture`] (PNG and OpenEXR → numbers of texels); `budget`,
 //! `includes`, `xform`, `merge`, `builder` and [`mesh`] (what readers share); the readers, `mgf` to `vs3`,
-//! three with a writer; [`read`] and [`write`] (any of them); [`materials`], [`unit`] and [`up`] (what a file
+//! three with a writer; `read` and `write` (any of them); `materials`, `unit` and `up` (what a file
 //! does not state); `fronts` and [`repair`].
 //!
 //! Imports `geom`, `fit` and `photometry`.

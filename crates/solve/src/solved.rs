@@ -124,9 +124,10 @@ impl Solved {
     ///
     /// ```
     /// use radiosity_solve::{Options, solved::Solved};
+    /// use radiosity_work::Work;
     ///
     /// let room = radiosity_language::builtin("furnace-cube")?;
-    /// let solved = Solved::new(room, Options::default(), &|_progress| {})?;
+    /// let solved = Solved::new(room, Options::default(), &Work::alone())?;
     /// // In a closed room of reflectance ½ that emits 1 everywhere, 1 + ½ · 2 leaves every point.
     /// let leaving = solved.radiosity_at(0, [0.3, -0.2]).expect("there is no hole")[0];
     /// assert!((leaving - 2.0).abs() < 1e-2);

@@ -31,17 +31,17 @@ impl Deadline {
     }
 
     /// Whether the end of the work was wished while it listened.
-    pub fn is_wished(&self) -> bool {
+    pub(crate) fn is_wished(&self) -> bool {
         self.is_wished.load(Ordering::Relaxed)
     }
 
     /// Whether the instant has passed.
-    pub fn is_past(&self) -> bool {
+    pub(crate) fn is_past(&self) -> bool {
         self.at.is_some_and(|at| Instant::now() >= at)
     }
 
     /// The time until the instant; None without one.
-    pub fn left(&self) -> Option<Duration> {
+    pub(crate) fn left(&self) -> Option<Duration> {
         Some(self.at?.saturating_duration_since(Instant::now()))
     }
 

@@ -16,6 +16,6 @@ mod deadline;
 mod work;
 
 pub use deadline::{Deadline, Listening};
-pub use observer::{Observer, Silent};
+pub use observer::Observer;
 pub use progress::{Progress, Stage};
 pub use work::Work;

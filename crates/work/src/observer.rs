@@ -16,7 +16,7 @@ impl<F: Fn(Progress) + Sync> Observer for F {
 
 /// Takes note of nothing.
 #[derive(Clone, Copy, Debug)]
-pub struct Silent;
+pub(crate) struct Silent;
 
 impl Observer for Silent {
     fn listen(&self, _: Progress) {}

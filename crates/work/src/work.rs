@@ -51,11 +51,6 @@ impl<'a> Work<'a> {
         Self { observer, ..self }
     }
 
-    /// This work, of which nobody hears.
-    pub fn silent(self) -> Self {
-        Self { observer: &Silent, ..self }
-    }
-
     /// This work until a deadline.
     pub fn until(self, deadline: &'a Deadline) -> Self {
         Self { deadline: Some(deadline), ..self }

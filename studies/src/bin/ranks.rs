@@ -1,6 +1,8 @@
 //! Efficiency of ranks that share the exact blocks of a scene, for any number of them.
 //!
-//!     cargo run --release -p radiosity-studies --bin ranks -- [SCENE …]
+//! ```text
+//! cargo run --release -p radiosity-studies --bin ranks -- [SCENE …]
+//! ```
 //!
 //! Each block is integrated once, and what it cost is recorded. The rule that shares blocks between ranks
 //! (`crates/transport/src/schedule/balance.rs`) is then run for so many ranks, without any process: it sees
