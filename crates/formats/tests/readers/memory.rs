@@ -17,6 +17,6 @@ impl Memory {
 
 impl Files for Memory {
     fn bytes(&self, name: &str) -> io::Result<Vec<u8>> {
-        self.0.get(name).cloned().ok_or_else(|| io::ErrorKind::NotFound.into())
+        self.0.get(name).cloned().ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "no such file"))
     }
 }
