@@ -9,7 +9,7 @@ use radiosity_test_support::folders::{folder, json, names};
 use radiosity_test_support::scenes::builtin;
 use serde_json::Value;
 
-use crate::program::{self, command, radiosity};
+use crate::program::{self, command, done, radiosity};
 
 #[test]
 #[cfg(unix)]
@@ -45,7 +45,7 @@ fn ctrl_c_leaves_what_the_rays_told_so_far_where_that_is_asked_for() {
     for part in ["finishing with the rays sent so far", "wrote s.json", "of 400", "rays leave an error of"] {
         assert!(message.contains(part), "{part:?} is missing in:\n{message}");
     }
-    assert!(radiosity(folder.path(), &["grid", "s.json", "--cells", "1x1"]).status.success());
+    done(folder.path(), &["grid", "s.json", "--cells", "1x1", "--read", "basis"]);
 }
 
 #[test]
@@ -273,7 +273,7 @@ fn a_wanted_accuracy_that_takes_too_long_keeps_the_best_run() {
     late(&["solve", "cornell-box", "--transport", "sampled", "-o", "s.json"]);
     late(&["grid", "empty-box", "--cells", "1x1", "-o", "cells.csv"]);
     // What was not reached is told again where the file is read, which itself succeeds.
-    let read = radiosity(here, &["grid", "s.json", "--cells", "1x1", "-o", "again.csv"]);
+    let read = radiosity(here, &["grid", "s.json", "--cells", "1x1", "--read", "basis", "-o", "again.csv"]);
     assert!(read.status.success() && String::from_utf8_lossy(&read.stderr).contains("longer than allowed"));
     for name in ["cells.csv", "again.csv"] {
         assert!(here.join(name).exists(), "{name}");

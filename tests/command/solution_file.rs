@@ -11,7 +11,7 @@ use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::work::ranks::Ranks;
 use radiosity_test_support::folders::folder;
-use radiosity_test_support::scenes::{builtin, typed};
+use radiosity_test_support::scenes::{builtin, parsed};
 use radiosity_test_support::solved::solved_of;
 use serde_json::{Value, json};
 
@@ -79,7 +79,7 @@ fn pictures_and_grids_are_the_same_bytes() {
 }
 
 fn solved() -> Solved {
-    let scene = typed(ROOM);
+    let scene = parsed(&Source::new("rooms/room.toml", ROOM));
     solved_of(scene, Options { order: 2, eps: 0.1, shadow_eps: 0.3, ..Options::default() })
 }
 
