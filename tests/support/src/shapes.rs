@@ -40,7 +40,7 @@ pub fn inside(surface: impl Surface + 'static) -> Arc<dyn Surface> {
 pub fn faces(corner: DVec3, edges: [DVec3; 3]) -> [Parallelogram; 6] {
     let face = |k: usize| {
         let [across, a, b] = [0, 1, 2].map(|step| edges[(k / 2 + step) % 3]);
-        if k % 2 == 0 { plate(corner, a, b) } else { plate(corner + across, b, a) }
+        if k.is_multiple_of(2) { plate(corner, a, b) } else { plate(corner + across, b, a) }
     };
     [0, 1, 2, 3, 4, 5].map(face)
 }
