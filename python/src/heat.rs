@@ -39,11 +39,11 @@ pub(crate) fn heat_of(
     let heat = work(py, observer.as_ref(), |progress| {
         library::Heat::of(&scene.scene, &request.options(Ranks::alone()), &Work::alone().told(progress))
     })?;
-    if let Some(miss) = heat.outcome.worst_error.filter(WorstError::is_real) {
+    if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
         let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
         warn(
             py,
-            &missed(&miss, miss.pair.map(|element| scene.scene.surfaces[surface(element)].name.as_str())),
+            &missed(&worst, worst.pair.map(|element| scene.scene.surfaces[surface(element)].name.as_str())),
         )?;
     }
     if heat.error_orders.is_empty() {

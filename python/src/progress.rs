@@ -37,7 +37,7 @@ impl Progress {
 }
 
 impl Observer for Progress {
-    fn listen(&self, event: Event) {
+    fn hear(&self, event: Event) {
         match event {
             Event::Done { stage, done, of } => self.step(stage.name(), done, of),
             Event::Rays { done, of, .. } => self.step("rays", done as usize, of as usize),

@@ -106,8 +106,8 @@ fn factors(
         };
         library::ViewFactors::of_pairs(scene, &wanted, &request.factors(), &Work::alone().told(&tell))
     })?;
-    if let Some(miss) = factors.worst_error.filter(WorstError::is_real) {
-        warn(py, &missed(&miss, miss.pair.map(|surface| &factors.names[surface][..])))?;
+    if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
+        warn(py, &missed(&worst, worst.pair.map(|surface| &factors.names[surface][..])))?;
     }
     let sums = pairs.is_empty().then(|| RowSums::of(&factors, request.accuracy()));
     if let Some(warning) = sums.as_ref().and_then(RowSums::warning) {

@@ -1,9 +1,8 @@
 //! Southwell: always relax where the residual is largest.
 //!
 //! The residual r = b − A x is what has not been shot. With weights w_l > 0 the measure of an unknown is
-//! M_l = w_l
-//! |r_l|, that of a block the sum over its unknowns. Each shot takes the block B (or the unknown) of largest measure
-//! and sets
+//! M_l = w_l |r_l|, that of a block the sum over its unknowns. Each shot takes the block B (or the unknown)
+//! of largest measure and sets
 //!
 //!   δ = ω D_B⁻¹ r_B,   x_B ← x_B + δ,   r ← r − A[:, B] δ,
 //!

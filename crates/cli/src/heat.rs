@@ -150,7 +150,7 @@ fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant, ranks: &Ranks) -> Re
     let progress = Progress::new(args.transfers.quiet, ranks);
     let show = |event| {
         if let Event::Done { stage: Stage::Blocks | Stage::Comparison, .. } | Event::Rays { .. } = event {
-            progress.listen(event);
+            progress.hear(event);
         }
     };
     let work = Work::among(ranks).told(&show);
@@ -229,10 +229,10 @@ impl HeatArgs {
                 conductances.asymmetry
             ));
         }
-        if let Some(miss) = heat.outcome.worst_error.filter(WorstError::is_real) {
+        if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
             let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
-            let names = miss.pair.map(|element| scene.surfaces[surface(element)].name.as_str());
-            lines.push(format!("warning: {}", missed(&miss, names)));
+            let names = worst.pair.map(|element| scene.surfaces[surface(element)].name.as_str());
+            lines.push(format!("warning: {}", missed(&worst, names)));
         }
         if heat.error_orders.is_empty() {
             lines.push(format!("warning: {}", no_error_of_order(self.order as usize)));

@@ -30,8 +30,8 @@ static IS_QUIET: AtomicBool = AtomicBool::new(false);
 /// The deadline of work that the first Ctrl-C asks to finish; None where Ctrl-C ends the program at once.
 static DEADLINE: OnceLock<Deadline> = OnceLock::new();
 
-/// The deadline at the instant `at`, if there is one; from now on Ctrl-C lets work that has this deadline
-/// finish with its results so far.
+/// The deadline at the instant `at`, if there is one, made once in a process; from now on Ctrl-C lets work that
+/// has this deadline finish with its results so far.
 pub(crate) fn soften(at: Option<Instant>) -> &'static Deadline {
     DEADLINE.get_or_init(|| Deadline::at(at))
 }

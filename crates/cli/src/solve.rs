@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use radiosity_request::{KEPT, require_all_bounces};
 use radiosity_solve::{Options, Outcome, Sampling};
-use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
+use radiosity_work::{Deadline, Work};
 
 use crate::{
     checkpoint::CheckpointArgs,
@@ -59,11 +59,9 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(),
     let format = SolutionFormat::of(&path);
     format.check(&path, &options(&args.method, ranks))?;
     let output = loaded.reserve(&path, &args.report, ranks)?;
-    let (progress, limit) = (Progress::of(&args.report, ranks), args.method.deadline());
-    let deadline = match args.keep_partial {
-        true => Some(interrupt::soften(args.method.request().deadline())),
-        false => limit.as_ref(),
-    };
+    let (progress, limit) = (Progress::of(&args.report, ranks), args.method.request().deadline());
+    let hard = limit.map(|at| Deadline::at(Some(at)));
+    let deadline = if args.keep_partial { Some(interrupt::soften(limit)) } else { hard.as_ref() };
     let work = Work { ranks, observer: &progress, deadline };
     let options = Options { keep_partial: args.keep_partial, ..options(&args.method, ranks) };
     let run = Run::with_options(loaded, &args.method, options, &args.report, &work)?;

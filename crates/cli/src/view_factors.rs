@@ -227,9 +227,9 @@ impl ViewFactorsArgs {
         if self.pairs.is_empty() {
             lines.extend(self.sums(factors));
         }
-        if let Some(miss) = factors.worst_error.filter(WorstError::is_real) {
-            let names = miss.pair.map(|surface| &factors.names[surface][..]);
-            lines.push(format!("warning: {}", missed(&miss, names)));
+        if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
+            let names = worst.pair.map(|surface| &factors.names[surface][..]);
+            lines.push(format!("warning: {}", missed(&worst, names)));
         }
         lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
         lines.extend(self.output.as_ref().map(|path| format!("wrote {}", path.display())));

@@ -36,7 +36,7 @@ enum Blocker {
 
 /// The blockers that may hide a part of a cell: a range of the stack of [`Shadows`].
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ListedOccluders {
+pub(crate) struct BlockerRange {
     start: usize,
     end: usize,
 }
@@ -55,15 +55,15 @@ impl<'a> Extent<'a> {
     }
 }
 
-impl ListedOccluders {
+impl BlockerRange {
     /// Whether no blocker stands before the cell.
-    pub(crate) fn is_nothing(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.start == self.end
     }
 }
 
 impl<'a> Shadows<'a> {
-    /// Blockers for a receiver point `receiver` of the site that the occluders `occluders` were listed for.
+    /// Blockers for a receiver point of the site that the occluders were listed for.
     pub(crate) fn new(
         receiver: &'a ReceiverPoint,
         visibility: &'a Visibility,
@@ -80,7 +80,7 @@ impl<'a> Shadows<'a> {
 
     /// Starts a new stack with the blockers, of obstacles with the indices `places`, that may hide a part of
     /// `bounds`.
-    pub(crate) fn ask(&mut self, places: &[usize], bounds: &Aabb) -> ListedOccluders {
+    pub(crate) fn ask(&mut self, places: &[usize], bounds: &Aabb) -> BlockerRange {
         self.asked.clear();
         for place in places {
             // A shadow volume costs more than the test whether it is needed.
@@ -93,7 +93,7 @@ impl<'a> Shadows<'a> {
             let blockers = self.blockers_of(*place);
             self.asked.extend(blockers);
         }
-        ListedOccluders { start: 0, end: self.asked.len() }
+        BlockerRange { start: 0, end: self.asked.len() }
     }
 
     /// The blockers of the obstacle with the index `place`.
@@ -116,13 +116,13 @@ impl<'a> Shadows<'a> {
     fn volumes_over(&self, surface: usize) -> SmallVec<[ShadowVolume; 1]> {
         let rises = |piece: &[DVec3]| !self.receiver.is_above(piece);
         let mut volumes = SmallVec::new();
-        self.visibility.add_pyramids(surface, self.receiver.position, rises, &mut volumes);
+        self.visibility.add_volumes(surface, self.receiver.position, rises, &mut volumes);
         volumes
     }
 
     /// The blockers between the point and an area light: shadow volumes of planar obstacles, and indices of
     /// curved ones; `places` are indices into the obstacles. None where a planar obstacle hides the whole
-    /// projection plane.
+    /// outline of the light.
     pub(crate) fn before_lamp(
         &self,
         lamp: &AreaLight,
@@ -179,7 +179,7 @@ impl<'a> Shadows<'a> {
 
     /// Pushes the blockers in `above` that may hide a part of `cell` onto the stack; None where one hides all
     /// of it.
-    pub(crate) fn narrow(&mut self, above: ListedOccluders, cell: &Cell) -> Option<ListedOccluders> {
+    pub(crate) fn narrow(&mut self, above: BlockerRange, cell: &Cell) -> Option<BlockerRange> {
         self.kept(above, |shadows, blocker| match blocker {
             Blocker::Flat(volume) => match &cell.quad {
                 Some((quad, radius)) => volume.cover_of_quad(quad, *radius),
@@ -191,7 +191,7 @@ impl<'a> Shadows<'a> {
     }
 
     /// As [`Shadows::narrow`], for anything.
-    pub(crate) fn narrow_to(&mut self, above: ListedOccluders, extent: &Extent) -> Option<ListedOccluders> {
+    pub(crate) fn narrow_to(&mut self, above: BlockerRange, extent: &Extent) -> Option<BlockerRange> {
         self.kept(above, |shadows, blocker| match blocker {
             Blocker::Flat(volume) => volume.cover(extent.hull, extent.center, extent.radius),
             Blocker::Curved(surface) => shadows.curved_cover(*surface, extent),
@@ -202,9 +202,9 @@ impl<'a> Shadows<'a> {
     /// everything.
     fn kept(
         &mut self,
-        above: ListedOccluders,
+        above: BlockerRange,
         cover: impl Fn(&Self, &Blocker) -> Cover,
-    ) -> Option<ListedOccluders> {
+    ) -> Option<BlockerRange> {
         self.asked.truncate(above.end);
         for place in above.start..above.end {
             let blocker = self.asked[place];
@@ -214,16 +214,16 @@ impl<'a> Shadows<'a> {
                 Cover::Mixed => self.asked.push(blocker),
             }
         }
-        Some(ListedOccluders { start: above.end, end: self.asked.len() })
+        Some(BlockerRange { start: above.end, end: self.asked.len() })
     }
 
     /// Whether all these blockers are planar.
-    pub(crate) fn are_flat(&self, before: ListedOccluders) -> bool {
+    pub(crate) fn are_flat(&self, before: BlockerRange) -> bool {
         self.of(before).all(|blocker| matches!(blocker, Blocker::Flat(_)))
     }
 
     /// The shadow volumes of the planar blockers.
-    pub(crate) fn volumes(&self, before: ListedOccluders) -> impl Iterator<Item = &ShadowVolume> {
+    pub(crate) fn volumes(&self, before: BlockerRange) -> impl Iterator<Item = &ShadowVolume> {
         self.of(before).filter_map(|blocker| match blocker {
             Blocker::Flat(volume) => Some(volume),
             Blocker::Curved(_) => None,
@@ -235,7 +235,7 @@ impl<'a> Shadows<'a> {
     /// The polygon may stand for a piece of the surface `curved` whose convex hull is spanned by `hull`.
     pub(crate) fn hidden_spans(
         &self,
-        before: ListedOccluders,
+        before: BlockerRange,
         polygon: &[DVec3],
         hull: &[DVec3],
         curved: Option<usize>,
@@ -251,7 +251,7 @@ impl<'a> Shadows<'a> {
     }
 
     /// Whether the point `y` of `surface` is hidden.
-    pub(crate) fn hide(&self, before: ListedOccluders, y: DVec3, surface: usize) -> bool {
+    pub(crate) fn hide(&self, before: BlockerRange, y: DVec3, surface: usize) -> bool {
         let own = [Some(surface), self.receiver.surface];
         self.of(before).any(|blocker| match blocker {
             Blocker::Flat(volume) => volume.hides(y),
@@ -262,7 +262,7 @@ impl<'a> Shadows<'a> {
         })
     }
 
-    fn of(&self, before: ListedOccluders) -> impl Iterator<Item = &Blocker> {
+    fn of(&self, before: BlockerRange) -> impl Iterator<Item = &Blocker> {
         self.asked[before.start..before.end].iter().map(|blocker| &self.blockers[*blocker])
     }
 

@@ -61,7 +61,7 @@ use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 
-use crate::blockers::{ListedOccluders, Shadows};
+use crate::blockers::{BlockerRange, Shadows};
 use crate::emitters::{Emitters, Radiances};
 use crate::lamp_cells::LampCells;
 use crate::lamps::Lamp;
@@ -162,7 +162,7 @@ enum Obstruction<'a> {
     /// No obstacle stands there.
     Nothing,
     /// Some of these obstacles may stand there.
-    Some(Shadows<'a>, ListedOccluders),
+    Some(Shadows<'a>, BlockerRange),
     /// Any surface may stand there.
     Anything,
 }
@@ -274,7 +274,7 @@ impl<'a> Penumbra<'a> {
         let mut shadows = Shadows::new(receiver, self.visibility, listed);
         let asked = shadows.ask(&places, source.bounds());
         let before = shadows.narrow_to(asked, &source.extent())?;
-        Some(if before.is_nothing() { Obstruction::Nothing } else { Obstruction::Some(shadows, before) })
+        Some(if before.is_empty() { Obstruction::Nothing } else { Obstruction::Some(shadows, before) })
     }
 
     /// Rays by which a curved emitter of the part `share` of all light errs by the accuracy, if so many are
@@ -326,7 +326,7 @@ fn cut_out(
     receiver: &ReceiverPoint,
     source: &Source,
     shadows: &Shadows,
-    before: ListedOccluders,
+    before: BlockerRange,
 ) -> Option<f64> {
     let polygons = source.polygons()?;
     let is_exact = shadows.are_flat(before) && shadows.volumes(before).count() <= CUT_OUT;

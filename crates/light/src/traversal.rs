@@ -15,7 +15,7 @@ use radiosity_work::interruption::check_interrupt;
 use smallvec::SmallVec;
 
 use crate::area_light::{AreaLight, irradiance};
-use crate::blockers::ListedOccluders;
+use crate::blockers::BlockerRange;
 use crate::blockers::Shadows;
 use crate::hierarchy::cell::{Cell, POINTS};
 use crate::hierarchy::tree::Tree;
@@ -72,7 +72,7 @@ struct Pass<'a> {
 }
 
 impl<'a> Traversal<'a> {
-    /// For a receiver point `receiver` of the site that the occluders `occluders` were listed for.
+    /// Traversal for a receiver point of the site that the occluders were listed for.
     pub(crate) fn new(
         receiver: &'a ReceiverPoint,
         visibility: &'a Visibility,
@@ -206,7 +206,7 @@ impl<'a> Traversal<'a> {
         self.occluders.before(index).is_none() || tree.plane.is_some_and(behind)
     }
 
-    fn visit(&mut self, pass: &mut Pass, cell: &Cell, above: ListedOccluders, depth: usize) {
+    fn visit(&mut self, pass: &mut Pass, cell: &Cell, above: BlockerRange, depth: usize) {
         if !self.receiver.clears(cell.center, cell.radius) && self.receiver.is_above(&cell.hull) {
             return;
         }
@@ -221,7 +221,7 @@ impl<'a> Traversal<'a> {
         check_interrupt();
         if estimate.error <= pass.tolerance || depth == pass.deepest || self.visited > MOST_CELLS {
             // Line quadrature is only as accurate as the tolerance.
-            let by_points = before.is_nothing() || (cell.is_flat() && self.shadows.are_flat(before));
+            let by_points = before.is_empty() || (cell.is_flat() && self.shadows.are_flat(before));
             let error = if by_points { estimate.error.min(pass.tolerance) } else { pass.tolerance };
             self.coarsest = self.coarsest.max(error);
             let weights = match estimate.error.is_finite() {

@@ -3,7 +3,7 @@
 //! A [`Model`] holds what does not depend on materials, the elements and their blocks; it is solved for any
 //! materials of the same surfaces.
 //!
-//! It heeds interruptions ([`radiosity_work::interruption`]):
+//! It ends at interruptions ([`radiosity_work::interruption`]):
 //!
 //! ```
 //! use radiosity_work::interruption::{Interrupted, Interruption};

@@ -40,7 +40,7 @@ use radiosity_kernel::blocks::held::Held;
 use radiosity_kernel::rules::covering;
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
-use radiosity_work::interruption::heed_at;
+use radiosity_work::interruption::check_interrupt_at;
 use radiosity_work::ranks::{PartName, Ranks, shares};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -367,7 +367,7 @@ impl<'a> SampledTransport<'a> {
             recalled: 0,
         };
         for index in task.first..task.first + task.count {
-            heed_at(index);
+            check_interrupt_at(index);
             let departure = sender.departure(index);
             let half = (index % 2) as usize;
             let met = self.met(task.element, index, &departure, &mut sent);

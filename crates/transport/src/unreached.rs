@@ -83,7 +83,7 @@ pub(crate) fn add(
 ) {
     let wholes = Wholes::new(elements.list(), whole);
     let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
-    let places = ranks(elements.list());
+    let places = places(elements.list());
     let mut batch = |batch: usize| {
         let numbers: Vec<u64> = places.iter().map(|place| (batch * places.len() + place) as u64).collect();
         let rays = SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers, work.ranks);
@@ -145,13 +145,13 @@ pub(crate) fn add(
 }
 
 /// The place of each element in an order that does not depend on how the scene lists its surfaces.
-fn ranks(list: &[Element]) -> Vec<usize> {
+fn places(list: &[Element]) -> Vec<usize> {
     let keys: Vec<Precedence> = list.iter().map(Precedence::of).collect();
     let mut order: Vec<usize> = (0..list.len()).collect();
     order.sort_by(|a, b| keys[*a].order(&keys[*b]));
-    let mut ranks = vec![0; list.len()];
-    order.into_iter().enumerate().for_each(|(rank, element)| ranks[element] = rank);
-    ranks
+    let mut places = vec![0; list.len()];
+    order.into_iter().enumerate().for_each(|(rank, element)| places[element] = rank);
+    places
 }
 
 /// Most rays for an accuracy, from so many elements.

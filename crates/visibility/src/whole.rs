@@ -53,7 +53,7 @@ impl Visibility {
 
     /// Adds the shadow volumes from `x` of a planar surface to `volumes`: that of its convex body, if it has
     /// one and x lies outside, else one for each convex piece for which `standing` holds.
-    pub fn add_pyramids(
+    pub fn add_volumes(
         &self,
         surface: usize,
         x: DVec3,
@@ -80,7 +80,7 @@ impl Visibility {
     pub fn volumes(&self, surfaces: &[usize], x: DVec3, ball: &Ball) -> Vec<ShadowVolume> {
         let mut volumes = Vec::with_capacity(surfaces.len());
         let stands = |piece: &[DVec3]| !ball.is_beside(piece, x);
-        surfaces.iter().for_each(|surface| self.add_pyramids(*surface, x, stands, &mut volumes));
+        surfaces.iter().for_each(|surface| self.add_volumes(*surface, x, stands, &mut volumes));
         volumes
     }
 

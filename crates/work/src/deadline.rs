@@ -17,6 +17,7 @@ pub struct Deadline {
 
 /// A guard that lasts while work listens to wishes.
 #[derive(Debug)]
+#[must_use = "work listens until it is dropped"]
 pub struct Listening<'a>(&'a Deadline);
 
 impl Deadline {

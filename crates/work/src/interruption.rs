@@ -145,9 +145,9 @@ fn end() {
 /// Rays of which one asks: each takes a part of a microsecond.
 const RAYS: u64 = 64;
 
-/// Heeds the interruption, as [`check_interrupt`], before the ray or sample of this number.
+/// Ends the work if it is interrupted, as [`check_interrupt`], before the ray or sample of this number.
 #[inline]
-pub fn heed_at(number: u64) {
+pub fn check_interrupt_at(number: u64) {
     if number.is_multiple_of(RAYS) {
         check_interrupt();
     }

@@ -5,11 +5,11 @@ use crate::progress::Progress;
 /// Hears how far work is, from any thread; functions of a [`Progress`] do.
 pub trait Observer: Sync {
     /// Takes note of what is done.
-    fn listen(&self, progress: Progress);
+    fn hear(&self, progress: Progress);
 }
 
 impl<F: Fn(Progress) + Sync> Observer for F {
-    fn listen(&self, progress: Progress) {
+    fn hear(&self, progress: Progress) {
         self(progress);
     }
 }
@@ -19,5 +19,5 @@ impl<F: Fn(Progress) + Sync> Observer for F {
 pub(crate) struct Silent;
 
 impl Observer for Silent {
-    fn listen(&self, _: Progress) {}
+    fn hear(&self, _: Progress) {}
 }

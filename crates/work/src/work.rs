@@ -58,7 +58,7 @@ impl<'a> Work<'a> {
 
     /// Tells the observer how far the work is.
     pub fn tell(&self, progress: Progress) {
-        self.observer.listen(progress);
+        self.observer.hear(progress);
     }
 
     /// Tells that `done` things of a stage are done, `of` so many.

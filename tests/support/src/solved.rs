@@ -3,7 +3,7 @@
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::solve::view_factors;
-use radiosity::visibility::{Hiding, Shadows, Visibility};
+use radiosity::visibility::{Hiding, Visibility};
 use radiosity::{Options, Outcome, Scene, Solved, ViewFactors, Work, solve, transport};
 
 /// The outcome of a scene.
@@ -28,11 +28,6 @@ pub fn elements_of(scene: &Scene, order: usize, parts: usize) -> Elements {
 /// All blocks between elements.
 pub fn blocks_of(elements: &Elements, visibility: &Visibility, accuracy: Accuracy) -> Blocks {
     transport::assemble(elements, visibility, accuracy, &Work::alone())
-}
-
-/// All blocks between elements of a scene where nothing hides anything.
-pub fn open_blocks_of(scene: &Scene, elements: &Elements, eps: f64) -> Blocks {
-    blocks_of(elements, &Visibility::new(scene, Shadows::Off), Accuracy { eps, shadow_eps: 1e-3 })
 }
 
 /// The view factors of a scene, its surfaces cut as they are by default.

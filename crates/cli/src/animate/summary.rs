@@ -57,8 +57,8 @@ fn warnings(account: &Account) -> Vec<String> {
             of_moments(unconverged)
         ));
     }
-    if let Some((miss, [one, other])) = worst {
-        lines.push(format!("{} {}", of_moments(missing), missed(miss, [one, other])));
+    if let Some((worst, [one, other])) = worst {
+        lines.push(format!("{} {}", of_moments(missing), missed(worst, [one, other])));
     }
     lines
 }

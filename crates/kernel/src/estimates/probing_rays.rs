@@ -9,7 +9,7 @@
 
 use radiosity_elements::patch::Patch;
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed_at;
+use radiosity_work::interruption::check_interrupt_at;
 
 use crate::moments::integrand::kernel;
 use crate::moments::node_pair::node_pair;
@@ -62,7 +62,7 @@ impl ProbingRays {
         let ends = (0..points).flat_map(|index| pairs.iter().map(move |pair| node_pair(*pair, index)));
         for [x, y] in ends.filter(|[x, y]| kernel(x, y) > 0.0) {
             rays += 1;
-            heed_at(rays);
+            check_interrupt_at(rays);
             let meets = |surface: &usize| {
                 !visibility.free_between(surfaces, std::slice::from_ref(surface), x.position, y.position)
             };

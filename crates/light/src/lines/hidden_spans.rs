@@ -15,7 +15,7 @@ use smallvec::{SmallVec, smallvec};
 use crate::lines::projection::ProjectionPlane;
 use crate::lines::silhouette::{Crossing, outline};
 
-/// Two ends nearer than this part of the plane's side are both corrected; the farther counts. Chosen; not
+/// Two ends nearer than this part of the polygon's side are both corrected; the farther counts. Chosen; not
 /// tuned.
 const CLOSE: f64 = 0.02;
 
@@ -76,10 +76,10 @@ struct Place<'a> {
     within: Option<(&'a SilhouetteMesh, f64)>,
 }
 
-/// The region before a plane, for a surface that the eye may lie on.
+/// The region before the polygon of a projection plane, for a surface that the eye may lie on.
 struct Ahead<'a> {
     plane: &'a ProjectionPlane,
-    /// If the eye lies on the surface: its unit normal there and the least sine of the plane's elevation.
+    /// If the eye lies on the surface: its unit normal there and the least sine of the polygon's elevation.
     ground: Option<(DVec3, f64)>,
 }
 

@@ -89,7 +89,7 @@ impl<'a> LineQuadrature<'a> {
         if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
     }
 
-    /// Visible and unoccluded irradiance from exitance 1 on the part of the plane that shines; the first is
+    /// Visible and unoccluded irradiance from exitance 1 on the part of the polygon that shines; the first is
     /// accurate to about `tolerance` times the second.
     pub(crate) fn irradiances(&mut self, tolerance: f64) -> [f64; 2] {
         let sums = self.sums(tolerance);

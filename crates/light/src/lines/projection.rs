@@ -1,12 +1,12 @@
-//! The projection plane ("plane"): a plane in which a point sees blockers in perspective.
+//! The projection plane: the plane of a polygon, in which a point sees blockers in perspective.
 //!
-//! With a corner o of the plane, its sides a and b from there, and the eye x, every point P is
+//! With a corner o of the polygon, its sides a and b from there, and the eye x, every point P is
 //!
 //! ```text
 //! P − x = λ (o − x) + S a + T b ,      (S, T, λ) = [a, b, o − x]⁻¹ (P − x) .
 //! ```
 //!
-//! It is seen at (s, t) = (S, T)/λ and lies before the plane if 0 < λ < 1. The plane through x and the line
+//! It is seen at (s, t) = (S, T)/λ and lies before the polygon if 0 < λ < 1. The plane through x and the line
 //! t = const is T − t λ = 0, linear in P.
 
 use radiosity_geom::{Aabb, COINCIDENT, DVec3};

@@ -20,7 +20,7 @@ use radiosity_elements::patch::Node;
 use radiosity_geom::DVec3;
 use radiosity_kernel::kernel;
 
-use crate::blockers::ListedOccluders;
+use crate::blockers::BlockerRange;
 use crate::hierarchy::cell::{Cell, POINTS};
 use crate::lines::line_quadrature::LineQuadrature;
 use crate::receiver_point::ReceiverPoint;
@@ -75,20 +75,20 @@ pub(super) struct Estimate {
 
 impl Traversal<'_> {
     /// The rule for a cell with the blockers `before` it.
-    pub(super) fn estimate(&self, pass: &Pass, cell: &Cell, before: ListedOccluders) -> Estimate {
+    pub(super) fn estimate(&self, pass: &Pass, cell: &Cell, before: BlockerRange) -> Estimate {
         if cell.is_uniform() && cell.is_flat() && self.shadows.are_flat(before) {
             let factor = self.receiver.factor(&cell.hull, self.shadows.volumes(before));
             return Estimate { weights: scaled(cell, [0.0; POINTS], factor), error: 0.0 };
         }
         let weights = self.weights(cell);
         let width = 2.0 * cell.radius / self.distance(cell);
-        match (self.is_like_flat(cell), before.is_nothing()) {
+        match (self.is_like_flat(cell), before.is_empty()) {
             (true, true) => self.clear_flat(pass, cell, weights, width),
             (true, false) if self.shadows.are_flat(before) => {
                 self.hidden_flat(pass, cell, weights, width, before)
             }
             (true, false) if cell.is_flat() => self.by_lines(pass, cell, weights, width, before),
-            _ if pass.dome.is_some() && before.is_nothing() => self.under_dome(pass, cell),
+            _ if pass.dome.is_some() && before.is_empty() => self.under_dome(pass, cell),
             _ => self.curved(pass, cell, weights, width, before),
         }
     }
@@ -124,7 +124,7 @@ impl Traversal<'_> {
         cell: &Cell,
         weights: [f64; POINTS],
         width: f64,
-        before: ListedOccluders,
+        before: BlockerRange,
     ) -> Estimate {
         if width >= 1.0 || cell.spread == 0.0 {
             return self.pieces(pass, cell, weights, before);
@@ -148,7 +148,7 @@ impl Traversal<'_> {
     }
 
     /// Lambert's formula for the visible pieces of a flat cell behind flat blockers.
-    fn pieces(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], before: ListedOccluders) -> Estimate {
+    fn pieces(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], before: BlockerRange) -> Estimate {
         let factor = self.receiver.factor(&cell.hull, self.shadows.volumes(before));
         let seen = if cell.spread == 0.0 { weights } else { self.seen(pass, cell, weights, before) };
         Estimate { weights: scaled(cell, seen, factor), error: factor * (cell.spread + cell.detail) }
@@ -161,7 +161,7 @@ impl Traversal<'_> {
         cell: &Cell,
         weights: &[f64; POINTS],
         seen: &[f64; POINTS],
-        before: ListedOccluders,
+        before: BlockerRange,
     ) -> bool {
         let hides = |y: &DVec3| self.shadows.hide(before, *y, pass.tree.surface);
         let mut others = cell.hull.iter().chain([&cell.center]);
@@ -178,7 +178,7 @@ impl Traversal<'_> {
         cell: &Cell,
         weights: [f64; POINTS],
         width: f64,
-        before: ListedOccluders,
+        before: BlockerRange,
     ) -> Estimate {
         let Some(spans) = self.shadows.hidden_spans(before, &cell.hull, &cell.hull, None) else {
             return Estimate { weights: [0.0; POINTS], error: 0.0 };
@@ -212,7 +212,7 @@ impl Traversal<'_> {
         cell: &Cell,
         weights: [f64; POINTS],
         width: f64,
-        before: ListedOccluders,
+        before: BlockerRange,
     ) -> Estimate {
         let whole: f64 = weights.iter().sum();
         let stake = whole * cell.brightness;
@@ -224,7 +224,7 @@ impl Traversal<'_> {
         }
         let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(cell, width) };
         let form = near + self.border(cell);
-        if before.is_nothing() {
+        if before.is_empty() {
             return Estimate { weights, error: form };
         }
         if form > pass.tolerance {
@@ -314,7 +314,7 @@ impl Traversal<'_> {
         pass: &Pass,
         cell: &Cell,
         weights: [f64; POINTS],
-        before: ListedOccluders,
+        before: BlockerRange,
     ) -> [f64; POINTS] {
         let hidden = |k: usize| self.shadows.hide(before, cell.nodes[k].position, pass.tree.surface);
         std::array::from_fn(|k| if weights[k] > 0.0 && hidden(k) { 0.0 } else { weights[k] })

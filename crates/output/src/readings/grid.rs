@@ -256,11 +256,10 @@ fn lit(
 ) -> Vec<f64> {
     let hull = patch.hull();
     let site = Site { points: &hull, horizon, surface: Some(surface) };
-    let surroundings = direct.around(&site);
-    let points = if direct.is_smooth(&site, &surroundings) { points.min(SMOOTH) } else { points };
-    let value = |node: &Node| {
-        direct.irradiance(&ReceiverPoint::on(surface, node.position, node.normal), &surroundings)
-    };
+    let occluders = direct.around(&site);
+    let points = if direct.is_smooth(&site, &occluders) { points.min(SMOOTH) } else { points };
+    let value =
+        |node: &Node| direct.irradiance(&ReceiverPoint::on(surface, node.position, node.normal), &occluders);
     mean(patch, points, value)
 }
 
@@ -273,9 +272,9 @@ fn gathered(
     points: usize,
     lit: &[f64],
 ) -> Vec<f64> {
-    let surroundings = reflection.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
+    let occluders = reflection.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
     mean(patch, points, |node| {
-        reflection.irradiance(&ReceiverPoint::on(surface, node.position, node.normal), &surroundings, lit)
+        reflection.irradiance(&ReceiverPoint::on(surface, node.position, node.normal), &occluders, lit)
     })
 }
 

@@ -1,17 +1,17 @@
-//! Words for transfers that miss what was asked of them.
+//! Words for transfers that worst what was asked of them.
 
 use radiosity_kernel::WorstError;
 use radiosity_transport::FINEST_BY_RAYS;
 use radiosity_work::wording::{Wording, option, words};
 
 /// Words for the error that is left in the transfers between two surfaces, and the cure.
-pub fn missed(miss: &WorstError, [one, other]: [&str; 2]) -> Wording {
+pub fn missed(worst: &WorstError, [one, other]: [&str; 2]) -> Wording {
     let place = match one == other {
         true => format!("of '{one}' to itself"),
         false => format!("between '{one}' and '{other}'"),
     };
-    let cure = match miss.by_rays {
-        true if miss.asked > FINEST_BY_RAYS => {
+    let cure = match worst.by_rays {
+        true if worst.asked > FINEST_BY_RAYS => {
             words("a smaller ")
                 + option("eps")
                 + ", and "
@@ -21,13 +21,13 @@ pub fn missed(miss: &WorstError, [one, other]: [&str; 2]) -> Wording {
         true => words("rays cannot do better, an ") + option("eps") + " below 1e-5 sends no more of them",
         false => words("subdivide these surfaces, or ask for less"),
     };
-    let relative = match miss.by_rays {
+    let relative = match worst.by_rays {
         true => "the largest of their row",
         false => "their size",
     };
     let told = format!(
         "the transfers {place}, perhaps more, are good to about {:.0e} of {relative} only: ",
-        miss.error
+        worst.error
     );
     words(told) + cure
 }
@@ -36,7 +36,7 @@ pub fn missed(miss: &WorstError, [one, other]: [&str; 2]) -> Wording {
 pub fn no_error_of_order(order: usize) -> Wording {
     let told = format!(
         "the errors are those of the transfers alone: there is no memory for order {} beside order {order}, which tells what even \
-         fluxes miss; allow more with ",
+         fluxes worst; allow more with ",
         order + 1
     );
     words(told) + option("memory")

@@ -55,7 +55,7 @@ pub fn solve_hierarchically(
         if !work.refine(&mut tree, &mut light, number == 1) {
             break;
         }
-        observer.listen(Progress::Done { stage: Stage::Blocks, done: number, of: options.rounds });
+        observer.hear(Progress::Done { stage: Stage::Blocks, done: number, of: options.rounds });
         let hierarchy = Hierarchy::new(tree, &work.links, work.dropped, number);
         let bands = work.solve(&hierarchy)?;
         light = work.sent(&hierarchy, &bands);

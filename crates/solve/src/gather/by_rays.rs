@@ -41,7 +41,7 @@ use radiosity_light::lamps::{Lamps, Shares, Target};
 use radiosity_light::point_lights::PointLights;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
-use radiosity_work::interruption::heed_at;
+use radiosity_work::interruption::check_interrupt_at;
 use serde::{Deserialize, Serialize};
 
 use crate::gather::scale::scales;
@@ -283,7 +283,7 @@ impl<'a> RayGather<'a> {
             };
             let (receiver, weight) = start.at(place);
             radiosity.fill(0.0);
-            heed_at(index);
+            check_interrupt_at(index);
             let chance = number_of([f64::from_bits(number), index as f64]);
             let far = match shares {
                 _ if self.twice => Far::Gathered(chance),

@@ -384,11 +384,11 @@ impl<'a> Work<'a> {
 
     /// Adds ∫ κ(x, y) R_l(y) dA_y over what is hidden from x to `out`; returns how much is hidden.
     fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> Shadow {
-        let pyramids = self.task.visibility.volumes(blockers, x.position, &self.task.ball);
+        let volumes = self.task.visibility.volumes(blockers, x.position, &self.task.ball);
         let (mut any, mut everything) = (false, true);
         for index in 0..self.task.polygons.len() {
             let Some(polygon) = self.seen_from(x, index) else { continue };
-            let (hidden, all) = inside_any(&polygon, &self.task.balls[index], &pyramids);
+            let (hidden, all) = inside_any(&polygon, &self.task.balls[index], &volumes);
             everything &= all;
             any |= !hidden.is_empty();
             hidden.into_iter().for_each(|seen| self.gather(x, seen, out));

@@ -19,7 +19,7 @@ use radiosity_elements::patch::{Node, Patch};
 use radiosity_kernel::moments::Moments;
 use radiosity_kernel::moments::node_pair::node_pair;
 use radiosity_kernel::{kernel, moments::integrand::Sees};
-use radiosity_work::interruption::heed_at;
+use radiosity_work::interruption::check_interrupt_at;
 
 /// Batches of the sequence; an even number, since pairs of them are merged. Chosen; not tuned.
 const BATCHES: usize = 8;
@@ -152,7 +152,7 @@ impl Work<'_> {
         let (mut left, mut right) = (vec![0.0; receiver.len()], vec![0.0; emitter.len()]);
         let first = self.count.samples;
         for index in first..first + count as u64 {
-            heed_at(index);
+            check_interrupt_at(index);
             let [x, y] = node_pair(self.patches, index);
             let value = kernel(&x, &y) * x.area * y.area;
             if value == 0.0 || self.look(&x, &y, value) == self.hidden {

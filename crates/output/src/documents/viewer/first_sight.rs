@@ -25,7 +25,10 @@ pub(super) fn first_sight(solved: &Solved, lightmap: &Lightmap, start: &Start) -
     let size = [camera.width, camera.height];
     let [count, width] = [camera.width * camera.height, camera.width].map(|number| number as usize);
     let all = || (0..count).into_par_iter().with_min_len(width);
-    let middle = |pixel: usize| Some(sight.meet(place(size, pixel as u32, [0.5; 2]))?.0);
+    let middle = |pixel: usize| {
+        check_interrupt();
+        Some(sight.meet(place(size, pixel as u32, [0.5; 2]))?.0)
+    };
     let middles: Vec<Option<usize>> = all().map(middle).collect();
     let pixels = all().map(|pixel| {
         check_interrupt();
