@@ -285,7 +285,7 @@ part = "cube"
 name = "cube"
 array = { count = 3, step = [2, 0, 0] }
 "#;
-    let scene = typed(&room(text));
+    let scene = typed(text);
     assert_eq!(scene.surfaces.len(), 18);
     let patterns: Vec<_> =
         scene.surfaces.iter().map(|own| own.material.reflectance_pattern.clone().unwrap()).collect();
