@@ -1,6 +1,6 @@
 //! Rays per second, on one core, that find the first surface they meet.
 //!
-//! `cargo bench -q --bench first_hits`. Rays start at points of the surfaces, evenly by area, and leave by
+//! `cargo bench -q -p radiosity-benches --bench first_hits`. Rays start at points of the surfaces, evenly by area, and leave by
 //! the cosine law: in random order, or a thousand from one surface after another. A hall is made here: turned
 //! boxes of random sides in the cells of a grid. The rooms are read from `../shared`, a folder that does not
 //! come with the sources; without it they are left out. Beside [`RayTree`]: the hierarchy of obvhs, the
@@ -49,7 +49,7 @@ fn main() {
     println!("| --- | --- | --- | --- | --- | --- | --- |");
     compare("hall", &hall());
     for name in ["classroom", "soda"] {
-        let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/scenes/mgf");
+        let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/scenes/mgf");
         let path = folder.join(name).with_extension("json");
         if !path.exists() {
             println!("| {name} | not there: {} | | | | | |", path.display());

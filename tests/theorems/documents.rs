@@ -81,10 +81,9 @@ fn target(packages: &[PathBuf], folder: &str, name: &str) -> bool {
 #[test]
 fn commands_run_what_exists() {
     let (mut found, packages) = (0, packages());
+    let benches = fs::read_to_string(root().join("benches/Cargo.toml")).expect("the manifest can be read");
     for (document, text) in texts() {
-        let folders =
-            [("--bin", "src/bin"), ("--example", "examples"), ("--test", "tests"), ("--bench", "benches")];
-        for (flag, folder) in folders {
+        for (flag, folder) in [("--bin", "src/bin"), ("--example", "examples"), ("--test", "tests")] {
             for name in named(&text, flag) {
                 found += 1;
                 assert!(
@@ -92,6 +91,10 @@ fn commands_run_what_exists() {
                     "{document}: nothing in {folder} is called '{name}'"
                 );
             }
+        }
+        for name in named(&text, "--bench") {
+            found += 1;
+            assert!(benches.contains(&format!("name = \"{name}\"")), "{document}: no bench is called '{name}'");
         }
     }
     assert!(found > 10, "the commands were found");

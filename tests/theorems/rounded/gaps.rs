@@ -1,4 +1,4 @@
-//! Gaps and offsets from 1e-15 to 1e-1 of a metre, four a decade: rows add up at every step, and no factor
+//! Gaps and offsets from 1e-15 to 1e-1 of a metre, two a decade: rows add up at every step, and no factor
 //! jumps.
 
 use radiosity::solve::view_factors::ViewFactors;
@@ -17,7 +17,7 @@ const SLOPE: f64 = 3.0;
 const UNEVEN: f64 = 2e-5;
 
 fn gaps() -> impl Iterator<Item = f64> {
-    (0..=56).map(|k| 10f64.powf(-15.0 + 0.25 * f64::from(k)))
+    (0..=28).map(|k| 10f64.powf(-15.0 + 0.5 * f64::from(k)))
 }
 
 /// View factors from each surface to each other, per whole area of the former: they do not depend on what is

@@ -1,6 +1,9 @@
 //! Random rooms rounded as files are: their rows add up to what they add up to unrounded.
 
+use std::sync::LazyLock;
+
 use proptest::prelude::*;
+use radiosity::solve::view_factors::ViewFactors;
 use radiosity_geom::{DVec3, Motion};
 use radiosity_test_support::random::seeded;
 use radiosity_test_support::solved::usual_factors as factors;
@@ -67,39 +70,41 @@ fn rounded(family: &Family, turn: &Motion, rounding: Rounding, offset: DVec3) ->
     })
 }
 
+/// View factors of the rooms as they are meant, in the order of the families.
+static CLEAN: LazyLock<Vec<ViewFactors>> = LazyLock::new(|| {
+    let clean = |family: &Family| factors(&scene(&(family.sheets)(0.0)).expect("a clean scene"));
+    FAMILIES.iter().map(clean).collect()
+});
+
+/// The largest error of a row: what is covered may count or not.
+fn worst_row(found: &ViewFactors, family: &Family) -> f64 {
+    let error = |(name, sum): (&String, f64)| {
+        let covered = family.covered.iter().find(|(surface, _)| surface == name);
+        covered.map_or(f64::INFINITY, |(_, lost)| (sum - 1.0 + lost).abs()).min((sum - 1.0).abs())
+    };
+    found.names.iter().zip(found.row_sums()).map(error).fold(0.0, f64::max)
+}
+
 proptest! {
     #![proptest_config(seeded(256, 21))]
 
-    #[test]
-    fn rows_of_rounded_rooms_add_up(
-        family in 0..FAMILIES.len(), axis in vector(), angle in 0.0..6.0f64, rounding in roundings(), offset in vector(),
-    ) {
-        prop_assume!(axis.length() > 0.1);
-        let family = &FAMILIES[family];
-        let turn = Motion::new(DVec3::ZERO, axis, angle, 1.0).expect("a motion");
-        let sheets = rounded(family, &turn, rounding, offset);
-        let scene = scene(&sheets).map_err(|error| TestCaseError::fail(format!("{}: {error}", family.name)))?;
-        let found = factors(&scene);
-        for (name, sum) in found.names.iter().zip(found.row_sums()) {
-            let is_covered = family.covered.iter().any(|(surface, _)| surface == name);
-            let lost = family.covered.iter().find(|(surface, _)| surface == name).map_or(0.0, |(_, share)| *share);
-            let error = (sum - 1.0).abs().min(if is_covered { (sum - 1.0 + lost).abs() } else { f64::INFINITY });
-            prop_assert!(error <= ALLOWED, "{}: {name} {sum}", family.name);
-        }
-    }
-
-    /// All but plates in one plane, of which either may be in front.
+    /// Rows add up, and factors are those of the clean room; not those of plates in one plane, of which either
+    /// may be in front.
     #[test]
     fn factors_of_rounded_rooms_are_those_of_clean_ones(
         family in 0..FAMILIES.len(), axis in vector(), angle in 0.0..6.0f64, rounding in roundings(), offset in vector(),
     ) {
         prop_assume!(axis.length() > 0.1);
-        let family = &FAMILIES[family];
+        let (family, clean) = (&FAMILIES[family], &CLEAN[family]);
         let turn = Motion::new(DVec3::ZERO, axis, angle, 1.0).expect("a motion");
-        prop_assume!(family.name != "plates");
-        let clean = factors(&scene(&(family.sheets)(0.0)).expect("a clean scene"));
         let sheets = rounded(family, &turn, rounding, offset);
-        let found = factors(&scene(&sheets).map_err(|error| TestCaseError::fail(error.to_string()))?);
+        let scene = scene(&sheets).map_err(|error| TestCaseError::fail(format!("{}: {error}", family.name)))?;
+        let found = factors(&scene);
+        let row = worst_row(&found, family);
+        prop_assert!(row <= ALLOWED, "{}: a row is off by {row:e}", family.name);
+        if family.name == "plates" {
+            return Ok(());
+        }
         for i in 0..clean.names.len() {
             for (a, b) in clean.row(i).into_iter().zip(found.row(i)) {
                 prop_assert!((a - b).abs() <= ALLOWED, "{}: {} {a} {b}", family.name, clean.names[i]);

@@ -1,7 +1,7 @@
 //! Which method is fastest for how many unknowns, what residual does it leave, and what does our care cost?
 //!
 //! A table of residuals and of interleaved overheads comes first, on standard output; criterion's times
-//! follow. Run with `cargo bench -p radiosity-solvers --bench solvers`; `README.md` keeps the figures.
+//! follow. Run with `cargo bench -p radiosity-benches --bench solvers`; `README.md` keeps the figures.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};

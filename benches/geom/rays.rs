@@ -67,7 +67,7 @@ fn shape(k: usize) -> Box<dyn Surface> {
 /// The patches of the teapot.
 fn patches() -> Vec<Arc<dyn Surface>> {
     let data: serde_json::Value =
-        serde_json::from_str(include_str!("../tests/data/teapot.json")).expect("the table");
+        serde_json::from_str(include_str!("../../geom/tests/data/teapot.json")).expect("the table");
     let number = |k: usize, axis: usize| data["vertices"][k][axis].as_f64().expect("a number");
     let point = |k: usize| DVec3::new(number(k, 0), number(k, 1), number(k, 2));
     let index = |p: usize, k: usize| data["patches"][p][k].as_u64().expect("an index") as usize;
