@@ -5,9 +5,9 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::Work;
-use radiosity::output::pictures::render::render;
-use radiosity::output::readings::reader::Read;
-use radiosity::output::readings::shown::Shown;
+use radiosity::reading::pictures::render::render;
+use radiosity::reading::reader::Read;
+use radiosity::reading::shown::Shown;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads};
 use radiosity::visibility::{Hiding, Visibility};

@@ -9,8 +9,8 @@
 //! shapes made to agree) → [`photometry`] → [`formats`] (scenes of other programs) → [`scene`] (the
 //! model) → [`language`] (its texts) → [`visibility`] → [`elements`] → [`kernel`] (integrals over
 //! pairs) → [`transport`] (all blocks) → [`light`] (direct, first bounce) → [`published`] (methods of four
-//! papers) → [`mod@solve`] (systems, solutions, the driver, animation) → [`heat`] → [`output`] → [`request`]
-//! (what is typed, checked). Below them stand [`geom`], [`solvers`] and `radiosity-core`. Terms and places:
+//! papers) → [`mod@solve`] (systems, solutions, the driver, animation) → [`reading`] (of solutions) → [`heat`]
+//! → `output` (by a feature) → [`request`] (what is typed, checked). Below them stand [`geom`], [`solvers`] and `radiosity-core`. Terms and places:
 //! `docs/glossary.md`; derivations: `docs/theory/`; the picture: `docs/architecture.md`.
 //!
 //! Lux at a point of a room, in ten lines:
@@ -63,9 +63,11 @@ pub use radiosity_heat as heat;
 pub use radiosity_kernel as kernel;
 pub use radiosity_language as language;
 pub use radiosity_light as light;
+#[cfg(feature = "output")]
 pub use radiosity_output as output;
 pub use radiosity_photometry as photometry;
 pub use radiosity_published as published;
+pub use radiosity_reading as reading;
 pub use radiosity_request as request;
 pub use radiosity_scene as scene;
 pub use radiosity_solve as solve;

@@ -4,7 +4,7 @@ use numpy::ndarray::{ArrayD, IxDyn};
 use numpy::{IntoPyArray, PyArrayDyn, PyReadonlyArray2};
 use pyo3::prelude::*;
 use radiosity::geom::DVec3;
-use radiosity::output::readings::probe::Probe;
+use radiosity::reading::probe::Probe;
 use radiosity::solve::gather::by_rays::Deviation;
 
 use crate::error::Trouble;

@@ -3,7 +3,7 @@
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use radiosity::geom::DVec3;
-use radiosity::output::readings::grid::Cell;
+use radiosity::reading::grid::Cell;
 use radiosity::scene::Scene;
 
 use crate::arrays::{array, relative};

@@ -3,10 +3,10 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
-use radiosity::output::pictures::raster::Raster;
-use radiosity::output::pictures::render::{render, usual_read};
-use radiosity::output::readings::reader::Read;
-use radiosity::output::readings::shown::Shown;
+use radiosity::reading::pictures::raster::Raster;
+use radiosity::reading::pictures::render::{render, usual_read};
+use radiosity::reading::reader::Read;
+use radiosity::reading::shown::Shown;
 use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels, sized};
 use radiosity::request::{MethodRequest, check_aim, ranges};
 use radiosity::scene::{Camera, Scene};

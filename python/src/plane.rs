@@ -3,9 +3,9 @@
 use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use radiosity::geom::DVec3;
-use radiosity::output::readings::plane_figures::{BandFigures, PlaneFigures};
-use radiosity::output::readings::probe::Reading;
-use radiosity::output::readings::uniformity::Uniformity;
+use radiosity::reading::plane_figures::{BandFigures, PlaneFigures};
+use radiosity::reading::probe::Reading;
+use radiosity::reading::uniformity::Uniformity;
 use radiosity::scene::{Scene, SensorPlane};
 use radiosity::work::wording::Wording;
 

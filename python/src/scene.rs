@@ -7,7 +7,7 @@ use numpy::ndarray::arr2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
-use radiosity::output::readings::probe::Probe;
+use radiosity::reading::probe::Probe;
 use radiosity::request::{SceneRequest, ranges};
 use radiosity::scene;
 use radiosity::scene::Notation;

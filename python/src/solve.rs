@@ -3,7 +3,7 @@
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use radiosity::output::readings::probe::Probe;
+use radiosity::reading::probe::Probe;
 use radiosity::request::MethodRequest;
 use radiosity::request::aim::{at_probes, of_picture};
 use radiosity::scene;

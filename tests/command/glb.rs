@@ -7,8 +7,8 @@ use std::path::Path;
 
 use radiosity::output::files::exr_file::read_exr;
 use radiosity::output::files::glb::texture_size;
-use radiosity::output::pictures::lightmap::Lightmap;
-use radiosity::output::pictures::raster::Raster;
+use radiosity::reading::pictures::lightmap::Lightmap;
+use radiosity::reading::pictures::raster::Raster;
 use radiosity_test_support::folders::folder;
 use radiosity_test_support::scenes::builtin;
 use serde_json::Value;

@@ -4,7 +4,7 @@
 use std::fs;
 
 use radiosity::Work;
-use radiosity::output::files::solution_file::{SolutionFile, is_solution, read};
+use radiosity::reading::files::solution_file::{SolutionFile, is_solution, read};
 use radiosity::scene::Source;
 use radiosity::solve::Options;
 use radiosity::solve::solved::Solved;

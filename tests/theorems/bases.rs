@@ -381,11 +381,11 @@ fn solution_files_of_every_basis_are_read_as_they_were() {
     let scene = builtin("empty-box");
     for basis in OTHERS {
         let written = solved_of(scene.clone(), options(basis, 2, 2));
-        let file = radiosity::output::files::solution_file::SolutionFile::new(&written);
+        let file = radiosity::reading::files::solution_file::SolutionFile::new(&written);
         let text = serde_json::to_string(&file).expect("it is written");
         let source = radiosity::scene::Source::new("file", &text);
         let read =
-            radiosity::output::files::solution_file::read(&source, Ranks::alone()).expect("it is read");
+            radiosity::reading::files::solution_file::read(&source, Ranks::alone()).expect("it is read");
         assert_eq!(read.options.basis, basis);
         assert_eq!(read.outcome.unknowns, written.outcome.unknowns);
         for (before, after) in written.outcome.solution.bands().iter().zip(read.outcome.solution.bands()) {

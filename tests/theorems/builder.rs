@@ -1,7 +1,7 @@
 //! Scenes made in code: refused for the faults of scene files, and solved as theorems say.
 
 use proptest::prelude::*;
-use radiosity::output::files::solution_file::{SolutionFault, SolutionFile, read};
+use radiosity::reading::files::solution_file::{SolutionFault, SolutionFile, read};
 use radiosity::scene::{Camera, Fault, Material, NamedMaterial, Scene, SceneBuilder, SceneError, Source};
 use radiosity::solve::Options;
 use radiosity::work::ranks::Ranks;

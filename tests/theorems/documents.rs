@@ -94,7 +94,10 @@ fn commands_run_what_exists() {
         }
         for name in named(&text, "--bench") {
             found += 1;
-            assert!(benches.contains(&format!("name = \"{name}\"")), "{document}: no bench is called '{name}'");
+            assert!(
+                benches.contains(&format!("name = \"{name}\"")),
+                "{document}: no bench is called '{name}'"
+            );
         }
     }
     assert!(found > 10, "the commands were found");

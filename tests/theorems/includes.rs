@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use radiosity::output::files::solution_file::{SolutionFile, read};
+use radiosity::reading::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Scene, SceneError, Source};
 use radiosity::solve::Options;
 use radiosity::work::ranks::Ranks;

@@ -161,7 +161,7 @@ fn spread<'a>(text: &'a str, mut stem: Vec<String>, found: &mut Vec<Vec<String>>
 
 /// The source folders of all packages.
 fn sources() -> Vec<PathBuf> {
-    folders().into_iter().map(|folder| folder.join("src")).collect()
+    folders().into_iter().map(|folder| folder.join("src")).filter(|folder| folder.exists()).collect()
 }
 
 /// Whether the code of a file has a line that imports a module of its own crate.

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Packages beside the staircase: nothing that is released imports them.
-const BESIDE: [&str; 2] = ["studies", "test-support"];
+const BESIDE: [&str; 3] = ["benches", "studies", "test-support"];
 
 /// A package of the house with the others that its manifest names.
 struct Package {

@@ -5,7 +5,7 @@ use std::fs::{self};
 use std::path::Path;
 
 use proptest::prelude::*;
-use radiosity::output::files::solution_file::{SolutionFile, read};
+use radiosity::reading::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Notation, Scene, SceneError, Source};
 use radiosity::solve::Options;
 use radiosity::work::ranks::Ranks;

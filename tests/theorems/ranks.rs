@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use radiosity::geom::DVec3;
 use radiosity::kernel::Accuracy;
-use radiosity::output::readings::checkpoint::Checkpoint;
+use radiosity::reading::checkpoint::Checkpoint;
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::view_factors;

@@ -6,7 +6,7 @@ use std::cell::Cell;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use radiosity::geom::DVec3;
-use radiosity::output::files::solution_file::{SolutionFile, read};
+use radiosity::reading::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Fault, Notation, Scene, SceneError, Source, Tree};
 use radiosity::solve::Options;
 use radiosity::work::ranks::Ranks;

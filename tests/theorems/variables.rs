@@ -1,6 +1,6 @@
 //! Variables: formulas in place of numbers, set from outside, and the faults of both.
 
-use radiosity::output::files::solution_file::{SolutionFile, read};
+use radiosity::reading::files::solution_file::{SolutionFile, read};
 use radiosity::scene::{Fault, Scene, SceneError, Source};
 use radiosity::solve::Options;
 use radiosity::work::ranks::Ranks;

@@ -3,7 +3,7 @@
 use std::ffi::OsString;
 use std::str::FromStr;
 
-use radiosity_output::readings::probe::Probe;
+use radiosity_reading::probe::Probe;
 use radiosity_request::aim::{at_probes, of_picture};
 use radiosity_scene::Scene;
 use radiosity_solve::studies::adaptation::{Aim, Goal};

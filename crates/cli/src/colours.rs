@@ -5,8 +5,9 @@ use std::str::FromStr;
 use clap::Args;
 use radiosity_output::drawings::false_colour::FalseColours;
 use radiosity_output::drawings::mark::Mark;
-use radiosity_output::drawings::round::{round_above, round_around, round_below, short};
+use radiosity_output::drawings::round::{round_above, round_around, round_below};
 use radiosity_output::drawings::scale::{DEEPEST, Scale};
+use radiosity_reading::digits::short;
 use radiosity_scene::Scene;
 
 use crate::error::CliError;

@@ -9,7 +9,7 @@ use radiosity_formats::{
     model::Model,
     write::{WRITTEN, write},
 };
-use radiosity_output::files::solution_file::{is_solution, read};
+use radiosity_reading::files::solution_file::{is_solution, read};
 use radiosity_scene::{Notation, Scene, Source};
 use radiosity_work::ranks::Ranks;
 

@@ -4,9 +4,9 @@ use std::{fmt::Write, io, path::PathBuf};
 
 use radiosity_heat::HeatError;
 use radiosity_output::drawings::chart::ChartError;
-use radiosity_output::files::solution_file::SolutionError;
-use radiosity_output::files::vtu::VtuError;
 use radiosity_published::hierarchy::HierarchyError;
+use radiosity_reading::files::solution_file::SolutionError;
+use radiosity_reading::files::vtu::VtuError;
 use radiosity_request::picture::NoCamera;
 use radiosity_request::{LoadError, Refusal};
 use radiosity_scene::SceneError;

@@ -3,9 +3,9 @@
 use std::io;
 
 use clap::Args;
-use radiosity_output::readings::grid::{Cell, grid};
-use radiosity_output::readings::read_error::ReadError;
-use radiosity_output::readings::reader::Reader;
+use radiosity_reading::grid::{Cell, grid};
+use radiosity_reading::read_error::ReadError;
+use radiosity_reading::reader::Reader;
 use radiosity_request::ReadRequest;
 use radiosity_request::cells::require_cells;
 use radiosity_scene::Scene;

@@ -11,7 +11,7 @@
 //! The only noun outside is [`launch`], which the binary calls.
 //!
 //! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `visibility`, `elements`, `kernel`,
-//! `transport`, `published`, `solve`, `heat`, `output` and `request`.
+//! `transport`, `published`, `solve`, `reading`, `heat`, `output` and `request`.
 
 mod console;
 mod interrupt;

@@ -8,8 +8,8 @@ use clap::{
     parser::ValueSource,
 };
 use radiosity_elements::cells::Layers;
-use radiosity_output::readings::quality::Quality;
 use radiosity_published::bases::Basis;
+use radiosity_reading::quality::Quality;
 use radiosity_request::{Kernel, MethodRequest, Order, SceneRequest, Shadows, ranges};
 use radiosity_scene::Scene;
 use radiosity_solve::studies::adaptation::Goal;

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use radiosity_output::documents::viewer::{Start, texels, write_viewer};
-use radiosity_output::pictures::lightmap::Lightmap;
-use radiosity_output::pictures::render::usual_read;
-use radiosity_output::readings::reader::Read;
+use radiosity_reading::pictures::lightmap::Lightmap;
+use radiosity_reading::pictures::render::usual_read;
+use radiosity_reading::reader::Read;
 use radiosity_scene::{Material, Scene};
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;

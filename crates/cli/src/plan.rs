@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use radiosity_output::documents::plan_page::plan_page;
-use radiosity_output::readings::probe::Reading;
+use radiosity_reading::probe::Reading;
 use radiosity_scene::Scene;
 use radiosity_work::ranks::Ranks;
 

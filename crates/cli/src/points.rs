@@ -7,7 +7,7 @@
 use radiosity_geom::DVec3;
 use radiosity_language::csv_rows::{Row, Unreadable, rows};
 use radiosity_language::input;
-use radiosity_output::readings::probe::Probe;
+use radiosity_reading::probe::Probe;
 use radiosity_work::ranks::Ranks;
 use thiserror::Error;
 

@@ -4,10 +4,10 @@ use std::io;
 use std::path::Path;
 
 use clap::Args;
-use radiosity_output::readings::plane_figures::PlaneFigures;
-use radiosity_output::readings::probe::{Reading, probe};
-use radiosity_output::readings::read_error::ReadError;
-use radiosity_output::readings::reader::Reader;
+use radiosity_reading::plane_figures::PlaneFigures;
+use radiosity_reading::probe::{Reading, probe};
+use radiosity_reading::read_error::ReadError;
+use radiosity_reading::reader::Reader;
 use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
 use radiosity_work::Work;

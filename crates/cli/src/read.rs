@@ -3,9 +3,9 @@
 use std::str::FromStr;
 
 use clap::Args;
-use radiosity_output::readings::grid::Rates;
-use radiosity_output::readings::quality::Reading;
-use radiosity_output::readings::reader::Read;
+use radiosity_reading::grid::Rates;
+use radiosity_reading::quality::Reading;
+use radiosity_reading::reader::Read;
 use radiosity_request::ReadRequest;
 use radiosity_request::ranges;
 use radiosity_solve::Options;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use radiosity_language::input;
-use radiosity_output::files::solution_file::{is_solution, read};
+use radiosity_reading::files::solution_file::{is_solution, read};
 use radiosity_scene::{Scene, Source};
 use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;

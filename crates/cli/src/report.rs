@@ -8,7 +8,7 @@ use std::path::Path;
 
 use radiosity_heat::{Heat, HeatError, HeatOptions};
 use radiosity_output::documents::report_page::ReportPage;
-use radiosity_output::readings::checkpoint::Checkpoint;
+use radiosity_reading::checkpoint::Checkpoint;
 use radiosity_request::memory::usable;
 use radiosity_scene::Scene;
 use radiosity_solve::Options;

@@ -1,6 +1,6 @@
 //! Sensors of a probe: the points of a file, or those of planes.
 
-use radiosity_output::readings::probe::{Probe, ProbeFault};
+use radiosity_reading::probe::{Probe, ProbeFault};
 use radiosity_scene::SensorPlane;
 
 use crate::{

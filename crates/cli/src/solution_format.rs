@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use radiosity_output::files::solution_file::SolutionFile;
-use radiosity_output::files::vtu::{Grid, VtuError};
+use radiosity_reading::files::solution_file::SolutionFile;
+use radiosity_reading::files::vtu::{Grid, VtuError};
 use radiosity_solve::Options;
 use radiosity_solve::solved::Solved;
 

@@ -5,7 +5,6 @@ pub mod mark;
 pub mod round;
 pub(crate) mod segment;
 pub(crate) mod interpolant;
-pub mod field;
 pub mod picture;
 pub(crate) mod stroke;
 pub(crate) mod track;

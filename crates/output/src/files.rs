@@ -1,9 +1,7 @@
 //! Files for other programs: arrays, solutions, meshes and models.
 
 pub mod exr_file;
-pub mod solution_file;
 pub(crate) mod npy;
 pub(crate) mod npz;
 pub mod view_factors;
-pub mod vtu;
 pub mod glb;

@@ -1,8 +1,8 @@
 //! Goals of adaptation: the points at which an accuracy is wanted.
 
 use radiosity_geom::DVec3;
-use radiosity_output::pictures::pinhole::Pinhole;
-use radiosity_output::readings::probe::Probe;
+use radiosity_reading::pictures::pinhole::Pinhole;
+use radiosity_reading::probe::Probe;
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_visibility::{Shadows, Visibility};

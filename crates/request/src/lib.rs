@@ -10,7 +10,7 @@
 //! [`cells`] (what results need of memory).
 //!
 //! Imports `geom`, `solvers`, `work`, `formats`, `scene`, `language`, `visibility`, `elements`, `kernel`,
-//! `published`, `solve`, `heat` and `output`.
+//! `published`, `solve`, `reading` and `heat`.
 
 mod refusal;
 mod modes;

@@ -4,9 +4,9 @@ use std::time::{Duration, Instant};
 
 use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
-use radiosity_output::readings::quality::Quality;
 use radiosity_published::bases::Basis;
 use radiosity_published::zatz1993::masked_light::Masking;
+use radiosity_reading::quality::Quality;
 use radiosity_solve::studies::adaptation::Aim;
 use radiosity_solve::{Algorithm, Direct, Options, Preconditioning, Transport};
 use radiosity_solvers::method::Method;

@@ -1,8 +1,8 @@
 //! Requests for the reading of a solution, and the accuracy that a solution is worth being read to.
 
-use radiosity_output::readings::grid::Rates;
-use radiosity_output::readings::quality::Reading;
-use radiosity_output::readings::reader::Read;
+use radiosity_reading::grid::Rates;
+use radiosity_reading::quality::Reading;
+use radiosity_reading::reader::Read;
 use radiosity_solve::Options;
 use radiosity_solve::gather::choice::By;
 use radiosity_solve::solved::Solved;

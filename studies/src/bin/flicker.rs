@@ -22,10 +22,10 @@ use cpu_time::ProcessTime;
 
 use radiosity::Work;
 use radiosity::geom::Encounter;
-use radiosity::output::pictures::pinhole::Pinhole;
-use radiosity::output::pictures::render::render;
-use radiosity::output::readings::reader::Read;
-use radiosity::output::readings::shown::Shown;
+use radiosity::reading::pictures::pinhole::Pinhole;
+use radiosity::reading::pictures::render::render;
+use radiosity::reading::reader::Read;
+use radiosity::reading::shown::Shown;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::Options;
 use radiosity::solve::animation::follower::{Follower, Way};

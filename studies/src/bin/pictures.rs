@@ -18,10 +18,10 @@ use std::time::Instant;
 
 use radiosity::Work;
 use radiosity::geom::{DVec3, Encounter};
-use radiosity::output::pictures::pinhole::Pinhole;
-use radiosity::output::pictures::render::{render, usual_read};
-use radiosity::output::readings::reader::{Read, Reader};
-use radiosity::output::readings::shown::Shown;
+use radiosity::reading::pictures::pinhole::Pinhole;
+use radiosity::reading::pictures::render::{render, usual_read};
+use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::shown::Shown;
 use radiosity::scene::Camera;
 use radiosity::solve::gather::choice::By;
 use radiosity::solve::solution::{Place, Solution};

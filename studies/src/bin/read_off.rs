@@ -15,10 +15,10 @@ use std::num::NonZeroUsize;
 use std::time::Instant;
 
 use radiosity::Work;
-use radiosity::output::readings::grid::{Cell, grid};
-use radiosity::output::readings::quality::{Quality, Reading};
-use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::published::zatz1993::masked_light::{Average, Masking};
+use radiosity::reading::grid::{Cell, grid};
+use radiosity::reading::quality::{Quality, Reading};
+use radiosity::reading::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome, in_threads, solve};
 use radiosity::visibility::Visibility;

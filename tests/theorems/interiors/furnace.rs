@@ -5,8 +5,8 @@ use std::path::Path;
 
 use radiosity::Work;
 use radiosity::kernel::Accuracy;
-use radiosity::output::readings::probe::{Probe, probe};
-use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::reading::probe::{Probe, probe};
+use radiosity::reading::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::view_factors::{self, ViewFactors};
 use radiosity::solve::{Options, solve};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use radiosity::output::readings::probe::Probe;
+use radiosity::reading::probe::Probe;
 use radiosity_geom::DVec3;
 
 use crate::interiors::interior::{Interior, contains};

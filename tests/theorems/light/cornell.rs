@@ -8,9 +8,9 @@
 #![expect(clippy::print_stdout, reason = "the figures are worth a line in the log")]
 
 use radiosity::Work;
-use radiosity::output::readings::grid::{Cell, Rates, grid};
-use radiosity::output::readings::quality::Quality;
-use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::reading::grid::{Cell, Rates, grid};
+use radiosity::reading::quality::Quality;
+use radiosity::reading::reader::{Read, Reader};
 use radiosity::solve::Options;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_test_support::data;

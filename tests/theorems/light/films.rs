@@ -1,10 +1,10 @@
 //! Pictures of frames that follow each other: they change by as much as things move, and no more.
 
 use radiosity::Work;
-use radiosity::output::pictures::raster::Raster;
-use radiosity::output::pictures::render::render;
-use radiosity::output::readings::reader::Read;
-use radiosity::output::readings::shown::Shown;
+use radiosity::reading::pictures::raster::Raster;
+use radiosity::reading::pictures::render::render;
+use radiosity::reading::reader::Read;
+use radiosity::reading::shown::Shown;
 use radiosity::scene::Scene;
 use radiosity::solve::animation::follower::{Follower, Way};
 use radiosity::solve::{Options, Transport};

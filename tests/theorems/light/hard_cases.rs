@@ -1,8 +1,8 @@
 //! Scenes on which an earlier version was wrong, dark or slow.
 
 use radiosity::Work;
-use radiosity::output::pictures::render::{Read, render};
-use radiosity::output::readings::shown::Shown;
+use radiosity::reading::pictures::render::{Read, render};
+use radiosity::reading::shown::Shown;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::{Shadows, Visibility};

@@ -1,8 +1,8 @@
 //! Light textures: constants, values at single points, groups, borders.
 
 use radiosity::Work;
-use radiosity::output::pictures::lightmap::Lightmap;
-use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::reading::pictures::lightmap::Lightmap;
+use radiosity::reading::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
 use radiosity::solve::solution::Place;

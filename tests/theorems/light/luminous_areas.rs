@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::reading::reader::{Read, Reader};
 use radiosity::scene::{Scene, Source};
 use radiosity::solve::gather::choice::By;
 use radiosity::solve::{Options, Transport};

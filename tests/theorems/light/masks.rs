@@ -4,9 +4,9 @@ use std::num::NonZeroUsize;
 
 use radiosity::Work;
 use radiosity::light::direct::DirectLight;
-use radiosity::output::readings::grid::{Cell, Rates, grid};
-use radiosity::output::readings::reader::{Read, Reader};
 use radiosity::published::zatz1993::masked_light::{Average, Masking};
+use radiosity::reading::grid::{Cell, Rates, grid};
+use radiosity::reading::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome};
 use radiosity::visibility::{Hiding, Visibility};

@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 
 use radiosity::geom::shapes::{Disk, FULL_TURN, Parallelogram};
 use radiosity::geom::{DVec3, Encounter};
-use radiosity::output::pictures::pinhole::Pinhole;
-use radiosity::output::pictures::raster::Raster;
-use radiosity::output::pictures::render::render;
-use radiosity::output::readings::reader::{Read, Reader};
-use radiosity::output::readings::shown::Shown;
+use radiosity::reading::pictures::pinhole::Pinhole;
+use radiosity::reading::pictures::raster::Raster;
+use radiosity::reading::pictures::render::render;
+use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::shown::Shown;
 use radiosity::solve::solution::Place;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;

@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 
 use radiosity::Work;
 use radiosity::geom::{DVec3, Encounter};
-use radiosity::output::pictures::pinhole::Pinhole;
-use radiosity::output::pictures::render::render;
-use radiosity::output::readings::reader::{Read, Reader};
-use radiosity::output::readings::shown::Shown;
+use radiosity::reading::pictures::pinhole::Pinhole;
+use radiosity::reading::pictures::render::render;
+use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::shown::Shown;
 use radiosity::scene::Camera;
 use radiosity::solve::Options;
 use radiosity::solve::solution::Place;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use radiosity::Work;
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::reading::reader::{Read, Reader};
 use radiosity::scene::{Radiance, Scene};
 use radiosity::solve::gather::choice::By;
 use radiosity::solve::{Failure, Options, Transport, solve};

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use gif::Repeat;
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::files::exr_file::write_exr;
-use radiosity_output::pictures::raster::Raster;
+use radiosity_reading::pictures::raster::Raster;
 use radiosity_work::ranks::Ranks;
 
 use super::encoder::{Container, Encoder, require_program};

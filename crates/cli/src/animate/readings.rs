@@ -2,10 +2,10 @@
 
 use std::io;
 
-use radiosity_output::readings::probe::{Reading, probe};
-use radiosity_output::readings::quality;
-use radiosity_output::readings::read_error::ReadError;
-use radiosity_output::readings::reader::Reader;
+use radiosity_reading::probe::{Reading, probe};
+use radiosity_reading::quality;
+use radiosity_reading::read_error::ReadError;
+use radiosity_reading::reader::Reader;
 use radiosity_solve::animation::frame::Frame;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;

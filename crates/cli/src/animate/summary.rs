@@ -1,6 +1,6 @@
 //! Lines of a summary on frames: cost and warnings.
 
-use radiosity_output::readings::missed::missed;
+use radiosity_reading::missed::missed;
 use radiosity_solve::animation::account::Account;
 use radiosity_solve::animation::follower::Follower;
 use radiosity_transport::RayCounts;

@@ -6,9 +6,9 @@ use radiosity_heat::{Conductances, Heat, SurfaceHeat};
 use serde::Serialize;
 
 use crate::documents::document::{Column, Table};
-use crate::drawings::round::significant;
 use crate::files::npy;
 use crate::files::npz::Archive;
+use radiosity_reading::digits::significant;
 
 /// CSV with a row for each surface; an emissivity that is not known is left empty.
 ///

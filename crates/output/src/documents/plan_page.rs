@@ -9,9 +9,9 @@ use crate::drawings::mark::Mark;
 use crate::drawings::picture::{Colour, Picture};
 use crate::drawings::plan::Plan;
 use crate::drawings::round::multiples;
-use crate::readings::probe::Reading;
-use crate::readings::shown::{Shown, band_name, of_bands};
-use crate::readings::uniformity::Uniformity;
+use radiosity_reading::probe::Reading;
+use radiosity_reading::shown::{Shown, band_name, of_bands};
+use radiosity_reading::uniformity::Uniformity;
 
 const PAPER: Colour = [255; 3];
 const INK: Colour = [0; 3];

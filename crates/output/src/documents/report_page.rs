@@ -13,8 +13,8 @@ use radiosity_heat::{Heat, HeatError};
 use radiosity_scene::Scene;
 
 use crate::documents::document::{Block, Document, Figure};
-use crate::readings::shown::Shown;
 pub use light_part::{LightPart, PICTURE, ReportedPlane, plan_name};
+use radiosity_reading::shown::Shown;
 
 /// Content of a scene's report.
 #[derive(Clone, Debug)]

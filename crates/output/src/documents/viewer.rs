@@ -1,7 +1,7 @@
 //! One HTML file to walk through a solved scene in a browser, without a server or a network.
 //!
 //! The page draws the triangles of the surfaces ([`crate::pictures::tessellation`]) by WebGL 2 and colours
-//! them from their textures of light ([`crate::pictures::lightmap`]) with the exposure and tone of pictures.
+//! them from their textures of light ([`radiosity_reading::pictures::lightmap`]) with the exposure and tone of pictures.
 //! It keeps the light of each group and band apart, so that groups can be dimmed and values read at any
 //! point. Its script and style stand beside this file; `packing` says how the numbers are written, `header`
 //! what they belong to.
@@ -16,12 +16,12 @@ use std::io::{self, Write};
 use radiosity_solve::solved::Solved;
 
 use crate::pictures::image::Image;
-use crate::pictures::lightmap::Lightmap;
-use crate::pictures::render::white_balance;
 use crate::pictures::tessellation::tessellation;
 use first_sight::first_sight;
 use header::Header;
 use packing::Packed;
+use radiosity_reading::pictures::lightmap::Lightmap;
+use radiosity_reading::pictures::render::white_balance;
 pub use start::{Start, StartColours};
 
 /// Most values of light, over all texels, parts and bands, of two bytes each. Chosen: the page stays below 3

@@ -1,11 +1,11 @@
 //! False colours: a field through a scale, on white, with isolines.
 
-use super::field::Field;
 use super::isolines::Isoline;
 use super::labelled::LabelledIsolines;
 use super::mark::Mark;
 use super::picture::Picture;
 use super::scale::Scale;
+use radiosity_reading::field::Field;
 
 /// Least difference of values, relative to the greatest, that isolines are chosen for: below it, errors of
 /// gathered light would be drawn. Chosen.

@@ -9,7 +9,7 @@
 
 use std::collections::BTreeMap;
 
-use super::field::Field;
+use radiosity_reading::field::Field;
 
 /// A line along which a field has the value `level`.
 #[derive(Clone, Debug, PartialEq)]

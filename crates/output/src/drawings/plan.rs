@@ -2,8 +2,8 @@
 
 use radiosity_scene::SensorPlane;
 
-use super::field::Field;
 use super::interpolant::Interpolant;
+use radiosity_reading::field::Field;
 
 /// Pixels along the longer side of a plan. Chosen.
 const PIXELS: f64 = 640.0;

@@ -13,7 +13,7 @@ use exr::prelude::{
     Text, WritableImage, read,
 };
 
-use crate::pictures::raster::Raster;
+use radiosity_reading::pictures::raster::Raster;
 
 /// Channel of the coverage.
 const COVERAGE: &str = "A";

@@ -24,10 +24,10 @@ use radiosity_scene::{Camera, Scene};
 use serde_json::{Value, json};
 
 use crate::drawings::picture::Picture;
-use crate::pictures::lightmap::{LightTexture, Lightmap};
-use crate::pictures::raster::Raster;
 use crate::pictures::tessellation::Triangulation;
-use crate::readings::shown::Shown;
+use radiosity_reading::pictures::lightmap::{LightTexture, Lightmap};
+use radiosity_reading::pictures::raster::Raster;
+use radiosity_reading::shown::Shown;
 
 use atlas::{Atlas, MARGIN};
 use binary::{Binary, Component};

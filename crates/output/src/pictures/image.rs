@@ -4,10 +4,10 @@
 //! Codes are dithered (`dither`), all channels alike, so that grey stays grey.
 
 use super::dither::dither;
-use super::raster::Raster;
-use super::samples::Samples;
 use super::tone::Tone;
 use crate::drawings::picture::Picture;
+use radiosity_reading::pictures::raster::Raster;
+use radiosity_reading::pictures::samples::Samples;
 
 /// A raster seen as linear light, red, green and blue.
 #[derive(Clone, Copy, Debug)]

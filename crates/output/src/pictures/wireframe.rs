@@ -18,7 +18,7 @@ use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::{PartName, Ranks};
 use rayon::prelude::*;
 
-use super::pinhole::Pinhole;
+use radiosity_reading::pictures::pinhole::Pinhole;
 
 /// No element is seen.
 const NOTHING: u32 = u32::MAX;

@@ -5,8 +5,8 @@ use std::io::Write;
 
 use radiosity::Work;
 use radiosity::elements::cells::Layers;
-use radiosity::output::readings::probe::{Probe, probe};
-use radiosity::output::readings::reader::{Read, Reader};
+use radiosity::reading::probe::{Probe, probe};
+use radiosity::reading::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, in_threads, solve};
 use radiosity::visibility::Visibility;

@@ -4,8 +4,8 @@ use radiosity_scene::Scene;
 
 use super::light_part::LightPart;
 use crate::documents::document::{Block, Column, Table};
-use crate::drawings::round::{decimals, error, significant};
-use crate::readings::shown::power_unit;
+use radiosity_reading::digits::{decimals, error, significant};
+use radiosity_reading::shown::power_unit;
 
 pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
     let mut table =

@@ -4,10 +4,10 @@ use radiosity_scene::SensorPlane;
 use radiosity_solve::Options;
 
 use crate::drawings::picture::Picture;
-use crate::readings::quality::Reading;
-use crate::readings::report::Report;
-use crate::readings::surface_light::SurfaceLight;
-use crate::readings::uniformity::Uniformity;
+use radiosity_reading::quality::Reading;
+use radiosity_reading::report::Report;
+use radiosity_reading::surface_light::SurfaceLight;
+use radiosity_reading::uniformity::Uniformity;
 
 /// The name of the figure of the camera's picture.
 pub const PICTURE: &str = "picture";

@@ -4,10 +4,10 @@ use radiosity_scene::{Scene, SensorPlane};
 
 use super::light_part::{LightPart, ReportedPlane, plan_name};
 use crate::documents::document::{Block, Column, Figure, Table};
-use crate::drawings::round::{column, short, significant};
-use crate::readings::plane_figures::{BandFigures, PlaneFigures};
-use crate::readings::shown::Shown;
-use crate::readings::uniformity::Uniformity;
+use radiosity_reading::digits::{column, short, significant};
+use radiosity_reading::plane_figures::{BandFigures, PlaneFigures};
+use radiosity_reading::shown::Shown;
+use radiosity_reading::uniformity::Uniformity;
 
 pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
     if light.plans.is_empty() {

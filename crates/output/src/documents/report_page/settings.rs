@@ -5,8 +5,8 @@ use radiosity_scene::Scene;
 
 use super::light_part::LightPart;
 use crate::documents::document::{Block, Column, Table};
-use crate::drawings::round::short;
-use crate::readings::reader::Read;
+use radiosity_reading::digits::short;
+use radiosity_reading::reader::Read;
 
 pub(super) fn blocks(scene: &Scene, light: Option<&LightPart>, command: &str) -> Vec<Block> {
     let mut blocks = vec![Block::Heading("Settings".to_owned())];

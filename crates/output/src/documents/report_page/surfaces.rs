@@ -4,9 +4,9 @@ use radiosity_scene::{Scene, SceneSurface};
 
 use super::light_part::LightPart;
 use crate::documents::document::{Block, Column, Table};
-use crate::drawings::round::{column, significant};
-use crate::readings::shown::{Shown, of_bands, power_unit};
-use crate::readings::surface_light::SurfaceLight;
+use radiosity_reading::digits::{column, significant};
+use radiosity_reading::shown::{Shown, of_bands, power_unit};
+use radiosity_reading::surface_light::SurfaceLight;
 
 /// Most rows of a table. Chosen: some ten pages.
 const MOST: usize = 400;

@@ -10,10 +10,10 @@ use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use super::start::Start;
-use crate::pictures::lightmap::Lightmap;
-use crate::pictures::pinhole::Pinhole;
-use crate::pictures::raster::Raster;
-use crate::readings::shown::Shown;
+use radiosity_reading::pictures::lightmap::Lightmap;
+use radiosity_reading::pictures::pinhole::Pinhole;
+use radiosity_reading::pictures::raster::Raster;
+use radiosity_reading::shown::Shown;
 
 /// Most pixels along a side. Chosen.
 const SIDE: u32 = 1024;

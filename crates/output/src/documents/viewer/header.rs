@@ -8,9 +8,9 @@ use serde::Serialize;
 
 use super::start::{Start, StartColours};
 use crate::drawings::scale::Scale;
-use crate::pictures::lightmap::{Lightmap, Part};
 use crate::pictures::tessellation::Triangulation;
-use crate::readings::shown::Shown;
+use radiosity_reading::pictures::lightmap::{Lightmap, Part};
+use radiosity_reading::shown::Shown;
 
 /// Colours of the scale that are written; the page interpolates between.
 const COLOURS: u32 = 256;

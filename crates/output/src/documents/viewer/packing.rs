@@ -18,8 +18,8 @@ use flate2::Compression;
 use flate2::write::DeflateEncoder;
 use half::f16;
 
-use crate::pictures::lightmap::{LightTexture, Lightmap};
 use crate::pictures::tessellation::Triangulation;
+use radiosity_reading::pictures::lightmap::{LightTexture, Lightmap};
 
 /// The number that the greatest irradiance becomes: half of the greatest in half precision.
 const GREATEST: f32 = 32_752.0;

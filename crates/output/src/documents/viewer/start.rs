@@ -2,7 +2,7 @@
 
 use radiosity_scene::Camera;
 
-use crate::readings::shown::Shown;
+use radiosity_reading::shown::Shown;
 
 /// The first view of a page.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,9 +10,9 @@ use radiosity_solve::{Options, Outcome};
 use radiosity_visibility::inspection::Inspection;
 use radiosity_work::wording::{Wording, option, set, words};
 
-use crate::readings::missed::missed;
+use crate::missed::missed;
 
-use crate::readings::warning::Warning;
+use crate::warning::Warning;
 
 /// The warnings of a solved scene.
 pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {

@@ -29,7 +29,7 @@ pub struct Part {
 impl Samples {
     /// The samples of a pixel of so many `bands`, `count` in all, of which some have `seen` these
     /// radiosities.
-    pub(super) fn new(mut seen: Vec<Vec<f64>>, bands: usize, count: usize) -> Self {
+    pub fn new(mut seen: Vec<Vec<f64>>, bands: usize, count: usize) -> Self {
         let brightness = |sample: &Vec<f64>| sample.iter().sum::<f64>();
         seen.sort_by(|a, b| brightness(a).total_cmp(&brightness(b)));
         let part = |group: &[Vec<f64>]| {

@@ -61,7 +61,7 @@ fn is_lux(unit: &str) -> bool {
 
 /// The unit of power where exitance is in `unit` and lengths are metres: lm for lx, W for W/m², else their
 /// product.
-pub(crate) fn power_unit(unit: &str) -> String {
+pub fn power_unit(unit: &str) -> String {
     match unit {
         _ if is_lux(unit) => "lm".to_owned(),
         "W/m²" | "W/m^2" | "W m⁻²" => "W".to_owned(),

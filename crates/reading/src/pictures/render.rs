@@ -25,8 +25,8 @@ use super::frame_light::trial::{INTERPOLATED, seconds};
 use super::pinhole::Pinhole;
 use super::raster::Raster;
 use super::samples::Samples;
-pub use crate::readings::reader::Read;
-use crate::readings::shown::Shown;
+pub use crate::reader::Read;
+use crate::shown::Shown;
 
 /// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not
 /// tuned.

@@ -11,12 +11,12 @@ use radiosity_solve::solved::Solved;
 use radiosity_solve::{Functional, Outcome};
 use serde::Serialize;
 
-use crate::readings::checkpoint::Checkpoint;
-use crate::readings::peak_memory::peak_bytes;
-use crate::readings::plane_figures::PlaneFigures;
-use crate::readings::rank_work::RanksWork;
-use crate::readings::read_error::ReadError;
-pub use crate::readings::warning::Warning;
+use crate::checkpoint::Checkpoint;
+use crate::peak_memory::peak_bytes;
+use crate::plane_figures::PlaneFigures;
+use crate::rank_work::RanksWork;
+use crate::read_error::ReadError;
+pub use crate::warning::Warning;
 use warnings::warnings;
 
 /// The report of a run: what was done, its cost, and self-checks.

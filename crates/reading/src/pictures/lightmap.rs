@@ -43,7 +43,7 @@ use super::frame_light::eye::Seen;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::PictureLight;
 use super::frame_light::trial::seconds;
-use crate::readings::reader::Read;
+use crate::reader::Read;
 use fill::fill;
 use places::Places;
 use sizes::sizes;
@@ -80,7 +80,7 @@ pub struct LightTexture {
 
 impl Lightmap {
     /// Irradiance (unit of exitance) of a surface in a band at its parameters, at the factors of its parts.
-    pub(crate) fn irradiance(&self, surface: usize, band: usize, parameters: [f64; 2]) -> f64 {
+    pub fn irradiance(&self, surface: usize, band: usize, parameters: [f64; 2]) -> f64 {
         let texture = &self.surfaces()[surface];
         self.parts()
             .iter()
@@ -91,7 +91,7 @@ impl Lightmap {
 
     /// Radiosity (unit of exitance) of a surface of `scene` in a band at its parameters, under the irradiance
     /// `irradiance`.
-    pub(crate) fn radiosity(
+    pub fn radiosity(
         &self,
         scene: &Scene,
         (surface, band): (usize, usize),
@@ -169,7 +169,7 @@ impl LightTexture {
 
     /// The place of the parameters (u, v) in an image of these texels, in [0, 1] from the outer border of the
     /// first texel.
-    pub(crate) fn image_coordinates(&self, [u, v]: [f64; 2]) -> [f64; 2] {
+    pub fn image_coordinates(&self, [u, v]: [f64; 2]) -> [f64; 2] {
         let place = |x: f64, count: usize| (0.5 + 0.5 * (1.0 + x) * (count - 1) as f64) / count as f64;
         [place(u, self.size[0]), place(v, self.size[1])]
     }

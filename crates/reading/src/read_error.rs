@@ -6,8 +6,8 @@ use radiosity_solve::gather::by_rays::Deviation;
 use radiosity_work::wording::{option, words};
 use serde::Serialize;
 
-use crate::drawings::round::decimals;
-use crate::readings::warning::Warning;
+use crate::digits::decimals;
+use crate::warning::Warning;
 
 /// Errors of readings, over those asked for, that are worth a warning. Chosen.
 const MISSED: f64 = 1.5;

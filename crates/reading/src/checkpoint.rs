@@ -6,7 +6,7 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::ranks::journal::{Journal, Tally};
 use serde::Serialize;
 
-use crate::readings::warning::Warning;
+use crate::warning::Warning;
 
 /// Counts of the work that all ranks of a run took from its checkpoint, and of the work that they added.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]

@@ -7,7 +7,7 @@
 
 use serde::Serialize;
 
-use crate::drawings::round::three_digits;
+use crate::digits::three_digits;
 
 /// Part of the greatest value that is told as 0. Chosen.
 const ROUNDING: f64 = 1e-9;
@@ -39,7 +39,7 @@ impl Uniformity {
     }
 
     /// The figures in one line, with values in `unit`.
-    pub(crate) fn told(&self, unit: &str) -> String {
+    pub fn told(&self, unit: &str) -> String {
         let rounding = ROUNDING * self.max;
         let [mean, min, max] = [self.mean, self.min, self.max]
             .map(|value| three_digits(if value.abs() < rounding { 0.0 } else { value }));

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::samples::Samples;
-use crate::drawings::field::Field;
+use crate::field::Field;
 
 /// Radiosities (W m⁻²) per pixel and band, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,12 +25,7 @@ impl Raster {
     ///
     /// # Panics
     /// If there are not `width · height` coverages or not as many values times bands.
-    pub(crate) fn new(
-        [width, height]: [u32; 2],
-        bands: Vec<String>,
-        values: Vec<f64>,
-        coverage: Vec<f64>,
-    ) -> Self {
+    pub fn new([width, height]: [u32; 2], bands: Vec<String>, values: Vec<f64>, coverage: Vec<f64>) -> Self {
         assert_eq!(coverage.len(), width as usize * height as usize, "one coverage per pixel");
         assert_eq!(values.len(), coverage.len() * bands.len(), "one value per pixel and band");
         Self { width, height, bands, values, coverage, samples: BTreeMap::new() }
@@ -38,7 +33,7 @@ impl Raster {
 
     /// The raster with the samples of pixels that average several, by their places in row order.
     #[must_use]
-    pub(super) fn with_samples(self, samples: BTreeMap<usize, Samples>) -> Self {
+    pub fn with_samples(self, samples: BTreeMap<usize, Samples>) -> Self {
         Self { samples, ..self }
     }
 
@@ -48,7 +43,7 @@ impl Raster {
     }
 
     /// Names of the bands.
-    pub(crate) fn bands(&self) -> &[String] {
+    pub fn bands(&self) -> &[String] {
         &self.bands
     }
 

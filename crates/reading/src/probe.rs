@@ -12,7 +12,7 @@ use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
-use crate::readings::reader::{Light, Reader, Value};
+use crate::reader::{Light, Reader, Value};
 
 /// Least cosine between a probe's normal and its surface's for which they count as equal: where only
 /// polynomials are known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not

@@ -8,7 +8,7 @@
 //! that see something in it: relative to the picture, since in its dark places the ratio of two small numbers
 //! says nothing.
 
-use crate::drawings::field::Field;
+use crate::field::Field;
 
 /// A signed difference per pixel with statistics, all in percent of the other picture's mean.
 #[derive(Clone, Debug)]

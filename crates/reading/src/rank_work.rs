@@ -5,7 +5,7 @@ use std::fmt;
 use radiosity_work::ranks::{Ranks, Traffic};
 use serde::{Deserialize, Serialize};
 
-use crate::readings::peak_memory::peak_bytes;
+use crate::peak_memory::peak_bytes;
 
 /// Work done and bytes sent by one rank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -10,8 +10,8 @@ use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
 
-use crate::readings::reader::Read;
-use crate::readings::shown::{Here, Shown};
+use crate::reader::Read;
+use crate::shown::{Here, Shown};
 
 use super::eye::Seen;
 use super::smooth::Known;

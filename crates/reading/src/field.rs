@@ -14,19 +14,19 @@ impl Field {
     ///
     /// # Panics
     /// If the numbers of values and coverages are not that of the pixels.
-    pub(crate) fn new(size: [u32; 2], values: Vec<f64>, coverage: Vec<f64>) -> Self {
+    pub fn new(size: [u32; 2], values: Vec<f64>, coverage: Vec<f64>) -> Self {
         let pixels = size[0] as usize * size[1] as usize;
         assert!(values.len() == pixels && coverage.len() == pixels, "one value and one coverage per pixel");
         Self { size, values, coverage }
     }
 
     /// Pixels across and down.
-    pub(crate) fn size(&self) -> [u32; 2] {
+    pub fn size(&self) -> [u32; 2] {
         self.size
     }
 
     /// The numbers with their coverages, in row order.
-    pub(crate) fn pixels(&self) -> impl Iterator<Item = (f64, f64)> {
+    pub fn pixels(&self) -> impl Iterator<Item = (f64, f64)> {
         self.values.iter().copied().zip(self.coverage.iter().copied())
     }
 

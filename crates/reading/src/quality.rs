@@ -15,8 +15,8 @@ use radiosity_solve::Options;
 use radiosity_solve::gather::choice::{By, USUAL_EPS};
 use serde::Deserialize;
 
-use crate::readings::grid::Rates;
-use crate::readings::reader::Read;
+use crate::grid::Rates;
+use crate::reader::Read;
 
 /// A preset.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]

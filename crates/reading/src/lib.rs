@@ -1,0 +1,31 @@
+//! What a solution says, and what is told beside it.
+//!
+//! In order: numbers as texts ([`digits`]), values on a grid of points ([`field`]), warnings, light at points
+//! and sensors ([`reader`], [`probe`], [`grid`], [`uniformity`], [`plane_figures`]) with its errors
+//! ([`read_error`], [`quality`]), the report of a run ([`report`], [`rank_work`], [`checkpoint`]), light of
+//! pixels and texels ([`pictures`]), and solutions in files ([`files`]: our own, and curved cells of VTK).
+//!
+//! Imports `core`, `geom`, `solvers`, `work`, `scene`, `language`, `visibility`, `elements`, `kernel`,
+//! `transport`, `light`, `published` and `solve`.
+
+pub mod digits;
+pub mod field;
+pub mod warning;
+pub mod uniformity;
+pub mod shown;
+pub mod difference;
+pub mod reader;
+pub mod grid;
+pub mod probe;
+pub mod read_error;
+pub mod plane_figures;
+pub mod quality;
+pub mod missed;
+mod peak_memory;
+pub mod rank_work;
+pub mod checkpoint;
+pub mod report;
+pub mod row_sums;
+pub mod surface_light;
+pub mod pictures;
+pub mod files;
