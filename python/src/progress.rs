@@ -1,4 +1,4 @@
-//! Progress of work, told by the threads that do it.
+//! Progress of work, reported by the threads that do it.
 
 use std::sync::Mutex;
 
@@ -24,7 +24,7 @@ pub(crate) struct Progress {
 impl Progress {
     /// Says that `done` of `total` steps are done, from any thread.
     pub(crate) fn step(&self, stage: &'static str, done: usize, total: usize) {
-        // Of threads that come together one is heard.
+        // Of threads that come together one counts.
         if let Ok(mut latest) = self.latest.try_lock() {
             *latest = Some(Step { stage, done: done as u64, total: total as u64 });
         }
@@ -37,7 +37,7 @@ impl Progress {
 }
 
 impl Observer for Progress {
-    fn hear(&self, event: Event) {
+    fn report(&self, event: Event) {
         match event {
             Event::Done { stage, done, of } => self.step(stage.name(), done, of),
             Event::Rays { done, of, .. } => self.step("rays", done as usize, of as usize),

@@ -105,7 +105,7 @@ impl Solution {
         Ok((request.reading(&self.method, &self.solved, self.is_saved), threads))
     }
 
-    /// Reads the solution by so many threads while `observer` hears of the progress.
+    /// Reads the solution by so many threads and reports to `observer` how far it is.
     pub(crate) fn read<T: Send>(
         &self,
         py: Python<'_>,
@@ -130,7 +130,7 @@ impl Solution {
         let (how, threads) = self.reading(&mut given, request)?;
         given.finish(function)?;
         let readings = self.read(py, observer, threads, |progress| {
-            let work = Work::alone().told(progress);
+            let work = Work::alone().observed_by(progress);
             probe(&self.reader(&how), sensors, self.solved.scene.middle, &work)
         })?;
         let readings = readings.map_err(|(index, fault)| {
@@ -147,7 +147,7 @@ impl Solution {
     }
 
     fn cells(&self, how: &How, sides: [usize; 2], progress: &Progress) -> Vec<Cell> {
-        grid(&self.reader(how), sides, how.rates, &Work::alone().told(progress))
+        grid(&self.reader(how), sides, how.rates, &Work::alone().observed_by(progress))
     }
 }
 

@@ -19,7 +19,7 @@ use crate::progress::{Progress, Step};
 /// Time between two looks for signals, and between two reports of progress. Chosen.
 const PERIOD: Duration = Duration::from_millis(50);
 
-/// Does `work`; `observer(stage, done, total)` hears of the progress.
+/// Does `work`; `observer(stage, done, total)` is called with the progress.
 ///
 /// # Errors
 /// Errors of the work; exceptions of a handler of signals or of the observer; a `RuntimeError` where the
@@ -41,7 +41,7 @@ pub(crate) fn work<T: Send, E: Into<Trouble> + Send>(
         let mut raised = None;
         while is_working(py, &mut receiver) {
             if raised.is_none() {
-                raised = py.check_signals().and_then(|()| tell(observer, progress.news())).err();
+                raised = py.check_signals().and_then(|()| report(observer, progress.news())).err();
             }
             if raised.is_some() {
                 interruption.raise();
@@ -53,7 +53,7 @@ pub(crate) fn work<T: Send, E: Into<Trouble> + Send>(
         (Some(raised), _) => Err(raised),
         (None, Ok(outcome)) => {
             let outcome = outcome.expect("what interrupts it is raised");
-            tell(observer, progress.news())?;
+            report(observer, progress.news())?;
             outcome.map_err(|error| error.into().into())
         }
         (None, Err(fault)) => Err(broken(&*fault)),
@@ -65,7 +65,7 @@ fn is_working(py: Python<'_>, end: &mut Receiver<()>) -> bool {
     py.detach(move || end.recv_timeout(PERIOD)) == Err(RecvTimeoutError::Timeout)
 }
 
-fn tell(observer: Option<&Bound<'_, PyAny>>, news: Option<Step>) -> PyResult<()> {
+fn report(observer: Option<&Bound<'_, PyAny>>, news: Option<Step>) -> PyResult<()> {
     if let (Some(observer), Some(Step { stage, done, total })) = (observer, news) {
         observer.call1((stage, done, total))?;
     }

@@ -55,7 +55,7 @@ fn among_others(_number: &str) -> ExitCode {
     let Some(world) = World::join() else { return alone() };
     let work = |ranks: &Ranks| {
         // Nobody has begun threads before.
-        drop(rayon::ThreadPoolBuilder::new().num_threads(ranks.place().threads).build_global());
+        drop(rayon::ThreadPoolBuilder::new().num_threads(ranks.machine_share().threads).build_global());
         same_arguments(ranks)?;
         let Err(error) = Cli::typed().and_then(|cli| cli.run(ranks)) else { return Ok(()) };
         let is_told = matches!(error, CliError::Typed(_));

@@ -19,7 +19,7 @@ use mpi::traits::Communicator;
 use mpi::{Threading, initialize_with_threading};
 use radiosity_work::ranks::comm::Comm;
 use radiosity_work::ranks::failure::Failure;
-use radiosity_work::ranks::place::{Place, allowed};
+use radiosity_work::ranks::machine_share::{MachineShare, allowed};
 use radiosity_work::ranks::{Ranks, shares};
 
 use gate::{Call, Passed, fail, pass};
@@ -40,7 +40,7 @@ pub(crate) struct World {
 struct Processes {
     rank: usize,
     size: usize,
-    place: Place,
+    machine_share: MachineShare,
     /// Number of calls so far; held during each.
     calls: Arc<Mutex<u64>>,
 }
@@ -58,7 +58,7 @@ impl World {
         assert!(threading >= Threading::Serialized, "this MPI takes calls from the main thread only");
         let world = universe.world();
         let [rank, size] = [world.rank(), world.size()].map(|number| number as usize);
-        let processes = Processes { rank, size, place: place(&world), calls: Arc::default() };
+        let processes = Processes { rank, size, machine_share: machine_share(&world), calls: Arc::default() };
         Some(Self { processes, _universe: universe })
     }
 
@@ -83,18 +83,18 @@ impl World {
         let own = match catch_unwind(AssertUnwindSafe(|| work(&self.ranks()))) {
             Ok(ended) => ended,
             Err(payload) => match payload.downcast::<Ended>() {
-                Ok(ended) => return self.told(&ended.0, tell),
+                Ok(ended) => return self.report_failure(&ended.0, tell),
                 Err(payload) => Err(Failure::of_panic(&*payload, locked(&noted).take())),
             },
         };
         match self.processes.end(own.err(), &tell) {
-            Some(failure) => self.told(&failure, tell),
+            Some(failure) => self.report_failure(&failure, tell),
             None => ExitCode::SUCCESS,
         }
     }
 
     /// Says why all ranks end, on the first.
-    fn told(&self, failure: &Failure, tell: impl Fn(&str)) -> ExitCode {
+    fn report_failure(&self, failure: &Failure, tell: impl Fn(&str)) -> ExitCode {
         if self.processes.rank == 0 {
             tell(&failure.message);
         }
@@ -103,14 +103,14 @@ impl World {
 }
 
 /// The share of this process in its machine.
-fn place(world: &SimpleCommunicator) -> Place {
+fn machine_share(world: &SimpleCommunicator) -> MachineShare {
     let machine = world.split_shared(world.rank());
     let own: Vec<u8> = allowed().into_iter().flat_map(|number| (number as u32).to_le_bytes()).collect();
     let numbers = |bytes: Vec<u8>| -> Vec<usize> {
         bytes.as_chunks::<4>().0.iter().map(|bytes| u32::from_le_bytes(*bytes) as usize).collect()
     };
     let all: Vec<Vec<usize>> = all_gather(&machine, &own).into_iter().map(numbers).collect();
-    Place::among(&all, machine.rank() as usize)
+    MachineShare::among(&all, machine.rank() as usize)
 }
 
 /// The content of a mutex, also after a panic of its holder.
@@ -175,8 +175,8 @@ impl Comm for Processes {
         self.size
     }
 
-    fn place(&self) -> Place {
-        self.place
+    fn machine_share(&self) -> MachineShare {
+        self.machine_share
     }
 
     fn meet(&self) {

@@ -16,7 +16,7 @@ const SHARE: f64 = 0.8;
 /// has.
 pub fn usable(ranks: &Ranks) -> Option<u64> {
     let free = [machine(), confined()].into_iter().flatten().min();
-    let own = free.map(|free| free / ranks.place().companions as u64);
+    let own = free.map(|free| free / ranks.machine_share().ranks as u64);
     let free = ranks.all(own).into_iter().flatten().min()?;
     Some((SHARE * free as f64) as u64)
 }

@@ -6,32 +6,32 @@ use std::time::{Duration, Instant};
 
 /// The end of work with the best that it has: at an instant, or once a person wishes it.
 ///
-/// Rays are sent no further, solvers give up, and no finer run begins. The wish ends rays alone: it is heard
-/// while they are sent.
+/// Rays are sent no further, solvers give up, and no finer run begins. The wish ends rays alone: it is
+/// accepted while they are sent.
 #[derive(Debug, Default)]
 pub struct Deadline {
     at: Option<Instant>,
-    is_heard: AtomicBool,
+    accepts_wishes: AtomicBool,
     is_wished: AtomicBool,
 }
 
-/// A guard that lasts while work listens to wishes.
+/// A guard that lasts while work accepts wishes.
 #[derive(Debug)]
-#[must_use = "work listens until it is dropped"]
-pub struct Listening<'a>(&'a Deadline);
+#[must_use = "wishes are accepted until it is dropped"]
+pub struct WishGuard<'a>(&'a Deadline);
 
 impl Deadline {
     /// A deadline at this instant; None for the wish alone.
     pub const fn at(at: Option<Instant>) -> Self {
-        Self { at, is_heard: AtomicBool::new(false), is_wished: AtomicBool::new(false) }
+        Self { at, accepts_wishes: AtomicBool::new(false), is_wished: AtomicBool::new(false) }
     }
 
-    /// Wishes that the work ends. Returns whether work listens that had not heard it before.
+    /// Wishes that the work ends. Returns whether this is the first wish that is accepted.
     pub fn wish(&self) -> bool {
-        self.is_heard.load(Ordering::Relaxed) && !self.is_wished.swap(true, Ordering::Relaxed)
+        self.accepts_wishes.load(Ordering::Relaxed) && !self.is_wished.swap(true, Ordering::Relaxed)
     }
 
-    /// Whether the end of the work was wished while it listened.
+    /// Whether the end of the work was wished while wishes were accepted.
     pub(crate) fn is_wished(&self) -> bool {
         self.is_wished.load(Ordering::Relaxed)
     }
@@ -46,16 +46,16 @@ impl Deadline {
         Some(self.at?.saturating_duration_since(Instant::now()))
     }
 
-    /// Listens from now on.
-    pub fn listen(&self) -> Listening<'_> {
-        self.is_heard.store(true, Ordering::Relaxed);
-        Listening(self)
+    /// Accepts wishes until the guard is dropped.
+    pub fn accept_wishes(&self) -> WishGuard<'_> {
+        self.accepts_wishes.store(true, Ordering::Relaxed);
+        WishGuard(self)
     }
 }
 
-impl Drop for Listening<'_> {
+impl Drop for WishGuard<'_> {
     fn drop(&mut self) {
-        self.0.is_heard.store(false, Ordering::Relaxed);
+        self.0.accepts_wishes.store(false, Ordering::Relaxed);
     }
 }
 
@@ -64,13 +64,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_wish_is_heard_once_and_while_work_listens() {
+    fn a_wish_is_accepted_once_and_while_wishes_are() {
         let deadline = Deadline::default();
         assert!(!deadline.wish() && !deadline.is_wished());
-        let listening = deadline.listen();
+        let guard = deadline.accept_wishes();
         assert!(deadline.wish() && deadline.is_wished());
-        assert!(!deadline.wish(), "it was heard before");
-        drop(listening);
+        assert!(!deadline.wish(), "it was accepted before");
+        drop(guard);
         assert!(!deadline.wish() && deadline.is_wished());
         assert_eq!((deadline.is_past(), deadline.left()), (false, None));
     }

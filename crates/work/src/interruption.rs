@@ -23,8 +23,8 @@
 //! assert!(matches!(found, Err(Interrupted)));
 //! ```
 //!
-//! Threads of the pools that the library makes (`in_threads`) hear what the thread hears that made them;
-//! those of other pools hear nothing, or what a piece of work hears that they take over while they wait. So
+//! Threads of the pools that the library makes (`in_threads`) check the interruption of the thread that made
+//! them; those of other pools check none, or that of a piece of work that they take over while they wait. So
 //! functions that take no number of threads, such as those that read a solution, are to be called through
 //! `in_threads`. A program built with `panic = "abort"` ends instead.
 //!
@@ -40,7 +40,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 thread_local! {
-    /// The interruption that this thread hears.
+    /// The interruption that this thread checks.
     static CURRENT: RefCell<Option<Interruption>> = const { RefCell::new(None) };
 }
 
@@ -62,14 +62,14 @@ impl fmt::Display for Interrupted {
 
 impl Error for Interrupted {}
 
-/// Payload with which a thread that was interrupted unwinds: the interruption that it heard.
+/// Payload with which a thread that was interrupted unwinds: the interruption that was raised.
 #[derive(Debug)]
 struct Ended(Interruption);
 
-/// Sets back the interruption that a thread hears, whatever happens.
-struct Before(Option<Interruption>);
+/// Sets back the interruption that a thread checks, whatever happens.
+struct RestorePrevious(Option<Interruption>);
 
-impl Drop for Before {
+impl Drop for RestorePrevious {
     fn drop(&mut self) {
         CURRENT.set(self.0.take());
     }
@@ -96,12 +96,12 @@ impl Interruption {
         &self.is_raised
     }
 
-    /// Does `work`, which hears this interruption and no other around it.
+    /// Does `work`, which checks this interruption and no other around it.
     ///
     /// # Errors
     /// [`Interrupted`] where it was raised before the work was done.
     pub fn within<T>(&self, work: impl FnOnce() -> T) -> Result<T, Interrupted> {
-        let _before = Before(CURRENT.replace(Some(self.clone())));
+        let _restore = RestorePrevious(CURRENT.replace(Some(self.clone())));
         let work = || {
             check_interrupt();
             work()
@@ -109,19 +109,19 @@ impl Interruption {
         // The library leaves nothing half changed that outlives its work.
         let done = catch_unwind(AssertUnwindSafe(work));
         done.map_err(|fault| match fault.downcast_ref() {
-            Some(Ended(heard)) if Arc::ptr_eq(&heard.is_raised, &self.is_raised) => Interrupted,
+            Some(Ended(raised)) if Arc::ptr_eq(&raised.is_raised, &self.is_raised) => Interrupted,
             _ => resume_unwind(fault),
         })
     }
 }
 
-/// The interruption that the current thread hears.
+/// The interruption that the current thread checks.
 pub fn current() -> Option<Interruption> {
     CURRENT.with_borrow(Clone::clone)
 }
 
-/// Lets the current thread hear this from now on.
-pub fn listen(interruption: Option<Interruption>) {
+/// Lets the current thread check this interruption from now on.
+pub fn set_current(interruption: Option<Interruption>) {
     CURRENT.set(interruption);
 }
 
@@ -134,11 +134,11 @@ pub fn check_interrupt() {
     }
 }
 
-/// Unwinds this thread, which hears an interruption.
+/// Unwinds this thread, whose interruption was raised.
 #[cold]
 fn end() {
-    if let Some(heard) = current() {
-        resume_unwind(Box::new(Ended(heard)));
+    if let Some(raised) = current() {
+        resume_unwind(Box::new(Ended(raised)));
     }
 }
 
@@ -158,14 +158,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_the_innermost_is_heard_and_clones_are_one() {
+    fn only_the_innermost_is_checked_and_clones_are_one() {
         let [outer, inner] = [Interruption::new(), Interruption::new()];
         outer.clone().raise();
         let found = inner.within(|| outer.within(|| 1));
         assert_eq!(found, Ok(Err(Interrupted)));
         assert_eq!(outer.within(|| 1), Err(Interrupted));
         assert_eq!(inner.within(|| 1), Ok(1));
-        // The thread hears nothing any more.
+        // The thread checks none any more.
         assert!(current().is_none());
         check_interrupt();
     }
@@ -176,7 +176,7 @@ mod tests {
         let found = outer.within(|| {
             let ended = || {
                 outer.raise();
-                listen(Some(outer.clone()));
+                set_current(Some(outer.clone()));
                 check_interrupt();
             };
             inner.within(ended)

@@ -2,7 +2,7 @@
 //!
 //! In order: `wording` (sentences of messages, with the names of options as data), `interruption` (ends work
 //! of which nothing is wanted any more), `ranks` (processes or threads that share work, and the journal of
-//! what they have done), `progress` and `observer` (how far it is, and who hears it), `deadline` (ends it
+//! what they have done), `progress` and `observer` (how far it is, and who observes it), `deadline` (ends it
 //! with the best so far), `work` (ranks, observer and deadline together, as they are handed down).
 //!
 //! Imports no other crate of the workspace.
@@ -15,7 +15,7 @@ mod observer;
 mod deadline;
 mod work;
 
-pub use deadline::{Deadline, Listening};
+pub use deadline::{Deadline, WishGuard};
 pub use observer::Observer;
 pub use progress::{Progress, Stage};
 pub use work::Work;

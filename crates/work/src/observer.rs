@@ -1,23 +1,23 @@
-//! Observers, who hear how far work is.
+//! Observers, to whom work reports how far it is.
 
 use crate::progress::Progress;
 
-/// Hears how far work is, from any thread; functions of a [`Progress`] do.
+/// Takes reports of the progress of work, from any thread; functions of a [`Progress`] do.
 pub trait Observer: Sync {
-    /// Takes note of what is done.
-    fn hear(&self, progress: Progress);
+    /// Takes a report of what is done.
+    fn report(&self, progress: Progress);
 }
 
 impl<F: Fn(Progress) + Sync> Observer for F {
-    fn hear(&self, progress: Progress) {
+    fn report(&self, progress: Progress) {
         self(progress);
     }
 }
 
-/// Takes note of nothing.
+/// Drops all reports.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Silent;
 
 impl Observer for Silent {
-    fn hear(&self, _: Progress) {}
+    fn report(&self, _: Progress) {}
 }

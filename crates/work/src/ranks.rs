@@ -9,7 +9,7 @@
 //! Ranks are handed down to whatever has something to share ([`Work`](crate::Work)). Nothing is shared within
 //! a piece: what makes it, and would share something by itself, is given [`Ranks::alone`].
 
-pub mod place;
+pub mod machine_share;
 mod bytes;
 pub mod comm;
 mod part_name;
@@ -33,7 +33,7 @@ use bytes::{decoded, encoded};
 use comm::Comm;
 use journal::{Begin, Journal, JournalError, RecordedPart};
 pub use part_name::PartName;
-use place::Place;
+use machine_share::MachineShare;
 use traffic::Counter;
 pub use traffic::Traffic;
 
@@ -111,13 +111,13 @@ impl Ranks {
     }
 
     /// The share of its machine that this rank may use.
-    pub fn place(&self) -> Place {
-        self.shared.as_ref().map_or_else(Place::alone, |shared| shared.comm.place())
+    pub fn machine_share(&self) -> MachineShare {
+        self.shared.as_ref().map_or_else(MachineShare::alone, |shared| shared.comm.machine_share())
     }
 
     /// The threads to run where so many are `asked` for; 0 asks for all that this rank may use.
     pub fn threads(&self, asked: usize) -> usize {
-        if asked == 0 { self.place().threads } else { asked }
+        if asked == 0 { self.machine_share().threads } else { asked }
     }
 
     /// Waits for all ranks.

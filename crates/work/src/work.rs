@@ -1,4 +1,4 @@
-//! Work, as it is handed down beside a scene and its options: who shares it, who hears of it, and until when
+//! Work, as it is handed down beside a scene and its options: who shares it, who observes it, and until when
 //! it lasts.
 
 use std::fmt;
@@ -9,19 +9,19 @@ use crate::observer::{Observer, Silent};
 use crate::progress::{Progress, Stage};
 use crate::ranks::Ranks;
 
-/// The ranks that share the work, the observer that hears of it, and the deadline until which it lasts.
+/// The ranks that share the work, the observer of its progress, and the deadline until which it lasts.
 ///
 /// ```
 /// use radiosity_work::{Progress, Work};
 ///
-/// let work = Work::alone().told(&|progress: Progress| println!("{progress:?}"));
-/// work.tell(Progress::Rays { done: 10, of: 100, error: None });
+/// let work = Work::alone().observed_by(&|progress: Progress| println!("{progress:?}"));
+/// work.report(Progress::Rays { done: 10, of: 100, error: None });
 /// ```
 #[derive(Clone, Copy)]
 pub struct Work<'a> {
     /// The ranks that share the work.
     pub ranks: &'a Ranks,
-    /// The observer that hears how far the work is.
+    /// The observer of its progress.
     pub observer: &'a dyn Observer,
     /// Deadline at which the work ends with the best that it has; None for no sooner than it is done.
     pub deadline: Option<&'a Deadline>,
@@ -46,8 +46,8 @@ impl<'a> Work<'a> {
         Self { ranks, observer: &Silent, deadline: None }
     }
 
-    /// This work, of which `observer` hears.
-    pub fn told(self, observer: &'a dyn Observer) -> Self {
+    /// This work, reported to `observer`.
+    pub fn observed_by(self, observer: &'a dyn Observer) -> Self {
         Self { observer, ..self }
     }
 
@@ -56,14 +56,14 @@ impl<'a> Work<'a> {
         Self { deadline: Some(deadline), ..self }
     }
 
-    /// Tells the observer how far the work is.
-    pub fn tell(&self, progress: Progress) {
-        self.observer.hear(progress);
+    /// Reports to the observer how far the work is.
+    pub fn report(&self, progress: Progress) {
+        self.observer.report(progress);
     }
 
-    /// Tells that `done` things of a stage are done, `of` so many.
-    pub fn tell_done(&self, stage: Stage, done: usize, of: usize) {
-        self.tell(Progress::Done { stage, done, of });
+    /// Reports that `done` things of a stage are done, `of` so many.
+    pub fn report_done(&self, stage: Stage, done: usize, of: usize) {
+        self.report(Progress::Done { stage, done, of });
     }
 
     /// Whether rays are no longer wanted, on any rank.

@@ -107,7 +107,7 @@ impl Encoder {
         command.args(container.arguments()).arg(draft.path());
         command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
         let mut child = command.spawn().map_err(|reason| output.unwritten(reason))?;
-        let (pipe, complaints) = (child.stdin.take(), child.stderr.take().map(listen));
+        let (pipe, complaints) = (child.stdin.take(), child.stderr.take().map(read_all));
         employ(child);
         Ok(Self { output, draft: Some(draft), size, pipe, complaints })
     }
@@ -160,7 +160,7 @@ fn end_now(child: &mut Child) {
 }
 
 /// Reads all that a program says.
-fn listen(mut from: ChildStderr) -> JoinHandle<String> {
+fn read_all(mut from: ChildStderr) -> JoinHandle<String> {
     thread::spawn(move || {
         let mut bytes = Vec::new();
         drop(from.read_to_end(&mut bytes));

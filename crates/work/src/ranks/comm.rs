@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use super::place::Place;
+use super::machine_share::MachineShare;
 
 /// Messages between ranks. All ranks call the same functions in the same order; a call ends when the others
 /// have made theirs. Only one thread of a rank calls at a time.
@@ -14,7 +14,7 @@ pub trait Comm: Debug + Send + Sync {
     fn size(&self) -> usize;
 
     /// The share of its machine that this rank may use.
-    fn place(&self) -> Place;
+    fn machine_share(&self) -> MachineShare;
 
     /// Waits for all ranks.
     fn meet(&self);

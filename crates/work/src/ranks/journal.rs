@@ -20,7 +20,7 @@ mod fingerprint;
 mod record;
 mod header;
 mod writer;
-mod kept;
+mod stored_pieces;
 mod folder;
 
 use std::path::Path;
@@ -38,7 +38,7 @@ pub use error::JournalError;
 use fingerprint::digest;
 pub use fingerprint::fingerprint;
 use folder::Folder;
-use kept::Kept;
+use stored_pieces::StoredPieces;
 use record::Key;
 use writer::Writer;
 
@@ -58,10 +58,10 @@ pub struct Tally {
 /// Where the pieces of a run are kept.
 #[derive(Debug)]
 pub struct Journal {
-    kept: Kept,
+    stored_pieces: StoredPieces,
     recalled: AtomicU64,
     /// The number of the last part, and of what was chosen since.
-    way: Mutex<u64>,
+    last_number: Mutex<u64>,
     writer: Mutex<Writer>,
     /// The last to be dropped: it goes away where it is empty.
     _folder: Folder,
@@ -81,17 +81,17 @@ impl Journal {
     ) -> Result<Self, JournalError> {
         let mut folder = Folder::open(folder, begin)?;
         let old = folder.files(begin)?;
-        let mut kept = Kept::default();
-        old.iter().try_for_each(|file| kept.add(file, fingerprint))?;
+        let mut stored_pieces = StoredPieces::default();
+        old.iter().try_for_each(|file| stored_pieces.add(file, fingerprint))?;
         // No rank makes its file before all have seen which there are.
         folder.is_made = any(folder.is_made);
         let writer = folder.begin(&old, rank, fingerprint)?;
         // Nor does any leave, and take away an empty folder, before all have made theirs.
         any(false);
         Ok(Self {
-            kept,
+            stored_pieces,
             recalled: AtomicU64::new(0),
-            way: Mutex::new(fingerprint),
+            last_number: Mutex::new(fingerprint),
             writer: Mutex::new(writer),
             _folder: folder,
         })
@@ -99,16 +99,16 @@ impl Journal {
 
     /// The next part of the run, of so many pieces.
     pub(super) fn part(&self, name: PartName, pieces: usize) -> RecordedPart<'_> {
-        let mut way = self.way.lock().expect("nobody panics on the way");
-        *way = digest(&(*way, name, pieces));
-        RecordedPart { journal: self, number: *way }
+        let mut last_number = self.last_number.lock().expect("nobody panics on the way");
+        *last_number = digest(&(*last_number, name, pieces));
+        RecordedPart { journal: self, number: *last_number }
     }
 
     /// Takes note of a choice, for the numbers of all later parts
     /// ([`Ranks::note_choice`](super::Ranks::note_choice)).
     pub(super) fn note_choice(&self, choice: &dyn std::fmt::Debug) {
-        let mut way = self.way.lock().expect("nobody panics on the way");
-        *way = digest(&(*way, choice));
+        let mut last_number = self.last_number.lock().expect("nobody panics on the way");
+        *last_number = digest(&(*last_number, choice));
     }
 
     /// Pieces that this rank has recalled and recorded so far; all of it is handed to the system.
@@ -144,7 +144,7 @@ impl RecordedPart<'_> {
         make: impl Fn(usize) -> T,
     ) -> T {
         let key = Key { part: self.number, piece: piece as u32 };
-        let known = self.journal.kept.recall(&key);
+        let known = self.journal.stored_pieces.get(&key);
         if let Some(known) = known.and_then(|bytes| strictly_decoded(&bytes)) {
             self.journal.recalled.fetch_add(1, Ordering::Relaxed);
             return known;

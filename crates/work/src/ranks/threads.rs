@@ -6,7 +6,7 @@ use std::thread;
 
 use super::Ranks;
 use super::comm::Comm;
-use super::place::Place;
+use super::machine_share::MachineShare;
 use super::shares;
 
 /// A thread among several that are ranks to each other.
@@ -61,8 +61,8 @@ impl Comm for Thread {
         self.table.messages.len()
     }
 
-    fn place(&self) -> Place {
-        Place::beside(self.size())
+    fn machine_share(&self) -> MachineShare {
+        MachineShare::beside(self.size())
     }
 
     fn meet(&self) {
@@ -118,8 +118,8 @@ mod tests {
             let received = ranks.exchange((0..3).map(|to| (ranks.number(), to)).collect());
             let mut values = vec![f64::NAN; 5];
             let ends = [2, 2, 5];
-            for place in shares::range(&ends, ranks.number()) {
-                values[place] = place as f64;
+            for machine_share in shares::range(&ends, ranks.number()) {
+                values[machine_share] = machine_share as f64;
             }
             ranks.complete(&mut values, &ends);
             (received, values, ranks.any(ranks.number() == 2), ranks.traffic().numbers)

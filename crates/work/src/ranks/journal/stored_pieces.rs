@@ -16,14 +16,14 @@ const OPEN: usize = 256;
 
 /// The pieces that the files of a journal hold: some fifty bytes of memory each.
 #[derive(Debug, Default)]
-pub(super) struct Kept {
-    files: Vec<KeptFile>,
+pub(super) struct StoredPieces {
+    files: Vec<StoredFile>,
     places: HashMap<Key, RecordPlace>,
 }
 
 /// A file of a journal.
 #[derive(Debug)]
-struct KeptFile {
+struct StoredFile {
     path: PathBuf,
     open: Option<Mutex<File>>,
 }
@@ -36,7 +36,7 @@ struct RecordPlace {
     file: u32,
 }
 
-impl Kept {
+impl StoredPieces {
     /// Takes note of what a file holds; how it was made says `fingerprint`. A piece is checked when it is
     /// wanted.
     ///
@@ -56,19 +56,19 @@ impl Kept {
             Owner::Other => return Err(JournalError::Other { path: path.to_owned() }),
         }
         let open = (self.files.len() < OPEN).then(|| Mutex::new(file));
-        self.files.push(KeptFile { path: path.to_owned(), open });
+        self.files.push(StoredFile { path: path.to_owned(), open });
         Ok(())
     }
 
     /// The bytes of a piece, if they are known and whole.
-    pub(super) fn recall(&self, key: &Key) -> Option<Vec<u8>> {
+    pub(super) fn get(&self, key: &Key) -> Option<Vec<u8>> {
         let place = self.places.get(key)?;
         let record = self.files[place.file as usize].read(place).ok()?;
         piece(key, &record).map(<[u8]>::to_vec)
     }
 }
 
-impl KeptFile {
+impl StoredFile {
     fn read(&self, place: &RecordPlace) -> io::Result<Vec<u8>> {
         match &self.open {
             Some(file) => read_at(&mut file.lock().expect("no reader panics"), place),

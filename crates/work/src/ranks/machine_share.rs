@@ -5,38 +5,38 @@ use std::thread;
 
 /// The share of a rank in its machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct MachineShare {
     /// Ranks on this machine, which share its memory.
-    pub companions: usize,
+    pub ranks: usize,
     /// Threads that this rank runs unless told otherwise.
     pub threads: usize,
 }
 
-impl Place {
-    /// The place of a rank that has its machine for itself.
+impl MachineShare {
+    /// The share of a rank that has its machine for itself.
     pub(super) fn alone() -> Self {
-        Self { companions: 1, threads: available() }
+        Self { ranks: 1, threads: available() }
     }
 
-    /// The place of one of so many ranks that may use all processors alike.
-    pub(super) fn beside(companions: usize) -> Self {
-        Self { companions, threads: (available() / companions).max(1) }
+    /// The share of one of so many ranks that may use all processors alike.
+    pub(super) fn beside(ranks: usize) -> Self {
+        Self { ranks, threads: (available() / ranks).max(1) }
     }
 
-    /// The place of the rank `own` of a machine on which each rank may run on `processors` of its own; empty
+    /// The share of the rank `own` of a machine on which each rank may run on `processors` of its own; empty
     /// where these are not known. Ranks that are bound to different processors have them for themselves,
     /// others share.
     pub fn among(processors: &[Vec<usize>], own: usize) -> Self {
-        let companions = processors.len();
+        let ranks = processors.len();
         let mine = &processors[own];
         if processors.iter().any(Vec::is_empty) {
-            return Self::beside(companions);
+            return Self::beside(ranks);
         }
         let users = |processor: &usize| processors.iter().filter(|all| all.contains(processor)).count();
         let share: f64 = mine.iter().map(|processor| 1.0 / users(processor) as f64).sum();
         // A control group may allow fewer than there are.
         let allowed = available() as f64 / mine.len() as f64;
-        Self { companions, threads: ((share * allowed.min(1.0) + 1e-9) as usize).max(1) }
+        Self { ranks, threads: ((share * allowed.min(1.0) + 1e-9) as usize).max(1) }
     }
 }
 
@@ -78,9 +78,9 @@ mod tests {
         let free: Vec<usize> = (0..available()).collect();
         // Alone, and bound to what nobody else may use: all of it.
         let bound = [free.clone(), vec![1000, 1001]];
-        assert_eq!(Place::among(&bound, 0), Place { companions: 2, threads: available() });
+        assert_eq!(MachineShare::among(&bound, 0), MachineShare { ranks: 2, threads: available() });
         // Nobody is bound.
-        assert_eq!(Place::among(&vec![free.clone(); 4], 3).threads, (available() / 4).max(1));
-        assert_eq!(Place::among(&[free, Vec::new()], 0), Place::beside(2));
+        assert_eq!(MachineShare::among(&vec![free.clone(); 4], 3).threads, (available() / 4).max(1));
+        assert_eq!(MachineShare::among(&[free, Vec::new()], 0), MachineShare::beside(2));
     }
 }
