@@ -9,7 +9,7 @@ mod cornell;
 mod edges;
 mod curved_shadows;
 mod films;
-mod footings;
+mod footprints;
 mod gather;
 mod groups;
 mod hard_cases;

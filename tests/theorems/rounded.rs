@@ -7,7 +7,7 @@
 #![expect(clippy::print_stdout, reason = "errors are measured here, and shown with --nocapture")]
 
 mod builtin;
-mod covers;
+mod covered_parts;
 mod gaps;
 mod kept;
 mod rooms;

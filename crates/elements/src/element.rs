@@ -36,7 +36,7 @@ pub struct Element {
     pub hull: Vec<DVec3>,
     /// Diagonal of its bounding box (scene length).
     pub extent: f64,
-    /// The contact by which it is covered, if any ([`radiosity_visibility::covers`]).
+    /// The contact by which it is covered, if any ([`radiosity_visibility::covered_parts`]).
     pub contact: Option<usize>,
 }
 

@@ -1,7 +1,7 @@
 //! Elements: the scene's surfaces cut into pieces that carry polynomials.
 //!
-//! A planar element is any polygon, without holes and footings, with polynomials of order N in affine
-//! coordinates of its plane; parts that other surfaces lie on ([`radiosity_visibility::covers`]) are elements
+//! A planar element is any polygon, without holes and footprints, with polynomials of order N in affine
+//! coordinates of its plane; parts that other surfaces lie on ([`radiosity_visibility::covered_parts`]) are elements
 //! of their own. A curved element is a rectangle of its surface's parameters, with polynomials in them. Both
 //! bases are orthonormal with respect to area ([`basis`]). For quadrature an element is covered by
 //! [`patch`]es.
@@ -39,8 +39,8 @@ use std::sync::Arc;
 
 use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_width, touching};
 use radiosity_scene::{Scene, SceneSurface};
-use radiosity_visibility::covers::{self, Cover, covers};
-use radiosity_visibility::footings::bare_shapes;
+use radiosity_visibility::covered_parts::{self, CoveredPart, covered_parts};
+use radiosity_visibility::footprints::bare_shapes;
 use radiosity_work::interruption::check_interrupt;
 
 use basis::HIGHEST_ORDER;
@@ -76,20 +76,20 @@ struct Cut {
 }
 
 impl Elements {
-    /// Cuts `scene` as `how` says, without its footings ([`radiosity_visibility::footings`]).
+    /// Cuts `scene` as `how` says, without its footprints ([`radiosity_visibility::footprints`]).
     ///
     /// # Errors
     /// A degree out of range, or a surface without area at the given degree.
     pub fn new(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
-        Self::of_shapes(scene, how, None, bare_shapes(scene), &covers(scene))
+        Self::of_shapes(scene, how, None, bare_shapes(scene), &covered_parts(scene))
     }
 
-    /// Cuts `scene` into the cells of `mesh`, whatever `how` says of them, without its footings.
+    /// Cuts `scene` into the cells of `mesh`, whatever `how` says of them, without its footprints.
     ///
     /// # Errors
     /// As for [`Elements::new`].
     pub fn of_mesh(scene: &Scene, how: &Discretization, mesh: Mesh) -> Result<Self, ElementError> {
-        Self::of_shapes(scene, how, Some(mesh), bare_shapes(scene), &covers(scene))
+        Self::of_shapes(scene, how, Some(mesh), bare_shapes(scene), &covered_parts(scene))
     }
 
     /// Cuts `scene` as `how` says, or into the cells of `mesh`, with whole surfaces whatever stands on them.
@@ -112,7 +112,7 @@ impl Elements {
     /// As for [`Elements::new`].
     pub fn moved(&self, scene: &Scene) -> Result<Self, ElementError> {
         let mesh = (self.mesh.clone(), self.is_refined);
-        Self::cut(scene, &self.how, mesh, bare_shapes(scene), &covers(scene), Some(self))
+        Self::cut(scene, &self.how, mesh, bare_shapes(scene), &covered_parts(scene), Some(self))
     }
 
     fn of_shapes(
@@ -120,7 +120,7 @@ impl Elements {
         how: &Discretization,
         mesh: Option<Mesh>,
         shapes: Vec<Arc<dyn Surface>>,
-        covers: &[Cover],
+        covered_parts: &[CoveredPart],
     ) -> Result<Self, ElementError> {
         if !how.layers.is_valid() {
             return Err(ElementError::Layers { layers: how.layers });
@@ -128,7 +128,7 @@ impl Elements {
         let usual = usual_mesh(scene, how);
         let is_refined = mesh.as_ref().is_some_and(|mesh| *mesh != usual);
         let mesh = mesh.unwrap_or(usual);
-        Self::cut(scene, how, (mesh, is_refined), shapes, covers, None)
+        Self::cut(scene, how, (mesh, is_refined), shapes, covered_parts, None)
     }
 
     /// Cuts `shapes` into the cells of a mesh; elements of shapes that are those of `before`, and that
@@ -138,13 +138,13 @@ impl Elements {
         how: &Discretization,
         (mesh, is_refined): (Mesh, bool),
         shapes: Vec<Arc<dyn Surface>>,
-        covers: &[Cover],
+        covered_parts: &[CoveredPart],
         before: Option<&Self>,
     ) -> Result<Self, ElementError> {
         let mut list = Vec::new();
         let mut surfaces = Vec::new();
         for (index, (surface, shape)) in scene.surfaces.iter().zip(shapes).enumerate() {
-            let is_bare = covers::of_surface(covers, index).next().is_none();
+            let is_bare = covered_parts::of_surface(covered_parts, index).next().is_none();
             if let Some(copy) =
                 before.filter(|_| is_bare).and_then(|before| before.copied(index, &shape, &mut list))
             {
@@ -156,16 +156,16 @@ impl Elements {
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
-            let own: Vec<&Cover> = covers::of_surface(covers, index).collect();
+            let own: Vec<&CoveredPart> = covered_parts::of_surface(covered_parts, index).collect();
             let pieces = shape.region().map_or_else(Vec::new, |region| open_pieces(region, &own));
             let mut maker =
-                Maker { surface: (index, surface), space: how.space, covers: &own, list: &mut list };
+                Maker { surface: (index, surface), space: how.space, covered_parts: &own, list: &mut list };
             let cells = cells.map(&Rect::FULL, &mut |rect, order| {
                 check_interrupt();
                 maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
             })?;
             let mut covered = Vec::new();
-            for Cover { pieces, contact, .. } in &own {
+            for CoveredPart { pieces, contact, .. } in &own {
                 let part = Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) };
                 covered.extend(maker.made(part, order)?);
             }
@@ -288,7 +288,7 @@ impl Elements {
 struct Maker<'a> {
     surface: (usize, &'a SceneSurface),
     space: Space,
-    covers: &'a [&'a Cover],
+    covered_parts: &'a [&'a CoveredPart],
     list: &'a mut Vec<Element>,
 }
 
@@ -313,12 +313,12 @@ impl Maker<'_> {
 /// tuned.
 const LEAST: f64 = 1e-6;
 
-/// Convex pieces of a flat surface outside its `covers`.
-fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
+/// Convex pieces of a flat surface outside its `covered_parts`.
+fn open_pieces(region: &PlanarRegion, covered_parts: &[&CoveredPart]) -> Vec<Vec<DVec3>> {
     let whole = region.convex_pieces().to_vec();
-    let open = covers::without(whole, covers.iter().copied(), region.normal());
+    let open = covered_parts::without(whole, covered_parts.iter().copied(), region.normal());
     open.into_iter()
-        .filter(|piece| covers.is_empty() || polygon_width(piece) > LEAST * region.extent())
+        .filter(|piece| covered_parts.is_empty() || polygon_width(piece) > LEAST * region.extent())
         .collect()
 }
 
@@ -345,11 +345,11 @@ pub struct CutSize {
 /// them.
 pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     let resolution = Resolution::new(scene, how);
-    let covers = covers(scene);
+    let covered_parts = covered_parts(scene);
     let size = |(index, surface): (usize, &SceneSurface)| {
         let [along, across] =
             resolution.parts(index, surface).map(|parts| (parts + 2 * how.layers.count) as u64);
-        let covered = covers::of_surface(&covers, index).count() as u64;
+        let covered = covered_parts::of_surface(&covered_parts, index).count() as u64;
         let functions = how.space.count(resolution.order(index, surface)) as u64;
         CutSize { elements: along * across + covered, functions }
     };
@@ -358,12 +358,12 @@ pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
 
 /// Upper bounds of the elements of each surface of a mesh, and about the functions on each.
 pub fn mesh_sizes(scene: &Scene, how: &Discretization, mesh: &Mesh) -> Vec<CutSize> {
-    let covers = covers(scene);
+    let covered_parts = covered_parts(scene);
     let size = |(index, tree): (usize, &Tree<usize>)| {
         let orders = tree.values();
         let squares: usize = orders.iter().map(|order| how.space.count(**order).pow(2)).sum();
         let functions = (squares as f64 / orders.len() as f64).sqrt().ceil() as u64;
-        let covered = covers::of_surface(&covers, index).count();
+        let covered = covered_parts::of_surface(&covered_parts, index).count();
         CutSize { elements: (orders.len() + covered) as u64, functions }
     };
     mesh.surfaces().iter().enumerate().map(size).collect()

@@ -23,12 +23,12 @@ pub struct Fitted {
     /// Corners and planes that were made equal.
     pub welded: Welded,
     /// Surfaces that lie on others in one plane, and were moved off them slightly.
-    pub lying: Vec<Lying>,
+    pub lying: Vec<LiesOn>,
 }
 
 /// A surface that lies on another, in its plane.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Lying {
+pub struct LiesOn {
     /// Name of the surface.
     pub surface: String,
     /// Name of the larger surface that it lies on.
@@ -63,7 +63,7 @@ pub(super) fn fit(drafts: &mut [SurfaceDraft], middle: DVec3, tolerance: Option<
 }
 
 /// Moves flat sheets off those that they lie on; `typed` are all shapes before welding.
-fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<Lying> {
+fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<LiesOn> {
     let mut typed = typed.iter();
     let mut sheets = Vec::new();
     for draft in drafts.iter() {
@@ -80,7 +80,7 @@ fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<Lyi
     }
     let steps = stacked::set_apart(&mut sheets);
     let name = |index: usize| sheets[index].name.clone();
-    let found = steps.iter().map(|step| Lying { surface: name(step.sheet), on: name(step.on) }).collect();
+    let found = steps.iter().map(|step| LiesOn { surface: name(step.sheet), on: name(step.on) }).collect();
     let shapes = drafts.iter_mut().flat_map(|draft| &mut draft.shapes).map(|(_, shape)| shape);
     shapes
         .filter(|shape| shape.region().is_some())

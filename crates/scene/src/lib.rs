@@ -64,7 +64,7 @@ pub use distribution::Distribution;
 pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
 pub use extent::Extent;
-pub use fitted::{Fitted, Lying};
+pub use fitted::{Fitted, LiesOn};
 pub use glass::Glass;
 pub use imported::Imported;
 pub use light_group::LightGroup;

@@ -21,7 +21,7 @@ use crate::{
     animation::Animation,
     camera::Camera,
     error::{Fault, SceneError, surface_title},
-    fitted::Lying,
+    fitted::LiesOn,
     pose::Pose,
     radiance::Radiance,
     source::Source,
@@ -178,7 +178,7 @@ impl Scene {
                 moved.push((side, off));
             }
             let name = |sheet: usize| sheets[sheet].name.clone();
-            self.fitted.lying.push(Lying { surface: name(sheet), on: name(on) });
+            self.fitted.lying.push(LiesOn { surface: name(sheet), on: name(on) });
         }
         moved
     }
@@ -260,7 +260,7 @@ fn turn_radiance(surface: &mut SceneSurface, pose: &Pose) {
 }
 
 /// Whether a sheet that lay on another one at rest is still as near as that.
-fn may_lie(sheets: &[Sheet], Lying { surface, on }: &Lying) -> bool {
+fn may_lie(sheets: &[Sheet], LiesOn { surface, on }: &LiesOn) -> bool {
     let found = |name: &String| sheets.iter().find(|sheet| sheet.name == *name);
     let bounds = |sheet: &Sheet, gap: f64| -> Aabb { sheet.shape.bounds(&Rect::FULL).inflate(gap) };
     match (found(surface), found(on)) {

@@ -9,7 +9,7 @@ use smallvec::SmallVec;
 
 /// An edge of a blocker.
 #[derive(Debug)]
-pub struct Rim {
+pub struct BlockerEdge {
     /// Its ends.
     pub ends: [DVec3; 2],
     /// A point and the outward unit normal of each of the two faces that meet there; empty for a single
@@ -25,7 +25,7 @@ enum Side {
     Both,
 }
 
-impl Rim {
+impl BlockerEdge {
     /// The edges of a single polygon.
     pub(super) fn all_of(polygon: &[DVec3]) -> impl Iterator<Item = Self> {
         sides(polygon).map(|ends| Self { ends, faces: SmallVec::new() })

@@ -18,7 +18,7 @@ use std::collections::HashMap;
 use radiosity_geom::{Aabb, COINCIDENT, DVec3, sides, touching};
 use smallvec::SmallVec;
 
-use crate::blocker_edges::Rim;
+use crate::blocker_edges::BlockerEdge;
 use crate::bounding_ball::Ball;
 use crate::cloud::Cloud;
 use crate::shadow_volume::ShadowVolume;
@@ -164,12 +164,12 @@ impl Body {
         let mut planes: Vec<Plane> = group.iter().map(plane).collect();
         let places: HashMap<usize, usize> =
             group.iter().enumerate().map(|(own, face)| (*face, own)).collect();
-        let (mut edges, mut rim) = (Vec::new(), Vec::new());
+        let (mut edges, mut border) = (Vec::new(), Vec::new());
         for (own, face) in group.iter().enumerate() {
             for (ends, twin) in sides(faces[*face].outline).zip(&twins[*face]) {
                 match twin.and_then(|twin| places.get(&twin).copied()) {
                     None => {
-                        rim.push(ends);
+                        border.push(ends);
                         edges.push(Edge { ends, between: [own, group.len()] });
                     }
                     Some(other) if own < other => edges.push(Edge { ends, between: [own, other] }),
@@ -177,22 +177,22 @@ impl Body {
                 }
             }
         }
-        if !rim.is_empty() {
-            planes.push(missing_face(&rim, cloud, size)?);
+        if !border.is_empty() {
+            planes.push(missing_face(&border, cloud, size)?);
         }
         let lies_behind = |plane: &Plane| hull.iter().all(|x| plane.height(*x) <= touching(size, 0.0));
         let is_thick = |plane: &Plane| hull.iter().any(|x| plane.height(*x) < -THINNEST * size);
         let is_convex = planes.iter().all(|plane| lies_behind(plane) && is_thick(plane));
         let mut surfaces: Vec<usize> = group.iter().map(|face| faces[*face].surface).collect();
         surfaces.sort_unstable();
-        let (bounds, is_open) = (Aabb::around(hull.iter().copied()), !rim.is_empty());
+        let (bounds, is_open) = (Aabb::around(hull.iter().copied()), !border.is_empty());
         is_convex.then_some(Self { surfaces, hull, ball, bounds, middle, planes, is_open, edges })
     }
 
     /// Its edges.
-    pub(super) fn rims(&self) -> impl Iterator<Item = Rim> {
+    pub(super) fn blocker_edges(&self) -> impl Iterator<Item = BlockerEdge> {
         let face = |face: usize| (self.planes[face].point, self.planes[face].outward);
-        self.edges.iter().map(move |edge| Rim { ends: edge.ends, faces: edge.between.map(face).into() })
+        self.edges.iter().map(move |edge| BlockerEdge { ends: edge.ends, faces: edge.between.map(face).into() })
     }
 
     /// The shadow volume of the body from `x`; None where x is not outside, and each face hides by itself.
@@ -210,13 +210,13 @@ impl Body {
     }
 }
 
-/// The plane of the face that would close a body along `rim`, if it is flat and the whole scene lies behind
+/// The plane of the face that would close a body along `border`, if it is flat and the whole scene lies behind
 /// it.
-fn missing_face(rim: &[[DVec3; 2]], cloud: &Cloud, size: f64) -> Option<Plane> {
-    let point = rim[0][0];
-    let area: DVec3 = rim.iter().map(|[a, b]| (b - point).cross(a - point)).sum();
+fn missing_face(border: &[[DVec3; 2]], cloud: &Cloud, size: f64) -> Option<Plane> {
+    let point = border[0][0];
+    let area: DVec3 = border.iter().map(|[a, b]| (b - point).cross(a - point)).sum();
     let plane = Plane { point, outward: area.try_normalize()? };
-    let is_flat = rim.iter().all(|[a, _]| plane.height(*a).abs() <= touching(size, 0.0));
+    let is_flat = border.iter().all(|[a, _]| plane.height(*a).abs() <= touching(size, 0.0));
     (is_flat && cloud.lies_below(0.0, [point, plane.outward], size)).then_some(plane)
 }
 

@@ -4,7 +4,7 @@
 //! needed.
 
 mod sheet;
-mod rim;
+mod sheet_border;
 mod shell;
 mod enclosure;
 mod regions;
@@ -20,14 +20,14 @@ use std::collections::HashSet;
 use radiosity_scene::{Scene, SceneSurface};
 use rayon::prelude::*;
 
-pub use contact::Contact;
+pub use contact::SurfaceContact;
 pub use luminaires::NearPoint;
 pub use passage::Passage;
 pub use regions::Regions;
 pub use shell::{Fronts, Shell};
 pub use warning::Warning;
 
-use crate::footings::{Footing, footings};
+use crate::footprints::{Footprint, footprints};
 use sheet::Sheets;
 
 /// Larger reflectances draw a warning: in a closed room an error of ρ grows by 1/(1 − ρ) ≥ 20. Chosen.
@@ -39,9 +39,9 @@ pub struct Inspection {
     /// Area of each surface (scene length²).
     pub areas: Vec<f64>,
     /// Surfaces that touch; here and below without the backs of two-sided surfaces.
-    pub contacts: Vec<Contact>,
+    pub contacts: Vec<SurfaceContact>,
     /// Parts of planar surfaces on which bodies stand: they neither send nor receive light.
-    pub footings: Vec<Footing>,
+    pub footprints: Vec<Footprint>,
     /// Closed surfaces.
     pub shells: Vec<Shell>,
     /// Surfaces that pass through others where something moves.
@@ -58,14 +58,14 @@ impl Inspection {
         let sheets = Sheets::of(scene);
         let lying: HashSet<&str> = scene.fitted.lying.iter().map(|own| own.surface.as_str()).collect();
         let contacts = contact::contacts(&sheets);
-        let rims = rim::rims(&sheets);
-        let groups = shell::groups(&sheets, &rims);
+        let borders = sheet_border::borders(&sheets);
+        let groups = shell::groups(&sheets, &borders);
         let shells: Vec<Shell> = groups.iter().filter_map(|group| shell::shell(&sheets, group)).collect();
         let mut warnings = light(scene);
         warnings.extend(scene.surfaces.iter().filter_map(material));
         warnings.extend(luminaires::odd(scene));
         warnings.extend(contacts.iter().filter_map(|found| contact::intrusion(scene, &lying, found)));
-        warnings.extend(gap::gaps(scene, &sheets, &rims, &contacts));
+        warnings.extend(gap::gaps(scene, &sheets, &borders, &contacts));
         warnings.extend(front::turned(&sheets, &groups));
         warnings.extend(front::inside_out(&sheets, &shells, scene.camera.as_ref()));
         warnings.extend(front::blind(&sheets, &lying));
@@ -73,7 +73,7 @@ impl Inspection {
         warnings.extend(passages.iter().map(Passage::warning));
         let areas = scene.surfaces.par_iter().map(|surface| surface.shape.area()).collect();
         let near_points = luminaires::near_points(scene);
-        Inspection { areas, contacts, footings: footings(scene), shells, passages, near_points, warnings }
+        Inspection { areas, contacts, footprints: footprints(scene), shells, passages, near_points, warnings }
     }
 }
 

@@ -9,7 +9,7 @@
 //! In order: [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`, `convex_bodies`,
 //! [`silhouette_mesh`], [`Shadows`] and `obstacle` (of what obstacles are made), `rays` and `whole` (what
 //! rays meet first, what hides as a whole), [`Visibility`], the noun of the crate; then what a scene says of
-//! itself: [`footings`] (where bodies stand), [`covers`] (flat surfaces on others) and [`inspection`]
+//! itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat surfaces on others) and [`inspection`]
 //! (contents, contacts, what looks wrong).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `scene`.
@@ -24,8 +24,8 @@ mod mode;
 mod obstacle;
 mod rays;
 mod whole;
-pub mod footings;
-pub mod covers;
+pub mod footprints;
+pub mod covered_parts;
 pub mod inspection;
 
 use std::cmp::Ordering;

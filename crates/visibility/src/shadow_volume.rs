@@ -80,7 +80,7 @@ fn kept(polygon: &[DVec3], heights: &[f64]) -> Corners {
 
 /// Position of a set of points relative to a shadow volume.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cover {
+pub enum Coverage {
     /// No point of its convex hull is hidden.
     Clear,
     /// All of it is hidden.
@@ -170,7 +170,7 @@ impl ShadowVolume {
 
     /// Position, relative to the volume, of the convex hull of `points`, which the ball of `radius` about
     /// `center` contains. What only touches a plane lies outside it.
-    pub fn cover(&self, points: &[DVec3], center: DVec3, radius: f64) -> Cover {
+    pub fn coverage(&self, points: &[DVec3], center: DVec3, radius: f64) -> Coverage {
         let middle = center - self.eye;
         // Planes that cross the ball; the one most likely to have all points outside comes first.
         let mut open: SmallVec<[&Plane; PLANES]> = SmallVec::new();
@@ -178,7 +178,7 @@ impl ShadowVolume {
         for plane in &self.planes {
             let height = plane.height(middle);
             if height <= -radius {
-                return Cover::Clear;
+                return Coverage::Clear;
             }
             if height < radius {
                 open.push(plane);
@@ -190,50 +190,50 @@ impl ShadowVolume {
             }
         }
         if open.is_empty() {
-            return Cover::Hidden;
+            return Coverage::Hidden;
         }
         let seen: Corners = points.iter().map(|y| y - self.eye).collect();
-        cover_by(open.into_iter(), &seen, reach(&seen))
+        coverage_by(open.into_iter(), &seen, reach(&seen))
     }
 
-    /// As [`ShadowVolume::cover`], for a quadrilateral within `radius` of its mean corner.
-    pub fn cover_of_quad(&self, quad: &Quad, radius: f64) -> Cover {
+    /// As [`ShadowVolume::coverage`], for a quadrilateral within `radius` of its mean corner.
+    pub fn coverage_of_quad(&self, quad: &Quad, radius: f64) -> Coverage {
         let middle = quad.middle - self.eye;
         let tolerance = COINCIDENT * (middle.abs().element_sum() + radius);
-        let mut cover = Cover::Hidden;
+        let mut coverage = Coverage::Hidden;
         for plane in &self.planes {
             let height = plane.height(middle);
             if height >= radius {
                 continue;
             }
             if height <= -radius {
-                return Cover::Clear;
+                return Coverage::Clear;
             }
             let [below, above] = quad.reach(plane.inward);
             if height + above <= tolerance {
-                return Cover::Clear;
+                return Coverage::Clear;
             }
             if height - below < -tolerance {
-                cover = Cover::Mixed;
+                coverage = Coverage::Mixed;
             }
         }
-        cover
+        coverage
     }
 
-    /// As [`ShadowVolume::cover`], without a known ball.
-    pub fn cover_of(&self, points: &[DVec3]) -> Cover {
+    /// As [`ShadowVolume::coverage`], without a known ball.
+    pub fn coverage_of(&self, points: &[DVec3]) -> Coverage {
         let seen: Corners = points.iter().map(|y| y - self.eye).collect();
-        self.cover_seen(&seen)
+        self.coverage_seen(&seen)
     }
 
-    /// As [`ShadowVolume::cover`], for points relative to the tip.
-    pub fn cover_seen(&self, points: &[DVec3]) -> Cover {
-        self.cover_within(points, reach(points))
+    /// As [`ShadowVolume::coverage`], for points relative to the tip.
+    pub fn coverage_seen(&self, points: &[DVec3]) -> Coverage {
+        self.coverage_within(points, reach(points))
     }
 
-    /// As [`ShadowVolume::cover`], for points relative to the tip and no farther from it than `reach`.
-    pub fn cover_within(&self, points: &[DVec3], reach: f64) -> Cover {
-        cover_by(self.planes.iter(), points, reach)
+    /// As [`ShadowVolume::coverage`], for points relative to the tip and no farther from it than `reach`.
+    pub fn coverage_within(&self, points: &[DVec3], reach: f64) -> Coverage {
+        coverage_by(self.planes.iter(), points, reach)
     }
 
     /// Whether the point `y` is hidden.
@@ -290,9 +290,9 @@ impl ShadowVolume {
 
 /// Position of the hull of `points`, no farther from the tip than `reach`, relative to the intersection of
 /// planes.
-fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3], reach: f64) -> Cover {
+fn coverage_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3], reach: f64) -> Coverage {
     let tolerance = COINCIDENT * reach;
-    let mut cover = Cover::Hidden;
+    let mut coverage = Coverage::Hidden;
     for plane in planes {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for a in points {
@@ -301,11 +301,11 @@ fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3], reach
             high = if height > high { height } else { high };
         }
         if high <= tolerance {
-            return Cover::Clear;
+            return Coverage::Clear;
         }
         if low < -tolerance {
-            cover = Cover::Mixed;
+            coverage = Coverage::Mixed;
         }
     }
-    cover
+    coverage
 }

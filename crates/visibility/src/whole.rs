@@ -3,7 +3,7 @@
 use radiosity_geom::{Aabb, DVec3, separated};
 
 use super::Visibility;
-use crate::blocker_edges::Rim;
+use crate::blocker_edges::BlockerEdge;
 use crate::bounding_ball::Ball;
 use crate::shadow_volume::ShadowVolume;
 
@@ -85,10 +85,10 @@ impl Visibility {
     }
 
     /// The edges of a planar surface, or of the convex body it belongs to.
-    pub fn rims(&self, surface: usize) -> Vec<Rim> {
+    pub fn blocker_edges(&self, surface: usize) -> Vec<BlockerEdge> {
         match self.bodies.of(surface) {
-            Some(body) => body.rims().collect(),
-            None => self.pieces(surface).into_iter().flatten().flat_map(|piece| Rim::all_of(piece)).collect(),
+            Some(body) => body.blocker_edges().collect(),
+            None => self.pieces(surface).into_iter().flatten().flat_map(|piece| BlockerEdge::all_of(piece)).collect(),
         }
     }
 }

@@ -16,7 +16,7 @@ const AREA_POINTS: usize = 8;
 /// Where two numbers in [0, 1] lie, and the weight of that point: 1 / (A p), p the density of points per
 /// area there; 1 on flat elements.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct WeightedNode {
     /// The point.
     pub node: Node,
     /// Its weight.
@@ -64,7 +64,7 @@ impl Spread {
     }
 
     /// The point that two numbers in [0, 1] choose.
-    pub fn point(&self, [s, t]: [f64; 2]) -> Place {
+    pub fn point(&self, [s, t]: [f64; 2]) -> WeightedNode {
         let last = self.pieces.len() - 1;
         let place = self.pieces.partition_point(|piece| piece.shares[1] <= s).min(last);
         let Piece { shares: [low, high], chart } = &self.pieces[place];
@@ -103,8 +103,8 @@ impl Chart {
         }
     }
 
-    fn point(&self, s: f64, t: f64) -> Place {
-        let flat = |corner: &DVec3, [a, b]: &[DVec3; 2], normal: &DVec3, s: f64, t: f64| Place {
+    fn point(&self, s: f64, t: f64) -> WeightedNode {
+        let flat = |corner: &DVec3, [a, b]: &[DVec3; 2], normal: &DVec3, s: f64, t: f64| WeightedNode {
             node: Node {
                 position: corner + a * s + b * t,
                 normal: *normal,
@@ -122,7 +122,7 @@ impl Chart {
             }
             Self::Curved { patch, area } => {
                 let node = patch.node(s, t);
-                Place { node, weight: node.area / area }
+                WeightedNode { node, weight: node.area / area }
             }
         }
     }

@@ -27,7 +27,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
         return;
     }
     let sheets = Sheets::of(model);
-    let Lying { hidden, raised } = Lying::of(model, &sheets);
+    let StackedFaces { hidden, raised } = StackedFaces::of(model, &sheets);
     let mut edit = Edit::default();
     let mut say = |[sheet, on]: [usize; 2], what: &str| {
         let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list()[index].surface]);
@@ -50,14 +50,14 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
 }
 
 /// Faces that lie on larger ones.
-struct Lying {
+struct StackedFaces {
     /// Faces that no light reaches, each with a face that it lies on.
     hidden: BTreeMap<usize, usize>,
     /// All other faces, each with all faces that it lies on.
     raised: BTreeMap<usize, Vec<usize>>,
 }
 
-impl Lying {
+impl StackedFaces {
     fn of(model: &Model, sheets: &Sheets) -> Self {
         let (mut hidden, mut raised) = (BTreeMap::new(), BTreeMap::<usize, Vec<usize>>::new());
         for index in 0..sheets.list().len() {
@@ -84,7 +84,7 @@ impl Lying {
             on.retain(|other| !hidden.contains_key(other));
             !on.is_empty() && !hidden.contains_key(sheet)
         });
-        Lying { hidden, raised }
+        StackedFaces { hidden, raised }
     }
 }
 
@@ -99,16 +99,16 @@ fn is_shown(model: &Model, small: &Sheet, large: &Sheet) -> bool {
 /// that moves moves along.
 fn moves(
     sheets: &Sheets,
-    lying: &BTreeMap<usize, Vec<usize>>,
+    raised: &BTreeMap<usize, Vec<usize>>,
     is_two_sided: impl Fn(usize) -> bool,
 ) -> Vec<(usize, DVec3)> {
-    let mut indices: Vec<usize> = lying.keys().copied().collect();
+    let mut indices: Vec<usize> = raised.keys().copied().collect();
     indices.sort_by(|a, b| order(&sheets.list()[*b], &sheets.list()[*a]));
     let mut by: BTreeMap<usize, DVec3> = BTreeMap::new();
     for index in indices {
         let sheet = &sheets.list()[index];
         let mut largest = DVec3::ZERO;
-        for on in &lying[&index] {
+        for on in &raised[&index] {
             let other = &sheets.list()[*on];
             // What has two fronts lies before the front of the larger face.
             let up = if is_two_sided(sheet.surface) { other.normal() } else { sheet.normal() };

@@ -3,7 +3,7 @@
 use radiosity_geom::RayTree;
 use radiosity_scene::Scene;
 use radiosity_solvers::Settings;
-use radiosity_visibility::footings::bare_shapes;
+use radiosity_visibility::footprints::bare_shapes;
 use radiosity_work::{Observer, Progress, Stage};
 use rayon::prelude::*;
 
@@ -20,7 +20,7 @@ use super::tree::Tree;
 /// Solves a scene of Lambertian surfaces with constants on elements that the light asks for; back sides only
 /// hide.
 ///
-/// `observer` hears of each round. The result does not depend on the number of threads. No error is
+/// `observer` gets a report of each round. The result does not depend on the number of threads. No error is
 /// estimated: a link carries at most the power `options.eps`, but for the least faces, and links of clusters
 /// err the less the larger `separation` is. In a hall of 1014 surfaces the mean irradiances err by 2 % of the
 /// largest at separation 1.5, by 0.9 % at 3 (study `links`).
@@ -55,7 +55,7 @@ pub fn solve_hierarchically(
         if !work.refine(&mut tree, &mut light, number == 1) {
             break;
         }
-        observer.hear(Progress::Done { stage: Stage::Blocks, done: number, of: options.rounds });
+        observer.report(Progress::Done { stage: Stage::Blocks, done: number, of: options.rounds });
         let hierarchy = Hierarchy::new(tree, &work.links, work.dropped, number);
         let bands = work.solve(&hierarchy)?;
         light = work.sent(&hierarchy, &bands);

@@ -9,7 +9,7 @@
 
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::{shift, shifted};
-use radiosity_elements::sampling::spread::Place;
+use radiosity_elements::sampling::spread::WeightedNode;
 use radiosity_geom::RayTree;
 use radiosity_kernel::kernel;
 use radiosity_visibility::OWN_END;
@@ -45,7 +45,7 @@ pub(crate) fn visible_part(tree: &Tree, obstacles: &RayTree, [p, q]: [usize; 2],
 }
 
 /// The point of a node that two numbers in [0, 1) choose, evenly by area, and its surface.
-fn place(tree: &Tree, mut node: usize, [mut s, t]: [f64; 2]) -> Option<(usize, Place)> {
+fn place(tree: &Tree, mut node: usize, [mut s, t]: [f64; 2]) -> Option<(usize, WeightedNode)> {
     while tree.nodes()[node].face.is_none() {
         let mut left = s * tree.nodes()[node].area;
         let (last, others) = tree.nodes()[node].children.split_last()?;

@@ -13,7 +13,7 @@ use crate::inspection::{
 
 /// Two surfaces that touch.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Contact {
+pub struct SurfaceContact {
     /// Their indices in the scene, the lower first.
     pub surfaces: [usize; 2],
     /// Kind of the contact.
@@ -21,23 +21,23 @@ pub struct Contact {
 }
 
 /// All contacts, in the order of the surfaces' indices.
-pub(super) fn contacts(sheets: &Sheets) -> Vec<Contact> {
-    let of_sheet = |a: usize| -> Vec<Contact> {
+pub(super) fn contacts(sheets: &Sheets) -> Vec<SurfaceContact> {
+    let of_sheet = |a: usize| -> Vec<SurfaceContact> {
         let later = sheets.near(a).into_iter().filter(|b| *b > a);
         later.filter_map(|b| contact(sheets, [a, b])).collect()
     };
-    let found: Vec<Vec<Contact>> = (0..sheets.list.len()).into_par_iter().map(of_sheet).collect();
+    let found: Vec<Vec<SurfaceContact>> = (0..sheets.list.len()).into_par_iter().map(of_sheet).collect();
     found.into_iter().flatten().collect()
 }
 
-fn contact(sheets: &Sheets, pair: [usize; 2]) -> Option<Contact> {
+fn contact(sheets: &Sheets, pair: [usize; 2]) -> Option<SurfaceContact> {
     let [a, b] = pair.map(|k| &sheets.list[k]);
     let touch = Adjacency::of(&a.patch(), &b.patch())?;
-    Some(Contact { surfaces: [a.surface, b.surface], touch })
+    Some(SurfaceContact { surfaces: [a.surface, b.surface], touch })
 }
 
 /// Surfaces that pass through each other, or share area; not those that were set apart, `lying` on others.
-pub(super) fn intrusion(scene: &Scene, lying: &HashSet<&str>, contact: &Contact) -> Option<Warning> {
+pub(super) fn intrusion(scene: &Scene, lying: &HashSet<&str>, contact: &SurfaceContact) -> Option<Warning> {
     let [own, other] = contact.surfaces.map(|index| &scene.surfaces[index].name);
     match contact.touch {
         Adjacency::Crossing { at } => {

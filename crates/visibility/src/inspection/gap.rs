@@ -6,20 +6,20 @@ use radiosity_geom::{Adjacency, DVec3};
 use radiosity_scene::Scene;
 
 use crate::inspection::{
-    contact::Contact,
-    rim::{Meeting, Rim},
+    contact::SurfaceContact,
+    sheet_border::{Meeting, SheetBorder},
     sheet::Sheets,
     warning::{Warning, place},
 };
 
 /// Borders that nearly reach another sheet, once per pair, at the widest gap; not for surfaces that cross.
-pub(super) fn gaps(scene: &Scene, sheets: &Sheets, rims: &[Rim], contacts: &[Contact]) -> Vec<Warning> {
+pub(super) fn gaps(scene: &Scene, sheets: &Sheets, borders: &[SheetBorder], contacts: &[SurfaceContact]) -> Vec<Warning> {
     let crossing = contacts.iter().filter(|contact| matches!(contact.touch, Adjacency::Crossing { .. }));
     let crossing: BTreeSet<[usize; 2]> = crossing.map(|contact| contact.surfaces).collect();
     let cross = |pair: [usize; 2]| crossing.contains(&pair.map(|k| sheets.list[k].surface));
     let mut widest: Vec<([usize; 2], f64, DVec3)> = Vec::new();
     let mut known = BTreeMap::new();
-    for (pair, distance, point) in rims.iter().filter_map(widest_gap).filter(|(pair, ..)| !cross(*pair)) {
+    for (pair, distance, point) in borders.iter().filter_map(widest_gap).filter(|(pair, ..)| !cross(*pair)) {
         let index = *known.entry(pair).or_insert(widest.len());
         match widest.get_mut(index) {
             Some(found) if found.1 < distance => *found = (pair, distance, point),
@@ -38,15 +38,15 @@ pub(super) fn gaps(scene: &Scene, sheets: &Sheets, rims: &[Rim], contacts: &[Con
 }
 
 /// The widest gap of a border if it has one along at least half of it, with its two sheets and place.
-fn widest_gap(rim: &Rim) -> Option<([usize; 2], f64, DVec3)> {
+fn widest_gap(border: &SheetBorder) -> Option<([usize; 2], f64, DVec3)> {
     let gap = |(point, meeting): &(DVec3, Meeting)| match *meeting {
         Meeting::Gap { sheet, distance } => {
-            Some(([rim.sheet.min(sheet), rim.sheet.max(sheet)], distance, *point))
+            Some(([border.sheet.min(sheet), border.sheet.max(sheet)], distance, *point))
         }
         _ => None,
     };
-    let found: Vec<_> = rim.places.iter().filter_map(gap).collect();
-    if 2 * found.len() < rim.places.len() {
+    let found: Vec<_> = border.places.iter().filter_map(gap).collect();
+    if 2 * found.len() < border.places.len() {
         return None;
     }
     found.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))

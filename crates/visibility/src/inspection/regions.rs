@@ -10,7 +10,7 @@ use radiosity_scene::Scene;
 
 use crate::inspection::{
     enclosure::Enclosure,
-    rim,
+    sheet_border,
     sheet::{Sheets, backs},
     shell,
     shell::{Fronts, Shell},
@@ -43,7 +43,7 @@ impl Regions {
     /// one side. A surface of two sides has to be closed in itself.
     pub fn of(scene: &Scene) -> Option<Self> {
         let sheets = Sheets::of(scene);
-        let groups = shell::groups(&sheets, &rim::rims(&sheets));
+        let groups = shell::groups(&sheets, &sheet_border::borders(&sheets));
         let shells: Vec<Shell> =
             groups.iter().map(|group| shell::shell(&sheets, group)).collect::<Option<_>>()?;
         let is_mixed = |shell: &Shell| {

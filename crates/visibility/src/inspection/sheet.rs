@@ -103,7 +103,7 @@ impl Sheet {
     }
 
     /// The borders that are longer than a point; the front is on their left where the sign is 1.
-    pub(super) fn rims(&self) -> Vec<(Border<'_>, f64)> {
+    pub(super) fn borders(&self) -> Vec<(Border<'_>, f64)> {
         // Turning a surface over keeps its tangents, but reverses the vertices of a region.
         let middle = self.shape.jet(0.0, 0.0);
         let against = self.shape.region().is_none() && middle.du.cross(middle.dv).dot(middle.normal) < 0.0;

@@ -10,7 +10,7 @@ use radiosity_core::gauss::{Legendre, Rule};
 use radiosity_geom::{Aabb, DVec3, Rect};
 
 use crate::inspection::{
-    rim::{Meeting, Rim},
+    sheet_border::{Meeting, SheetBorder},
     sheet::{Sheet, Sheets},
 };
 
@@ -50,12 +50,12 @@ pub(super) struct Group {
 }
 
 /// All groups, by their first sheets.
-pub(super) fn groups(sheets: &Sheets, rims: &[Rim]) -> Vec<Group> {
-    let joints = joints(sheets, rims);
+pub(super) fn groups(sheets: &Sheets, borders: &[SheetBorder]) -> Vec<Group> {
+    let joints = joints(sheets, borders);
     let mut is_open = vec![false; sheets.list.len()];
-    for rim in rims {
-        let single = |meeting: &Meeting| matches!(meeting, Meeting::Rims(others) if others.len() == 1);
-        is_open[rim.sheet] |= !rim.places.iter().all(|(_, meeting)| single(meeting));
+    for border in borders {
+        let single = |meeting: &Meeting| matches!(meeting, Meeting::Borders(others) if others.len() == 1);
+        is_open[border.sheet] |= !border.places.iter().all(|(_, meeting)| single(meeting));
     }
     let mut sign = vec![0.0; sheets.list.len()];
     let mut groups = Vec::new();
@@ -69,18 +69,18 @@ pub(super) fn groups(sheets: &Sheets, rims: &[Rim]) -> Vec<Group> {
 
 /// For each sheet its neighbours across a border: 1 if the fronts agree, −1 if they disagree, 0 if neither is
 /// defined.
-fn joints(sheets: &Sheets, rims: &[Rim]) -> Vec<Vec<(usize, f64)>> {
+fn joints(sheets: &Sheets, borders: &[SheetBorder]) -> Vec<Vec<(usize, f64)>> {
     let mut joints = vec![Vec::new(); sheets.list.len()];
     let mut known = HashSet::new();
-    for rim in rims {
-        for (_, meeting) in &rim.places {
-            let Meeting::Rims(others) = meeting else { continue };
-            for (other, cosine) in others.iter().filter(|(other, _)| *other != rim.sheet) {
+    for border in borders {
+        for (_, meeting) in &border.places {
+            let Meeting::Borders(others) = meeting else { continue };
+            for (other, cosine) in others.iter().filter(|(other, _)| *other != border.sheet) {
                 let is_clear =
-                    others.len() == 1 && !sheets.list[rim.sheet].two_sided && !sheets.list[*other].two_sided;
+                    others.len() == 1 && !sheets.list[border.sheet].two_sided && !sheets.list[*other].two_sided;
                 let agree = if is_clear { -cosine.signum() } else { 0.0 };
-                if known.insert((rim.sheet, *other, agree.to_bits())) {
-                    joints[rim.sheet].push((*other, agree));
+                if known.insert((border.sheet, *other, agree.to_bits())) {
+                    joints[border.sheet].push((*other, agree));
                 }
             }
         }

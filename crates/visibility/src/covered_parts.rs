@@ -1,4 +1,4 @@
-//! Covers: the parts of flat surfaces on which other flat surfaces lie.
+//! Covered parts: the parts of flat surfaces on which other flat surfaces lie.
 //!
 //! A body that stands on a floor, a picture on a wall or a sheet on a table leaves no gap through which light
 //! passes. In that limit the part of the floor under the sheet and the part of the sheet over the floor
@@ -19,7 +19,7 @@ use radiosity_scene::Scene;
 /// Sine of the angle between planes below which they count as parallel. Chosen; not tuned.
 const PARALLEL: f64 = 1e-6;
 
-/// Least common part of two sheets, over the smaller area, for a cover. Chosen; not tuned.
+/// Least common part of two sheets, over the smaller area, for a covered part. Chosen; not tuned.
 const SHARED: f64 = 1e-6;
 
 /// A piece narrower than this part of the smaller sheet's extent is rounding. Chosen; not tuned.
@@ -27,19 +27,19 @@ const NARROW: f64 = 1e-6;
 
 /// A part of a flat surface on which another surface lies.
 #[derive(Clone, Debug)]
-pub struct Cover {
+pub struct CoveredPart {
     /// Index of the surface.
     pub surface: usize,
     /// The part, as disjoint convex pieces, counter-clockwise seen from the surface's front.
     pub pieces: Vec<Vec<DVec3>>,
-    /// Number of the contact; the two covers of a contact exchange light.
+    /// Number of the contact; the two parts of a contact exchange light.
     pub contact: usize,
 }
 
-/// All covers of a scene, in the order of their contacts.
-pub fn covers(scene: &Scene) -> Vec<Cover> {
-    let mut found: Vec<Cover> = Vec::new();
-    for (contact, Contact { under, over, mutual, .. }) in contacts(scene).into_iter().enumerate() {
+/// All covered parts of a scene, in the order of their contacts.
+pub fn covered_parts(scene: &Scene) -> Vec<CoveredPart> {
+    let mut found: Vec<CoveredPart> = Vec::new();
+    for (contact, SheetContact { under, over, mutual, .. }) in contacts(scene).into_iter().enumerate() {
         let region = |surface: usize| scene.surfaces[surface].shape.region().expect("sheets are flat");
         let pieces = region(under).common_parts(region(over)).collect();
         let pieces = without(pieces, of_surface(&found, under), region(under).normal());
@@ -54,27 +54,27 @@ pub fn covers(scene: &Scene) -> Vec<Cover> {
         if mutual {
             let onto = |x: &DVec3| x - region(over).height(*x) * region(over).normal();
             let turned = |piece: &Vec<DVec3>| piece.iter().rev().map(onto).collect();
-            found.push(Cover { surface: over, pieces: pieces.iter().map(turned).collect(), contact });
+            found.push(CoveredPart { surface: over, pieces: pieces.iter().map(turned).collect(), contact });
         }
-        found.push(Cover { surface: under, pieces, contact });
+        found.push(CoveredPart { surface: under, pieces, contact });
     }
     found
 }
 
-/// The parts of the convex `pieces` outside the `covers` of their surface; `normal` is the unit normal of its
+/// The parts of the convex `pieces` outside the `covered_parts` of their surface; `normal` is the unit normal of its
 /// front.
 pub fn without<'a>(
     pieces: Vec<Vec<DVec3>>,
-    covers: impl Iterator<Item = &'a Cover>,
+    covered_parts: impl Iterator<Item = &'a CoveredPart>,
     normal: DVec3,
 ) -> Vec<Vec<DVec3>> {
-    let holes = covers.flat_map(|cover| &cover.pieces);
+    let holes = covered_parts.flat_map(|cover| &cover.pieces);
     holes.fold(pieces, |rest, hole| rest.iter().flat_map(|piece| difference(piece, hole, normal)).collect())
 }
 
-/// The `covers` of one surface.
-pub fn of_surface(covers: &[Cover], surface: usize) -> impl Iterator<Item = &Cover> {
-    covers.iter().filter(move |cover| cover.surface == surface)
+/// The `covered_parts` of one surface.
+pub fn of_surface(covered_parts: &[CoveredPart], surface: usize) -> impl Iterator<Item = &CoveredPart> {
+    covered_parts.iter().filter(move |cover| cover.surface == surface)
 }
 
 /// Total area of disjoint pieces (scene length²).
@@ -83,7 +83,7 @@ fn area(pieces: &[Vec<DVec3>]) -> f64 {
 }
 
 /// A sheet that lies on the front of another.
-struct Contact {
+struct SheetContact {
     /// The surface whose front is covered.
     under: usize,
     /// The surface that lies on it.
@@ -96,7 +96,7 @@ struct Contact {
 
 /// All contacts: first those whose fronts face each other, the closest first, then the others. If something
 /// between two sheets faces one of them, it is closer to that one than a sheet that covers without seeing.
-fn contacts(scene: &Scene) -> Vec<Contact> {
+fn contacts(scene: &Scene) -> Vec<SheetContact> {
     let sheets: Vec<(usize, &PlanarRegion)> = (scene.surfaces.iter().enumerate())
         .filter_map(|(index, surface)| Some((index, surface.shape.region()?)))
         .collect();
@@ -120,7 +120,7 @@ fn contacts(scene: &Scene) -> Vec<Contact> {
             }
             let most = closed(region.extent(), other.extent());
             if let Some(gap) = height_over(region, other).filter(|gap| *gap <= most) {
-                found.push(Contact { under: *under, over, mutual, gap });
+                found.push(SheetContact { under: *under, over, mutual, gap });
             }
         });
     }

@@ -1,12 +1,12 @@
-//! Footings: the parts of planar surfaces on which bodies stand, which no light reaches.
+//! Footprints: the parts of planar surfaces on which bodies stand, which no light reaches.
 //!
 //! A box on a floor hides the floor under it. The darkness there has a sharp edge that no polynomial follows,
 //! so elements have to end at the foot of the box. The surface's outline and all lines of contact draw a
-//! planar map (`faces`). A face of the map is a footing if only backs of surfaces, or other footings, are
+//! planar map (`faces`). A face of the map is a footprint if only backs of surfaces, or other footprints, are
 //! seen from it (`seal`). It is cut out of the surface as receiver and sender; as a blocker the surface stays
 //! whole.
 
-mod footing;
+mod footprint;
 mod segments;
 mod faces;
 mod lines;
@@ -20,31 +20,31 @@ use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use crate::{Shadows, Visibility};
-pub use footing::Footing;
+pub use footprint::Footprint;
 use seal::Suspect;
 use segments::Segments;
 
-/// Least part of a surface's area that has to be left beside footings. Chosen; not tuned.
+/// Least part of a surface's area that has to be left beside footprints. Chosen; not tuned.
 const LEAST: f64 = 1e-6;
 
-/// All footings of a scene, in the order of their surfaces.
-pub fn footings(scene: &Scene) -> Vec<Footing> {
+/// All footprints of a scene, in the order of their surfaces.
+pub fn footprints(scene: &Scene) -> Vec<Footprint> {
     let obstacles = Visibility::new(scene, Shadows::Off);
     let all = 0..scene.surfaces.len();
     let suspects: Vec<Vec<Suspect>> =
         all.into_par_iter().map(|surface| suspects(scene, &obstacles, surface)).collect();
     let suspects: Vec<Suspect> = suspects.into_iter().flatten().collect();
     let sealed = seal::sealed(scene, &obstacles, &suspects);
-    suspects.into_iter().zip(sealed).filter(|(_, sealed)| *sealed).map(|(s, _)| s.footing).collect()
+    suspects.into_iter().zip(sealed).filter(|(_, sealed)| *sealed).map(|(s, _)| s.footprint).collect()
 }
 
-/// The shapes of all surfaces of a scene, without their footings.
+/// The shapes of all surfaces of a scene, without their footprints.
 pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
     let mut shapes: Vec<Arc<dyn Surface>> = scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect();
-    for Footing { surface, region, .. } in footings(scene) {
+    for Footprint { surface, region, .. } in footprints(scene) {
         let hole = vec![region.outer().to_vec()];
         let cut = Trimmed::new(Box::new(Arc::clone(&shapes[surface])), hole);
-        // A footing stays if it does not fit beside the holes, or if it is the last uncovered part.
+        // A footprint stays if it does not fit beside the holes, or if it is the last uncovered part.
         if let Some(cut) = cut.ok().filter(|cut| cut.area() > LEAST * region.area()) {
             shapes[surface] = Arc::new(cut);
         }
@@ -70,7 +70,7 @@ fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspec
     let proper = regions.filter(|face| face.area() < (1.0 - 1e-6) * region.area());
     let suspect = |face: PlanarRegion| {
         let standing = lines::around(&lines, &contacts, &face);
-        Suspect::new(Footing { surface, region: face, standing }, region)
+        Suspect::new(Footprint { surface, region: face, standing }, region)
     };
     let mut found: Vec<Suspect> = proper.map(suspect).collect();
     seal::keep_apart(&mut found);

@@ -1,4 +1,4 @@
-//! Rims: what the borders of sheets meet, at sample places along them.
+//! Borders of sheets: what the borders of sheets meet, at sample places along them.
 
 use radiosity_geom::{Aabb, Border, DVec3, LOOSE};
 use rayon::prelude::*;
@@ -12,7 +12,7 @@ const PLACES: [f64; 10] = [-0.97, -0.83, -0.61, -0.37, -0.13, 0.09, 0.29, 0.53, 
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Meeting {
     /// Borders, each with its sheet and the cosine between the directions of both, fronts on their left.
-    Rims(Vec<(usize, f64)>),
+    Borders(Vec<(usize, f64)>),
     /// The inside of a face.
     Face,
     /// A sheet that the border nearly reaches.
@@ -28,7 +28,7 @@ pub(super) enum Meeting {
 
 /// The places of one border of a sheet.
 #[derive(Debug)]
-pub(super) struct Rim {
+pub(super) struct SheetBorder {
     /// Index among the sheets.
     pub(super) sheet: usize,
     /// Points, and what the border meets there.
@@ -44,24 +44,24 @@ struct Line<'a> {
 }
 
 /// Every border of every sheet.
-pub(super) fn rims(sheets: &Sheets) -> Vec<Rim> {
+pub(super) fn borders(sheets: &Sheets) -> Vec<SheetBorder> {
     let lines: Vec<Vec<Line<'_>>> =
         sheets.list.iter().enumerate().map(|(k, sheet)| lines(k, sheet)).collect();
-    let of_sheet = |own: usize| -> Vec<Rim> {
+    let of_sheet = |own: usize| -> Vec<SheetBorder> {
         let near = sheets.near(own);
         let neighbours: Vec<&Line<'_>> = near.iter().chain([&own]).flat_map(|sheet| &lines[*sheet]).collect();
-        let rim = |line: &Line<'_>| {
+        let sheet_border = |line: &Line<'_>| {
             let place = |w: f64| (line.border.point(w), meeting(sheets, line, w, &neighbours, &near));
-            Rim { sheet: own, places: PLACES.map(place).to_vec() }
+            SheetBorder { sheet: own, places: PLACES.map(place).to_vec() }
         };
-        lines[own].iter().map(rim).collect()
+        lines[own].iter().map(sheet_border).collect()
     };
-    let found: Vec<Vec<Rim>> = (0..sheets.list.len()).into_par_iter().map(of_sheet).collect();
+    let found: Vec<Vec<SheetBorder>> = (0..sheets.list.len()).into_par_iter().map(of_sheet).collect();
     found.into_iter().flatten().collect()
 }
 
 fn lines(sheet: usize, of: &Sheet) -> Vec<Line<'_>> {
-    of.rims()
+    of.borders()
         .into_iter()
         .map(|(border, sign)| Line { sheet, bounds: around(&border), border, sign })
         .collect()
@@ -99,22 +99,22 @@ fn meeting(sheets: &Sheets, own: &Line<'_>, w: f64, lines: &[&Line<'_>], near: &
     let (sheet, normal) = (own.sheet, sheets.list[own.sheet].normal_at(&own.border, w));
     let place = Place { sheets, sheet, point: own.border.point(w), normal, direction: direction(own, w) };
     let others = lines.iter().filter(|line| !std::ptr::eq(**line, own));
-    let rims: Vec<Reach> = others.filter_map(|line| place.reach_rim(line)).collect();
-    let touched: Vec<_> = rims.iter().filter(|rim| rim.touches).map(|rim| (rim.sheet, rim.cosine)).collect();
+    let borders: Vec<Reach> = others.filter_map(|line| place.reach_border(line)).collect();
+    let touched: Vec<_> = borders.iter().filter(|reach| reach.touches).map(|reach| (reach.sheet, reach.cosine)).collect();
     if !touched.is_empty() {
-        return Meeting::Rims(touched);
+        return Meeting::Borders(touched);
     }
     let faces: Vec<Reach> = near.iter().filter_map(|other| place.reach_face(*other)).collect();
     if faces.iter().any(|face| face.touches) {
         return Meeting::Face;
     }
-    let gaps = rims.iter().chain(&faces).filter(|reach| reach.is_gap && reach.sheet != own.sheet);
+    let gaps = borders.iter().chain(&faces).filter(|reach| reach.is_gap && reach.sheet != own.sheet);
     let nearest = gaps.min_by(|a, b| a.distance.total_cmp(&b.distance));
     nearest.map_or(Meeting::Open, |reach| Meeting::Gap { sheet: reach.sheet, distance: reach.distance })
 }
 
 impl Place<'_> {
-    fn reach_rim(&self, line: &Line<'_>) -> Option<Reach> {
+    fn reach_border(&self, line: &Line<'_>) -> Option<Reach> {
         let room = GAP * self.size(line.sheet);
         if !line.bounds.inflate(room).contains(self.point) {
             return None;

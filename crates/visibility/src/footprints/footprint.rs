@@ -4,7 +4,7 @@ use radiosity_geom::PlanarRegion;
 
 /// A part of a planar surface that no light reaches.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Footing {
+pub struct Footprint {
     /// Index of the surface.
     pub surface: usize,
     /// The part of it, a polygon.

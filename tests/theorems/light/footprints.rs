@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome};
-use radiosity::visibility::footings::footings;
+use radiosity::visibility::footprints::footprints;
 use radiosity::visibility::inspection::Inspection;
 use radiosity_geom::DVec2;
 use radiosity_test_support::scenes::typed;
@@ -28,11 +28,11 @@ fn rectangle([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> [[f64; 2]; 4] {
     [[x0, y0], [x1, y0], [x1, y1], [x0, y1]]
 }
 
-/// (surface, area) of each footing.
+/// (surface, area) of each footprint.
 fn found(quads: &[Quad]) -> Vec<(String, f64)> {
     let scene = scene(quads);
-    let footings = footings(&scene);
-    footings.iter().map(|f| (scene.surfaces[f.surface].name.clone(), f.region.area())).collect()
+    let footprints = footprints(&scene);
+    footprints.iter().map(|f| (scene.surfaces[f.surface].name.clone(), f.region.area())).collect()
 }
 
 #[track_caller]
@@ -90,12 +90,12 @@ fn boxes_that_touch_cover_each_other() {
     quads.extend(upright("high", rectangle([1.0, 2.0], [1.0, 3.0]), [0.0, 2.0]));
     let low = upright("low", rectangle([2.0, 3.0], [1.5, 2.0]), [0.0, 1.0]);
     quads.extend(low.into_iter().filter(|(name, _)| name != "low-side-3"));
-    let mut footings = found(&quads);
-    footings.sort_by(|a, b| (&a.0, a.1).partial_cmp(&(&b.0, b.1)).expect("areas are numbers"));
+    let mut footprints = found(&quads);
+    footprints.sort_by(|a, b| (&a.0, a.1).partial_cmp(&(&b.0, b.1)).expect("areas are numbers"));
     let expected = [("floor", 0.5), ("floor", 2.0), ("high-side-1", 0.5)];
-    assert_eq!(footings.len(), 3, "{footings:?}");
-    for ((name, area), (own, exact)) in footings.iter().zip(expected) {
-        assert!(name == own && (area - exact).abs() < 1e-12, "{footings:?}");
+    assert_eq!(footprints.len(), 3, "{footprints:?}");
+    for ((name, area), (own, exact)) in footprints.iter().zip(expected) {
+        assert!(name == own && (area - exact).abs() < 1e-12, "{footprints:?}");
     }
 }
 
@@ -140,13 +140,13 @@ fn solved(scene: &Scene) -> Outcome {
     outcome_of(scene, &Options { order: 2, threads: 2, ..Options::default() })
 }
 
-/// The two declared holes and the two footings found give the same elements, and so the same solution.
+/// The two declared holes and the two footprints found give the same elements, and so the same solution.
 #[test]
 fn the_cornell_box_without_holes_is_the_one_with_them() {
     let (declared, bare) = (cornell(true), cornell(false));
-    assert!(footings(&declared).is_empty());
+    assert!(footprints(&declared).is_empty());
     let names =
-        |scene: &Scene| Inspection::of(scene).footings.iter().map(|f| f.standing.len()).collect::<Vec<_>>();
+        |scene: &Scene| Inspection::of(scene).footprints.iter().map(|f| f.standing.len()).collect::<Vec<_>>();
     assert_eq!(names(&bare), [4, 4], "each where four sides stand");
     let how = Discretization::uniform(2, 2);
     let [a, b] = [&declared, &bare].map(|scene| Elements::new(scene, &how).expect("all have area"));

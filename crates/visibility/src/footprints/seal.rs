@@ -4,14 +4,14 @@
 //! each ray first meets the back of a surface. Where two bodies touch, only one side, or none, may separate
 //! them: a ray may then also end on the front of a part that is itself sealed off. Parts that depend on each
 //! other in this way have to be the smaller parts of their surfaces; otherwise a whole room would count as a
-//! footing.
+//! footprint.
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Encounter, PlanarRegion, Ray, touching};
 use radiosity_scene::Scene;
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
-use super::footing::Footing;
+use super::footprint::Footprint;
 use crate::Visibility;
 
 /// Rays from each place. Chosen; not tuned.
@@ -21,7 +21,7 @@ const OUTWARD: f64 = 0.95;
 
 /// A part of a surface that may be sealed off.
 pub(super) struct Suspect {
-    pub(super) footing: Footing,
+    pub(super) footprint: Footprint,
     places: Vec<DVec3>,
     /// Whether it is less than half of its surface, so that other parts may depend on it.
     is_minor: bool,
@@ -29,16 +29,16 @@ pub(super) struct Suspect {
 
 impl Suspect {
     /// A suspect part of the surface with the region `region`.
-    pub(super) fn new(footing: Footing, region: &PlanarRegion) -> Self {
-        let pieces = footing.region.convex_pieces();
+    pub(super) fn new(footprint: Footprint, region: &PlanarRegion) -> Self {
+        let pieces = footprint.region.convex_pieces();
         let inside = |piece: &Vec<DVec3>| {
             let middle = piece.iter().sum::<DVec3>() / piece.len() as f64;
             let corners = piece.iter().map(move |corner| middle.lerp(*corner, OUTWARD));
             std::iter::once(middle).chain(corners).collect::<Vec<_>>()
         };
         let places = pieces.iter().flat_map(inside).filter(|x| region.contains(*x)).collect();
-        let is_minor = footing.region.area() < 0.5 * region.area();
-        Self { footing, places, is_minor }
+        let is_minor = footprint.region.area() < 0.5 * region.area();
+        Self { footprint, places, is_minor }
     }
 }
 
@@ -52,8 +52,8 @@ impl Parts<'_> {
     /// The first of the minor parts of a surface that contain a point.
     fn minor_at(&self, surface: usize, point: DVec3) -> Option<usize> {
         let holds = |index: &usize| {
-            let Suspect { footing, is_minor, .. } = &self.list[*index];
-            *is_minor && footing.surface == surface && footing.region.contains(point)
+            let Suspect { footprint, is_minor, .. } = &self.list[*index];
+            *is_minor && footprint.surface == surface && footprint.region.contains(point)
         };
         self.tree.search(|bounds| bounds.contains(point)).filter(holds).min()
     }
@@ -61,7 +61,7 @@ impl Parts<'_> {
 
 /// Drops the places of each part that lie in a smaller part.
 pub(super) fn keep_apart(suspects: &mut [Suspect]) {
-    let regions: Vec<PlanarRegion> = suspects.iter().map(|suspect| suspect.footing.region.clone()).collect();
+    let regions: Vec<PlanarRegion> = suspects.iter().map(|suspect| suspect.footprint.region.clone()).collect();
     let tree = tree(suspects.iter());
     for (own, suspect) in suspects.iter_mut().enumerate() {
         let covers = |other: usize, x: DVec3| {
@@ -75,7 +75,7 @@ pub(super) fn keep_apart(suspects: &mut [Suspect]) {
 /// counts.
 fn tree<'a>(suspects: impl Iterator<Item = &'a Suspect>) -> Bvh {
     let around = |suspect: &Suspect| {
-        let region = &suspect.footing.region;
+        let region = &suspect.footprint.region;
         Aabb::around(region.outer().iter().copied()).inflate(2e-6 * region.extent())
     };
     Bvh::build(&suspects.map(around).collect::<Vec<_>>())
@@ -111,9 +111,9 @@ fn fronts_seen(
     if own.places.is_empty() {
         return None;
     }
-    let normal = own.footing.region.normal();
-    let clear = touching(own.footing.region.extent(), 0.0);
-    let first = (own.footing.region.outer()[1] - own.footing.region.outer()[0]).normalize();
+    let normal = own.footprint.region.normal();
+    let clear = touching(own.footprint.region.extent(), 0.0);
+    let first = (own.footprint.region.outer()[1] - own.footprint.region.outer()[0]).normalize();
     let axes = [first, normal.cross(first), normal];
     let mut seen = Vec::new();
     for origin in &own.places {
