@@ -22,7 +22,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::blocks::pair_counts::PairCounts;
-use block::Account;
+use block::BlockReport;
 use held::Held;
 use reciprocity::Reciprocity;
 use remainder::Remainder;
@@ -208,7 +208,7 @@ impl Blocks {
     }
 
     /// Adds what it took to integrate a block.
-    pub fn take_costs(&mut self, block: &Account) {
+    pub fn take_costs(&mut self, block: &BlockReport) {
         self.samples += block.samples;
         self.distinct += block.distinct;
         self.rays += block.rays;

@@ -51,7 +51,7 @@ pub enum Kind {
 
 /// Cost, error and contact of a block, without its values.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub struct Account {
+pub struct BlockReport {
     /// Hardest contact met.
     pub kind: Kind,
     /// As [`Block::partly_hidden`].
@@ -97,16 +97,16 @@ pub struct Block {
 
 impl Block {
     /// Cost, error and contact of the block.
-    pub fn account(&self) -> Account {
+    pub fn report(&self) -> BlockReport {
         let Self { kind, partly_hidden, unresolved, untried, error, samples, distinct, rays, .. } = *self;
         let largest = self.values.iter().map(|value| value.abs()).fold(0.0, larger);
-        Account { kind, partly_hidden, unresolved, untried, error, largest, samples, distinct, rays }
+        BlockReport { kind, partly_hidden, unresolved, untried, error, largest, samples, distinct, rays }
     }
 
     /// The block of these values.
-    pub fn told(values: Vec<f64>, account: &Account) -> Self {
-        let Account { kind, partly_hidden, unresolved, untried, error, samples, distinct, rays, .. } =
-            *account;
+    pub fn from_report(values: Vec<f64>, report: &BlockReport) -> Self {
+        let BlockReport { kind, partly_hidden, unresolved, untried, error, samples, distinct, rays, .. } =
+            *report;
         Self { values, kind, partly_hidden, unresolved, untried, error, samples, distinct, rays }
     }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::blocks::block::{Account, Kind};
+use crate::blocks::block::{BlockReport, Kind};
 
 /// Numbers of pairs by contact and by reason of being skipped.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -44,7 +44,7 @@ pub struct PairCounts {
 
 impl PairCounts {
     /// Counts one more pair whose block was integrated or copied.
-    pub fn take(&mut self, block: &Account) {
+    pub fn take(&mut self, block: &BlockReport) {
         let counter = match block.kind {
             Kind::Contour => &mut self.contour,
             Kind::Separated => &mut self.separated,

@@ -14,7 +14,7 @@ use crate::contact::flat::{gap, neighbours, shared_corners};
 
 /// Contact of two patches, which are oriented inside as the rule needs them.
 #[derive(Clone, Debug)]
-pub enum Touch {
+pub enum CurvedContact {
     /// A whole common edge: t = 0 in both charts, in the same sense, and if `matched` at equal speed.
     Edge {
         /// The patch of the receiver.
@@ -27,7 +27,7 @@ pub enum Touch {
     /// One common corner, at (0, 0) in both charts.
     Vertex(Patch, Patch),
     /// A corner lies on a side: where to cut either patch.
-    Cut([Option<Place>; 2]),
+    Cut([Option<CutPlace>; 2]),
     /// At a collapsed side of either patch: the direction along which to halve it.
     Tip([Option<Direction>; 2]),
     /// No common point, with a lower bound of the distance; zero where no rule covers the contact.
@@ -35,37 +35,37 @@ pub enum Touch {
 }
 
 /// Where to cut a patch: the direction, and a parameter strictly between 0 and 1.
-pub(crate) type Place = (Direction, f64);
+pub(crate) type CutPlace = (Direction, f64);
 
 /// Contact of two patches; points closer than `tolerance` coincide.
-pub fn touch(p: &Patch, q: &Patch, tolerance: f64) -> Touch {
+pub fn classify(p: &Patch, q: &Patch, tolerance: f64) -> CurvedContact {
     let gap = gap(p, q);
     if gap > tolerance {
-        return Touch::Apart(gap);
+        return CurvedContact::Apart(gap);
     }
     let (corners_p, corners_q) = (p.polygon(), q.polygon());
     let shared = shared_corners(&corners_p, &corners_q, tolerance);
     let tips = [tip(p, shared.iter().map(|s| s.0)), tip(q, shared.iter().map(|s| s.1))];
     if tips.iter().any(Option::is_some) {
-        return Touch::Tip(tips);
+        return CurvedContact::Tip(tips);
     }
     let cuts = [place_on(p, &corners_q, tolerance), place_on(q, &corners_p, tolerance)];
     if cuts.iter().any(Option::is_some) {
-        return Touch::Cut(cuts);
+        return CurvedContact::Cut(cuts);
     }
     match shared[..] {
         [(i, j)] => {
-            Touch::Vertex(p.oriented(i, (i + 1) % corners_p.len()), q.oriented(j, (j + 1) % corners_q.len()))
+            CurvedContact::Vertex(p.oriented(i, (i + 1) % corners_p.len()), q.oriented(j, (j + 1) % corners_q.len()))
         }
         [(i, j), (k, l)] if neighbours(i, k, corners_p.len()) && neighbours(j, l, corners_q.len()) => {
-            edge(p.oriented(i, k), q.oriented(j, l), tolerance).unwrap_or(Touch::Apart(0.0))
+            edge(p.oriented(i, k), q.oriented(j, l), tolerance).unwrap_or(CurvedContact::Apart(0.0))
         }
-        _ => Touch::Apart(0.0),
+        _ => CurvedContact::Apart(0.0),
     }
 }
 
 /// The two parts of a patch, cut at a place.
-pub fn cut(patch: &Patch, (direction, at): Place) -> [Patch; 2] {
+pub fn cut(patch: &Patch, (direction, at): CutPlace) -> [Patch; 2] {
     match (patch, direction) {
         (Patch::Flat { corners: [a, b, c, d], normal }, Direction::Along) => {
             let (low, high) = (a.lerp(*b, at), d.lerp(*c, at));
@@ -133,7 +133,7 @@ pub fn collapsed(patch: &Patch) -> Vec<usize> {
 }
 
 /// Where one of `corners` lies on a side of the patch, more than 1e-6 of the parameter away from its ends.
-fn place_on(patch: &Patch, corners: &[DVec3], tolerance: f64) -> Option<Place> {
+fn place_on(patch: &Patch, corners: &[DVec3], tolerance: f64) -> Option<CutPlace> {
     let triangle = patch.is_triangle();
     let on = |(k, side): (usize, &Border)| {
         let ends = [-1.0, 1.0].map(|w| side.point(w));
@@ -163,7 +163,7 @@ fn place_on(patch: &Patch, corners: &[DVec3], tolerance: f64) -> Option<Place> {
 }
 
 /// The contact of two patches oriented by the common ends of their sides t = 0, if these sides are one curve.
-fn edge(p: Patch, q: Patch, tolerance: f64) -> Option<Touch> {
+fn edge(p: Patch, q: Patch, tolerance: f64) -> Option<CurvedContact> {
     // Inner points at which two edges are compared. Chosen; not tuned.
     const PLACES: [f64; 3] = [0.25, 0.5, 0.75];
     let at = |s: f64| p.node(s, 0.0).position;
@@ -176,5 +176,5 @@ fn edge(p: Patch, q: Patch, tolerance: f64) -> Option<Touch> {
         };
         lies_on(&first[0], &second[0]) && lies_on(&second[0], &first[0])
     };
-    one_curve.then_some(Touch::Edge { p, q, matched })
+    one_curve.then_some(CurvedContact::Edge { p, q, matched })
 }

@@ -8,7 +8,7 @@ use radiosity_geom::{DVec3, distance_to_segment, sides};
 
 /// Contact of two flat patches, which are oriented inside as the rule needs them.
 #[derive(Clone, Debug)]
-pub enum Contact {
+pub enum FlatContact {
     /// A whole common edge: at t = 0 in both charts, run through in the same sense.
     Edge(Patch, Patch),
     /// One common corner: at (0, 0) in both charts.
@@ -18,18 +18,18 @@ pub enum Contact {
 }
 
 /// Classifies two patches; points closer than `tolerance` coincide.
-pub fn classify(p: &Patch, q: &Patch, tolerance: f64) -> Contact {
+pub fn classify(p: &Patch, q: &Patch, tolerance: f64) -> FlatContact {
     let (corners_p, corners_q) = (p.polygon(), q.polygon());
     match shared_corners(&corners_p, &corners_q, tolerance)[..] {
-        [] => Contact::Apart(gap(p, q)),
-        [(i, j)] if !overlapping_sides(&corners_p, i, &corners_q, j, tolerance) => Contact::Vertex(
+        [] => FlatContact::Apart(gap(p, q)),
+        [(i, j)] if !overlapping_sides(&corners_p, i, &corners_q, j, tolerance) => FlatContact::Vertex(
             p.oriented(i, (i + 1) % corners_p.len()),
             q.oriented(j, (j + 1) % corners_q.len()),
         ),
         [(i, j), (k, l)] if neighbours(i, k, corners_p.len()) && neighbours(j, l, corners_q.len()) => {
-            Contact::Edge(p.oriented(i, k), q.oriented(j, l))
+            FlatContact::Edge(p.oriented(i, k), q.oriented(j, l))
         }
-        _ => Contact::Apart(0.0),
+        _ => FlatContact::Apart(0.0),
     }
 }
 
@@ -160,7 +160,7 @@ mod tests {
     fn hinge_is_an_edge_run_the_same_way() {
         let floor = quad([[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]]);
         let wall = quad([[0., 0., 1.], [1., 0., 1.], [1., 0., 0.], [0., 0., 0.]]);
-        let Contact::Edge(p, q) = classify(&floor, &wall, 1e-12) else { panic!("they share an edge") };
+        let FlatContact::Edge(p, q) = classify(&floor, &wall, 1e-12) else { panic!("they share an edge") };
         for s in [0.0, 0.3, 1.0] {
             assert!(p.node(s, 0.0).position.distance(q.node(s, 0.0).position) < 1e-15);
         }
@@ -170,9 +170,9 @@ mod tests {
     fn corner_and_gap() {
         let floor = quad([[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]]);
         let beyond = quad([[1., 1., 0.], [2., 1., 0.], [2., 1., 1.], [1., 1., 1.]]);
-        assert!(matches!(classify(&floor, &beyond, 1e-12), Contact::Vertex(..)));
+        assert!(matches!(classify(&floor, &beyond, 1e-12), FlatContact::Vertex(..)));
         let above = quad([[0.2, 0.2, 0.5], [0.8, 0.2, 0.7], [0.8, 0.8, 0.7], [0.2, 0.8, 0.5]]);
-        let Contact::Apart(gap) = classify(&floor, &above, 1e-12) else { panic!("apart") };
+        let FlatContact::Apart(gap) = classify(&floor, &above, 1e-12) else { panic!("apart") };
         assert!((gap - 0.5).abs() < 1e-15);
     }
 
@@ -180,7 +180,7 @@ mod tests {
     fn partly_common_sides_are_no_vertex_contact() {
         let floor = quad([[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]]);
         let low = quad([[0., 0., 0.], [0.5, 0., 0.], [0.5, 0., 1.], [0., 0., 1.]]);
-        let Contact::Apart(gap) = classify(&floor, &low, 1e-12) else { panic!("no rule covers it") };
+        let FlatContact::Apart(gap) = classify(&floor, &low, 1e-12) else { panic!("no rule covers it") };
         assert_eq!(gap, 0.0);
     }
 

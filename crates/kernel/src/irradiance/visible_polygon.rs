@@ -13,7 +13,7 @@
 
 use radiosity_geom::DVec3;
 use radiosity_visibility::bounding_ball::Ball;
-use radiosity_visibility::shadow_volume::{Corners, Cover, ShadowVolume, cut_at_horizon, reach};
+use radiosity_visibility::shadow_volume::{Corners, Coverage, ShadowVolume, cut_at_horizon, reach};
 use smallvec::SmallVec;
 
 use crate::irradiance::lambert;
@@ -56,10 +56,10 @@ fn above_horizon<'a>(n: DVec3, mut seen: Corners, volumes: impl Iterator<Item = 
 fn outside<'a>(n: DVec3, polygon: &[DVec3], volumes: impl Iterator<Item = &'a ShadowVolume>) -> f64 {
     let mut mixed: SmallVec<[&ShadowVolume; 8]> = SmallVec::new();
     for volume in volumes {
-        match volume.cover_seen(polygon) {
-            Cover::Clear => {}
-            Cover::Hidden => return 0.0,
-            Cover::Mixed => mixed.push(volume),
+        match volume.coverage_seen(polygon) {
+            Coverage::Clear => {}
+            Coverage::Hidden => return 0.0,
+            Coverage::Mixed => mixed.push(volume),
         }
     }
     let Some((first, rest)) = mixed.split_first() else { return lambert::polygon(n, polygon) };
@@ -82,26 +82,26 @@ pub fn inside_any(polygon: &[DVec3], ball: &Ball, volumes: &[ShadowVolume]) -> (
     // The reach of the whole bounds that of every part.
     let reach = reach(&whole);
     for volume in volumes.iter().filter(|volume| !volume.misses(ball)) {
-        match volume.cover_within(&whole, reach) {
-            Cover::Clear => {}
-            Cover::Hidden => return (vec![whole], true),
-            Cover::Mixed => mixed.push(volume),
+        match volume.coverage_within(&whole, reach) {
+            Coverage::Clear => {}
+            Coverage::Hidden => return (vec![whole], true),
+            Coverage::Mixed => mixed.push(volume),
         }
     }
     let Some((last, others)) = mixed.split_last() else { return (Vec::new(), false) };
     let (mut hidden, mut rest) = (Vec::new(), vec![whole]);
     for volume in others {
-        let covers: SmallVec<[Cover; 16]> =
-            rest.iter().map(|part| volume.cover_within(part, reach)).collect();
-        if covers.iter().all(|cover| *cover == Cover::Clear) {
+        let coverages: SmallVec<[Coverage; 16]> =
+            rest.iter().map(|part| volume.coverage_within(part, reach)).collect();
+        if coverages.iter().all(|coverage| *coverage == Coverage::Clear) {
             continue;
         }
         let mut kept = Vec::with_capacity(rest.len() + 4);
-        for (part, cover) in rest.into_iter().zip(covers) {
-            match cover {
-                Cover::Clear => kept.push(part),
-                Cover::Hidden => hidden.push(part),
-                Cover::Mixed => {
+        for (part, coverage) in rest.into_iter().zip(coverages) {
+            match coverage {
+                Coverage::Clear => kept.push(part),
+                Coverage::Hidden => hidden.push(part),
+                Coverage::Mixed => {
                     let inner = volume.divide(&part, &mut kept);
                     hidden.extend((inner.len() > 2).then_some(inner));
                 }
@@ -111,12 +111,12 @@ pub fn inside_any(polygon: &[DVec3], ball: &Ball, volumes: &[ShadowVolume]) -> (
     }
     let mut is_all = true;
     for part in rest {
-        let cover = last.cover_within(&part, reach);
-        is_all &= cover == Cover::Hidden;
-        match cover {
-            Cover::Clear => {}
-            Cover::Hidden => hidden.push(part),
-            Cover::Mixed => hidden.extend(Some(last.hidden_part(&part)).filter(|inner| inner.len() > 2)),
+        let coverage = last.coverage_within(&part, reach);
+        is_all &= coverage == Coverage::Hidden;
+        match coverage {
+            Coverage::Clear => {}
+            Coverage::Hidden => hidden.push(part),
+            Coverage::Mixed => hidden.extend(Some(last.hidden_part(&part)).filter(|inner| inner.len() > 2)),
         }
     }
     (hidden, is_all)

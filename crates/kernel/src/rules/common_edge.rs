@@ -52,7 +52,7 @@ pub const LARGEST_ASPECT: f64 = 2.5;
 
 /// Shape of a pair with a common edge.
 #[derive(Clone, Copy, Debug)]
-pub struct Wedge {
+pub struct EdgePair {
     /// Length of the common edge.
     pub length: f64,
     /// Extents of receiver and emitter across the edge.
@@ -61,7 +61,7 @@ pub struct Wedge {
     pub cosine: f64,
 }
 
-impl Wedge {
+impl EdgePair {
     /// The shape of two patches oriented with the common edge at t = 0.
     pub fn of(p: &Patch, q: &Patch) -> Self {
         let [along, depth_p] = p.extents();
@@ -98,7 +98,7 @@ impl Wedge {
 }
 
 /// Numbers of points [x, y, angular] for degrees `[receiver, emitter]`.
-pub fn counts(p: &Patch, q: &Patch, wedge: &Wedge, degrees: [usize; 2], eps: f64) -> [usize; 3] {
+pub fn counts(p: &Patch, q: &Patch, pair: &EdgePair, degrees: [usize; 2], eps: f64) -> [usize; 3] {
     let affine = p.is_parallelogram() && q.is_parallelogram();
     // A chart that is not affine varies along x and y too. On triangles 4 points more were enough, on curved
     // sheets 0, 2 and 4 for ε = 1e-2, 1e-4 and 1e-8; 1 + ⌈log₁₀(1/ε)/1.5⌉ gives 3, 4 and 7.
@@ -107,8 +107,8 @@ pub fn counts(p: &Patch, q: &Patch, wedge: &Wedge, degrees: [usize; 2], eps: f64
     // The kernel's peak grows as the angle closes: below 30° σ alone asks for too few points.
     // 7.5 = 1/(1 − cos 30°), so that the factor is 1 from 30° on. The floor, reached at 0.003°, keeps ε above
     // zero.
-    let peak = (7.5 * (1.0 - wedge.cosine)).clamp(1e-8, 1.0);
-    let angular = far::points(degrees[0].max(degrees[1]), eps * peak, wedge.rate());
+    let peak = (7.5 * (1.0 - pair.cosine)).clamp(1e-8, 1.0);
+    let angular = far::points(degrees[0].max(degrees[1]), eps * peak, pair.rate());
     [exact + extra, exact + extra, angular]
 }
 
@@ -249,8 +249,8 @@ mod tests {
             AreaBasis::new(order, frame, std::slice::from_ref(patch)).expect("it has area")
         };
         let (receiver, emitter) = (basis(&p, 3), basis(&q, 5));
-        let wedge = Wedge::of(&p, &q);
-        let points = counts(&p, &q, &wedge, [3, 5], 1e-14);
+        let pair = EdgePair::of(&p, &q);
+        let points = counts(&p, &q, &pair, [3, 5], 1e-14);
         let mut fast = Moments::new(&receiver, &emitter);
         assert!(integrate_flat(&mut fast, &p, &q, [3, 5], 1e-14).is_some_and(|rest| rest.is_empty()));
         let mut summed = Moments::new(&receiver, &emitter);

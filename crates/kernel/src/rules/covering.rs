@@ -1,4 +1,4 @@
-//! Two flat elements that lie on each other ([`radiosity_visibility::covers`]): each point exchanges light
+//! Two flat elements that lie on each other ([`radiosity_visibility::covered_parts`]): each point exchanges light
 //! with the one it touches.
 //!
 //! ```text

@@ -46,7 +46,7 @@ pub(crate) struct Angular {
 }
 
 /// Subdomain, of three: r = fixed + a · along[0] + b · along[1], for either sign of ζ.
-struct Region {
+struct Subdomain {
     fixed: [DVec3; 2],
     along: [[DVec3; 2]; 2],
     /// Highest r and highest c.
@@ -79,15 +79,15 @@ impl ParallelogramPair {
         let regions = [[degrees[1], along_edge], [degrees[0], along_edge], degrees];
         let mut all = regions.map(Angular::new);
         for (which, angular) in all.iter_mut().enumerate() {
-            let region = self.region(which, regions[which], degrees[0].max(degrees[1]), eps);
-            for sign in 0..region.signs {
-                samples += region.add(sign, self.strength, angular)?;
+            let subdomain = self.subdomain(which, regions[which], degrees[0].max(degrees[1]), eps);
+            for sign in 0..subdomain.signs {
+                samples += subdomain.add(sign, self.strength, angular)?;
             }
         }
         Some((all, samples))
     }
 
-    fn region(&self, which: usize, degrees: [usize; 2], degree: usize, eps: f64) -> Region {
+    fn subdomain(&self, which: usize, degrees: [usize; 2], degree: usize, eps: f64) -> Subdomain {
         let [p, q] = [-self.depths[0], self.depths[1]];
         let signs = [self.edge, -self.edge];
         let (fixed, along) = match which {
@@ -95,7 +95,7 @@ impl ParallelogramPair {
             1 => ([q; 2], signs.map(|e| [p, e])),
             _ => (signs, [[p, q]; 2]),
         };
-        Region { fixed, along, degrees, degree, eps, which, signs: if self.upright { 1 } else { 2 } }
+        Subdomain { fixed, along, degrees, degree, eps, which, signs: if self.upright { 1 } else { 2 } }
     }
 }
 
@@ -107,7 +107,7 @@ impl Angular {
     }
 }
 
-impl Region {
+impl Subdomain {
     /// Adds the moments for one sign of ζ; returns the number of kernel values.
     fn add(&self, sign: usize, strength: f64, out: &mut Angular) -> Option<u64> {
         let difference = |[a, b]: [f64; 2]| self.difference(sign, a, b);

@@ -34,7 +34,7 @@ use crate::rules::far;
 use crate::rules::orders::subdivided_cube::{Multilinear, Part};
 
 /// Two triangles, each the half s + t ≤ 1 of a parallelogram with the common edge at t = 0.
-struct Wedge {
+struct TrianglePair {
     edge: DVec3,
     corners: [DVec3; 2],
     /// (n_p·q)(n_q·p)/π times both area elements.
@@ -43,14 +43,14 @@ struct Wedge {
 
 /// Subdomain, of four.
 #[derive(Clone, Copy)]
-struct Region {
+struct Subdomain {
     /// z < 0: receiver and emitter exchange places.
     mirrored: bool,
     /// The first subdomain of its sign, (1, a(1 − b), ab), whose side a = 0 is one point.
     collapsed: bool,
 }
 
-impl Region {
+impl Subdomain {
     const ALL: [Self; 4] = [
         Self { mirrored: false, collapsed: true },
         Self { mirrored: false, collapsed: false },
@@ -70,7 +70,7 @@ impl Region {
     }
 }
 
-impl Wedge {
+impl TrianglePair {
     fn new(p: &Patch, q: &Patch) -> Self {
         let origin = p.node(0.0, 0.0);
         let far = q.node(0.0, 0.0);
@@ -81,16 +81,16 @@ impl Wedge {
     }
 
     /// y − x at x = 1.
-    fn difference(&self, region: Region, a: f64, b: f64) -> DVec3 {
-        let [tau, nu, z] = region.place(a, b);
-        let z = if region.mirrored { -z } else { z };
+    fn difference(&self, subdomain: Subdomain, a: f64, b: f64) -> DVec3 {
+        let [tau, nu, z] = subdomain.place(a, b);
+        let z = if subdomain.mirrored { -z } else { z };
         self.corners[1] * nu - self.corners[0] * tau + self.edge * z
     }
 
     /// x²κ.
-    fn kernel(&self, region: Region, a: f64, b: f64) -> f64 {
-        let [tau, nu, _] = region.place(a, b);
-        let r2 = self.difference(region, a, b).length_squared();
+    fn kernel(&self, subdomain: Subdomain, a: f64, b: f64) -> f64 {
+        let [tau, nu, _] = subdomain.place(a, b);
+        let r2 = self.difference(subdomain, a, b).length_squared();
         self.strength * tau * nu / (r2 * r2)
     }
 }
@@ -104,18 +104,18 @@ const SHARE: f64 = 0.5;
 ///
 /// Returns false, and adds nothing, where the kernel is too nearly singular.
 pub(crate) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64) -> bool {
-    let wedge = Wedge::new(p, q);
-    let parts = |region: Region| {
-        let difference = |[a, b]: [f64; 2]| wedge.difference(region, a, b);
+    let pair = TrianglePair::new(p, q);
+    let parts = |subdomain: Subdomain| {
+        let difference = |[a, b]: [f64; 2]| pair.difference(subdomain, a, b);
         let degree = degrees[0].max(degrees[1]);
         Multilinear { difference: &difference, degree, eps: SHARE * eps, deepest: DEEPEST }.parts()
     };
-    let Some(plans) = Region::ALL.into_iter().map(parts).collect::<Option<Vec<_>>>() else { return false };
+    let Some(plans) = Subdomain::ALL.into_iter().map(parts).collect::<Option<Vec<_>>>() else { return false };
     let mut sum = EdgeSum::new(moments.patches(p, q));
     let rule = UnitRule::of(far::exact(degrees));
-    for (region, parts) in Region::ALL.into_iter().zip(plans) {
+    for (subdomain, parts) in Subdomain::ALL.into_iter().zip(plans) {
         for (part, points) in parts {
-            add(&mut sum, &wedge, region, &part, points, rule);
+            add(&mut sum, &pair, subdomain, &part, points, rule);
         }
     }
     moments.add(sum.pair);
@@ -124,8 +124,8 @@ pub(crate) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [u
 
 fn add(
     sum: &mut EdgeSum,
-    wedge: &Wedge,
-    region: Region,
+    pair: &TrianglePair,
+    subdomain: Subdomain,
     part: &Part<2>,
     points: [usize; 2],
     rule: &UnitRule,
@@ -136,13 +136,13 @@ fn add(
         check_interrupt();
         for (b, wb) in rules[1].iter() {
             let (a, b) = (part.at(0, a), part.at(1, b));
-            let value = wa * wb * size * region.jacobian(a) * wedge.kernel(region, a, b);
+            let value = wa * wb * size * subdomain.jacobian(a) * pair.kernel(subdomain, a, b);
             sum.pair.samples += 1;
             for (x, wx) in rule.iter() {
-                let [tau, nu, z] = region.place(a, b).map(|place| x * place);
+                let [tau, nu, z] = subdomain.place(a, b).map(|place| x * place);
                 for (y, wy) in rule.iter() {
                     let base = (1.0 - x) * y;
-                    let (s, u) = if region.mirrored { (base + z, base) } else { (base, base + z) };
+                    let (s, u) = if subdomain.mirrored { (base + z, base) } else { (base, base + z) };
                     sum.add(s, u, value * wx * wy * (1.0 - x));
                 }
                 sum.close_across_emitter(nu);
