@@ -124,12 +124,12 @@ impl Expansions {
 }
 
 impl KnownBlocks for Expansions {
-    fn turn_to(&self, elements: &[Element]) {
+    fn move_to(&self, elements: &[Element]) {
         let mut places = locked(&self.places);
         if !places.are_of(elements.len()) {
             locked(&self.pairs).clear();
         }
-        places.turn_to(elements);
+        places.move_to(elements);
     }
 
     fn block(&self, places: [usize; 2], elements: [&Element; 2], eps: f64) -> Option<Known> {

@@ -6,7 +6,7 @@ use radiosity_kernel::Blocks;
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 
-use crate::memory::Memory;
+use crate::kept_blocks::KeptBlocks;
 use crate::schedule::{Unreached, by_rules};
 use crate::unreached;
 use crate::unreached::Whole;
@@ -38,18 +38,18 @@ pub fn assemble_pairs(
     assembled(elements, wanted, visibility, (Whole::Element, accuracy), None, work)
 }
 
-/// The blocks of [`assemble_senders`], to the bit; those that `memory` holds, which was turned to this scene,
+/// The blocks of [`assemble_senders`], to the bit; those that `kept` holds, which was moved to this scene,
 /// are not integrated again.
 pub fn assemble_again(
     elements: &Elements,
     sends: &(dyn Fn(usize) -> bool + Sync),
     visibility: &Visibility,
     accuracy: Accuracy,
-    memory: &mut Memory,
+    kept: &mut KeptBlocks,
     work: &Work<'_>,
 ) -> Blocks {
     let wanted = |a: usize, b: usize| sends(a) || sends(b);
-    assembled(elements, &wanted, visibility, (Whole::Element, accuracy), Some(memory), work)
+    assembled(elements, &wanted, visibility, (Whole::Element, accuracy), Some(kept), work)
 }
 
 /// The blocks of elements that carry constants, accurate for the view factors of their surfaces.
@@ -68,14 +68,14 @@ fn assembled(
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     visibility: &Visibility,
     (whole, accuracy): (Whole, Accuracy),
-    mut memory: Option<&mut Memory>,
+    mut kept: Option<&mut KeptBlocks>,
     work: &Work<'_>,
 ) -> Blocks {
     let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
     let how = (accuracy, unreached);
-    let (mut blocks, left) = by_rules(elements, wanted, visibility, how, memory.as_deref_mut(), work);
+    let (mut blocks, left) = by_rules(elements, wanted, visibility, how, kept.as_deref_mut(), work);
     if !left.is_empty() {
-        unreached::add(elements, visibility, &mut blocks, &left, (whole, accuracy), memory, work);
+        unreached::add(elements, visibility, &mut blocks, &left, (whole, accuracy), kept, work);
     }
     blocks
 }

@@ -22,7 +22,7 @@ pub enum Known {
 /// Blocks that are known otherwise than by rules.
 pub trait KnownBlocks: Debug + Send + Sync {
     /// Takes note of the elements of the next scene, before any of its blocks is asked for.
-    fn turn_to(&self, elements: &[Element]);
+    fn move_to(&self, elements: &[Element]);
 
     /// The block of two flat elements with nothing between them, at these places among all elements, if it is
     /// known; `eps` is the error that rules are allowed, relative to its largest entry. Called once for a

@@ -8,7 +8,7 @@
 //! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
 //!
 //! In order: `occlusion` (hiding by blockers), `pair` (one pair of elements), `known` (blocks from
-//! elsewhere), `memory` (blocks and rays of an earlier scene), `price` (the cost of a block), `schedule` (all
+//! elsewhere), `kept_blocks` (blocks and rays of an earlier scene), `price` (the cost of a block), `schedule` (all
 //! pairs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all blocks) and
 //! `carrier` (blocks or links, as checks see them). Quadrature of one pair stands in `radiosity-kernel`.
 //!
@@ -17,7 +17,7 @@
 pub(crate) mod occlusion;
 pub(crate) mod pair;
 pub(crate) mod known;
-pub mod memory;
+pub mod kept_blocks;
 pub mod price;
 mod schedule;
 pub(crate) mod sampled;
@@ -29,8 +29,8 @@ pub use assembly::assemble_again;
 pub use assembly::{assemble, assemble_factors, assemble_pairs, assemble_senders};
 pub use carrier::Carrier;
 pub use known::{Known, KnownBlocks};
-pub use memory::Memory;
-pub use memory::met::RayCounts;
+pub use kept_blocks::KeptBlocks;
+pub use kept_blocks::met::RayCounts;
 pub use sampled::{Rays, SampledTransport};
 pub use schedule::{BlockWork, cost, shared, work};
 pub use unreached::FINEST as FINEST_BY_RAYS;

@@ -25,15 +25,15 @@ pub struct ElementPair<'a> {
     pub are_flat: bool,
 }
 
-/// About how many rays take as long as the exact block of a couple.
-pub fn price(couple: &ElementPair, visibility: &Visibility) -> f64 {
-    price_up_to(f64::INFINITY, couple, visibility)
+/// About how many rays take as long as the exact block of a pair.
+pub fn price(pair: &ElementPair, visibility: &Visibility) -> f64 {
+    price_up_to(f64::INFINITY, pair, visibility)
 }
 
-/// The [`price`] of a couple up to a limit; a price above it may be told as any other one above it. Fewer
+/// The [`price`] of a pair up to a limit; a price above it may be returned as any other one above it. Fewer
 /// blockers are looked for the lower it is.
-pub(crate) fn price_up_to(limit: f64, couple: &ElementPair, visibility: &Visibility) -> f64 {
-    let ElementPair { surfaces, hulls: [a, b], are_flat } = *couple;
+pub(crate) fn price_up_to(limit: f64, pair: &ElementPair, visibility: &Visibility) -> f64 {
+    let ElementPair { surfaces, hulls: [a, b], are_flat } = *pair;
     if !are_flat {
         return CURVED;
     }
@@ -48,7 +48,7 @@ pub(crate) fn price_up_to(limit: f64, couple: &ElementPair, visibility: &Visibil
     }
 }
 
-/// The [`price`] of a couple with these blockers between.
+/// The [`price`] of a pair with these blockers between.
 pub(crate) fn of_blockers(are_flat: bool, blockers: &[usize], visibility: &Visibility) -> f64 {
     match blockers.len() {
         _ if !are_flat => CURVED,

@@ -45,7 +45,7 @@ use radiosity_work::ranks::{PartName, Ranks, shares};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::memory::{KnownRays, Memory, Met};
+use crate::kept_blocks::{KeptRays, KeptBlocks, KeptHit};
 pub(crate) use estimate::Fixed;
 use estimate::{Counted, Counts, Estimate};
 use hit::{Hit, hit};
@@ -81,13 +81,13 @@ pub struct SampledTransport<'a> {
     strong: Strong,
     /// The pairs on which rays count, if not on all but the strong ones.
     only: Option<HashSet<(u32, u32)>>,
-    /// Hits of these rays in the scene before, if those are known.
-    known: Option<KnownRays>,
+    /// Hits of these rays in the scene before, if those were kept.
+    kept: Option<KeptRays>,
 }
 
 /// Rays of one element, one after the other.
 #[derive(Clone, Copy, Debug)]
-struct Task {
+struct RayTask {
     element: usize,
     first: u64,
     count: u64,
@@ -95,7 +95,7 @@ struct Task {
 
 /// Sums over the rays of a task, and its hits, as far as a rank counts them.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-struct Landed {
+struct RaySums {
     /// Sum of the weights of the rays, in either half.
     weights: [f64; 2],
     /// Σ w φ_k(x) over the rays that met no front, in either half.
@@ -108,14 +108,14 @@ struct Landed {
 
 /// The rays of a task that this rank sent.
 #[derive(Debug, Serialize, Deserialize)]
-struct Sent {
-    landed: Landed,
+struct SentRays {
+    sums: RaySums,
     /// Hit of each ray, where that is to be kept, and number of rays that were not traced for it.
-    met: Vec<Met>,
+    hits: Vec<KeptHit>,
     recalled: u64,
 }
 
-impl Landed {
+impl RaySums {
     /// These sums without the hits.
     fn without_hits(&self) -> Self {
         let Self { weights, missed, exact, .. } = self;
@@ -168,37 +168,37 @@ impl<'a> SampledTransport<'a> {
             tally: Tally::new(list.len()),
             strong: Strong::default(),
             only: None,
-            known: None,
+            kept: None,
         }
     }
 
-    /// The transport by these rays, to the bit; rays whose hits `known` tells are not traced.
-    pub(crate) fn knowing(self, known: Option<KnownRays>) -> Self {
-        Self { known, ..self }
+    /// The transport by these rays, to the bit; rays whose hits were `kept` are not traced.
+    pub(crate) fn with_kept(self, kept: Option<KeptRays>) -> Self {
+        Self { kept, ..self }
     }
 
     /// The hits of its rays after they were sent.
-    pub(crate) fn into_known(self) -> Option<KnownRays> {
-        self.known
+    pub(crate) fn into_kept(self) -> Option<KeptRays> {
+        self.kept
     }
 
-    /// The transport between all elements before any ray is sent; rays that `memory` knows are not traced
+    /// The transport between all elements before any ray is sent; rays that `kept` holds are not traced
     /// again.
-    pub fn remembering(
+    pub fn keeping(
         elements: &'a Elements,
         visibility: &'a Visibility,
-        memory: Option<&mut Memory>,
+        kept: Option<&mut KeptBlocks>,
         ranks: &'a Ranks,
     ) -> Self {
         let numbers = || (0..elements.list().len() as u64).collect();
-        let known = memory.and_then(|memory| memory.lend(0, 1, numbers(), ranks));
-        Self::new(elements, visibility, ranks).knowing(known)
+        let kept = kept.and_then(|kept| kept.take_rays(0, 1, numbers(), ranks));
+        Self::new(elements, visibility, ranks).with_kept(kept)
     }
 
-    /// Leaves to `memory` what its rays met.
-    pub fn remember(self, memory: Option<&mut Memory>) {
-        if let (Some(memory), Some(known)) = (memory, self.known) {
-            memory.take(0, known, self.ranks);
+    /// Leaves to `kept` what its rays met.
+    pub fn keep_rays(self, kept: Option<&mut KeptBlocks>) {
+        if let (Some(kept), Some(rays)) = (kept, self.kept) {
+            kept.put_rays(0, rays, self.ranks);
         }
     }
 
@@ -219,15 +219,15 @@ impl<'a> SampledTransport<'a> {
         list.map(share).collect()
     }
 
-    /// Sends so many more rays from each element; covered ones send none. `goes_on` hears how many are done,
+    /// Sends so many more rays from each element; covered ones send none. `goes_on` is told how many are done,
     /// and ends the sending where it says no.
     pub fn send(&mut self, rays: &[u64], goes_on: &mut dyn FnMut(u64) -> bool) {
         let list = self.elements.list();
         let tasks = rays.iter().enumerate().filter(|(element, _)| list[*element].contact.is_none());
-        let tasks: Vec<Task> = tasks
+        let tasks: Vec<RayTask> = tasks
             .flat_map(|(element, rays)| {
                 let sent = self.sent[element];
-                (0..*rays).step_by(TASK as usize).map(move |first| Task {
+                (0..*rays).step_by(TASK as usize).map(move |first| RayTask {
                     element,
                     first: sent + first,
                     count: TASK.min(rays - first),
@@ -237,7 +237,7 @@ impl<'a> SampledTransport<'a> {
         let (mut rest, mut done) = (&tasks[..], 0);
         while !rest.is_empty() {
             let mut total = 0;
-            let mut fits = |task: &Task| {
+            let mut fits = |task: &RayTask| {
                 total += task.count;
                 total <= CHUNK
             };
@@ -260,13 +260,13 @@ impl<'a> SampledTransport<'a> {
         self.settle_again(planned, accuracy, None, work);
     }
 
-    /// Settles as [`SampledTransport::settle`], to the bit; exact pairs that `memory` holds are not
+    /// Settles as [`SampledTransport::settle`], to the bit; exact pairs that `kept` holds are not
     /// integrated again.
     pub fn settle_again(
         &mut self,
         planned: &[u64],
         accuracy: Accuracy,
-        memory: Option<&mut Memory>,
+        kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) {
         let list = self.elements.list();
@@ -282,7 +282,7 @@ impl<'a> SampledTransport<'a> {
             f64::from(sums.hits) * (a + c) / (b + d)
         };
         let pairs = Strong::worth(self.elements, self.visibility, &self.tally, &self.held, &expected);
-        self.strong = Strong::new(pairs, self.elements, self.visibility, (accuracy, memory), work);
+        self.strong = Strong::new(pairs, self.elements, self.visibility, (accuracy, kept), work);
         self.tally.settle(list, &expected);
         self.counts = Counts::new(list.len(), self.elements.coefficients());
     }
@@ -298,42 +298,42 @@ impl<'a> SampledTransport<'a> {
     }
 
     /// Sends the rays of these tasks, each rank those of some of them, and counts what became of all.
-    fn run(&mut self, tasks: &[Task]) {
+    fn run(&mut self, tasks: &[RayTask]) {
         let ranks = self.ranks;
         let makers = self.makers(tasks, ranks.count());
         let sent = ranks.made(PartName::Rays, &makers, |task| self.sent_by(&tasks[task]));
         let own = tasks.iter().zip(&makers).filter(|(_, maker)| **maker == ranks.number());
-        let own: Vec<&Task> = own.map(|(task, _)| task).collect();
+        let own: Vec<&RayTask> = own.map(|(task, _)| task).collect();
         ranks.count_work(0, own.iter().map(|task| task.count).sum());
-        if let Some(known) = &mut self.known {
+        if let Some(kept) = &mut self.kept {
             let own = own.iter().zip(&sent);
-            own.for_each(|(task, sent)| known.keep(task.element, task.first, &sent.met, sent.recalled));
+            own.for_each(|(task, sent)| kept.insert(task.element, task.first, &sent.hits, sent.recalled));
         }
-        let landed = sent.into_iter().map(|sent| sent.landed).collect();
+        let sums = sent.into_iter().map(|sent| sent.sums).collect();
         // Each rank sends those of one task after the other.
-        let parcels = ranks.exchange(self.parcels(landed, ranks.count()));
+        let parcels = ranks.exchange(self.parcels(sums, ranks.count()));
         let mut parcels: Vec<_> = parcels.into_iter().map(Vec::into_iter).collect();
         let mut hits = Vec::new();
-        for (Task { element, count, .. }, maker) in tasks.iter().zip(makers) {
-            let landed = parcels[maker].next().expect("each rank ran its tasks");
+        for (RayTask { element, count, .. }, maker) in tasks.iter().zip(makers) {
+            let sums = parcels[maker].next().expect("each rank ran its tasks");
             self.sent[*element] += count;
             for half in 0..2 {
-                self.counts.weights[*element][half] += landed.weights[half];
+                self.counts.weights[*element][half] += sums.weights[half];
                 let Counts { missed, exact, .. } = &mut self.counts;
-                for (sums, own) in [(missed, &landed.missed), (exact, &landed.exact)] {
+                for (sums, own) in [(missed, &sums.missed), (exact, &sums.exact)] {
                     let sums = sums[half][self.starts[*element]..].iter_mut();
                     sums.zip(&own[half]).for_each(|(sum, value)| *sum += value);
                 }
             }
-            hits.extend(landed.hits);
+            hits.extend(sums.hits);
         }
         self.tally.take(self.elements.list(), &hits);
     }
 
     /// The rank, of so many, that runs each task: as even as can be; or where it is to know the hits of rays,
     /// the same for all rays of an element.
-    fn makers(&self, tasks: &[Task], ranks: usize) -> Vec<usize> {
-        if self.known.is_some() {
+    fn makers(&self, tasks: &[RayTask], ranks: usize) -> Vec<usize> {
+        if self.kept.is_some() {
             return tasks.iter().map(|task| task.element % ranks).collect();
         }
         let counts: Vec<f64> = tasks.iter().map(|task| task.count as f64).collect();
@@ -341,63 +341,63 @@ impl<'a> SampledTransport<'a> {
         (0..tasks.len()).map(|task| shares::owner(&ends, task)).collect()
     }
 
-    /// The part of `landed` that each of so many ranks counts: the hits of elements of which it holds the
+    /// The part of `sums` that each of so many ranks counts: the hits of elements of which it holds the
     /// pairs, and all else.
-    fn parcels(&self, landed: Vec<Landed>, ranks: usize) -> Vec<Vec<Landed>> {
+    fn parcels(&self, sums: Vec<RaySums>, ranks: usize) -> Vec<Vec<RaySums>> {
         if self.held.ranks().are_alone() {
-            return vec![landed; ranks];
+            return vec![sums; ranks];
         }
-        let counted = |rank: usize, landed: &Landed| {
+        let counted = |rank: usize, sums: &RaySums| {
             let is_counted =
                 |hit: &&Hit| [hit.source, hit.target].iter().any(|end| self.held.rank(*end as usize) == rank);
-            Landed { hits: landed.hits.iter().filter(is_counted).copied().collect(), ..landed.without_hits() }
+            RaySums { hits: sums.hits.iter().filter(is_counted).copied().collect(), ..sums.without_hits() }
         };
-        (0..ranks).map(|rank| landed.iter().map(|landed| counted(rank, landed)).collect()).collect()
+        (0..ranks).map(|rank| sums.iter().map(|sums| counted(rank, sums)).collect()).collect()
     }
 
     /// Sends the rays of a task.
-    fn sent_by(&self, task: &Task) -> Sent {
+    fn sent_by(&self, task: &RayTask) -> SentRays {
         let sender = &self.senders[task.element];
         let element = &self.elements.list()[task.element];
         let nothing = || [vec![0.0; element.basis.len()], vec![0.0; element.basis.len()]];
         let hits = Vec::with_capacity(task.count as usize);
-        let mut sent = Sent {
-            landed: Landed { weights: [0.0; 2], missed: nothing(), exact: nothing(), hits },
-            met: Vec::with_capacity(if self.known.is_some() { task.count as usize } else { 0 }),
+        let mut sent = SentRays {
+            sums: RaySums { weights: [0.0; 2], missed: nothing(), exact: nothing(), hits },
+            hits: Vec::with_capacity(if self.kept.is_some() { task.count as usize } else { 0 }),
             recalled: 0,
         };
         for index in task.first..task.first + task.count {
             check_interrupt_at(index);
             let departure = sender.departure(index);
             let half = (index % 2) as usize;
-            let met = self.met(task.element, index, &departure, &mut sent);
-            let landed = &mut sent.landed;
-            landed.weights[half] += departure.weight;
-            let sums = match hit(self.elements, task.element, index, &departure, met) {
-                Some(hit) if !self.counts(hit.source, hit.target) => &mut landed.exact[half],
+            let encounter = self.first_hit(task.element, index, &departure, &mut sent);
+            let sums = &mut sent.sums;
+            sums.weights[half] += departure.weight;
+            let own = match hit(self.elements, task.element, index, &departure, encounter) {
+                Some(hit) if !self.counts(hit.source, hit.target) => &mut sums.exact[half],
                 Some(hit) => {
-                    landed.hits.push(hit);
+                    sums.hits.push(hit);
                     continue;
                 }
-                None => &mut landed.missed[half],
+                None => &mut sums.missed[half],
             };
             let values = functions(element, element.basis.frame().coordinates(&departure.node));
-            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += departure.weight * value);
+            own.iter_mut().zip(values).for_each(|(sum, value)| *sum += departure.weight * value);
         }
         sent
     }
 
     /// First hit of a ray: as known from the scene before, or else as traced.
-    fn met(&self, element: usize, index: u64, departure: &Departure, sent: &mut Sent) -> Option<Encounter> {
+    fn first_hit(&self, element: usize, index: u64, departure: &Departure, sent: &mut SentRays) -> Option<Encounter> {
         let (origin, direction) = (departure.node.position, departure.direction);
         let surface = self.elements.list()[element].surface;
         let found = || self.visibility.nearest_from(surface, origin, direction);
-        let Some(known) = &self.known else { return found() };
-        let recalled = known.recall(element, index, [origin, direction]);
+        let Some(kept) = &self.kept else { return found() };
+        let recalled = kept.get(element, index, [origin, direction]);
         sent.recalled += u64::from(recalled.is_some());
-        let met = recalled.unwrap_or_else(found);
-        sent.met.push(Met::of(met.as_ref()));
-        met
+        let encounter = recalled.unwrap_or_else(found);
+        sent.hits.push(KeptHit::of(encounter.as_ref()));
+        encounter
     }
 
     /// Whether rays count on the pair of two elements.

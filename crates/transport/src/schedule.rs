@@ -36,7 +36,7 @@ use radiosity_kernel::estimates::probing_rays::{Hidden, ProbingRays};
 use radiosity_kernel::rules::covering;
 use radiosity_kernel::{
     Accuracy, Kind,
-    blocks::block::{Account, Block},
+    blocks::block::{BlockReport, Block},
 };
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
@@ -44,17 +44,17 @@ use radiosity_work::ranks::{PartName, Ranks};
 use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 
-use crate::memory::{IntegratedBlock, Memory};
+use crate::kept_blocks::{IntegratedBlock, KeptBlocks};
 use crate::occlusion::outlines::occluded_block;
 use crate::pair::{curved, planar};
 use crate::price;
 use crate::schedule::congruent::Pose;
-use balance::Piece;
+use balance::WorkItem;
 use goal::Goal;
-use integrated::{Integrated, Told};
+use integrated::{Integrated, IntegratedReport};
 use source::Source;
 pub(crate) use task::Unreached;
-use task::{Scene, Task};
+use task::{Schedule, Task};
 pub use work::{BlockWork, cost, shared, work};
 
 /// Factor that turns a coarse estimate of a curved pair into a lower bound. Chosen; not tuned.
@@ -98,37 +98,37 @@ pub(crate) struct UnreachedPair {
     pub partly_hidden: bool,
 }
 
-/// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave; what `memory` holds,
-/// which was turned to this scene, is not integrated again.
+/// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave; what `kept` holds,
+/// which was moved to this scene, is not integrated again.
 pub(crate) fn by_rules(
     elements: &Elements,
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     visibility: &Visibility,
     (accuracy, unreached): (Accuracy, Unreached),
-    memory: Option<&mut Memory>,
+    kept: Option<&mut KeptBlocks>,
     work: &Work<'_>,
 ) -> (Blocks, Vec<UnreachedPair>) {
     let list = elements.list();
-    let scene = Scene::new(elements, visibility, wanted, accuracy, unreached);
+    let schedule = Schedule::new(elements, visibility, wanted, accuracy, unreached);
     let mut blocks = Blocks::empty(elements.starts(), true, work.ranks);
-    let (tasks, counts) = scene.sort(work.ranks);
+    let (tasks, counts) = schedule.sort(work.ranks);
     blocks.pairs = counts;
     if blocks.pairs.skipped_black > 0 {
-        scene.open_rows().into_iter().for_each(|row| blocks.leave_open(row));
+        schedule.open_rows().into_iter().for_each(|row| blocks.leave_open(row));
     }
-    let goals = scene.goals(&tasks);
-    let sources = scene.share(&tasks, &goals);
-    let mut integrated = scene.integrate(&tasks, &goals, &sources, (memory.as_deref(), blocks.held()), work);
+    let goals = schedule.goals(&tasks);
+    let sources = schedule.share(&tasks, &goals);
+    let mut integrated = schedule.integrate(&tasks, &goals, &sources, (kept.as_deref(), blocks.held()), work);
     let scales = Scales::new(list.len(), &tasks, &sources, &integrated);
-    let is_left = |task: &Task, block: &Account| {
-        block.untried || (scales.relative(task, block) > accuracy.eps && scene.is_left(task))
+    let is_left = |task: &Task, block: &BlockReport| {
+        block.untried || (scales.relative(task, block) > accuracy.eps && schedule.is_left(task))
     };
     integrated.deliver(&tasks, &sources, &is_left, blocks.held());
     let mut left = Vec::new();
     for (task, source) in tasks.iter().zip(&sources) {
         check_interrupt();
         let place = source.place();
-        let Told { block, .. } = integrated.told(place);
+        let IntegratedReport { block, .. } = integrated.report(place);
         let error = scales.relative(task, block);
         if is_left(task, block) {
             debug_assert!(matches!(source, Source::Own(_)), "only flat pairs that nothing hides are copies");
@@ -144,12 +144,12 @@ pub(crate) fn by_rules(
         let asked = if block.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
         let pair = [task.row as usize, task.column as usize];
         blocks.record_error(WorstError { pair, error, asked, by_rays: false });
-        scene.store(&mut blocks, task, source, &tasks, &integrated);
+        schedule.store(&mut blocks, task, source, &tasks, &integrated);
     }
     let is_left: HashSet<[usize; 2]> = left.iter().map(|pair| [pair.row, pair.column]).collect();
     let is_stored = |task: &Task| !is_left.contains(&[task.row as usize, task.column as usize]);
-    blocks.reciprocity = scene.reciprocity(&tasks, &is_stored, &goals, &sources, &integrated);
-    if let Some(memory) = memory {
+    blocks.reciprocity = schedule.reciprocity(&tasks, &is_stored, &goals, &sources, &integrated);
+    if let Some(kept) = kept {
         let asked =
             tasks.iter().zip(&goals).zip(&sources).filter(|(_, source)| matches!(source, Source::Own(_)));
         let requests = asked.map(|((task, goal), _)| goal.request(task, visibility));
@@ -160,7 +160,7 @@ pub(crate) fn by_rules(
             .zip(integrated.makers)
             .map(|(answer, maker)| answer.filter(|_| maker == me));
         let answers = requests.zip(own).filter_map(|(request, answer)| Some((request, answer?)));
-        memory.keep(answers.collect(), work.ranks);
+        kept.replace(answers.collect(), work.ranks);
     }
     (blocks, left)
 }
@@ -174,7 +174,7 @@ impl Scales {
     fn new(elements: usize, tasks: &[Task], sources: &[Source], integrated: &Integrated) -> Self {
         let mut rows = vec![0.0f64; elements];
         for (task, source) in tasks.iter().zip(sources) {
-            let most = integrated.told(source.place()).block.largest;
+            let most = integrated.report(source.place()).block.largest;
             for element in [task.row, task.column] {
                 rows[element as usize] = rows[element as usize].max(most);
             }
@@ -184,13 +184,13 @@ impl Scales {
 
     /// The error of the block of a task, relative to the largest of: its largest entry, a hundredth of its
     /// row's, and 1e-8.
-    fn relative(&self, task: &Task, block: &Account) -> f64 {
+    fn relative(&self, task: &Task, block: &BlockReport) -> f64 {
         let row = self.rows[task.row as usize].min(self.rows[task.column as usize]);
         block.error / block.largest.max(ROW_SHARE * row).max(SMALLEST_ENTRY)
     }
 }
 
-impl Scene<'_> {
+impl Schedule<'_> {
     /// Sorts all pairs and counts those that need no block.
     fn sort(&self, ranks: &Ranks) -> (Vec<Task>, PairCounts) {
         let lengths: Vec<f64> = (1..=self.list.len()).rev().map(|length| length as f64).collect();
@@ -252,10 +252,10 @@ impl Scene<'_> {
         }
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
-        let rough = if self.is_estimated { self.rough(row, column) } else { 0.0 };
+        let estimate = if self.is_estimated { self.estimate(row, column) } else { 0.0 };
         let task = |entries, hash, blockers| {
             let own = self.visibility.hiding_themselves(surfaces, [&receiver.hull, &emitter.hull]);
-            Sorted::Task(Task { row: row as u32, column: column as u32, entries, rough, hash, blockers, own })
+            Sorted::Task(Task { row: row as u32, column: column as u32, entries, estimate, hash, blockers, own })
         };
         if row == column {
             return task([0.0, f64::INFINITY], None, blockers);
@@ -263,9 +263,9 @@ impl Scene<'_> {
         if self.visibility.hidden(&blockers, &receiver.hull, &emitter.hull) {
             return Sorted::Hidden;
         }
-        let [mut least, most] = self.reaches[row].entries(&self.reaches[column]);
+        let [mut least, most] = self.bounds[row].entries(&self.bounds[column]);
         if receiver.plane.is_none() || emitter.plane.is_none() {
-            least = ESTIMATE_SHARE * rough;
+            least = ESTIMATE_SHARE * estimate;
         }
         if !blockers.is_empty() {
             return task([VISIBLE_SHARE * least, most], None, blockers);
@@ -274,9 +274,9 @@ impl Scene<'_> {
     }
 
     /// Coarse estimate of the first entry of the block of two elements, without blockers.
-    fn rough(&self, row: usize, column: usize) -> f64 {
+    fn estimate(&self, row: usize, column: usize) -> f64 {
         let [first, other] = if self.comes_later(row, column) { [column, row] } else { [row, column] };
-        self.roughs[first].entry(&self.roughs[other])
+        self.estimates[first].entry(&self.estimates[other])
     }
 
     /// Whether the first of two elements is the inner one ([`crate::schedule::order`]).
@@ -324,7 +324,7 @@ impl Scene<'_> {
         integrated: &Integrated,
     ) {
         let place = source.place();
-        let Told { block, remainder } = integrated.told(place);
+        let IntegratedReport { block, remainder } = integrated.report(place);
         blocks.pairs.take(block);
         let (row, column) = (task.row as usize, task.column as usize);
         if *remainder > 0.0 {
@@ -391,7 +391,7 @@ impl Scene<'_> {
         confirmed.into_iter().enumerate().map(&mut source).collect()
     }
 
-    /// Integrates the tasks that are not copies, as far as `memory` does not hold their blocks; each rank
+    /// Integrates the tasks that are not copies, as far as `kept` does not hold their blocks; each rank
     /// some of them.
     ///
     /// With a memory that is the rank that holds the row of a block, scene after scene: it knows what the
@@ -401,7 +401,7 @@ impl Scene<'_> {
         tasks: &[Task],
         goals: &[Goal],
         sources: &[Source],
-        (memory, held): (Option<&Memory>, &Held),
+        (kept, held): (Option<&KeptBlocks>, &Held),
         work: &Work<'_>,
     ) -> Integrated {
         let own: Vec<usize> =
@@ -410,7 +410,7 @@ impl Scene<'_> {
         let ranks = work.ranks;
         let answer = |place: usize| {
             let (task, goal) = (&tasks[own[place]], goals[own[place]]);
-            let known = memory.and_then(|memory| self.recalled(task, goal, memory));
+            let known = kept.and_then(|kept| self.recalled(task, goal, kept));
             let answer = known.unwrap_or_else(|| {
                 let block = self.block(task, goal);
                 ranks.count_work(block.samples, block.rays);
@@ -418,31 +418,31 @@ impl Scene<'_> {
             });
             // Others do about as much in the same time.
             let done = ranks.count() * (done.fetch_add(1, Ordering::Relaxed) + 1);
-            work.tell_done(Stage::Blocks, done.min(total), total);
+            work.report_done(Stage::Blocks, done.min(total), total);
             answer
         };
-        if memory.is_some() {
+        if kept.is_some() {
             let makers: Vec<usize> = own.iter().map(|index| held.rank(tasks[*index].row as usize)).collect();
             return Integrated::made_by(ranks.clone(), &makers, answer);
         }
-        Integrated::made(ranks.clone(), &self.pieces(tasks, sources), answer)
+        Integrated::made(ranks.clone(), &self.items(tasks, sources), answer)
     }
 
     /// The work of the tasks that are not copies: classes and prices.
-    fn pieces(&self, tasks: &[Task], sources: &[Source]) -> Vec<Piece> {
+    fn items(&self, tasks: &[Task], sources: &[Source]) -> Vec<WorkItem> {
         let own = tasks.iter().zip(sources).filter(|(_, source)| matches!(source, Source::Own(_)));
-        own.map(|(task, _)| self.piece(task)).collect()
+        own.map(|(task, _)| self.item(task)).collect()
     }
 
     /// The work of a task: its class and price.
-    fn piece(&self, task: &Task) -> Piece {
+    fn item(&self, task: &Task) -> WorkItem {
         let ends @ [row, column] = [task.row, task.column].map(|element| element as usize);
         let are_flat = ends.iter().all(|element| self.list[*element].plane.is_some());
-        let is_near = row == column || self.reaches[row].is_near(&self.reaches[column]);
+        let is_near = row == column || self.bounds[row].is_near(&self.bounds[column]);
         let bits = [are_flat, is_near, row == column, task.own.is_empty()];
         let bits = bits.iter().fold(0, |bits, bit| 2 * bits + u64::from(*bit));
         let class = 16 * task.blockers.len() as u64 + bits;
-        Piece { class, price: price::of_blockers(are_flat, &task.blockers, self.visibility) }
+        WorkItem { class, price: price::of_blockers(are_flat, &task.blockers, self.visibility) }
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {
@@ -476,7 +476,7 @@ impl Scene<'_> {
             _ => None,
         };
         let pairs: Vec<(usize, usize)> = sources.iter().enumerate().filter_map(own).collect();
-        let cost = |place: usize| integrated.told(place).block.samples + integrated.told(place).block.rays;
+        let cost = |place: usize| integrated.report(place).block.samples + integrated.report(place).block.rays;
         let mean = pairs.iter().map(|(_, place)| cost(*place)).sum::<u64>() / pairs.len().max(1) as u64;
         let step = (pairs.len() / (pairs.len() / SAMPLED_SHARE).max(FEWEST_SAMPLED)).max(1);
         let sample: Vec<(usize, usize)> =
@@ -494,9 +494,9 @@ impl Scene<'_> {
                 });
                 again.map(|again| (again - answer.block.values[0]).abs() * (a * b).sqrt() / a.min(b))
             });
-        let mut told = Reciprocity::default();
-        differences.into_iter().flatten().for_each(|difference| told.take(difference));
-        told
+        let mut reciprocity = Reciprocity::default();
+        differences.into_iter().flatten().for_each(|difference| reciprocity.take(difference));
+        reciprocity
     }
 
     /// Whether the outer integral of a task is over its emitter ([`crate::schedule::order`]). Flat elements
@@ -541,7 +541,7 @@ impl Scene<'_> {
     fn curved_block(&self, [row, column]: [usize; 2], task: &Task, blockers: &[usize], goal: Goal) -> Block {
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
         let Goal { accuracy, bent, least, row: largest, unseen, sampled, .. } = goal;
-        let enough = (UNSEEN * task.rough / unseen).max(FEWEST_RAYS as f64);
+        let enough = (UNSEEN * task.estimate / unseen).max(FEWEST_RAYS as f64);
         let is_told = enough <= MOST_RAYS;
         let asked = if is_told { blockers } else { &[] };
         let (mut blockers, mut rays) = (Cow::Borrowed(blockers), 0);
@@ -561,7 +561,7 @@ impl Scene<'_> {
         }
         // What a ball hides of a surface from itself is not known well enough either.
         let is_ball = row != column && self.visibility.only_ball(&blockers).is_some();
-        let is_near = self.reaches[row].is_near(&self.reaches[column]);
+        let is_near = self.bounds[row].is_near(&self.bounds[column]);
         if self.unreached == Unreached::Left && is_near && !blockers.is_empty() && !is_ball {
             let kind = if row == column { Kind::Same } else { Kind::Separated };
             return Block::untried(receiver.basis.len() * emitter.basis.len(), kind, rays);
@@ -584,9 +584,9 @@ impl Scene<'_> {
             return None;
         }
         let sees = |x, y| self.visibility.free(&task.blockers, x, y);
-        let rays = self.roughs[receiver].hidden_rays(&self.roughs[emitter], &sees)?;
+        let rays = self.estimates[receiver].hidden_rays(&self.estimates[emitter], &sees)?;
         let size = self.list[receiver].basis.len() * self.list[emitter].basis.len();
-        let is_told = rays >= FEWEST_RAYS && UNSEEN * task.rough <= goal.unseen * rays as f64;
+        let is_told = rays >= FEWEST_RAYS && UNSEEN * task.estimate <= goal.unseen * rays as f64;
         is_told.then(|| Block::hidden(size, rays))
     }
 }

@@ -30,7 +30,7 @@ use radiosity_kernel::{Blocks, blocks::FirstEntry};
 use radiosity_visibility::Visibility;
 use radiosity_work::{Stage, Work};
 
-use crate::memory::Memory;
+use crate::kept_blocks::KeptBlocks;
 use crate::sampled::{Fixed, SampledTransport};
 use crate::schedule::UnreachedPair;
 use crate::schedule::order::Precedence;
@@ -70,7 +70,7 @@ const AGREED: f64 = 3.0;
 /// Relative error of rays that is enough to check a value by rules. Chosen.
 const CHECKED: f64 = 1e-3;
 
-/// Adds the blocks that are `left` to `blocks`, and tells their error there; rays that `memory` knows are not
+/// Adds the blocks that are `left` to `blocks`, and tells their error there; rays that `kept` holds are not
 /// traced.
 pub(crate) fn add(
     elements: &Elements,
@@ -78,7 +78,7 @@ pub(crate) fn add(
     blocks: &mut Blocks,
     left: &[UnreachedPair],
     (whole, accuracy): (Whole, Accuracy),
-    mut memory: Option<&mut Memory>,
+    mut kept: Option<&mut KeptBlocks>,
     work: &Work<'_>,
 ) {
     let wholes = Wholes::new(elements.list(), whole);
@@ -87,7 +87,7 @@ pub(crate) fn add(
     let mut batch = |batch: usize| {
         let numbers: Vec<u64> = places.iter().map(|place| (batch * places.len() + place) as u64).collect();
         let rays = SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers, work.ranks);
-        rays.knowing(memory.as_mut().and_then(|memory| memory.lend(batch, BATCHES, numbers, work.ranks)))
+        rays.with_kept(kept.as_mut().and_then(|kept| kept.take_rays(batch, BATCHES, numbers, work.ranks)))
     };
     let mut batches: Vec<SampledTransport> = (0..BATCHES).map(&mut batch).collect();
     let touched: HashSet<usize> = left.iter().flat_map(|pair| [pair.row, pair.column]).collect();
@@ -106,7 +106,7 @@ pub(crate) fn add(
         for batch in &mut batches {
             batch.send(&now, &mut |_| true);
             sent += senders.len() as u64 * rays;
-            work.tell_done(Stage::Blocks, (left.len() as u64 * sent / most.max(sent)) as usize, left.len());
+            work.report_done(Stage::Blocks, (left.len() as u64 * sent / most.max(sent)) as usize, left.len());
         }
         let each = (BATCHES * senders.len()) as u64;
         let fixed = Fixed { sums: &sums, error, blocks };
@@ -125,11 +125,11 @@ pub(crate) fn add(
         }
         rays = next;
     };
-    if let Some(memory) = memory {
-        let known = batches.into_iter().map(SampledTransport::into_known).enumerate();
-        known
-            .filter_map(|(batch, known)| Some((batch, known?)))
-            .for_each(|(batch, known)| memory.take(batch, known, work.ranks));
+    if let Some(kept) = kept {
+        let rays = batches.into_iter().map(SampledTransport::into_kept).enumerate();
+        rays
+            .filter_map(|(batch, rays)| Some((batch, rays?)))
+            .for_each(|(batch, rays)| kept.put_rays(batch, rays, work.ranks));
     }
     blocks.rays += sent;
     blocks.pairs.by_rays += left.len();

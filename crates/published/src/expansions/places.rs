@@ -46,7 +46,7 @@ impl Place {
 
 impl Places {
     /// Takes note of where the elements of the next scene are; of another number of them all are new.
-    pub(super) fn turn_to(&mut self, elements: &[Element]) {
+    pub(super) fn move_to(&mut self, elements: &[Element]) {
         let before = std::mem::take(&mut self.now);
         let are_known = before.len() == elements.len();
         let known = |index: usize| before.get(index).filter(|_| are_known).and_then(Option::as_ref);

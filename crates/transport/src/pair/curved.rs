@@ -82,7 +82,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 use radiosity_elements::Element;
 use radiosity_geom::COINCIDENT;
-use radiosity_kernel::contact::curved::Touch;
+use radiosity_kernel::contact::curved::CurvedContact;
 use radiosity_kernel::contact::planes::plane_of;
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::estimates::coarse::scale;
@@ -229,7 +229,7 @@ impl Job<'_> {
         let n = (each.sqrt().sqrt() as usize).clamp(FEWEST_LEFT, MOST_LEFT);
         for (p, q, blockers, factor) in left {
             check_interrupt();
-            let mut part = self.tentative(&p, &q, Some(&Touch::Apart(0.0)), n, &blockers);
+            let mut part = self.tentative(&p, &q, Some(&CurvedContact::Apart(0.0)), n, &blockers);
             part.scale(factor);
             self.error += DOUBT * self.first_entry(&part);
             self.moments.merge(&part, true);

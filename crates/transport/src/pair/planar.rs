@@ -23,10 +23,10 @@ use radiosity_elements::patch::{Direction, Patch};
 use radiosity_elements::rule::MOST_POINTS;
 use radiosity_geom::{polygon_area, touching};
 use radiosity_kernel::contact::clip::{Facet, match_contact};
-use radiosity_kernel::contact::flat::{Contact, classify, gap};
+use radiosity_kernel::contact::flat::{FlatContact, classify, gap};
 use radiosity_kernel::moments::Moments;
 use radiosity_kernel::moments::integrand::Sees;
-use radiosity_kernel::rules::common_edge::{LARGEST_ASPECT, Wedge};
+use radiosity_kernel::rules::common_edge::{LARGEST_ASPECT, EdgePair};
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::near::Plan;
 use radiosity_kernel::rules::{common_edge, common_vertex, contour, far};
@@ -194,7 +194,7 @@ impl<'a> Job<'a> {
                 return;
             }
         }
-        let contact = if state.touching { classify(p, q, self.tolerance) } else { Contact::Apart(gap(p, q)) };
+        let contact = if state.touching { classify(p, q, self.tolerance) } else { FlatContact::Apart(gap(p, q)) };
         if !state.blockers.is_empty() && state.levels > 0 {
             state.levels -= 1;
             return self.halve(p, q, &contact, state);
@@ -203,12 +203,12 @@ impl<'a> Job<'a> {
     }
 
     /// Applies the rule of a contact, or halves the pair where no rule is accurate.
-    fn apply(&mut self, p: &Patch, q: &Patch, contact: Contact, state: State) {
+    fn apply(&mut self, p: &Patch, q: &Patch, contact: FlatContact, state: State) {
         self.kind = self.kind.max(match &contact {
-            Contact::Edge(..) => Kind::Edge,
-            Contact::Vertex(..) => Kind::Vertex,
-            Contact::Apart(gap) if self.is_near(p, q, *gap) => Kind::Split,
-            Contact::Apart(_) => Kind::Separated,
+            FlatContact::Edge(..) => Kind::Edge,
+            FlatContact::Vertex(..) => Kind::Vertex,
+            FlatContact::Apart(gap) if self.is_near(p, q, *gap) => Kind::Split,
+            FlatContact::Apart(_) => Kind::Separated,
         });
         if state.blockers.is_empty() {
             return self.free(p, q, &contact, state);
@@ -219,22 +219,22 @@ impl<'a> Job<'a> {
     }
 
     /// A pair without blockers: rules that know the kernel's singularities.
-    fn free(&mut self, p: &Patch, q: &Patch, contact: &Contact, state: State) {
+    fn free(&mut self, p: &Patch, q: &Patch, contact: &FlatContact, state: State) {
         let (degrees, eps) = (self.degrees, self.accuracy.eps);
         let done = match contact {
-            Contact::Edge(a, b) => match common_edge::integrate_flat(&mut self.moments, a, b, degrees, eps) {
+            FlatContact::Edge(a, b) => match common_edge::integrate_flat(&mut self.moments, a, b, degrees, eps) {
                 Some(rest) => return rest.iter().for_each(|(a, b)| self.visit(a, b, state.clone())),
                 None => false,
             },
-            Contact::Vertex(a, b) => common_vertex::integrate_flat(&mut self.moments, a, b, degrees, eps),
-            Contact::Apart(gap) if self.is_near(p, q, *gap) => {
+            FlatContact::Vertex(a, b) => common_vertex::integrate_flat(&mut self.moments, a, b, degrees, eps),
+            FlatContact::Apart(gap) if self.is_near(p, q, *gap) => {
                 match Plan::cheaper_than_split(&self.moments, p, q, eps) {
                     Some(plan) => return plan.integrate(&mut self.moments),
                     None if self.is_divisible(p, q) => return self.halve(p, q, contact, state),
                     None => false,
                 }
             }
-            Contact::Apart(gap) => return self.tensor(p, q, *gap),
+            FlatContact::Apart(gap) => return self.tensor(p, q, *gap),
         };
         if done {
             return;
@@ -247,20 +247,20 @@ impl<'a> Job<'a> {
     }
 
     /// A pair whose visibility is sampled: rules that take any integrand.
-    fn sampled(&mut self, p: &Patch, q: &Patch, contact: &Contact, state: State, sees: Sees) {
+    fn sampled(&mut self, p: &Patch, q: &Patch, contact: &FlatContact, state: State, sees: Sees) {
         let eps = self.accuracy.eps;
         match contact {
-            Contact::Edge(a, b) => {
-                let wedge = Wedge::of(a, b);
-                if wedge.aspect() > LARGEST_ASPECT && self.is_divisible(p, q) {
+            FlatContact::Edge(a, b) => {
+                let edge_pair = EdgePair::of(a, b);
+                if edge_pair.aspect() > LARGEST_ASPECT && self.is_divisible(p, q) {
                     return self.halve(p, q, contact, state);
                 }
-                let points = common_edge::counts(a, b, &wedge, self.degrees, eps);
-                let most = if wedge.aspect() > LARGEST_ASPECT { MOST_SLIVER_POINTS } else { MOST_POINTS };
+                let points = common_edge::counts(a, b, &edge_pair, self.degrees, eps);
+                let most = if edge_pair.aspect() > LARGEST_ASPECT { MOST_SLIVER_POINTS } else { MOST_POINTS };
                 self.note(points[2] > most, p, q);
                 common_edge::integrate(&mut self.moments, a, b, points.map(|n| n.min(most)), Some(sees));
             }
-            Contact::Vertex(a, b) => {
+            FlatContact::Vertex(a, b) => {
                 if common_vertex::aspect(a, b) > LARGEST_ASPECT && self.is_divisible(p, q) {
                     return self.halve(p, q, contact, state);
                 }
@@ -269,16 +269,16 @@ impl<'a> Job<'a> {
                 let points = points.map(|n| n.min(MOST_SLIVER_POINTS));
                 common_vertex::integrate(&mut self.moments, a, b, points, Some(sees));
             }
-            Contact::Apart(gap) if self.is_near(p, q, *gap) && self.is_divisible(p, q) => {
+            FlatContact::Apart(gap) if self.is_near(p, q, *gap) && self.is_divisible(p, q) => {
                 self.halve(p, q, contact, state);
             }
-            Contact::Apart(_) => self.scatter(p, q, contact, sees),
+            FlatContact::Apart(_) => self.scatter(p, q, contact, sees),
         }
     }
 
     /// A pair apart: adds what is seen, or all of it less what is hidden. Errors of parts have either sign,
     /// so that their variances add.
-    fn scatter(&mut self, p: &Patch, q: &Patch, contact: &Contact, sees: Sees) {
+    fn scatter(&mut self, p: &Patch, q: &Patch, contact: &FlatContact, sees: Sees) {
         let volume = polygon_area(&p.polygon()) * polygon_area(&q.polygon());
         let limit = self.shadow_error / self.scale * volume.sqrt() / self.unit;
         let found = SampledVisibility::new([p, q], self.moments.bases(), sees, limit, Choice::Rarer);
@@ -324,14 +324,14 @@ impl<'a> Job<'a> {
 
     /// Halves a pair across its longest extent; both sides together along a common edge if that is as long
     /// (0.999 allows for rounding).
-    fn halve(&mut self, p: &Patch, q: &Patch, contact: &Contact, mut state: State) {
-        if let Contact::Edge(a, b) = contact {
-            let wedge = Wedge::of(a, b);
-            if wedge.length >= 0.999 * wedge.depths[0].max(wedge.depths[1]) {
+    fn halve(&mut self, p: &Patch, q: &Patch, contact: &FlatContact, mut state: State) {
+        if let FlatContact::Edge(a, b) = contact {
+            let edge_pair = EdgePair::of(a, b);
+            if edge_pair.length >= 0.999 * edge_pair.depths[0].max(edge_pair.depths[1]) {
                 return self.product(&a.halves(Direction::Along), &b.halves(Direction::Along), &state);
             }
         }
-        state.touching &= !matches!(contact, Contact::Apart(gap) if *gap > 0.0);
+        state.touching &= !matches!(contact, FlatContact::Apart(gap) if *gap > 0.0);
         let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
         if extent_p >= extent_q {
             self.product(&p.halves(direction_p), std::slice::from_ref(q), &state);

@@ -62,7 +62,7 @@ pub(super) struct Counted<'a> {
 
 /// A pair on which rays count, as all ranks know it.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-struct Told {
+struct PairEstimate {
     exchange: Exchange,
     /// n_ij / D_ij².
     variance: f64,
@@ -162,15 +162,15 @@ impl<'a> Estimate<'a> {
 
     /// Adds the blocks to `blocks`.
     pub(super) fn push(&self, blocks: &mut Blocks) {
-        let told = self.told();
-        let exchanges: Vec<Exchange> = told.iter().map(|told| told.exchange).collect();
-        let trust = self.trust(&told);
+        let estimates = self.pair_estimates();
+        let exchanges: Vec<Exchange> = estimates.iter().map(|pair| pair.exchange).collect();
+        let trust = self.trust(&estimates);
         let factors = closure::factors(&exchanges, &self.wanted(&exchanges, &trust));
         let tilts = self.tilts(&factors, &trust);
         let totals = closure::row_sums(&exchanges, &factors);
         let corrections = Corrections { factors, tilts, totals };
         let mut own = self.pairs().peekable();
-        for Told { exchange, is_cross, is_zero, .. } in &told {
+        for PairEstimate { exchange, is_cross, is_zero, .. } in &estimates {
             check_interrupt();
             let (row, column) = (exchange.row as usize, exchange.column as usize);
             let held = own.next_if(|(sums, _)| (sums.row, sums.column) == (row, column));
@@ -232,15 +232,15 @@ impl<'a> Estimate<'a> {
     }
 
     /// The pairs in the rows of all ranks, rank by rank.
-    fn told(&self) -> Vec<Told> {
+    fn pair_estimates(&self) -> Vec<PairEstimate> {
         let Counted { held, rays, .. } = self.counted;
-        let told = |(sums, density): (Sums<'_>, f64)| Told {
+        let estimate = |(sums, density): (Sums<'_>, f64)| PairEstimate {
             exchange: self.exchange(&sums, density),
             variance: rays.share() * f64::from(sums.hits) / (density * density),
             is_cross: sums.is_cross,
             is_zero: rays.sums(&sums).all(|sum| sum == 0.0),
         };
-        let own: Vec<Told> = self.pairs().filter(|(sums, _)| held.has(sums.row)).map(told).collect();
+        let own: Vec<PairEstimate> = self.pairs().filter(|(sums, _)| held.has(sums.row)).map(estimate).collect();
         held.ranks().all(own).concat()
     }
 
@@ -261,9 +261,9 @@ impl<'a> Estimate<'a> {
     }
 
     /// α_i, the weight of an element's own rays in its row sum, in [0, 1].
-    fn trust(&self, told: &[Told]) -> Vec<f64> {
+    fn trust(&self, estimates: &[PairEstimate]) -> Vec<f64> {
         let mut variances = vec![0.0; self.list.len()];
-        for Told { exchange, variance, .. } in told {
+        for PairEstimate { exchange, variance, .. } in estimates {
             variances[exchange.row as usize] += variance;
             variances[exchange.column as usize] += variance;
         }

@@ -10,7 +10,7 @@ use radiosity_elements::patch::Node;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{shift, shifted};
-use radiosity_elements::sampling::spread::{Place, Spread};
+use radiosity_elements::sampling::spread::{WeightedNode, Spread};
 use radiosity_geom::DVec3;
 
 /// The source of the rays of one element: points and directions from a shifted sequence.
@@ -27,7 +27,7 @@ pub(super) struct Departure {
     pub node: Node,
     /// The ray's unit direction.
     pub direction: DVec3,
-    /// Weight of the point where it starts ([`Place::weight`]).
+    /// Weight of the point where it starts ([`WeightedNode::weight`]).
     pub weight: f64,
 }
 
@@ -40,7 +40,7 @@ impl Sender {
     /// The ray of that `index`.
     pub(super) fn departure(&self, index: u64) -> Departure {
         let [s, t, polar, turn] = shifted(kronecker::point(index), &self.shift);
-        let Place { node, weight } = self.spread.point([s, t]);
+        let WeightedNode { node, weight } = self.spread.point([s, t]);
         Departure { node, direction: lambert(node.normal, [polar, turn]), weight }
     }
 }

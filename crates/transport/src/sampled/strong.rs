@@ -15,7 +15,7 @@ use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 use radiosity_work::interruption::check_interrupt;
 
-use crate::memory::Memory;
+use crate::kept_blocks::KeptBlocks;
 use crate::price::{ElementPair, LEAST, price_up_to};
 use crate::sampled::tally::{Sums, Tally};
 use crate::schedule::{Unreached, by_rules};
@@ -47,29 +47,29 @@ impl Strong {
             check_interrupt();
             let expected = expected(sums);
             expected > LEAST
-                && expected > price_up_to(expected, &couple(elements, [sums.row, sums.column]), visibility)
+                && expected > price_up_to(expected, &element_pair(elements, [sums.row, sums.column]), visibility)
         };
         let own = tally.iter().filter(|sums| held.has(sums.row)).filter(is_worth);
         let own: Vec<(u32, u32)> = own.map(|sums| (sums.row as u32, sums.column as u32)).collect();
         held.ranks().all(own).into_iter().flatten().collect()
     }
 
-    /// The strong pairs with their exact blocks, from memory as far as it holds them, without those whose
+    /// The strong pairs with their exact blocks, from `kept` as far as it holds them, without those whose
     /// accuracy rules do not reach.
     pub(super) fn new(
         mut pairs: HashSet<(u32, u32)>,
         elements: &Elements,
         visibility: &Visibility,
-        (accuracy, memory): (Accuracy, Option<&mut Memory>),
+        (accuracy, kept): (Accuracy, Option<&mut KeptBlocks>),
         work: &Work<'_>,
     ) -> Self {
         if pairs.is_empty() {
-            memory.into_iter().for_each(|memory| memory.keep(Vec::new(), work.ranks));
+            kept.into_iter().for_each(|kept| kept.replace(Vec::new(), work.ranks));
             return Self::default();
         }
         let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
         let how = (accuracy, Unreached::Left);
-        let (blocks, left) = by_rules(elements, &wanted, visibility, how, memory, work);
+        let (blocks, left) = by_rules(elements, &wanted, visibility, how, kept, work);
         for pair in left {
             pairs.remove(&(pair.row as u32, pair.column as u32));
         }
@@ -107,7 +107,7 @@ impl Strong {
 }
 
 /// Two elements whose block may be made.
-fn couple(elements: &Elements, pair: [usize; 2]) -> ElementPair<'_> {
+fn element_pair(elements: &Elements, pair: [usize; 2]) -> ElementPair<'_> {
     let [a, b] = pair.map(|index| &elements.list()[index]);
     ElementPair {
         surfaces: [a.surface, b.surface],

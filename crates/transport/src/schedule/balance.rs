@@ -7,7 +7,7 @@
 
 use std::collections::HashMap;
 
-use radiosity_kernel::blocks::block::Account;
+use radiosity_kernel::blocks::block::BlockReport;
 use radiosity_work::ranks::shares;
 
 /// Blocks for each one that the pilot makes. Chosen.
@@ -29,10 +29,10 @@ pub fn cost([samples, rays]: [u64; 2]) -> f64 {
 
 /// A block before it is made.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(super) struct WorkItem {
     /// Blocks of one class cost about the same.
     pub(super) class: u64,
-    /// The price of a couple with its blockers (rays), of use where nothing is known of its class.
+    /// The price of a pair with its blockers (rays), of use where nothing is known of its class.
     pub(super) price: f64,
 }
 
@@ -49,11 +49,11 @@ pub(super) struct Balance {
 
 /// The rounds in which so many blocks are made by so many ranks: one where there is nobody to share them
 /// with.
-pub(super) fn rounds(pieces: usize, ranks: usize) -> Vec<Vec<usize>> {
+pub(super) fn rounds(items: usize, ranks: usize) -> Vec<Vec<usize>> {
     if ranks == 1 {
-        return vec![(0..pieces).collect()];
+        return vec![(0..items).collect()];
     }
-    let (pilot, others): (Vec<usize>, Vec<usize>) = (0..pieces).partition(|place| place % PILOT == 0);
+    let (pilot, others): (Vec<usize>, Vec<usize>) = (0..items).partition(|place| place % PILOT == 0);
     let (rest, most): (Vec<usize>, Vec<usize>) = others.into_iter().partition(|place| place % REST == 0);
     vec![pilot, most, rest]
 }
@@ -65,26 +65,26 @@ impl Balance {
     }
 
     /// The ranks that make the blocks of a round.
-    pub(super) fn share(&self, round: &[usize], pieces: &[Piece]) -> Vec<usize> {
-        let costs: Vec<f64> = round.iter().map(|place| self.cost(&pieces[*place])).collect();
+    pub(super) fn share(&self, round: &[usize], items: &[WorkItem]) -> Vec<usize> {
+        let costs: Vec<f64> = round.iter().map(|place| self.cost(&items[*place])).collect();
         shares::beside(&self.loads, &costs)
     }
 
     /// Takes note of what a block cost.
-    pub(super) fn take(&mut self, maker: usize, piece: &Piece, block: &Account) {
+    pub(super) fn take(&mut self, maker: usize, item: &WorkItem, block: &BlockReport) {
         let cost = START + cost([block.samples, block.rays]);
         self.loads[maker] += cost;
-        let [number, sum] = self.classes.entry(piece.class).or_default();
+        let [number, sum] = self.classes.entry(item.class).or_default();
         (*number, *sum) = (*number + 1.0, *sum + cost);
-        self.all = [self.all[0] + piece.price, self.all[1] + cost];
+        self.all = [self.all[0] + item.price, self.all[1] + cost];
     }
 
     /// Expected cost of a block, in samples: the mean of others of its class, or by its price.
-    fn cost(&self, piece: &Piece) -> f64 {
-        match (self.classes.get(&piece.class), self.all) {
+    fn cost(&self, item: &WorkItem) -> f64 {
+        match (self.classes.get(&item.class), self.all) {
             (Some([number, sum]), _) => sum / number,
-            (None, [prices, costs]) if prices > 0.0 => piece.price * costs / prices,
-            (None, _) => piece.price,
+            (None, [prices, costs]) if prices > 0.0 => item.price * costs / prices,
+            (None, _) => item.price,
         }
     }
 }

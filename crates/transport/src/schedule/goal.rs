@@ -10,9 +10,9 @@ use radiosity_kernel::estimates::entry_bounds::{ROW_SHARE, relaxed};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
-use crate::memory::Request;
+use crate::kept_blocks::Request;
 use crate::occlusion::outlines::Limit;
-use crate::schedule::task::{Scene, Task};
+use crate::schedule::task::{Schedule, Task};
 
 /// Error allowed for the shadows of a block, as a factor on ε_shadow times the largest entry of its row:
 /// errors of sampled shadows have either sign and weigh little in the sum over many blocks. Chosen; not
@@ -63,7 +63,7 @@ impl Goal {
         let faces = |surface| visibility.faces(surface).iter().copied();
         let surfaces = task.blockers.iter().chain(&task.own).flat_map(faces).collect();
         let mut numbers = self.bits();
-        numbers.extend([task.blockers.len() as u64, task.rough.to_bits()]);
+        numbers.extend([task.blockers.len() as u64, task.estimate.to_bits()]);
         Request { row: task.row, column: task.column, surfaces, numbers }
     }
 
@@ -91,18 +91,18 @@ struct Largest {
     /// Lower bounds of the entries.
     least: Vec<f64>,
     /// Coarse estimates of the first entries, without blockers.
-    rough: Vec<f64>,
+    estimates: Vec<f64>,
     /// View factors from these estimates.
     factors: Vec<f64>,
 }
 
-impl Scene<'_> {
+impl Schedule<'_> {
     /// The accuracy that each task has to reach.
     pub(super) fn goals(&self, tasks: &[Task]) -> Vec<Goal> {
         let largest = Largest {
             least: self.largest(tasks, |task, _| task.entries[0]),
-            rough: self.largest(tasks, |task, _| task.rough),
-            factors: self.largest(tasks, |task, pair| task.rough * self.factor_scale(pair)),
+            estimates: self.largest(tasks, |task, _| task.estimate),
+            factors: self.largest(tasks, |task, pair| task.estimate * self.factor_scale(pair)),
         };
         tasks.iter().map(|task| self.goal(task, &largest)).collect()
     }
@@ -113,7 +113,7 @@ impl Scene<'_> {
         let least = ROW_SHARE * of_rows(&largest.least);
         let eps = relaxed(self.accuracy.eps, least, task.entries[1]);
         let accuracy = Accuracy { eps, ..self.accuracy };
-        let row = of_rows(&largest.rough);
+        let row = of_rows(&largest.estimates);
         let [unseen, flat, sampled] = [0.0; 3];
         let free = Goal { accuracy, bent: accuracy, least, row, unseen, flat, sampled, outlined: None };
         if task.blockers.is_empty() && task.own.is_empty() {
@@ -125,17 +125,17 @@ impl Scene<'_> {
         let floor = SLIGHT * task.entries[1].min(1.0);
         let of_factors = |share: f64| accuracy.shadow_eps * row.min(share * tolerable).max(floor);
         let shadowed = SHADOWED_ROW_SHARE * row;
-        let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
+        let is_near = self.bounds[task.row as usize].is_near(&self.bounds[task.column as usize]);
         let [roughness, most] =
             if is_near { [NEAR_ROUGHNESS, LARGEST_NEAR_FACTOR] } else { [1.0, f64::INFINITY] };
-        let unseen = accuracy.shadow_eps * shadowed.max(task.rough).max(floor) / roughness;
+        let unseen = accuracy.shadow_eps * shadowed.max(task.estimate).max(floor) / roughness;
         let error = of_factors(FACTOR_SHARE);
         // Sampled shadows err to either side, unlike what all probing rays miss.
         let shaded = Goal { unseen, flat: unseen.min(error), sampled: of_factors(1.0), ..free };
         if self.has_outlines(task) {
-            return Goal { outlined: Some(Limit { error, entry: task.rough.max(floor) }), ..shaded };
+            return Goal { outlined: Some(Limit { error, entry: task.estimate.max(floor) }), ..shaded };
         }
-        let bent = accuracy.loosened((shadowed / (roughness * task.rough)).min(most));
+        let bent = accuracy.loosened((shadowed / (roughness * task.estimate)).min(most));
         let accuracy = if task.blockers.is_empty() { accuracy } else { bent };
         Goal { accuracy, bent, ..shaded }
     }
@@ -151,7 +151,7 @@ impl Scene<'_> {
 
     /// The largest `entry(task, [element of the row, other element])` of each row, rounded down: where things
     /// move and the largest entry of a row changes a little, the goals of its other blocks mostly stay, and
-    /// so do these ([`crate::memory`]).
+    /// so do these ([`crate::kept_blocks`]).
     fn largest(&self, tasks: &[Task], entry: impl Fn(&Task, [usize; 2]) -> f64) -> Vec<f64> {
         let mut rows = vec![0.0f64; self.list.len()];
         for task in tasks {

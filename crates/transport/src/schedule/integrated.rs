@@ -3,20 +3,20 @@
 
 use std::sync::Arc;
 
-use radiosity_kernel::blocks::block::{Account, Block};
+use radiosity_kernel::blocks::block::{BlockReport, Block};
 use radiosity_kernel::blocks::held::Held;
 use radiosity_work::ranks::{Part, PartName, Ranks};
 use serde::{Deserialize, Serialize};
 
-use crate::memory::IntegratedBlock;
-use crate::schedule::balance::{Balance, Piece, rounds};
+use crate::kept_blocks::IntegratedBlock;
+use crate::schedule::balance::{Balance, WorkItem, rounds};
 use crate::schedule::source::Source;
 use crate::schedule::task::Task;
 
 /// A block as all ranks know it, without its values.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub(super) struct Told {
-    pub(super) block: Account,
+pub(super) struct IntegratedReport {
+    pub(super) block: BlockReport,
     /// Bound of the norm of the block's difference from the integrated one ([`IntegratedBlock::remainder`]).
     pub(super) remainder: f64,
 }
@@ -27,7 +27,7 @@ pub(super) struct Integrated {
     pub(super) ranks: Ranks,
     /// The rank that made each of them.
     pub(super) makers: Vec<usize>,
-    told: Vec<Option<Told>>,
+    reports: Vec<Option<IntegratedReport>>,
     /// Blocks that this rank made, and after [`Integrated::deliver`] those that it needs.
     pub(super) answers: Vec<Option<Arc<IntegratedBlock>>>,
 }
@@ -36,17 +36,17 @@ impl Integrated {
     /// The blocks that `make` makes of these pieces of work, shared between ranks by what pieces cost.
     pub(super) fn made(
         ranks: Ranks,
-        pieces: &[Piece],
+        items: &[WorkItem],
         make: impl Fn(usize) -> Arc<IntegratedBlock> + Sync,
     ) -> Self {
         let mut balance = Balance::new(ranks.count());
-        let mut all = Self::none(ranks.clone(), pieces.len());
-        let part = ranks.part(PartName::Blocks, pieces.len());
-        for round in rounds(pieces.len(), ranks.count()) {
-            let makers = balance.share(&round, pieces);
+        let mut all = Self::none(ranks.clone(), items.len());
+        let part = ranks.part(PartName::Blocks, items.len());
+        for round in rounds(items.len(), ranks.count()) {
+            let makers = balance.share(&round, items);
             all.make(&part, &round, &makers, &make);
             for (place, maker) in round.into_iter().zip(makers) {
-                balance.take(maker, &pieces[place], &all.told(place).block);
+                balance.take(maker, &items[place], &all.report(place).block);
             }
         }
         all
@@ -67,7 +67,7 @@ impl Integrated {
 
     /// None of so many blocks yet.
     fn none(ranks: Ranks, count: usize) -> Self {
-        Self { makers: vec![0; count], told: vec![None; count], answers: vec![None; count], ranks }
+        Self { makers: vec![0; count], reports: vec![None; count], answers: vec![None; count], ranks }
     }
 
     /// Makes the blocks at these places, each on the rank in `makers`.
@@ -81,22 +81,22 @@ impl Integrated {
         let me = self.ranks.number();
         let own = places.iter().zip(makers).filter(|(_, maker)| **maker == me);
         let made = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), make);
-        let told = |answer: &Arc<IntegratedBlock>| Told {
-            block: answer.block.account(),
+        let report = |answer: &Arc<IntegratedBlock>| IntegratedReport {
+            block: answer.block.report(),
             remainder: answer.remainder,
         };
-        let told = self.ranks.merged(makers, made.iter().map(told).collect());
+        let reports = self.ranks.merged(makers, made.iter().map(report).collect());
         let mut made = made.into_iter();
-        for ((place, maker), told) in places.iter().zip(makers).zip(told) {
+        for ((place, maker), report) in places.iter().zip(makers).zip(reports) {
             self.makers[*place] = *maker;
-            self.told[*place] = Some(told);
+            self.reports[*place] = Some(report);
             self.answers[*place] = (*maker == me).then(|| made.next()).flatten();
         }
     }
 
     /// The block at `place`, as all ranks know it.
-    pub(super) fn told(&self, place: usize) -> &Told {
-        self.told[place].as_ref().expect("all blocks were made")
+    pub(super) fn report(&self, place: usize) -> &IntegratedReport {
+        self.reports[place].as_ref().expect("all blocks were made")
     }
 
     /// Sends the values of each block to the ranks that hold its row or its column; to all ranks where its
@@ -105,7 +105,7 @@ impl Integrated {
         &mut self,
         tasks: &[Task],
         sources: &[Source],
-        is_left: &dyn Fn(&Task, &Account) -> bool,
+        is_left: &dyn Fn(&Task, &BlockReport) -> bool,
         held: &Held,
     ) {
         if self.ranks.are_alone() {
@@ -117,7 +117,7 @@ impl Integrated {
             tasks.iter().zip(sources).filter(|(_, source)| self.makers[source.place()] == me)
         {
             let place = source.place();
-            match is_left(task, &self.told(place).block) {
+            match is_left(task, &self.report(place).block) {
                 true => wanted.extend((0..self.ranks.count()).map(|rank| (rank, place))),
                 false => {
                     wanted
@@ -132,9 +132,9 @@ impl Integrated {
             parcels[rank].push((place, self.values(place).to_vec()));
         }
         for (place, values) in self.ranks.exchange(parcels).into_iter().flatten() {
-            let Told { block, remainder } = *self.told(place);
+            let IntegratedReport { block, remainder } = *self.report(place);
             self.answers[place] =
-                Some(Arc::new(IntegratedBlock::known(Block::told(values, &block), remainder)));
+                Some(Arc::new(IntegratedBlock::known(Block::from_report(values, &block), remainder)));
         }
     }
 

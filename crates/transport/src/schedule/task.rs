@@ -23,12 +23,12 @@ pub(crate) enum Unreached {
 }
 
 /// The elements with the data that sorting needs.
-pub(super) struct Scene<'a> {
+pub(super) struct Schedule<'a> {
     pub(super) list: &'a [Element],
     pub(super) panels: Vec<Option<Panel>>,
-    pub(super) reaches: Vec<EntryBounds>,
+    pub(super) bounds: Vec<EntryBounds>,
     pub(super) precedence: Vec<Precedence>,
-    pub(super) roughs: Vec<CoarseEstimate>,
+    pub(super) estimates: Vec<CoarseEstimate>,
     /// Whether coarse estimates are needed: planar elements need them for shadows only.
     pub(super) is_estimated: bool,
     pub(super) parts: Vec<Vec<Patch>>,
@@ -38,7 +38,7 @@ pub(super) struct Scene<'a> {
     pub(super) wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
 }
 
-impl<'a> Scene<'a> {
+impl<'a> Schedule<'a> {
     /// The elements between which blocks of the pairs that are `wanted` are to be found.
     pub(super) fn new(
         elements: &'a Elements,
@@ -51,9 +51,9 @@ impl<'a> Scene<'a> {
         Self {
             list,
             panels: list.iter().map(Panel::of).collect(),
-            reaches: list.iter().map(EntryBounds::of).collect(),
+            bounds: list.iter().map(EntryBounds::of).collect(),
             precedence: list.iter().map(Precedence::of).collect(),
-            roughs: list.par_iter().map(CoarseEstimate::of).collect(),
+            estimates: list.par_iter().map(CoarseEstimate::of).collect(),
             is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
             parts: list.par_iter().map(sectors).collect(),
             visibility,
@@ -72,7 +72,7 @@ pub(super) struct Task {
     /// Bounds: the largest entry from below (an estimate for curved elements), all entries from above.
     pub(super) entries: [f64; 2],
     /// Coarse estimate of the first entry, without blockers; 0 where none was made.
-    pub(super) rough: f64,
+    pub(super) estimate: f64,
     /// Hash of the pose, where the pair may be congruent to others.
     pub(super) hash: Option<u64>,
     /// Surfaces that may stand between the two.
@@ -88,7 +88,7 @@ impl Task {
             row: row as u32,
             column: column as u32,
             entries: [1.0; 2],
-            rough: 1.0,
+            estimate: 1.0,
             hash: None,
             blockers: Vec::new(),
             own: Vec::new(),

@@ -46,7 +46,7 @@ pub fn assemble(
         .map(|(i, j)| {
             check_interrupt();
             let outcome = integrate(&charts[*i], &charts[*j], i == j, visibility, rules, extra);
-            work.tell_done(Stage::Blocks, done.fetch_add(1, Ordering::Relaxed) + 1, total);
+            work.report_done(Stage::Blocks, done.fetch_add(1, Ordering::Relaxed) + 1, total);
             outcome
         })
         .collect();
@@ -72,7 +72,7 @@ fn count(blocks: &mut Blocks, same: bool, outcome: &Outcome) {
         Outcome::Coplanar => pairs.skipped_coplanar += usize::from(!same),
         Outcome::Behind => pairs.skipped_behind += 1,
         Outcome::Hidden => pairs.skipped_hidden += 1,
-        Outcome::Integrated(block) => pairs.take(&block.account()),
+        Outcome::Integrated(block) => pairs.take(&block.report()),
     }
 }
 

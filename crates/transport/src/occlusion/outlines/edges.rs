@@ -18,7 +18,7 @@ use radiosity_elements::patch::Patch;
 use radiosity_geom::{COINCIDENT, DVec3, extreme_points, separated};
 use radiosity_kernel::contact::flat::segment_distance;
 use radiosity_visibility::Visibility;
-use radiosity_visibility::blocker_edges::Rim;
+use radiosity_visibility::blocker_edges::BlockerEdge;
 
 /// Distance of an edge from a cell of size 1, times n², below which its shadow may be missed. Chosen; not
 /// tuned.
@@ -35,7 +35,7 @@ const TIGHT: f64 = 1e-4;
 #[derive(Debug)]
 pub(super) struct Edges {
     /// The edges of each blocker.
-    rims: Vec<(usize, Vec<Rim>)>,
+    edges: Vec<(usize, Vec<BlockerEdge>)>,
     /// Points whose convex hull holds the inner element.
     inner: Vec<DVec3>,
     /// Mean of the corners of the inner element's parts.
@@ -46,9 +46,9 @@ impl Edges {
     /// The edges of `blockers`, one for each body, around a flat inner element whose parts have these
     /// `corners`, in a plane with this `normal`.
     pub(super) fn new(blockers: &[usize], visibility: &Visibility, corners: &[DVec3], normal: DVec3) -> Self {
-        let rims = blockers.iter().map(|blocker| (*blocker, visibility.rims(*blocker))).collect();
+        let edges = blockers.iter().map(|blocker| (*blocker, visibility.blocker_edges(*blocker))).collect();
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
-        Self { rims, inner: extreme_points(corners, normal), middle }
+        Self { edges, inner: extreme_points(corners, normal), middle }
     }
 
     /// Points whose convex hull holds the inner element.
@@ -69,28 +69,28 @@ impl Edges {
         let [along, across] = cell.extents();
         let extent = along.max(across);
         let is_tight = accuracy < TIGHT;
-        let is_narrow = |rim: &Rim| {
+        let is_narrow = |edge: &BlockerEdge| {
             let breadth = || {
                 let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
                 let rest: &[DVec3] = if is_tight { &corners } else { &[] };
-                let seen = seen_breadth(&self.inner, rim, middle, rest);
-                seen / seen_breadth(&corners, rim, self.middle, &[]).max(f64::MIN_POSITIVE)
+                let seen = seen_breadth(&self.inner, edge, middle, rest);
+                seen / seen_breadth(&corners, edge, self.middle, &[]).max(f64::MIN_POSITIVE)
             };
             (is_tight || points <= COARSE) && breadth() * points < NARROW
         };
-        let is_near = |rim: &Rim| segment_distance(&corners, rim.ends) * points * points < NEAR * extent;
-        let reaches_between = |rim: &Rim| !separated(&hull, &self.inner, &rim.ends, COINCIDENT * extent);
-        let near = self.rims.iter().filter(|(blocker, _)| blockers.contains(blocker));
-        near.flat_map(|(_, rims)| rims).any(|rim| {
-            rim.may_part(&hull, &self.inner) && (is_near(rim) || is_narrow(rim)) && reaches_between(rim)
+        let is_near = |edge: &BlockerEdge| segment_distance(&corners, edge.ends) * points * points < NEAR * extent;
+        let reaches_between = |edge: &BlockerEdge| !separated(&hull, &self.inner, &edge.ends, COINCIDENT * extent);
+        let near = self.edges.iter().filter(|(blocker, _)| blockers.contains(blocker));
+        near.flat_map(|(_, edges)| edges).any(|edge| {
+            edge.may_part(&hull, &self.inner) && (is_near(edge) || is_narrow(edge)) && reaches_between(edge)
         })
     }
 }
 
 /// Width of `points` as seen from `middle` across an edge, times the distance of `middle` from the edge's
 /// line; the least of this and the same from each of `rest`.
-fn seen_breadth(points: &[DVec3], rim: &Rim, middle: DVec3, rest: &[DVec3]) -> f64 {
-    let [a, b] = rim.ends;
+fn seen_breadth(points: &[DVec3], edge: &BlockerEdge, middle: DVec3, rest: &[DVec3]) -> f64 {
+    let [a, b] = edge.ends;
     let along = (b - a).normalize_or_zero();
     let breadth = |from: DVec3| {
         let normal = (from - a).cross(along);

@@ -41,13 +41,13 @@ pub(super) fn kinks(
         }
         lines.len() <= MOST
     };
-    for rim in bodies.iter().flat_map(|body| visibility.rims(*body)) {
-        if !rim.may_part(&points, &seen) {
+    for edge in bodies.iter().flat_map(|body| visibility.blocker_edges(*body)) {
+        if !edge.may_part(&points, &seen) {
             continue;
         }
-        let passes_corners = seen.iter().all(|corner| add(rim.ends, *corner));
+        let passes_corners = seen.iter().all(|corner| add(edge.ends, *corner));
         let borders = || inner.iter().flat_map(|facet| sides(&facet.corners));
-        let mut passes_edges = || rim.ends.into_iter().all(|end| borders().all(|side| add(side, end)));
+        let mut passes_edges = || edge.ends.into_iter().all(|end| borders().all(|side| add(side, end)));
         if !(passes_corners && passes_edges()) {
             return Vec::new();
         }

@@ -1,11 +1,11 @@
 //! Parts that no rule covers: the best-suited rule with two numbers of points, whose difference is the error.
 
 use radiosity_elements::patch::{Node, Patch};
-use radiosity_kernel::contact::curved::Touch;
+use radiosity_kernel::contact::curved::CurvedContact;
 use radiosity_kernel::estimates::coarse::scale;
 use radiosity_kernel::moments::integrand::{Sees, visible_kernel};
 use radiosity_kernel::moments::{Moments, Side};
-use radiosity_kernel::rules::common_edge::Wedge;
+use radiosity_kernel::rules::common_edge::EdgePair;
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon::Front;
 use radiosity_kernel::rules::{common_edge, common_vertex};
@@ -36,7 +36,7 @@ impl<'a> Job<'a> {
     /// Attempts a part that no rule covers: one cut by a horizon, or a contact of another kind. The error is
     /// the difference of the rule with n and n + 2 points. `contact` is None for a patch with itself. Returns
     /// whether the result is kept: because it is accurate enough, or because the samples are spent.
-    pub(super) fn attempt(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) -> bool {
+    pub(super) fn attempt(&mut self, p: &Patch, q: &Patch, contact: Option<&CurvedContact>, state: &State) -> bool {
         let share = self.budget.share(p, q);
         if !self.spent() && self.carried(p, q, share) > LARGEST_ATTEMPT * self.budget.scale {
             return false;
@@ -55,7 +55,7 @@ impl<'a> Job<'a> {
             // error.
             let doubt = if enough { 0.0 } else { DOUBT * self.first_entry(&fine) };
             let reach = SMALLEST_RATIO * p.longest().1.max(q.longest().1);
-            let is_near = matches!(contact, Some(Touch::Apart(gap)) if *gap < reach);
+            let is_near = matches!(contact, Some(CurvedContact::Apart(gap)) if *gap < reach);
             self.error += doubt.max(if is_near { PEAKED * error } else { error });
             self.unresolved |= !enough;
         }
@@ -69,7 +69,7 @@ impl<'a> Job<'a> {
     }
 
     /// Sums a part whose shadows are sampled although the rays are spent.
-    pub(super) fn roughly(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) {
+    pub(super) fn roughly(&mut self, p: &Patch, q: &Patch, contact: Option<&CurvedContact>, state: &State) {
         let n = POINTS_WHEN_SPENT + self.bends(self.budget.share(p, q));
         let part = self.tentative(p, q, contact, n, &state.blockers);
         self.moments.merge(&part, true);
@@ -84,7 +84,7 @@ impl<'a> Job<'a> {
         &self,
         p: &Patch,
         q: &Patch,
-        contact: Option<&Touch>,
+        contact: Option<&CurvedContact>,
         n: usize,
         blockers: &[usize],
     ) -> Moments<'a> {
@@ -99,10 +99,10 @@ impl<'a> Job<'a> {
                 moments.tensor(p, p, plain, sees);
                 moments.scale(0.5);
             }
-            Some(Touch::Edge { p, q, matched: true }) if Wedge::of(p, q).cosine > SMOOTH => {
+            Some(CurvedContact::Edge { p, q, matched: true }) if EdgePair::of(p, q).cosine > SMOOTH => {
                 common_edge::integrate(&mut moments, p, q, [n; 3], sees);
             }
-            Some(Touch::Vertex(p, q)) => common_vertex::integrate(&mut moments, p, q, [n; 2], sees),
+            Some(CurvedContact::Vertex(p, q)) => common_vertex::integrate(&mut moments, p, q, [n; 2], sees),
             Some(_) => match &self.fronts {
                 Some(fronts) if fronts[0].cuts(p) || fronts[1].cuts(q) => {
                     before_planes(&mut moments, [p, q], fronts, n, sees);

@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 use radiosity_elements::patch::Patch;
 use radiosity_geom::COINCIDENT;
 use radiosity_kernel::Kind;
-use radiosity_kernel::contact::curved::{Touch, touch};
+use radiosity_kernel::contact::curved::{CurvedContact, classify};
 use radiosity_kernel::contact::flat::gap;
 use radiosity_kernel::contact::orientation::{Facing, facing};
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
@@ -43,7 +43,7 @@ impl Job<'_> {
             let share = self.budget.share(p, q);
             let gap = gap(p, q);
             let tolerance = COINCIDENT * self.size;
-            let touching = gap <= tolerance && !matches!(touch(p, q, tolerance), Touch::Apart(_));
+            let touching = gap <= tolerance && !matches!(classify(p, q, tolerance), CurvedContact::Apart(_));
             let facing = facing(p, q, touching, self.budget.slight(share));
             if facing == Facing::Away {
                 continue;
@@ -65,7 +65,7 @@ impl Job<'_> {
                 let state = State { touching: false, levels: 0, blockers: blockers.clone() };
                 let spent = if close { self.spent() } else { self.budget.horizons_spent() };
                 if (spent || share <= SMALL_PART * self.budget.scale)
-                    && self.attempt(p, q, Some(&Touch::Apart(gap)), &state)
+                    && self.attempt(p, q, Some(&CurvedContact::Apart(gap)), &state)
                 {
                     continue;
                 }

@@ -5,13 +5,13 @@ use std::collections::VecDeque;
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Direction, Patch};
 use radiosity_geom::COINCIDENT;
-use radiosity_kernel::contact::curved::{Touch, cut};
+use radiosity_kernel::contact::curved::{CurvedContact, cut};
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::estimates::coarse::largest_kernel;
 use radiosity_kernel::estimates::entry_bounds::SMALLEST_ENTRY;
 use radiosity_kernel::estimates::entry_norm::EntryNorm;
 use radiosity_kernel::moments::Moments;
-use radiosity_kernel::rules::common_edge::Wedge;
+use radiosity_kernel::rules::common_edge::EdgePair;
 use radiosity_kernel::rules::horizon::{Ball, Front};
 use radiosity_kernel::{Accuracy, Kind, blocks::block::Block};
 use radiosity_visibility::Visibility;
@@ -182,21 +182,21 @@ impl<'a> Job<'a> {
 
     /// Halves a pair towards the case of a rule: at a cut, at a tip, or across the longest extent; both sides
     /// together along a common edge that is as long.
-    pub(super) fn halve(&mut self, p: &Patch, q: &Patch, contact: &Touch, state: &State) {
+    pub(super) fn halve(&mut self, p: &Patch, q: &Patch, contact: &CurvedContact, state: &State) {
         let whole = |patch: &Patch| vec![patch.clone()];
         match contact {
-            Touch::Edge { p: a, q: b, matched: true } => {
-                let wedge = Wedge::of(a, b);
-                if wedge.length >= 0.999 * wedge.depths[0].max(wedge.depths[1]) {
+            CurvedContact::Edge { p: a, q: b, matched: true } => {
+                let edge_pair = EdgePair::of(a, b);
+                if edge_pair.length >= 0.999 * edge_pair.depths[0].max(edge_pair.depths[1]) {
                     return self.product(&a.halves(Direction::Along), &b.halves(Direction::Along), state);
                 }
             }
-            Touch::Cut([at_p, at_q]) => {
+            CurvedContact::Cut([at_p, at_q]) => {
                 let parts_p = at_p.map_or_else(|| whole(p), |place| cut(p, place).to_vec());
                 let parts_q = at_q.map_or_else(|| whole(q), |place| cut(q, place).to_vec());
                 return self.product(&parts_p, &parts_q, state);
             }
-            Touch::Tip([at_p, at_q]) => {
+            CurvedContact::Tip([at_p, at_q]) => {
                 let parts_p = at_p.map_or_else(|| whole(p), |direction| p.halves(direction).to_vec());
                 let parts_q = at_q.map_or_else(|| whole(q), |direction| q.halves(direction).to_vec());
                 return self.product(&parts_p, &parts_q, state);

@@ -3,12 +3,12 @@
 use radiosity_elements::patch::Patch;
 use radiosity_geom::COINCIDENT;
 use radiosity_kernel::Kind;
-use radiosity_kernel::contact::curved::{Touch, touch};
+use radiosity_kernel::contact::curved::{CurvedContact, classify};
 use radiosity_kernel::contact::flat::gap;
 use radiosity_kernel::contact::orientation::{Facing, facing};
 use radiosity_kernel::moments::Moments;
 use radiosity_kernel::moments::integrand::Sees;
-use radiosity_kernel::rules::common_edge::{LARGEST_ASPECT, Wedge, unequal_speed};
+use radiosity_kernel::rules::common_edge::{LARGEST_ASPECT, EdgePair, unequal_speed};
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::orders::by_trial::Trial;
 use radiosity_kernel::rules::{common_edge, common_vertex};
@@ -34,10 +34,10 @@ impl Job<'_> {
             }
         }
         let tolerance = COINCIDENT * self.size;
-        let contact = if state.touching { touch(p, q, tolerance) } else { Touch::Apart(gap(p, q)) };
-        let gap = if let Touch::Apart(gap) = contact { gap } else { 0.0 };
+        let contact = if state.touching { classify(p, q, tolerance) } else { CurvedContact::Apart(gap(p, q)) };
+        let gap = if let CurvedContact::Apart(gap) = contact { gap } else { 0.0 };
         state.touching = gap <= 0.0;
-        let facing = facing(p, q, !matches!(contact, Touch::Apart(_)), self.budget.slight(share));
+        let facing = facing(p, q, !matches!(contact, CurvedContact::Apart(_)), self.budget.slight(share));
         if facing == Facing::Away {
             return;
         }
@@ -77,7 +77,7 @@ impl Job<'_> {
     }
 
     /// A pair that a horizon may cut.
-    fn clipped(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+    fn clipped(&mut self, p: &Patch, q: &Patch, contact: &CurvedContact, gap: f64, state: &State) {
         let longest = p.longest().1.max(q.longest().1);
         if gap >= SMALLEST_RATIO * longest {
             if self.budget.horizons_spent() && self.attempt(p, q, Some(contact), state) {
@@ -103,22 +103,22 @@ impl Job<'_> {
     }
 
     /// A pair that faces each other wholly, or whose horizons are left to the rays.
-    fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+    fn smooth(&mut self, p: &Patch, q: &Patch, contact: &CurvedContact, gap: f64, state: &State) {
         let (visibility, blockers, own) = (self.visibility, state.blockers.clone(), self.surfaces());
         let free = |x, y| visibility.free_between(own, &blockers, x, y);
         let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
         match contact {
-            Touch::Edge { p: a, q: b, matched } => {
+            CurvedContact::Edge { p: a, q: b, matched } => {
                 self.kind = self.kind.max(Kind::Edge);
-                let wedge = Wedge::of(a, b);
-                if wedge.aspect() > LARGEST_ASPECT && !self.spent() {
+                let edge_pair = EdgePair::of(a, b);
+                if edge_pair.aspect() > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
                 }
-                let Trial { points, missed } = self.points(a, b).edge(a, b, *matched, &wedge);
+                let Trial { points, missed } = self.points(a, b).edge(a, b, *matched, &edge_pair);
                 let rule = if *matched { common_edge::integrate } else { unequal_speed::integrate };
                 self.by_rule(missed, |moments| rule(moments, a, b, points, sees));
             }
-            Touch::Vertex(a, b) => {
+            CurvedContact::Vertex(a, b) => {
                 self.kind = self.kind.max(Kind::Vertex);
                 if common_vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
@@ -126,13 +126,13 @@ impl Job<'_> {
                 let Trial { points, missed } = self.points(a, b).corner(a, b);
                 self.by_rule(missed, |moments| common_vertex::integrate(moments, a, b, points, sees));
             }
-            Touch::Apart(_) if gap >= SMALLEST_RATIO * p.longest().1.max(q.longest().1) => {
+            CurvedContact::Apart(_) if gap >= SMALLEST_RATIO * p.longest().1.max(q.longest().1) => {
                 let points = self.points(p, q).apart(p, q, gap);
                 self.moments.tensor(p, q, points, sees);
             }
             _ => {
                 self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
-                let by_halving = gap > 0.0 || matches!(contact, Touch::Cut(_) | Touch::Tip(_));
+                let by_halving = gap > 0.0 || matches!(contact, CurvedContact::Cut(_) | CurvedContact::Tip(_));
                 if by_halving && !self.spent() || !self.attempt(p, q, Some(contact), state) {
                     self.halve(p, q, contact, state);
                 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use radiosity_elements::patch::Patch;
 use radiosity_elements::rule::MOST_POINTS;
-use radiosity_kernel::rules::common_edge::{Wedge, unequal_speed};
+use radiosity_kernel::rules::common_edge::{EdgePair, unequal_speed};
 use radiosity_kernel::rules::orders::by_trial::Trial;
 use radiosity_kernel::rules::orders::{by_trial, chart_orders};
 use radiosity_kernel::rules::{common_edge, common_vertex, far, horizon};
@@ -28,8 +28,8 @@ impl Points {
     }
 
     /// Points [x, y, angular] of the rule of a common edge: by trial, and no fewer than flat patches at this
-    /// `wedge` need, as sums with few points may agree by chance.
-    pub(super) fn edge(&self, p: &Patch, q: &Patch, matched: bool, wedge: &Wedge) -> Trial<3> {
+    /// `edge_pair` need, as sums with few points may agree by chance.
+    pub(super) fn edge(&self, p: &Patch, q: &Patch, matched: bool, edge_pair: &EdgePair) -> Trial<3> {
         let (eps, exact) = (self.eps, self.exact_degree());
         let Trial { points: [radial, along, angular], missed } = if matched {
             by_trial::edge(p, &|u, v| q.node(u, v), eps)
@@ -37,7 +37,7 @@ impl Points {
             let seam = unequal_speed::UnequalSpeed::new(p, q);
             by_trial::edge(p, &|u, v| seam.node(u, v), eps)
         };
-        let [_, _, flat] = common_edge::counts(p, q, wedge, self.degrees, eps);
+        let [_, _, flat] = common_edge::counts(p, q, edge_pair, self.degrees, eps);
         let angular = (angular + self.largest_degree().div_ceil(2)).max(flat + 1);
         let points = [exact + radial - 1, exact + along - 1, angular].map(|n| n.min(MOST_POINTS));
         Trial { points, missed }

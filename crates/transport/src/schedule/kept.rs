@@ -3,19 +3,19 @@
 use std::sync::Arc;
 
 use crate::known::Known;
-use crate::memory::{IntegratedBlock, Memory};
+use crate::kept_blocks::{IntegratedBlock, KeptBlocks};
 use crate::schedule::goal::Goal;
-use crate::schedule::task::{Scene, Task};
+use crate::schedule::task::{Schedule, Task};
 
-impl Scene<'_> {
-    /// The block of a task that `memory` holds; that of flat elements with nothing between may be known
+impl Schedule<'_> {
+    /// The block of a task that `kept` holds; that of flat elements with nothing between may be known
     /// otherwise as well.
-    pub(super) fn recalled(&self, task: &Task, goal: Goal, memory: &Memory) -> Option<Arc<IntegratedBlock>> {
+    pub(super) fn recalled(&self, task: &Task, goal: Goal, kept: &KeptBlocks) -> Option<Arc<IntegratedBlock>> {
         let request = goal.request(task, self.visibility);
-        if let Some(answer) = memory.recall(&request) {
+        if let Some(answer) = kept.get(&request) {
             return Some(Arc::clone(answer));
         }
-        let known = memory.known()?;
+        let known = kept.known()?;
         let places = [task.row, task.column].map(|index| index as usize);
         let pair = places.map(|index| &self.list[index]);
         let is_free = task.blockers.is_empty() && task.own.is_empty();
@@ -24,7 +24,7 @@ impl Scene<'_> {
             return None;
         }
         match known.block(places, pair, goal.accuracy.eps)? {
-            Known::Same => memory.before(&request).cloned(),
+            Known::Same => kept.get_outdated(&request).cloned(),
             Known::Block { block, remainder } => Some(Arc::new(IntegratedBlock::known(block, remainder))),
         }
     }

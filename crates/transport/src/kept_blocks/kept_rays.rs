@@ -2,7 +2,7 @@
 //!
 //! A ray meets the nearest of all surfaces. Where neither its element nor what it met has changed, it meets
 //! that again, to the bit, unless a surface that has changed comes before it: only those are asked
-//! (`Obstacles`).
+//! (`ChangedSurfaces`).
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 pub const MOST: u64 = 1 << 23;
 
 /// Bytes of a ray that is kept.
-pub const BYTES: u64 = size_of::<Met>() as u64;
+pub const BYTES: u64 = size_of::<KeptHit>() as u64;
 
 /// The surface of a ray that met nothing.
 const NOTHING: u32 = u32::MAX;
@@ -22,24 +22,24 @@ const NOTHING: u32 = u32::MAX;
 /// The hit of a ray: twice the number of the surface, plus 1 at its back, then distance and parameters (t, u,
 /// v).
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub(crate) struct Met {
+pub(crate) struct KeptHit {
     surface: u32,
     hit: [f64; 3],
 }
 
 /// Rays of one element, by their index, with their hits.
 #[derive(Debug, Default)]
-pub(super) struct Sent {
+pub(super) struct ElementRays {
     /// Number that the rays follow from beside their element.
     number: u64,
-    met: Vec<Met>,
+    hits: Vec<KeptHit>,
 }
 
 /// Surfaces that have changed and may come into the way of rays.
 #[derive(Debug)]
-pub(super) struct Obstacles {
+pub(super) struct ChangedSurfaces {
     /// Whether each surface has changed.
-    pub changed: Vec<bool>,
+    pub surfaces: Vec<bool>,
     /// Tree of the surfaces that have changed, where they are now.
     pub tree: RayTree,
     /// [`RayTree::reach`] of all surfaces.
@@ -48,10 +48,10 @@ pub(super) struct Obstacles {
 
 /// Hits of the rays of one sequence, in the scene before and in this one.
 #[derive(Debug)]
-pub(crate) struct KnownRays {
-    before: Vec<Sent>,
-    now: Vec<Sent>,
-    obstacles: Arc<Obstacles>,
+pub(crate) struct KeptRays {
+    before: Vec<ElementRays>,
+    now: Vec<ElementRays>,
+    changed: Arc<ChangedSurfaces>,
     /// Number of rays that still may be kept.
     room: u64,
     counts: RayCounts,
@@ -66,7 +66,7 @@ pub struct RayCounts {
     pub recalled: u64,
 }
 
-impl Met {
+impl KeptHit {
     pub(crate) fn of(encounter: Option<&Encounter>) -> Self {
         match encounter {
             None => Self { surface: NOTHING, hit: [f64::INFINITY; 3] },
@@ -79,60 +79,60 @@ impl Met {
     fn encounter(self) -> Option<Encounter> {
         let [t, u, v] = self.hit;
         let surface = (self.surface / 2) as usize;
-        let met = Encounter { surface, hit: Hit { t, u, v }, front: self.surface.is_multiple_of(2) };
-        (self.surface != NOTHING).then_some(met)
+        let encounter = Encounter { surface, hit: Hit { t, u, v }, front: self.surface.is_multiple_of(2) };
+        (self.surface != NOTHING).then_some(encounter)
     }
 }
 
-impl Sent {
+impl ElementRays {
     /// The hits of these rays if they have this number, else none.
     fn of_number(self, number: u64) -> Self {
-        let met = if self.number == number { self.met } else { Vec::new() };
-        Self { number, met }
+        let hits = if self.number == number { self.hits } else { Vec::new() };
+        Self { number, hits }
     }
 }
 
-impl KnownRays {
+impl KeptRays {
     /// Rays `before` of elements that are as they were and whose rays have these `numbers`, with room for so
     /// many rays of this scene.
-    pub(super) fn new(before: Vec<Sent>, numbers: &[u64], obstacles: Arc<Obstacles>, room: u64) -> Self {
-        let before = before.into_iter().zip(numbers).map(|(sent, number)| sent.of_number(*number)).collect();
-        let now = numbers.iter().map(|number| Sent { number: *number, met: Vec::new() }).collect();
-        Self { before, now, obstacles, room, counts: RayCounts::default() }
+    pub(super) fn new(before: Vec<ElementRays>, numbers: &[u64], changed: Arc<ChangedSurfaces>, room: u64) -> Self {
+        let before = before.into_iter().zip(numbers).map(|(rays, number)| rays.of_number(*number)).collect();
+        let now = numbers.iter().map(|number| ElementRays { number: *number, hits: Vec::new() }).collect();
+        Self { before, now, changed, room, counts: RayCounts::default() }
     }
 
     /// Hit of ray number `index` of an element, from its origin in its direction, as in the scene before
     /// (None inside: it meets nothing); None where it has to be traced.
-    pub(crate) fn recall(
+    pub(crate) fn get(
         &self,
         element: usize,
         index: u64,
         [origin, direction]: [DVec3; 2],
     ) -> Option<Option<Encounter>> {
-        let met = self.before.get(element)?.met.get(index as usize)?.encounter();
-        if met.is_some_and(|met| self.obstacles.changed[met.surface]) {
+        let encounter = self.before.get(element)?.hits.get(index as usize)?.encounter();
+        if encounter.is_some_and(|encounter| self.changed.surfaces[encounter.surface]) {
             return None;
         }
-        let Obstacles { tree, reach, .. } = self.obstacles.as_ref();
-        let end = met.map_or(f64::INFINITY, |met| met.hit.t);
-        (!tree.may_come_before(origin, direction, end, *reach)).then_some(met)
+        let ChangedSurfaces { tree, reach, .. } = self.changed.as_ref();
+        let end = encounter.map_or(f64::INFINITY, |encounter| encounter.hit.t);
+        (!tree.may_come_before(origin, direction, end, *reach)).then_some(encounter)
     }
 
     /// Keeps what rays of an element met, the first of them of this index, and counts how many had been
     /// `recalled`.
-    pub(crate) fn keep(&mut self, element: usize, first: u64, met: &[Met], recalled: u64) {
+    pub(crate) fn insert(&mut self, element: usize, first: u64, hits: &[KeptHit], recalled: u64) {
         self.counts.recalled += recalled;
-        self.counts.traced += met.len() as u64 - recalled;
-        let sent = &mut self.now[element].met;
-        if sent.len() as u64 == first {
-            let kept = self.room.min(met.len() as u64);
-            sent.extend_from_slice(&met[..kept as usize]);
-            self.room -= kept;
+        self.counts.traced += hits.len() as u64 - recalled;
+        let kept = &mut self.now[element].hits;
+        if kept.len() as u64 == first {
+            let count = self.room.min(hits.len() as u64);
+            kept.extend_from_slice(&hits[..count as usize]);
+            self.room -= count;
         }
     }
 
     /// The rays of this scene, kept for the next one, and how many were traced.
-    pub(super) fn into_sent(self) -> (Vec<Sent>, RayCounts) {
+    pub(super) fn into_rays(self) -> (Vec<ElementRays>, RayCounts) {
         (self.now, self.counts)
     }
 }

@@ -9,7 +9,7 @@ use radiosity_visibility::Visibility;
 
 /// A scene, as far as blocks and rays follow from it.
 #[derive(Debug)]
-pub(super) struct Seen {
+pub(super) struct SceneState {
     pub elements: Arc<Elements>,
     surfaces: Vec<Arc<dyn Surface>>,
     /// Fingerprint of the starts of rays on each surface.
@@ -25,7 +25,7 @@ pub(super) struct Change {
     pub starts: Vec<bool>,
 }
 
-impl Seen {
+impl SceneState {
     pub(super) fn of(scene: &Scene, elements: &Arc<Elements>, visibility: &Visibility) -> Self {
         Self {
             elements: Arc::clone(elements),

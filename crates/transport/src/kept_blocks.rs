@@ -1,12 +1,12 @@
-//! The memory of a scene for the next one, in which some things have moved: blocks, and hits of rays.
+//! Blocks and hits of rays of a scene, kept for the next one, in which some things have moved.
 //!
 //! A block follows from its two elements, the surfaces that may stand between them, and the accuracy that the
 //! other pairs of its rows leave to it. Where all these are as they were, to the bit, so is the block: it is
-//! taken from memory, and the matrix is the one that would be integrated anew. So it is with rays ([`met`]).
+//! taken from there, and the matrix is the one that would be integrated anew. So it is with rays ([`kept_rays`]).
 //! What did not move is found by comparing what is given, not by what somebody says has moved.
 
 mod change;
-pub mod met;
+pub mod kept_rays;
 
 use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
@@ -20,27 +20,27 @@ use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
 use crate::known::KnownBlocks;
-use change::{Change, Seen};
-pub(crate) use met::{KnownRays, Met};
-use met::{MOST, Obstacles, RayCounts, Sent};
+use change::{Change, SceneState};
+pub(crate) use kept_rays::{KeptRays, KeptHit};
+use kept_rays::{MOST, ChangedSurfaces, RayCounts, ElementRays};
 
 /// Blocks and rays of earlier scenes. The scenes have the same surfaces in the same order, each here or
 /// there, and are solved with the same options.
 #[derive(Debug, Default)]
-pub struct Memory {
+pub struct KeptBlocks {
     /// Number of the scene that was seen last, from 1.
     scenes: u64,
-    seen: Option<Seen>,
+    state: Option<SceneState>,
     last_changes: LastChanges,
-    blocks: HashMap<(u32, u32), Kept>,
+    blocks: HashMap<(u32, u32), KeptBlock>,
     /// Blocks that were integrated for the last scene, by all ranks.
     integrated: usize,
     /// Blocks that the last scene has in common with the one before.
     recalled: usize,
     /// Hits of the rays of each sequence.
-    sent: HashMap<usize, SentAll>,
-    obstacles: Option<Arc<Obstacles>>,
-    rays: RayCounts,
+    sequences: HashMap<usize, KeptSequence>,
+    changed: Option<Arc<ChangedSurfaces>>,
+    ray_counts: RayCounts,
     /// Source of blocks that have changed, if there is one beside the rules.
     known: Option<Arc<dyn KnownBlocks>>,
 }
@@ -54,19 +54,19 @@ struct LastChanges {
 
 /// The rays of a sequence, by elements; of those that have changed since then there are none.
 #[derive(Debug)]
-struct SentAll {
+struct KeptSequence {
     /// Number of the scene in which they were sent.
     scene: u64,
-    elements: Vec<Sent>,
+    elements: Vec<ElementRays>,
 }
 
 /// A block with what it was integrated for.
 #[derive(Debug)]
-struct Kept {
+struct KeptBlock {
     request: Request,
     /// Number of the scene for which it was integrated.
     scene: u64,
-    answer: Arc<IntegratedBlock>,
+    block: Arc<IntegratedBlock>,
 }
 
 /// All that a block follows from beside its elements.
@@ -101,8 +101,8 @@ impl IntegratedBlock {
     }
 }
 
-impl Memory {
-    /// An empty memory; blocks that have changed are asked of `known` before they are integrated.
+impl KeptBlocks {
+    /// No blocks and rays yet; blocks that have changed are asked of `known` before they are integrated.
     pub fn beside(known: Arc<dyn KnownBlocks>) -> Self {
         Self { known: Some(known), ..Self::default() }
     }
@@ -114,10 +114,10 @@ impl Memory {
 
     /// Takes note of what differs in the next scene from the one before. Where the number of surfaces or
     /// elements is another, all is forgotten.
-    pub fn turn_to(&mut self, scene: &Scene, elements: &Arc<Elements>, visibility: &Visibility) {
-        let seen = Seen::of(scene, elements, visibility);
-        let change = self.seen.as_ref().and_then(|before| seen.change(before)).unwrap_or_else(|| {
-            let [elements, surfaces] = seen.counts();
+    pub fn move_to(&mut self, scene: &Scene, elements: &Arc<Elements>, visibility: &Visibility) {
+        let state = SceneState::of(scene, elements, visibility);
+        let change = self.state.as_ref().and_then(|before| state.change(before)).unwrap_or_else(|| {
+            let [elements, surfaces] = state.counts();
             let last_changes = LastChanges { elements: vec![1; elements], surfaces: vec![1; surfaces] };
             *self = Self { last_changes, known: self.known.take(), ..Self::default() };
             Change {
@@ -126,89 +126,89 @@ impl Memory {
                 starts: vec![true; surfaces],
             }
         });
-        self.known.iter().for_each(|known| known.turn_to(elements.list()));
-        self.forget_rays(&seen, &change);
+        self.known.iter().for_each(|known| known.move_to(elements.list()));
+        self.forget_rays(&state, &change);
         self.scenes += 1;
         mark(&mut self.last_changes.elements, &change.elements, self.scenes);
         mark(&mut self.last_changes.surfaces, &change.surfaces, self.scenes);
-        let tree = RayTree::new(seen.marked(&change.surfaces));
-        self.obstacles =
-            Some(Arc::new(Obstacles { changed: change.surfaces, tree, reach: visibility.reach() }));
-        self.rays = RayCounts::default();
-        self.seen = Some(seen);
+        let tree = RayTree::new(state.marked(&change.surfaces));
+        self.changed =
+            Some(Arc::new(ChangedSurfaces { surfaces: change.surfaces, tree, reach: visibility.reach() }));
+        self.ray_counts = RayCounts::default();
+        self.state = Some(state);
     }
 
     /// The elements of the last scene.
     pub fn elements(&self) -> Option<&Elements> {
-        self.seen.as_ref().map(|seen| seen.elements.as_ref())
+        self.state.as_ref().map(|state| state.elements.as_ref())
     }
 
     /// Forgets the rays that were not sent in the last scene, and those of elements that have changed since
     /// then.
-    fn forget_rays(&mut self, seen: &Seen, change: &Change) {
-        self.sent.retain(|_, sent| sent.scene == self.scenes);
-        for sent in self.sent.values_mut() {
-            for ((sent, is_other), owner) in sent.elements.iter_mut().zip(&change.elements).zip(seen.owners())
+    fn forget_rays(&mut self, state: &SceneState, change: &Change) {
+        self.sequences.retain(|_, sequence| sequence.scene == self.scenes);
+        for sequence in self.sequences.values_mut() {
+            for ((rays, is_other), owner) in sequence.elements.iter_mut().zip(&change.elements).zip(state.owners())
             {
                 if *is_other || change.surfaces[owner] || change.starts[owner] {
-                    *sent = Sent::default();
+                    *rays = ElementRays::default();
                 }
             }
         }
     }
 
-    /// Lends what is known of a sequence of rays, one of so many, until [`Memory::take`]: the rays of each
+    /// Takes out the kept rays of a sequence, one of so many, until [`KeptBlocks::put_rays`]: the rays of each
     /// element of this number.
-    pub(crate) fn lend(
+    pub(crate) fn take_rays(
         &mut self,
         sequence: usize,
         sequences: usize,
         numbers: Vec<u64>,
         ranks: &Ranks,
-    ) -> Option<KnownRays> {
-        let obstacles = Arc::clone(self.obstacles.as_ref()?);
-        let before = self.sent.remove(&sequence).map(|sent| sent.elements).unwrap_or_default();
+    ) -> Option<KeptRays> {
+        let changed = Arc::clone(self.changed.as_ref()?);
+        let before = self.sequences.remove(&sequence).map(|kept| kept.elements).unwrap_or_default();
         let room = MOST / (sequences * ranks.count()) as u64;
-        Some(KnownRays::new(before, &numbers, obstacles, room))
+        Some(KeptRays::new(before, &numbers, changed, room))
     }
 
     /// Keeps what the rays of a sequence met in this scene; all ranks together, each those that it sent.
-    pub(crate) fn take(&mut self, sequence: usize, rays: KnownRays, ranks: &Ranks) {
-        let (elements, counts) = rays.into_sent();
+    pub(crate) fn put_rays(&mut self, sequence: usize, rays: KeptRays, ranks: &Ranks) {
+        let (elements, counts) = rays.into_rays();
         let sums = ranks.sums(vec![counts.traced, counts.recalled]);
-        self.rays.traced += sums[0];
-        self.rays.recalled += sums[1];
-        self.sent.insert(sequence, SentAll { scene: self.scenes, elements });
+        self.ray_counts.traced += sums[0];
+        self.ray_counts.recalled += sums[1];
+        self.sequences.insert(sequence, KeptSequence { scene: self.scenes, elements });
     }
 
     /// The block that answers a request, where nothing has changed since it was integrated.
-    pub(crate) fn recall(&self, request: &Request) -> Option<&Arc<IntegratedBlock>> {
+    pub(crate) fn get(&self, request: &Request) -> Option<&Arc<IntegratedBlock>> {
         let kept = self.blocks.get(&(request.row, request.column))?;
         let LastChanges { elements, surfaces } = &self.last_changes;
         let ends = [request.row, request.column].map(|element| elements[element as usize]);
         let blockers = request.surfaces.iter().map(|surface| surfaces[*surface]);
         let is_valid = ends.into_iter().chain(blockers).all(|changed| changed <= kept.scene);
-        (is_valid && kept.request == *request).then_some(&kept.answer)
+        (is_valid && kept.request == *request).then_some(&kept.block)
     }
 
     /// The block that answered the same request in the scene before, whatever has changed since.
-    pub(crate) fn before(&self, request: &Request) -> Option<&Arc<IntegratedBlock>> {
+    pub(crate) fn get_outdated(&self, request: &Request) -> Option<&Arc<IntegratedBlock>> {
         let kept = self.blocks.get(&(request.row, request.column))?;
-        (kept.request == *request).then_some(&kept.answer)
+        (kept.request == *request).then_some(&kept.block)
     }
 
     /// Keeps the answers to the requests of this scene, and forgets all others; all ranks together, each
     /// those that it made.
-    pub(crate) fn keep(&mut self, answers: Vec<(Request, Arc<IntegratedBlock>)>, ranks: &Ranks) {
-        let mut blocks = HashMap::with_capacity(answers.len());
+    pub(crate) fn replace(&mut self, requested: Vec<(Request, Arc<IntegratedBlock>)>, ranks: &Ranks) {
+        let mut blocks = HashMap::with_capacity(requested.len());
         let (mut integrated, mut recalled) = (0, 0);
-        for (request, answer) in answers {
+        for (request, block) in requested {
             let before = self.blocks.get(&(request.row, request.column));
-            let is_old = before.is_some_and(|kept| Arc::ptr_eq(&kept.answer, &answer));
+            let is_old = before.is_some_and(|kept| Arc::ptr_eq(&kept.block, &block));
             recalled += u64::from(is_old);
             integrated += u64::from(!is_old);
             let scene = before.filter(|_| is_old).map_or(self.scenes, |kept| kept.scene);
-            blocks.insert((request.row, request.column), Kept { request, scene, answer });
+            blocks.insert((request.row, request.column), KeptBlock { request, scene, block });
         }
         self.blocks = blocks;
         let sums = ranks.sums(vec![integrated, recalled]);
@@ -226,8 +226,8 @@ impl Memory {
     }
 
     /// Rays that were sent for the last scene.
-    pub fn rays(&self) -> RayCounts {
-        self.rays
+    pub fn ray_counts(&self) -> RayCounts {
+        self.ray_counts
     }
 }
 
