@@ -190,18 +190,18 @@ impl<'a> AreaLight<'a> {
             aside.fold(DVec3::ZERO, |a, b| if b.length_squared() > a.length_squared() { b } else { a });
         let along = longest.normalize_or_zero();
         let across = inward.cross(along);
-        let spots: Vec<[[f64; 2]; 2]> =
+        let projected: Vec<[[f64; 2]; 2]> =
             sides.iter().map(|side| side.map(|y| [seen(y).dot(along), seen(y).dot(across)])).collect();
         let range = |k: usize| {
-            let values = spots.iter().flatten().map(|spot| spot[k]);
+            let values = projected.iter().flatten().map(|point| point[k]);
             values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
         };
         let [[left, right], [low, high]] = [range(0), range(1)];
         let corner = |s: f64, t: f64| foot + s * along + t * across;
         let rectangle = [corner(left, low), corner(right, low), corner(right, high), corner(left, high)];
         let place = |[s, t]: [f64; 2]| [(s - left) / (right - left), (t - low) / (high - low)];
-        let spots = spots.into_iter().map(|side| side.map(place)).collect();
-        Some((ProjectionPlane::new(eye, &rectangle, &rectangle)?, spots))
+        let projected = projected.into_iter().map(|side| side.map(place)).collect();
+        Some((ProjectionPlane::new(eye, &rectangle, &rectangle)?, projected))
     }
 
     /// Distance from the eye to the plane perpendicular to `inward` that touches the surface; None unless the

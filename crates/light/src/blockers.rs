@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use radiosity_geom::{Aabb, DVec3, separated};
-use radiosity_visibility::shadow_volume::{Cover, ShadowVolume};
+use radiosity_visibility::shadow_volume::{Coverage, ShadowVolume};
 use radiosity_visibility::{END, OWN_END, Visibility};
 use smallvec::{SmallVec, smallvec};
 
 use crate::area_light::AreaLight;
-use crate::hierarchy::cell::Cell;
+use crate::cells::cell::Cell;
 use crate::lines::hidden_spans::HiddenSpans;
 use crate::lines::projection::ProjectionPlane;
 use crate::occluders::Occluders;
@@ -23,7 +23,7 @@ pub(crate) struct Shadows<'a> {
     /// The blockers of each obstacle, made when first needed.
     of_obstacle: SmallVec<[Option<Range<usize>>; 8]>,
     /// Stack of blocker indices: the blockers of a cell lie above those of the cell that it is a quarter of.
-    asked: SmallVec<[usize; 32]>,
+    stack: SmallVec<[usize; 32]>,
 }
 
 #[expect(clippy::large_enum_variant, reason = "most are flat, and made for one point: boxes would cost more")]
@@ -70,7 +70,7 @@ impl<'a> Shadows<'a> {
         occluders: &'a Occluders,
     ) -> Self {
         let of_obstacle = smallvec![None; occluders.obstacles.len()];
-        Self { receiver, visibility, occluders, blockers: Vec::new(), of_obstacle, asked: SmallVec::new() }
+        Self { receiver, visibility, occluders, blockers: Vec::new(), of_obstacle, stack: SmallVec::new() }
     }
 
     /// Whether all obstacles are planar.
@@ -81,7 +81,7 @@ impl<'a> Shadows<'a> {
     /// Starts a new stack with the blockers, of obstacles with the indices `places`, that may hide a part of
     /// `bounds`.
     pub(crate) fn ask(&mut self, places: &[usize], bounds: &Aabb) -> BlockerRange {
-        self.asked.clear();
+        self.stack.clear();
         for place in places {
             // A shadow volume costs more than the test whether it is needed.
             if self.of_obstacle[*place].is_none() {
@@ -91,9 +91,9 @@ impl<'a> Shadows<'a> {
                 }
             }
             let blockers = self.blockers_of(*place);
-            self.asked.extend(blockers);
+            self.stack.extend(blockers);
         }
-        BlockerRange { start: 0, end: self.asked.len() }
+        BlockerRange { start: 0, end: self.stack.len() }
     }
 
     /// The blockers of the obstacle with the index `place`.
@@ -144,10 +144,10 @@ impl<'a> Shadows<'a> {
                 continue;
             }
             for volume in self.volumes_over(surface) {
-                match volume.cover_of(&corners) {
-                    Cover::Clear => {}
-                    Cover::Hidden => return None,
-                    Cover::Mixed => flat.push(volume),
+                match volume.coverage_of(&corners) {
+                    Coverage::Clear => {}
+                    Coverage::Hidden => return None,
+                    Coverage::Mixed => flat.push(volume),
                 }
             }
         }
@@ -182,19 +182,19 @@ impl<'a> Shadows<'a> {
     pub(crate) fn narrow(&mut self, above: BlockerRange, cell: &Cell) -> Option<BlockerRange> {
         self.kept(above, |shadows, blocker| match blocker {
             Blocker::Flat(volume) => match &cell.quad {
-                Some((quad, radius)) => volume.cover_of_quad(quad, *radius),
-                None => volume.cover(&cell.hull, cell.center, cell.radius),
+                Some((quad, radius)) => volume.coverage_of_quad(quad, *radius),
+                None => volume.coverage(&cell.hull, cell.center, cell.radius),
             },
-            Blocker::Curved(surface) if cell.is_flat() => shadows.cover_of_ball(*surface, &Extent::of(cell)),
-            Blocker::Curved(surface) => shadows.curved_cover(*surface, &Extent::of(cell)),
+            Blocker::Curved(surface) if cell.is_flat() => shadows.coverage_of_ball(*surface, &Extent::of(cell)),
+            Blocker::Curved(surface) => shadows.curved_coverage(*surface, &Extent::of(cell)),
         })
     }
 
     /// As [`Shadows::narrow`], for anything.
     pub(crate) fn narrow_to(&mut self, above: BlockerRange, extent: &Extent) -> Option<BlockerRange> {
         self.kept(above, |shadows, blocker| match blocker {
-            Blocker::Flat(volume) => volume.cover(extent.hull, extent.center, extent.radius),
-            Blocker::Curved(surface) => shadows.curved_cover(*surface, extent),
+            Blocker::Flat(volume) => volume.coverage(extent.hull, extent.center, extent.radius),
+            Blocker::Curved(surface) => shadows.curved_coverage(*surface, extent),
         })
     }
 
@@ -203,18 +203,18 @@ impl<'a> Shadows<'a> {
     fn kept(
         &mut self,
         above: BlockerRange,
-        cover: impl Fn(&Self, &Blocker) -> Cover,
+        coverage: impl Fn(&Self, &Blocker) -> Coverage,
     ) -> Option<BlockerRange> {
-        self.asked.truncate(above.end);
+        self.stack.truncate(above.end);
         for place in above.start..above.end {
-            let blocker = self.asked[place];
-            match cover(self, &self.blockers[blocker]) {
-                Cover::Clear => {}
-                Cover::Hidden => return None,
-                Cover::Mixed => self.asked.push(blocker),
+            let blocker = self.stack[place];
+            match coverage(self, &self.blockers[blocker]) {
+                Coverage::Clear => {}
+                Coverage::Hidden => return None,
+                Coverage::Mixed => self.stack.push(blocker),
             }
         }
-        Some(BlockerRange { start: above.end, end: self.asked.len() })
+        Some(BlockerRange { start: above.end, end: self.stack.len() })
     }
 
     /// Whether all these blockers are planar.
@@ -263,24 +263,24 @@ impl<'a> Shadows<'a> {
     }
 
     fn of(&self, before: BlockerRange) -> impl Iterator<Item = &Blocker> {
-        self.asked[before.start..before.end].iter().map(|blocker| &self.blockers[*blocker])
+        self.stack[before.start..before.end].iter().map(|blocker| &self.blockers[*blocker])
     }
 
     /// A curved surface hides nothing if a plane separates it from both the extent and the point.
-    fn curved_cover(&self, surface: usize, extent: &Extent) -> Cover {
+    fn curved_coverage(&self, surface: usize, extent: &Extent) -> Coverage {
         let apart = || {
             let eye = [self.receiver.position];
             separated(&eye, extent.hull, self.visibility.hull(surface), 0.0)
         };
-        match self.cover_of_ball(surface, extent) {
-            Cover::Mixed if apart() => Cover::Clear,
-            cover => cover,
+        match self.coverage_of_ball(surface, extent) {
+            Coverage::Mixed if apart() => Coverage::Clear,
+            coverage => coverage,
         }
     }
 
     /// A surface hides nothing if it is outside the box around the extent and the point, or too far from the
     /// segment between them.
-    fn cover_of_ball(&self, surface: usize, extent: &Extent) -> Cover {
+    fn coverage_of_ball(&self, surface: usize, extent: &Extent) -> Coverage {
         let eye = self.receiver.position;
         let shaft = Aabb::around(extent.hull.iter().copied().chain([eye]));
         let bounds = self.visibility.bounds_of(surface);
@@ -288,7 +288,7 @@ impl<'a> Shadows<'a> {
             let reach = 0.5 * bounds.diagonal() + extent.radius;
             distance_squared(bounds.center(), eye, extent.center) > reach * reach
         };
-        if !shaft.overlaps(&bounds) || far() { Cover::Clear } else { Cover::Mixed }
+        if !shaft.overlaps(&bounds) || far() { Coverage::Clear } else { Coverage::Mixed }
     }
 }
 

@@ -20,7 +20,7 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::area_light::AreaLight;
 use crate::emitters::Emitters;
-use crate::hierarchy::tree::Tree;
+use crate::cells::tree::Tree;
 use crate::occluders::{Occluders, Site};
 use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
@@ -182,23 +182,23 @@ impl<'a> DirectLight<'a> {
     /// Irradiance from each emitter per unit of its exitance; `other` is known further irradiance, all bands
     /// together.
     fn from(&self, receiver: &ReceiverPoint, occluders: &Occluders, other: f64) -> SmallVec<[f64; 4]> {
-        let mut walk = Traversal::new(receiver, self.visibility, occluders);
-        let add = |walk: &mut Traversal, index: usize, tolerance: f64, factor: &mut [f64]| {
+        let mut traversal = Traversal::new(receiver, self.visibility, occluders);
+        let add = |traversal: &mut Traversal, index: usize, tolerance: f64, factor: &mut [f64]| {
             let tree = &self.trees[index];
             let lamp = self.lamps[index].as_ref();
-            match lamp.and_then(|lamp| walk.lamp(index, lamp, 1.0 / tree.scale()[0], tolerance)) {
+            match lamp.and_then(|lamp| traversal.lamp(index, lamp, 1.0 / tree.scale()[0], tolerance)) {
                 Some(whole) => factor[0] = whole,
-                None => walk.add(index, tree, tolerance, factor),
+                None => traversal.add(index, tree, tolerance, factor),
             }
         };
-        if self.trees.iter().all(|tree| tree.plane.is_some() && tree.radiance.is_none()) && walk.is_flat() {
+        if self.trees.iter().all(|tree| tree.plane.is_some() && tree.radiance.is_none()) && traversal.is_flat() {
             let mut factors = smallvec![0.0; self.trees.len()];
             let each = factors.chunks_exact_mut(1).enumerate();
-            each.for_each(|(index, factor)| add(&mut walk, index, 0.0, factor));
+            each.for_each(|(index, factor)| add(&mut traversal, index, 0.0, factor));
             return factors;
         }
         let level =
             |factors: &[f64]| factors.iter().zip(&self.trees).map(|(f, tree)| f / tree.scale()[0]).sum();
-        walk.within_share(&self.trees, PER_CELL * self.eps, other, add, level).into()
+        traversal.within_share(&self.trees, PER_CELL * self.eps, other, add, level).into()
     }
 }

@@ -28,7 +28,7 @@ use crate::emitters::Emitters;
 use crate::occluders::Site;
 use crate::receiver_point::ReceiverPoint;
 use crate::reflected;
-use crate::reflected::{Lit, Reflection};
+use crate::reflected::{IrradianceAt, Reflection};
 
 /// Halvings of a patch in each direction for D, and for g unless it is small. Both are chosen, not tuned.
 const DIRECT_HALVINGS: usize = 2;
@@ -61,7 +61,7 @@ pub struct Bounce {
 
 /// Ways of direct light into the linear system.
 #[derive(Debug)]
-pub enum Entry {
+pub enum DirectLightEntry {
     /// All direct light enters as exitance, which is carried like all other radiosity.
     Carried,
     /// Light of surfaces enters as exitance, that of luminaires by the coefficients of its irradiance,
@@ -92,7 +92,7 @@ pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility, ranks: &Ranks) ->
 }
 
 /// The coefficients of the irradiance `lit`, from elements, per band (W m⁻² times scene length).
-fn coefficients(sources: &Emitters<'_>, lit: Lit<'_>, ranks: &Ranks) -> Vec<Vec<f64>> {
+fn coefficients(sources: &Emitters<'_>, lit: IrradianceAt<'_>, ranks: &Ranks) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, .. } = *sources;
     let bands = coatings.len();
     let peaks = Peaks { lamps: &[], halvings: DIRECT_HALVINGS };
@@ -151,7 +151,7 @@ impl CoatedBounce {
     pub fn of(
         sources: &Emitters<'_>,
         visibility: &Visibility,
-        lit: Lit<'_>,
+        lit: IrradianceAt<'_>,
         eps: f64,
         ranks: &Ranks,
     ) -> Self {
@@ -162,7 +162,7 @@ impl CoatedBounce {
     fn reflected(
         sources: &Emitters<'_>,
         visibility: &Visibility,
-        lit: Lit<'_>,
+        lit: IrradianceAt<'_>,
         d: Vec<Vec<f64>>,
         eps: f64,
         ranks: &Ranks,
@@ -247,7 +247,7 @@ fn nearest([start, end]: &[DVec3; 2], point: DVec3) -> DVec3 {
 
 /// Direct light, and what of it is reflected by which coat.
 struct Light<'a> {
-    lit: Lit<'a>,
+    lit: IrradianceAt<'a>,
     reflection: Reflection<'a>,
     coats: &'a Coats,
 }

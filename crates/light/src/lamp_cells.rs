@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use radiosity_elements::patch::Node;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::shifted;
-use radiosity_elements::sampling::spread::{Place, Spread};
+use radiosity_elements::sampling::spread::{WeightedNode, Spread};
 use smallvec::{SmallVec, smallvec};
 
 use crate::receiver_point::ReceiverPoint;
@@ -78,7 +78,7 @@ impl<'a> LampCells<'a> {
     }
 
     /// The target of a ray, and its weight in the mean over the emitter.
-    pub(super) fn target(&self, index: u64, offset: &[f64; 3]) -> Place {
+    pub(super) fn target(&self, index: u64, offset: &[f64; 3]) -> WeightedNode {
         if let [cell] = &self.cells[..] {
             let [s, t, _] = *offset;
             return self.spread.point(cell.point(shifted(kronecker::point(index), &[s, t])));
@@ -89,8 +89,8 @@ impl<'a> LampCells<'a> {
         let cell = &self.cells[place];
         let before = place.checked_sub(1).map_or(0.0, |before| self.cells[before].end);
         let share = (cell.end - before) / self.all;
-        let Place { node, weight } = self.spread.point(cell.point([s, t]));
-        Place { node, weight: weight * cell.width.powi(2) / share }
+        let WeightedNode { node, weight } = self.spread.point(cell.point([s, t]));
+        WeightedNode { node, weight: weight * cell.width.powi(2) / share }
     }
 }
 

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
 use radiosity_elements::patch::Patch;
-use radiosity_elements::sampling::spread::{Place, Spread};
+use radiosity_elements::sampling::spread::{WeightedNode, Spread};
 use radiosity_geom::{Aabb, DVec3};
 
 use crate::receiver_point::ReceiverPoint;
@@ -59,7 +59,7 @@ pub struct Target {
     /// Index of the element that emits.
     pub element: usize,
     /// The point, with its weight.
-    pub place: Place,
+    pub place: WeightedNode,
     /// Density of such points, p_l / A_l (1 / scene length²).
     pub density: f64,
 }

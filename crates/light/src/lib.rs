@@ -31,15 +31,15 @@
 //! listed once per site, which is a point or a small piece of a surface (`occluders`); from cell to cell of a
 //! tree only those that may still hide a part of it are kept.
 //!
-//! In order: [`occluders`], `hierarchy` (trees of cells), [`receiver_point`], [`lamps`] (targets of rays),
+//! In order: [`occluders`], `cells` (trees of cells), [`receiver_point`], [`lamps`] (targets of rays),
 //! `lines` (scan lines), `luminous_line`, [`point_lights`] and [`emitters`], `area_light`, `blockers`,
-//! `traversal`, [`direct`], `lamp_cells`, `sources` and [`penumbra`] (direct light by rays), `coats`,
+//! `traversal`, [`direct`], `lamp_cells`, `light_sources` and [`penumbra`] (direct light by rays), `coats`,
 //! [`reflected`] and [`first_bounce`].
 //!
 //! Imports `core`, `geom`, `work`, `scene`, `visibility`, `elements` and `kernel`.
 
 pub mod occluders;
-pub(crate) mod hierarchy;
+pub(crate) mod cells;
 pub mod receiver_point;
 pub mod lamps;
 pub(crate) mod lines;
@@ -51,7 +51,7 @@ pub(crate) mod blockers;
 pub(crate) mod traversal;
 pub mod direct;
 mod lamp_cells;
-mod sources;
+mod light_sources;
 pub mod penumbra;
 pub(crate) mod coats;
 pub mod reflected;

@@ -17,7 +17,7 @@
 //! ```
 //!
 //! U_l of flat diffuse emitters and of whole curved surfaces has a closed form but for some points near them
-//! (`super::sources`). What may stand between a point and an emitter that sends at least a tenth of all light
+//! (`super::light_sources`). What may stand between a point and an emitter that sends at least a tenth of all light
 //! is listed first ([`super::occluders`], `super::blockers`). Where a flat thing or convex body hides all of
 //! the emitter v_l = 0; where nothing stands there v_l = 1; where at most 8 shadow volumes of flat things
 //! hide a part of a flat emitter, U_l v_l is the sum over what they leave of it: no ray is sent, and D is
@@ -33,7 +33,7 @@
 //! ```
 //!
 //! with D as the first rays find it, the bound b_l of unshadowed light (`super::lamps`), the factor c of
-//! [`RayEffort::rough`], all of them and E₀ means over the bands, and
+//! [`RayEffort::error_factor`], all of them and E₀ means over the bands, and
 //!
 //! ```text
 //! σ_l = ½   with a closed form ,     σ_l² = max( ¼ , (n Σ (w κ V)² − (Σ w κ V)²) / (Σ w κ)² )   without .
@@ -68,7 +68,7 @@ use crate::lamps::Lamp;
 use crate::occluders::Occluders;
 use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
-use crate::sources::Source;
+use crate::light_sources::LightSource;
 
 /// Rays to an emitter that sends all direct light, before they are compared; fewer to weaker ones, but some.
 /// Chosen.
@@ -110,7 +110,7 @@ const NEAR: f64 = 3.0;
 #[derive(Debug)]
 pub struct Penumbra<'a> {
     visibility: &'a Visibility,
-    sources: Vec<Source<'a>>,
+    sources: Vec<LightSource<'a>>,
     radiances: &'a Radiances,
     points: &'a PointLights,
     bands: usize,
@@ -122,7 +122,7 @@ pub struct Penumbra<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct RayEffort {
     /// Factor on the allowed error.
-    pub rough: f64,
+    pub error_factor: f64,
     /// Whether emitters seen wholly or not at all need as many rays as those in between.
     pub sure: bool,
 }
@@ -131,16 +131,16 @@ pub struct RayEffort {
 #[derive(Clone, Debug)]
 pub struct DirectEstimate {
     /// The emitting elements that may send light to it, and the irradiance from each over its exitance.
-    pub factors: Vec<Factor>,
+    pub factors: Vec<EmitterFactor>,
     /// Irradiance from luminaires, per band (W m⁻²).
     pub points: Vec<f64>,
     /// Emitters that the point sees.
-    pub shade: VisibleEmitters,
+    pub visible: VisibleEmitters,
 }
 
 /// The irradiance from an element over its exitance.
 #[derive(Clone, Copy, Debug)]
-pub struct Factor {
+pub struct EmitterFactor {
     /// Index of the element.
     pub element: usize,
     /// Irradiance over exitance, U_l v_l, without a unit.
@@ -168,8 +168,8 @@ enum Obstruction<'a> {
 }
 
 /// The light between a point and an emitter.
-struct Beam<'a> {
-    source: &'a Source<'a>,
+struct EmitterBeam<'a> {
+    source: &'a LightSource<'a>,
     /// U_l v_l, where that needs no rays.
     known: Option<f64>,
     between: Obstruction<'a>,
@@ -188,34 +188,34 @@ impl<'a> Penumbra<'a> {
     /// The direct light of `sources`, to the accuracy `eps` of what arrives.
     pub fn new(sources: &Emitters<'a>, visibility: &'a Visibility, eps: f64) -> Self {
         let (radiances, points, bands) = (sources.radiances, sources.points, sources.coatings.len());
-        Self { visibility, sources: Source::all(sources, visibility), radiances, points, bands, eps }
+        Self { visibility, sources: LightSource::all(sources, visibility), radiances, points, bands, eps }
     }
 
     /// The direct light at a point where `beside` it other light arrives (W m⁻², mean over the bands).
-    pub fn sight(&self, receiver: &ReceiverPoint, beside: f64, care: RayEffort) -> DirectEstimate {
+    pub fn estimate(&self, receiver: &ReceiverPoint, beside: f64, effort: RayEffort) -> DirectEstimate {
         let mut points = vec![0.0; self.bands];
         self.points.add(receiver, self.visibility, &mut points);
         let beside = beside + points.iter().sum::<f64>() / self.bands as f64;
         let bounds: Vec<f64> = self.sources.iter().map(|source| source.lamp.bound(receiver)).collect();
         let all: f64 = bounds.iter().sum();
         let shares = self.sources.iter().zip(bounds.iter().map(|bound| bound / all));
-        let some: SmallVec<[(&Source, f64, Option<Occluders>); 4]> = shares
+        let some: SmallVec<[(&LightSource, f64, Option<Occluders>); 4]> = shares
             .filter(|(_, share)| *share > 0.0)
             .map(|(source, share)| (source, share, self.listed(receiver, source, share)))
             .collect();
         let beams =
             some.iter().map(|(source, share, listed)| self.beam(receiver, source, *share, listed.as_ref()));
-        let mut beams: SmallVec<[Beam; 1]> = beams.filter(|beam| beam.whole != Some(0.0)).collect();
+        let mut beams: SmallVec<[EmitterBeam; 1]> = beams.filter(|beam| beam.whole != Some(0.0)).collect();
         let arrives: f64 = beams.iter().map(|beam| beam.source.lamp.brightness * beam.factor()).sum();
-        let tolerance = care.rough * self.eps * (beside + arrives).max(DARK * all);
-        self.refine(receiver, &mut beams, tolerance, care.sure);
-        let factor = |beam: &Beam| Factor { element: beam.source.lamp.element, value: beam.factor() };
-        DirectEstimate { shade: shade(&beams), factors: beams.iter().map(factor).collect(), points }
+        let tolerance = effort.error_factor * self.eps * (beside + arrives).max(DARK * all);
+        self.refine(receiver, &mut beams, tolerance, effort.sure);
+        let factor = |beam: &EmitterBeam| EmitterFactor { element: beam.source.lamp.element, value: beam.factor() };
+        DirectEstimate { visible: visible_emitters(&beams), factors: beams.iter().map(factor).collect(), points }
     }
 
     /// Obstacles that may stand between a point and an emitter of the part `share` of all light, if that is
     /// worth a list.
-    fn listed(&self, receiver: &ReceiverPoint, source: &Source, share: f64) -> Option<Occluders> {
+    fn listed(&self, receiver: &ReceiverPoint, source: &LightSource, share: f64) -> Option<Occluders> {
         let list = || Occluders::new(self.visibility, iter::once(source.sender()), &receiver.site());
         (share >= LISTED).then(list)
     }
@@ -225,10 +225,10 @@ impl<'a> Penumbra<'a> {
     fn beam<'l>(
         &'l self,
         receiver: &'l ReceiverPoint,
-        source: &'l Source,
+        source: &'l LightSource,
         share: f64,
         listed: Option<&'l Occluders>,
-    ) -> Beam<'l> {
+    ) -> EmitterBeam<'l> {
         let whole = source.whole(receiver);
         let between =
             listed.map_or(Some(Obstruction::Anything), |listed| self.between(receiver, source, listed));
@@ -239,7 +239,7 @@ impl<'a> Penumbra<'a> {
             Some(Obstruction::Anything) => None,
         };
         let place = receiver.position.to_array().into_iter();
-        let mut beam = Beam {
+        let mut beam = EmitterBeam {
             cells: cells(&source.lamp, receiver),
             offset: shift(number_of(place.chain([source.lamp.element as f64]))),
             source,
@@ -262,7 +262,7 @@ impl<'a> Penumbra<'a> {
     fn between<'l>(
         &'l self,
         receiver: &'l ReceiverPoint,
-        source: &Source,
+        source: &LightSource,
         listed: &'l Occluders,
     ) -> Option<Obstruction<'l>> {
         let places = listed.before(0)?;
@@ -284,7 +284,7 @@ impl<'a> Penumbra<'a> {
     }
 
     /// Doubles the rays to the emitter whose light errs most, until all together err by `tolerance` at most.
-    fn refine(&self, receiver: &ReceiverPoint, beams: &mut [Beam], tolerance: f64, sure: bool) {
+    fn refine(&self, receiver: &ReceiverPoint, beams: &mut [EmitterBeam], tolerance: f64, sure: bool) {
         let mut errors: SmallVec<[f64; 16]> = beams.iter().map(|beam| beam.error(sure)).collect();
         while errors.iter().map(|error| error * error).sum::<f64>() > tolerance * tolerance {
             let open = (0..beams.len()).filter(|k| beams[*k].known.is_none() && beams[*k].sent < MOST);
@@ -296,7 +296,7 @@ impl<'a> Penumbra<'a> {
     }
 
     /// Sends `count` rays more.
-    fn send(&self, receiver: &ReceiverPoint, beam: &mut Beam, count: u64) {
+    fn send(&self, receiver: &ReceiverPoint, beam: &mut EmitterBeam, count: u64) {
         for index in beam.sent..beam.sent + count {
             let target = beam.cells.target(index, &beam.offset);
             let Some(kernel) = receiver.kernel_to(&target.node) else { continue };
@@ -312,7 +312,7 @@ impl<'a> Penumbra<'a> {
     }
 
     /// Whether the point `y` of the emitter is seen.
-    fn is_free(&self, receiver: &ReceiverPoint, beam: &Beam, y: DVec3) -> bool {
+    fn is_free(&self, receiver: &ReceiverPoint, beam: &EmitterBeam, y: DVec3) -> bool {
         match &beam.between {
             Obstruction::Nothing => true,
             Obstruction::Some(shadows, before) => !shadows.hide(*before, y, beam.source.surface),
@@ -324,7 +324,7 @@ impl<'a> Penumbra<'a> {
 /// U_l v_l of a flat emitter behind few things, all flat; None of others.
 fn cut_out(
     receiver: &ReceiverPoint,
-    source: &Source,
+    source: &LightSource,
     shadows: &Shadows,
     before: BlockerRange,
 ) -> Option<f64> {
@@ -342,15 +342,15 @@ fn cells<'l>(lamp: &'l Lamp, receiver: &ReceiverPoint) -> LampCells<'l> {
 }
 
 /// Which emitters are seen.
-fn shade(beams: &[Beam]) -> VisibleEmitters {
-    if beams.iter().any(Beam::is_mixed) {
+fn visible_emitters(beams: &[EmitterBeam]) -> VisibleEmitters {
+    if beams.iter().any(EmitterBeam::is_mixed) {
         return VisibleEmitters::Partial;
     }
     let seen = beams.iter().filter(|beam| beam.factor() > 0.0);
     VisibleEmitters::Sees(number_of(seen.map(|beam| beam.source.lamp.element as f64)))
 }
 
-impl Beam<'_> {
+impl EmitterBeam<'_> {
     /// U_l, or what rays say of it.
     fn size(&self) -> f64 {
         self.whole.unwrap_or(self.all * self.source.lamp.area / self.sent as f64)

@@ -16,7 +16,7 @@ use radiosity_visibility::Visibility;
 use rayon::prelude::*;
 
 use crate::coats::Coats;
-use crate::hierarchy::tree::Tree;
+use crate::cells::tree::Tree;
 use crate::occluders::{Occluders, Site};
 use crate::receiver_point::ReceiverPoint;
 use crate::traversal::Traversal;
@@ -28,7 +28,7 @@ use crate::traversal::Traversal;
 const CANCELLING: f64 = 1e-3;
 
 /// Irradiance (W m⁻²) per band at a node of an element.
-pub(crate) type Lit<'a> = &'a (dyn Fn(usize, &Node) -> Vec<f64> + Sync);
+pub(crate) type IrradianceAt<'a> = &'a (dyn Fn(usize, &Node) -> Vec<f64> + Sync);
 
 /// Mean over the scene (W m⁻²) of a radiosity with these coefficients in the orthonormal bases, element by
 /// element; errors are judged by it. 1 where nothing shines.
@@ -58,7 +58,7 @@ impl<'a> Reflection<'a> {
         elements: &[Element],
         coatings: &[&Coating],
         visibility: &'a Visibility,
-        lit: Lit<'_>,
+        lit: IrradianceAt<'_>,
         scale: Vec<f64>,
         eps: f64,
     ) -> Self {
@@ -132,14 +132,14 @@ impl<'a> Reflection<'a> {
 
     /// The irradiance from each reflecting element to the relative accuracy `eps`, band after band.
     fn parts(&self, eps: f64, receiver: &ReceiverPoint, occluders: &Occluders, other: &[f64]) -> Vec<f64> {
-        let mut walk = Traversal::new(receiver, self.visibility, occluders);
-        let add = |walk: &mut Traversal, index: usize, tolerance: f64, out: &mut [f64]| {
-            walk.add(index, &self.trees[index], tolerance, out);
+        let mut traversal = Traversal::new(receiver, self.visibility, occluders);
+        let add = |traversal: &mut Traversal, index: usize, tolerance: f64, out: &mut [f64]| {
+            traversal.add(index, &self.trees[index], tolerance, out);
         };
         let share = eps * (eps / CANCELLING).min(1.0);
         let other = self.relative(other);
         let level = |parts: &[f64]| self.relative(&self.sum(parts));
-        walk.within_share(&self.trees, share, other, add, level)
+        traversal.within_share(&self.trees, share, other, add, level)
     }
 
     /// Sum over the elements, per band.

@@ -21,7 +21,7 @@ use radiosity_geom::DVec3;
 use radiosity_kernel::kernel;
 
 use crate::blockers::BlockerRange;
-use crate::hierarchy::cell::{Cell, POINTS};
+use crate::cells::cell::{Cell, POINTS};
 use crate::lines::line_quadrature::LineQuadrature;
 use crate::receiver_point::ReceiverPoint;
 use crate::traversal::Pass;
@@ -96,7 +96,7 @@ impl Traversal<'_> {
     /// Whether Lambert's formula holds for a cell: it is flat, or straight and its front is seen everywhere.
     pub(super) fn is_like_flat(&self, cell: &Cell) -> bool {
         let faces = |(point, normal): &(DVec3, DVec3)| (self.receiver.position - point).dot(*normal) > 0.0;
-        cell.is_straight && cell.facets.iter().all(faces)
+        cell.is_straight && cell.samples.iter().all(faces)
     }
 
     /// No blockers: the Gauss rule far away, Lambert's formula near by.
@@ -269,7 +269,7 @@ impl Traversal<'_> {
     fn border(&self, cell: &Cell) -> f64 {
         let facing =
             |place: &(DVec3, DVec3)| (self.receiver.position - place.0).normalize_or_zero().dot(place.1);
-        let cosines = || cell.facets.iter().map(facing);
+        let cosines = || cell.samples.iter().map(facing);
         let (low, high) = cosines().fold((f64::MAX, f64::MIN), |(low, high), c| (low.min(c), high.max(c)));
         if high <= 0.0 || (low >= 0.0 && self.receiver.overlooks(&cell.hull)) {
             return 0.0;

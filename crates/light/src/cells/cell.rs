@@ -52,7 +52,7 @@ pub(crate) struct Cell {
     /// Mean of each channel over the cell's area, by its finest parts.
     means: SmallVec<[f64; 3]>,
     /// Positions and normals at the corners and the Gauss points of a curved cell.
-    pub(crate) facets: Vec<(DVec3, DVec3)>,
+    pub(crate) samples: Vec<(DVec3, DVec3)>,
     /// Mean of the points of the hull.
     pub(crate) center: DVec3,
     /// Radius of the ball about the centre that contains the hull.
@@ -93,14 +93,14 @@ impl Cell {
         };
         let nodes: [Node; POINTS] = std::array::from_fn(node);
         let lanes = [0, 1, 2].map(|axis| nodes.map(|node| node.position[axis]));
-        let mut facets = Vec::new();
+        let mut samples = Vec::new();
         if !patch.is_flat() {
-            facets.extend(nodes.iter().map(|node| (node.position, node.normal)));
+            samples.extend(nodes.iter().map(|node| (node.position, node.normal)));
             let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| patch.node(s, t));
-            facets.extend(corners.iter().map(|node| (node.position, node.normal)));
+            samples.extend(corners.iter().map(|node| (node.position, node.normal)));
         }
         let pairs =
-            facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
+            samples.iter().enumerate().flat_map(|(k, a)| samples[..k].iter().map(move |b| a.1.dot(b.1)));
         let bend = pairs.fold(1.0, f64::min);
         let is_straight = patch.is_flat() || (bend > LEVEL && hull[..] == patch.corners());
         let quad = is_straight.then(|| Quad::new(patch.corners())).map(|quad| (quad, quad.radius()));
@@ -112,7 +112,7 @@ impl Cell {
             hull,
             nodes,
             lanes,
-            facets,
+            samples,
             values: SmallVec::new(),
             means: SmallVec::new(),
             center,
@@ -151,7 +151,7 @@ impl Cell {
             patch: self.patch.clone(),
             quarters: OnceLock::new(),
             hull: self.hull.clone(),
-            facets: self.facets.clone(),
+            samples: self.samples.clone(),
             values: SmallVec::new(),
             means: SmallVec::new(),
             brightness: 0.0,

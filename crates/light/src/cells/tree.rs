@@ -23,8 +23,8 @@ use radiosity_scene::Radiance;
 use radiosity_work::interruption::check_interrupt;
 use smallvec::smallvec;
 
-use crate::hierarchy::border::Border;
-use crate::hierarchy::cell::{Cell, POINTS};
+use crate::cells::border::Border;
+use crate::cells::cell::{Cell, POINTS};
 use crate::occluders::Sender;
 
 /// Levels of quarters below the patches of an element that are all made where the field varies, so that no

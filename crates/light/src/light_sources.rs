@@ -31,7 +31,7 @@ const COVERED: f64 = 1e-9;
 
 /// An emitter as one thing: an element, or a whole curved surface.
 #[derive(Debug)]
-pub(super) struct Source<'a> {
+pub(super) struct LightSource<'a> {
     /// Points on it for rays. Its element stands for all that belong to the source.
     pub(super) lamp: Lamp,
     /// Index of its surface.
@@ -54,7 +54,7 @@ enum Form<'a> {
     Points,
 }
 
-impl<'a> Source<'a> {
+impl<'a> LightSource<'a> {
     /// The sources of a scene, elements of one surface beside each other.
     pub(super) fn all(sources: &Emitters<'a>, visibility: &'a Visibility) -> Vec<Self> {
         let scale = vec![1.0; sources.coatings.len()];
