@@ -77,7 +77,7 @@ impl Shot {
     pub(crate) fn take(&self, light: &Light, visibility: &Visibility, progress: &Progress) -> Raster {
         let usual = || usual_read(light, visibility, pixels(&self.camera));
         let read = self.read.unwrap_or_else(usual);
-        let work = Work::alone().told(progress);
+        let work = Work::alone().observed_by(progress);
         render(light, visibility, &self.camera, self.samples, read, self.show, &work)
     }
 }

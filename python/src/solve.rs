@@ -49,7 +49,7 @@ pub(crate) fn solution_of(
     let own = scene.scene.clone();
     let found = work(py, observer.as_ref(), |progress| -> Result<_, Trouble> {
         let deadline = method.deadline().map(|at| Deadline::at(Some(at)));
-        let work = Work { deadline: deadline.as_ref(), ..Work::alone().told(progress) };
+        let work = Work { deadline: deadline.as_ref(), ..Work::alone().observed_by(progress) };
         Ok(Found::of(solved(own, options, wanted.goal(&method, &scene.scene)?, &work)?)?)
     })?;
     Solution::new(py, found, method, false)

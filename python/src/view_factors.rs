@@ -104,7 +104,7 @@ fn factors(
                 progress.step("pairs", done, of);
             }
         };
-        library::ViewFactors::of_pairs(scene, &wanted, &request.factors(), &Work::alone().told(&tell))
+        library::ViewFactors::of_pairs(scene, &wanted, &request.factors(), &Work::alone().observed_by(&tell))
     })?;
     if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
         warn(py, &missed(&worst, worst.pair.map(|surface| &factors.names[surface][..])))?;

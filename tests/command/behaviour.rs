@@ -3,7 +3,7 @@
 use std::{fs, path::Path, process::Command};
 
 use radiosity::work::ranks::Ranks;
-use radiosity::{elements::Discretization, solve::driver::memory::MemoryEstimate};
+use radiosity::{elements::Discretization, solve::driver::memory_estimate::MemoryEstimate};
 use radiosity_solvers::method::Method;
 use radiosity_test_support::folders::{folder, json, names};
 use radiosity_test_support::scenes::builtin;

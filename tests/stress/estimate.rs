@@ -8,7 +8,7 @@ use radiosity::elements::cells::Layers;
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::gather::spot::Spot;
+use radiosity::solve::gather::surface_point::SurfacePoint;
 use radiosity::solve::solution::Solution;
 use radiosity::solve::studies::adaptation::{Aim, Goal, adapt};
 use radiosity::solve::studies::error_norm::distance;
@@ -54,8 +54,8 @@ impl Case {
         let diagonal = visibility.bounds().diagonal();
         let cells = (0..scene.surfaces.len()).flat_map(cells);
         let exact = cells.filter_map(|(surface, i, j)| {
-            let spot = Spot::at(fine.elements(), surface, [middle(i), middle(j)], diagonal)?;
-            Some((spot.place, gather.at(&spot.receiver_point(spot.normal))[0]))
+            let point = SurfacePoint::at(fine.elements(), surface, [middle(i), middle(j)], diagonal)?;
+            Some((point.place, gather.at(&point.receiver_point(point.normal))[0]))
         });
         let exact: Vec<_> = exact.collect();
         let error = move |solution: &Solution| {

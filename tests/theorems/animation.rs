@@ -2,7 +2,7 @@
 
 use radiosity::Work;
 use radiosity::scene::Scene;
-use radiosity::solve::animation::follower::{Follower, Way};
+use radiosity::solve::animation::follower::{Follower, FollowMode};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};
@@ -81,7 +81,7 @@ fn bits(frame: &Frame) -> Vec<u64> {
     coefficients.map(|h| h.to_bits()).collect()
 }
 
-fn frames(scene: &Scene, options: &Options, way: Way, numbers: &[usize]) -> Vec<Frame> {
+fn frames(scene: &Scene, options: &Options, way: FollowMode, numbers: &[usize]) -> Vec<Frame> {
     let mut follower = Follower::new(scene, options, way, [0, scene.frames() - 1]);
     numbers.iter().map(|frame| follower.frame(*frame, &Work::alone()).expect("it can be solved")).collect()
 }
@@ -92,9 +92,9 @@ fn frames_one_after_the_other_are_those_alone_to_the_bit() {
         let (scene, options) = (room(40, motion), options(direct));
         // Forwards, backwards, at once to the end, and the same again.
         let numbers = [0, 1, 2, 1, 39, 39, 20, 0];
-        let followed = frames(&scene, &options, Way::Selective, &numbers);
+        let followed = frames(&scene, &options, FollowMode::Selective, &numbers);
         for (number, frame) in numbers.iter().zip(&followed) {
-            let alone = frames(&scene, &options, Way::Fresh, &[*number]);
+            let alone = frames(&scene, &options, FollowMode::Fresh, &[*number]);
             assert!(bits(frame) == bits(&alone[0]), "{motion} {direct:?} {number}");
         }
         assert!(bits(&followed[0]) != bits(&followed[1]), "{motion}: light moves");
@@ -183,19 +183,19 @@ fn rays_that_are_kept_give_what_fresh_ones_would_to_the_bit() {
     let numbers = [0, 1, 2, 3, 2, 39, 39, 20, 0];
     for motion in motions {
         let scene = things(40, motion);
-        let mut alone = Follower::new(&scene, &by_rays(), Way::Fresh, [0, 39]);
+        let mut alone = Follower::new(&scene, &by_rays(), FollowMode::Fresh, [0, 39]);
         let alone: Vec<Vec<u64>> = numbers
             .iter()
             .map(|frame| bits(&alone.frame(*frame, &Work::alone()).expect("it can be solved")))
             .collect();
         for threads in [1, 3] {
             let options = Options { threads, ..by_rays() };
-            let mut follower = Follower::new(&scene, &options, Way::Selective, [0, 39]);
+            let mut follower = Follower::new(&scene, &options, FollowMode::Selective, [0, 39]);
             for (number, alone) in numbers.iter().zip(&alone) {
                 let frame = follower.frame(*number, &Work::alone()).expect("it can be solved");
                 assert!(bits(&frame) == *alone, "{motion} {threads} {number}");
             }
-            let rays = follower.account().rays;
+            let rays = follower.report().rays;
             assert!(rays.recalled > rays.traced / 4, "{motion}: {rays:?}");
         }
         assert!(alone[0] != alone[5], "{motion}: light moves");
@@ -210,10 +210,10 @@ fn no_more_rays_are_traced_than_meet_what_moves() {
     let scene = things(5, motion);
     let mut sequence = Sequence::new(&scene, &by_rays());
     sequence.at(0.0, &Work::alone()).expect("it can be solved");
-    let first = sequence.account().rays;
+    let first = sequence.report().rays;
     assert_eq!(first.recalled, 0);
     sequence.at(1.0, &Work::alone()).expect("it can be solved");
-    let traced = sequence.account().rays.traced - first.traced;
+    let traced = sequence.report().rays.traced - first.traced;
     // A speck sends the fewest rays there are, 4 in the pilot round and 16 after it; what else is traced are
     // rays of elements that send some more than before.
     assert!((20..first.traced / 50).contains(&traced), "{traced} of {}", first.traced);
@@ -230,7 +230,7 @@ fn rays_of_pairs_that_no_rule_reaches_are_kept_as_well() {
         let alone = Sequence::fresh(&scene, &options).at(moment, &Work::alone()).expect("it can be solved");
         assert!(bits(&frame) == bits(&alone), "{moment}");
     }
-    let rays = sequence.account().rays;
+    let rays = sequence.report().rays;
     assert!(rays.recalled > rays.traced / 4, "{rays:?}");
 }
 
@@ -243,12 +243,12 @@ rotate = { center = [0.25, 0.65, 0.6], axis = [1, 1, 0], angles = [0, 25, 25, 50
     for options in [options(Direct::Projected), by_rays()] {
         let mut sequence = Sequence::new(&scene, &options);
         let known = sequence.at(5.0, &Work::alone()).expect("it can be solved");
-        let rays = sequence.account().rays;
+        let rays = sequence.report().rays;
         let again = sequence.at(7.0, &Work::alone()).expect("it can be solved");
         assert!(bits(&known) == bits(&again));
         assert_eq!(sequence.integrated(), 0);
         assert!(sequence.recalled() > 0);
-        assert_eq!(sequence.account().rays.traced, rays.traced);
+        assert_eq!(sequence.report().rays.traced, rays.traced);
         // Gone on, it is integrated.
         sequence.at(9.0, &Work::alone()).expect("it can be solved");
         assert!(sequence.integrated() > 0);
@@ -285,7 +285,7 @@ rotate = { center = [0.5, 0.5, 0.5], axis = [0, 0, 1], angles = [0, 90] }
     };
     assert!(alone(0) > alone(1), "the scene of a frame alone would be cut otherwise");
     let count = |frame: &Frame| frame.solution.elements().list().len();
-    let (fresh, followed) = (Way::Fresh, Way::Selective);
+    let (fresh, followed) = (FollowMode::Fresh, FollowMode::Selective);
     let [fresh, followed] = [fresh, followed].map(|way| frames(&scene, &options, way, &[0, 1, 2]));
     for (fresh, followed) in fresh.iter().zip(&followed) {
         assert!(bits(fresh) == bits(followed));
@@ -307,9 +307,9 @@ rotate = { center = [0.5, 0.5, 0.5], axis = [0, 0.1, 1], angles = [0, 1000] }
     let scene = cube(1000, 0.2, things);
     let options = Options { order: 0, ..options(Direct::Projected) };
     let numbers: Vec<usize> = (0..1000).collect();
-    let followed = frames(&scene, &options, Way::Selective, &numbers);
+    let followed = frames(&scene, &options, FollowMode::Selective, &numbers);
     for number in [1, 500, 999] {
-        let alone = frames(&scene, &options, Way::Fresh, &[number]);
+        let alone = frames(&scene, &options, FollowMode::Fresh, &[number]);
         assert!(bits(&followed[number]) == bits(&alone[0]), "{number}");
     }
 }
@@ -319,13 +319,13 @@ fn light_along_a_path_is_interpolated_to_what_is_told() {
     // The lamp casts shadows over the panel and the block: told, and solved more often.
     for (motion, most) in [(GLOW, 20), (LAMP, 60)] {
         let (scene, options) = (room(60, motion), Options { eps: 1e-5, ..options(Direct::Projected) });
-        let mut follower = Follower::new(&scene, &options, Way::Path { tolerance: 1e-3 }, [0, 59]);
+        let mut follower = Follower::new(&scene, &options, FollowMode::Path { tolerance: 1e-3 }, [0, 59]);
         for number in 0..60 {
             let frame = follower.frame(number, &Work::alone()).expect("it can be solved");
             if number % 7 != 3 {
                 continue;
             }
-            let alone = &frames(&scene, &options, Way::Fresh, &[number])[0];
+            let alone = &frames(&scene, &options, FollowMode::Fresh, &[number])[0];
             match frame.interpolated {
                 Some(told) => {
                     assert!(
@@ -343,10 +343,10 @@ fn light_along_a_path_is_interpolated_to_what_is_told() {
 #[test]
 fn what_cannot_be_interpolated_is_solved_frame_by_frame() {
     let (scene, options) = (room(12, PANEL), options(Direct::Projected));
-    let mut follower = Follower::new(&scene, &options, Way::Path { tolerance: 1e-9 }, [0, 11]);
+    let mut follower = Follower::new(&scene, &options, FollowMode::Path { tolerance: 1e-9 }, [0, 11]);
     let frame = follower.frame(7, &Work::alone()).expect("it can be solved");
     assert_eq!((frame.interpolated, follower.error()), (None, None));
-    assert!(bits(&frame) == bits(&frames(&scene, &options, Way::Fresh, &[7])[0]));
+    assert!(bits(&frame) == bits(&frames(&scene, &options, FollowMode::Fresh, &[7])[0]));
 }
 
 #[test]
@@ -355,10 +355,10 @@ fn what_moves_between_the_points_of_a_path_is_seen() {
     let away = "surfaces = 'panel'
 translate = { points = [[0, 0, 0], [0, 0, 0], [0.3, 0, 0], [0, 0, 0], [0, 0, 0]], times = [0, 18, 25, 32, 100] }";
     let (scene, options) = (room(101, away), options(Direct::Projected));
-    let mut follower = Follower::new(&scene, &options, Way::Path { tolerance: 1e-4 }, [0, 100]);
+    let mut follower = Follower::new(&scene, &options, FollowMode::Path { tolerance: 1e-4 }, [0, 100]);
     for number in [5, 25, 60] {
         let frame = follower.frame(number, &Work::alone()).expect("it can be solved");
-        let alone = &frames(&scene, &options, Way::Fresh, &[number])[0];
+        let alone = &frames(&scene, &options, FollowMode::Fresh, &[number])[0];
         assert!(apart(&frame.solution, &alone.solution) <= 1e-4, "{number}");
     }
     assert!(follower.solved() < 60, "{}", follower.solved());

@@ -2,7 +2,7 @@
 
 use radiosity::Work;
 use radiosity::scene::Scene;
-use radiosity::solve::animation::follower::{Follower, Way};
+use radiosity::solve::animation::follower::{Follower, FollowMode};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};
@@ -30,7 +30,7 @@ fn frame(follower: &mut Follower<'_>, number: usize) -> Frame {
 }
 
 fn alone(scene: &Scene, options: &Options, number: usize) -> Frame {
-    frame(&mut Follower::new(scene, options, Way::Fresh, [0, scene.frames() - 1]), number)
+    frame(&mut Follower::new(scene, options, FollowMode::Fresh, [0, scene.frames() - 1]), number)
 }
 
 /// A closed room with quads that float in it, of which two are moved, one of them along a broken line;
@@ -147,7 +147,7 @@ MOTION
         let text = text.replace("SHAPE", shape).replace("MOTION", motion);
         let scene = typed(&text);
         let options = Options { eps: 1e-5, ..options(false) };
-        let mut follower = Follower::new(&scene, &options, Way::Series { tolerance: 1e-4 }, [0, 20]);
+        let mut follower = Follower::new(&scene, &options, FollowMode::Series { tolerance: 1e-4 }, [0, 20]);
         for number in 0..4 {
             let found = frame(&mut follower, number);
             let is_summed = sums && number > 0;

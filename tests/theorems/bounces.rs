@@ -4,7 +4,7 @@
 use radiosity::Basis;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::gather::by_rays::{RayGather, Receiver};
+use radiosity::solve::gather::ray_gather::{RayGather, Receiver};
 use radiosity::solve::{Direct, Options, Outcome};
 use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;

@@ -11,10 +11,10 @@ use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements, Subdivide};
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
-use radiosity::solve::driver::memory::MemoryEstimate;
+use radiosity::solve::driver::memory_estimate::MemoryEstimate;
 use radiosity::solve::gather::Gather;
 use radiosity::solve::solution::{Band, Place, Solution};
-use radiosity::solve::studies::adaptation::{Achieved, Adapted, Aim, End, Goal, adapt};
+use radiosity::solve::studies::adaptation::{Achieved, Adapted, Aim, EndReason, Goal, adapt};
 use radiosity::solve::studies::convergence::{Reference, convergence};
 use radiosity::solve::studies::error_norm::{Incomparable, distance};
 use radiosity::solve::system::Coefficients;
@@ -145,12 +145,12 @@ fn a_series_finds_the_known_errors_of_the_empty_box() {
     let fine = Options { order: 5, layers, threads: 2, ..Options::default() };
     let fine = outcome_of(&scene, &fine).solution;
     let error = |solution: &Solution| distance(solution, &fine).expect("one scene");
-    let heard = Mutex::new(vec![0]);
-    let hear = |progress| {
+    let reports = Mutex::new(vec![0]);
+    let observe = |progress| {
         let Progress::Done { stage: Stage::Runs, done, of: 1000 } = progress else { panic!("{progress:?}") };
-        heard.lock().expect("nobody panics").push(done);
+        reports.lock().expect("nobody panics").push(done);
     };
-    let work = Work::alone().told(&hear);
+    let work = Work::alone().observed_by(&observe);
     let options = Options { order: 6, threads: 2, ..Options::default() };
     let runs =
         convergence(&scene, &options, &[], &Reference::Given(&error), &work).expect("it can be solved");
@@ -159,8 +159,8 @@ fn a_series_finds_the_known_errors_of_the_empty_box() {
         let error = runs[order].error.expect("there is a reference");
         assert!((error / known - 1.0).abs() < 0.1, "order {order}: {error} instead of {known}");
     }
-    let heard = heard.into_inner().expect("nobody panicked");
-    assert!(heard.is_sorted() && heard.last() == Some(&1000), "progress rises to the end");
+    let reports = reports.into_inner().expect("nobody panicked");
+    assert!(reports.is_sorted() && reports.last() == Some(&1000), "progress rises to the end");
 }
 
 #[test]
@@ -312,7 +312,7 @@ fn light_at_points_is_met_with_fewer_unknowns_than_on_all_surfaces() {
 #[test]
 fn what_cannot_be_reached_is_told() {
     let adapted = adapted("empty-box", Goal { most_unknowns: 200, ..Goal::new(1e-3, Aim::Solution) });
-    assert_eq!(adapted.achieved.end, End::Unknowns);
+    assert_eq!(adapted.achieved.end, EndReason::Unknowns);
     let estimate = adapted.achieved.estimate.unwrap();
     assert!(estimate > 1e-3 && estimate < 0.1);
     assert!(adapted.outcome.solution.elements().coefficients() <= 200);
@@ -337,7 +337,7 @@ fn a_finer_run_that_fails_leaves_the_one_before() {
     let adapted =
         adapt(&scene, &options, &Goal::new(1e-6, Aim::Solution), &Work::alone()).expect("the first run fits");
     let Achieved { estimate, end, .. } = adapted.achieved;
-    assert!(end == End::Memory && estimate.is_some());
+    assert!(end == EndReason::Memory && estimate.is_some());
     assert_eq!(adapted.options.order, 2);
 }
 

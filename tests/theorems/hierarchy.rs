@@ -19,7 +19,7 @@ use radiosity::published::hierarchy::{
 use radiosity::scene::{NamedMaterial, Scene, SceneBuilder};
 use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
-use radiosity::solve::{Algorithm, Options, Outcome, in_threads};
+use radiosity::solve::{LightMethod, Options, Outcome, in_threads};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_core::legendre::{Half, two_scale};
 use radiosity_test_support::scenes::grey;
@@ -195,7 +195,7 @@ fn furnace_of_whole_squares_is_two() {
 }
 
 fn by_links(scene: &Scene, eps: f64) -> Outcome {
-    let options = Options { method: Algorithm::Hierarchical, eps, ..Options::default() };
+    let options = Options { method: LightMethod::Hierarchical, eps, ..Options::default() };
     outcome_of(scene, &options)
 }
 
@@ -230,7 +230,7 @@ fn a_run_by_links_of_whole_squares_is_the_furnace() {
 #[test]
 fn runs_by_links_tell_the_error_of_gathered_light() {
     let scene = builtin("two-boxes");
-    let options = Options { method: Algorithm::Hierarchical, ..Options::default() };
+    let options = Options { method: LightMethod::Hierarchical, ..Options::default() };
     let goal = Goal::new(2e-2, Aim::Gathered);
     let rough =
         Solved::to_accuracy(scene.clone(), &options, &goal, &Work::alone()).expect("it can be solved");

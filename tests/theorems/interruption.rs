@@ -10,10 +10,10 @@ use radiosity::kernel::Accuracy;
 use radiosity::reading::pictures::render::{Read, render};
 use radiosity::reading::shown::Shown;
 use radiosity::scene::Camera;
-use radiosity::solve::animation::follower::{Follower, Way};
+use radiosity::solve::animation::follower::{Follower, FollowMode};
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
-use radiosity::solve::{Algorithm, Transport, in_threads};
+use radiosity::solve::{LightMethod, Transport, in_threads};
 use radiosity::visibility::{Hiding, Visibility};
 use radiosity::work::Progress;
 use radiosity::work::interruption::{Interrupted, Interruption};
@@ -70,7 +70,7 @@ fn solutions_end_soon() {
     };
     ends_soon("rays", &solves(&cornell, by_rays));
     ends_soon("rays of many elements", &solves(&cornell, Options { subdivide: Some(16), ..by_rays }));
-    let by_links = Options { method: Algorithm::Hierarchical, eps: 1e-9, threads: 2, ..Options::default() };
+    let by_links = Options { method: LightMethod::Hierarchical, eps: 1e-9, threads: 2, ..Options::default() };
     ends_soon("links", &solves(&cornell, by_links));
     ends_soon("an accuracy", &|| {
         let options = Options { threads: 2, ..Options::default() };
@@ -146,7 +146,7 @@ fn a_frame_that_was_interrupted_leaves_nothing_to_the_next() {
         (0..3).for_each(|frame| drop(light(&mut sequence, f64::from(frame))));
         let interruption = Interruption::new();
         let raise = |_: Progress| interruption.raise();
-        let ended = interruption.within(|| sequence.at(5.0, &Work::alone().told(&raise)).map(drop));
+        let ended = interruption.within(|| sequence.at(5.0, &Work::alone().observed_by(&raise)).map(drop));
         assert!(matches!(ended, Err(Interrupted)));
         // A series begins anew, with blocks that are integrated.
         for (moment, alone) in [1.0, 2.0].into_iter().zip(&alone).take(frames) {
@@ -160,11 +160,11 @@ fn segments_of_a_path_are_those_of_one_that_was_not_interrupted() {
     let sliding = builtin("sliding-light");
     let options = Options { subdivide: Some(1), ..exact(1, 1e-4) };
     let ends = [0, sliding.frames() - 1];
-    let course = || Follower::new(&sliding, &options, Way::Path { tolerance: 1e-2 }, ends);
+    let course = || Follower::new(&sliding, &options, FollowMode::Path { tolerance: 1e-2 }, ends);
     let (mut whole, mut torn) = (course(), course());
     let interruption = Interruption::new();
     let raise = |_: Progress| interruption.raise();
-    let ended = interruption.within(|| torn.frame(0, &Work::alone().told(&raise)).map(drop));
+    let ended = interruption.within(|| torn.frame(0, &Work::alone().observed_by(&raise)).map(drop));
     assert!(matches!(ended, Err(Interrupted)));
     let [found, right] = [&mut torn, &mut whole].map(|course| {
         let frame = course.frame(3, &Work::alone()).expect("a frame");

@@ -100,7 +100,7 @@ fn light_of_a_wanted_accuracy() {
 
 #[test]
 fn links() {
-    let linked = Options { method: radiosity::solve::Algorithm::Hierarchical, order: 0, ..options() };
+    let linked = Options { method: radiosity::solve::LightMethod::Hierarchical, order: 0, ..options() };
     same_on_ranks(|work| told(&solved("two-boxes", linked, work)));
 }
 
@@ -122,7 +122,7 @@ fn frames(mut sequence: Sequence<'_>, work: &Work<'_>) -> String {
     let told = [0.0, 1.0, 2.0, 3.0, 1.0, 1.0, 7.0].map(|moment| {
         let frame = sequence.at(moment, work).expect("it can be solved");
         let bands: Vec<_> = frame.solution.bands().iter().map(|band| &band.coefficients).collect();
-        let rays = sequence.account().rays;
+        let rays = sequence.report().rays;
         let counts = [sequence.integrated(), sequence.recalled(), sequence.summed(), sequence.expanded()];
         format!("{moment} {bands:?} {counts:?} {rays:?} {:?}\n", sequence.error())
     });

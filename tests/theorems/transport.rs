@@ -2,7 +2,7 @@
 
 #![expect(clippy::print_stdout, reason = "errors and costs are measured here, and shown with --nocapture")]
 
-mod company;
+mod among_others;
 mod contour;
 mod curved;
 mod empty_box;

@@ -8,7 +8,7 @@ use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::Accuracy;
 use radiosity::light::direct::DirectLight;
-use radiosity::light::first_bounce::Entry;
+use radiosity::light::first_bounce::DirectLightEntry;
 use radiosity::reading::grid::{Rates, grid};
 use radiosity::reading::reader::{Read, Reader};
 use radiosity::solve::checks::Checks;
@@ -69,7 +69,7 @@ fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)>
         let residual = coefficients.residual;
         let band = Band::new("grey".into(), &elements, coating.clone(), coefficients);
         let solution = Solution::new(elements, vec![band]);
-        let checks = Checks::of(&solution, &blocks, &Entry::Carried, Ranks::alone());
+        let checks = Checks::of(&solution, &blocks, &DirectLightEntry::Carried, Ranks::alone());
         (method.name, solution, checks, residual)
     };
     Method::ALL.iter().map(solve_with).collect()

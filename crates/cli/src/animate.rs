@@ -20,9 +20,9 @@ use radiosity_reading::reader::Read;
 use radiosity_reading::shown::Shown;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_request::require_all_bounces;
-use radiosity_solve::animation::follower::{Follower, Way};
+use radiosity_solve::animation::follower::{Follower, FollowMode};
 use radiosity_solve::animation::frame::Frame;
-use radiosity_solve::{Algorithm, Options};
+use radiosity_solve::{LightMethod, Options};
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
@@ -126,12 +126,12 @@ enum Follow {
 }
 
 impl AnimateArgs {
-    fn way(&self) -> Way {
+    fn way(&self) -> FollowMode {
         match self.way {
-            Follow::Fresh => Way::Fresh,
-            Follow::Selective => Way::Selective,
-            Follow::Path => Way::Path { tolerance: self.path_eps },
-            Follow::Series => Way::Series { tolerance: self.path_eps },
+            Follow::Fresh => FollowMode::Fresh,
+            Follow::Selective => FollowMode::Selective,
+            Follow::Path => FollowMode::Path { tolerance: self.path_eps },
+            Follow::Series => FollowMode::Series { tolerance: self.path_eps },
         }
     }
 
@@ -146,7 +146,7 @@ impl AnimateArgs {
                 "leave it out and choose --quality, or --order and --eps, which hold for all frames",
             );
         }
-        if asked.method == Algorithm::Hierarchical {
+        if asked.method == LightMethod::Hierarchical {
             return refuse(
                 "--method hierarchical: links of one frame are not those of another",
                 "leave it out; solve --frame K solves a single frame by links",

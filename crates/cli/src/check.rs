@@ -9,11 +9,11 @@ use clap::{Args, ValueEnum};
 use radiosity_geom::Adjacency;
 use radiosity_geom::DVec3;
 use radiosity_scene::{
-    Animation, Camera, Distribution, Extent, Imported, Luminaire, Lying, Mover, Scene, SceneSurface,
+    Animation, Camera, Distribution, Extent, Imported, Luminaire, LiesOn, Mover, Scene, SceneSurface,
     SensorPlane,
 };
-use radiosity_visibility::footings::Footing;
-use radiosity_visibility::inspection::{Contact, Fronts, Inspection, NearPoint, Passage, Shell, Warning};
+use radiosity_visibility::footprints::Footprint;
+use radiosity_visibility::inspection::{SurfaceContact, Fronts, Inspection, NearPoint, Passage, Shell, Warning};
 use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
@@ -91,11 +91,11 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     if scene.fitted.welded.corners > 0 {
         writeln!(text, "welded: {}", scene.fitted.welded)?;
     }
-    for Lying { surface, on } in &scene.fitted.lying {
+    for LiesOn { surface, on } in &scene.fitted.lying {
         writeln!(text, "set apart: {surface} lies on {on}")?;
     }
-    for footing in &inspection.footings {
-        writeln!(text, "covered: {}", footing_line(scene, footing))?;
+    for footprint in &inspection.footprints {
+        writeln!(text, "covered: {}", footprint_line(scene, footprint))?;
     }
     for shell in &inspection.shells {
         writeln!(text, "closed: {}", shell_line(scene, shell))?;
@@ -222,10 +222,10 @@ fn luminaire_json(own: &Luminaire, scene: &Scene) -> Value {
 }
 
 /// One row for each surface and way of touching, each contact named once.
-fn contact_table(scene: &Scene, contacts: &[Contact]) -> Table {
+fn contact_table(scene: &Scene, contacts: &[SurfaceContact]) -> Table {
     let mut table = Table::new(["surface", "touches", "of"]);
     let mut rows: Vec<(usize, &str, Vec<&str>)> = Vec::new();
-    for Contact { surfaces: [own, other], touch } in contacts {
+    for SurfaceContact { surfaces: [own, other], touch } in contacts {
         let (way, name) = (way(*touch), scene.surfaces[*other].name.as_str());
         // All contacts of a surface with later ones stand together.
         match rows.iter_mut().rev().take_while(|row| row.0 == *own).find(|row| row.1 == way) {
@@ -263,11 +263,11 @@ fn shell_line(scene: &Scene, shell: &Shell) -> String {
     format!("{}; volume {volume:.6}, fronts {}", listed(&names), side(*fronts))
 }
 
-fn footing_line(scene: &Scene, footing: &Footing) -> String {
+fn footprint_line(scene: &Scene, footprint: &Footprint) -> String {
     let name = |index: &usize| scene.surfaces[*index].name.as_str();
-    let standing: Vec<&str> = footing.standing.iter().map(name).collect();
-    let area = footing.region.area();
-    format!("{:.6} of {}, where {} stand", area, name(&footing.surface), listed(&standing))
+    let standing: Vec<&str> = footprint.standing.iter().map(name).collect();
+    let area = footprint.region.area();
+    format!("{:.6} of {}, where {} stand", area, name(&footprint.surface), listed(&standing))
 }
 
 /// Lines on the animation: number of frames, and the things that move.
@@ -338,9 +338,9 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         let surfaces: Vec<&str> = shell.surfaces.iter().map(name).collect();
         json!({ "surfaces": surfaces, "volume": shell.volume, "fronts": side(shell.fronts) })
     });
-    let footings = inspection.footings.iter().map(|footing| {
-        let standing: Vec<&str> = footing.standing.iter().map(name).collect();
-        json!({ "surface": name(&footing.surface), "area": footing.region.area(), "standing": standing })
+    let footprints = inspection.footprints.iter().map(|footprint| {
+        let standing: Vec<&str> = footprint.standing.iter().map(name).collect();
+        json!({ "surface": name(&footprint.surface), "area": footprint.region.area(), "standing": standing })
     });
     let camera = scene.camera.as_ref().map(|camera| {
         json!({
@@ -359,7 +359,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         "area": inspection.areas.iter().sum::<f64>(),
         "variables": scene.variables.iter().cloned().collect::<BTreeMap<_, _>>(),
         "surfaces": surfaces.collect::<Vec<_>>(), "materials": materials::as_json(scene), "contacts": contacts.collect::<Vec<_>>(),
-        "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
+        "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footprints.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
         "luminaires": scene.luminaires.iter().map(|own| luminaire_json(own, scene)).collect::<Vec<_>>(),
         "animation": motion_json(scene, inspection),
         "near_points": inspection.near_points, "planes": planes.collect::<Vec<_>>(), "warnings": inspection.warnings,

@@ -7,11 +7,11 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use radiosity_output::drawings::chart::Chart;
 use radiosity_published::bases::Basis;
-use radiosity_request::check_ways;
+use radiosity_request::check_series;
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use radiosity_solve::solved::Solved;
-use radiosity_solve::studies::convergence::{Reference, Run, Way, convergence};
+use radiosity_solve::studies::convergence::{Reference, ConvergenceRun, RunSeries, convergence};
 use radiosity_solve::studies::error_norm::distance;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
@@ -54,8 +54,8 @@ pub(crate) struct ConvergenceArgs {
     /// Adds runs by other ways to those at rising orders, parted by commas: hierarchical (constants by weaker
     /// and weaker links), hp (elements refined for gathered light), sampled (more and more rays), constant,
     /// linear, harmonic (the bases of --basis)
-    #[arg(long = "with", value_name = "WAYS", value_delimiter = ',', value_parser = other_way())]
-    pub(crate) other: Vec<Way>,
+    #[arg(long = "with", value_name = "WAYS", value_delimiter = ',', value_parser = one_of_others())]
+    pub(crate) other: Vec<RunSeries>,
 
     /// Adds runs in the other bases of the variational source: --with constant,linear,harmonic
     #[arg(long)]
@@ -93,7 +93,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
     }
     args.check_basis()?;
     args.method.request().check()?;
-    check_ways(&args.method.request(), &args.other_ways())?;
+    check_series(&args.method.request(), &args.other_series())?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = kind(&path)?;
     let output = args.scene.kept_apart(OutputFile::reserve(&path, ranks)?)?;
@@ -101,7 +101,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
     let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
     let options = options(&args.method, ranks);
-    let other = args.other_ways();
+    let other = args.other_series();
     let runs = match &reference {
         None => convergence(scene, &options, &other, &Reference::FinestRun, &work)?,
         Some(Solved { outcome, .. }) => {
@@ -126,8 +126,8 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
 
 impl ConvergenceArgs {
     /// All ways other than that of rising orders.
-    fn other_ways(&self) -> Vec<Way> {
-        let bases = Way::BASES.into_iter().filter(|way| self.bases && !self.other.contains(way));
+    fn other_series(&self) -> Vec<RunSeries> {
+        let bases = RunSeries::BASES.into_iter().filter(|series| self.bases && !self.other.contains(series));
         self.other.iter().copied().chain(bases).collect()
     }
 
@@ -152,10 +152,10 @@ impl ConvergenceArgs {
 }
 
 /// Parser of a way other than rising orders, which every study runs.
-fn other_way() -> impl TypedValueParser<Value = Way> {
-    let others = Way::value_variants().iter().filter(|way| **way != Way::Uniform);
-    PossibleValuesParser::new(others.map(|way| way.name()))
-        .map(|name| Way::from_str(&name, false).expect("the parser lets only listed names pass"))
+fn one_of_others() -> impl TypedValueParser<Value = RunSeries> {
+    let others = RunSeries::value_variants().iter().filter(|series| **series != RunSeries::Uniform);
+    PossibleValuesParser::new(others.map(|series| series.name()))
+        .map(|name| RunSeries::from_str(&name, false).expect("the parser lets only listed names pass"))
 }
 
 /// File format of a chart.
@@ -190,9 +190,9 @@ fn same_scene(path: &Path, scene: &Scene, ranks: &Ranks) -> Result<Solved, CliEr
     })
 }
 
-fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &'a [Run]) -> Chart<'a> {
+fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &'a [ConvergenceRun]) -> Chart<'a> {
     let title = scene.title.as_ref().unwrap_or(&scene.name);
-    let uniform = runs.iter().rfind(|run| run.way == Way::Uniform);
+    let uniform = runs.iter().rfind(|run| run.series == RunSeries::Uniform);
     let finest = uniform.map_or_else(String::new, |run| match run.layers {
         0 => format!("order {}", run.order),
         layers => format!("order {} on {layers} layers", run.order),
@@ -229,12 +229,12 @@ const HEADER: [&str; 11] = [
     "way", "order", "layers", "elements", "unknowns", "samples", "rays", "seconds", "error", "rate", "energy",
 ];
 
-fn text(runs: &[Run]) -> String {
+fn text(runs: &[ConvergenceRun]) -> String {
     let mut table = Table::new(HEADER);
     for run in runs {
         let number = |x: Option<f64>, show: fn(f64) -> String| x.map_or_else(|| "–".to_owned(), show);
         table.row([
-            run.way.name().to_owned(),
+            run.series.name().to_owned(),
             run.order.to_string(),
             run.layers.to_string(),
             run.elements.to_string(),
@@ -250,15 +250,15 @@ fn text(runs: &[Run]) -> String {
     table.to_string()
 }
 
-fn csv(runs: &[Run]) -> String {
+fn csv(runs: &[ConvergenceRun]) -> String {
     let mut table = HEADER.join(",") + "\n";
     for run in runs {
-        let Run { order, layers, elements, unknowns, samples, rays, seconds, .. } = run;
+        let ConvergenceRun { order, layers, elements, unknowns, samples, rays, seconds, .. } = run;
         let [error, rate, energy] =
             [run.error, run.rate, run.energy].map(|x| x.map_or_else(String::new, |x| x.to_string()));
         table += &format!(
             "{},{order},{layers},{elements},{unknowns},{samples},{rays},{seconds},{error},{rate},{energy}\n",
-            run.way.name()
+            run.series.name()
         );
     }
     table

@@ -150,10 +150,10 @@ fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant, ranks: &Ranks) -> Re
     let progress = Progress::new(args.transfers.quiet, ranks);
     let show = |event| {
         if let Event::Done { stage: Stage::Blocks | Stage::Comparison, .. } | Event::Rays { .. } = event {
-            progress.hear(event);
+            progress.report(event);
         }
     };
-    let work = Work::among(ranks).told(&show);
+    let work = Work::among(ranks).observed_by(&show);
     let wanted = args.request().options(ranks);
     let heat = Heat::of(scene, &wanted, &work)?;
     destination.write(|writer| write(&heat, format, writer))?;

@@ -13,7 +13,7 @@ use radiosity_reading::quality::Quality;
 use radiosity_request::{Kernel, MethodRequest, Order, SceneRequest, Shadows, ranges};
 use radiosity_scene::Scene;
 use radiosity_solve::studies::adaptation::Goal;
-use radiosity_solve::{Algorithm, Direct, MOST_RAYS, Preconditioning, Transport};
+use radiosity_solve::{LightMethod, Direct, MOST_RAYS, Preconditioning, Transport};
 use radiosity_solvers::method::Method;
 use radiosity_work::Deadline;
 use radiosity_work::ranks::Ranks;
@@ -121,7 +121,7 @@ pub(crate) struct MethodArgs {
 
     /// Which algorithm finds the light
     #[arg(long, value_name = "NAME", default_value = "galerkin")]
-    pub(crate) method: Algorithm,
+    pub(crate) method: LightMethod,
 
     /// Functions whose sums the light on surfaces is; those other than legendre are for comparison
     #[arg(long, value_name = "NAME", default_value = "legendre")]

@@ -103,7 +103,7 @@ impl Progress {
 }
 
 impl Observer for Progress {
-    fn hear(&self, event: Event) {
+    fn report(&self, event: Event) {
         match event {
             Event::Expected { stage, seconds } => self.expect(stage, seconds),
             Event::Done { stage, done, of } => self.show(stage.name(), done, of),

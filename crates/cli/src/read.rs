@@ -9,7 +9,7 @@ use radiosity_reading::reader::Read;
 use radiosity_request::ReadRequest;
 use radiosity_request::ranges;
 use radiosity_solve::Options;
-use radiosity_solve::gather::choice::By;
+use radiosity_solve::gather::gather_method::GatherMethod;
 
 use crate::error::CliError;
 use crate::numbers::accuracy;
@@ -28,7 +28,7 @@ pub(crate) struct ReadArgs {
 
     /// By what light is gathered [default: auto]
     #[arg(long, value_name = "WAY")]
-    pub(crate) read_by: Option<By>,
+    pub(crate) read_by: Option<GatherMethod>,
 
     /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 1e-2 of
     /// a solution by rays; less for a wanted accuracy below 4e-3: 0.3 of that]
@@ -49,7 +49,7 @@ impl ReadArgs {
     }
 
     /// Way of gathering light.
-    pub(crate) fn by(&self) -> By {
+    pub(crate) fn by(&self) -> GatherMethod {
         self.read_by.unwrap_or_default()
     }
 

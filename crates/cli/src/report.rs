@@ -87,7 +87,7 @@ fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress, ranks: &Ranks
     let threads = args.method.threads.unwrap_or(usual.options.threads);
     let memory = args.method.memory.or_else(|| usable(ranks));
     let wanted = HeatOptions { options: Options { memory, threads, ..usual.options }, ..usual };
-    Heat::of(scene, &wanted, &Work::among(ranks).told(&show))
+    Heat::of(scene, &wanted, &Work::among(ranks).observed_by(&show))
 }
 
 /// The balance, or the error of the scene that the report tells; failures of the solver end the command.

@@ -19,7 +19,7 @@ use radiosity_reading::warning::Warning;
 use radiosity_request::aim::at_probes;
 use radiosity_scene::{LightGroup, Scene};
 use radiosity_solve::checks::Checks;
-use radiosity_solve::gather::choice::By;
+use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::{Achieved, Aim, Goal};
 use radiosity_solve::{Functional, Options, Outcome, in_threads};
@@ -238,7 +238,7 @@ impl Run {
     pub(crate) fn to_gather(
         loaded: Loaded,
         method: &MethodArgs,
-        by: By,
+        by: GatherMethod,
         report: &ReportArgs,
         work: &Work<'_>,
     ) -> Result<Self, CliError> {
@@ -252,7 +252,7 @@ impl Run {
         loaded: Loaded,
         sensors: &[Probe],
         method: &MethodArgs,
-        by: By,
+        by: GatherMethod,
         report: &ReportArgs,
         work: &Work<'_>,
     ) -> Result<Self, CliError> {

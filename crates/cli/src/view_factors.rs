@@ -118,7 +118,7 @@ fn of_scene(
             progress.show("pairs", done, of);
         }
     };
-    let work = Work::among(ranks).told(&show);
+    let work = Work::among(ranks).observed_by(&show);
     let factors = ViewFactors::of_pairs(scene, &wanted, &args.transfers.request().factors(), &work)?;
     let form = Form { format, sparse: args.sparse, pairs };
     destination.write(|writer| form.write(scene, &factors, writer))?;

@@ -139,8 +139,8 @@ impl Heat {
             conductances,
             outcome,
         };
-        let compared = |progress| work.tell(of_comparison(progress));
-        heat.add_errors_of_orders(scene, &roles, &options, &work.told(&compared))?;
+        let compared = |progress| work.report(of_comparison(progress));
+        heat.add_errors_of_orders(scene, &roles, &options, &work.observed_by(&compared))?;
         Ok(heat)
     }
 
@@ -231,6 +231,6 @@ fn solved(scene: &Scene, roles: &Roles, options: &Options, work: &Work<'_>) -> R
     }
     let levels = shields::levels(roles, &outcome.solution);
     let radiant = at_levels(radiant, roles, &levels);
-    let outcome = outcome.relit(&radiant).expect("each shield is a group");
+    let outcome = outcome.relight(&radiant).expect("each shield is a group");
     Ok(Solved { model, outcome, closure })
 }

@@ -24,7 +24,7 @@ use radiosity_light::direct::DirectLight;
 use radiosity_light::occluders::Site;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::reflected::Reflection;
-use radiosity_solve::gather::by_rays::{Deviation, Receiver};
+use radiosity_solve::gather::ray_gather::{Deviation, Receiver};
 use radiosity_solve::solution::Place;
 use radiosity_work::ranks::{PartName, vector};
 use radiosity_work::{Stage, Work};
@@ -89,7 +89,7 @@ pub fn grid(reader: &Reader, cells: [usize; 2], rates: Rates, work: &Work<'_>) -
     let all = work.ranks.map_even(PartName::Cells, total, AT_ONCE, |place| {
         let (surface, k) = (place / rects.len(), place % rects.len());
         let integrals = Integrals::over(reader, surface, &rects[k], rates);
-        work.tell_done(Stage::Cells, done.fetch_add(1, Ordering::Relaxed) + 1, total);
+        work.report_done(Stage::Cells, done.fetch_add(1, Ordering::Relaxed) + 1, total);
         let shape = reader.solution().elements().shape(surface);
         let area = outlines[surface]
             .as_ref()

@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use radiosity_geom::DVec3;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_scene::SensorPlane;
-use radiosity_solve::gather::by_rays::Deviation;
-use radiosity_solve::gather::spot::Spot;
+use radiosity_solve::gather::ray_gather::Deviation;
+use radiosity_solve::gather::surface_point::SurfacePoint;
 use radiosity_solve::solution::Place;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
@@ -98,7 +98,7 @@ pub fn probe(
     let done = AtomicUsize::new(0);
     let found = work.ranks.map_even(PartName::Points, probes.len(), TOGETHER, |number| {
         let found = read(reader, &probes[number], middle);
-        work.tell_done(Stage::Points, done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
+        work.report_done(Stage::Points, done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
         found
     });
     let reading = |(number, found): (usize, Result<Found, ProbeFault>)| {
@@ -119,21 +119,21 @@ struct Found {
 fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Found, ProbeFault> {
     let (position, normal) = (probe.position - middle, probe.normal);
     let elements = reader.solution().elements();
-    let spot = Spot::find(elements, reader.visibility(), position, normal);
-    let along_surface = |spot: &Spot| reader.irradiance(spot.element, &place(reader, spot), spot.normal);
-    let (value, on) = match spot {
+    let point = SurfacePoint::find(elements, reader.visibility(), position, normal);
+    let along_surface = |point: &SurfacePoint| reader.irradiance(point.element, &place(reader, point), point.normal);
+    let (value, on) = match point {
         None => {
             let free = ReceiverPoint::free(position, normal);
             (reader.gathered(&free).ok_or(ProbeFault::OffSurface)?, None)
         }
-        Some(spot) if reader.gathers() && spot.normal.dot(normal) < EQUAL_NORMAL => {
-            let on = on(reader, &spot, &along_surface(&spot).irradiance);
-            (reader.gathered(&spot.receiver_point(normal)).ok_or(ProbeFault::Tilted)?, Some(on))
+        Some(point) if reader.gathers() && point.normal.dot(normal) < EQUAL_NORMAL => {
+            let on = on(reader, &point, &along_surface(&point).irradiance);
+            (reader.gathered(&point.receiver_point(normal)).ok_or(ProbeFault::Tilted)?, Some(on))
         }
-        Some(spot) if spot.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),
-        Some(spot) => {
-            let value = along_surface(&spot);
-            let on = on(reader, &spot, &value.irradiance);
+        Some(point) if point.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),
+        Some(point) => {
+            let value = along_surface(&point);
+            let on = on(reader, &point, &value.irradiance);
             (value, Some(on))
         }
     };
@@ -141,21 +141,21 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Found, ProbeFau
     Ok(Found { irradiance, deviation, on })
 }
 
-/// Where a spot is read: polynomials have a value at the foot itself, recomputed light near it.
-fn place(reader: &Reader, spot: &Spot) -> Place {
+/// Where a surface point is read: polynomials have a value at the foot itself, recomputed light near it.
+fn place(reader: &Reader, point: &SurfacePoint) -> Place {
     if !matches!(reader.light(), Light::Basis) {
-        return spot.place;
+        return point.place;
     }
-    let Place { surface, .. } = spot.place;
-    let position = reader.solution().elements().shape(surface).jet(spot.foot[0], spot.foot[1]).position;
-    Place { surface, parameters: spot.foot, position }
+    let Place { surface, .. } = point.place;
+    let position = reader.solution().elements().shape(surface).jet(point.foot[0], point.foot[1]).position;
+    Place { surface, parameters: point.foot, position }
 }
 
-fn on(reader: &Reader, spot: &Spot, irradiance: &[f64]) -> OnSurface {
-    let behind = reader.behind(spot.element, &place(reader, spot), spot.normal);
+fn on(reader: &Reader, point: &SurfacePoint, irradiance: &[f64]) -> OnSurface {
+    let behind = reader.behind(point.element, &place(reader, point), point.normal);
     let bands = reader.solution().bands().iter().zip(irradiance).zip(behind);
     let radiosity = bands.map(|((band, irradiance), behind)| {
-        band.coating.radiosity(spot.element, spot.place.parameters, *irradiance, behind)
+        band.coating.radiosity(point.element, point.place.parameters, *irradiance, behind)
     });
-    OnSurface { surface: spot.place.surface, parameters: spot.foot, radiosity: radiosity.collect() }
+    OnSurface { surface: point.place.surface, parameters: point.foot, radiosity: radiosity.collect() }
 }

@@ -12,7 +12,7 @@
 //! with exact shadows, and in pictures read from polynomials the error of the basis dominates.
 
 use radiosity_solve::Options;
-use radiosity_solve::gather::choice::{By, USUAL_EPS};
+use radiosity_solve::gather::gather_method::{GatherMethod, USUAL_EPS};
 use serde::Deserialize;
 
 use crate::grid::Rates;
@@ -40,7 +40,7 @@ pub struct Reading {
     /// The source of light at cells and points.
     pub read: Read,
     /// Way of gathering light: by cells or by rays.
-    pub by: By,
+    pub by: GatherMethod,
     /// Relative accuracy of gathered light.
     pub eps: f64,
     /// Points along each side of a cell.
@@ -67,6 +67,6 @@ impl Quality {
             Self::Fine => (Read::Gather, 7e-4, 4, 2),
             Self::Finest => (Read::GatherTwice, 4e-4, 4, 3),
         };
-        Reading { read, by: By::Auto, eps, rates: Rates { direct, indirect } }
+        Reading { read, by: GatherMethod::Auto, eps, rates: Rates { direct, indirect } }
     }
 }

@@ -4,8 +4,8 @@ use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_solve::gather::Gather;
-use radiosity_solve::gather::by_rays::{Deviation, Estimate, RayGather, Receiver};
-use radiosity_solve::gather::choice::By;
+use radiosity_solve::gather::ray_gather::{Deviation, RayEstimate, RayGather, Receiver};
+use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solution::{Place, Solution};
 use radiosity_visibility::Visibility;
 use serde::Deserialize;
@@ -61,8 +61,8 @@ impl From<Vec<f64>> for Value {
     }
 }
 
-impl From<Estimate> for Value {
-    fn from(Estimate { irradiance, deviation }: Estimate) -> Self {
+impl From<RayEstimate> for Value {
+    fn from(RayEstimate { irradiance, deviation }: RayEstimate) -> Self {
         Self { irradiance, deviation: Some(deviation) }
     }
 }
@@ -70,11 +70,11 @@ impl From<Estimate> for Value {
 impl<'a> Reader<'a> {
     /// Prepares to read `solution`; recomputed light has about the relative accuracy `eps`.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
-        Self::by(By::Auto, solution, visibility, read, eps)
+        Self::by(GatherMethod::Auto, solution, visibility, read, eps)
     }
 
     /// As [`Reader::new`], with gathered light by cells or by rays.
-    pub fn by(by: By, solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
+    pub fn by(by: GatherMethod, solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
         let light = match read {
             Read::Gather | Read::GatherTwice
                 if by.rays(solution, visibility, eps, read == Read::GatherTwice) =>

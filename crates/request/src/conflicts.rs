@@ -3,8 +3,8 @@
 use radiosity_elements::cells::Layers;
 use radiosity_published::bases::Basis;
 use radiosity_published::zatz1993::masked_light::Masking;
-use radiosity_solve::studies::convergence::Way;
-use radiosity_solve::{Algorithm, Direct, Preconditioning, Transport};
+use radiosity_solve::studies::convergence::RunSeries;
+use radiosity_solve::{LightMethod, Direct, Preconditioning, Transport};
 use radiosity_work::wording::{Wording, option, set, value, words};
 
 use super::method::MethodRequest;
@@ -86,7 +86,7 @@ fn check_hierarchical(method: &MethodRequest) -> Result<(), Refusal> {
         (method.direct != Direct::Auto, option("direct")),
     ];
     match unknown.into_iter().find(|(is_typed, _)| *is_typed) {
-        Some((_, name)) if method.method == Algorithm::Hierarchical => Err(Refusal::new(
+        Some((_, name)) if method.method == LightMethod::Hierarchical => Err(Refusal::new(
             set("method", "hierarchical") + " knows no " + name.clone() + ": it links constants",
             words("leave ") + name + " out, or leave " + option("method") + " out",
         )),
@@ -161,7 +161,7 @@ fn check_bounces(method: &MethodRequest) -> Result<(), Refusal> {
         return Ok(());
     }
     let unknown = [
-        (method.method == Algorithm::Hierarchical, set("method", "hierarchical")),
+        (method.method == LightMethod::Hierarchical, set("method", "hierarchical")),
         (method.wanted_accuracy().is_some(), option("accuracy")),
     ];
     refuse(option("bounces"), unknown)
@@ -171,17 +171,17 @@ fn check_bounces(method: &MethodRequest) -> Result<(), Refusal> {
 ///
 /// # Errors
 /// The first such option.
-pub fn check_ways(method: &MethodRequest, ways: &[Way]) -> Result<(), Refusal> {
-    for way in ways {
-        let name = set("with", way.name());
-        match way {
-            Way::Uniform => {}
-            Way::Constant | Way::Linear | Way::Harmonic => refuse(name, others(method))?,
-            Way::Hierarchical | Way::Hp | Way::Sampled => refuse(
+pub fn check_series(method: &MethodRequest, series: &[RunSeries]) -> Result<(), Refusal> {
+    for series in series {
+        let name = set("with", series.name());
+        match series {
+            RunSeries::Uniform => {}
+            RunSeries::Constant | RunSeries::Linear | RunSeries::Harmonic => refuse(name, others(method))?,
+            RunSeries::Hierarchical | RunSeries::Hp | RunSeries::Sampled => refuse(
                 name,
                 [
                     (method.basis != Basis::Legendre, option("basis")),
-                    (method.bounces.is_some() && *way != Way::Sampled, option("bounces")),
+                    (method.bounces.is_some() && *series != RunSeries::Sampled, option("bounces")),
                 ],
             )?,
         }
@@ -193,7 +193,7 @@ pub fn check_ways(method: &MethodRequest, ways: &[Way]) -> Result<(), Refusal> {
 fn others(method: &MethodRequest) -> [(bool, Wording); 8] {
     let has_no_degree = matches!(method.basis, Basis::Constant | Basis::Linear);
     [
-        (method.method == Algorithm::Hierarchical, set("method", "hierarchical")),
+        (method.method == LightMethod::Hierarchical, set("method", "hierarchical")),
         (method.wanted_accuracy().is_some(), option("accuracy")),
         (method.aim.is_some(), option("for")),
         (method.kernel.rules().is_some(), option("kernel")),

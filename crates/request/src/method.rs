@@ -8,7 +8,7 @@ use radiosity_published::bases::Basis;
 use radiosity_published::zatz1993::masked_light::Masking;
 use radiosity_reading::quality::Quality;
 use radiosity_solve::studies::adaptation::Aim;
-use radiosity_solve::{Algorithm, Direct, Options, Preconditioning, Transport};
+use radiosity_solve::{LightMethod, Direct, Options, Preconditioning, Transport};
 use radiosity_solvers::method::Method;
 use radiosity_work::ranks::Ranks;
 
@@ -24,8 +24,8 @@ const AUTO_ACCURACY: f64 = 1e-2;
 pub struct MethodRequest {
     /// Preset of order, accuracies and points read.
     pub quality: Quality,
-    /// Algorithm that finds the light.
-    pub method: Algorithm,
+    /// Method that finds the light.
+    pub method: LightMethod,
     /// Functions whose sums the light on surfaces is.
     pub basis: Basis,
     /// Degree of the polynomials on each element.

@@ -4,7 +4,7 @@ use radiosity_reading::grid::Rates;
 use radiosity_reading::quality::Reading;
 use radiosity_reading::reader::Read;
 use radiosity_solve::Options;
-use radiosity_solve::gather::choice::By;
+use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::{Aim, Goal};
 use radiosity_visibility::Hiding;
@@ -23,7 +23,7 @@ pub struct ReadRequest {
     /// Source of irradiance: polynomials or recomputed light.
     pub read: Option<Read>,
     /// Method of gathering: by cells or by rays.
-    pub by: Option<By>,
+    pub by: Option<GatherMethod>,
     /// Relative accuracy of recomputed light.
     pub eps: Option<f64>,
     /// Points along each side of a cell; light is then gathered by cells.
@@ -56,7 +56,7 @@ impl ReadRequest {
                     + " gather none",
                 words("leave one of them out, or take ") + set("read", "gather"),
             ),
-            _ if self.by == Some(By::Rays) && (options.masks.is_some() || options.shadows == Hiding::Off) => {
+            _ if self.by == Some(GatherMethod::Rays) && (options.masks.is_some() || options.shadows == Hiding::Off) => {
                 refuse(
                     set("read-by", "rays")
                         + " always sees exact shadows, and the solution has others: "
@@ -66,7 +66,7 @@ impl ReadRequest {
                     words("take ") + set("read-by", "cells") + ", or solve with other shadows",
                 )
             }
-            _ if self.by == Some(By::Rays) && self.samples.is_some() => refuse(
+            _ if self.by == Some(GatherMethod::Rays) && self.samples.is_some() => refuse(
                 option("read-samples")
                     + " counts points, and "
                     + set("read-by", "rays")
@@ -88,7 +88,7 @@ impl ReadRequest {
         Reading {
             read: self.read.unwrap_or(usual.read),
             // Rays count no points.
-            by: if self.samples.is_some() { By::Cells } else { self.by.unwrap_or_default() },
+            by: if self.samples.is_some() { GatherMethod::Cells } else { self.by.unwrap_or_default() },
             eps: self.eps.unwrap_or(eps),
             rates: self.samples.unwrap_or(usual.rates),
         }

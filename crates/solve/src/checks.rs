@@ -25,7 +25,7 @@ mod balance;
 use radiosity_core::{dot, norm};
 use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
-use radiosity_light::first_bounce::Entry;
+use radiosity_light::first_bounce::DirectLightEntry;
 use radiosity_transport::Carrier;
 use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
@@ -33,7 +33,7 @@ use serde::{Deserialize, Serialize};
 use crate::solution::powers::Powers;
 use crate::solution::{Band, Place, Solution};
 
-pub(crate) use balance::{Balance, Lit};
+pub(crate) use balance::{Balance, BandLight};
 
 /// Most power iterations, and residual over eigenvalue at which they end. Both are chosen, not tuned.
 const MOST_STEPS: usize = 40;
@@ -72,10 +72,10 @@ pub struct Checks {
 impl Checks {
     /// The checks of a solution computed with `blocks`, which these ranks hold, into which direct light
     /// entered by `entry`.
-    pub fn of(solution: &Solution, blocks: &dyn Carrier, entry: &Entry, ranks: &Ranks) -> Self {
+    pub fn of(solution: &Solution, blocks: &dyn Carrier, entry: &DirectLightEntry, ranks: &Ranks) -> Self {
         let points = solution.emitters().points;
         let bands = solution.bands().iter().enumerate();
-        let light: Vec<Lit<'_>> = bands.map(|(index, band)| lit(band, points.flux(index))).collect();
+        let light: Vec<BandLight<'_>> = bands.map(|(index, band)| lit(band, points.flux(index))).collect();
         let powers = Balance::of(solution.elements(), blocks).powers(&light, entry);
         Self::with_powers(solution, blocks, powers, ranks)
     }
@@ -111,7 +111,7 @@ impl Checks {
     }
 
     /// The checks of the same light at other factors of its groups: those of geometry and reflectance stay.
-    pub(crate) fn relit(&self, solution: &Solution) -> Self {
+    pub(crate) fn relight(&self, solution: &Solution) -> Self {
         let powers = solution.powers().unwrap_or_default();
         Self {
             energy_in: powers.emitted,
@@ -128,8 +128,8 @@ impl Checks {
     }
 }
 
-fn lit(band: &Band, flux: f64) -> Lit<'_> {
-    Lit { coating: &band.coating, flux, coefficients: &band.coefficients }
+fn lit(band: &Band, flux: f64) -> BandLight<'_> {
+    BandLight { coating: &band.coating, flux, coefficients: &band.coefficients }
 }
 
 fn closure(which: &[usize], starts: &[usize], ones: &[f64], open: &[f64]) -> f64 {
@@ -256,7 +256,7 @@ mod tests {
             let scaled: Vec<f64> = values.iter().map(|value| factor(row, column) * value).collect();
             blocks.push(row, column, &scaled);
         }
-        Checks::of(&outcome.solution, &blocks, &Entry::Carried, Ranks::alone())
+        Checks::of(&outcome.solution, &blocks, &DirectLightEntry::Carried, Ranks::alone())
     }
 
     #[test]

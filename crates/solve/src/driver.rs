@@ -30,24 +30,24 @@
 mod direct;
 mod preconditioning;
 mod outline;
-pub mod memory;
-mod fit;
+pub mod memory_estimate;
+mod memory_reduction;
 mod failure;
-mod pool;
-mod stopwatch;
-mod algorithm;
-mod choice;
+mod in_threads;
+mod timed;
+mod light_method;
+mod transport_choice;
 mod options;
-mod decision;
-mod allowance;
+mod choose_transport;
+mod memory_need;
 mod emission;
-mod band;
+mod solve_band;
 mod sampling;
 mod assembly;
 mod layout;
 mod first_light;
 mod outcome;
-mod bands;
+mod band_systems;
 mod model;
 mod by_links;
 
@@ -55,21 +55,21 @@ use radiosity_elements::mesh::Mesh;
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
-pub use algorithm::Algorithm;
+pub use light_method::LightMethod;
 use by_links::solve_by_links;
-pub use choice::{Choice, MOST_RAYS, Transport};
+pub use transport_choice::{TransportChoice, MOST_RAYS, Transport};
 pub use direct::Direct;
 pub use failure::Failure;
 pub use first_light::masked_light;
-pub use fit::Fit;
+pub use memory_reduction::MemoryReduction;
 pub(crate) use layout::Layout;
 pub use model::Model;
 pub use options::Options;
 pub use outcome::{Functional, Outcome, Stages};
-pub use pool::in_threads;
+pub use in_threads::in_threads;
 pub use preconditioning::Preconditioning;
 pub use sampling::Sampling;
-pub(crate) use stopwatch::timed;
+pub(crate) use timed::timed;
 
 /// Solves `scene`.
 ///
@@ -78,8 +78,8 @@ pub(crate) use stopwatch::timed;
 /// that cannot be started.
 pub fn solve(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
     match options.method {
-        Algorithm::Galerkin => Model::assemble(scene, options, work)?.solve(scene, work),
-        Algorithm::Hierarchical => solve_by_links(scene, options, work),
+        LightMethod::Galerkin => Model::assemble(scene, options, work)?.solve(scene, work),
+        LightMethod::Hierarchical => solve_by_links(scene, options, work),
     }
 }
 

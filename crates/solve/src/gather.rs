@@ -12,10 +12,10 @@
 //!
 //! Reference: I. H. Sloan, *Improvement by iteration for compact operator equations*, Math. Comp. 30 (1976).
 
-pub mod spot;
-mod scale;
-pub mod by_rays;
-pub mod choice;
+pub mod surface_point;
+mod mean_radiosity;
+pub mod ray_gather;
+pub mod gather_method;
 pub(crate) mod walks;
 
 use radiosity_elements::patch::Node;
@@ -26,7 +26,7 @@ use radiosity_light::reflected::Reflection;
 use radiosity_visibility::Visibility;
 
 use crate::solution::{Place, Solution};
-use scale::scales;
+use mean_radiosity::mean_radiosity;
 
 /// Tolerance of the first gathering over that of the second, which smooths its errors. Chosen; not tuned.
 const BEFORE: f64 = 5.0;
@@ -58,7 +58,7 @@ impl<'a> Gather<'a> {
             add_indirect(sent, element, node, &mut lit);
             lit
         };
-        let scale = scales(solution);
+        let scale = mean_radiosity(solution);
         let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
         Self { direct, reflection }
     }
@@ -79,7 +79,7 @@ impl<'a> Gather<'a> {
             let indirect = reflection.irradiance(&receiver, &around[element], &lit);
             lit.iter().zip(indirect).map(|(d, s)| d + s).collect()
         };
-        let scale = scales(solution);
+        let scale = mean_radiosity(solution);
         let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
         Self { direct, reflection }
     }
@@ -99,10 +99,10 @@ impl<'a> Gather<'a> {
         &self.reflection
     }
 
-    /// Irradiance (W m⁻²) per band at the point `receiver` of the site that `company` was made for.
-    pub(crate) fn irradiance(&self, receiver: &ReceiverPoint, company: &OccluderLists) -> Vec<f64> {
-        let direct = self.direct.irradiance(receiver, &company.direct);
-        let indirect = self.reflection.irradiance(receiver, &company.indirect, &direct);
+    /// Irradiance (W m⁻²) per band at the point `receiver` of the site that `occluders` were found for.
+    pub(crate) fn irradiance(&self, receiver: &ReceiverPoint, occluders: &OccluderLists) -> Vec<f64> {
+        let direct = self.direct.irradiance(receiver, &occluders.direct);
+        let indirect = self.reflection.irradiance(receiver, &occluders.indirect, &direct);
         direct.iter().zip(indirect).map(|(d, s)| d + s).collect()
     }
 

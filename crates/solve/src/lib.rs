@@ -19,6 +19,6 @@ pub mod animation;
 pub mod view_factors;
 
 pub use driver::{
-    Algorithm, Choice, Direct, Failure, Fit, Functional, MOST_RAYS, Model, Options, Outcome, Preconditioning,
+    LightMethod, TransportChoice, Direct, Failure, MemoryReduction, Functional, MOST_RAYS, Model, Options, Outcome, Preconditioning,
     Sampling, Stages, Transport, in_threads, solve,
 };

@@ -101,7 +101,7 @@ impl Solved {
     /// finite.
     pub fn relight(&self, settings: &[(&str, f64)]) -> Result<Self, RelightError> {
         let scene = self.scene.dimmed(settings)?;
-        let outcome = self.outcome.relit(&scene).ok_or(RelightError::NotApart)?;
+        let outcome = self.outcome.relight(&scene).ok_or(RelightError::NotApart)?;
         let visibility = Arc::clone(&self.visibility);
         Ok(Self { scene, options: self.options, outcome, achieved: self.achieved, visibility })
     }

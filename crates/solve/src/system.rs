@@ -58,7 +58,7 @@ use radiosity_elements::coating::{Coating, Root};
 use radiosity_elements::columns::transposed;
 use radiosity_elements::{Element, starts};
 use radiosity_kernel::Blocks;
-use radiosity_light::first_bounce::{Bounce, Entry};
+use radiosity_light::first_bounce::{Bounce, DirectLightEntry};
 use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
@@ -136,12 +136,12 @@ impl<'a> System<'a> {
         elements: &'a [Element],
         blocks: &'a Blocks,
         (band, coating): (usize, &'a Coating),
-        entry: &Entry,
+        entry: &DirectLightEntry,
     ) -> Self {
         match entry {
-            Entry::Carried => Self::new(elements, blocks, coating),
-            Entry::Lit(lit) => Self::lit(elements, blocks, coating, lit[band].clone()),
-            Entry::Split(Bounce { direct, reflected }) => {
+            DirectLightEntry::Carried => Self::new(elements, blocks, coating),
+            DirectLightEntry::Lit(lit) => Self::lit(elements, blocks, coating, lit[band].clone()),
+            DirectLightEntry::Split(Bounce { direct, reflected }) => {
                 Self::split(elements, blocks, coating, direct[band].clone(), reflected[band].clone())
             }
         }

@@ -23,7 +23,7 @@ use cpu_time::ProcessTime;
 
 use radiosity::Work;
 use radiosity::scene::Scene;
-use radiosity::solve::animation::follower::{Follower, Way};
+use radiosity::solve::animation::follower::{Follower, FollowMode};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::{Direct, Options, Transport};
 use radiosity::transport::RayCounts;
@@ -35,10 +35,10 @@ const FRESH: usize = 10;
 /// Relative error of interpolation, and of blocks by series.
 const TOLERANCE: f64 = 1e-4;
 
-const WAYS: [(Way, &str); 3] = [
-    (Way::Selective, "selective"),
-    (Way::Path { tolerance: TOLERANCE }, "path"),
-    (Way::Series { tolerance: TOLERANCE }, "series"),
+const WAYS: [(FollowMode, &str); 3] = [
+    (FollowMode::Selective, "selective"),
+    (FollowMode::Path { tolerance: TOLERANCE }, "path"),
+    (FollowMode::Series { tolerance: TOLERANCE }, "series"),
 ];
 
 /// A room with a table, and over it a lamp in a box that swings without turning.
@@ -163,7 +163,7 @@ impl Fresh {
         let last = count - 1;
         let numbers: Vec<usize> =
             (0..FRESH.min(count)).map(|k| k * last / (FRESH.min(count) - 1).max(1)).collect();
-        let mut follower = Follower::new(scene, options, Way::Fresh, [0, last]);
+        let mut follower = Follower::new(scene, options, FollowMode::Fresh, [0, last]);
         let begun = ProcessTime::now();
         let frames: Vec<Frame> = numbers.iter().map(|frame| frame_of(&mut follower, *frame)).collect();
         let each = begun.elapsed().as_secs_f64() / numbers.len() as f64;
@@ -185,7 +185,7 @@ fn compare(name: &str, scene: &Scene, options: &Options, count: usize) {
             let now = frame_of(&mut follower, frame);
             spent += begun.elapsed().as_secs_f64();
             if frame == 0 {
-                first = follower.account().rays;
+                first = follower.report().rays;
             }
             let is_less = spent < (frame + 1) as f64 * alone;
             repaid = is_less.then(|| repaid.unwrap_or(frame + 1));
@@ -195,12 +195,12 @@ fn compare(name: &str, scene: &Scene, options: &Options, count: usize) {
             }
         }
         let in_blocks = follower.repaid();
-        let rays = follower.account().rays;
+        let rays = follower.report().rays;
         let (solved, told) = (follower.solved(), follower.error());
         // Path: all frames again. Else: the last one and the one before it by turns, as the last one alone is
         // known to the bit.
         let again: Vec<usize> = match way {
-            Way::Path { .. } => (0..count).collect(),
+            FollowMode::Path { .. } => (0..count).collect(),
             _ => [count - 2, count - 1].repeat(3),
         };
         let begun = ProcessTime::now();

@@ -28,7 +28,7 @@ use radiosity::reading::reader::Read;
 use radiosity::reading::shown::Shown;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::Options;
-use radiosity::solve::animation::follower::{Follower, Way};
+use radiosity::solve::animation::follower::{Follower, FollowMode};
 use radiosity::visibility::Visibility;
 
 /// The films that the command line asks for.
@@ -71,7 +71,7 @@ fn row(name: &str, asked: &Asked) -> String {
     let [first, last] = asked.frames.unwrap_or([0, scene.frames() - 1]);
     let [width, height] = asked.size;
     let camera = Camera { width, height, ..scene.camera.clone().expect("it has a camera") };
-    let mut follower = Follower::new(&scene, &options, Way::Selective, [first, last]);
+    let mut follower = Follower::new(&scene, &options, FollowMode::Selective, [first, last]);
     let (mut light, mut picture) = (0.0, 0.0);
     let mut shots: Vec<Shot> = Vec::new();
     let mut sums = Sums::default();

@@ -23,7 +23,7 @@ use radiosity::reading::pictures::render::{render, usual_read};
 use radiosity::reading::reader::{Read, Reader};
 use radiosity::reading::shown::Shown;
 use radiosity::scene::Camera;
-use radiosity::solve::gather::choice::By;
+use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::solution::{Place, Solution};
 use radiosity::solve::{Options, solve};
 use radiosity::visibility::Visibility;
@@ -94,7 +94,7 @@ impl<'a> Errors<'a> {
         read: Read,
     ) -> Self {
         let raster = render(solution, visibility, camera, 1, read, Shown::Radiosity, &Work::alone());
-        let reader = |by: By, eps: f64| Reader::by(by, solution, visibility, Read::Gather, eps);
+        let reader = |by: GatherMethod, eps: f64| Reader::by(by, solution, visibility, Read::Gather, eps);
         let view = Pinhole::new(camera);
         let width = camera.width as usize;
         let look = |pixel: usize| {
@@ -109,9 +109,9 @@ impl<'a> Errors<'a> {
         Self {
             solution,
             reader: match name {
-                "teapot" => reader(By::Rays, 1e-3),
-                "temple" => reader(By::Rays, 3e-3),
-                _ => reader(By::Cells, 1e-4),
+                "teapot" => reader(GatherMethod::Rays, 1e-3),
+                "temple" => reader(GatherMethod::Rays, 3e-3),
+                _ => reader(GatherMethod::Cells, 1e-4),
             },
             width,
             seen: (0..width * camera.height as usize).map(look).collect(),

@@ -21,7 +21,7 @@ use radiosity::elements::cells::Layers;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::solve::driver::memory::MemoryEstimate;
+use radiosity::solve::driver::memory_estimate::MemoryEstimate;
 use radiosity::solve::system::System;
 use radiosity::solve::{Options, in_threads};
 use radiosity::transport;

@@ -9,8 +9,8 @@ use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::reading::grid::{Rates, grid};
 use radiosity::reading::reader::{Read, Reader};
 use radiosity::solve::gather::Gather;
-use radiosity::solve::gather::by_rays::{RayGather, Receiver};
-use radiosity::solve::gather::choice::By;
+use radiosity::solve::gather::ray_gather::{RayGather, Receiver};
+use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;
 use radiosity::{Scene, SceneBuilder, Work};
@@ -79,8 +79,8 @@ fn a_round_lamp_lights_points_near_and_far() {
 fn rays_and_cells_agree_and_the_error_told_is_true() {
     let scene = builtin("two-boxes");
     let (outcome, visibility) = solved(&scene);
-    let cells = Reader::by(By::Cells, &outcome.solution, &visibility, Read::Gather, 1e-4);
-    let rays = Reader::by(By::Rays, &outcome.solution, &visibility, Read::Gather, 1e-2);
+    let cells = Reader::by(GatherMethod::Cells, &outcome.solution, &visibility, Read::Gather, 1e-4);
+    let rays = Reader::by(GatherMethod::Rays, &outcome.solution, &visibility, Read::Gather, 1e-2);
     let (mut told, mut squares, mut count) = (0.0, 0.0, 0.0);
     let bounds = visibility.bounds();
     for k in 0..200 {
@@ -112,7 +112,7 @@ fn rays_from_all_of_a_cell_give_its_mean() {
         let reader = Reader::by(by, &outcome.solution, &visibility, Read::Gather, eps);
         grid(&reader, [2, 2], Rates { direct: 8, indirect: 4 }, &Work::alone())
     };
-    let (exact, found) = (read(By::Cells, 1e-3), read(By::Rays, 5e-3));
+    let (exact, found) = (read(GatherMethod::Cells, 1e-3), read(GatherMethod::Rays, 5e-3));
     let sum = |values: &[f64]| values.iter().sum::<f64>();
     let off = exact.iter().zip(&found).map(|(exact, found)| {
         let [exact, found] = [exact, found].map(|cell| sum(&cell.irradiance));

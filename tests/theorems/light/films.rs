@@ -6,7 +6,7 @@ use radiosity::reading::pictures::render::render;
 use radiosity::reading::reader::Read;
 use radiosity::reading::shown::Shown;
 use radiosity::scene::Scene;
-use radiosity::solve::animation::follower::{Follower, Way};
+use radiosity::solve::animation::follower::{Follower, FollowMode};
 use radiosity::solve::{Options, Transport};
 use radiosity::visibility::Visibility;
 use radiosity_test_support::scenes::typed;
@@ -48,7 +48,7 @@ fn film(scene: &Scene, transport: Transport, read: Read) -> Vec<Raster> {
     let options = Options { order: 1, transport, ..Options::default() };
     let camera = scene.camera.clone().expect("a camera");
     let frames = scene.frames();
-    let mut follower = Follower::new(scene, &options, Way::Selective, [0, frames - 1]);
+    let mut follower = Follower::new(scene, &options, FollowMode::Selective, [0, frames - 1]);
     let picture = |number: usize| {
         let frame = follower.frame(number, &Work::alone()).expect("it is solved");
         let visibility = Visibility::new(&frame.scene, (&options).into());

@@ -14,7 +14,7 @@ use radiosity::reading::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::gather::spot::Spot;
+use radiosity::solve::gather::surface_point::SurfacePoint;
 use radiosity::solve::solution::Solution;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::Disk;
@@ -36,8 +36,8 @@ fn scene(shapes: Shapes) -> Scene {
 }
 
 fn at(gather: &Gather, solution: &Solution, visibility: &Visibility, x: DVec3, n: DVec3) -> f64 {
-    let receiver = match Spot::find(solution.elements(), visibility, x, n) {
-        Some(spot) => spot.receiver_point(n),
+    let receiver = match SurfacePoint::find(solution.elements(), visibility, x, n) {
+        Some(point) => point.receiver_point(n),
         None => ReceiverPoint::free(x, n),
     };
     gather.at(&receiver)[0]
@@ -301,15 +301,15 @@ fn tight_accuracies_are_kept_and_gathered_light_is_no_worse_than_its_polynomials
                 Some("ceiling") => (1, [a, b, 1.0], -DVec3::Z, 1.0),
                 _ => (2, [0.0, a, b], DVec3::X, 0.0),
             };
-            let spot = Spot::find(
+            let point = SurfacePoint::find(
                 outcome.solution.elements(),
                 &visibility,
                 DVec3::from_array(place) - scene.middle,
                 normal,
             );
-            let spot = spot.expect("it lies on a wall");
-            assert_eq!(spot.place.surface, surface);
-            let irradiance = reader.irradiance(spot.element, &spot.place, spot.normal).irradiance[0];
+            let point = point.expect("it lies on a wall");
+            assert_eq!(point.place.surface, surface);
+            let irradiance = reader.irradiance(point.element, &point.place, point.normal).irradiance[0];
             ((emitted + 0.5 * irradiance) / exact - 1.0).powi(2)
         };
         (points.iter().map(square).sum::<f64>() / points.len() as f64).sqrt()

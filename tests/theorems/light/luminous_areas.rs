@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::reading::reader::{Read, Reader};
 use radiosity::scene::{Scene, Source};
-use radiosity::solve::gather::choice::By;
+use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::{Options, Transport};
 use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3 as V;
@@ -216,7 +216,7 @@ fn a_closed_room_absorbs_the_flux_of_an_area() {
 /// Cells and rays read the same light, in sun and shade, and a group dims it.
 #[test]
 fn readings_by_cells_and_by_rays_agree() {
-    let read = |scene: &Scene, by: By| {
+    let read = |scene: &Scene, by: GatherMethod| {
         let options = Options::default();
         let outcome = outcome_of(scene, &options);
         let visibility = Visibility::new(scene, (&options).into());
@@ -230,12 +230,12 @@ fn readings_by_cells_and_by_rays_agree() {
         points.map(|(x, n)| reader.gathered(&ReceiverPoint::free(x, n)).expect("it gathers").irradiance[0])
     };
     let scene = room("extent = \"file\"");
-    let exact = read(&scene, By::Cells);
-    for (found, exact) in read(&scene, By::Rays).into_iter().zip(exact) {
+    let exact = read(&scene, GatherMethod::Cells);
+    for (found, exact) in read(&scene, GatherMethod::Rays).into_iter().zip(exact) {
         assert_close(found, exact, 0.01);
     }
     let dimmed = scene.dimmed(&[("panel", 0.25)]).expect("the group is there");
-    for (found, exact) in read(&dimmed, By::Cells).into_iter().zip(exact) {
+    for (found, exact) in read(&dimmed, GatherMethod::Cells).into_iter().zip(exact) {
         assert_close(found, 0.25 * exact, 1e-3);
     }
 }

@@ -7,7 +7,7 @@ use radiosity::Work;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::reading::reader::{Read, Reader};
 use radiosity::scene::{Radiance, Scene};
-use radiosity::solve::gather::choice::By;
+use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::{Failure, Options, Transport, solve};
 use radiosity::visibility::{Hiding, Visibility};
 use radiosity_geom::DVec3 as V;
@@ -123,7 +123,7 @@ const WINDOW: &str = "quad = { vertices = [[0, 1, 1], [0, 4, 1], [0, 4, 2.5], [0
     material = \"wall\"\nquad = { vertices = [[1, 1, 3], [1, 3, 3], [2, 3, 3], [2, 1, 3]] }\n";
 
 /// Light at points of the room, and its balance: in, absorbed, lost.
-fn readings(scene: &Scene, by: By, options: &Options) -> (Vec<f64>, [f64; 3]) {
+fn readings(scene: &Scene, by: GatherMethod, options: &Options) -> (Vec<f64>, [f64; 3]) {
     let outcome = outcome_of(scene, options);
     let visibility = Visibility::new(scene, options.into());
     let reader = Reader::by(by, &outcome.solution, &visibility, Read::Gather, 3e-4);
@@ -147,8 +147,8 @@ fn a_skylight_under_a_uniform_sky_is_a_diffuse_emitter() {
         format!("[[surfaces]]\nname = \"opening\"\nmaterial = \"glass\"\nopening = true\n{SKYLIGHT}");
     let panel = format!("[[surfaces]]\nname = \"opening\"\nmaterial = \"panel\"\n{SKYLIGHT}");
     let options = Options::default();
-    let (sky, in_sky) = readings(&room(sky, &opening), By::Cells, &options);
-    let (panel, in_panel) = readings(&room("", &panel), By::Cells, &options);
+    let (sky, in_sky) = readings(&room(sky, &opening), GatherMethod::Cells, &options);
+    let (panel, in_panel) = readings(&room("", &panel), GatherMethod::Cells, &options);
     sky.iter().zip(&panel).for_each(|(sky, panel)| close(*sky, *panel, 1e-9));
     in_sky.iter().zip(&in_panel).for_each(|(sky, panel)| close(*sky, *panel, 1e-9));
 }
@@ -162,12 +162,12 @@ fn a_window_keeps_power_and_its_light_is_read_by_cells_and_by_rays() {
     );
     let scene = room(sky, &opening);
     let options = Options::default();
-    let (exact, [emitted, absorbed, lost]) = readings(&scene, By::Cells, &options);
+    let (exact, [emitted, absorbed, lost]) = readings(&scene, GatherMethod::Cells, &options);
     close(absorbed + lost, emitted, 1e-9);
     assert!(lost.abs() < 0.01 * emitted, "{lost} of {emitted}");
     // Rays that carry the light err by themselves, where little arrives.
     for (transport, error) in [(Transport::Exact, 0.01), (Transport::Sampled, 0.04)] {
-        let (found, _) = readings(&scene, By::Rays, &Options { transport, ..options });
+        let (found, _) = readings(&scene, GatherMethod::Rays, &Options { transport, ..options });
         found.iter().zip(&exact).for_each(|(found, exact)| close(*found, *exact, error));
     }
 }

@@ -171,13 +171,13 @@ fn a_stopped_run_counts_the_rays_that_were_sent() {
     };
     // The second round is the last.
     let deadline = Deadline::default();
-    let hear = |progress| {
+    let observe = |progress| {
         if let Progress::Rays { error: Some(error), .. } = progress {
             assert!(error < 0.1, "{error}");
             deadline.wish();
         }
     };
-    let outcome = solve(&scene, &options, &Work::alone().told(&hear).until(&deadline));
+    let outcome = solve(&scene, &options, &Work::alone().observed_by(&observe).until(&deadline));
     let outcome = outcome.expect("the scene can be solved");
     let sampling = outcome.sampling.expect("rays carried the light");
     assert!(sampling.planned > planned && sampling.rays < sampling.planned, "{sampling:?}");

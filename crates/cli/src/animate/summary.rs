@@ -1,18 +1,18 @@
 //! Lines of a summary on frames: cost and warnings.
 
 use radiosity_reading::missed::missed;
-use radiosity_solve::animation::account::Account;
+use radiosity_solve::animation::sequence_report::SequenceReport;
 use radiosity_solve::animation::follower::Follower;
 use radiosity_transport::RayCounts;
 
 /// Lines on so many frames that were made in so many seconds: one on their cost, and one for each warning.
 pub(super) fn lines(follower: &Follower<'_>, frames: usize, seconds: f64) -> Vec<String> {
-    let account = follower.account();
-    std::iter::once(cost(follower, frames, seconds)).chain(warnings(account)).collect()
+    let report = follower.report();
+    std::iter::once(cost(follower, frames, seconds)).chain(warnings(report)).collect()
 }
 
 fn cost(follower: &Follower<'_>, frames: usize, seconds: f64) -> String {
-    let Account { moments, rays, noise, .. } = follower.account();
+    let SequenceReport { moments, rays, noise, .. } = follower.report();
     let mut line = format!("{frames} frames in {seconds:.1} s, {:.2} a second; ", frames as f64 / seconds);
     line += &match follower.segments() {
         Some(segments) => format!("light solved at {moments} moments, in {segments} segments of the path"),
@@ -29,7 +29,7 @@ fn cost(follower: &Follower<'_>, frames: usize, seconds: f64) -> String {
             Some(frames) => format!(", set-up repaid after {frames} frames (counted in {counted})"),
         };
     }
-    line += &told(rays);
+    line += &ray_counts(rays);
     if *noise > 0.0 {
         line += &format!(", rays leave an error of {noise:.1e}");
     }
@@ -37,7 +37,7 @@ fn cost(follower: &Follower<'_>, frames: usize, seconds: f64) -> String {
 }
 
 /// Number of rays, and the share of them that was traced anew where others were recalled, in words.
-fn told(RayCounts { traced, recalled }: &RayCounts) -> String {
+fn ray_counts(RayCounts { traced, recalled }: &RayCounts) -> String {
     match traced + recalled {
         0 => String::new(),
         all if *recalled == 0 => format!(", {all} rays"),
@@ -46,8 +46,8 @@ fn told(RayCounts { traced, recalled }: &RayCounts) -> String {
 }
 
 /// A line for each fault at any moment.
-fn warnings(account: &Account) -> Vec<String> {
-    let Account { moments, unconverged: (unconverged, residual), missing, worst, .. } = account;
+fn warnings(report: &SequenceReport) -> Vec<String> {
+    let SequenceReport { moments, unconverged: (unconverged, residual), missing, worst, .. } = report;
     let of_moments = |count: &usize| format!("warning: at {count} of {moments} moments");
     let mut lines = Vec::new();
     if *unconverged > 0 {

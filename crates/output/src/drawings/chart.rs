@@ -3,7 +3,7 @@
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use radiosity_solve::studies::convergence::{Run, Way};
+use radiosity_solve::studies::convergence::{ConvergenceRun, RunSeries};
 
 use super::canvas::Canvas;
 use super::decades::Decades;
@@ -35,7 +35,7 @@ pub struct Chart<'a> {
     /// The line below the title: what the errors are measured against.
     pub caption: String,
     /// Runs, sorted by their way and by the number of layers; runs without an error above 0 are not shown.
-    pub runs: &'a [Run],
+    pub runs: &'a [ConvergenceRun],
 }
 
 impl Chart<'_> {
@@ -72,7 +72,7 @@ impl Chart<'_> {
         let grey = centered(12).color(&RGBColor(90, 90, 90));
         root.draw_text(&self.caption, &grey, (width as i32 / 2, 32 * zoom))?;
         let panels = root.margin(54 * zoom, 8 * zoom, 8 * zoom, 8 * zoom).split_evenly((1, 2));
-        let unknowns = |run: &Run| run.unknowns as f64;
+        let unknowns = |run: &ConvergenceRun| run.unknowns as f64;
         self.panel(&panels[0], zoom, "unknowns per band", unknowns, true)?;
         self.panel(&panels[1], zoom, "time, s", |run| run.seconds, false)?;
         root.present()
@@ -83,7 +83,7 @@ impl Chart<'_> {
         area: &DrawingArea<B, Shift>,
         zoom: i32,
         label: &str,
-        abscissa: impl Fn(&Run) -> f64,
+        abscissa: impl Fn(&ConvergenceRun) -> f64,
         with_legend: bool,
     ) -> Result<(), DrawError<B>> {
         let series = self.series(&abscissa);
@@ -137,11 +137,11 @@ impl Chart<'_> {
     }
 
     /// The points of each way and number of layers, with their label.
-    fn series(&self, abscissa: &impl Fn(&Run) -> f64) -> Vec<(String, Vec<Point>)> {
-        let groups = self.runs.chunk_by(|a, b| a.layers == b.layers && a.way == b.way);
-        let point = |run: &Run| {
+    fn series(&self, abscissa: &impl Fn(&ConvergenceRun) -> f64) -> Vec<(String, Vec<Point>)> {
+        let groups = self.runs.chunk_by(|a, b| a.layers == b.layers && a.series == b.series);
+        let point = |run: &ConvergenceRun| {
             let error = run.error.filter(|error| *error > 0.0)?;
-            let is_by_order = matches!(run.way, Way::Uniform | Way::Harmonic);
+            let is_by_order = matches!(run.series, RunSeries::Uniform | RunSeries::Harmonic);
             let text = if is_by_order { run.order.to_string() } else { String::new() };
             Some(Point { place: (abscissa(run).max(1e-6), error), text })
         };
@@ -158,17 +158,17 @@ struct Point {
     text: String,
 }
 
-fn label(run: &Run) -> String {
-    match (run.way, run.layers) {
-        (Way::Hierarchical, _) => "hierarchical, constants".to_owned(),
-        (Way::Hp, _) => "refined for gathered light".to_owned(),
-        (Way::Constant, _) => "constants on cells".to_owned(),
-        (Way::Linear, _) => "tents on cells".to_owned(),
-        (Way::Harmonic, _) => "cosines over surfaces".to_owned(),
-        (Way::Sampled, _) => format!("order {} by rays", run.order),
-        (Way::Uniform, 0) => "whole elements".to_owned(),
-        (Way::Uniform, 1) => "1 layer".to_owned(),
-        (Way::Uniform, layers) => format!("{layers} layers"),
+fn label(run: &ConvergenceRun) -> String {
+    match (run.series, run.layers) {
+        (RunSeries::Hierarchical, _) => "hierarchical, constants".to_owned(),
+        (RunSeries::Hp, _) => "refined for gathered light".to_owned(),
+        (RunSeries::Constant, _) => "constants on cells".to_owned(),
+        (RunSeries::Linear, _) => "tents on cells".to_owned(),
+        (RunSeries::Harmonic, _) => "cosines over surfaces".to_owned(),
+        (RunSeries::Sampled, _) => format!("order {} by rays", run.order),
+        (RunSeries::Uniform, 0) => "whole elements".to_owned(),
+        (RunSeries::Uniform, 1) => "1 layer".to_owned(),
+        (RunSeries::Uniform, layers) => format!("{layers} layers"),
     }
 }
 
@@ -180,10 +180,10 @@ fn text(size: i32) -> TextStyle<'static> {
 mod tests {
     use super::*;
 
-    fn run(order: usize, unknowns: usize, error: Option<f64>) -> Run {
+    fn run(order: usize, unknowns: usize, error: Option<f64>) -> ConvergenceRun {
         let seconds = 1e-4 * unknowns as f64;
-        Run {
-            way: Way::Uniform,
+        ConvergenceRun {
+            series: RunSeries::Uniform,
             order,
             layers: 0,
             elements: 1,

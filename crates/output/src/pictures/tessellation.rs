@@ -17,7 +17,7 @@ use std::collections::HashMap;
 
 use radiosity_geom::{DVec3, PlanarRegion, Surface};
 use radiosity_scene::{Scene, SceneSurface};
-use radiosity_visibility::covers::{self, Cover, covers};
+use radiosity_visibility::covered_parts::{self, CoveredPart, covered_parts};
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
@@ -42,13 +42,13 @@ pub struct Triangulation {
 
 /// The triangles of all surfaces of `scene`; curved surfaces are met within `tolerance` (scene length).
 pub fn tessellation(scene: &Scene, tolerance: f64) -> Vec<Triangulation> {
-    let covers = covers(scene);
+    let covered_parts = covered_parts(scene);
     let surface = |(index, surface): (usize, &SceneSurface)| {
         check_interrupt();
         let shape = surface.shape.as_ref();
         let facets = match shape.region() {
             Some(region) => {
-                let own: Vec<&Cover> = covers::of_surface(&covers, index).collect();
+                let own: Vec<&CoveredPart> = covered_parts::of_surface(&covered_parts, index).collect();
                 flat::facets(shape, open_pieces(region, &own), tolerance)
             }
             None => curved::facets(shape, tolerance),
@@ -58,18 +58,18 @@ pub fn tessellation(scene: &Scene, tolerance: f64) -> Vec<Triangulation> {
     scene.surfaces.par_iter().enumerate().map(surface).collect()
 }
 
-/// Convex pieces of a flat surface outside its `covers`: with no corners on its borders other than its own,
+/// Convex pieces of a flat surface outside its `covered_parts`: with no corners on its borders other than its own,
 /// where that can be.
-fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
-    if covers.is_empty() {
+fn open_pieces(region: &PlanarRegion, covered_parts: &[&CoveredPart]) -> Vec<Vec<DVec3>> {
+    if covered_parts.is_empty() {
         return region.convex_pieces().to_vec();
     }
-    let covered = covers.iter().flat_map(|cover| cover.pieces.clone());
+    let covered = covered_parts.iter().flat_map(|cover| cover.pieces.clone());
     let holes = region.holes().iter().cloned().chain(covered).collect();
     match PlanarRegion::new(region.outer().to_vec(), holes) {
         Ok(open) => open.convex_pieces().to_vec(),
-        // Covers that reach the border, or lie beside each other, are no holes.
-        Err(_) => covers::without(region.convex_pieces().to_vec(), covers.iter().copied(), region.normal()),
+        // Covered parts that reach the border, or lie beside each other, are no holes.
+        Err(_) => covered_parts::without(region.convex_pieces().to_vec(), covered_parts.iter().copied(), region.normal()),
     }
 }
 

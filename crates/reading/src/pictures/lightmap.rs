@@ -122,13 +122,13 @@ impl Lightmap {
         let diagonal = solved.visibility().bounds().diagonal();
         let all = All { elements: solution.elements(), sizes: &sizes, diagonal };
         let seconds = lights.iter().map(|light| all.seconds(light, work.ranks)).sum();
-        work.tell(Progress::Expected { stage: Stage::Texels, seconds });
+        work.report(Progress::Expected { stage: Stage::Texels, seconds });
         let count = parts.len() * all.count();
         let done = AtomicUsize::new(0);
         let texture = |surface: usize| {
             let size = sizes[surface];
             let tell = |own: usize| {
-                work.tell_done(Stage::Texels, done.fetch_add(own, Ordering::Relaxed) + own, count);
+                work.report_done(Stage::Texels, done.fetch_add(own, Ordering::Relaxed) + own, count);
             };
             let places = Places::of(solution.elements(), surface, size, diagonal);
             LightTexture::of(solution.bands().len(), places.all(), size, &lights, &tell)

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use radiosity_light::penumbra::RayEffort;
 use radiosity_scene::Camera;
-use radiosity_solve::gather::choice::seconds_to_gather;
+use radiosity_solve::gather::gather_method::seconds_to_gather;
 use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::PartName;
@@ -72,7 +72,7 @@ pub fn render(
     let [width, height] = [camera.width as usize, camera.height as usize];
     let shot =
         Shot { light: &light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples, work };
-    work.tell(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
+    work.report(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
     let at_once = (AT_ONCE / width).div_ceil(COARSEST).max(1) * COARSEST;
     let done = Tally::new(width * height, Stage::Picture, work);
     let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));

@@ -5,7 +5,7 @@ use radiosity_kernel::WorstError;
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Band;
 use radiosity_solve::solved::Solved;
-use radiosity_solve::studies::adaptation::{Achieved, End};
+use radiosity_solve::studies::adaptation::{Achieved, EndReason};
 use radiosity_solve::{Options, Outcome};
 use radiosity_visibility::inspection::Inspection;
 use radiosity_work::wording::{Wording, option, set, words};
@@ -130,35 +130,35 @@ fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
 }
 
 /// Why no finer run followed and what to do; None if none was needed.
-fn why(end: End) -> Option<Wording> {
+fn why(end: EndReason) -> Option<Wording> {
     Some(match end {
-        End::Reached => return None,
-        End::Finest => {
+        EndReason::Reached => return None,
+        EndReason::Finest => {
             words("there is no finer run to try: begin with a higher ")
                 + option("order")
                 + ", or ask for less"
         }
-        End::Unknowns => words(
+        EndReason::Unknowns => words(
             "the next finer elements would be too many: give surfaces with shadows or small details a subdivide of their \
              own, or ask for less",
         ),
-        End::Memory => {
+        EndReason::Memory => {
             words("the next finer run does not fit into memory: allow more with ")
                 + option("memory")
                 + ", or ask for less"
         }
-        End::NotConverged => {
+        EndReason::NotConverged => {
             words("the solver did not converge in a finer run: raise ")
                 + option("max-iterations")
                 + ", or take another "
                 + option("solver")
         }
-        End::Time => {
+        EndReason::Time => {
             words("the next finer run would have taken longer than allowed: allow more with ")
                 + option("time-limit")
                 + ", or ask for less"
         }
-        End::Stopped => words("the run was stopped: let it go on, or ask for less"),
+        EndReason::Stopped => words("the run was stopped: let it go on, or ask for less"),
     })
 }
 

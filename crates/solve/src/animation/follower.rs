@@ -5,8 +5,8 @@ use radiosity_work::Work;
 
 use crate::driver::Options;
 
-use super::account::Account;
-use super::course::Course;
+use super::sequence_report::SequenceReport;
+use super::path_interpolation::PathInterpolation;
 use super::error::AnimationError;
 use super::frame::Frame;
 use super::ledger::Ledger;
@@ -14,7 +14,7 @@ use super::sequence::Sequence;
 
 /// Ways in which the light of one frame follows from that of others.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Way {
+pub enum FollowMode {
     /// No frame follows from others: each is solved by itself.
     Fresh,
     /// Blocks and rays that have not changed since the frame before are kept ([`super::sequence`]).
@@ -24,7 +24,7 @@ pub enum Way {
         /// Relative error that interpolation may have.
         tolerance: f64,
     },
-    /// As [`Way::Selective`]; blocks of what is translated are sums of series
+    /// As [`FollowMode::Selective`]; blocks of what is translated are sums of series
     /// ([`radiosity_published::series`]) as far as that pays, where exact blocks carry the pairs. Curved and
     /// rotated things, and pairs with something between, are integrated.
     Series {
@@ -36,31 +36,31 @@ pub enum Way {
 /// The light of the frames of a scene.
 #[derive(Debug)]
 pub struct Follower<'a> {
-    kind: Kind<'a>,
+    source: FrameSource<'a>,
     ledger: Ledger,
     /// Largest error told of series so far.
     error: Option<f64>,
 }
 
 #[derive(Debug)]
-enum Kind<'a> {
+enum FrameSource<'a> {
     /// Frames by a sequence that keeps what has not changed, or nothing.
     Frames(Sequence<'a>),
-    Path(Course<'a>),
+    Path(PathInterpolation<'a>),
 }
 
 impl<'a> Follower<'a> {
     /// The follower of the frames `first` to `last` of `scene`, solved with `options`; nothing is solved yet.
-    pub fn new(scene: &'a Scene, options: &Options, way: Way, frames: [usize; 2]) -> Self {
-        let kind = match way {
-            Way::Fresh => Kind::Frames(Sequence::fresh(scene, options)),
-            Way::Selective => Kind::Frames(Sequence::new(scene, options)),
-            Way::Series { tolerance } => Kind::Frames(Sequence::by_series(scene, options, tolerance)),
-            Way::Path { tolerance } => {
-                Kind::Path(Course::new(Sequence::new(scene, options), frames, tolerance))
+    pub fn new(scene: &'a Scene, options: &Options, mode: FollowMode, frames: [usize; 2]) -> Self {
+        let source = match mode {
+            FollowMode::Fresh => FrameSource::Frames(Sequence::fresh(scene, options)),
+            FollowMode::Selective => FrameSource::Frames(Sequence::new(scene, options)),
+            FollowMode::Series { tolerance } => FrameSource::Frames(Sequence::by_series(scene, options, tolerance)),
+            FollowMode::Path { tolerance } => {
+                FrameSource::Path(PathInterpolation::new(Sequence::new(scene, options), frames, tolerance))
             }
         };
-        Self { kind, ledger: Ledger::default(), error: None }
+        Self { source, ledger: Ledger::default(), error: None }
     }
 
     /// The light of a frame, one of those that were asked for.
@@ -68,23 +68,23 @@ impl<'a> Follower<'a> {
     /// # Errors
     /// As [`Sequence::at`].
     pub fn frame(&mut self, frame: usize, work: &Work<'_>) -> Result<Frame, AnimationError> {
-        let (now, spent) = match &mut self.kind {
-            Kind::Frames(sequence) => {
+        let (now, spent) = match &mut self.source {
+            FrameSource::Frames(sequence) => {
                 let now = sequence.at(frame as f64, work)?;
                 self.error = larger(self.error, now.interpolated);
                 (now, sequence.spent())
             }
-            Kind::Path(course) => (course.frame(frame, work)?, course.spent()),
+            FrameSource::Path(path) => (path.frame(frame, work)?, path.spent()),
         };
         self.ledger.take(spent);
         Ok(now)
     }
 
     /// Cost and error of the moments that were solved so far.
-    pub fn account(&self) -> &Account {
-        match &self.kind {
-            Kind::Frames(sequence) => sequence.account(),
-            Kind::Path(course) => course.account(),
+    pub fn report(&self) -> &SequenceReport {
+        match &self.source {
+            FrameSource::Frames(sequence) => sequence.report(),
+            FrameSource::Path(path) => path.report(),
         }
     }
 
@@ -97,29 +97,29 @@ impl<'a> Follower<'a> {
 
     /// Number of moments that were solved so far.
     pub fn solved(&self) -> usize {
-        self.account().moments
+        self.report().moments
     }
 
     /// Whether something is set up that later frames repay: points of a path, or expansions.
     pub fn has_set_up(&self) -> bool {
-        match &self.kind {
-            Kind::Frames(sequence) => sequence.has_series(),
-            Kind::Path(_) => true,
+        match &self.source {
+            FrameSource::Frames(sequence) => sequence.has_series(),
+            FrameSource::Path(_) => true,
         }
     }
 
     /// Number of segments of the path so far, where light is interpolated.
     pub fn segments(&self) -> Option<usize> {
-        match &self.kind {
-            Kind::Path(course) => Some(course.segments()),
+        match &self.source {
+            FrameSource::Path(path) => Some(path.segments()),
             _ => None,
         }
     }
 
     /// Largest relative error told of light that was interpolated so far, or that follows from series.
     pub fn error(&self) -> Option<f64> {
-        match &self.kind {
-            Kind::Path(course) => course.error(),
+        match &self.source {
+            FrameSource::Path(path) => path.error(),
             _ => self.error,
         }
     }

@@ -1,7 +1,7 @@
 //! Frames solved one after the other, each as it would be alone.
 //!
 //! Nothing is known of the path: any frame may follow any other. What has not moved keeps its blocks, and
-//! rays that nothing has come into the way of meet what they met (`crates/transport/src/memory.rs`); what has
+//! rays that nothing has come into the way of meet what they met (`crates/transport/src/kept_blocks.rs`); what has
 //! is integrated and traced again, and so are the pairs between which it came or went. The solution of a
 //! frame does not depend on the frames before it, not in a bit, so nothing can drift. Whether rays or exact
 //! blocks carry the pairs, and how surfaces are cut, is decided once, for the scene at rest.
@@ -11,15 +11,15 @@ use std::sync::Arc;
 
 use radiosity_published::expansions::{Expansions, ORDERS, SeriesCounts, known};
 use radiosity_scene::{Scene, Stills};
-use radiosity_transport::{Memory, RayCounts};
+use radiosity_transport::{KeptBlocks, RayCounts};
 use radiosity_work::Work;
 
 use crate::driver::{Failure, Layout, Model, Options};
 
-use super::account::Account;
+use super::sequence_report::SequenceReport;
 use super::error::AnimationError;
 use super::frame::Frame;
-use crate::animation::told::carried;
+use crate::animation::series_error::series_error;
 
 /// The frames of a scene that moves.
 #[derive(Debug)]
@@ -28,7 +28,7 @@ pub struct Sequence<'a> {
     options: Options,
     layout: Layout,
     kept: Kept,
-    account: Account,
+    report: SequenceReport,
     /// Numbers of series by what they did for the last frame.
     counts: SeriesCounts,
     /// Cost of all solutions so far, in solutions of a frame alone.
@@ -41,7 +41,7 @@ pub struct Sequence<'a> {
 #[derive(Debug, Default)]
 struct Kept {
     /// None where nothing is.
-    memory: Option<Memory>,
+    blocks: Option<KeptBlocks>,
     /// Series of what is translated, where blocks may be sums of them.
     expansions: Option<Arc<Expansions>>,
 }
@@ -49,18 +49,18 @@ struct Kept {
 impl Kept {
     /// Blocks and rays, but nothing yet.
     fn blocks_and_rays() -> Self {
-        Self { memory: Some(Memory::default()), expansions: None }
+        Self { blocks: Some(KeptBlocks::default()), expansions: None }
     }
 
     /// Blocks, rays and series that are kept.
     fn with_series(expansions: Expansions) -> Self {
         let expansions = Arc::new(expansions);
-        Self { memory: Some(Memory::beside(known(&expansions))), expansions: Some(expansions) }
+        Self { blocks: Some(KeptBlocks::beside(known(&expansions))), expansions: Some(expansions) }
     }
 
     /// Parts of the same kinds, as before any frame.
     fn anew(&self) -> Self {
-        match (&self.memory, &self.expansions) {
+        match (&self.blocks, &self.expansions) {
             (None, _) => Self::default(),
             (Some(_), None) => Self::blocks_and_rays(),
             (Some(_), Some(expansions)) => Self::with_series(expansions.anew()),
@@ -81,7 +81,7 @@ impl<'a> Sequence<'a> {
             options: *options,
             layout: Layout::of(scene, options),
             kept: Kept::default(),
-            account: Account::default(),
+            report: SequenceReport::default(),
             counts: SeriesCounts::default(),
             spent: 0.0,
             error: None,
@@ -125,26 +125,26 @@ impl<'a> Sequence<'a> {
         let mut kept = mem::replace(&mut self.kept, anew);
         kept.expansions.iter().for_each(|expansions| expansions.begin());
         let failed = |failure: Failure| AnimationError::of(moment, failure);
-        let memory = kept.memory.as_mut();
+        let blocks = kept.blocks.as_mut();
         let model =
-            Model::assemble_again(&still, &self.options, &self.layout, memory, work).map_err(failed)?;
+            Model::assemble_again(&still, &self.options, &self.layout, blocks, work).map_err(failed)?;
         let outcome = model.solve(&still, work).map_err(failed)?;
         self.kept = kept;
         let counts = self.kept.expansions.as_ref().map(|expansions| expansions.counts(work.ranks));
         self.counts = counts.unwrap_or_default();
         let traced =
             || RayCounts { traced: outcome.sampling.map_or(0, |sampling| sampling.rays), recalled: 0 };
-        let rays = self.kept.memory.as_ref().map_or_else(traced, Memory::rays);
+        let rays = self.kept.blocks.as_ref().map_or_else(traced, KeptBlocks::ray_counts);
         self.spent += self.share(&rays);
-        self.error = carried(&model.blocks().remainders, &outcome.solution);
-        self.account.take(&still, &outcome, rays);
+        self.error = series_error(&model.blocks().remainders, &outcome.solution);
+        self.report.take(&still, &outcome, rays);
         let frame = Frame::of(still, model.into_visibility(), outcome);
         Ok(Frame { interpolated: self.error, ..frame })
     }
 
     /// Cost and error of all moments so far.
-    pub fn account(&self) -> &Account {
-        &self.account
+    pub fn report(&self) -> &SequenceReport {
+        &self.report
     }
 
     /// Cost of all solutions so far, in solutions of a frame alone: by the numbers of blocks that were
@@ -172,7 +172,7 @@ impl<'a> Sequence<'a> {
 
     /// Blocks that were integrated for the last frame.
     pub fn integrated(&self) -> usize {
-        self.kept.memory.as_ref().map_or(0, Memory::integrated) - self.summed()
+        self.kept.blocks.as_ref().map_or(0, KeptBlocks::integrated) - self.summed()
     }
 
     /// Blocks of the last frame that are sums of series.
@@ -187,6 +187,6 @@ impl<'a> Sequence<'a> {
 
     /// Blocks that the last frame has in common with the one before.
     pub fn recalled(&self) -> usize {
-        self.kept.memory.as_ref().map_or(0, Memory::recalled)
+        self.kept.blocks.as_ref().map_or(0, KeptBlocks::recalled)
     }
 }

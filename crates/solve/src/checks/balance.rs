@@ -2,7 +2,7 @@
 
 use radiosity_elements::Elements;
 use radiosity_elements::coating::Coating;
-use radiosity_light::first_bounce::{Bounce, Entry};
+use radiosity_light::first_bounce::{Bounce, DirectLightEntry};
 use radiosity_transport::Carrier;
 
 use crate::solution::powers::Powers;
@@ -20,7 +20,7 @@ pub(crate) struct Balance {
 
 /// The light of one band, whose balance is drawn.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lit<'a> {
+pub(crate) struct BandLight<'a> {
     /// Reflectance and exitance.
     pub coating: &'a Coating,
     /// Flux of the luminaires (W).
@@ -40,9 +40,9 @@ impl Balance {
 
     /// Powers, summed over the bands of `light` with compensation, since their balance is a check; direct
     /// light entered by `entry`.
-    pub(crate) fn powers(&self, light: &[Lit<'_>], entry: &Entry) -> Powers {
+    pub(crate) fn powers(&self, light: &[BandLight<'_>], entry: &DirectLightEntry) -> Powers {
         let mut sums = [Compensated::default(); 3];
-        for (index, Lit { coating, flux, coefficients }) in light.iter().enumerate() {
+        for (index, BandLight { coating, flux, coefficients }) in light.iter().enumerate() {
             let Coefficients { irradiance, radiosity, .. } = coefficients;
             sums[0].add(*flux);
             // What of it arrives is taken off below.
@@ -50,19 +50,19 @@ impl Balance {
             let exitance = coating.emitted(&self.starts, &self.ones);
             let scattered = coating.reflected(&self.starts, irradiance);
             let beside = match entry {
-                Entry::Split(Bounce { direct, .. }) => coating.reflected(&self.starts, &direct[index]),
+                DirectLightEntry::Split(Bounce { direct, .. }) => coating.reflected(&self.starts, &direct[index]),
                 _ => Vec::new(),
             };
             for (k, (one, lost)) in self.ones.iter().zip(&self.lost).enumerate() {
                 sums[0].add(exitance[k] * one);
                 sums[1].add(one * (irradiance[k] - scattered[k]));
                 match entry {
-                    Entry::Carried => sums[2].add(radiosity[k] * lost),
-                    Entry::Lit(lit) => {
+                    DirectLightEntry::Carried => sums[2].add(radiosity[k] * lost),
+                    DirectLightEntry::Lit(lit) => {
                         sums[2].add(radiosity[k] * lost);
                         sums[2].add(-one * lit[index][k]);
                     }
-                    Entry::Split(Bounce { direct, reflected }) => {
+                    DirectLightEntry::Split(Bounce { direct, reflected }) => {
                         let (direct, once) = (direct[index][k], reflected[index][k]);
                         sums[2].add(one * (exitance[k] - direct));
                         sums[2].add(one * (beside[k] - once));

@@ -6,7 +6,7 @@ use radiosity_published::bases::basis::Ground;
 use radiosity_published::zatz1993::transfers;
 use radiosity_scene::Scene;
 use radiosity_transport as transport;
-use radiosity_transport::Memory;
+use radiosity_transport::KeptBlocks;
 use radiosity_visibility::Visibility;
 
 use super::failure::Failure;
@@ -25,27 +25,27 @@ pub(super) fn ground(scene: &Scene, visibility: &Visibility, options: &Options, 
     basis.ground(scene, &Discretization { order, space, subdivide, layers }, eps)
 }
 
-/// The blocks, by that many rays or exactly; from `memory`, as far as it holds them.
+/// The blocks, by that many rays or exactly; from `kept`, as far as it holds them.
 pub(super) fn carried(
     scene: &Scene,
     subject: &Subject,
     rays: Option<u64>,
-    memory: Option<&mut Memory>,
+    kept: Option<&mut KeptBlocks>,
 ) -> Result<(Blocks, Option<Sampling>), Failure> {
     if let Some(rays) = rays {
-        let (blocks, sampling) = subject.sample(rays, memory);
+        let (blocks, sampling) = subject.sample(rays, kept);
         return Ok((blocks, Some(sampling)));
     }
-    Ok((blocks(scene, subject, memory)?, None))
+    Ok((blocks(scene, subject, kept)?, None))
 }
 
-fn blocks(scene: &Scene, subject: &Subject, memory: Option<&mut Memory>) -> Result<Blocks, Failure> {
+fn blocks(scene: &Scene, subject: &Subject, kept: Option<&mut KeptBlocks>) -> Result<Blocks, Failure> {
     let Subject { elements, visibility, options, work, .. } = *subject;
     let Some(rules) = options.kernel else {
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
         let accuracy = options.accuracy();
-        return Ok(match memory {
-            Some(memory) => transport::assemble_again(elements, &sends, visibility, accuracy, memory, work),
+        return Ok(match kept {
+            Some(kept) => transport::assemble_again(elements, &sends, visibility, accuracy, kept, work),
             None => transport::assemble_senders(elements, &sends, visibility, accuracy, work),
         });
     };

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use radiosity_elements::Elements;
 use radiosity_elements::coating::Coating;
 use radiosity_kernel::PairCounts;
-use radiosity_light::first_bounce::Entry;
+use radiosity_light::first_bounce::DirectLightEntry;
 use radiosity_published::hierarchy::{
     BandSystem, Hierarchy, HierarchyOptions, LinkedElements, leaf_elements, solve_hierarchically,
 };
@@ -16,13 +16,13 @@ use radiosity_solvers::method::{Access, Method};
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress, Stage, Work};
 
-use super::choice::Choice;
+use super::transport_choice::TransportChoice;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::options::Options;
 use super::outcome::{Outcome, Stages};
-use super::stopwatch::timed;
-use crate::checks::{Balance, Checks, Lit};
+use super::timed::timed;
+use crate::checks::{Balance, Checks, BandLight};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
@@ -46,17 +46,17 @@ pub(super) fn solve_by_links(scene: &Scene, options: &Options, work: &Work<'_>) 
 fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
     let (mut seconds, how) = (Stages::default(), linking(options));
     let found = timed(&mut seconds.blocks, || solve_hierarchically(scene, &how, work.observer))?;
-    work.tell(Progress::Finished { stage: Stage::Blocks, took: seconds.blocks });
+    work.report(Progress::Finished { stage: Stage::Blocks, took: seconds.blocks });
     let hierarchy = found.hierarchy();
     let elements = Arc::new(timed(&mut seconds.elements, || leaf_elements(scene, hierarchy))?);
     let links = LinkedElements::new(hierarchy, &elements);
-    let (method, ranks) = (how.solver, work.ranks);
-    let run = Run { scene, options, method, hierarchy, links: &links, elements: &elements, ranks };
-    let (groups, efforts) = timed(&mut seconds.solve, || run.groups())?;
-    work.tell(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
+    let (solver, ranks) = (how.solver, work.ranks);
+    let run = Run { scene, options, solver, hierarchy, links: &links, elements: &elements, ranks };
+    let (groups, costs) = timed(&mut seconds.solve, || run.groups())?;
+    work.report(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
     let solution = Solution::of_groups(Arc::clone(&elements), scene, groups);
     let checks = Checks::with_powers(&solution, &links, solution.powers().unwrap_or_default(), work.ranks);
-    let slowest = efforts.into_iter().max_by_key(|(_, iterations)| *iterations);
+    let slowest = costs.into_iter().max_by_key(|(_, iterations)| *iterations);
     let (solver, iterations) = slowest.unwrap_or((how.solver.name, 0));
     let counts = found.counts();
     Ok(Outcome {
@@ -75,7 +75,7 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
         iterations,
         split: false,
         converged: true,
-        choice: Choice { sampled: false, why: "hierarchical radiosity was asked for".to_owned() },
+        choice: TransportChoice { sampled: false, why: "hierarchical radiosity was asked for".to_owned() },
         sampling: None,
         links: Some(counts),
         seconds,
@@ -85,13 +85,13 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
 /// Options of hierarchical radiosity that follow from these.
 fn linking(options: &Options) -> HierarchyOptions {
     let usual = HierarchyOptions::default();
-    let method = if options.solver.access == Access::BySize { usual.solver } else { options.solver };
+    let solver = if options.solver.access == Access::BySize { usual.solver } else { options.solver };
     let farther = (USUAL / options.eps).max(1.0).powf(FARTHER);
     HierarchyOptions {
         eps: options.eps,
         least_area: LEAST_AREA,
         separation: usual.separation * farther,
-        solver: method,
+        solver,
         tolerance: options.tolerance,
         ..usual
     }
@@ -101,7 +101,7 @@ fn linking(options: &Options) -> HierarchyOptions {
 struct Run<'a> {
     scene: &'a Scene,
     options: &'a Options,
-    method: &'static Method,
+    solver: &'static Method,
     hierarchy: &'a Hierarchy,
     links: &'a LinkedElements<'a>,
     elements: &'a Elements,
@@ -109,34 +109,34 @@ struct Run<'a> {
 }
 
 /// Name of a solver and its iterations.
-type Effort = (&'static str, usize);
+type SolverIterations = (&'static str, usize);
 
 impl Run<'_> {
-    /// The light of each group, with the effort of each of its bands.
-    fn groups(&self) -> Result<(Vec<GroupLight>, Vec<Effort>), Failure> {
+    /// The light of each group, with the cost of each of its bands.
+    fn groups(&self) -> Result<(Vec<GroupLight>, Vec<SolverIterations>), Failure> {
         let balance = Balance::of(self.elements, self.links);
-        let (mut groups, mut efforts) = (Vec::new(), Vec::new());
+        let (mut groups, mut costs) = (Vec::new(), Vec::new());
         for Emission { group, coatings, .. } in Emission::all(self.scene, self.elements.list()) {
             let mut light = Vec::with_capacity(coatings.len());
             for (band, coating) in coatings.iter().enumerate() {
-                let (coefficients, effort) = self.band(band, coating)?;
+                let (coefficients, cost) = self.band(band, coating)?;
                 light.push(coefficients);
-                efforts.push(effort);
+                costs.push(cost);
             }
-            let lit: Vec<Lit<'_>> = coatings
+            let lit: Vec<BandLight<'_>> = coatings
                 .iter()
                 .zip(&light)
-                .map(|(coating, coefficients)| Lit { coating, flux: 0.0, coefficients })
+                .map(|(coating, coefficients)| BandLight { coating, flux: 0.0, coefficients })
                 .collect();
-            let powers = balance.powers(&lit, &Entry::Carried);
+            let powers = balance.powers(&lit, &DirectLightEntry::Carried);
             let bands = light.into_iter().map(Coefficients::into).collect();
             groups.push(GroupLight { group, bands, powers, masked: None });
         }
-        Ok((groups, efforts))
+        Ok((groups, costs))
     }
 
     /// The light of one band.
-    fn band(&self, band: usize, coating: &Coating) -> Result<(Coefficients, Effort), Failure> {
+    fn band(&self, band: usize, coating: &Coating) -> Result<(Coefficients, SolverIterations), Failure> {
         let surfaces = self.scene.surfaces.len();
         let (mut reflectance, mut exitance) = (vec![0.0; surfaces], vec![0.0; surfaces]);
         for (index, element) in self.elements.list().iter().enumerate() {
@@ -148,7 +148,7 @@ impl Run<'_> {
             .with_tolerance(self.options.tolerance)
             .with_max_iterations(self.options.max_iterations)
             .with_threads(self.ranks.threads(self.options.threads));
-        let solved = system.solve(self.method, &settings);
+        let solved = system.solve(self.solver, &settings);
         let failed = |source| Failure::Solver { band: self.scene.bands[band].clone(), source };
         let (radiosity, report) = solved.map_err(failed)?;
         let carried = |radiosity: &[f64]| self.links.irradiance(&self.hierarchy.exchange(radiosity));

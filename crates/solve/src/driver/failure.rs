@@ -7,7 +7,7 @@ use radiosity_work::wording::{Wording, option, set, value, words};
 use rayon::ThreadPoolBuildError;
 
 use super::fit;
-use super::fit::Fit;
+use super::memory_reduction::MemoryReduction;
 
 /// Why a scene could not be solved.
 #[derive(Debug, thiserror::Error)]
@@ -87,7 +87,7 @@ pub enum Failure {
         /// Bytes that the run may take.
         allowed: u64,
         /// Changes that would fit, if any.
-        fits: Vec<Fit>,
+        fits: Vec<MemoryReduction>,
     },
     /// No threads could be started.
     #[error("{}", self.message())]
@@ -129,7 +129,7 @@ impl Failure {
                 let [needed, allowed] = [needed, allowed].map(|bytes| *bytes as f64 / 1e6);
                 words(format!(
                     "not enough memory: about {needed:.1} MB are needed, {allowed:.1} MB allowed; "
-                )) + fit::list(fits)
+                )) + memory_reduction::list(fits)
             }
             Self::Threads { threads, source } => {
                 words(format!("cannot start {threads} threads: {source}; ask for fewer with "))

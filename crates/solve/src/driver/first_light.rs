@@ -6,7 +6,7 @@ use radiosity_elements::Elements;
 use radiosity_elements::coating::Coating;
 use radiosity_elements::patch::Node;
 use radiosity_light::emitters::Emitters;
-use radiosity_light::first_bounce::{Bounce, CoatedBounce, Entry, lit_by};
+use radiosity_light::first_bounce::{Bounce, CoatedBounce, DirectLightEntry, lit_by};
 use radiosity_published::bases::Subspace;
 use radiosity_published::zatz1993::masked_light::{MaskedLight, Setting};
 use radiosity_scene::Scene;
@@ -21,7 +21,7 @@ const AT_A_POINT: f64 = 3.0;
 
 /// The scene, as direct light is computed from it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stage<'a> {
+pub(super) struct LitScene<'a> {
     pub scene: &'a Scene,
     pub elements: &'a Elements,
     pub visibility: &'a Visibility,
@@ -35,41 +35,41 @@ pub(super) struct FirstLight {
     /// Whether direct light is masked or split off.
     pub is_split: bool,
     emissions: Vec<Emission>,
-    sources: Vec<Source>,
+    sources: Vec<EmissionLight>,
 }
 
 /// The first light of one emission.
 #[derive(Debug)]
-struct Source {
+struct EmissionLight {
     masked: Option<Arc<MaskedLight>>,
-    direct: Direct,
+    direct: DirectEntry,
 }
 
 /// Ways in which the direct light of a source enters the system, whatever reflects it.
 #[derive(Debug)]
-enum Direct {
+enum DirectEntry {
     Carried,
-    /// Direct irradiance that enters as in [`Entry::Lit`].
+    /// Direct irradiance that enters as in [`DirectLightEntry::Lit`].
     Lit(Vec<Vec<f64>>),
     Split(CoatedBounce),
 }
 
 /// The first light of one emission for certain reflectances.
 #[derive(Debug)]
-pub(super) struct Reflected {
+pub(super) struct EnteringLight {
     pub masked: Option<Arc<MaskedLight>>,
-    pub entry: Entry,
+    pub entry: DirectLightEntry,
 }
 
-impl Reflected {
+impl EnteringLight {
     /// This light, projected on the functions of a subspace.
     pub(super) fn within(self, subspace: &Subspace) -> Self {
         let projected = |bands: Vec<Vec<f64>>| bands.iter().map(|own| subspace.projected(own)).collect();
         let entry = match self.entry {
-            Entry::Carried => Entry::Carried,
-            Entry::Lit(lit) => Entry::Lit(projected(lit)),
-            Entry::Split(Bounce { direct, reflected }) => {
-                Entry::Split(Bounce { direct: projected(direct), reflected: projected(reflected) })
+            DirectLightEntry::Carried => DirectLightEntry::Carried,
+            DirectLightEntry::Lit(lit) => DirectLightEntry::Lit(projected(lit)),
+            DirectLightEntry::Split(Bounce { direct, reflected }) => {
+                DirectLightEntry::Split(Bounce { direct: projected(direct), reflected: projected(reflected) })
             }
         };
         Self { entry, ..self }
@@ -84,22 +84,22 @@ impl FirstLight {
 
     /// The first light of `emissions`; `by_rules` says whether the transfers are those of the default kernel
     /// without changes.
-    pub(super) fn of(stage: &Stage<'_>, emissions: Vec<Emission>, by_rules: bool) -> Self {
-        let Stage { elements, visibility, options, .. } = *stage;
+    pub(super) fn of(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, by_rules: bool) -> Self {
+        let LitScene { elements, visibility, options, .. } = *lit_scene;
         let all: Vec<Emitters<'_>> = emissions.iter().map(|own| own.emitters(elements.list())).collect();
         let is_split = options.masks.is_some() || options.direct.splits(&all, visibility, by_rules);
-        Self::as_split(stage, emissions, is_split)
+        Self::as_split(lit_scene, emissions, is_split)
     }
 
     /// The first light of `emissions` where it is known whether direct light is masked or split off.
-    pub(super) fn as_split(stage: &Stage<'_>, emissions: Vec<Emission>, is_split: bool) -> Self {
-        let sources = emissions.iter().map(|emission| Source::of(stage, emission, is_split)).collect();
+    pub(super) fn as_split(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, is_split: bool) -> Self {
+        let sources = emissions.iter().map(|emission| EmissionLight::of(lit_scene, emission, is_split)).collect();
         Self { is_split, emissions, sources }
     }
 
     /// The first light of each of `emissions` on surfaces of other reflectances. None where it has to be
     /// computed anew.
-    pub(super) fn reflected(&self, emissions: &[Emission]) -> Option<Vec<Reflected>> {
+    pub(super) fn reflected(&self, emissions: &[Emission]) -> Option<Vec<EnteringLight>> {
         if self.emissions.len() != emissions.len() {
             return None;
         }
@@ -108,46 +108,46 @@ impl FirstLight {
     }
 }
 
-impl Source {
+impl EmissionLight {
     /// The source of an emission; `is_split` says whether direct light is masked or split off.
-    fn of(stage: &Stage<'_>, emission: &Emission, is_split: bool) -> Self {
-        let Stage { scene, elements, visibility, options, ranks } = *stage;
+    fn of(lit_scene: &LitScene<'_>, emission: &Emission, is_split: bool) -> Self {
+        let LitScene { scene, elements, visibility, options, ranks } = *lit_scene;
         let sources = emission.emitters(elements.list());
         let masked = masked_light(scene, elements, &sources.coatings, visibility, options, ranks);
         let direct = match &masked {
-            Some(masked) => Direct::Split(through_masks(stage, &sources, masked)),
+            Some(masked) => DirectEntry::Split(through_masks(lit_scene, &sources, masked)),
             None if is_split => {
                 let eps = AT_A_POINT * options.shadow_eps;
-                Direct::Split(CoatedBounce::new(&sources, visibility, eps, ranks))
+                DirectEntry::Split(CoatedBounce::new(&sources, visibility, eps, ranks))
             }
-            None if sources.points.is_empty() => Direct::Carried,
-            None => Direct::Lit(lit_by(&sources, visibility, ranks)),
+            None if sources.points.is_empty() => DirectEntry::Carried,
+            None => DirectEntry::Lit(lit_by(&sources, visibility, ranks)),
         };
         Self { masked: masked.map(Arc::new), direct }
     }
 
     /// The light for the reflectances of the emission `new`, where this is that of `old` in all else.
-    fn reflected(&self, old: &Emission, new: &Emission) -> Option<Reflected> {
+    fn reflected(&self, old: &Emission, new: &Emission) -> Option<EnteringLight> {
         if !old.emits_as(new) {
             return None;
         }
         let entry = match &self.direct {
-            Direct::Carried => Entry::Carried,
-            Direct::Lit(lit) => Entry::Lit(lit.clone()),
-            Direct::Split(bounce) => Entry::Split(bounce.repainted(&old.list(), &new.list())?),
+            DirectEntry::Carried => DirectLightEntry::Carried,
+            DirectEntry::Lit(lit) => DirectLightEntry::Lit(lit.clone()),
+            DirectEntry::Split(bounce) => DirectLightEntry::Split(bounce.repainted(&old.list(), &new.list())?),
         };
-        Some(Reflected { masked: self.masked.clone(), entry })
+        Some(EnteringLight { masked: self.masked.clone(), entry })
     }
 }
 
-fn through_masks(stage: &Stage<'_>, sources: &Emitters<'_>, masked: &MaskedLight) -> CoatedBounce {
+fn through_masks(lit_scene: &LitScene<'_>, sources: &Emitters<'_>, masked: &MaskedLight) -> CoatedBounce {
     let list = sources.elements;
     let lit = |element: usize, node: &Node| {
         let parameters = node.parameters.to_array();
         let at = |band| masked.at(band, list, element, node.position, parameters);
         (0..sources.coatings.len()).map(at).collect()
     };
-    CoatedBounce::of(sources, stage.visibility, &lit, stage.options.shadow_eps, stage.ranks)
+    CoatedBounce::of(sources, lit_scene.visibility, &lit, lit_scene.options.shadow_eps, lit_scene.ranks)
 }
 
 /// The masked direct light, where masks are asked for.

@@ -7,7 +7,7 @@ use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 
 use super::assembly::ground;
-use super::choice::Choice;
+use super::transport_choice::TransportChoice;
 use super::options::Options;
 
 /// The carrier of the pairs of a scene, and the cuts of its surfaces. Scenes that differ only in the places
@@ -15,7 +15,7 @@ use super::options::Options;
 /// stand to the axes.
 #[derive(Clone, Debug)]
 pub(crate) struct Layout {
-    pub(super) choice: Choice,
+    pub(super) choice: TransportChoice,
     pub(super) how: Discretization,
     pub(super) mesh: Mesh,
 }
@@ -28,7 +28,7 @@ impl Layout {
 
     /// The layout of `scene` by these options.
     pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
-        let choice = Choice::of(scene, options);
+        let choice = TransportChoice::of(scene, options);
         let rays = choice.sampled.then(|| options.ray_budget(scene));
         let Ground { how, mesh } = ground(scene, &Visibility::new(scene, options.into()), options, rays);
         Self { choice, how, mesh: mesh.unwrap_or_else(|| usual_mesh(scene, &how)) }

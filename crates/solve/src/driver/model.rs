@@ -15,30 +15,30 @@ use radiosity_kernel::Blocks;
 use radiosity_published::bases::Subspace;
 use radiosity_published::bases::basis::Ground;
 use radiosity_scene::{Scene, SceneSurface};
-use radiosity_transport::Memory;
+use radiosity_transport::KeptBlocks;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set};
-use radiosity_work::{Progress, Stage as Step, Work};
+use radiosity_work::{Progress, Stage, Work};
 
-use crate::checks::{Balance, Checks, Lit};
+use crate::checks::{Balance, Checks, BandLight};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
 
-use super::allowance::{Need, peak_of_mesh, require_memory_of_mesh};
+use super::memory_need::{MemoryNeed, peak_of_mesh, require_memory_of_mesh};
 use super::assembly::{carried, ground};
-use super::bands::{Bands, Light};
-use super::choice::Choice;
+use super::band_systems::{SolvedLight, BandSystems};
+use super::transport_choice::TransportChoice;
 use super::direct::Direct;
 use super::emission::Emission;
 use super::failure::Failure;
-use super::first_light::{FirstLight, Reflected, Stage};
+use super::first_light::{EnteringLight, FirstLight, LitScene};
 use super::layout::Layout;
 use super::options::Options;
 use super::outcome::{Outcome, Stages};
 use super::sampling::{Sampling, Subject};
-use super::stopwatch::timed;
+use super::timed::timed;
 
 /// The elements of a scene and the blocks between them.
 ///
@@ -67,7 +67,7 @@ pub struct Model {
     blocks: Blocks,
     /// Span of the functions of the basis; None where they are those of the elements.
     subspace: Option<Subspace>,
-    choice: Choice,
+    choice: TransportChoice,
     sampling: Option<Sampling>,
     /// Direct light and its first bounce, for the emission of the scene.
     first: FirstLight,
@@ -81,11 +81,11 @@ impl Model {
     /// A scene that cannot be cut into elements, memory that does not suffice, or threads that cannot be
     /// started.
     pub fn assemble(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Self, Failure> {
-        let choice = Choice::of(scene, options);
-        options.in_threads(work.ranks, || Self::assembled(scene, options, Plan::of(choice), None, work))?
+        let choice = TransportChoice::of(scene, options);
+        options.in_threads(work.ranks, || Self::assembled(scene, options, AssemblyPlan::of(choice), None, work))?
     }
 
-    /// A model of this layout; what `memory` knows of earlier scenes, which differ in the places of some
+    /// A model of this layout; what `kept` holds of earlier scenes, which differ in the places of some
     /// surfaces, is not found again.
     ///
     /// # Errors
@@ -94,20 +94,20 @@ impl Model {
         scene: &Scene,
         options: &Options,
         layout: &Layout,
-        memory: Option<&mut Memory>,
+        kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        let plan = Plan { choice: layout.choice.clone(), how: Some(layout.how), mesh: Some(&layout.mesh) };
-        options.in_threads(work.ranks, || Self::assembled(scene, options, plan, memory, work))?
+        let plan = AssemblyPlan { choice: layout.choice.clone(), how: Some(layout.how), mesh: Some(&layout.mesh) };
+        options.in_threads(work.ranks, || Self::assembled(scene, options, plan, kept, work))?
     }
 
     /// Bytes that the model of `scene` and its solution take at the most on each of these ranks, estimated.
     pub fn peak_memory(scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
-        let rays = Choice::of(scene, options).sampled.then(|| options.ray_budget(scene));
+        let rays = TransportChoice::of(scene, options).sampled.then(|| options.ray_budget(scene));
         let Ground { how, mesh } = ground(scene, &Visibility::new(scene, options.into()), options, rays);
         match mesh {
             Some(mesh) => peak_of_mesh(scene, &how, &mesh, options, ranks),
-            None => (Need { scene, how, options, rays, is_kept: false, ranks }).peak(),
+            None => (MemoryNeed { scene, how, options, rays, is_kept: false, ranks }).peak(),
         }
     }
 
@@ -119,15 +119,15 @@ impl Model {
         mesh: Option<&Mesh>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        let plan = Plan { mesh, ..Plan::of(Choice { sampled: false, why: why.to_owned() }) };
+        let plan = AssemblyPlan { mesh, ..AssemblyPlan::of(TransportChoice { sampled: false, why: why.to_owned() }) };
         options.in_threads(work.ranks, || Self::assembled(scene, options, plan, None, work))?
     }
 
     fn assembled(
         scene: &Scene,
         options: &Options,
-        Plan { choice, how, mesh }: Plan<'_>,
-        mut memory: Option<&mut Memory>,
+        AssemblyPlan { choice, how, mesh }: AssemblyPlan<'_>,
+        mut kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
@@ -144,39 +144,39 @@ impl Model {
         });
         let is_refined = (mesh.is_some() && !is_known) || own.is_some();
         let mesh = mesh.or(own.as_ref());
-        work.tell(Progress::Finished { stage: Step::Visibility, took: seconds.visibility });
+        work.report(Progress::Finished { stage: Stage::Visibility, took: seconds.visibility });
         match mesh {
             Some(mesh) if is_refined => require_memory_of_mesh(scene, &how, mesh, options, work.ranks)?,
             _ => {
-                let is_kept = memory.is_some();
-                (Need { scene, how, options, rays, is_kept, ranks: work.ranks }).require()?;
+                let is_kept = kept.is_some();
+                (MemoryNeed { scene, how, options, rays, is_kept, ranks: work.ranks }).require()?;
             }
         }
         let before =
-            memory.as_ref().and_then(|memory| memory.elements()).filter(|_| options.kernel.is_none());
+            kept.as_ref().and_then(|kept| kept.elements()).filter(|_| options.kernel.is_none());
         let elements = timed(&mut seconds.elements, || match before {
             Some(before) => before.moved(scene),
             None => options.elements(scene, &how, mesh),
         })?;
         let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
         let elements = Arc::new(elements);
-        work.tell(Progress::Finished { stage: Step::Elements, took: seconds.elements });
+        work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
         let emissions = Emission::all(scene, elements.list());
-        let stage = Stage { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
+        let lit_scene = LitScene { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
         let by_rules = options.kernel.is_none() && !choice.sampled;
-        let first = timed(&mut seconds.direct, || FirstLight::of(&stage, emissions, by_rules));
+        let first = timed(&mut seconds.direct, || FirstLight::of(&lit_scene, emissions, by_rules));
         if first.is_split {
-            work.tell(Progress::Finished { stage: Step::Direct, took: seconds.direct });
+            work.report(Progress::Finished { stage: Stage::Direct, took: seconds.direct });
         }
         let bands = &Emission::by_band(first.emissions());
         let entries = first.reflected(first.emissions()).expect("the emission is the same");
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
         let subject = Subject { elements: &elements, bands, entries, visibility: &visibility, options, work };
-        if let Some(memory) = &mut memory {
-            memory.turn_to(scene, &elements, &visibility);
+        if let Some(kept) = &mut kept {
+            kept.move_to(scene, &elements, &visibility);
         }
-        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, memory))?;
-        work.tell(Progress::Finished { stage: Step::Blocks, took: seconds.blocks });
+        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, kept))?;
+        work.report(Progress::Finished { stage: Stage::Blocks, took: seconds.blocks });
         Ok(Self {
             scene: scene.clone(),
             options: *options,
@@ -258,11 +258,11 @@ impl Model {
             None => bands.solved(&emissions, &first, work),
             Some(bounces) => Ok(bands.bounced(&emissions, &first, bounces)),
         })?;
-        work.tell(Progress::Finished { stage: Step::Solve, took: seconds.solve });
-        let Light { light, before, efforts, functionals } = lit;
-        let slowest = efforts.iter().max_by_key(|effort| effort.iterations);
+        work.report(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
+        let SolvedLight { light, before, costs, functionals } = lit;
+        let slowest = costs.iter().max_by_key(|cost| cost.iterations);
         let (solver, iterations) =
-            slowest.map_or((self.options.solver.name, 0), |effort| (effort.method, effort.iterations));
+            slowest.map_or((self.options.solver.name, 0), |cost| (cost.solver, cost.iterations));
         let groups = self.groups(emissions, first, light);
         let before = before.map(|light| lit_before(&groups, light));
         let before = before.map(|groups| Solution::of_groups(Arc::clone(&self.elements), scene, groups));
@@ -288,7 +288,7 @@ impl Model {
             iterations,
             residual,
             split: self.first.is_split,
-            converged: efforts.iter().all(|effort| effort.converged),
+            converged: costs.iter().all(|cost| cost.converged),
             choice: self.choice.clone(),
             unknowns: self.unknowns(),
             functionals,
@@ -305,9 +305,9 @@ impl Model {
 
     /// The first light of each emission: that of the scene it was assembled from, if it emits as much. In a
     /// subspace what enters apart lies in it.
-    fn first_light(&self, scene: &Scene, emissions: &[Emission], ranks: &Ranks) -> Vec<Reflected> {
+    fn first_light(&self, scene: &Scene, emissions: &[Emission], ranks: &Ranks) -> Vec<EnteringLight> {
         let first = self.first.reflected(emissions).unwrap_or_else(|| {
-            let stage = Stage {
+            let lit_scene = LitScene {
                 scene,
                 elements: &self.elements,
                 visibility: &self.visibility,
@@ -315,7 +315,7 @@ impl Model {
                 ranks,
             };
             let anew = Emission::all(scene, self.elements.list());
-            let first = FirstLight::as_split(&stage, anew, self.first.is_split);
+            let first = FirstLight::as_split(&lit_scene, anew, self.first.is_split);
             first.reflected(emissions).expect("the emission is the same")
         });
         match &self.subspace {
@@ -324,27 +324,27 @@ impl Model {
         }
     }
 
-    fn bands<'a>(&'a self, scene: &'a Scene) -> Bands<'a> {
+    fn bands<'a>(&'a self, scene: &'a Scene) -> BandSystems<'a> {
         let (elements, subspace) = (self.elements.list(), self.subspace.as_ref());
-        Bands { names: &scene.bands, elements, blocks: &self.blocks, subspace, options: &self.options }
+        BandSystems { names: &scene.bands, elements, blocks: &self.blocks, subspace, options: &self.options }
     }
 
     /// The light of each emission with its balance of power.
     fn groups(
         &self,
         emissions: Vec<Emission>,
-        first: Vec<Reflected>,
+        first: Vec<EnteringLight>,
         light: Vec<Vec<Coefficients>>,
     ) -> Vec<GroupLight> {
         let balance = Balance::of(&self.elements, &self.blocks);
         let lit = emissions.into_iter().zip(first).zip(light);
-        let group = |((emission, first), light): ((Emission, Reflected), Vec<_>)| {
+        let group = |((emission, first), light): ((Emission, EnteringLight), Vec<_>)| {
             let Emission { group, coatings, points, .. } = emission;
-            let own: Vec<Lit<'_>> = coatings
+            let own: Vec<BandLight<'_>> = coatings
                 .iter()
                 .zip(&light)
                 .enumerate()
-                .map(|(band, (coating, coefficients))| Lit { coating, flux: points.flux(band), coefficients })
+                .map(|(band, (coating, coefficients))| BandLight { coating, flux: points.flux(band), coefficients })
                 .collect();
             let powers = balance.powers(&own, &first.entry);
             let bands = light.into_iter().map(Coefficients::into).collect();
@@ -355,17 +355,17 @@ impl Model {
 }
 
 /// Decisions before a model is assembled.
-struct Plan<'a> {
-    choice: Choice,
+struct AssemblyPlan<'a> {
+    choice: TransportChoice,
     /// Cuts of surfaces, if not those that the scene needs.
     how: Option<Discretization>,
     /// Cells of the surfaces, if not those that follow from `how`.
     mesh: Option<&'a Mesh>,
 }
 
-impl Plan<'_> {
+impl AssemblyPlan<'_> {
     /// The plan of a scene of which nothing else is decided.
-    fn of(choice: Choice) -> Self {
+    fn of(choice: TransportChoice) -> Self {
         Self { choice, how: None, mesh: None }
     }
 }

@@ -14,20 +14,20 @@ use radiosity_visibility::{Hiding, Shadows};
 use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
-use super::algorithm::Algorithm;
-use super::choice::{MOST_RAYS, Transport, usual_rays};
+use super::light_method::LightMethod;
+use super::transport_choice::{MOST_RAYS, Transport, usual_rays};
 use super::direct::Direct;
 use super::failure::Failure;
-use super::pool::in_threads;
+use super::in_threads::in_threads;
 use super::preconditioning::Preconditioning;
 
-/// Options of a solution: algorithm, elements, accuracies, solver and means.
+/// Options of a solution: method, elements, accuracies, solver and means.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Options {
-    /// The algorithm that finds the light. The hierarchical one takes of all others `eps`, the solver and the
+    /// The method that finds the light. The hierarchical one takes of all others `eps`, the solver and the
     /// threads.
     #[serde(default)]
-    pub method: Algorithm,
+    pub method: LightMethod,
     /// The functions that are summed: polynomials, or one of the bases of the variational source.
     #[serde(default)]
     pub basis: Basis,
@@ -61,7 +61,7 @@ pub struct Options {
     /// Preconditioner of cg and gmres.
     #[serde(default)]
     pub preconditioner: Preconditioning,
-    /// Light that was reflected so many times at the most before it arrives, by the Galerkin algorithm to no
+    /// Light that was reflected so many times at the most before it arrives, by the Galerkin method to no
     /// wanted accuracy; None for all. Solution files hold all light.
     #[serde(skip)]
     pub bounces: Option<usize>,
@@ -71,7 +71,7 @@ pub struct Options {
     pub max_iterations: usize,
     /// Whether the best iterate counts as a solution if the solver does not converge.
     pub keep_partial: bool,
-    /// Most bytes to use ([`MemoryEstimate`](crate::driver::memory::MemoryEstimate)); a run that needs more
+    /// Most bytes to use ([`MemoryEstimate`](crate::driver::memory_estimate::MemoryEstimate)); a run that needs more
     /// is refused before it begins.
     #[serde(skip)]
     pub memory: Option<u64>,
@@ -84,7 +84,7 @@ impl Default for Options {
     /// Order 3, blocks to 1e-3, shadows to 3e-3, direct light and solver as the scene needs, all threads.
     fn default() -> Self {
         Self {
-            method: Algorithm::Galerkin,
+            method: LightMethod::Galerkin,
             basis: Basis::Legendre,
             order: 3,
             space: Space::Total,
@@ -117,7 +117,7 @@ impl Options {
     }
 
     /// The elements of `scene`, cut as `how` says or into the cells of `mesh`; for the rules of 1993, which
-    /// know no footings, with whole surfaces.
+    /// know no footprints, with whole surfaces.
     ///
     /// # Errors
     /// As for [`Elements::new`].

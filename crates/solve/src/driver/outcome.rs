@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::checks::Checks;
 use crate::solution::Solution;
 
-use super::choice::Choice;
+use super::transport_choice::TransportChoice;
 use super::sampling::Sampling;
 
 /// The solution with its cost and self-checks.
@@ -49,7 +49,7 @@ pub struct Outcome {
     /// nothing was solved for.
     pub functionals: Vec<Functional>,
     /// The carrier of the pairs of elements, and the reason for it.
-    pub choice: Choice,
+    pub choice: TransportChoice,
     /// Cost and error of the rays, where they carried the pairs.
     pub sampling: Option<Sampling>,
     /// Numbers of links, where hierarchical radiosity found the light.
@@ -66,11 +66,11 @@ impl Outcome {
 
     /// The outcome for the same light at the factors of the groups of `scene`, which is the scene of this
     /// solution; None if the light of its groups is not kept apart.
-    pub fn relit(&self, scene: &Scene) -> Option<Self> {
-        let solution = self.solution.relit(scene)?;
+    pub fn relight(&self, scene: &Scene) -> Option<Self> {
+        let solution = self.solution.relight(scene)?;
         let residuals = solution.bands().iter().map(|band| band.coefficients.residual);
         Some(Self {
-            checks: self.checks.relit(&solution),
+            checks: self.checks.relight(&solution),
             residual: residuals.fold(0.0, f64::max),
             choice: self.choice.clone(),
             functionals: self.functionals.clone(),

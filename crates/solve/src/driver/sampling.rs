@@ -16,10 +16,10 @@ use radiosity_core::dot;
 use radiosity_elements::coating::Coating;
 use radiosity_elements::{Element, Elements};
 use radiosity_kernel::{Accuracy, Blocks};
-use radiosity_light::first_bounce::Entry;
+use radiosity_light::first_bounce::DirectLightEntry;
 use radiosity_solvers::SolveError;
 use radiosity_solvers::method::Method;
-use radiosity_transport::{Memory, Rays, SampledTransport};
+use radiosity_transport::{KeptBlocks, Rays, SampledTransport};
 use radiosity_visibility::Visibility;
 use radiosity_work::{Deadline, Progress, Work};
 use serde::{Deserialize, Serialize};
@@ -27,7 +27,7 @@ use serde::{Deserialize, Serialize};
 use crate::system::ritz::Ritz;
 use crate::system::{Coefficients, System};
 
-use super::band::solve_band;
+use super::solve_band::solve_band;
 use super::options::Options;
 
 /// Share of the rays that the pilot sends, one round of them at most. Chosen; between 0.05 and 0.2 errors
@@ -77,21 +77,21 @@ pub(super) struct Subject<'a> {
     /// factors.
     pub bands: &'a [Vec<&'a Coating>],
     /// The way in which the direct light of each light group enters the system.
-    pub entries: &'a [Entry],
+    pub entries: &'a [DirectLightEntry],
     pub visibility: &'a Visibility,
     pub options: &'a Options,
     pub work: &'a Work<'a>,
 }
 
 impl Subject<'_> {
-    /// The blocks by `rays` rays after the pilot, and what they are worth; what `memory` knows is not found
+    /// The blocks by `rays` rays after the pilot, and what they are worth; what `kept` holds is not found
     /// again.
-    pub(super) fn sample(&self, rays: u64, mut memory: Option<&mut Memory>) -> (Blocks, Sampling) {
+    pub(super) fn sample(&self, rays: u64, mut kept: Option<&mut KeptBlocks>) -> (Blocks, Sampling) {
         let work = self.work;
-        let _listening = work.deadline.map(Deadline::listen);
+        let _guard = work.deadline.map(Deadline::accept_wishes);
         let (elements, visibility) = (self.elements, self.visibility);
         let mut transport =
-            SampledTransport::remembering(elements, visibility, memory.as_deref_mut(), work.ranks);
+            SampledTransport::keeping(elements, visibility, kept.as_deref_mut(), work.ranks);
         let pilot = (PILOT * rays as f64).min(ROUND as f64);
         transport.send(&self.by_area(pilot), &mut |done| {
             self.goes_on(Progress::Rays { done, of: rays, error: None })
@@ -104,7 +104,7 @@ impl Subject<'_> {
         let accuracy = self.accuracy(rays);
         let total = transport.sent().iter().sum::<u64>() + planned.iter().sum::<u64>();
         if !work.is_ended() {
-            transport.settle_again(&planned, accuracy, memory.as_deref_mut(), work);
+            transport.settle_again(&planned, accuracy, kept.as_deref_mut(), work);
             self.send_in_rounds(&mut transport, &planned);
         }
         // The halves first: their blocks are gone when the whole ones are made.
@@ -121,13 +121,13 @@ impl Subject<'_> {
             exact_pairs: transport.exact_pairs(),
             error: error.map(|error| error.hypot(of_exact)),
         };
-        transport.remember(memory);
+        transport.keep_rays(kept);
         (blocks, sampling)
     }
 
     /// Tells how far the work is; returns whether it goes on.
     fn goes_on(&self, progress: Progress) -> bool {
-        self.work.tell(progress);
+        self.work.report(progress);
         !self.work.is_ended()
     }
 

@@ -28,10 +28,10 @@ pub(crate) struct Walks<'a> {
 }
 
 /// Where a ray of a walk ends.
-pub(crate) struct End {
+pub(crate) struct WalkEnd {
     pub(crate) element: usize,
     /// The side whose light is sent on towards the start of the ray.
-    pub(crate) lit: Lit,
+    pub(crate) lit: SendingSide,
     /// Length of the ray (scene length).
     pub(crate) distance: f64,
     /// Number from which whatever is chosen at this end follows.
@@ -40,7 +40,7 @@ pub(crate) struct End {
 
 /// The side of a surface whose light is sent on: that which a ray met, or the other of one that lets light
 /// through.
-pub(crate) struct Lit {
+pub(crate) struct SendingSide {
     pub(crate) element: usize,
     pub(crate) place: Place,
     pub(crate) there: ReceiverPoint,
@@ -48,7 +48,7 @@ pub(crate) struct Lit {
     pub(crate) factors: Vec<f64>,
 }
 
-impl Lit {
+impl SendingSide {
     /// The largest factor.
     pub(crate) fn brightest(&self) -> f64 {
         self.factors.iter().copied().fold(0.0, f64::max)
@@ -67,7 +67,7 @@ impl<'a> Walks<'a> {
         mut from: ReceiverPoint,
         mut direction: [f64; 2],
         mut chance: u64,
-        visit: &mut impl FnMut(&End, &[f64]),
+        visit: &mut impl FnMut(&WalkEnd, &[f64]),
     ) {
         let mut weights = vec![1.0; self.solution.bands().len()];
         while let Some(end) = self.end(&from, lambert(from.normal, direction), chance) {
@@ -87,7 +87,7 @@ impl<'a> Walks<'a> {
     }
 
     /// Where a ray meets the front of an element.
-    fn end(&self, from: &ReceiverPoint, direction: DVec3, chance: u64) -> Option<End> {
+    fn end(&self, from: &ReceiverPoint, direction: DVec3, chance: u64) -> Option<WalkEnd> {
         if from.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
             return None;
         }
@@ -103,17 +103,17 @@ impl<'a> Walks<'a> {
         let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
         let there = ReceiverPoint::on(surface, jet.position, jet.normal);
         let lit = self.lit(element, &place, &there, chance);
-        Some(End { element, lit, distance: hit.t, chance })
+        Some(WalkEnd { element, lit, distance: hit.t, chance })
     }
 
     /// The side whose light a place sends on, which `chance` chooses.
-    fn lit(&self, element: usize, place: &Place, there: &ReceiverPoint, chance: u64) -> Lit {
+    fn lit(&self, element: usize, place: &Place, there: &ReceiverPoint, chance: u64) -> SendingSide {
         let coatings = || self.solution.bands().iter().map(|band| &band.coating);
         let mut factors: Vec<f64> =
             coatings().map(|coating| coating.reflectance_at(element, place.parameters)).collect();
-        let own = Lit { element, place: *place, there: *there, factors: Vec::new() };
+        let own = SendingSide { element, place: *place, there: *there, factors: Vec::new() };
         let Some((behind, beyond)) = self.solution.behind(element, place) else {
-            return Lit { factors, ..own };
+            return SendingSide { factors, ..own };
         };
         let transmitted: Vec<f64> = coatings().map(|coating| coating.transmittance(element)).collect();
         let [reflects, transmits] =
@@ -122,10 +122,10 @@ impl<'a> Walks<'a> {
         let [dice]: [f64; 1] = shift(number_of([f64::from_bits(chance), 4.0]));
         if dice < share {
             factors.iter_mut().for_each(|factor| *factor /= share);
-            return Lit { factors, ..own };
+            return SendingSide { factors, ..own };
         }
         let factors = transmitted.iter().map(|factor| factor / (1.0 - share)).collect();
         let there = ReceiverPoint::on(beyond.surface, there.position, -there.normal);
-        Lit { element: behind, place: beyond, there, factors }
+        SendingSide { element: behind, place: beyond, there, factors }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Each run has more polynomials or elements than the one before, and more accurate transfers. Its error is
 //! estimated from light gathered at points, plus what transfers and shadows may miss: that of the polynomials
-//! by what is gathered beside them (`estimate`), that of gathered light by walks (`gathered`). Against exact
+//! by what is gathered beside them (`estimate`), that of gathered light by walks (`error_estimate`). Against exact
 //! answers and much finer runs the estimate of polynomials is within a factor of three of the error
 //! (`cargo test --release --test stress -- --ignored`), that of gathered light within two
 //! (`cargo run --release -p radiosity-studies --bin estimates`).
@@ -15,7 +15,7 @@ mod goal;
 mod achieved;
 mod points;
 mod sensor;
-mod gathered;
+mod error_estimate;
 mod importance;
 mod estimate;
 mod run;
@@ -28,9 +28,9 @@ mod local;
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
-use crate::driver::{Algorithm, Choice, Failure, Options, Transport};
+use crate::driver::{LightMethod, TransportChoice, Failure, Options, Transport};
 
-pub use achieved::{Achieved, Adapted, End};
+pub use achieved::{Achieved, Adapted, EndReason};
 pub use goal::{Aim, Goal};
 pub use importance::importance;
 
@@ -56,10 +56,10 @@ const NO_ERROR_OF_ELEMENTS: &str =
 /// # Errors
 /// Any error of the first run; of later runs those that do not end the sequence.
 pub fn adapt(scene: &Scene, options: &Options, goal: &Goal, work: &Work<'_>) -> Result<Adapted, Failure> {
-    if options.method == Algorithm::Hierarchical {
+    if options.method == LightMethod::Hierarchical {
         return by_links(scene, options, goal, work);
     }
-    let choice = options.in_threads(work.ranks, || Choice::of(scene, options))?;
+    let choice = options.in_threads(work.ranks, || TransportChoice::of(scene, options))?;
     if is_by_rays(scene, options, goal, &choice) {
         return by_rays(scene, options, goal, work);
     }
@@ -72,7 +72,7 @@ pub fn adapt(scene: &Scene, options: &Options, goal: &Goal, work: &Work<'_>) -> 
 
 /// Whether rays carry the pairs: where polynomials are the goal, in small scenes only if they are asked for,
 /// because their own error tells nothing of that of elements.
-fn is_by_rays(scene: &Scene, options: &Options, goal: &Goal, choice: &Choice) -> bool {
+fn is_by_rays(scene: &Scene, options: &Options, goal: &Goal, choice: &TransportChoice) -> bool {
     let is_asked_for = options.transport == Transport::Sampled || options.rays.is_some();
     choice.sampled && (goal.of != Aim::Solution || is_asked_for || scene.surfaces.len() > FEW)
 }

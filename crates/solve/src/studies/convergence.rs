@@ -1,5 +1,5 @@
 //! Convergence: one scene solved at rising orders, on meshes with more and more layers, and in other
-//! [ways](Way); how its error falls.
+//! [ways](RunSeries); how its error falls.
 //!
 //! The error of a run is its [distance](crate::studies::error_norm) from a reference. Without one this is the
 //! finest of the uniform runs, whose own unknown error then adds to that of every other run. Between two runs
@@ -24,7 +24,7 @@ use radiosity_published::bases::Basis;
 use radiosity_scene::Scene;
 use radiosity_work::{Progress, Stage, Work};
 
-use crate::driver::{Algorithm, Failure, Options, Outcome, Transport, solve};
+use crate::driver::{LightMethod, Failure, Options, Outcome, Transport, solve};
 use crate::solution::Solution;
 use crate::studies::adaptation::{Aim, Goal, adapt};
 use crate::studies::error_norm::distance;
@@ -46,7 +46,7 @@ const RAYS: [u64; 4] = [1 << 17, 1 << 19, 1 << 21, 1 << 23];
 /// A way in which a sequence of runs gets finer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-pub enum Way {
+pub enum RunSeries {
     /// Higher orders, and more layers, on all surfaces alike.
     Uniform,
     /// Hierarchical radiosity on constants, by weaker and weaker links.
@@ -63,29 +63,29 @@ pub enum Way {
     Harmonic,
 }
 
-impl Way {
+impl RunSeries {
     /// The ways in the bases of the variational source other than polynomials.
     pub const BASES: [Self; 3] = [Self::Constant, Self::Linear, Self::Harmonic];
 
     /// Name of the way in tables.
     pub fn name(self) -> &'static str {
         match self {
-            Way::Uniform => "uniform",
-            Way::Hierarchical => "hierarchical",
-            Way::Hp => "hp",
-            Way::Sampled => "sampled",
-            Way::Constant => "constant",
-            Way::Linear => "linear",
-            Way::Harmonic => "harmonic",
+            RunSeries::Uniform => "uniform",
+            RunSeries::Hierarchical => "hierarchical",
+            RunSeries::Hp => "hp",
+            RunSeries::Sampled => "sampled",
+            RunSeries::Constant => "constant",
+            RunSeries::Linear => "linear",
+            RunSeries::Harmonic => "harmonic",
         }
     }
 }
 
 /// A solved discretisation with its errors.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Run {
+pub struct ConvergenceRun {
     /// The way that it is a step of.
-    pub way: Way,
+    pub series: RunSeries,
     /// Highest order of the bases.
     pub order: usize,
     /// Layers of graded elements.
@@ -122,15 +122,15 @@ pub enum Reference<'a> {
 const PARTS: usize = 1000;
 
 /// A run to be made.
-struct Trial {
-    way: Way,
+struct PlannedRun {
+    series: RunSeries,
     options: Options,
     /// The accuracy that elements are refined for.
     wanted: Option<f64>,
 }
 
 /// A run that was made.
-struct Made {
+struct FinishedRun {
     outcome: Outcome,
     seconds: f64,
 }
@@ -145,81 +145,81 @@ struct Made {
 pub fn convergence(
     scene: &Scene,
     options: &Options,
-    other: &[Way],
+    other: &[RunSeries],
     reference: &Reference,
     work: &Work<'_>,
-) -> Result<Vec<Run>, Failure> {
+) -> Result<Vec<ConvergenceRun>, Failure> {
     let plan = plan(options, other);
-    let costs: Vec<f64> = plan.iter().map(Trial::cost).collect();
+    let costs: Vec<f64> = plan.iter().map(PlannedRun::cost).collect();
     let all: f64 = costs.iter().sum();
     let mut made = Vec::with_capacity(plan.len());
     let mut before = 0.0;
-    for (trial, cost) in plan.iter().zip(costs) {
+    for (planned, cost) in plan.iter().zip(costs) {
         let furthest = AtomicUsize::new(0);
-        let hear = |progress| {
+        let observe = |progress| {
             if let Progress::Done { stage: Stage::Blocks, done, of } = progress {
                 let done = furthest.fetch_max(done, Ordering::Relaxed).max(done);
                 let part = (before + cost * (done as f64 / of.max(1) as f64).min(1.0)) / all;
-                work.tell_done(Stage::Runs, (PARTS as f64 * part) as usize, PARTS);
+                work.report_done(Stage::Runs, (PARTS as f64 * part) as usize, PARTS);
             }
         };
-        made.push(trial.solve(scene, &work.told(&hear))?);
+        made.push(planned.solve(scene, &work.observed_by(&observe))?);
         before += cost;
     }
     Ok(runs(&plan, &made, reference))
 }
 
-fn plan(options: &Options, other: &[Way]) -> Vec<Trial> {
+fn plan(options: &Options, other: &[RunSeries]) -> Vec<PlannedRun> {
     let layers = |count| Layers { count, ..options.layers };
-    let uniform = |options| Trial { way: Way::Uniform, options, wanted: None };
+    let uniform = |options| PlannedRun { series: RunSeries::Uniform, options, wanted: None };
     let of_layers = |count| {
         (0..=options.order).map(move |order| uniform(Options { order, layers: layers(count), ..*options }))
     };
-    let mut plan: Vec<Trial> = (0..=options.layers.count).flat_map(of_layers).collect();
+    let mut plan: Vec<PlannedRun> = (0..=options.layers.count).flat_map(of_layers).collect();
     let plain = Options { layers: layers(0), ..*options };
-    let of_way = |way: Way| -> Vec<Trial> {
-        let trial = |options, wanted| Trial { way, options, wanted };
-        let by_links = |eps| Options { method: Algorithm::Hierarchical, order: 0, eps, ..plain };
+    let of_series = |series: RunSeries| -> Vec<PlannedRun> {
+        let planned = |options, wanted| PlannedRun { series, options, wanted };
+        let by_links = |eps| Options { method: LightMethod::Hierarchical, order: 0, eps, ..plain };
         let on_cells = |basis, order, cells| Options { basis, order, subdivide: Some(cells), ..plain };
         let by_cosines = |order| Options { basis: Basis::Harmonic, order, ..plain };
         let by_rays = |rays| Options { transport: Transport::Sampled, rays: Some(rays), ..plain };
-        match way {
-            Way::Uniform => Vec::new(),
-            Way::Hierarchical => LINKS.map(|eps| trial(by_links(eps), None)).into(),
-            Way::Hp => WANTED.map(|wanted| trial(Options { order: 0, ..plain }, Some(wanted))).into(),
-            Way::Sampled => RAYS.map(|rays| trial(by_rays(rays), None)).into(),
-            Way::Constant => CELLS.map(|cells| trial(on_cells(Basis::Constant, 0, cells), None)).into(),
-            Way::Linear => CELLS.map(|cells| trial(on_cells(Basis::Linear, 1, cells), None)).into(),
-            Way::Harmonic => (0..=options.order).map(|order| trial(by_cosines(order), None)).collect(),
+        match series {
+            RunSeries::Uniform => Vec::new(),
+            RunSeries::Hierarchical => LINKS.map(|eps| planned(by_links(eps), None)).into(),
+            RunSeries::Hp => WANTED.map(|wanted| planned(Options { order: 0, ..plain }, Some(wanted))).into(),
+            RunSeries::Sampled => RAYS.map(|rays| planned(by_rays(rays), None)).into(),
+            RunSeries::Constant => CELLS.map(|cells| planned(on_cells(Basis::Constant, 0, cells), None)).into(),
+            RunSeries::Linear => CELLS.map(|cells| planned(on_cells(Basis::Linear, 1, cells), None)).into(),
+            RunSeries::Harmonic => (0..=options.order).map(|order| planned(by_cosines(order), None)).collect(),
         }
     };
-    plan.extend(other.iter().flat_map(|way| of_way(*way)));
+    plan.extend(other.iter().flat_map(|series| of_series(*series)));
     plan
 }
 
-impl Trial {
+impl PlannedRun {
     /// Cost of the run: about the number of pairs of basis functions, for uniform runs.
     fn cost(&self) -> f64 {
         let cells = (self.options.subdivide.unwrap_or(1) + 2 * self.options.layers.count).pow(2);
         ((cells * self.options.space.count(self.options.order)) as f64).powi(2)
     }
 
-    fn solve(&self, scene: &Scene, work: &Work<'_>) -> Result<Made, Failure> {
+    fn solve(&self, scene: &Scene, work: &Work<'_>) -> Result<FinishedRun, Failure> {
         let begun = Instant::now();
         let Some(wanted) = self.wanted else {
             let outcome = solve(scene, &self.options, work)?;
             let stages = outcome.seconds;
             let seconds = stages.elements + stages.visibility + stages.blocks + stages.direct + stages.solve;
-            return Ok(Made { outcome, seconds: seconds.as_secs_f64() });
+            return Ok(FinishedRun { outcome, seconds: seconds.as_secs_f64() });
         };
         let goal = Goal::new(wanted, Aim::Gathered);
         let outcome = adapt(scene, &self.options, &goal, work)?.outcome;
-        Ok(Made { outcome, seconds: begun.elapsed().as_secs_f64() })
+        Ok(FinishedRun { outcome, seconds: begun.elapsed().as_secs_f64() })
     }
 }
 
-fn runs(plan: &[Trial], made: &[Made], reference: &Reference) -> Vec<Run> {
-    let last = plan.iter().rposition(|trial| trial.way == Way::Uniform).unwrap_or(0);
+fn runs(plan: &[PlannedRun], made: &[FinishedRun], reference: &Reference) -> Vec<ConvergenceRun> {
+    let last = plan.iter().rposition(|planned| planned.series == RunSeries::Uniform).unwrap_or(0);
     let error = |k: usize| match reference {
         Reference::Given(error) => Some(error(&made[k].outcome.solution)),
         Reference::FinestRun if k == last => None,
@@ -229,27 +229,27 @@ fn runs(plan: &[Trial], made: &[Made], reference: &Reference) -> Vec<Run> {
         }
     };
     let finest = &made[last].outcome;
-    let mut runs: Vec<Run> = Vec::with_capacity(plan.len());
-    for (k, (trial, made)) in plan.iter().zip(made).enumerate() {
-        let run = run(trial, made, error(k));
+    let mut runs: Vec<ConvergenceRun> = Vec::with_capacity(plan.len());
+    for (k, (planned, made)) in plan.iter().zip(made).enumerate() {
+        let run = run(planned, made, error(k));
         let rate = runs.last().and_then(|before| rate(before, &run));
         let energy = (k != last).then(|| energy(&made.outcome, finest)).flatten();
-        runs.push(Run { rate, energy, ..run });
+        runs.push(ConvergenceRun { rate, energy, ..run });
     }
     runs
 }
 
-fn run(trial: &Trial, made: &Made, error: Option<f64>) -> Run {
+fn run(planned: &PlannedRun, made: &FinishedRun, error: Option<f64>) -> ConvergenceRun {
     let elements = made.outcome.solution.elements();
     let orders = elements.list().iter().map(|element| element.basis.order());
-    let order = match trial.way {
-        Way::Uniform | Way::Constant | Way::Linear | Way::Harmonic => trial.options.order,
+    let order = match planned.series {
+        RunSeries::Uniform | RunSeries::Constant | RunSeries::Linear | RunSeries::Harmonic => planned.options.order,
         _ => orders.max().unwrap_or(0),
     };
-    Run {
-        way: trial.way,
+    ConvergenceRun {
+        series: planned.series,
         order,
-        layers: trial.options.layers.count,
+        layers: planned.options.layers.count,
         elements: elements.list().len(),
         unknowns: made.outcome.unknowns,
         samples: made.outcome.samples,
@@ -270,10 +270,10 @@ fn energy(outcome: &Outcome, finest: &Outcome) -> Option<f64> {
     (comparable && own > least && least < 0.0).then(|| ((own - least) / -least).sqrt())
 }
 
-fn rate(before: &Run, run: &Run) -> Option<f64> {
+fn rate(before: &ConvergenceRun, run: &ConvergenceRun) -> Option<f64> {
     let (old, new) = (before.error?, run.error?);
-    let is_one_way = before.way == run.way && before.layers == run.layers;
+    let is_one_series = before.series == run.series && before.layers == run.layers;
     // Surfaces that state their own order may leave the unknowns as they are.
-    let comparable = is_one_way && before.unknowns != run.unknowns && old > 0.0 && new > 0.0;
+    let comparable = is_one_series && before.unknowns != run.unknowns && old > 0.0 && new > 0.0;
     comparable.then(|| (old / new).ln() / (run.unknowns as f64 / before.unknowns as f64).ln())
 }

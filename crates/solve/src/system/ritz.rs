@@ -49,7 +49,7 @@ pub struct Ritz<'a> {
 
 /// A solution of one band, with the value of the functional there.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct RitzSolution {
     /// Irradiance and radiosity.
     pub coefficients: Coefficients,
     /// I(y), in the square of the unit of exitance times scene length².
@@ -74,30 +74,30 @@ impl<'a> Ritz<'a> {
         Self { system, reduction }
     }
 
-    /// The method for the one that was asked for, where the matrix `is_symmetric` or not. In a subspace it is
-    /// known by its products, so that a choice that is left open falls on a method that multiplies.
-    pub(crate) fn method(&self, asked: &'static Method, is_symmetric: bool) -> &'static Method {
+    /// The solver in place of the one that was asked for, where the matrix `is_symmetric` or not. In a subspace it is
+    /// known by its products, so that a choice that is left open falls on a solver that multiplies.
+    pub(crate) fn solver(&self, asked: &'static Method, is_symmetric: bool) -> &'static Method {
         if self.reduction.is_none() || asked.access != Access::BySize {
             return asked;
         }
         if is_symmetric { &Method::CG } else { &Method::GMRES }
     }
 
-    /// The matrix for the solver `method`, and how residuals are to be preconditioned where `asked` says how.
+    /// The matrix for the solver `solver`, and how residuals are to be preconditioned where `asked` says how.
     ///
     /// # Errors
     /// Values that are not finite.
     pub fn operator(
         &self,
-        method: &Method,
+        solver: &Method,
         asked: Preconditioner,
         threads: usize,
     ) -> Result<(Box<dyn Operator + '_>, Preconditioner), SolveError> {
         let Some(reduction) = &self.reduction else {
-            return Ok((self.system.operator(method, threads)?, asked));
+            return Ok((self.system.operator(solver, threads)?, asked));
         };
         let product = Projected::new(reduction, self.system.operator(&Method::CG, threads)?);
-        if method.only_multiplies() {
+        if solver.only_multiplies() {
             // Diagonal blocks would cost as much as the whole matrix; those of flat surfaces are the
             // identity.
             return Ok((Box::new(product), Preconditioner::None));
@@ -118,7 +118,7 @@ impl<'a> Ritz<'a> {
     }
 
     /// Irradiance and radiosity for the unknowns a.
-    pub fn found(&self, unknowns: &[f64]) -> Found {
+    pub fn found(&self, unknowns: &[f64]) -> RitzSolution {
         let own = match &self.reduction {
             None => Cow::Borrowed(unknowns),
             Some(reduction) => Cow::Owned(reduction.extended(unknowns)),
@@ -127,7 +127,7 @@ impl<'a> Ritz<'a> {
         let irradiance = self.system.irradiance(&unknown);
         let functional = self.system.functional(&own, &unknown, &irradiance);
         let [irradiance, direct] = [irradiance, self.system.direct.clone()].map(|own| self.projected(own));
-        Found { coefficients: self.system.with_irradiance(&unknown, irradiance, direct), functional }
+        RitzSolution { coefficients: self.system.with_irradiance(&unknown, irradiance, direct), functional }
     }
 
     /// Light that was reflected `bounces` times at the most, and once less. Residuals are the radiosity of

@@ -23,7 +23,7 @@ use radiosity::Work;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::gather::by_rays::{RayGather, Receiver};
+use radiosity::solve::gather::ray_gather::{RayGather, Receiver};
 use radiosity::solve::solution::Solution;
 use radiosity::solve::studies::adaptation::{Adapted, adapt};
 use radiosity::solve::{Options, Transport, solve};

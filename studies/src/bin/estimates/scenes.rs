@@ -1,7 +1,7 @@
 //! Scenes, and runs of them that are much finer.
 
 use radiosity::scene::Scene;
-use radiosity::solve::gather::choice::By;
+use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity_test_support::walls::walls;
 
@@ -50,7 +50,7 @@ impl Case {
 
     /// The goal of this accuracy of light, read as the truth is.
     pub(crate) fn goal(&self, accuracy: f64) -> Goal {
-        Goal::new(accuracy, Aim::Gathered).read_by(if self.by_rays { By::Rays } else { By::Cells })
+        Goal::new(accuracy, Aim::Gathered).read_by(if self.by_rays { GatherMethod::Rays } else { GatherMethod::Cells })
     }
 
     fn flat(name: &str, scene: Scene, [order, cuts]: [usize; 2]) -> Self {

@@ -3,7 +3,7 @@
 use radiosity::elements::{Discretization, Subdivide};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
-use radiosity::solve::driver::memory::MemoryEstimate;
+use radiosity::solve::driver::memory_estimate::MemoryEstimate;
 use radiosity::work::ranks::Ranks;
 
 /// Megabytes as reckoned before the run, whole surfaces being elements.

@@ -8,7 +8,7 @@ use radiosity_solve::solution::Solution;
 use radiosity_solve::solution::powers::Powers;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Achieved;
-use radiosity_solve::{Choice, Outcome, Sampling, Stages};
+use radiosity_solve::{TransportChoice, Outcome, Sampling, Stages};
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +34,7 @@ pub(super) struct Figures {
     #[serde(default)]
     pub(super) achieved: Option<Achieved>,
     /// The transport that carried the pairs of elements, and why.
-    choice: Choice,
+    choice: TransportChoice,
     /// Cost and error of the rays, where rays carried the pairs.
     sampling: Option<Sampling>,
     /// Numbers of nodes, links and pairs, where hierarchical radiosity found the light.

@@ -3,7 +3,7 @@
 use radiosity_elements::Elements;
 use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_light::receiver_point::ReceiverPoint;
-use radiosity_solve::gather::spot::Spot;
+use radiosity_solve::gather::surface_point::SurfacePoint;
 use radiosity_solve::solution::Place;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::vector;
@@ -58,7 +58,7 @@ impl Eye<'_> {
     pub(crate) fn along(&self, ray: &Ray) -> Option<Seen> {
         let Encounter { surface, hit, front } = self.visibility.nearest(ray)?;
         // Where two surfaces meet, light is the limit from within the visible one.
-        let spot = front.then(|| Spot::at(self.elements, surface, [hit.u, hit.v], self.diagonal))??;
-        Some(Seen { element: spot.element, place: spot.place, normal: spot.normal })
+        let point = front.then(|| SurfacePoint::at(self.elements, surface, [hit.u, hit.v], self.diagonal))??;
+        Some(Seen { element: point.element, place: point.place, normal: point.normal })
     }
 }

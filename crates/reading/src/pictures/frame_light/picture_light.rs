@@ -4,8 +4,8 @@ use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
 use radiosity_light::penumbra::{Factor, Penumbra, RayEffort, VisibleEmitters};
 use radiosity_solve::gather::Gather;
-use radiosity_solve::gather::by_rays::{Estimate, RayGather};
-use radiosity_solve::gather::choice::By;
+use radiosity_solve::gather::ray_gather::{RayEstimate, RayGather};
+use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
@@ -72,7 +72,7 @@ impl<'a> PictureLight<'a> {
         let twice = read == Read::GatherTwice;
         let rest = match read {
             Read::Basis | Read::Direct => Rest::Polynomials,
-            _ if By::Auto.rays(solution, visibility, AVERAGED * eps, twice) => {
+            _ if GatherMethod::Auto.rays(solution, visibility, AVERAGED * eps, twice) => {
                 Rest::Rays(RayGather::new(solution, visibility, AVERAGED * eps, twice))
             }
             _ if twice => Rest::Cells(Gather::twice(solution, visibility, eps)),
@@ -135,7 +135,7 @@ impl<'a> PictureLight<'a> {
                 Known { bands: gather.reflection().irradiance(&receiver, &around, lit), error: 0.0 }
             }
             Rest::Rays(gather) => {
-                let Estimate { irradiance, deviation } = gather.reflected(&seen.receiver_point(), lit);
+                let RayEstimate { irradiance, deviation } = gather.reflected(&seen.receiver_point(), lit);
                 let all: f64 = irradiance.iter().chain(lit).sum();
                 Known { bands: irradiance, error: deviation.relative * all }
             }

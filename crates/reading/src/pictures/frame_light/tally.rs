@@ -1,10 +1,10 @@
-//! A count of the pixels that are done in one stage, told to a listener.
+//! A count of the pixels that are done in one stage, reported to the observer of the work.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_work::{Stage, Work};
 
-/// Pixels between two calls to the listener: a call takes a microsecond. Chosen.
+/// Pixels between two reports: one takes a microsecond. Chosen.
 const OFTEN: usize = 1024;
 
 /// Counts pixels, from any thread.
@@ -25,7 +25,7 @@ impl<'a> Tally<'a> {
     pub(crate) fn add(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         if done.is_multiple_of(OFTEN) || done == self.total {
-            self.work.tell_done(self.stage, done, self.total);
+            self.work.report_done(self.stage, done, self.total);
         }
     }
 }
@@ -40,15 +40,15 @@ mod tests {
 
     #[test]
     fn the_last_is_told_and_the_count_never_exceeds_all() {
-        let heard = Mutex::new(Vec::new());
-        let hear = |progress| {
+        let reports = Mutex::new(Vec::new());
+        let observe = |progress| {
             let Progress::Done { stage: Stage::Picture, done, of } = progress else { panic!("{progress:?}") };
-            heard.lock().expect("no panic").push((done, of));
+            reports.lock().expect("no panic").push((done, of));
         };
-        let work = Work::alone().told(&hear);
+        let work = Work::alone().observed_by(&observe);
         let tally = Tally::new(2 * OFTEN + 7, Stage::Picture, &work);
         (0..2 * OFTEN + 7).for_each(|_| tally.add());
         let all = 2 * OFTEN + 7;
-        assert_eq!(*heard.lock().expect("no panic"), [(OFTEN, all), (2 * OFTEN, all), (all, all)]);
+        assert_eq!(*reports.lock().expect("no panic"), [(OFTEN, all), (2 * OFTEN, all), (all, all)]);
     }
 }

@@ -3,12 +3,12 @@
 use radiosity_elements::Elements;
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{DVec3, Jet, Rect, Surface, distance_to_segment, overhang, sides};
-use radiosity_solve::gather::spot::Spot;
+use radiosity_solve::gather::surface_point::SurfacePoint;
 
 use crate::pictures::frame_light::eye::Seen;
 
 /// Distance that computed points keep from borders, over the surface's extent: three times as far as a
-/// [`Spot`] moves a point.
+/// [`SurfacePoint`] moves a point.
 const INWARDS: f64 = 3e-5;
 
 /// Greatest distance from the open part to the centre of a texel that takes the light of its nearest point,
@@ -51,7 +51,7 @@ impl<'a> Places<'a> {
             }
             None => own,
         };
-        let Spot { place, element, normal, .. } = Spot::at(elements, surface, at, self.diagonal)?;
+        let SurfacePoint { place, element, normal, .. } = SurfacePoint::at(elements, surface, at, self.diagonal)?;
         let is_open = elements.list()[element].contact.is_none();
         is_open.then_some(Seen { element, place, normal })
     }

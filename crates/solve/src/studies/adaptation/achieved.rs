@@ -29,25 +29,25 @@ pub struct Achieved {
     #[serde(default)]
     pub of: Aim,
     /// Reason why no finer run followed.
-    pub end: End,
+    pub end: EndReason,
 }
 
 impl Achieved {
     /// The accuracy with which a sequence for `goal` ended.
-    pub(super) fn new(goal: &Goal, estimate: Option<f64>, end: End) -> Self {
+    pub(super) fn new(goal: &Goal, estimate: Option<f64>, end: EndReason) -> Self {
         Self { estimate, wanted: Some(goal.accuracy), of: goal.of, end }
     }
 
     /// Whether the estimate is as small as wanted.
     pub fn reached(&self) -> bool {
-        self.end == End::Reached
+        self.end == EndReason::Reached
     }
 }
 
 /// Why an adaptation ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum End {
+pub enum EndReason {
     /// The estimate is as small as wanted.
     Reached,
     /// The sequence has no finer run.

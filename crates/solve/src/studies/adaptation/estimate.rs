@@ -34,7 +34,7 @@ use crate::driver::{Failure, Options, Outcome};
 use crate::gather::Gather;
 use crate::solution::Solution;
 
-use super::gathered::{Estimate, missed as missed_at};
+use super::error_estimate::{ErrorEstimate, error_estimate};
 use super::goal::{Aim, Goal};
 use super::points::{Point, points};
 use super::sensor::Sensor;
@@ -50,7 +50,7 @@ const OF_WANTED: f64 = 0.1;
 const TRANSFERRED: f64 = 0.1;
 
 /// Estimated ‖B − B_h‖/‖B − E₀‖ of the run `outcome`, all bands pooled, accurate enough to compare with the
-/// goal; B_h are the polynomials, or E₀ + ρ E_g where gathered light is the goal ([`gathered`]).
+/// goal; B_h are the polynomials, or E₀ + ρ E_g where gathered light is the goal ([`error_estimate`](super::error_estimate)).
 ///
 /// # Errors
 /// Threads that cannot be started.
@@ -60,10 +60,10 @@ pub(super) fn estimate(
     options: &Options,
     (goal, expected): (&Goal, f64),
     work: &Work<'_>,
-) -> Result<Estimate, Failure> {
+) -> Result<ErrorEstimate, Failure> {
     let visibility = Visibility::new(scene, options.into());
     let solution = &outcome.solution;
-    let at = |sensors: &[Sensor]| missed_at(outcome, &visibility, sensors, (goal, expected), work);
+    let at = |sensors: &[Sensor]| error_estimate(outcome, &visibility, sensors, (goal, expected), work);
     match goal.of {
         Aim::Gathered => return options.in_threads(work.ranks, || at(&Sensor::of_surfaces(solution))),
         Aim::Points | Aim::Seen => {
@@ -81,7 +81,7 @@ pub(super) fn estimate(
         }
         error
     })?;
-    Ok(Estimate { error: error.hypot(TRANSFERRED * missed(outcome, options)), shares: Vec::new() })
+    Ok(ErrorEstimate { error: error.hypot(TRANSFERRED * missed(outcome, options)), shares: Vec::new() })
 }
 
 /// Error of the polynomials, by light gathered to `eps`.
@@ -91,7 +91,7 @@ fn unresolved(solution: &Solution, visibility: &Visibility, eps: f64, work: &Wor
     let done = AtomicUsize::new(0);
     let of = |element: usize| {
         let squares = squares(element, &points[element], solution, &gather);
-        work.tell_done(Stage::Estimate, done.fetch_add(1, Ordering::Relaxed) + 1, points.len());
+        work.report_done(Stage::Estimate, done.fetch_add(1, Ordering::Relaxed) + 1, points.len());
         squares
     };
     let counts: Vec<f64> = points.iter().map(|own| own.len() as f64).collect();
@@ -107,9 +107,9 @@ fn squares(element: usize, points: &[Point], solution: &Solution, gather: &Gathe
     if weights.iter().all(|weight| *weight == 0.0) {
         return sums;
     }
-    let company = gather.around(&Site::of(&solution.elements().list()[element]));
+    let occluders = gather.around(&Site::of(&solution.elements().list()[element]));
     for point in points {
-        let gathered = gather.irradiance(&point.receiver_point(), &company);
+        let gathered = gather.irradiance(&point.receiver_point(), &occluders);
         for (band, (weight, gathered)) in weights.iter().zip(gathered).enumerate() {
             let held = solution.irradiance(band, element, &point.place);
             let weight = point.area * weight;

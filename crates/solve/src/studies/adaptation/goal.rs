@@ -3,7 +3,7 @@
 use radiosity_geom::DVec3;
 use serde::{Deserialize, Serialize};
 
-use crate::gather::choice::By;
+use crate::gather::gather_method::GatherMethod;
 
 /// Part of the wanted accuracy that light is read to. With .9 the error of reading was as large as that of
 /// what was read. Chosen.
@@ -20,7 +20,7 @@ pub struct Goal {
     /// as its surfaces, and unit normals.
     pub points: Vec<[DVec3; 2]>,
     /// The way light is read.
-    pub by: By,
+    pub by: GatherMethod,
     /// A run with more unknowns per band is not begun, except the first, and but for links, which need no
     /// matrix.
     pub most_unknowns: usize,
@@ -46,7 +46,7 @@ impl Goal {
     /// `accuracy` of the polynomials, or of light gathered on all surfaces, with at most 8000 unknowns per
     /// band, whose matrix has half a gigabyte (8000² · 8 bytes).
     pub fn new(accuracy: f64, of: Aim) -> Self {
-        Self { accuracy, of, points: Vec::new(), by: By::Auto, most_unknowns: 8000 }
+        Self { accuracy, of, points: Vec::new(), by: GatherMethod::Auto, most_unknowns: 8000 }
     }
 
     /// The goal of this accuracy for light gathered at these points.
@@ -60,7 +60,7 @@ impl Goal {
     }
 
     /// This goal, with light read by cells or rays.
-    pub fn read_by(self, by: By) -> Self {
+    pub fn read_by(self, by: GatherMethod) -> Self {
         Self { by, ..self }
     }
 

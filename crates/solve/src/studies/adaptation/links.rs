@@ -7,7 +7,7 @@ use radiosity_work::Work;
 
 use crate::driver::{Failure, Options, solve};
 
-use super::achieved::{Achieved, Adapted, End};
+use super::achieved::{Achieved, Adapted, EndReason};
 use super::goal::Goal;
 use super::run::{estimated, finer};
 
@@ -34,9 +34,9 @@ pub(super) fn by_links(
         let error = estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), work)?.error;
         let weaker = Options { eps: WEAKER * chosen.eps, ..chosen };
         let end = match () {
-            () if error <= goal.accuracy => Some(End::Reached),
-            () if weaker.eps < LEAST => Some(End::Finest),
-            () if !work.fits(begun.elapsed().mul_f64(GROWTH)) => Some(End::Time),
+            () if error <= goal.accuracy => Some(EndReason::Reached),
+            () if weaker.eps < LEAST => Some(EndReason::Finest),
+            () if !work.fits(begun.elapsed().mul_f64(GROWTH)) => Some(EndReason::Time),
             () => None,
         };
         let end = match end {

@@ -14,7 +14,7 @@ use radiosity_work::Work;
 use crate::driver::{Failure, Options, solve_exactly};
 use crate::solution::Solution;
 
-use super::achieved::{Achieved, Adapted, End};
+use super::achieved::{Achieved, Adapted, EndReason};
 use super::goal::Goal;
 use super::run::{FIRST_ORDER, advise, estimated, finer};
 use super::smoothness::refinement;
@@ -63,7 +63,7 @@ pub(super) fn locally(
     let mut begun = Instant::now();
     let mut outcome = solve_exactly(scene, &chosen, why, None, work).map_err(advise)?;
     if !outcome.converged {
-        let achieved = Achieved::new(goal, None, End::NotConverged);
+        let achieved = Achieved::new(goal, None, EndReason::NotConverged);
         return Ok(Adapted { outcome, options: chosen, achieved });
     }
     let mut error;
@@ -77,11 +77,11 @@ pub(super) fn locally(
             continue;
         }
         if error <= goal.accuracy {
-            break End::Reached;
+            break EndReason::Reached;
         }
         let left = (LEFT * (goal.accuracy / error).powi(2)).clamp(1.0 - BORNE[1], 1.0 - BORNE[0]);
         let Some(mesh) = refined(scene, &outcome.solution, &estimate.shares, 1.0 - left) else {
-            break End::Finest;
+            break EndReason::Finest;
         };
         expected = goal.accuracy.max(NEXT * error);
         vain = if error < least { 0 } else { vain + 1 };
@@ -95,17 +95,17 @@ pub(super) fn locally(
         let Ok(unknowns) =
             next.elements(scene, elements.discretization(), Some(&mesh)).map(|new| new.coefficients())
         else {
-            break End::Finest;
+            break EndReason::Finest;
         };
         if unknowns == elements.coefficients() && sharper == 1.0 {
-            break End::Finest;
+            break EndReason::Finest;
         }
         if unknowns > goal.most_unknowns {
-            break End::Unknowns;
+            break EndReason::Unknowns;
         }
         let growth = unknowns as f64 / elements.coefficients() as f64;
         if !work.fits(begun.elapsed().mul_f64(growth.powi(2))) {
-            break End::Time;
+            break EndReason::Time;
         }
         begun = Instant::now();
         match finer(solve_exactly(scene, &next, why, Some(&mesh), work))? {

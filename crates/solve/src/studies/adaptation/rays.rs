@@ -7,7 +7,7 @@ use radiosity_work::Work;
 
 use crate::driver::{Failure, MOST_RAYS, Options, Outcome, Sampling, solve};
 
-use super::achieved::{Achieved, Adapted, End};
+use super::achieved::{Achieved, Adapted, EndReason};
 use super::goal::{Aim, Goal};
 use super::run::{advise, estimated, finer};
 
@@ -41,11 +41,11 @@ pub(super) fn by_rays(
             Aim::Gathered | Aim::Points | Aim::Seen => None,
         };
         let end = match () {
-            () if !outcome.converged => Some(End::NotConverged),
-            () if error.is_some_and(|error| error <= goal.accuracy) => Some(End::Reached),
-            () if rays < planned && work.is_late() => Some(End::Time),
-            () if rays < planned => Some(End::Stopped),
-            () if rays >= MOST_RAYS => Some(End::Finest),
+            () if !outcome.converged => Some(EndReason::NotConverged),
+            () if error.is_some_and(|error| error <= goal.accuracy) => Some(EndReason::Reached),
+            () if rays < planned && work.is_late() => Some(EndReason::Time),
+            () if rays < planned => Some(EndReason::Stopped),
+            () if rays >= MOST_RAYS => Some(EndReason::Finest),
             () => None,
         };
         let ended = |outcome, end| {
@@ -57,12 +57,12 @@ pub(super) fn by_rays(
         let factor = error.map_or(MORE[1], |error| (error / goal.accuracy).powi(2).clamp(MORE[0], MORE[1]));
         let more = ((rays as f64 * factor) as u64).min(MOST_RAYS);
         if !work.fits(begun.elapsed().mul_f64(MORE[0])) {
-            return ended(outcome, End::Time);
+            return ended(outcome, EndReason::Time);
         }
         begun = Instant::now();
         match finer(solve(scene, &Options { rays: Some(more), ..chosen }, work))? {
             Ok(finer) if is_worse(&finer, &outcome) => {
-                return ended(outcome, if work.is_late() { End::Time } else { End::Stopped });
+                return ended(outcome, if work.is_late() { EndReason::Time } else { EndReason::Stopped });
             }
             Ok(finer) => (outcome, chosen.rays) = (finer, Some(more)),
             Err(end) => return ended(outcome, end),

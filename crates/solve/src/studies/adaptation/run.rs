@@ -6,11 +6,11 @@ use radiosity_scene::Scene;
 use radiosity_solvers::{SolveError, Stop};
 use radiosity_work::{Progress, Stage, Work};
 
-use crate::driver::{Failure, Fit, Options, Outcome, timed};
+use crate::driver::{Failure, MemoryReduction, Options, Outcome, timed};
 
-use super::achieved::End;
+use super::achieved::EndReason;
 use super::estimate::estimate;
-use super::gathered::Estimate;
+use super::error_estimate::ErrorEstimate;
 use super::goal::Goal;
 
 /// Order of the first rungs. Chosen; not tuned.
@@ -23,25 +23,25 @@ pub(super) fn estimated(
     options: &Options,
     (goal, expected): (&Goal, f64),
     work: &Work<'_>,
-) -> Result<Estimate, Failure> {
+) -> Result<ErrorEstimate, Failure> {
     let mut taken = Duration::ZERO;
     let estimate = timed(&mut taken, || estimate(scene, outcome, options, (goal, expected), work))?;
     outcome.seconds.estimate = taken;
-    work.tell(Progress::Finished { stage: Stage::Estimate, took: taken });
+    work.report(Progress::Finished { stage: Stage::Estimate, took: taken });
     Ok(estimate)
 }
 
 /// A run after the first, or the reason why it ends the sequence.
-pub(super) fn finer(run: Result<Outcome, Failure>) -> Result<Result<Outcome, End>, Failure> {
+pub(super) fn finer(run: Result<Outcome, Failure>) -> Result<Result<Outcome, EndReason>, Failure> {
     match run {
         Ok(outcome) if outcome.converged => Ok(Ok(outcome)),
         Err(Failure::Solver { source: SolveError::NotConverged { stop: Stop::Time, .. }, .. }) => {
-            Ok(Err(End::Time))
+            Ok(Err(EndReason::Time))
         }
         Ok(_) | Err(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
-            Ok(Err(End::NotConverged))
+            Ok(Err(EndReason::NotConverged))
         }
-        Err(Failure::Memory { .. }) => Ok(Err(End::Memory)),
+        Err(Failure::Memory { .. }) => Ok(Err(EndReason::Memory)),
         Err(failure) => Err(failure),
     }
 }
@@ -50,7 +50,7 @@ pub(super) fn finer(run: Result<Outcome, Failure>) -> Result<Result<Outcome, End
 pub(super) fn advise(failure: Failure) -> Failure {
     let Failure::Memory { needed, allowed, fits } = failure else { return failure };
     let fit = |fit| match fit {
-        Fit::Order(order) if order < FIRST_ORDER => Fit::OrderAlone(order),
+        MemoryReduction::Order(order) if order < FIRST_ORDER => MemoryReduction::OrderAlone(order),
         fit => fit,
     };
     Failure::Memory { needed, allowed, fits: fits.into_iter().map(fit).collect() }

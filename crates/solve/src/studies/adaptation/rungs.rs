@@ -15,7 +15,7 @@ use radiosity_work::Work;
 
 use crate::driver::{Failure, Options, solve_exactly};
 
-use super::achieved::{Achieved, Adapted, End};
+use super::achieved::{Achieved, Adapted, EndReason};
 use super::goal::Goal;
 use super::run::{FIRST_ORDER, advise, estimated, finer};
 
@@ -73,23 +73,23 @@ pub(super) fn by_rungs(
     let mut begun = Instant::now();
     let mut outcome = exactly(&chosen).map_err(advise)?;
     if !outcome.converged {
-        let achieved = Achieved::new(goal, None, End::NotConverged);
+        let achieved = Achieved::new(goal, None, EndReason::NotConverged);
         return Ok(Adapted { outcome, options: chosen, achieved });
     }
     let mut error;
     let end = loop {
         error = estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), work)?.error;
         if error <= goal.accuracy {
-            break End::Reached;
+            break EndReason::Reached;
         }
-        let Some(options) = plan.next() else { break End::Finest };
+        let Some(options) = plan.next() else { break EndReason::Finest };
         let unknowns = unknowns(scene, &options, occluded)?;
         if unknowns > goal.most_unknowns {
-            break End::Unknowns;
+            break EndReason::Unknowns;
         }
         let growth = unknowns as f64 / outcome.solution.elements().coefficients() as f64;
         if !work.fits(begun.elapsed().mul_f64(growth.powi(2))) {
-            break End::Time;
+            break EndReason::Time;
         }
         begun = Instant::now();
         match finer(exactly(&options))? {

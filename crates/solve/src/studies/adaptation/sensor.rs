@@ -5,7 +5,7 @@ use radiosity_geom::DVec3;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
-use crate::gather::spot::Spot;
+use crate::gather::surface_point::SurfacePoint;
 use crate::solution::{Band, Solution};
 
 use super::goal::{Aim, Goal};
@@ -42,15 +42,15 @@ impl Sensor {
     /// Sensors at the points of a goal, or at some of them. All count the same, but where reflected light is
     /// seen by ρ².
     pub(super) fn at(goal: &Goal, solution: &Solution, visibility: &Visibility) -> Vec<Self> {
-        let weight = |spot: Option<&Spot>, band: &Band| match (goal.of, spot) {
-            (Aim::Seen, Some(spot)) => band.coating.squared(spot.element),
+        let weight = |point: Option<&SurfacePoint>, band: &Band| match (goal.of, point) {
+            (Aim::Seen, Some(point)) => band.coating.squared(point.element),
             _ => 1.0,
         };
         let sensor = |[position, normal]: [DVec3; 2]| {
-            let spot = Spot::find(solution.elements(), visibility, position, normal);
-            let weights = solution.bands().iter().map(|band| weight(spot.as_ref(), band)).collect();
+            let point = SurfacePoint::find(solution.elements(), visibility, position, normal);
+            let weights = solution.bands().iter().map(|band| weight(point.as_ref(), band)).collect();
             let free = || ReceiverPoint::free(position, normal);
-            Self { point: spot.map_or_else(free, |spot| spot.receiver_point(normal)), weights }
+            Self { point: point.map_or_else(free, |point| point.receiver_point(normal)), weights }
         };
         some(goal.points.len()).map(|index| sensor(goal.points[index])).collect()
     }

@@ -16,7 +16,7 @@ use radiosity_scene::Scene;
 use radiosity_transport::price::{ElementPair, LEAST, price};
 use radiosity_visibility::{Hiding, Visibility};
 
-use super::choice::{Choice, Transport, USUAL_ACCURACY, usual_rays};
+use super::transport_choice::{TransportChoice, Transport, USUAL_ACCURACY, usual_rays};
 use super::options::Options;
 use super::outline::Outline;
 
@@ -31,7 +31,7 @@ const SEEING: f64 = 0.25;
 /// Pairs of surfaces that are looked at.
 const LOOKED_AT: usize = 2_000;
 
-impl Choice {
+impl TransportChoice {
     /// The carrier of the pairs of `scene` by these options.
     pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
         let exact = |why: &str| Self { sampled: false, why: why.to_owned() };
@@ -87,9 +87,9 @@ fn exact_price(scene: &Scene, options: &Options) -> f64 {
         if !a.exchanges_with(b) {
             return 0.0;
         }
-        let couple =
+        let pair =
             ElementPair { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat: a.is_flat() && b.is_flat() };
-        (sizes[i].elements * sizes[j].elements) as f64 * price(&couple, &visibility)
+        (sizes[i].elements * sizes[j].elements) as f64 * price(&pair, &visibility)
     };
     (0..looked_at).map(of_pair).fold(0.0, |sum, price| sum + price) * pairs as f64 / looked_at.max(1) as f64
 }

@@ -72,7 +72,7 @@ fn cells_of_a_brick_share_their_blocks_rightly() {
 }
 
 #[test]
-fn blocks_are_the_same_alone_and_in_company() {
+fn blocks_are_the_same_alone_and_among_others() {
     let seeded = seeded(12, 6);
     let asked = (rooms(), 0..4usize, prop::sample::select(vec![1e-2, 1e-4, 1e-6]));
     let outcome = TestRunner::new(seeded).run(&asked, |(faces, order, eps)| {

@@ -7,19 +7,19 @@ use radiosity_solvers::Step;
 use radiosity_solvers::method::Method;
 use radiosity_work::{Progress, Work};
 
-use crate::system::ritz::{Found, Ritz};
+use crate::system::ritz::{RitzSolution, Ritz};
 use crate::system::{Coefficients, System};
 
-use super::band::{Effort, solve_band};
+use super::solve_band::{SolveCost, solve_band};
 use super::emission::Emission;
 use super::failure::Failure;
-use super::first_light::Reflected;
+use super::first_light::EnteringLight;
 use super::options::Options;
 use super::outcome::Functional;
 
 /// The data from which the light of all bands follows.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Bands<'a> {
+pub(super) struct BandSystems<'a> {
     pub names: &'a [String],
     pub elements: &'a [Element],
     pub blocks: &'a Blocks,
@@ -29,17 +29,17 @@ pub(super) struct Bands<'a> {
 }
 
 /// The light of all bands.
-pub(super) struct Light {
+pub(super) struct SolvedLight {
     /// Coefficients of the light of each emission, band by band.
     pub light: Vec<Vec<Coefficients>>,
     /// Coefficients of the light with one reflection less, where the number of reflections is limited to more
     /// than none.
     pub before: Option<Vec<Vec<Coefficients>>>,
-    pub efforts: Vec<Effort>,
+    pub costs: Vec<SolveCost>,
     pub functionals: Vec<Functional>,
 }
 
-impl Bands<'_> {
+impl BandSystems<'_> {
     /// All light of each emission.
     ///
     /// # Errors
@@ -47,21 +47,21 @@ impl Bands<'_> {
     pub(super) fn solved(
         &self,
         emissions: &[Emission],
-        first: &[Reflected],
+        first: &[EnteringLight],
         work: &Work<'_>,
-    ) -> Result<Light, Failure> {
+    ) -> Result<SolvedLight, Failure> {
         let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
-        let (mut efforts, mut functionals) = (Vec::new(), Vec::new());
+        let (mut costs, mut functionals) = (Vec::new(), Vec::new());
         for (band, name) in self.names.iter().enumerate() {
             let systems = self.systems(band, emissions, first);
             let mut observe = |step: &Step<'_>| {
                 let Step { iteration, residual, .. } = *step;
-                work.tell(Progress::Iteration { band, of: self.names.len(), iteration, residual });
+                work.report(Progress::Iteration { band, of: self.names.len(), iteration, residual });
             };
-            let (solved, effort) = solve_band(&systems, self.options, work, &mut observe)
+            let (solved, cost) = solve_band(&systems, self.options, work, &mut observe)
                 .map_err(|source| Failure::Solver { band: name.clone(), source })?;
             for ((light, emission), found) in light.iter_mut().zip(emissions).zip(solved) {
-                let Found { coefficients, functional } = found;
+                let RitzSolution { coefficients, functional } = found;
                 light.push(coefficients);
                 // Where the system is not symmetric, the solution is no minimum.
                 let is_symmetric = self.blocks.symmetric() && !emission.coatings[band].transmits();
@@ -69,13 +69,13 @@ impl Bands<'_> {
                 let own = Functional { band, group, value: functional };
                 functionals.extend(is_symmetric.then_some(own));
             }
-            efforts.extend(effort);
+            costs.extend(cost);
         }
-        Ok(Light { light, before: None, efforts, functionals })
+        Ok(SolvedLight { light, before: None, costs, functionals })
     }
 
     /// The light of each emission that was reflected so many times at the most.
-    pub(super) fn bounced(&self, emissions: &[Emission], first: &[Reflected], bounces: usize) -> Light {
+    pub(super) fn bounced(&self, emissions: &[Emission], first: &[EnteringLight], bounces: usize) -> SolvedLight {
         let dark = || emissions.iter().map(|_| Vec::new()).collect::<Vec<Vec<Coefficients>>>();
         let (mut light, mut before) = (dark(), (bounces > 0).then(dark));
         for band in 0..self.names.len() {
@@ -85,14 +85,14 @@ impl Bands<'_> {
                 before.iter_mut().for_each(|own| own[k].extend(bounced.before.clone()));
             }
         }
-        let method = Method::RICHARDSON.name;
-        let efforts = vec![Effort { method, iterations: bounces, converged: true }];
-        Light { light, before, efforts, functionals: Vec::new() }
+        let solver = Method::RICHARDSON.name;
+        let costs = vec![SolveCost { solver, iterations: bounces, converged: true }];
+        SolvedLight { light, before, costs, functionals: Vec::new() }
     }
 
     /// The systems of a band, one for each emission.
-    fn systems<'a>(&'a self, band: usize, emissions: &'a [Emission], first: &[Reflected]) -> Vec<Ritz<'a>> {
-        let system = |(emission, first): (&'a Emission, &Reflected)| {
+    fn systems<'a>(&'a self, band: usize, emissions: &'a [Emission], first: &[EnteringLight]) -> Vec<Ritz<'a>> {
+        let system = |(emission, first): (&'a Emission, &EnteringLight)| {
             let coating = (band, &emission.coatings[band]);
             Ritz::new(System::entered(self.elements, self.blocks, coating, &first.entry), self.subspace)
         };

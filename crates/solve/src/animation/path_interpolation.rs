@@ -32,7 +32,7 @@ use radiosity_work::Work;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 
-use super::account::Account;
+use super::sequence_report::SequenceReport;
 use super::chebyshev;
 use super::error::AnimationError;
 use super::frame::Frame;
@@ -60,7 +60,7 @@ const FEW: usize = 24;
 
 /// The light of frames along a known path.
 #[derive(Debug)]
-pub(super) struct Course<'a> {
+pub(super) struct PathInterpolation<'a> {
     sequence: Sequence<'a>,
     tolerance: f64,
     /// First and last frames of what is not solved yet, the next one last.
@@ -92,7 +92,7 @@ struct Node {
     noise: f64,
 }
 
-impl<'a> Course<'a> {
+impl<'a> PathInterpolation<'a> {
     /// The light of the frames `first` to `last` of a sequence, to be interpolated to the relative accuracy
     /// `tolerance`. Nothing is solved yet.
     pub(super) fn new(sequence: Sequence<'a>, [first, last]: [usize; 2], tolerance: f64) -> Self {
@@ -107,8 +107,8 @@ impl<'a> Course<'a> {
     }
 
     /// Cost and error of the moments that were solved so far.
-    pub(super) fn account(&self) -> &Account {
-        self.sequence.account()
+    pub(super) fn report(&self) -> &SequenceReport {
+        self.sequence.report()
     }
 
     /// Cost of all solutions so far, in solutions of a frame alone ([`Sequence::spent`]).
@@ -189,7 +189,7 @@ impl<'a> Course<'a> {
     ) -> Result<Option<Segment>, AnimationError> {
         let ends = [first as f64, last as f64];
         let frames = last - first + 1;
-        let before = self.account().moments;
+        let before = self.report().moments;
         for intervals in LEVELS {
             if 2 * intervals >= frames || self.patience == 0 {
                 return Ok(Some(Segment::by_frames(ends)));
@@ -225,7 +225,7 @@ impl<'a> Course<'a> {
                 break;
             }
         }
-        self.patience = self.patience.saturating_sub(self.account().moments - before);
+        self.patience = self.patience.saturating_sub(self.report().moments - before);
         Ok((frames <= FEW).then(|| Segment::by_frames(ends)))
     }
 

@@ -5,17 +5,17 @@ use radiosity_work::ranks::Ranks;
 
 use super::failure::Failure;
 
-/// Runs `work` with that many threads, 0 for all that this process may use; all of them hear the current
+/// Runs `work` with that many threads, 0 for all that this process may use; all of them check the current
 /// [interruption](radiosity_work::interruption).
 ///
 /// # Errors
 /// Threads that cannot be started.
 pub fn in_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
     let threads = Ranks::alone().threads(threads);
-    let heard = interruption::current();
+    let current = interruption::current();
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
-        .start_handler(move |_| interruption::listen(heard.clone()))
+        .start_handler(move |_| interruption::set_current(current.clone()))
         .build();
     let pool = pool.map_err(|source| Failure::Threads { threads, source })?;
     Ok(pool.install(work))
@@ -31,7 +31,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn all_threads_of_a_pool_hear_an_interruption() {
+    fn all_threads_of_a_pool_check_an_interruption() {
         let interruption = Interruption::new();
         let endless = |_: usize| -> usize {
             interruption.raise();

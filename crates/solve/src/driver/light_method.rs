@@ -1,12 +1,12 @@
-//! The choice of the algorithm that finds the light.
+//! The method that finds the light.
 
 use serde::{Deserialize, Serialize};
 
-/// Algorithms that find the light.
+/// Methods that find the light.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
-pub enum Algorithm {
+pub enum LightMethod {
     /// Polynomials on elements, with transfers between all of them
     #[default]
     Galerkin,

@@ -33,7 +33,7 @@ pub enum Transport {
 
 /// A choice of transport, and why it was made.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Choice {
+pub struct TransportChoice {
     /// Whether rays carry the pairs.
     pub sampled: bool,
     /// The reason, in a few words.

@@ -4,7 +4,7 @@ use radiosity_work::wording::{Wording, set, words};
 
 /// A change that makes a run fit into the memory allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fit {
+pub enum MemoryReduction {
     /// A lower number of rays.
     Rays(u64),
     /// A solver that keeps no factors.
@@ -19,7 +19,7 @@ pub enum Fit {
     FreshFrames,
 }
 
-impl Fit {
+impl MemoryReduction {
     /// The change in words.
     fn wording(&self) -> Wording {
         match self {
@@ -34,8 +34,8 @@ impl Fit {
 }
 
 /// The changes in words.
-pub(super) fn list(fits: &[Fit]) -> Wording {
-    let fits = fits.iter().map(Fit::wording).reduce(|list, fit| list + ", or " + fit);
+pub(super) fn list(fits: &[MemoryReduction]) -> Wording {
+    let fits = fits.iter().map(MemoryReduction::wording).reduce(|list, fit| list + ", or " + fit);
     match fits {
         Some(list) => words("what would fit: ") + list,
         None => words("no lower order and no other solver would fit"),

@@ -2,13 +2,13 @@
 //!
 //! Cells ([`crate::gather::Gather`]) cost time in proportion to the elements and to what stands before them,
 //! little more where more digits are asked for; least in small rooms of flat things. Rays
-//! ([`crate::gather::by_rays`]) cost about the same whatever the scene is, and ε^(−4/3).
+//! ([`crate::gather::ray_gather`]) cost about the same whatever the scene is, and ε^(−4/3).
 
 use radiosity_elements::Element;
 use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
 
-use crate::gather::by_rays::usual_rays;
+use crate::gather::ray_gather::usual_rays;
 use crate::solution::Solution;
 
 /// Seconds of a ray; of a flat element behind flat things, and for each of those; of one that is curved or
@@ -30,7 +30,7 @@ pub const USUAL_EPS: f64 = 1.25e-3;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]
-pub enum By {
+pub enum GatherMethod {
     /// By what is likely to be faster.
     #[default]
     Auto,
@@ -40,7 +40,7 @@ pub enum By {
     Rays,
 }
 
-impl By {
+impl GatherMethod {
     /// Whether rays gather light to the relative accuracy `eps`, `twice` or once.
     pub fn rays(self, solution: &Solution, visibility: &Visibility, eps: f64, twice: bool) -> bool {
         // Rays always meet what stands in their way, and know no masks.
@@ -60,7 +60,7 @@ impl By {
 
 /// About the seconds of one core that a point takes, once, to the relative accuracy `eps`.
 pub fn seconds_to_gather(solution: &Solution, visibility: &Visibility, eps: f64) -> f64 {
-    match By::Auto.rays(solution, visibility, eps, false) {
+    match GatherMethod::Auto.rays(solution, visibility, eps, false) {
         true => RAY * usual_rays(eps),
         false => price_of_cells(solution, visibility),
     }

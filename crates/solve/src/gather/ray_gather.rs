@@ -34,7 +34,7 @@ use radiosity_elements::patch::Patch;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
-use radiosity_elements::sampling::spread::{Place as Spot, Spread};
+use radiosity_elements::sampling::spread::{Spread, WeightedNode};
 use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_light::emitters::Radiances;
 use radiosity_light::lamps::{Lamps, Shares, Target};
@@ -44,7 +44,7 @@ use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt_at;
 use serde::{Deserialize, Serialize};
 
-use crate::gather::scale::scales;
+use crate::gather::mean_radiosity::mean_radiosity;
 use crate::solution::{Place, Solution};
 
 /// Independent sequences. Chosen.
@@ -109,7 +109,7 @@ pub enum Receiver<'a> {
 
 /// Irradiance by rays.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Estimate {
+pub struct RayEstimate {
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
     /// Standard deviation of the irradiance.
@@ -144,7 +144,7 @@ pub struct RayGather<'a> {
 
 /// Sources of the irradiance where a ray ends.
 #[derive(Clone, Copy)]
-enum Far {
+enum EndLight {
     /// The polynomials of the element.
     Polynomials,
     /// Direct light by a ray that `chance` chooses, the rest by the polynomials; all by the polynomials on
@@ -156,13 +156,13 @@ enum Far {
 
 /// Rays of either kind that the balance heuristic combines, per cosine-distributed ray.
 #[derive(Clone, Copy)]
-struct Balance {
+struct RayMix {
     cosine: f64,
     to_lamps: f64,
 }
 
 /// Where the rays of a receiver start.
-enum Start {
+enum RayOrigin {
     Point(ReceiverPoint),
     Patch(usize, Spread),
 }
@@ -181,7 +181,7 @@ impl<'a> RayGather<'a> {
     /// The light of `solution`, gathered once or twice, to about the relative accuracy `eps`; once where the
     /// number of reflections is limited.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
-        let scale = scales(solution);
+        let scale = mean_radiosity(solution);
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
         let touching = COVERED * visibility.bounds().diagonal();
         let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);
@@ -190,16 +190,16 @@ impl<'a> RayGather<'a> {
     }
 
     /// All light of a receiver. It depends on nothing but the receiver.
-    pub fn read(&self, receiver: &Receiver) -> Estimate {
-        let start = Start::of(receiver);
-        let shares = self.lamps.seen_from(&start.middle());
-        self.gathered(&start, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
+    pub fn read(&self, receiver: &Receiver) -> RayEstimate {
+        let origin = RayOrigin::of(receiver);
+        let shares = self.lamps.seen_from(&origin.middle());
+        self.gathered(&origin, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
     }
 
     /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W
     /// m⁻² per band).
-    pub fn reflected(&self, receiver: &ReceiverPoint, other: &[f64]) -> Estimate {
-        self.gathered(&Start::Point(*receiver), None, FIRST_OF_MANY, other)
+    pub fn reflected(&self, receiver: &ReceiverPoint, other: &[f64]) -> RayEstimate {
+        self.gathered(&RayOrigin::Point(*receiver), None, FIRST_OF_MANY, other)
     }
 
     /// Error of readings from `distance` away, per band (W m⁻²), at a place of an element, because they take
@@ -220,32 +220,32 @@ impl<'a> RayGather<'a> {
         } else {
             self.add_reflected(element, place, -1.0, &mut missed);
             let direction = lambert(there.normal, shift(chance));
-            let far = Far::Direct { chance: number_of([f64::from_bits(chance)]), small: SMALL };
-            self.add_met(there, direction, None, far, &mut missed);
+            let end_light = EndLight::Direct { chance: number_of([f64::from_bits(chance)]), small: SMALL };
+            self.add_met(there, direction, None, end_light, &mut missed);
         }
         missed
     }
 
     /// Reflected light, and direct light where there are `shares`, from `first` rays of each sequence on;
     /// `other` light (W m⁻² per band) arrives too.
-    fn gathered(&self, start: &Start, shares: Option<&Shares>, first: u64, other: &[f64]) -> Estimate {
-        let middle = start.middle();
+    fn gathered(&self, origin: &RayOrigin, shares: Option<&Shares>, first: u64, other: &[f64]) -> RayEstimate {
+        let middle = origin.middle();
         let [position, normal] = [middle.position, middle.normal].map(|vector| vector.to_array());
         let number = number_of(position.into_iter().chain(normal));
         let bands = self.scale.len();
         let mut sums = vec![0.0; BATCHES * bands];
-        let lit = shares.and(self.lit(start));
+        let lit = shares.and(self.lit(origin));
         let (mut sent, mut now) = (0, first);
         loop {
             for (batch, sums) in sums.chunks_exact_mut(bands).enumerate() {
                 let own = number.wrapping_add(batch as u64);
-                self.send_around(start, shares, own, sent..sent + now, sums);
+                self.send_around(origin, shares, own, sent..sent + now, sums);
                 if shares.is_some() {
-                    self.add_points(start, lit.as_deref(), own, sent..sent + now, sums);
+                    self.add_points(origin, lit.as_deref(), own, sent..sent + now, sums);
                 }
                 if let Some(shares) = shares.filter(|shares| !shares.is_empty()) {
                     let [first, end] = [sent, sent + now].map(|count| (count as f64 * TO_LAMPS) as u64);
-                    self.send_to_lamps(start, shares, own, first..end, sums);
+                    self.send_to_lamps(origin, shares, own, first..end, sums);
                 }
             }
             sent += now;
@@ -262,7 +262,7 @@ impl<'a> RayGather<'a> {
     /// Sends the cosine-distributed rays of these numbers.
     fn send_around(
         &self,
-        start: &Start,
+        origin: &RayOrigin,
         shares: Option<&Shares>,
         number: u64,
         rays: Range<u64>,
@@ -271,28 +271,28 @@ impl<'a> RayGather<'a> {
         let offset: [f64; 4] = shift(number);
         let mut radiosity = vec![0.0; sums.len()];
         for index in rays {
-            let (place, direction) = match start {
-                Start::Point(_) => {
+            let (place, direction) = match origin {
+                RayOrigin::Point(_) => {
                     let [a, b, ..] = offset;
                     ([0.5; 2], shifted(kronecker::point(index), &[a, b]))
                 }
-                Start::Patch(..) => {
+                RayOrigin::Patch(..) => {
                     let [s, t, polar, turn] = shifted(kronecker::point(index), &offset);
                     ([s, t], [polar, turn])
                 }
             };
-            let (receiver, weight) = start.at(place);
+            let (receiver, weight) = origin.at(place);
             radiosity.fill(0.0);
             check_interrupt_at(index);
             let chance = number_of([f64::from_bits(number), index as f64]);
-            let far = match shares {
-                _ if self.twice => Far::Gathered(chance),
-                Some(_) => Far::Direct { chance, small: SMALL },
-                None => Far::Direct { chance, small: SMALL_BEHIND_PIXELS },
+            let end_light = match shares {
+                _ if self.twice => EndLight::Gathered(chance),
+                Some(_) => EndLight::Direct { chance, small: SMALL },
+                None => EndLight::Direct { chance, small: SMALL_BEHIND_PIXELS },
             };
             let direction = lambert(receiver.normal, direction);
             let to_lamps = shares.map(|shares| (shares, TO_LAMPS));
-            self.add_met(&receiver, direction, to_lamps, far, &mut radiosity);
+            self.add_met(&receiver, direction, to_lamps, end_light, &mut radiosity);
             sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
         }
     }
@@ -305,7 +305,7 @@ impl<'a> RayGather<'a> {
         receiver: &ReceiverPoint,
         direction: DVec3,
         to_lamps: Option<(&Shares, f64)>,
-        far: Far,
+        end_light: EndLight,
         radiosity: &mut [f64],
     ) {
         if receiver.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
@@ -337,10 +337,10 @@ impl<'a> RayGather<'a> {
             }
         });
         let there = || ReceiverPoint::on(surface, position, normal());
-        let irradiance = self.arriving((element, &place), &there, hit.t, far);
+        let irradiance = self.arriving((element, &place), &there, hit.t, end_light);
         let beyond = self.solution.behind(element, &place).map(|(element, place)| {
             let there = || ReceiverPoint::on(place.surface, position, -normal());
-            self.arriving((element, &place), &there, hit.t, far)
+            self.arriving((element, &place), &there, hit.t, end_light)
         });
         let weight = weight * self.radiances.relative(surface, -direction);
         for (index, (out, band)) in radiosity.iter_mut().zip(self.solution.bands()).enumerate() {
@@ -359,12 +359,12 @@ impl<'a> RayGather<'a> {
         (element, place): (usize, &Place),
         there: &dyn Fn() -> ReceiverPoint,
         distance: f64,
-        far: Far,
+        end_light: EndLight,
     ) -> Vec<f64> {
         let mut irradiance = vec![0.0; self.solution.bands().len()];
-        match far {
-            Far::Polynomials => self.add_held(element, place, &mut irradiance),
-            Far::Direct { chance, small } => {
+        match end_light {
+            EndLight::Polynomials => self.add_held(element, place, &mut irradiance),
+            EndLight::Direct { chance, small } => {
                 if self.is_rough(element, &there(), small * distance) {
                     self.add_held(element, place, &mut irradiance);
                 } else {
@@ -372,7 +372,7 @@ impl<'a> RayGather<'a> {
                     self.add_direct(&there(), chance, &mut irradiance);
                 }
             }
-            Far::Gathered(chance) => self.add_estimate(&there(), chance, &mut irradiance),
+            EndLight::Gathered(chance) => self.add_estimate(&there(), chance, &mut irradiance),
         }
         irradiance
     }
@@ -406,7 +406,7 @@ impl<'a> RayGather<'a> {
         let shares = self.lamps.seen_from(receiver);
         if !shares.is_empty() {
             let target = shares.target(shift(chance));
-            self.add_lamp(receiver, &target, Balance { cosine: 0.0, to_lamps: 1.0 }, 1.0, irradiance);
+            self.add_lamp(receiver, &target, RayMix { cosine: 0.0, to_lamps: 1.0 }, 1.0, irradiance);
         }
     }
 
@@ -417,10 +417,10 @@ impl<'a> RayGather<'a> {
         let [polar, turn, choice, s] = shift(chance);
         let [t] = shift(number_of([f64::from_bits(chance)]));
         let direction = lambert(receiver.normal, [polar, turn]);
-        self.add_met(receiver, direction, Some((&shares, 1.0)), Far::Polynomials, irradiance);
+        self.add_met(receiver, direction, Some((&shares, 1.0)), EndLight::Polynomials, irradiance);
         if !shares.is_empty() {
-            let balance = Balance { cosine: 1.0, to_lamps: 1.0 };
-            self.add_lamp(receiver, &shares.target([choice, s, t]), balance, 1.0, irradiance);
+            let mix = RayMix { cosine: 1.0, to_lamps: 1.0 };
+            self.add_lamp(receiver, &shares.target([choice, s, t]), mix, 1.0, irradiance);
         }
     }
 
@@ -431,8 +431,8 @@ impl<'a> RayGather<'a> {
     }
 
     /// The light of the luminaires at a receiver that is a point.
-    fn lit(&self, start: &Start) -> Option<Vec<f64>> {
-        let Start::Point(receiver) = start else { return None };
+    fn lit(&self, origin: &RayOrigin) -> Option<Vec<f64>> {
+        let RayOrigin::Point(receiver) = origin else { return None };
         let mut lit = vec![0.0; self.scale.len()];
         self.points.add(receiver, self.visibility, &mut lit);
         Some(lit)
@@ -442,7 +442,7 @@ impl<'a> RayGather<'a> {
     /// over a patch that of a ray from each point where one of those starts.
     fn add_points(
         &self,
-        start: &Start,
+        origin: &RayOrigin,
         lit: Option<&[f64]>,
         number: u64,
         rays: Range<u64>,
@@ -455,20 +455,20 @@ impl<'a> RayGather<'a> {
         }
         let [s, t] = shift(number);
         for index in rays {
-            let (receiver, weight) = start.at(shifted(kronecker::point(index), &[s, t]));
+            let (receiver, weight) = origin.at(shifted(kronecker::point(index), &[s, t]));
             let chance = number_of([f64::from_bits(number), index as f64, 1.0]);
             self.points.add_one(&receiver, self.visibility, weight, chance, sums);
         }
     }
 
     /// Sends rays to the emitters, those that belong to the cosine-distributed ones of these numbers.
-    fn send_to_lamps(&self, start: &Start, shares: &Shares, number: u64, rays: Range<u64>, sums: &mut [f64]) {
+    fn send_to_lamps(&self, origin: &RayOrigin, shares: &Shares, number: u64, rays: Range<u64>, sums: &mut [f64]) {
         let [a, b, c, d] = shift(number_of([f64::from_bits(number)]));
         let [s] = shift(number_of([f64::from_bits(number), 1.0]));
         for index in rays {
-            let (receiver, weight) = start.at(shifted(kronecker::point(index), &[d, s]));
+            let (receiver, weight) = origin.at(shifted(kronecker::point(index), &[d, s]));
             let target = shares.target(shifted(kronecker::point(index), &[a, b, c]));
-            self.add_lamp(&receiver, &target, Balance { cosine: 1.0, to_lamps: TO_LAMPS }, weight, sums);
+            self.add_lamp(&receiver, &target, RayMix { cosine: 1.0, to_lamps: TO_LAMPS }, weight, sums);
         }
     }
 
@@ -477,16 +477,16 @@ impl<'a> RayGather<'a> {
         &self,
         receiver: &ReceiverPoint,
         target: &Target,
-        balance: Balance,
+        mix: RayMix,
         scale: f64,
         sums: &mut [f64],
     ) {
-        let Spot { node, weight } = target.place;
+        let WeightedNode { node, weight } = target.place;
         let Some(kernel) = receiver.kernel_to(&node) else { return };
         if !self.visibility.is_free(receiver.surface, receiver.position, node.position) {
             return;
         }
-        let share = scale * weight * kernel / (balance.cosine * kernel + balance.to_lamps * target.density);
+        let share = scale * weight * kernel / (mix.cosine * kernel + mix.to_lamps * target.density);
         let surface = self.solution.elements().list()[target.element].surface;
         let into = (receiver.position - node.position).normalize_or_zero();
         let share = share * self.radiances.relative(surface, into);
@@ -496,7 +496,7 @@ impl<'a> RayGather<'a> {
     }
 
     /// Irradiance and deviation by the sums of the batches.
-    fn estimate(&self, sums: &[f64], sent: u64, other: &[f64]) -> Estimate {
+    fn estimate(&self, sums: &[f64], sent: u64, other: &[f64]) -> RayEstimate {
         let bands = self.scale.len();
         let (n, rays) = (BATCHES as f64, sent as f64);
         let (mut irradiance, mut squares, mut is_dark) = (Vec::with_capacity(bands), 0.0, false);
@@ -513,7 +513,7 @@ impl<'a> RayGather<'a> {
             irradiance.push(mean);
         }
         let relative = (squares / bands as f64).sqrt();
-        Estimate { irradiance, deviation: Deviation { relative, is_dark } }
+        RayEstimate { irradiance, deviation: Deviation { relative, is_dark } }
     }
 }
 
@@ -522,7 +522,7 @@ fn is_small(element: &Element, width: f64) -> bool {
     element.area < width * width
 }
 
-impl Start {
+impl RayOrigin {
     fn of(receiver: &Receiver) -> Self {
         match receiver {
             Receiver::Point(receiver) => Self::Point(*receiver),
@@ -541,7 +541,7 @@ impl Start {
         match self {
             Self::Point(receiver) => (*receiver, 1.0),
             Self::Patch(surface, spread) => {
-                let Spot { node, weight } = spread.point(place);
+                let WeightedNode { node, weight } = spread.point(place);
                 (ReceiverPoint::on(*surface, node.position, node.normal), weight)
             }
         }

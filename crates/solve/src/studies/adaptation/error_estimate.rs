@@ -43,9 +43,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::driver::Outcome;
 use crate::gather::Gather;
-use crate::gather::by_rays::{RayGather, Receiver};
-use crate::gather::choice::USUAL_EPS;
-use crate::gather::walks::{End, Lit, Walks};
+use crate::gather::ray_gather::{RayGather, Receiver};
+use crate::gather::gather_method::USUAL_EPS;
+use crate::gather::walks::{WalkEnd, SendingSide, Walks};
 use crate::solution::{Band, Solution};
 
 use super::goal::Goal;
@@ -54,8 +54,8 @@ use super::sensor::Sensor;
 /// Numbers of walks, and the fewest per half and sensor. Chosen: with four times the first number of rays
 /// whose ends gather by cells the estimates of boxes changed by 5 %; in small scenes a finer run costs less
 /// than many of these.
-const BY_CELLS: Numbers = Numbers { first: 1 << 12, noisy: 1 << 14, doubtful: 1 << 12, most: 1 << 16 };
-const BY_RAYS: Numbers = Numbers { first: 1 << 16, noisy: 1 << 18, doubtful: 1 << 18, most: 1 << 22 };
+const BY_CELLS: WalkCounts = WalkCounts { first: 1 << 12, noisy: 1 << 14, doubtful: 1 << 12, most: 1 << 16 };
+const BY_RAYS: WalkCounts = WalkCounts { first: 1 << 16, noisy: 1 << 18, doubtful: 1 << 18, most: 1 << 22 };
 const FEWEST: u64 = 2;
 
 /// Walks for each ray that carried the pairs where an estimate is doubtful: a finer run would send at least
@@ -85,7 +85,7 @@ const LEAST_ABSORBED: f64 = 0.05;
 const OF_SIZE: f64 = 0.1;
 
 /// Numbers of walks in all.
-struct Numbers {
+struct WalkCounts {
     /// Walks that are made first.
     first: u64,
     /// Most walks where the estimate is noisy.
@@ -96,9 +96,9 @@ struct Numbers {
     most: u64,
 }
 
-impl Numbers {
+impl WalkCounts {
     /// Walks at the most for what is known so far.
-    fn allowed(&self, sums: &Sums, wanted: f64) -> u64 {
+    fn allowed(&self, sums: &SensorSums, wanted: f64) -> u64 {
         let is_above = sums.error() > wanted;
         match sums.is_noisy() {
             true if is_above => self.most,
@@ -111,7 +111,7 @@ impl Numbers {
 
 /// An estimated error of gathered light.
 #[derive(Debug)]
-pub(super) struct Estimate {
+pub(super) struct ErrorEstimate {
     /// ‖e‖ / ‖E_g‖ over the sensors, all bands pooled; 0 without sensors, infinite where light is
     /// missed and none is gathered.
     pub error: f64,
@@ -120,15 +120,15 @@ pub(super) struct Estimate {
 }
 
 /// The light that walks from one sensor found.
-struct Found<'a> {
+struct SensorWalks<'a> {
     sensor: &'a Sensor,
     number: u64,
-    light: Light,
+    light: SensorLight,
 }
 
 /// The light that was found at a sensor.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-struct Light {
+struct SensorLight {
     /// Irradiance that was gathered at the sensor (W m⁻²), per band.
     gathered: Vec<f64>,
     /// Sum of the light that each half of the walks found at each element, per band (W m⁻²).
@@ -178,47 +178,47 @@ fn mean_reflectance(solution: &Solution) -> f64 {
 }
 
 /// Gathering of light where rays end.
-enum Ends<'a> {
+enum EndGather<'a> {
     Cells(CellEnds<'a>),
     Rays(RayGather<'a>),
 }
 
 /// The solution that misses light, and how its light is gathered.
-struct Missing<'a> {
+struct MissedLight<'a> {
     solution: &'a Solution,
     walks: Walks<'a>,
-    ends: Ends<'a>,
+    ends: EndGather<'a>,
     /// Rays that carried the pairs.
     rays: u64,
 }
 
 /// The estimated error of what `sensors` read; no better than tells whether it is below `wanted`, and not
 /// much worse. Light is gathered as an error of about `expected` needs it, until the deadline.
-pub(super) fn missed(
+pub(super) fn error_estimate(
     outcome: &Outcome,
     visibility: &Visibility,
     sensors: &[Sensor],
     (goal, expected): (&Goal, f64),
     work: &Work<'_>,
-) -> Estimate {
+) -> ErrorEstimate {
     let solution = &outcome.solution;
     let unknowns = solution.elements().coefficients();
-    let missing = Missing::of(outcome, visibility, goal, (OF_EXPECTED * expected).min(LOOSEST));
+    let missed_light = MissedLight::of(outcome, visibility, goal, (OF_EXPECTED * expected).min(LOOSEST));
     let ranks = work.ranks;
     let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
-    let gathered = ranks.map_by(PartName::SensorLight, &makers, |place| missing.gathered(&sensors[place]));
+    let gathered = ranks.map_by(PartName::SensorLight, &makers, |place| missed_light.gathered(&sensors[place]));
     let begin = |(number, (sensor, gathered))| {
-        Found::new(sensor, number_of([number as f64, unknowns as f64]), gathered)
+        SensorWalks::new(sensor, number_of([number as f64, unknowns as f64]), gathered)
     };
-    let mut found: Vec<Found> = sensors.iter().zip(gathered).enumerate().map(begin).collect();
-    let numbers = missing.numbers();
+    let mut found: Vec<SensorWalks> = sensors.iter().zip(gathered).enumerate().map(begin).collect();
+    let numbers = missed_light.numbers();
     let per_half = |walks: u64| walks.div_ceil(2 * sensors.len().max(1) as u64);
     let (mut made, mut now) = (0, per_half(numbers.first).max(FEWEST));
     loop {
         let (done, is_late) = (AtomicUsize::new(0), AtomicBool::new(false));
         let light = ranks.map_by(PartName::SensorWalks, &makers, |place| {
-            let light = missing.walked(&found[place], made..made + now);
-            work.tell_done(Stage::Estimate, done.fetch_add(1, Ordering::Relaxed) + 1, sensors.len());
+            let light = missed_light.walked(&found[place], made..made + now);
+            work.report_done(Stage::Estimate, done.fetch_add(1, Ordering::Relaxed) + 1, sensors.len());
             if work.is_late_here() {
                 is_late.store(true, Ordering::Relaxed);
             }
@@ -227,32 +227,32 @@ pub(super) fn missed(
         found.iter_mut().zip(light).for_each(|(found, light)| found.light = light);
         let finishes = !ranks.any(is_late.into_inner());
         made += now;
-        let sums = Sums::of(&found, made, solution);
+        let sums = SensorSums::of(&found, made, solution);
         if !finishes || 2 * made > per_half(numbers.allowed(&sums, goal.accuracy)) {
-            return Estimate { error: sums.error(), shares: sums.shares(&found, made) };
+            return ErrorEstimate { error: sums.error(), shares: sums.shares(&found, made) };
         }
         now = made;
     }
 }
 
-impl<'a> Missing<'a> {
+impl<'a> MissedLight<'a> {
     fn of(outcome: &'a Outcome, visibility: &'a Visibility, goal: &Goal, eps: f64) -> Self {
         let solution = &outcome.solution;
         let rays = outcome.sampling.map_or(0, |sampling| sampling.rays);
         let ends =
             match goal.by.rays(solution, visibility, Goal::reading(goal.accuracy).min(USUAL_EPS), false) {
-                true => Ends::Rays(RayGather::new(solution, visibility, OF_SIZE, false)),
-                false => Ends::Cells(CellEnds::new(solution, visibility, eps)),
+                true => EndGather::Rays(RayGather::new(solution, visibility, OF_SIZE, false)),
+                false => EndGather::Cells(CellEnds::new(solution, visibility, eps)),
             };
         Self { solution, walks: Walks::new(solution, visibility), ends, rays }
     }
 
-    fn numbers(&self) -> Numbers {
+    fn numbers(&self) -> WalkCounts {
         match self.ends {
-            Ends::Cells(_) => BY_CELLS,
-            Ends::Rays(_) => {
+            EndGather::Cells(_) => BY_CELLS,
+            EndGather::Rays(_) => {
                 let doubtful = BY_RAYS.doubtful.max((PER_RAY * self.rays).min(BY_RAYS.most));
-                Numbers { doubtful, ..BY_RAYS }
+                WalkCounts { doubtful, ..BY_RAYS }
             }
         }
     }
@@ -260,13 +260,13 @@ impl<'a> Missing<'a> {
     /// Irradiance gathered at a sensor, per band.
     fn gathered(&self, sensor: &Sensor) -> Vec<f64> {
         match &self.ends {
-            Ends::Cells(ends) => ends.gather.at(&sensor.point),
-            Ends::Rays(gather) => gather.read(&Receiver::Point(sensor.point)).irradiance,
+            EndGather::Cells(ends) => ends.gather.at(&sensor.point),
+            EndGather::Rays(gather) => gather.read(&Receiver::Point(sensor.point)).irradiance,
         }
     }
 
     /// The light that was found at a sensor, and that of the walks of these numbers of each half.
-    fn walked(&self, found: &Found, walks: Range<u64>) -> Light {
+    fn walked(&self, found: &SensorWalks, walks: Range<u64>) -> SensorLight {
         let mut light = found.light.clone();
         for half in 0..2 {
             let number = found.number.wrapping_add(half);
@@ -283,7 +283,7 @@ impl<'a> Missing<'a> {
     fn walk_once(
         &self,
         sensor: &Sensor,
-        (light, half): (&mut Light, usize),
+        (light, half): (&mut SensorLight, usize),
         direction: [f64; 2],
         chance: u64,
     ) {
@@ -303,11 +303,11 @@ impl<'a> Missing<'a> {
     }
 
     /// r per band of the light that is sent on where a walk ends.
-    fn missed(&self, end: &End) -> Vec<f64> {
-        let End { lit: Lit { element, ref place, ref there, .. }, distance, chance, .. } = *end;
+    fn missed(&self, end: &WalkEnd) -> Vec<f64> {
+        let WalkEnd { lit: SendingSide { element, ref place, ref there, .. }, distance, chance, .. } = *end;
         let gather = match &self.ends {
-            Ends::Rays(gather) => return gather.missed((element, place), there, distance, chance),
-            Ends::Cells(ends) => ends,
+            EndGather::Rays(gather) => return gather.missed((element, place), there, distance, chance),
+            EndGather::Cells(ends) => ends,
         };
         let mut held = vec![0.0; self.solution.bands().len()];
         self.solution.irradiance_bands(element, place, &mut held);
@@ -318,10 +318,10 @@ impl<'a> Missing<'a> {
     }
 }
 
-impl<'a> Found<'a> {
+impl<'a> SensorWalks<'a> {
     /// The light of a sensor before walks: irradiance `gathered` there (W m⁻²), per band.
     fn new(sensor: &'a Sensor, number: u64, gathered: Vec<f64>) -> Self {
-        Self { sensor, number, light: Light { gathered, parts: BTreeMap::new() } }
+        Self { sensor, number, light: SensorLight { gathered, parts: BTreeMap::new() } }
     }
 
     /// e by each half of so many walks, per band.
@@ -337,7 +337,7 @@ impl<'a> Found<'a> {
 }
 
 /// Sums over sensors and bands.
-struct Sums {
+struct SensorSums {
     /// Σ w e′e″, and s.
     product: f64,
     deviation: f64,
@@ -348,8 +348,8 @@ struct Sums {
     elements: usize,
 }
 
-impl Sums {
-    fn of(found: &[Found], walks: u64, solution: &Solution) -> Self {
+impl SensorSums {
+    fn of(found: &[SensorWalks], walks: u64, solution: &Solution) -> Self {
         let mut sums = Self {
             product: 0.0,
             deviation: 0.0,
@@ -394,7 +394,7 @@ impl Sums {
     }
 
     /// Part of the square of the error that each element is responsible for.
-    fn shares(&self, found: &[Found], walks: u64) -> Vec<f64> {
+    fn shares(&self, found: &[SensorWalks], walks: u64) -> Vec<f64> {
         let mut shares = vec![0.0; self.elements];
         for found in found {
             let halves = found.halves(walks);
@@ -419,10 +419,10 @@ mod tests {
     use crate::driver::{Options, Transport, solve};
 
     /// Σ w e / Σ w E_g of the first band, by so many walks of each half.
-    fn mean(missing: &Missing, sensors: &[Sensor], walks: u64) -> f64 {
+    fn mean(missing: &MissedLight, sensors: &[Sensor], walks: u64) -> f64 {
         let each = sensors.par_iter().enumerate().map(|(number, sensor)| {
-            let mut found = Found::new(sensor, number_of([number as f64]), missing.gathered(sensor));
-            found.light = missing.walked(&found, 0..walks);
+            let mut found = SensorWalks::new(sensor, number_of([number as f64]), missed_light.gathered(sensor));
+            found.light = missed_light.walked(&found, 0..walks);
             let [first, second] = found.halves(walks);
             [0.5 * (first[0] + second[0]), found.light.gathered[0]].map(|light| sensor.weights[0] * light)
         });
@@ -439,19 +439,19 @@ mod tests {
         let visibility = Visibility::new(&scene, (&options).into());
         let sensors = Sensor::of_surfaces(&solution);
         let ends = [
-            Ends::Cells(CellEnds::new(&solution, &visibility, 1e-2)),
-            Ends::Rays(RayGather::new(&solution, &visibility, OF_SIZE, false)),
+            EndGather::Cells(CellEnds::new(&solution, &visibility, 1e-2)),
+            EndGather::Rays(RayGather::new(&solution, &visibility, OF_SIZE, false)),
         ];
         let [by_cells, by_rays] = ends
-            .map(|ends| Missing {
+            .map(|ends| MissedLight {
                 solution: &solution,
                 walks: Walks::new(&solution, &visibility),
                 ends,
                 rays: 0,
             })
             .map(|missing| match missing.ends {
-                Ends::Cells(_) => mean(&missing, &sensors, 2),
-                Ends::Rays(_) => mean(&missing, &sensors, 64),
+                EndGather::Cells(_) => mean(&missing, &sensors, 2),
+                EndGather::Rays(_) => mean(&missing, &sensors, 64),
             });
         // By rays one walk finds about as much as there is light.
         let noise = 2.0 / (128.0 * sensors.len() as f64).sqrt();

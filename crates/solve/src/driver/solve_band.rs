@@ -7,7 +7,7 @@ use radiosity_solvers::{Report, Settings, SolveError, Step};
 use radiosity_work::Work;
 use radiosity_work::interruption::{self, Interruption, check_interrupt};
 
-use crate::system::ritz::{Found, Ritz};
+use crate::system::ritz::{RitzSolution, Ritz};
 
 use super::options::Options;
 
@@ -16,31 +16,31 @@ use super::options::Options;
 const LEAST: Duration = Duration::from_secs(1);
 
 /// The cost of a band's linear system.
-pub(super) struct Effort {
-    pub method: &'static str,
+pub(super) struct SolveCost {
+    pub solver: &'static str,
     pub iterations: usize,
     pub converged: bool,
 }
 
 /// The cost of a finished solver; with `keep_partial` the best iterate of one that did not converge counts
 /// too, if it has one: a factorisation that ran out of time has none.
-fn effort(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<Option<Effort>, SolveError> {
+fn cost(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<Option<SolveCost>, SolveError> {
     match ended {
         Ok(reports) => Ok(reports
             .into_iter()
             .max_by_key(|report| report.iterations)
-            .map(|Report { method, iterations, .. }| Effort { method, iterations, converged: true })),
-        Err(SolveError::NotConverged { method, iterations, residual, .. })
+            .map(|Report { method: solver, iterations, .. }| SolveCost { solver, iterations, converged: true })),
+        Err(SolveError::NotConverged { method: solver, iterations, residual, .. })
             if keep_partial && residual.is_finite() =>
         {
-            Ok(Some(Effort { method, iterations, converged: false }))
+            Ok(Some(SolveCost { solver, iterations, converged: false }))
         }
         Err(error) => Err(error),
     }
 }
 
 /// Solves the systems of one band, which differ in their emission alone. Without light there is nothing to
-/// solve, and no effort. Several ranks, whose clocks differ, go on to the end.
+/// solve, and no cost. Several ranks, whose clocks differ, go on to the end.
 ///
 /// # Errors
 /// Those of the solver.
@@ -49,7 +49,7 @@ pub(super) fn solve_band(
     options: &Options,
     work: &Work<'_>,
     observe: &mut dyn FnMut(&Step<'_>),
-) -> Result<(Vec<Found>, Option<Effort>), SolveError> {
+) -> Result<(Vec<RitzSolution>, Option<SolveCost>), SolveError> {
     let rights: Vec<Vec<f64>> = systems.iter().map(Ritz::right_hand_side).collect();
     let is_lit = |right: &[f64]| right.iter().any(|value| *value != 0.0);
     let lit: Vec<f64> = rights.iter().filter(|right| is_lit(right)).flatten().copied().collect();
@@ -59,9 +59,9 @@ pub(super) fn solve_band(
         let threads = work.ranks.threads(options.threads);
         let (operator, preconditioner) =
             first.operator(options.solver, options.preconditioner.into(), threads)?;
-        let method = first.method(options.solver, operator.symmetric());
+        let solver = first.solver(options.solver, operator.symmetric());
         // Only shooting needs it, and it costs as much as a basis.
-        let measure = (method.access == Access::Columns).then(|| first.shooting_measure());
+        let measure = (solver.access == Access::Columns).then(|| first.shooting_measure());
         let interruption = interruption::current();
         let mut settings = Settings::default()
             .with_tolerance(options.tolerance)
@@ -75,10 +75,10 @@ pub(super) fn solve_band(
             check_interrupt();
             observe(step);
         };
-        let ended = method.solver.solve_many(&*operator, &lit, &mut unknowns, &settings, &mut observe);
+        let ended = solver.solver.solve_many(&*operator, &lit, &mut unknowns, &settings, &mut observe);
         // Where it was cancelled.
         check_interrupt();
-        needed = effort(ended, options.keep_partial)?;
+        needed = cost(ended, options.keep_partial)?;
     }
     let mut columns = unknowns.chunks_exact(rights.first().map_or(1, |right| right.len().max(1)));
     let solved = |(system, right): (&Ritz<'_>, &Vec<f64>)| {

@@ -6,15 +6,15 @@
 //! ```text
 //! elements   Σ (8 m_i² + 3000)             (bases; patches, hulls, coefficients)
 //! blocks     2 · 8 Σ_P m_i m_j + 300 |P|   (as integrated, and as stored; data of each pair)
-//! system     8 n² , twice for a method that factors the matrix, up to 3000 unknowns and for such a method;
-//!            320 n above that for a method that only multiplies, and twice the blocks for others
+//! system     8 n² , twice for a solver that factors the matrix, up to 3000 unknowns and for such a solver;
+//!            320 n above that for a solver that only multiplies, and twice the blocks for others
 //! groups     8 g (2 b + 8) Σ m_i          (g light groups in b bands: what is kept, and the work on one band)
-//! memory     elements and blocks once more, 300 |P|, and 64 for each ray, where the next scene differs in
+//! kept       elements and blocks once more, 300 |P|, and 64 for each ray, where the next scene differs in
 //!            the places of some things
 //! ```
 //!
 //! and 10 MB for the program. Of N ranks each holds 2/N − 1/N² of the blocks, those of its rows and of its
-//! columns, and all else; a method that needs single entries gathers all blocks, once as they are and twice
+//! columns, and all else; a solver that needs single entries gathers all blocks, once as they are and twice
 //! as messages. Integrated blocks are freed before the system is set up, so the peak is the larger of the two
 //! sums. Pairs that repeat or are hidden reduce it, which is not known beforehand.
 
@@ -22,7 +22,7 @@ use radiosity_elements::{CutSize, Discretization, cut_sizes, shares};
 use radiosity_scene::{Material, Scene};
 use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::method::{Access, Method};
-use radiosity_transport::memory::met::{BYTES as KEPT_RAY, MOST as MOST_KEPT};
+use radiosity_transport::kept_blocks::kept_rays::{BYTES as KEPT_RAY, MOST as MOST_KEPT};
 use radiosity_transport::price::LEAST;
 use radiosity_work::ranks::Ranks;
 
@@ -66,39 +66,39 @@ pub struct MemoryEstimate {
     blocks: u64,
     /// Data of the pairs while their blocks are integrated.
     pairs: u64,
-    /// The matrix of one band, with its factors if the method makes some, and the light of groups.
+    /// The matrix of one band, with its factors if the solver makes some, and the light of groups.
     system: u64,
-    /// Bytes that a memory of the scene keeps for the next one, if there is one.
-    memory: u64,
+    /// Bytes of blocks and rays of the scene that are kept for the next one, if any are.
+    kept: u64,
 }
 
 impl MemoryEstimate {
-    /// The footprint of `scene`, cut as `how` says and solved by `method`, on each of these ranks.
-    pub fn of(scene: &Scene, how: &Discretization, method: &Method, ranks: &Ranks) -> Self {
-        Self::of_sizes(scene, &cut_sizes(scene, how), method, ranks)
+    /// The bytes of `scene`, cut as `how` says and solved by `solver`, on each of these ranks.
+    pub fn of(scene: &Scene, how: &Discretization, solver: &Method, ranks: &Ranks) -> Self {
+        Self::of_sizes(scene, &cut_sizes(scene, how), solver, ranks)
     }
 
-    /// The footprint of `scene`, whose surfaces are cut into so many elements.
-    pub(super) fn of_sizes(scene: &Scene, sizes: &[CutSize], method: &Method, ranks: &Ranks) -> Self {
+    /// The bytes of `scene`, whose surfaces are cut into so many elements.
+    pub(super) fn of_sizes(scene: &Scene, sizes: &[CutSize], solver: &Method, ranks: &Ranks) -> Self {
         let own = Self::of_blocks(scene, sizes);
         let (unknowns, ranks) = (most_unknowns(scene, sizes), ranks.count() as u64);
-        let gathered = gathered(method, unknowns, own.blocks, ranks);
-        let system = system(method, unknowns, own.blocks) + gathered + groups(scene, sizes);
+        let gathered = gathered(solver, unknowns, own.blocks, ranks);
+        let system = system(solver, unknowns, own.blocks) + gathered + groups(scene, sizes);
         Self { blocks: held(own.blocks, ranks), system, ..own }
     }
 
-    /// The footprint by the rules of 1993, whose blocks are not symmetric: all of them are stored, and the
+    /// The bytes by the rules of 1993, whose blocks are not symmetric: all of them are stored, and the
     /// matrix is dense.
-    pub(super) fn of_1993(scene: &Scene, how: &Discretization, method: &Method) -> Self {
+    pub(super) fn of_1993(scene: &Scene, how: &Discretization, solver: &Method) -> Self {
         let sizes = cut_sizes(scene, how);
         let own = Self::of_blocks(scene, &sizes);
         let matrix = NUMBER * most_unknowns(scene, &sizes).pow(2);
-        let matrices = matrix * if matches!(method.access, Access::Entries | Access::BySize) { 2 } else { 1 };
+        let matrices = matrix * if matches!(solver.access, Access::Entries | Access::BySize) { 2 } else { 1 };
         let system = matrices + groups(scene, &sizes);
         Self { blocks: 2 * own.blocks, system, ..own }
     }
 
-    /// The footprint without a system.
+    /// The bytes without a system.
     fn of_blocks(scene: &Scene, sizes: &[CutSize]) -> Self {
         let elements =
             sizes.iter().map(|cut| cut.elements * (NUMBER * cut.functions * cut.functions + ELEMENT));
@@ -122,14 +122,14 @@ impl MemoryEstimate {
         }
         let elements = elements.sum();
         let rays = if by_rays > 0 { 2 * MOST_KEPT * KEPT_RAY } else { 0 };
-        Self { elements, blocks, pairs: pairs + by_rays, system: 0, memory: elements + blocks + pairs + rays }
+        Self { elements, blocks, pairs: pairs + by_rays, system: 0, kept: elements + blocks + pairs + rays }
     }
 
-    /// The footprint of `scene`, cut as `how` says and carried by so many rays: an upper bound.
+    /// The bytes of `scene`, cut as `how` says and carried by so many rays: an upper bound.
     pub(super) fn of_rays(
         scene: &Scene,
         how: &Discretization,
-        method: &Method,
+        solver: &Method,
         rays: u64,
         ranks: &Ranks,
     ) -> Self {
@@ -145,23 +145,23 @@ impl MemoryEstimate {
         let ranks = ranks.count() as u64;
         let own = held(numbers, ranks);
         // Sums of two halves while rays are sent; then the blocks, of each half at its time, and the system.
-        let gathered = gathered(method, unknowns, numbers, ranks);
-        let system = own + system(method, unknowns, numbers) + gathered + groups(scene, &sizes);
+        let gathered = gathered(solver, unknowns, numbers, ranks);
+        let system = own + system(solver, unknowns, numbers) + gathered + groups(scene, &sizes);
         let elements = elements.sum();
         let kept = 2 * KEPT_RAY * rays.saturating_add(rays / 8).min(MOST_KEPT);
         // Pairs are carried exactly where more rays than their least price are expected.
         let exact = rays / LEAST as u64 * (PAIR + NUMBER * (functions * functions) as u64);
-        Self { elements, blocks: 2 * own, pairs: CHUNK, system, memory: elements + kept + exact }
+        Self { elements, blocks: 2 * own, pairs: CHUNK, system, kept: elements + kept + exact }
     }
 
-    /// Largest sum at any time, without a memory.
+    /// Largest sum at any time, with nothing kept for the next scene.
     pub fn peak(&self) -> u64 {
         PROGRAM + self.elements + self.blocks + self.system.max(self.blocks + self.pairs)
     }
 
-    /// Largest sum at any time (bytes), a memory of the scene included.
-    pub(super) fn peak_with_memory(&self) -> u64 {
-        self.peak() + self.memory
+    /// Largest sum at any time (bytes), with what is kept for the next scene.
+    pub(super) fn peak_with_kept(&self) -> u64 {
+        self.peak() + self.kept
     }
 }
 
@@ -170,9 +170,9 @@ fn held(blocks: u64, ranks: u64) -> u64 {
     (u128::from(blocks) * u128::from(2 * ranks - 1)).div_ceil(u128::from(ranks * ranks)) as u64
 }
 
-/// Bytes on their way to all of so many ranks, where a method needs the entries of all blocks.
-fn gathered(method: &Method, unknowns: u64, blocks: u64, ranks: u64) -> u64 {
-    let only_multiplies = method.only_multiplies() && unknowns > DENSE as u64;
+/// Bytes on their way to all of so many ranks, where a solver needs the entries of all blocks.
+fn gathered(solver: &Method, unknowns: u64, blocks: u64, ranks: u64) -> u64 {
+    let only_multiplies = solver.only_multiplies() && unknowns > DENSE as u64;
     if ranks == 1 || only_multiplies { 0 } else { 3 * blocks }
 }
 
@@ -196,9 +196,9 @@ fn groups(scene: &Scene, sizes: &[CutSize]) -> u64 {
 }
 
 /// Bytes of the system of a band with so many unknowns, and blocks of so many bytes.
-fn system(method: &Method, unknowns: u64, blocks: u64) -> u64 {
+fn system(solver: &Method, unknowns: u64, blocks: u64) -> u64 {
     let matrix = NUMBER * unknowns * unknowns;
-    match method.access {
+    match solver.access {
         Access::Entries => 2 * matrix,
         Access::BySize if unknowns <= DIRECT as u64 => 2 * matrix,
         _ if unknowns <= DENSE as u64 => matrix,

@@ -8,34 +8,34 @@ use radiosity_solvers::method::Method;
 use radiosity_work::ranks::Ranks;
 
 use super::failure::Failure;
-use super::fit::Fit;
-use super::memory::MemoryEstimate;
+use super::memory_reduction::MemoryReduction;
+use super::memory_estimate::MemoryEstimate;
 use super::options::Options;
 
 /// A run as far as its memory goes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Need<'a> {
+pub(super) struct MemoryNeed<'a> {
     pub scene: &'a Scene,
     pub how: Discretization,
     pub options: &'a Options,
     /// Rays that carry its pairs, if any.
     pub rays: Option<u64>,
-    /// Whether a memory of it is kept for the next scene.
+    /// Whether its blocks and rays are kept for the next scene.
     pub is_kept: bool,
     /// The ranks that share the run.
     pub ranks: &'a Ranks,
 }
 
-impl Need<'_> {
+impl MemoryNeed<'_> {
     /// Most bytes that the run takes.
     pub(super) fn peak(&self) -> u64 {
         let Self { scene, how, options, ranks, .. } = self;
-        let footprint = match self.rays {
+        let estimate = match self.rays {
             Some(rays) => MemoryEstimate::of_rays(scene, how, options.solver, rays, ranks),
             None if options.kernel.is_some() => MemoryEstimate::of_1993(scene, how, options.solver),
             None => MemoryEstimate::of(scene, how, options.solver, ranks),
         };
-        if self.is_kept { footprint.peak_with_memory() } else { footprint.peak() }
+        if self.is_kept { estimate.peak_with_kept() } else { estimate.peak() }
     }
 
     /// Refuses a run that needs more memory than allowed.
@@ -47,7 +47,7 @@ impl Need<'_> {
         }
         let mut fits = Vec::new();
         if self.is_kept && (Self { is_kept: false, ..*self }).peak() <= allowed {
-            fits.push(Fit::FreshFrames);
+            fits.push(MemoryReduction::FreshFrames);
         }
         match self.rays {
             Some(rays) => fits.extend(self.fewer_rays(rays, allowed)),
@@ -57,28 +57,28 @@ impl Need<'_> {
     }
 
     /// Changes that let exact blocks fit into `allowed` bytes.
-    fn less(&self, allowed: u64) -> Vec<Fit> {
+    fn less(&self, allowed: u64) -> Vec<MemoryReduction> {
         let Self { how, options, .. } = *self;
-        let fits = |how, method| {
-            (Need { how, options: &Options { solver: method, ..*options }, ..*self }).peak() <= allowed
+        let fits = |how, solver| {
+            (MemoryNeed { how, options: &Options { solver, ..*options }, ..*self }).peak() <= allowed
         };
         let mut less = Vec::new();
         if fits(how, &Method::CG) {
-            less.push(Fit::ConjugateGradients);
+            less.push(MemoryReduction::ConjugateGradients);
         }
         let lower =
             (0..how.order).rev().find(|order| fits(Discretization { order: *order, ..how }, options.solver));
-        less.extend(lower.map(Fit::Order));
+        less.extend(lower.map(MemoryReduction::Order));
         let whole = Discretization { subdivide: Subdivide::Uniform(1), layers: Layers::NONE, ..how };
         if fits(whole, options.solver) {
-            less.push(Fit::WholeSurfaces);
+            less.push(MemoryReduction::WholeSurfaces);
         }
         less
     }
 
     /// The half, quarter, … of the rays that would fit; elements follow from their number where nothing else
     /// is asked for.
-    fn fewer_rays(&self, rays: u64, allowed: u64) -> Option<Fit> {
+    fn fewer_rays(&self, rays: u64, allowed: u64) -> Option<MemoryReduction> {
         let peak = |rays: u64| {
             let subdivide = match self.how.subdivide {
                 Subdivide::Graded { .. } => Subdivide::Graded { rays },
@@ -87,7 +87,7 @@ impl Need<'_> {
             (Self { rays: Some(rays), how: Discretization { subdivide, ..self.how }, ..*self }).peak()
         };
         let mut fewer = (1..u64::BITS).map(|halvings| rays >> halvings).take_while(|rays| *rays > 0);
-        fewer.find(|rays| peak(*rays) <= allowed).map(Fit::Rays)
+        fewer.find(|rays| peak(*rays) <= allowed).map(MemoryReduction::Rays)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::driver::Outcome;
 
 /// Cost and error of the moments that were solved, all together.
 #[derive(Clone, Debug, Default)]
-pub struct Account {
+pub struct SequenceReport {
     /// Moments that were solved.
     pub moments: usize,
     /// Rays that were sent between elements.
@@ -23,7 +23,7 @@ pub struct Account {
     pub noise: f64,
 }
 
-impl Account {
+impl SequenceReport {
     /// Adds the solution of the scene of a moment, for which these rays were sent.
     pub(super) fn take(&mut self, scene: &Scene, outcome: &Outcome, rays: RayCounts) {
         self.moments += 1;

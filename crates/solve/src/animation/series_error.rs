@@ -16,7 +16,7 @@ use radiosity_kernel::Remainder;
 use crate::solution::{Band, Solution};
 
 /// Bound of ‖δh‖/‖h‖, the largest of any band; None where no block is a sum of a series.
-pub(crate) fn carried(remainders: &[Remainder], solution: &Solution) -> Option<f64> {
+pub(crate) fn series_error(remainders: &[Remainder], solution: &Solution) -> Option<f64> {
     let list = solution.elements().list();
     let bands = solution.bands().iter().map(|band| of_band(remainders, list, band));
     (!remainders.is_empty()).then(|| bands.fold(0.0, f64::max))

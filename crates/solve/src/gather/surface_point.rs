@@ -25,7 +25,7 @@ const AT_MOST: f64 = 1e-3;
 
 /// A point of a surface, prepared as a receiver.
 #[derive(Clone, Copy, Debug)]
-pub struct Spot {
+pub struct SurfacePoint {
     /// The point for which light is computed: the foot of the given point, moved as the module says.
     pub place: Place,
     /// Parameters of the foot before it was moved, in [−1, 1]².
@@ -40,8 +40,8 @@ pub struct Spot {
 /// point is moved inwards instead. Chosen; not tuned.
 const ASIDE: f64 = 0.1;
 
-impl Spot {
-    /// The spot for the point `x` with the unit normal `n`: on the surface within tolerance whose normal is
+impl SurfacePoint {
+    /// The surface point for the point `x` with the unit normal `n`: on the surface within tolerance whose normal is
     /// nearest to n. None where no such surface faces n.
     pub fn find(elements: &Elements, visibility: &Visibility, x: DVec3, n: DVec3) -> Option<Self> {
         let diagonal = visibility.bounds().diagonal();
@@ -57,19 +57,19 @@ impl Spot {
         };
         let touched: Vec<_> = visibility.near(&around).into_iter().filter_map(touched).collect();
         let faced = touched.iter().filter(|(_, _, normal)| normal.dot(n) > 0.0);
-        let spots = faced.filter_map(|(surface, foot, normal)| {
+        let points = faced.filter_map(|(surface, foot, normal)| {
             let others = touched.iter().filter(|(other, ..)| other != surface);
             let away: DVec3 =
                 others.map(|(_, _, other)| other.reject_from(*normal).normalize_or_zero()).sum();
             Self::within(elements, *surface, [foot.u, foot.v], INWARDS * diagonal, away)
         });
-        spots.fold(None, |best: Option<Self>, spot| match best {
-            Some(best) if best.normal.dot(n) >= spot.normal.dot(n) => Some(best),
-            _ => Some(spot),
+        points.fold(None, |best: Option<Self>, point| match best {
+            Some(best) if best.normal.dot(n) >= point.normal.dot(n) => Some(best),
+            _ => Some(point),
         })
     }
 
-    /// The spot at these parameters of a surface in a scene of this diagonal. None inside a hole that fills a
+    /// The surface point at these parameters of a surface in a scene of this diagonal. None inside a hole that fills a
     /// cell.
     pub fn at(elements: &Elements, surface: usize, parameters: [f64; 2], diagonal: f64) -> Option<Self> {
         Self::within(elements, surface, parameters, INWARDS * diagonal, DVec3::ZERO)
@@ -81,7 +81,7 @@ impl Spot {
         ReceiverPoint { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }
     }
 
-    /// The spot at the parameters `at`, moved by the length `step` along `away`, or inwards if `away` nearly
+    /// The surface point at the parameters `at`, moved by the length `step` along `away`, or inwards if `away` nearly
     /// vanishes.
     fn within(elements: &Elements, surface: usize, at: [f64; 2], step: f64, away: DVec3) -> Option<Self> {
         let shape = elements.shape(surface);
