@@ -1,4 +1,4 @@
-//! Words for transfers that worst what was asked of them.
+//! Words for transfers that miss what was asked of them.
 
 use radiosity_kernel::WorstError;
 use radiosity_transport::FINEST_BY_RAYS;
@@ -36,7 +36,7 @@ pub fn missed(worst: &WorstError, [one, other]: [&str; 2]) -> Wording {
 pub fn no_error_of_order(order: usize) -> Wording {
     let told = format!(
         "the errors are those of the transfers alone: there is no memory for order {} beside order {order}, which tells what even \
-         fluxes worst; allow more with ",
+         fluxes miss; allow more with ",
         order + 1
     );
     words(told) + option("memory")

@@ -62,7 +62,7 @@ fn power(solved: &Solved) -> Option<Warning> {
 }
 
 /// Why power is lost or found, and what helps. Transfers lose of the radiosity B that they carry what their
-/// row sums worst 1 by,
+/// row sums miss 1 by,
 ///
 /// ```text
 /// |⟨B, c − G c⟩| ≲ max_i |1 − Σ_j F_ij| ∫ B dA ,
@@ -123,7 +123,7 @@ fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
     }
     if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
         let message = "some surfaces state their own order or subdivide and keep it: no run is finer there, and what \
-                       they worst stays in the estimated error";
+                       they miss stays in the estimated error";
         warnings.push(Warning::general("accuracy-fixed", message));
     }
     warnings
@@ -199,7 +199,7 @@ fn rays(error: Option<f64>) -> Option<Warning> {
 /// Warnings about what elements and transfers worst.
 fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Warning> {
     if let Some(sampling) = outcome.sampling {
-        // What exact pairs worst is a part of it.
+        // What exact pairs miss is a part of it.
         return rays(sampling.error).into_iter().collect();
     }
     let mut warnings: Vec<Warning> = outcome
@@ -214,7 +214,7 @@ fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Wa
             "near-floor",
             words(format!(
                 "{} pairs come so near each other, or touch in such a way, that splitting stopped: their blocks may \
-                 worst the accuracy asked; subdivide the surfaces there",
+                 miss the accuracy asked; subdivide the surfaces there",
                 outcome.pairs.unresolved
             )),
         );
@@ -224,7 +224,7 @@ fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Wa
     let excess = outcome.checks.row_sum_max - 1.0;
     if excess > 10.0 * options.eps.max(if outcome.rays > 0 { options.shadow_eps } else { 0.0 }) {
         let message = format!(
-            "an element sends {:.2} % more than it has: its transfers worst the accuracy asked; ",
+            "an element sends {:.2} % more than it has: its transfers miss the accuracy asked; ",
             100.0 * excess
         );
         let usual = words("lower ") + option("eps") + ", or subdivide surfaces that meet at small angles";
@@ -240,7 +240,7 @@ fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Wa
     warnings
 }
 
-/// A warning about transfers that worst what was asked.
+/// A warning about transfers that miss what was asked.
 fn inaccurate(scene: &Scene, outcome: &Outcome, worst: &WorstError) -> Warning {
     let list = outcome.solution.elements().list();
     let [surface, other] = worst.pair.map(|element| &scene.surfaces[list[element].surface].name);
