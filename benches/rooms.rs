@@ -7,7 +7,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::Work;
 use radiosity::reading::pictures::render::render;
 use radiosity::reading::reader::Read;
-use radiosity::reading::shown::Shown;
+use radiosity::reading::quantity::Quantity;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads};
 use radiosity::visibility::{Hiding, Visibility};
@@ -61,9 +61,9 @@ fn pictures(criterion: &mut Criterion) {
     let visibility = Visibility::new(&scene, (&options).into());
     let camera = scene.camera.clone().expect("the scene has a camera");
     let camera = Camera { width: 64, height: 48, ..camera };
-    for (name, read) in [("basis", Read::Basis), ("direct", Read::Direct), ("gather", Read::Gather)] {
+    for (name, read) in [("basis", ReadMode::Basis), ("direct", ReadMode::Direct), ("gather", ReadMode::Gather)] {
         let picture =
-            || render(&outcome.solution, &visibility, &camera, 1, read, Shown::Radiosity, &Work::alone());
+            || render(&outcome.solution, &visibility, &camera, 1, read, Quantity::Radiosity, &Work::alone());
         criterion.bench_function(&format!("picture read by {name}"), |bench| {
             bench.iter(|| in_threads(1, || black_box(picture())).expect("a thread can be started"));
         });

@@ -5,8 +5,8 @@ use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
 use radiosity::reading::pictures::raster::Raster;
 use radiosity::reading::pictures::render::{render, usual_read};
-use radiosity::reading::reader::Read;
-use radiosity::reading::shown::Shown;
+use radiosity::reading::reader::ReadMode;
+use radiosity::reading::quantity::Quantity;
 use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels, sized};
 use radiosity::request::{MethodRequest, check_aim, ranges};
 use radiosity::scene::{Camera, Scene};
@@ -39,8 +39,8 @@ impl Given {
 pub(crate) struct Shot {
     camera: Camera,
     samples: u32,
-    read: Option<Read>,
-    show: Shown,
+    read: Option<ReadMode>,
+    show: Quantity,
     pub(crate) threads: usize,
 }
 

@@ -4,7 +4,7 @@ use numpy::PyArrayDyn;
 use pyo3::prelude::*;
 use radiosity::geom::DVec3;
 use radiosity::reading::plane_figures::{BandFigures, PlaneFigures};
-use radiosity::reading::probe::Reading;
+use radiosity::reading::probe::ProbeReading;
 use radiosity::reading::uniformity::Uniformity;
 use radiosity::scene::{Scene, SensorPlane};
 use radiosity::work::wording::Wording;
@@ -38,12 +38,12 @@ impl Given {
 pub(crate) struct Plane {
     plane: SensorPlane,
     bands: usize,
-    readings: Vec<Reading>,
+    readings: Vec<ProbeReading>,
     figures: PlaneFigures,
 }
 
 impl Plane {
-    pub(crate) fn new(plane: SensorPlane, scene: &Scene, readings: Vec<Reading>) -> Self {
+    pub(crate) fn new(plane: SensorPlane, scene: &Scene, readings: Vec<ProbeReading>) -> Self {
         let figures = PlaneFigures::of(&plane, &scene.bands, &readings);
         Self { plane, bands: scene.bands.len(), readings, figures }
     }

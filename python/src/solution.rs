@@ -11,8 +11,8 @@ use pyo3::types::PyDict;
 use radiosity::reading::files::solution_file::{self, SolutionFile, is_solution};
 use radiosity::reading::files::vtu::Grid as Cells;
 use radiosity::reading::grid::{Cell, grid};
-use radiosity::reading::probe::{Probe, Reading, probe};
-use radiosity::reading::quality::Reading as How;
+use radiosity::reading::probe::{Probe, ProbeReading, probe};
+use radiosity::reading::quality::ReadSettings as How;
 use radiosity::reading::read_error::ReadError;
 use radiosity::reading::reader::Reader;
 use radiosity::reading::report::Report;
@@ -99,7 +99,7 @@ impl Solution {
     }
 
     /// Reading of the solution as `given`, and number of threads.
-    fn reading(&self, given: &mut Arguments<'_>, request: ReadRequest) -> PyResult<(How, usize)> {
+    fn reading(&self, given: &mut Arguments<'_>, request: ReadRequest) -> PyResult<(ReadSettings, usize)> {
         let threads = requests::threads(given)?.unwrap_or(self.solved.options.threads);
         request.check(&self.solved.options, &self.method).map_err(Trouble::from)?;
         Ok((request.reading(&self.method, &self.solved, self.is_saved), threads))
@@ -124,7 +124,7 @@ impl Solution {
         given: Arguments<'_>,
         function: &str,
         observer: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Vec<Reading>> {
+    ) -> PyResult<Vec<ProbeReading>> {
         let mut given = given;
         let request = requests::reading(&mut given)?;
         let (how, threads) = self.reading(&mut given, request)?;
@@ -142,11 +142,11 @@ impl Solution {
         Ok(readings)
     }
 
-    fn reader(&self, how: &How) -> Reader<'_> {
+    fn reader(&self, how: &ReadSettings) -> Reader<'_> {
         Reader::by(how.by, &self.solved.outcome.solution, self.solved.visibility(), how.read, how.eps)
     }
 
-    fn cells(&self, how: &How, sides: [usize; 2], progress: &Progress) -> Vec<Cell> {
+    fn cells(&self, how: &ReadSettings, sides: [usize; 2], progress: &Progress) -> Vec<Cell> {
         grid(&self.reader(how), sides, how.rates, &Work::alone().observed_by(progress))
     }
 }

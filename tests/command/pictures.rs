@@ -224,7 +224,7 @@ fn pixels_know_whether_they_see_an_emitter_or_one_surface() {
     let scene = typed(&below_a_lamp());
     let visibility = Visibility::new(&scene, Shadows::Off);
     let camera = scene.camera.clone().expect("there is one");
-    let sights = Sights::through(&camera, 3, &scene, &visibility, Ranks::alone());
+    let sights = SeenSurfaces::through(&camera, 3, &scene, &visibility, Ranks::alone());
     // The lamp is seen from x = (½ − 0.2/0.9) 48 = 13.33 to (½ + 0.1/0.9) 48 = 29.33, and as high as broad.
     let lamp = 17 * 17;
     assert_eq!(sights.emitters().iter().filter(|emitter| **emitter).count(), lamp);

@@ -1,7 +1,7 @@
 //! Methods of the papers, by their options.
 
 use radiosity::Options;
-use radiosity::published::zatz1993::transfers::{Reading, Rules};
+use radiosity::published::zatz1993::transfers::{HybridReading, PaperRules};
 use radiosity_test_support::scenes::builtin;
 use radiosity_test_support::solved::outcome_of;
 
@@ -34,8 +34,8 @@ fn kernels_are_the_rules_and_readings_that_their_names_say() {
     let scene = builtin("empty-box");
     let rules = [
         ("default", None),
-        ("paper-legendre", Some(Rules::Legendre)),
-        ("paper-hybrid", Some(Rules::Hybrid(Reading::H1))),
+        ("paper-legendre", Some(PaperRules::Legendre)),
+        ("paper-hybrid", Some(PaperRules::Hybrid(HybridReading::H1))),
     ];
     for (name, kernel) in rules {
         let outcome = outcome_of(&scene, &Options { order: 4, kernel, ..Options::default() });

@@ -8,7 +8,7 @@ use radiosity::geom::DVec3;
 use radiosity::heat::{Heat, HeatOptions};
 use radiosity::kernel::Accuracy;
 use radiosity::reading::pictures::render::{Read, render};
-use radiosity::reading::shown::Shown;
+use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Camera;
 use radiosity::solve::animation::follower::{Follower, FollowMode};
 use radiosity::solve::animation::sequence::Sequence;
@@ -102,10 +102,10 @@ fn pictures_end_soon() {
     let visibility = Visibility::new(&scene, (&Options::default()).into());
     let camera = scene.camera.expect("it has one");
     let large = Camera { width: 4000, height: 4000, ..camera };
-    for read in [Read::Gather, Read::GatherTwice] {
+    for read in [ReadMode::Gather, ReadMode::GatherTwice] {
         ends_soon("a picture", &|| {
             let picture =
-                || render(&solution, &visibility, &large, 8, read, Shown::Radiosity, &Work::alone());
+                || render(&solution, &visibility, &large, 8, read, Quantity::Radiosity, &Work::alone());
             drop(in_threads(2, picture));
         });
     }

@@ -10,7 +10,7 @@ use radiosity::kernel::Accuracy;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::first_bounce::DirectLightEntry;
 use radiosity::reading::grid::{Rates, grid};
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::solve::checks::Checks;
 use radiosity::solve::solution::{Band, Place, Solution};
 use radiosity::solve::system::System;
@@ -194,7 +194,7 @@ fn cells_add_up_to_the_whole() {
     let solution = &outcome.solution;
     let scene = builtin("cornell-box");
     let visibility = Visibility::new(&scene, Shadows::Off);
-    let reader = Reader::new(solution, &visibility, Read::Basis, 1e-3);
+    let reader = Reader::new(solution, &visibility, ReadMode::Basis, 1e-3);
     for cells in [[1, 1], [3, 5]] {
         let mut power = vec![0.0; scene.surfaces.len()];
         for cell in grid(&reader, cells, Rates::default(), &Work::alone()) {

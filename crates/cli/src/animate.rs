@@ -13,11 +13,9 @@ use clap::{Args, ValueEnum};
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::pictures::image::Image;
 use radiosity_output::pictures::tone::Tone;
-use radiosity_reading::pictures::raster::Raster;
-use radiosity_reading::pictures::render::{render, usual_read, white_balance};
 use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::reader::Read;
-use radiosity_reading::shown::Shown;
+use radiosity_reading::quantity::Quantity;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_request::require_all_bounces;
 use radiosity_solve::animation::follower::{Follower, FollowMode};
@@ -187,7 +185,7 @@ struct Shutter<'a> {
     /// Exposure of all pictures, 1 over the radiosity that is white; that of the first picture unless told.
     exposure: Option<f64>,
     /// Source of the light, as for the first picture unless told.
-    read: Option<Read>,
+    read: Option<ReadMode>,
 }
 
 impl Shutter<'_> {
@@ -198,7 +196,7 @@ impl Shutter<'_> {
         let usual = || usual_read(&frame.solution, visibility, pixels(&camera));
         let read = *self.read.get_or_insert_with(usual);
         let samples = self.args.samples.unwrap_or(SAMPLES);
-        let (shown, work) = (Shown::Radiosity, Work::among(ranks));
+        let (shown, work) = (Quantity::Radiosity, Work::among(ranks));
         Ok(render(&frame.solution, visibility, &camera, samples, read, shown, &work))
     }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use radiosity_geom::{Aabb, Rect};
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::files::exr_file::write_exr;
-use radiosity_output::files::glb::{Baked, texture_size};
+use radiosity_output::files::glb::{BakedScene, texture_size};
 use radiosity_output::pictures::image::Image;
 use radiosity_output::pictures::tessellation::tessellation;
 use radiosity_output::pictures::tone::Tone;
@@ -44,7 +44,7 @@ pub(crate) struct Bake<'a> {
     /// The number of texels, as that of a picture.
     pub(crate) size: Option<Counts>,
     /// Source of the light.
-    pub(crate) read: Option<Read>,
+    pub(crate) read: Option<ReadMode>,
     pub(crate) style: &'a StyleArgs,
     pub(crate) method: &'a MethodArgs,
     pub(crate) report: &'a ReportArgs,
@@ -71,7 +71,7 @@ impl Bake<'_> {
             let lightmap = Lightmap::new(&run.solved, read, texels as usize, &work);
             (tessellation(scene, NEAR * diagonal(scene)), lightmap)
         })?;
-        let baked = Baked::new(scene, &triangles, &lightmap, self.style.show);
+        let baked = BakedScene::new(scene, &triangles, &lightmap, self.style.show);
         let (picture, about) = self.coloured(&baked, &run.solved, &beside);
         // Both are written before one is put in place: they belong together.
         let linear = linear.filled(|writer| write_exr(baked.raster(), writer))?;
@@ -79,13 +79,13 @@ impl Bake<'_> {
         linear.put()?;
         let [width, height] = baked.raster().size();
         let figures = format!("{} triangles, texture of {width} × {height}", baked.triangles());
-        let note = if self.read.is_none() && read == Read::Direct { ROUGH } else { "" };
+        let note = if self.read.is_none() && read == ReadMode::Direct { ROUGH } else { "" };
         let files = [self.path, &beside].map(Path::display);
         run.finish(progress, Some(&format!("{} ({figures}) and {}{note}", files[0], files[1])))
     }
 
     /// The texture in colours, and the remarks on it in the file; `beside` is the file of the light as it is.
-    fn coloured(&self, baked: &Baked, solved: &Solved, beside: &Path) -> (Picture, Value) {
+    fn coloured(&self, baked: &BakedScene, solved: &Solved, beside: &Path) -> (Picture, Value) {
         let (scene, balance) = (&solved.scene, white_balance(&solved.outcome.solution));
         let image = Image::new(baked.raster(), balance);
         let (exposure, tone) = match self.style.exposure {

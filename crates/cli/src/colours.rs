@@ -4,8 +4,8 @@ use std::str::FromStr;
 
 use clap::Args;
 use radiosity_output::drawings::false_colour::FalseColours;
-use radiosity_output::drawings::mark::Mark;
-use radiosity_output::drawings::round::{round_above, round_around, round_below};
+use radiosity_output::drawings::tick::Tick;
+use radiosity_output::drawings::nice_numbers::{round_above, round_around, round_below};
 use radiosity_output::drawings::scale::{DEEPEST, Scale};
 use radiosity_reading::digits::short;
 use radiosity_scene::Scene;
@@ -129,8 +129,8 @@ impl ColourArgs {
             None => colours,
             Some(Isolines::Round) => colours.with_round_isolines(usual),
             Some(Isolines::At(values)) => {
-                let mark = |value: &f64| Mark { value: *value, text: short(*value) };
-                FalseColours { isolines: values.iter().map(mark).collect(), ..colours }
+                let tick = |value: &f64| Tick { value: *value, text: short(*value) };
+                FalseColours { isolines: values.iter().map(tick).collect(), ..colours }
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use radiosity_output::documents::viewer::{Start, texels, write_viewer};
+use radiosity_output::documents::viewer::{FirstViewSettings, texels, write_viewer};
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::render::usual_read;
 use radiosity_reading::reader::Read;
@@ -30,8 +30,8 @@ pub(crate) fn write(
     method: &MethodArgs,
     report: &ReportArgs,
     (path, output): (&Path, &OutputFile),
-    start: &Start,
-    read: Option<Read>,
+    start: &FirstViewSettings,
+    read: Option<ReadMode>,
     ranks: &Ranks,
 ) -> Result<(), CliError> {
     let scene = &loaded.scene;
@@ -50,7 +50,7 @@ pub(crate) fn write(
     let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &work))?;
     output.write(|writer| write_viewer(&run.solved, &lightmap, start, writer))?;
     let mut written = path.display().to_string();
-    if read.is_none() && read_by == Read::Direct {
+    if read.is_none() && read_by == ReadMode::Direct {
         written += ROUGH;
     }
     written += left_out(&run.solved.scene);

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use radiosity_output::documents::plan_page::plan_page;
-use radiosity_reading::probe::Reading;
+use radiosity_reading::probe::ProbeReading;
 use radiosity_scene::Scene;
 use radiosity_work::ranks::Ranks;
 
@@ -88,12 +88,12 @@ impl Drawing<'_> {
         &self,
         scene: &Scene,
         sensors: &Sensors,
-        readings: &[Reading],
+        readings: &[ProbeReading],
     ) -> Result<(), CliError> {
         sensors.by_plane(readings).try_for_each(|on| self.draw(scene, &on))
     }
 
-    fn draw(&self, scene: &Scene, on: &OnPlane<Reading>) -> Result<(), CliError> {
+    fn draw(&self, scene: &Scene, on: &OnPlane<ProbeReading>) -> Result<(), CliError> {
         let picture = plan_page(scene, on.plane, on.items, self.band, |range| self.colours.of_plan(range));
         self.output.write(|writer| picture.write_png(writer))
     }

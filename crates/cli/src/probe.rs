@@ -5,7 +5,7 @@ use std::path::Path;
 
 use clap::Args;
 use radiosity_reading::plane_figures::PlaneFigures;
-use radiosity_reading::probe::{Reading, probe};
+use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::read_error::ReadError;
 use radiosity_reading::reader::Reader;
 use radiosity_scene::Scene;
@@ -161,7 +161,7 @@ pub(crate) fn run(
 struct Table<'a> {
     scene: &'a Scene,
     sensors: &'a Sensors,
-    readings: &'a [Reading],
+    readings: &'a [ProbeReading],
 }
 
 impl<'a> Table<'a> {
@@ -181,7 +181,7 @@ impl<'a> Table<'a> {
         writer.into_inner().map_err(|error| error.into_error())
     }
 
-    fn cells(&self, reading: &Reading) -> Vec<String> {
+    fn cells(&self, reading: &ProbeReading) -> Vec<String> {
         let [position, normal] = [reading.probe.position, reading.probe.normal].map(|x| x.to_array());
         let numbers = position.into_iter().chain(normal).chain(reading.irradiance.iter().copied());
         let on: Vec<String> = match &reading.on {
@@ -197,7 +197,7 @@ impl<'a> Table<'a> {
     fn document(&self) -> Document<'a> {
         let names = self.plane_names();
         let row =
-            |(index, reading): (usize, &'a Reading)| Row::new(self.scene, names.get(index).copied(), reading);
+            |(index, reading): (usize, &'a ProbeReading)| Row::new(self.scene, names.get(index).copied(), reading);
         Document { bands: &self.scene.bands, points: self.readings.iter().enumerate().map(row).collect() }
     }
 
@@ -233,7 +233,7 @@ struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    fn new(scene: &'a Scene, plane: Option<&'a str>, reading: &'a Reading) -> Self {
+    fn new(scene: &'a Scene, plane: Option<&'a str>, reading: &'a ProbeReading) -> Self {
         let on = reading.on.as_ref();
         Self {
             plane,

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use clap::Args;
 use radiosity_reading::grid::Rates;
-use radiosity_reading::quality::Reading;
+use radiosity_reading::quality::ReadSettings;
 use radiosity_reading::reader::Read;
 use radiosity_request::ReadRequest;
 use radiosity_request::ranges;
@@ -24,7 +24,7 @@ pub(crate) const ROUGH: &str = " (light from lamps recomputed, all other light a
 pub(crate) struct ReadArgs {
     /// Light that is read [default: gather; with --quality finest gather-twice]
     #[arg(long, value_name = "MODE")]
-    pub(crate) read: Option<Read>,
+    pub(crate) read: Option<ReadMode>,
 
     /// By what light is gathered [default: auto]
     #[arg(long, value_name = "WAY")]
@@ -54,12 +54,12 @@ impl ReadArgs {
     }
 
     /// Settings of reading: those that were typed, the others from the quality.
-    pub(crate) fn plain(&self, method: &MethodArgs) -> Reading {
+    pub(crate) fn plain(&self, method: &MethodArgs) -> ReadSettings {
         self.request().plain(&method.request())
     }
 
     /// Settings of reading: those that were typed, the others from the quality and the solution.
-    pub(crate) fn reading(&self, method: &MethodArgs, run: &Run) -> Reading {
+    pub(crate) fn reading(&self, method: &MethodArgs, run: &Run) -> ReadSettings {
         self.request().reading(&method.request(), &run.solved, run.is_saved())
     }
 }

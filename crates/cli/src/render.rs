@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use radiosity_output::documents::viewer::Start;
+use radiosity_output::documents::viewer::FirstViewSettings;
 use radiosity_output::files::exr_file::write_exr;
-use radiosity_output::pictures::wireframe::wireframe;
 use radiosity_reading::pictures::render::{render, usual_read, white_balance};
-use radiosity_reading::pictures::sights::Sights;
+use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
+use radiosity_output::pictures::wireframe::wireframe;
 use radiosity_reading::reader::Read;
-use radiosity_reading::shown::Shown;
+use radiosity_reading::quantity::Quantity;
 use radiosity_request::check_aim;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_scene::{Camera, Scene};
@@ -59,7 +59,7 @@ pub(crate) struct RenderArgs {
     /// Light that the picture shows [default: gather, or direct where that would take two threads more than
     /// some ten seconds]
     #[arg(long, value_name = "MODE")]
-    pub(crate) read: Option<Read>,
+    pub(crate) read: Option<ReadMode>,
 
     /// Shows, instead of light, how much the light that leaves each place is worth to what --for names: its
     /// mean irradiance is the integral of this times the exitance (1/area)
@@ -106,7 +106,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     let worth = worth.transpose()?;
     let solution = worth.as_ref().unwrap_or(&run.solved.outcome.solution);
     let (read, show) = match args.importance {
-        true => (Read::Basis, Shown::Irradiance),
+        true => (ReadMode::Basis, Quantity::Irradiance),
         false => {
             let usual = || usual_read(solution, visibility, pixels(&camera));
             (args.read.unwrap_or_else(usual), args.style.show)
@@ -116,22 +116,22 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     let take = |solution: &Solution, visibility: &Visibility| {
         render(solution, visibility, &camera, samples, read, show, &work)
     };
-    let (raster, borders, sights) = run.in_threads(|| {
+    let (raster, borders, seen_surfaces) = run.in_threads(|| {
         style.take_other(|other| take(&other.outcome.solution, other.visibility()));
         let borders = || wireframe(solution.elements(), visibility, &camera, samples, ranks);
-        let sights = || Sights::through(&camera, samples, &run.solved.scene, visibility, ranks);
-        let (borders, sights) = (args.style.wireframe.then(borders), args.style.false_colour.then(sights));
-        (take(solution, visibility), borders, sights)
+        let seen_surfaces = || SeenSurfaces::through(&camera, samples, &run.solved.scene, visibility, ranks);
+        let (borders, seen_surfaces) = (args.style.wireframe.then(borders), args.style.false_colour.then(seen_surfaces));
+        (take(solution, visibility), borders, seen_surfaces)
     })?;
     let mut written = path.display().to_string();
-    if args.read.is_none() && read == Read::Direct {
+    if args.read.is_none() && read == ReadMode::Direct {
         written += ROUGH;
     }
     if kind == Kind::Exr {
         output.write(|writer| write_exr(&raster, writer))?;
     } else {
         let (picture, figures) =
-            style.picture(&raster, white_balance(solution), borders.as_deref(), sights.as_ref())?;
+            style.picture(&raster, white_balance(solution), borders.as_deref(), seen_surfaces.as_ref())?;
         written += &figures;
         output.write(|writer| picture.write_png(writer))?;
     }
@@ -176,7 +176,7 @@ impl RenderArgs {
     }
 
     /// The first view of a page.
-    fn start(&self, scene: &Scene, camera: Camera) -> Result<Start, CliError> {
+    fn start(&self, scene: &Scene, camera: Camera) -> Result<FirstViewSettings, CliError> {
         if self.importance {
             return Err(CliError::Refused {
                 message: "--importance: a page to walk through shows light".to_owned(),

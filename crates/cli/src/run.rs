@@ -5,6 +5,15 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use radiosity_language::Import;
+use radiosity_reading::digits::decimals;
+use radiosity_reading::files::solution_file::{is_solution, read};
+use radiosity_reading::checkpoint::Checkpoint;
+use radiosity_reading::plane_figures::PlaneFigures;
+use radiosity_reading::probe::Probe;
+use radiosity_reading::rank_work::RanksWork;
+use radiosity_reading::read_error::ReadError;
+use radiosity_reading::report::Report;
+use radiosity_reading::warning::Warning;
 use radiosity_published::bases::Basis;
 use radiosity_published::hierarchy::Counts;
 use radiosity_reading::checkpoint::Checkpoint;
@@ -196,7 +205,7 @@ pub(crate) struct Run {
 }
 
 /// Figures of a run that are known before it solves.
-struct Start {
+struct RunStart {
     threads: usize,
     ranks: Ranks,
     /// Whether the solution was read from a file.
@@ -207,7 +216,7 @@ struct Start {
     report_file: Option<OutputFile>,
 }
 
-impl Start {
+impl RunStart {
     /// The start of a run on a loaded scene; finds out whether the report can be written.
     fn of(loaded: &Loaded, threads: usize, report: &ReportArgs, ranks: &Ranks) -> Result<Self, CliError> {
         let report_file = report.reserve(ranks)?.map(|file| loaded.apart(file)).transpose()?;
@@ -286,7 +295,7 @@ impl Run {
         work: &Work<'_>,
     ) -> Result<Self, CliError> {
         method.request().check()?;
-        let start = Start::of(&loaded, asked.threads, report, work.ranks)?;
+        let start = RunStart::of(&loaded, asked.threads, report, work.ranks)?;
         let scene = loaded.scene;
         let solved = match (loaded.saved, goal) {
             (Some(saved), _) => saved.with(scene),
@@ -298,13 +307,13 @@ impl Run {
 
     /// Takes a solution file as it was read.
     pub(crate) fn read(loaded: Loaded, report: &ReportArgs, ranks: &Ranks) -> Result<Self, CliError> {
-        let start = Start::of(&loaded, 0, report, ranks)?;
+        let start = RunStart::of(&loaded, 0, report, ranks)?;
         let saved = loaded.saved.expect("a solution file was read");
         Ok(Self::new(saved.with(loaded.scene), start, report))
     }
 
-    fn new(solved: Solved, start: Start, report: &ReportArgs) -> Self {
-        let Start { threads, ranks, is_saved, started, seconds, report_file } = start;
+    fn new(solved: Solved, start: RunStart, report: &ReportArgs) -> Self {
+        let RunStart { threads, ranks, is_saved, started, seconds, report_file } = start;
         let mut summary = Report::new(&solved, threads);
         summary.seconds.load = seconds;
         Self {

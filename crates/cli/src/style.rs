@@ -3,21 +3,19 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use radiosity_output::documents::viewer::{Start, StartColours};
+use radiosity_output::documents::viewer::{FirstViewSettings, FirstViewColours};
 use radiosity_output::drawings::false_colour::{FalseColours, false_colour};
 use radiosity_output::drawings::legend::Legend;
 use radiosity_output::drawings::picture::Picture;
-use radiosity_output::drawings::round::round_above;
+use radiosity_output::drawings::nice_numbers::round_above;
 use radiosity_output::drawings::scale::Scale;
 use radiosity_output::files::exr_file::read_exr;
 use radiosity_output::pictures::image::Image;
+use radiosity_reading::pictures::raster::Raster;
+use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_output::pictures::tone::Tone;
 use radiosity_reading::difference::Difference;
-use radiosity_reading::digits::three_digits;
-use radiosity_reading::field::Field;
-use radiosity_reading::pictures::raster::Raster;
-use radiosity_reading::pictures::sights::Sights;
-use radiosity_reading::shown::{Shown, band_name};
+use radiosity_reading::quantity::{Quantity, band_name};
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;
@@ -53,7 +51,7 @@ pub(crate) struct StyleArgs {
 
     /// The quantity that is shown
     #[arg(long, value_name = "QUANTITY", default_value = "radiosity")]
-    pub(crate) show: Shown,
+    pub(crate) show: Quantity,
 
     #[command(flatten)]
     pub(crate) colours: ColourArgs,
@@ -145,17 +143,17 @@ impl StyleArgs {
     }
 
     /// The first view of a page through `camera`, with so many samples along each side of a pixel.
-    pub(crate) fn start(&self, scene: &Scene, camera: Camera, samples: u32) -> Result<Start, CliError> {
+    pub(crate) fn start(&self, scene: &Scene, camera: Camera, samples: u32) -> Result<FirstViewSettings, CliError> {
         self.check_colours()?;
         self.colours.check()?;
         let ColourArgs { range, log, .. } = &self.colours;
-        let colours = StartColours {
+        let colours = FirstViewColours {
             band: self.colours.band(scene)?,
             range: range.map(|Range(range)| range),
             log: *log,
         };
         let false_colours = self.false_colour.then_some(colours);
-        Ok(Start { camera, samples, exposure: self.exposure, shown: self.show, false_colours })
+        Ok(FirstViewSettings { camera, samples, exposure: self.exposure, shown: self.show, false_colours })
     }
 
     /// Finds the band and reads the other picture of a quantity in this unit, before the work.
@@ -230,13 +228,13 @@ impl Style<'_> {
         }
     }
 
-    /// The picture, in false colours where there are `sights`, and the message to print after its name.
+    /// The picture, in false colours where there are `seen_surfaces`, and the message to print after its name.
     pub(crate) fn picture(
         &self,
         raster: &Raster,
         balance: [f64; 3],
         borders: Option<&[f64]>,
-        sights: Option<&Sights>,
+        seen_surfaces: Option<&SeenSurfaces>,
     ) -> Result<(Picture, String), CliError> {
         let wired = |mut picture: Picture| {
             if let Some(borders) = borders {
@@ -249,8 +247,8 @@ impl Style<'_> {
                 self.difference(&raster.field(self.band), &other.field(self.band), wired)?;
             return Ok((picture, figures));
         }
-        if let Some(sights) = sights {
-            return Ok((self.false_colours(&raster.field(self.band), sights, wired), String::new()));
+        if let Some(seen_surfaces) = seen_surfaces {
+            return Ok((self.false_colours(&raster.field(self.band), seen_surfaces, wired), String::new()));
         }
         let image = Image::new(raster, balance);
         let picture = match self.args.exposure {
@@ -260,11 +258,11 @@ impl Style<'_> {
         Ok((wired(picture), String::new()))
     }
 
-    fn false_colours(&self, field: &Field, sights: &Sights, wired: impl Fn(Picture) -> Picture) -> Picture {
+    fn false_colours(&self, field: &Field, seen_surfaces: &SeenSurfaces, wired: impl Fn(Picture) -> Picture) -> Picture {
         // Where everything emits, emitters are what there is to see.
-        let usual = field.without(sights.emitters()).usual_range().or(field.usual_range());
+        let usual = field.without(seen_surfaces.emitters()).usual_range().or(field.usual_range());
         let colours = self.args.colours.colours(usual.unwrap_or_default());
-        with_legend(&colours, wired(false_colour(field, &colours.scale)), field, sights, self.title.clone())
+        with_legend(&colours, wired(false_colour(field, &colours.scale)), field, seen_surfaces, self.title.clone())
     }
 
     fn difference(
@@ -286,7 +284,7 @@ impl Style<'_> {
         let title = ["difference".to_owned()].into_iter().chain(self.band_name.clone());
         let title = title.chain(["% of mean".to_owned()]).collect();
         let note = vec![format!("rms {rms:.3}"), format!("max {largest:.3}")];
-        let picture = Legend { scale: &scale, title, note, marks: Vec::new() }
+        let picture = Legend { scale: &scale, title, note, levels: Vec::new() }
             .beside(&wired(false_colour(field, &scale)));
         let figures = format!(
             "\ndifference: rms {rms:.4} %, largest {largest:.4} % of the other picture's mean {}",
@@ -301,15 +299,15 @@ pub(crate) fn with_legend(
     colours: &FalseColours,
     mut picture: Picture,
     field: &Field,
-    sights: &Sights,
+    seen_surfaces: &SeenSurfaces,
     title: Vec<String>,
 ) -> Picture {
-    colours.draw_isolines(&mut picture, field, sights.parts());
+    colours.draw_isolines(&mut picture, field, seen_surfaces.parts());
     let greatest = field.seen().fold(0.0, f64::max);
     let beyond = greatest > colours.scale.range()[1];
     let note = if beyond { vec![format!("max {}", three_digits(greatest))] } else { Vec::new() };
-    let marks = colours.isolines.iter().map(|mark| mark.value).collect();
-    Legend { scale: &colours.scale, title, note, marks }.beside(&picture)
+    let levels = colours.isolines.iter().map(|tick| tick.value).collect();
+    Legend { scale: &colours.scale, title, note, levels }.beside(&picture)
 }
 
 /// Colour of the borders of elements. Chosen.

@@ -10,7 +10,7 @@ use radiosity_kernel::WorstError;
 use radiosity_output::files::view_factors as output;
 use radiosity_output::files::view_factors::Sparse;
 use radiosity_reading::checkpoint::Checkpoint;
-use radiosity_reading::missed::missed;
+use radiosity_reading::accuracy_warning::missed;
 use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::row_sums::RowSums;
 use radiosity_scene::Scene;

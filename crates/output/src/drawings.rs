@@ -1,18 +1,18 @@
 //! Drawings in vectors: scales, lines, letters, charts, isolines and plans.
 
-pub mod decades;
-pub mod mark;
-pub mod round;
+pub mod log_axis;
+pub mod tick;
+pub mod nice_numbers;
 pub(crate) mod segment;
 pub(crate) mod interpolant;
 pub mod picture;
 pub(crate) mod stroke;
-pub(crate) mod track;
+pub(crate) mod polyline;
 mod isolines;
 pub(crate) mod lettering;
 pub(crate) mod canvas;
 pub(crate) mod label;
-mod labelled;
+mod labelled_isolines;
 pub mod chart;
 pub mod scale;
 pub mod false_colour;

@@ -30,7 +30,7 @@ use radiosity_work::ranks::{PartName, vector};
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
-use crate::reader::{Light, Reader, Value};
+use crate::reader::{RecomputedLight, Reader, ReadIrradiance};
 
 /// Means over one cell of one surface.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -159,7 +159,7 @@ impl Integrals {
         for element in reader.solution().elements().of_surface(surface) {
             for patch in reader.solution().elements().patches_over(element, rect) {
                 let area = area(&patch);
-                let Value { irradiance, deviation } = over_patch(reader, element, &patch, rates);
+                let ReadIrradiance { irradiance, deviation } = over_patch(reader, element, &patch, rates);
                 let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
                 sums.covered += area;
                 if let Some(deviation) = deviation {
@@ -204,7 +204,7 @@ impl Integrals {
 const AREA_POINTS: usize = 16;
 
 /// Mean of E per band over a patch of an element.
-fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> Value {
+fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> ReadIrradiance {
     let owner = &reader.solution().elements().list()[element];
     let degree = owner.basis.total_degree();
     let exact = if patch.is_flat() { degree / 2 + 2 } else { degree + 4 };
@@ -218,16 +218,16 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> V
     let indirect = |node: &Node| reader.indirect_polynomials(element, &place(node));
     match reader.light() {
         // Masks have edges, like direct light.
-        Light::Basis if reader.solution().masked().is_some() => {
+        RecomputedLight::Basis if reader.solution().masked().is_some() => {
             mean(patch, exact.max(rates.direct), polynomials).into()
         }
-        Light::Basis => mean(patch, exact, polynomials).into(),
-        Light::Direct(direct) => {
+        RecomputedLight::Basis => mean(patch, exact, polynomials).into(),
+        RecomputedLight::Direct(direct) => {
             sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))
                 .into()
         }
-        Light::Rays(gather) => gather.read(&Receiver::Patch { surface: owner.surface, patch }).into(),
-        Light::Gather(gather) => {
+        RecomputedLight::Rays(gather) => gather.read(&Receiver::Patch { surface: owner.surface, patch }).into(),
+        RecomputedLight::Gather(gather) => {
             let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
             let gathered = gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);
             sum(lit, &gathered).into()

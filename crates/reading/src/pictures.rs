@@ -1,8 +1,8 @@
 //! Light of pixels and texels: cameras, samples, rasters, the light of frames, light maps.
 
 pub mod pinhole;
-pub mod sights;
-pub mod samples;
+pub mod seen_surfaces;
+pub mod pixel_samples;
 pub mod raster;
 mod frame_light;
 pub mod render;

@@ -3,7 +3,7 @@
 use radiosity_scene::SensorPlane;
 use serde::Serialize;
 
-use super::probe::Reading;
+use super::probe::ProbeReading;
 use super::uniformity::Uniformity;
 use super::warning::Warning;
 
@@ -50,7 +50,7 @@ pub struct NamedFigures {
 
 impl PlaneFigures {
     /// The figures of a plane's `readings` in `bands`.
-    pub fn of(plane: &SensorPlane, bands: &[String], readings: &[Reading]) -> Self {
+    pub fn of(plane: &SensorPlane, bands: &[String], readings: &[ProbeReading]) -> Self {
         let figures =
             |band: usize| Uniformity::of(readings.iter().map(move |reading| reading.irradiance[band]));
         let named = |(k, band): (usize, &String)| NamedFigures { band: band.clone(), figures: figures(k) };
@@ -78,11 +78,11 @@ impl PlaneFigures {
         let Self { name, points, figures, .. } = self;
         match figures {
             BandFigures::One(figures) => {
-                vec![format!("plane {name}: {points} points, {}", figures.told(unit))]
+                vec![format!("plane {name}: {points} points, {}", figures.text(unit))]
             }
             BandFigures::Several { bands } => {
                 let line = |NamedFigures { band, figures }: &NamedFigures| {
-                    format!("plane {name}, band {band}: {points} points, {}", figures.told(unit))
+                    format!("plane {name}, band {band}: {points} points, {}", figures.text(unit))
                 };
                 bands.iter().map(line).collect()
             }
@@ -91,8 +91,8 @@ impl PlaneFigures {
 }
 
 /// Number of readings without light in any band.
-fn dark(readings: &[Reading]) -> usize {
-    let greatest = |reading: &Reading| reading.irradiance.iter().copied().fold(0.0, f64::max);
+fn dark(readings: &[ProbeReading]) -> usize {
+    let greatest = |reading: &ProbeReading| reading.irradiance.iter().copied().fold(0.0, f64::max);
     let most = readings.iter().map(greatest).fold(0.0, f64::max);
     readings.iter().filter(|reading| greatest(reading) <= DARK * most).count()
 }

@@ -12,7 +12,7 @@ use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
-use crate::reader::{Light, Reader, Value};
+use crate::reader::{RecomputedLight, Reader, ReadIrradiance};
 
 /// Least cosine between a probe's normal and its surface's for which they count as equal: where only
 /// polynomials are known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not
@@ -48,7 +48,7 @@ impl Probe {
 
 /// The result of a probe.
 #[derive(Clone, Debug)]
-pub struct Reading {
+pub struct ProbeReading {
     /// The probe itself.
     pub probe: Probe,
     /// Irradiance per band (W m⁻²).
@@ -94,29 +94,29 @@ pub fn probe(
     probes: &[Probe],
     middle: DVec3,
     work: &Work<'_>,
-) -> Result<Vec<Reading>, (usize, ProbeFault)> {
+) -> Result<Vec<ProbeReading>, (usize, ProbeFault)> {
     let done = AtomicUsize::new(0);
     let found = work.ranks.map_even(PartName::Points, probes.len(), TOGETHER, |number| {
         let found = read(reader, &probes[number], middle);
         work.report_done(Stage::Points, done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
         found
     });
-    let reading = |(number, found): (usize, Result<Found, ProbeFault>)| {
-        let Found { irradiance, deviation, on } = found.map_err(|fault| (number, fault))?;
-        Ok(Reading { probe: probes[number], irradiance, deviation, on })
+    let reading = |(number, found): (usize, Result<ProbeValues, ProbeFault>)| {
+        let ProbeValues { irradiance, deviation, on } = found.map_err(|fault| (number, fault))?;
+        Ok(ProbeReading { probe: probes[number], irradiance, deviation, on })
     };
     found.into_iter().enumerate().map(reading).collect()
 }
 
 /// The values read at a probe, which ranks send each other.
 #[derive(Serialize, Deserialize)]
-struct Found {
+struct ProbeValues {
     irradiance: Vec<f64>,
     deviation: Option<Deviation>,
     on: Option<OnSurface>,
 }
 
-fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Found, ProbeFault> {
+fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<ProbeValues, ProbeFault> {
     let (position, normal) = (probe.position - middle, probe.normal);
     let elements = reader.solution().elements();
     let point = SurfacePoint::find(elements, reader.visibility(), position, normal);
@@ -137,13 +137,13 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Found, ProbeFau
             (value, Some(on))
         }
     };
-    let Value { irradiance, deviation } = value;
-    Ok(Found { irradiance, deviation, on })
+    let ReadIrradiance { irradiance, deviation } = value;
+    Ok(ProbeValues { irradiance, deviation, on })
 }
 
 /// Where a surface point is read: polynomials have a value at the foot itself, recomputed light near it.
 fn place(reader: &Reader, point: &SurfacePoint) -> Place {
-    if !matches!(reader.light(), Light::Basis) {
+    if !matches!(reader.light(), RecomputedLight::Basis) {
         return point.place;
     }
     let Place { surface, .. } = point.place;

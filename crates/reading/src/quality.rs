@@ -36,9 +36,9 @@ pub enum Quality {
 
 /// Settings by which light is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
+pub struct ReadSettings {
     /// The source of light at cells and points.
-    pub read: Read,
+    pub read: ReadMode,
     /// Way of gathering light: by cells or by rays.
     pub by: GatherMethod,
     /// Relative accuracy of gathered light.
@@ -60,13 +60,13 @@ impl Quality {
     }
 
     /// Settings to read a scene that was solved with [`Quality::options`].
-    pub fn reading(self) -> Reading {
+    pub fn reading(self) -> ReadSettings {
         let (read, eps, direct, indirect) = match self {
-            Self::Quick => (Read::Gather, 2e-3, 3, 1),
-            Self::Default => (Read::Gather, USUAL_EPS, 4, 2),
-            Self::Fine => (Read::Gather, 7e-4, 4, 2),
-            Self::Finest => (Read::GatherTwice, 4e-4, 4, 3),
+            Self::Quick => (ReadMode::Gather, 2e-3, 3, 1),
+            Self::Default => (ReadMode::Gather, USUAL_EPS, 4, 2),
+            Self::Fine => (ReadMode::Gather, 7e-4, 4, 2),
+            Self::Finest => (ReadMode::GatherTwice, 4e-4, 4, 3),
         };
-        Reading { read, by: GatherMethod::Auto, eps, rates: Rates { direct, indirect } }
+        ReadSettings { read, by: GatherMethod::Auto, eps, rates: Rates { direct, indirect } }
     }
 }

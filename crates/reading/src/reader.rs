@@ -14,7 +14,7 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
-pub enum Read {
+pub enum ReadMode {
     /// The polynomials of the elements alone.
     Basis,
     /// Direct light and its shadows recomputed at every point, the rest from the polynomials.
@@ -30,12 +30,12 @@ pub enum Read {
 pub struct Reader<'a> {
     solution: &'a Solution,
     visibility: &'a Visibility,
-    light: Light<'a>,
+    light: RecomputedLight<'a>,
 }
 
 /// The light that a [`Reader`] recomputes.
 #[derive(Debug)]
-pub(super) enum Light<'a> {
+pub(super) enum RecomputedLight<'a> {
     /// Nothing.
     Basis,
     /// Direct light.
@@ -48,20 +48,20 @@ pub(super) enum Light<'a> {
 
 /// Irradiance as it was read.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Value {
+pub struct ReadIrradiance {
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
     /// Standard deviation of what was gathered by rays; None otherwise.
     pub deviation: Option<Deviation>,
 }
 
-impl From<Vec<f64>> for Value {
+impl From<Vec<f64>> for ReadIrradiance {
     fn from(irradiance: Vec<f64>) -> Self {
         Self { irradiance, deviation: None }
     }
 }
 
-impl From<RayEstimate> for Value {
+impl From<RayEstimate> for ReadIrradiance {
     fn from(RayEstimate { irradiance, deviation }: RayEstimate) -> Self {
         Self { irradiance, deviation: Some(deviation) }
     }
@@ -69,22 +69,22 @@ impl From<RayEstimate> for Value {
 
 impl<'a> Reader<'a> {
     /// Prepares to read `solution`; recomputed light has about the relative accuracy `eps`.
-    pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
+    pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: ReadMode, eps: f64) -> Self {
         Self::by(GatherMethod::Auto, solution, visibility, read, eps)
     }
 
     /// As [`Reader::new`], with gathered light by cells or by rays.
-    pub fn by(by: GatherMethod, solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
+    pub fn by(by: GatherMethod, solution: &'a Solution, visibility: &'a Visibility, read: ReadMode, eps: f64) -> Self {
         let light = match read {
-            Read::Gather | Read::GatherTwice
-                if by.rays(solution, visibility, eps, read == Read::GatherTwice) =>
+            ReadMode::Gather | ReadMode::GatherTwice
+                if by.rays(solution, visibility, eps, read == ReadMode::GatherTwice) =>
             {
-                Light::Rays(RayGather::new(solution, visibility, eps, read == Read::GatherTwice))
+                RecomputedLight::Rays(RayGather::new(solution, visibility, eps, read == ReadMode::GatherTwice))
             }
-            Read::Basis => Light::Basis,
-            Read::Direct => Light::Direct(DirectLight::within(&solution.emitters(), visibility, eps)),
-            Read::Gather => Light::Gather(Gather::new(solution, visibility, eps)),
-            Read::GatherTwice => Light::Gather(Gather::twice(solution, visibility, eps)),
+            ReadMode::Basis => RecomputedLight::Basis,
+            ReadMode::Direct => RecomputedLight::Direct(DirectLight::within(&solution.emitters(), visibility, eps)),
+            ReadMode::Gather => RecomputedLight::Gather(Gather::new(solution, visibility, eps)),
+            ReadMode::GatherTwice => RecomputedLight::Gather(Gather::twice(solution, visibility, eps)),
         };
         Self { solution, visibility, light }
     }
@@ -101,11 +101,11 @@ impl<'a> Reader<'a> {
 
     /// Whether all light is gathered.
     pub(super) fn gathers(&self) -> bool {
-        matches!(self.light, Light::Gather(_) | Light::Rays(_))
+        matches!(self.light, RecomputedLight::Gather(_) | RecomputedLight::Rays(_))
     }
 
     /// The light that is recomputed.
-    pub(super) fn light(&self) -> &Light<'a> {
+    pub(super) fn light(&self) -> &RecomputedLight<'a> {
         &self.light
     }
 
@@ -122,15 +122,15 @@ impl<'a> Reader<'a> {
     }
 
     /// Irradiance per band at a place of an element with unit normal `normal`, on its front.
-    pub fn irradiance(&self, element: usize, place: &Place, normal: DVec3) -> Value {
+    pub fn irradiance(&self, element: usize, place: &Place, normal: DVec3) -> ReadIrradiance {
         match &self.light {
-            Light::Basis => self.polynomials(element, place).into(),
-            Light::Direct(direct) => {
+            RecomputedLight::Basis => self.polynomials(element, place).into(),
+            RecomputedLight::Direct(direct) => {
                 let rest = self.indirect_polynomials(element, place);
                 let lit = direct.at_beside(element, place.position, normal, &rest);
                 lit.iter().zip(rest).map(|(d, s)| d + s).collect::<Vec<f64>>().into()
             }
-            Light::Gather(_) | Light::Rays(_) => {
+            RecomputedLight::Gather(_) | RecomputedLight::Rays(_) => {
                 let receiver = ReceiverPoint::on(place.surface, place.position, normal);
                 self.gathered(&receiver).expect("light is gathered")
             }
@@ -147,11 +147,11 @@ impl<'a> Reader<'a> {
     }
 
     /// Irradiance per band at any point; None where light is not gathered.
-    pub fn gathered(&self, receiver: &ReceiverPoint) -> Option<Value> {
+    pub fn gathered(&self, receiver: &ReceiverPoint) -> Option<ReadIrradiance> {
         match &self.light {
-            Light::Basis | Light::Direct(_) => None,
-            Light::Gather(gather) => Some(gather.at(receiver).into()),
-            Light::Rays(gather) => Some(gather.read(&Receiver::Point(*receiver)).into()),
+            RecomputedLight::Basis | RecomputedLight::Direct(_) => None,
+            RecomputedLight::Gather(gather) => Some(gather.at(receiver).into()),
+            RecomputedLight::Rays(gather) => Some(gather.read(&Receiver::Point(*receiver)).into()),
         }
     }
 }

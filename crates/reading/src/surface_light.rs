@@ -12,7 +12,7 @@
 use radiosity_solve::solution::Solution;
 
 use super::grid::Cell;
-use super::shown::of_bands;
+use super::quantity::of_bands;
 
 /// The light of one surface. Powers are in the unit of exitance times scene length².
 #[derive(Clone, Debug, PartialEq)]

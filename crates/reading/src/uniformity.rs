@@ -39,7 +39,7 @@ impl Uniformity {
     }
 
     /// The figures in one line, with values in `unit`.
-    pub fn told(&self, unit: &str) -> String {
+    pub fn text(&self, unit: &str) -> String {
         let rounding = ROUNDING * self.max;
         let [mean, min, max] = [self.mean, self.min, self.max]
             .map(|value| three_digits(if value.abs() < rounding { 0.0 } else { value }));

@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use radiosity_published::zatz1993::transfers::{Reading, Rules};
+use radiosity_published::zatz1993::transfers::{HybridReading, PaperRules};
 use radiosity_scene::MAX_ORDER;
 use radiosity_visibility::Hiding;
 use serde::Deserialize;
@@ -73,11 +73,11 @@ pub enum Kernel {
 impl Kernel {
     /// The rules of 1993 that the mode names. Of the readings of the hybrid, H1 fits the numbers the paper
     /// prints best.
-    pub fn rules(self) -> Option<Rules> {
+    pub fn rules(self) -> Option<PaperRules> {
         match self {
             Kernel::Default => None,
-            Kernel::PaperLegendre => Some(Rules::Legendre),
-            Kernel::PaperHybrid => Some(Rules::Hybrid(Reading::H1)),
+            Kernel::PaperLegendre => Some(PaperRules::Legendre),
+            Kernel::PaperHybrid => Some(PaperRules::Hybrid(HybridReading::H1)),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Requests for the reading of a solution, and the accuracy that a solution is worth being read to.
 
 use radiosity_reading::grid::Rates;
-use radiosity_reading::quality::Reading;
-use radiosity_reading::reader::Read;
+use radiosity_reading::quality::ReadSettings;
+use radiosity_reading::reader::ReadMode;
 use radiosity_solve::Options;
 use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solved::Solved;
@@ -21,7 +21,7 @@ const BY_RAYS: f64 = 1e-2;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ReadRequest {
     /// Source of irradiance: polynomials or recomputed light.
-    pub read: Option<Read>,
+    pub read: Option<ReadMode>,
     /// Method of gathering: by cells or by rays.
     pub by: Option<GatherMethod>,
     /// Relative accuracy of recomputed light.
@@ -40,14 +40,14 @@ impl ReadRequest {
         check_aim(self.read, method)?;
         let refuse = |message: Wording, cure: Wording| Err(Refusal::new(message, cure));
         match self.read {
-            Some(Read::Basis) if self.eps.is_some() => refuse(
+            Some(ReadMode::Basis) if self.eps.is_some() => refuse(
                 option("read-eps")
                     + " is the accuracy of recomputed light, and "
                     + set("read", "basis")
                     + " recomputes none",
                 words("leave one of them out"),
             ),
-            Some(Read::Basis | Read::Direct) if self.by.is_some() => refuse(
+            Some(ReadMode::Basis | ReadMode::Direct) if self.by.is_some() => refuse(
                 option("read-by")
                     + " says by what light is gathered, and "
                     + set("read", "basis")
@@ -78,14 +78,14 @@ impl ReadRequest {
     }
 
     /// The reading that was asked for; the rest as the quality says.
-    pub fn plain(&self, method: &MethodRequest) -> Reading {
+    pub fn plain(&self, method: &MethodRequest) -> ReadSettings {
         let usual = method.quality.reading();
         self.asked(usual, method.eps.unwrap_or(usual.eps))
     }
 
     /// The reading that was asked for; the accuracy `eps` where none was, and the rest as in `usual`.
-    fn asked(&self, usual: Reading, eps: f64) -> Reading {
-        Reading {
+    fn asked(&self, usual: ReadSettings, eps: f64) -> ReadSettings {
+        ReadSettings {
             read: self.read.unwrap_or(usual.read),
             // Rays count no points.
             by: if self.samples.is_some() { GatherMethod::Cells } else { self.by.unwrap_or_default() },
@@ -96,7 +96,7 @@ impl ReadRequest {
 
     /// The reading that was asked for; the rest as the quality and the solution say; no coarser than the
     /// accuracy of the solution, where one was asked for. `is_saved`: the solution was read from a file.
-    pub fn reading(&self, method: &MethodRequest, solved: &Solved, is_saved: bool) -> Reading {
+    pub fn reading(&self, method: &MethodRequest, solved: &Solved, is_saved: bool) -> ReadSettings {
         let usual = method.quality.reading();
         let is_sampled = solved.outcome.sampling.is_some();
         let of_solution = if is_sampled { usual.eps.max(BY_RAYS) } else { usual.eps };
@@ -119,10 +119,10 @@ fn saved_accuracy(solved: &Solved) -> Option<f64> {
 ///
 /// # Errors
 /// If that is what was asked for.
-pub fn check_aim(read: Option<Read>, method: &MethodRequest) -> Result<(), Refusal> {
+pub fn check_aim(read: Option<ReadMode>, method: &MethodRequest) -> Result<(), Refusal> {
     let is_of_gathered = method.wanted_accuracy().is_some() && method.aim != Some(Aim::Solution);
     match read {
-        Some(Read::Basis | Read::Direct) if is_of_gathered => Err(Refusal::new(
+        Some(ReadMode::Basis | ReadMode::Direct) if is_of_gathered => Err(Refusal::new(
             option("accuracy")
                 + " is that of gathered light, and "
                 + set("read", "basis")

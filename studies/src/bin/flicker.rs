@@ -24,8 +24,8 @@ use radiosity::Work;
 use radiosity::geom::Encounter;
 use radiosity::reading::pictures::pinhole::Pinhole;
 use radiosity::reading::pictures::render::render;
-use radiosity::reading::reader::Read;
-use radiosity::reading::shown::Shown;
+use radiosity::reading::reader::ReadMode;
+use radiosity::reading::quantity::Quantity;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::Options;
 use radiosity::solve::animation::follower::{Follower, FollowMode};
@@ -35,7 +35,7 @@ use radiosity::visibility::Visibility;
 struct Asked {
     frames: Option<[usize; 2]>,
     size: [u32; 2],
-    read: Read,
+    read: ReadMode,
     scenes: Vec<String>,
 }
 
@@ -82,7 +82,7 @@ fn row(name: &str, asked: &Asked) -> String {
         let start = ProcessTime::now();
         let visibility = Visibility::new(&frame.scene, (&options).into());
         let raster =
-            render(&frame.solution, &visibility, &camera, 3, asked.read, Shown::Radiosity, &Work::alone());
+            render(&frame.solution, &visibility, &camera, 3, asked.read, Quantity::Radiosity, &Work::alone());
         picture += start.elapsed().as_secs_f64();
         let view = Pinhole::new(&camera);
         let pixels = 0..(width * height) as usize;
@@ -150,7 +150,7 @@ fn is_at_rest(shots: [&Shot; 3], pixel: usize, width: usize) -> bool {
 }
 
 fn asked() -> Asked {
-    let mut asked = Asked { frames: None, size: [240, 170], read: Read::Direct, scenes: Vec::new() };
+    let mut asked = Asked { frames: None, size: [240, 170], read: ReadMode::Direct, scenes: Vec::new() };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         let mut next = || words.next().expect("a value follows");
@@ -159,9 +159,9 @@ fn asked() -> Asked {
             "--size" => asked.size = pair(&next(), "x").map(|side| side as u32),
             "--read" => {
                 asked.read = match next().as_str() {
-                    "basis" => Read::Basis,
-                    "gather" => Read::Gather,
-                    _ => Read::Direct,
+                    "basis" => ReadMode::Basis,
+                    "gather" => ReadMode::Gather,
+                    _ => ReadMode::Direct,
                 }
             }
             _ => asked.scenes.push(word),

@@ -20,8 +20,8 @@ use radiosity::Work;
 use radiosity::geom::{DVec3, Encounter};
 use radiosity::reading::pictures::pinhole::Pinhole;
 use radiosity::reading::pictures::render::{render, usual_read};
-use radiosity::reading::reader::{Read, Reader};
-use radiosity::reading::shown::Shown;
+use radiosity::reading::reader::{ReadMode, Reader};
+use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Camera;
 use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::solution::{Place, Solution};
@@ -56,7 +56,7 @@ fn row(name: &str) -> String {
     let pixels = u64::from(camera.width) * u64::from(camera.height);
     let read = usual_read(&solution, &visibility, pixels);
     let start = Instant::now();
-    let _ = render(&solution, &visibility, &camera, 3, read, Shown::Radiosity, &Work::alone());
+    let _ = render(&solution, &visibility, &camera, 3, read, Quantity::Radiosity, &Work::alone());
     let taken = start.elapsed().as_secs_f64();
     let errors = Errors::of(name, &solution, &visibility, &camera, read);
     let [width, height] = [camera.width, camera.height];
@@ -91,10 +91,10 @@ impl<'a> Errors<'a> {
         solution: &'a Solution,
         visibility: &'a Visibility,
         camera: &Camera,
-        read: Read,
+        read: ReadMode,
     ) -> Self {
-        let raster = render(solution, visibility, camera, 1, read, Shown::Radiosity, &Work::alone());
-        let reader = |by: GatherMethod, eps: f64| Reader::by(by, solution, visibility, Read::Gather, eps);
+        let raster = render(solution, visibility, camera, 1, read, Quantity::Radiosity, &Work::alone());
+        let reader = |by: GatherMethod, eps: f64| Reader::by(by, solution, visibility, ReadMode::Gather, eps);
         let view = Pinhole::new(camera);
         let width = camera.width as usize;
         let look = |pixel: usize| {

@@ -33,7 +33,7 @@ const PUBLISHED: [f64; 3] = [16.16, 11.04, 4.8];
 struct Way {
     name: &'static str,
     options: Options,
-    readings: Vec<Reading>,
+    readings: Vec<ReadSettings>,
 }
 
 fn main() -> Result<(), String> {
@@ -62,9 +62,9 @@ fn main() -> Result<(), String> {
 /// The presets, and the default with direct light as it was in 1993: in the polynomials, and times masks.
 fn ways() -> Vec<Way> {
     let usual = Quality::Default.reading();
-    let reads = |reads: &[Read]| reads.iter().map(|read| Reading { read: *read, ..usual }).collect();
+    let reads = |reads: &[ReadMode]| reads.iter().map(|read| ReadSettings { read: *read, ..usual }).collect();
     let preset = |name, quality: Quality| {
-        let more = if quality == Quality::Default { reads(&[Read::Direct, Read::Basis]) } else { Vec::new() };
+        let more = if quality == Quality::Default { reads(&[ReadMode::Direct, ReadMode::Basis]) } else { Vec::new() };
         Way { name, options: quality.options(), readings: [vec![quality.reading()], more].concat() }
     };
     let cells = NonZeroUsize::new(40).expect("40 is not zero");
@@ -77,15 +77,15 @@ fn ways() -> Vec<Way> {
         Way {
             name: "projected",
             options: Options { direct: Direct::Projected, ..Options::default() },
-            readings: reads(&[Read::Gather, Read::Basis]),
+            readings: reads(&[ReadMode::Gather, ReadMode::Basis]),
         },
-        Way { name: "masks", options: masked(Average::Weighted), readings: reads(&[Read::Basis]) },
-        Way { name: "masks-1993", options: masked(Average::Plain), readings: reads(&[Read::Basis]) },
+        Way { name: "masks", options: masked(Average::Weighted), readings: reads(&[ReadMode::Basis]) },
+        Way { name: "masks-1993", options: masked(Average::Plain), readings: reads(&[ReadMode::Basis]) },
     ]
 }
 
 /// Counts and errors of a reading, as the middle of a row of the table, and its seconds.
-fn read(scene: &Scene, outcome: &Outcome, options: &Options, reading: Reading) -> (String, f64) {
+fn read(scene: &Scene, outcome: &Outcome, options: &Options, reading: ReadSettings) -> (String, f64) {
     let visibility = Visibility::new(scene, options.into());
     let start = Instant::now();
     let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);

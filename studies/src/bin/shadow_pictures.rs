@@ -53,7 +53,7 @@ struct Way {
     /// Orders of the floor and of the lamp.
     orders: [Option<usize>; 2],
     options: Options,
-    read: Read,
+    read: ReadMode,
 }
 
 fn main() -> Result<()> {
@@ -63,7 +63,7 @@ fn main() -> Result<()> {
             name: "finest",
             orders: [None; 2],
             options: Quality::Finest.options(),
-            read: Read::GatherTwice,
+            read: ReadMode::GatherTwice,
         };
         let exact = picture(&reference);
         let taken = ways().map(|way| (way.name, picture(&way)));
@@ -101,21 +101,21 @@ fn ways() -> [Way; 5] {
     let masked = |average| Options { masks: Some(Masking { cells, average }), ..paper };
     let split = Options { direct: Direct::Split, ..paper };
     [
-        Way { name: "polynomials", orders, options: ringing, read: Read::Basis },
+        Way { name: "polynomials", orders, options: ringing, read: ReadMode::Basis },
         Way {
             name: "masks of 1993",
             orders: [Some(8); 2],
             options: masked(Average::Plain),
-            read: Read::Basis,
+            read: ReadMode::Basis,
         },
         Way {
             name: "weighted masks",
             orders: [Some(8); 2],
             options: masked(Average::Weighted),
-            read: Read::Basis,
+            read: ReadMode::Basis,
         },
-        Way { name: "--read direct", orders, options: split, read: Read::Direct },
-        Way { name: "--read gather", orders, options: split, read: Read::Gather },
+        Way { name: "--read direct", orders, options: split, read: ReadMode::Direct },
+        Way { name: "--read gather", orders, options: split, read: ReadMode::Gather },
     ]
 }
 
@@ -143,7 +143,7 @@ fn picture(way: &Way) -> Raster {
         &camera(&scene),
         SAMPLES,
         way.read,
-        Shown::Radiosity,
+        Quantity::Radiosity,
         &Work::alone(),
     )
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::reading::probe::{Probe, probe};
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::view_factors::{self, ViewFactors};
 use radiosity::solve::{Options, solve};
@@ -100,7 +100,7 @@ fn furnace(scene: &Scene, writing: &Writing, sensors: &[Probe]) -> Result<(f64, 
     let options = Options { eps: EPS, ..Options::default() };
     let outcome = solve(scene, &options, &Work::alone()).map_err(|error| error.to_string())?;
     let visibility = Visibility::new(scene, (&options).into());
-    let reader = Reader::new(&outcome.solution, &visibility, Read::Gather, 1.25 * EPS);
+    let reader = Reader::new(&outcome.solution, &visibility, ReadMode::Gather, 1.25 * EPS);
     let probes: Vec<Probe> = sensors.iter().map(|sensor| writing.probe(sensor)).collect();
     let readings =
         probe(&reader, &probes, scene.middle, &Work::alone()).map_err(|(_, fault)| fault.to_string())?;

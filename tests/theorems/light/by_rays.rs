@@ -7,7 +7,7 @@ use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::reading::grid::{Rates, grid};
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::solve::gather::Gather;
 use radiosity::solve::gather::ray_gather::{RayGather, Receiver};
 use radiosity::solve::gather::gather_method::GatherMethod;
@@ -79,8 +79,8 @@ fn a_round_lamp_lights_points_near_and_far() {
 fn rays_and_cells_agree_and_the_error_told_is_true() {
     let scene = builtin("two-boxes");
     let (outcome, visibility) = solved(&scene);
-    let cells = Reader::by(GatherMethod::Cells, &outcome.solution, &visibility, Read::Gather, 1e-4);
-    let rays = Reader::by(GatherMethod::Rays, &outcome.solution, &visibility, Read::Gather, 1e-2);
+    let cells = Reader::by(GatherMethod::Cells, &outcome.solution, &visibility, ReadMode::Gather, 1e-4);
+    let rays = Reader::by(GatherMethod::Rays, &outcome.solution, &visibility, ReadMode::Gather, 1e-2);
     let (mut told, mut squares, mut count) = (0.0, 0.0, 0.0);
     let bounds = visibility.bounds();
     for k in 0..200 {
@@ -109,7 +109,7 @@ fn rays_from_all_of_a_cell_give_its_mean() {
     let scene = builtin("two-boxes");
     let (outcome, visibility) = solved(&scene);
     let read = |by, eps| {
-        let reader = Reader::by(by, &outcome.solution, &visibility, Read::Gather, eps);
+        let reader = Reader::by(by, &outcome.solution, &visibility, ReadMode::Gather, eps);
         grid(&reader, [2, 2], Rates { direct: 8, indirect: 4 }, &Work::alone())
     };
     let (exact, found) = (read(GatherMethod::Cells, 1e-3), read(GatherMethod::Rays, 5e-3));

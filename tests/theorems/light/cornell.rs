@@ -10,7 +10,7 @@
 use radiosity::Work;
 use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::quality::Quality;
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::solve::Options;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_test_support::data;
@@ -27,7 +27,7 @@ fn cells(order: usize, subdivide: usize, surface: &str) -> Vec<Cell> {
     let options = Options { order, subdivide: Some(1), threads: 2, ..Options::default() };
     let outcome = outcome_of(&scene, &options);
     let visibility = Visibility::new(&scene, Shadows::Off);
-    let reader = Reader::new(&outcome.solution, &visibility, Read::Basis, 1e-3);
+    let reader = Reader::new(&outcome.solution, &visibility, ReadMode::Basis, 1e-3);
     let all = grid(&reader, [16, 16], Rates::default(), &Work::alone());
     all.into_iter().filter(|cell| cell.surface == index).collect()
 }

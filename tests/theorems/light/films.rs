@@ -3,8 +3,8 @@
 use radiosity::Work;
 use radiosity::reading::pictures::raster::Raster;
 use radiosity::reading::pictures::render::render;
-use radiosity::reading::reader::Read;
-use radiosity::reading::shown::Shown;
+use radiosity::reading::reader::ReadMode;
+use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Scene;
 use radiosity::solve::animation::follower::{Follower, FollowMode};
 use radiosity::solve::{Options, Transport};
@@ -44,7 +44,7 @@ translate = {{ points = {way} }}
 }
 
 /// The pictures of all frames.
-fn film(scene: &Scene, transport: Transport, read: Read) -> Vec<Raster> {
+fn film(scene: &Scene, transport: Transport, read: ReadMode) -> Vec<Raster> {
     let options = Options { order: 1, transport, ..Options::default() };
     let camera = scene.camera.clone().expect("a camera");
     let frames = scene.frames();
@@ -52,7 +52,7 @@ fn film(scene: &Scene, transport: Transport, read: Read) -> Vec<Raster> {
     let picture = |number: usize| {
         let frame = follower.frame(number, &Work::alone()).expect("it is solved");
         let visibility = Visibility::new(&frame.scene, (&options).into());
-        render(&frame.solution, &visibility, &camera, 2, read, Shown::Radiosity, &Work::alone())
+        render(&frame.solution, &visibility, &camera, 2, read, Quantity::Radiosity, &Work::alone())
     };
     (0..frames).map(picture).collect()
 }
@@ -75,7 +75,7 @@ fn largest_change(film: &[Raster], step: usize) -> f64 {
 fn while_nothing_moves_pictures_are_the_same_to_the_bit() {
     // At rest for the first half of the way, by rays too.
     let scene = room(5, "[[0, 0, 0], [0, 0, 0], [0.1, 0, 0]]");
-    for read in [Read::Direct, Read::Gather] {
+    for read in [ReadMode::Direct, ReadMode::Gather] {
         let film = film(&scene, Transport::Sampled, read);
         assert!(values(&film[0]) == values(&film[1]) && values(&film[1]) == values(&film[2]), "{read:?}");
         assert!(values(&film[2]) != values(&film[4]), "{read:?}: the lamp moves then");
@@ -87,7 +87,7 @@ fn half_the_step_changes_pictures_by_half() {
     // Light and penumbrae are smooth in the place of the lamp, whose breadth is sixteen steps: the largest
     // change of a pixel goes like the step. Noise that is drawn anew for each frame, or light that pops,
     // changes by as much in half a step.
-    let film = film(&room(9, "[[0, 0, 0], [0.1, 0, 0]]"), Transport::Exact, Read::Direct);
+    let film = film(&room(9, "[[0, 0, 0], [0.1, 0, 0]]"), Transport::Exact, ReadMode::Direct);
     let [one, two, four] = [1, 2, 4].map(|step| largest_change(&film, step));
     assert!(four > 0.1, "something happens: {four}");
     assert!(two < 0.6 * four && one < 0.6 * two, "{one} {two} {four}");

@@ -10,7 +10,7 @@ use radiosity::elements::cells::Layers;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::reading::grid::{Rates, grid};
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
 use radiosity::solve::gather::Gather;
@@ -263,7 +263,7 @@ fn cells_of_the_furnace_are_two_times_what_is_uncovered() {
     let scene = furnished_room();
     let solution = even(&scene, 2, 2.0, 1.0);
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
-    for read in [Read::Basis, Read::Direct, Read::Gather] {
+    for read in [ReadMode::Basis, ReadMode::Direct, ReadMode::Gather] {
         let reader = Reader::new(&solution, &visibility, read, 1e-2);
         let cells = grid(&reader, [4, 4], Rates { direct: 2, indirect: 1 }, &Work::alone());
         for cell in cells.iter().filter(|cell| cell.surface < 11) {
@@ -292,7 +292,7 @@ fn tight_accuracies_are_kept_and_gathered_light_is_no_worse_than_its_polynomials
     let options = Options { order: 8, layers, eps: 1e-6, ..Options::default() };
     let outcome = outcome_of(&scene, &options);
     let visibility = Visibility::new(&scene, (&options).into());
-    let rms = |read: Read, eps: f64| {
+    let rms = |read: ReadMode, eps: f64| {
         let reader = Reader::new(&outcome.solution, &visibility, read, eps);
         let square = |point: &serde_json::Value| {
             let (a, b, exact) = (number(&point[1][0]), number(&point[1][1]), number(&point[2]));
@@ -314,8 +314,8 @@ fn tight_accuracies_are_kept_and_gathered_light_is_no_worse_than_its_polynomials
         };
         (points.iter().map(square).sum::<f64>() / points.len() as f64).sqrt()
     };
-    let polynomials = rms(Read::Basis, 1e-6);
-    let gathered = [1e-4, 1e-5, 1e-6].map(|eps| rms(Read::Gather, eps));
+    let polynomials = rms(ReadMode::Basis, 1e-6);
+    let gathered = [1e-4, 1e-5, 1e-6].map(|eps| rms(ReadMode::Gather, eps));
     assert!(gathered[0] < 2e-4 && gathered[1] < 3e-5, "{gathered:?}");
     assert!(gathered[2] <= polynomials && polynomials < 3e-4, "{gathered:?} {polynomials}");
 }

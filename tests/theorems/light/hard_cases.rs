@@ -2,7 +2,7 @@
 
 use radiosity::Work;
 use radiosity::reading::pictures::render::{Read, render};
-use radiosity::reading::shown::Shown;
+use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::{Shadows, Visibility};
@@ -86,7 +86,7 @@ fn two_sided_panels_are_seen_from_both_sides() {
         let camera = scene.camera.clone().expect("there is a camera");
         let visibility = Visibility::new(&scene, Shadows::Off);
         let image =
-            render(&outcome.solution, &visibility, &camera, 1, Read::Basis, Shown::Radiosity, &Work::alone());
+            render(&outcome.solution, &visibility, &camera, 1, ReadMode::Basis, Quantity::Radiosity, &Work::alone());
         assert!(image.pixels().all(|pixel| *pixel == [1.0]), "the panel fills the picture");
     }
 }

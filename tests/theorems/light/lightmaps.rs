@@ -2,7 +2,7 @@
 
 use radiosity::Work;
 use radiosity::reading::pictures::lightmap::Lightmap;
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
 use radiosity::solve::solution::Place;
@@ -17,7 +17,7 @@ fn solved(scene: Scene) -> Solved {
 }
 
 fn lightmap(solved: &Solved, texels: usize) -> Lightmap {
-    Lightmap::new(solved, Read::Gather, texels, &Work::alone())
+    Lightmap::new(solved, ReadMode::Gather, texels, &Work::alone())
 }
 
 /// A closed room in which everything emits 1 and reflects ½, bodies on its floor, a sheet on a wall and a
@@ -56,7 +56,7 @@ fn a_furnace_has_light_two_at_every_texel() {
 /// mean; light at the very borders, where it may jump, left out. The texels' parts are added with `factors`.
 fn difference(solved: &Solved, lightmap: &Lightmap, factors: &[f64]) -> f64 {
     let solution = &solved.outcome.solution;
-    let reader = Reader::new(solution, solved.visibility(), Read::Gather, 1e-3);
+    let reader = Reader::new(solution, solved.visibility(), ReadMode::Gather, 1e-3);
     let (mut squares, mut sums, mut count) = (0.0, 0.0, 0);
     for (surface, texture) in lightmap.surfaces().iter().enumerate() {
         let [columns, rows] = texture.size();

@@ -7,7 +7,7 @@ use radiosity::Work;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::reading::grid::{Rates, grid};
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::{Distribution, Luminaire, Material, Scene, SceneBuilder, Source, Strength};
 use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::{Direct, Options, Transport};
@@ -113,7 +113,7 @@ fn means_over_cells_are_those_of_the_closed_form() {
     let scene = floor(half, lamp(Distribution::Power { exponent: 1.0 }, h, peak)).build().expect("a scene");
     let outcome = outcome_of(&scene, &Options::default());
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
-    for (read, by, error) in [(Read::Direct, GatherMethod::Cells, 1e-5), (Read::Gather, GatherMethod::Rays, 3e-3)] {
+    for (read, by, error) in [(ReadMode::Direct, GatherMethod::Cells, 1e-5), (ReadMode::Gather, GatherMethod::Rays, 3e-3)] {
         let reader = Reader::by(by, &outcome.solution, &visibility, read, 1e-3);
         for cell in grid(&reader, [8, 8], Rates::default(), &Work::alone()) {
             // The mean by a Gauss rule of 3 × 3 points on 4 × 4 parts.
@@ -211,7 +211,7 @@ fn a_closed_room_absorbs_what_a_point_emits() {
 
 /// Light at points of the room: on the floor in light and in the shadow of the crate, on a wall, under the
 /// ceiling.
-fn readings(scene: &Scene, options: &Options, read: Read, by: GatherMethod, eps: f64) -> Vec<f64> {
+fn readings(scene: &Scene, options: &Options, read: ReadMode, by: GatherMethod, eps: f64) -> Vec<f64> {
     let outcome = outcome_of(scene, options);
     let visibility = Visibility::new(scene, options.into());
     let reader = Reader::by(by, &outcome.solution, &visibility, read, eps);
@@ -234,7 +234,7 @@ fn a_cosine_spot_is_the_limit_of_a_small_diffuse_emitter() {
         parallelogram = { origin = [1.995, 1.995, 2.2], edge1 = [0, 0.01, 0], edge2 = [0.01, 0, 0] }\n";
     let options = Options { shadow_eps: 3e-4, direct: Direct::Split, ..Options::default() };
     let [spot, panel] =
-        [spot, panel].map(|more| readings(&room(0.5, more), &options, Read::GatherTwice, GatherMethod::Cells, 1e-4));
+        [spot, panel].map(|more| readings(&room(0.5, more), &options, ReadMode::GatherTwice, GatherMethod::Cells, 1e-4));
     for (spot, panel) in spot.iter().zip(&panel) {
         assert!((spot - panel).abs() < 2e-3 * panel, "{spot} {panel}");
     }
@@ -244,11 +244,11 @@ fn a_cosine_spot_is_the_limit_of_a_small_diffuse_emitter() {
 fn readings_by_cells_and_by_rays_agree_however_light_entered() {
     let scene = room(0.6, BULB);
     let fine = Options { shadow_eps: 3e-4, direct: Direct::Split, ..Options::default() };
-    let exact = readings(&scene, &fine, Read::GatherTwice, GatherMethod::Cells, 1e-4);
+    let exact = readings(&scene, &fine, ReadMode::GatherTwice, GatherMethod::Cells, 1e-4);
     let sampled = Options { transport: Transport::Sampled, ..Options::default() };
     let projected = Options { direct: Direct::Projected, ..Options::default() };
     for (options, by) in [(&fine, GatherMethod::Rays), (&sampled, GatherMethod::Rays), (&projected, GatherMethod::Cells)] {
-        let found = readings(&scene, options, Read::Gather, by, 1e-3);
+        let found = readings(&scene, options, ReadMode::Gather, by, 1e-3);
         let close = found.iter().zip(&exact).all(|(found, exact)| (found - exact).abs() < 0.015 * exact);
         assert!(close, "{by:?} {:?}: {found:?}, not {exact:?}", options.direct);
     }
@@ -297,7 +297,7 @@ fn a_lambertian_table_is_a_lambertian_emitter() {
         assert!((flux - 1000.0).abs() < 1e-6 * flux, "{flux}");
     }
     let [table, spot] =
-        scenes.each_ref().map(|scene| readings(scene, &options, Read::Gather, GatherMethod::Cells, 1e-3));
+        scenes.each_ref().map(|scene| readings(scene, &options, ReadMode::Gather, GatherMethod::Cells, 1e-3));
     for (table, spot) in table.iter().zip(&spot) {
         assert!((table - spot).abs() < 1e-6 * spot, "{table} {spot}");
     }

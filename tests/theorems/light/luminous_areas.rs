@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::{Scene, Source};
 use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::{Options, Transport};
@@ -220,7 +220,7 @@ fn readings_by_cells_and_by_rays_agree() {
         let options = Options::default();
         let outcome = outcome_of(scene, &options);
         let visibility = Visibility::new(scene, (&options).into());
-        let reader = Reader::by(by, &outcome.solution, &visibility, Read::Gather, 3e-4);
+        let reader = Reader::by(by, &outcome.solution, &visibility, ReadMode::Gather, 3e-4);
         let points = [
             (V::new(3.0, 3.5, 0.01), V::Z),
             (V::new(1.5, 1.5, 0.01), V::Z),

@@ -27,7 +27,7 @@ fn weighted(count: usize) -> Option<Masking> {
 }
 
 /// Means over 16 × 16 cells.
-fn means(scene: &Scene, outcome: &Outcome, read: Read) -> Vec<Cell> {
+fn means(scene: &Scene, outcome: &Outcome, read: ReadMode) -> Vec<Cell> {
     let visibility = Visibility::new(scene, (&Options::default()).into());
     let reader = Reader::new(&outcome.solution, &visibility, read, 1e-3);
     grid(&reader, [16, 16], Rates::default(), &Work::alone())
@@ -47,9 +47,9 @@ fn difference(scene: &Scene, ours: &[Cell], exact: &[Cell]) -> f64 {
 fn masks_keep_the_shadow_of_a_panel() {
     let scene = builtin("occluder-box");
     let plain = solved(&scene, None);
-    let exact = means(&scene, &plain, Read::Direct);
-    let ringing = difference(&scene, &means(&scene, &plain, Read::Basis), &exact);
-    let masked = difference(&scene, &means(&scene, &solved(&scene, weighted(40)), Read::Basis), &exact);
+    let exact = means(&scene, &plain, ReadMode::Direct);
+    let ringing = difference(&scene, &means(&scene, &plain, ReadMode::Basis), &exact);
+    let masked = difference(&scene, &means(&scene, &solved(&scene, weighted(40)), ReadMode::Basis), &exact);
     assert!(masked < 0.25 * ringing, "{masked} {ringing}");
 }
 
@@ -58,10 +58,10 @@ fn masks_keep_the_shadow_of_a_panel() {
 fn the_papers_average_is_coarser() {
     let scene = builtin("occluder-box");
     let plain = solved(&scene, None);
-    let exact = means(&scene, &plain, Read::Direct);
+    let exact = means(&scene, &plain, ReadMode::Direct);
     let [weighted, paper] = [Average::Weighted, Average::Plain].map(|average| {
         let masks = Masking { cells: cells(40), average };
-        difference(&scene, &means(&scene, &solved(&scene, Some(masks)), Read::Basis), &exact)
+        difference(&scene, &means(&scene, &solved(&scene, Some(masks)), ReadMode::Basis), &exact)
     });
     assert!(2.0 * weighted < paper && paper < 0.1);
 }
@@ -101,7 +101,7 @@ fn nothing_is_masked_where_nothing_stands_between() {
     let masked = solved(&scene, weighted(10));
     assert!(masked.solution.masked().expect("asked for").is_plain());
     let plain = solved(&scene, None);
-    let [a, b] = [&masked, &plain].map(|outcome| means(&scene, outcome, Read::Basis));
+    let [a, b] = [&masked, &plain].map(|outcome| means(&scene, outcome, ReadMode::Basis));
     // Light reflected once is gathered on one side and transported by polynomials on the other.
     assert!(difference(&scene, &a, &b) < 3e-3);
 }

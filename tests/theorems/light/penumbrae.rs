@@ -8,8 +8,8 @@ use radiosity::geom::{DVec3, Encounter};
 use radiosity::reading::pictures::pinhole::Pinhole;
 use radiosity::reading::pictures::raster::Raster;
 use radiosity::reading::pictures::render::render;
-use radiosity::reading::reader::{Read, Reader};
-use radiosity::reading::shown::Shown;
+use radiosity::reading::reader::{ReadMode, Reader};
+use radiosity::reading::quantity::Quantity;
 use radiosity::solve::solution::Place;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;
@@ -54,9 +54,9 @@ fn taken(scene: Scene, samples: u32) -> Taken {
     let outcome = outcome_of(&scene, &options);
     let visibility = Visibility::new(&scene, (&options).into());
     let camera = scene.camera.clone().expect("a camera");
-    let read = Read::Direct;
+    let read = ReadMode::Direct;
     let raster =
-        render(&outcome.solution, &visibility, &camera, samples, read, Shown::Irradiance, &Work::alone());
+        render(&outcome.solution, &visibility, &camera, samples, read, Quantity::Irradiance, &Work::alone());
     Taken { scene, outcome, visibility, raster }
 }
 
@@ -176,7 +176,7 @@ fn the_edge_of_a_plate_cuts_a_disk_exactly() {
 fn shadows_of_a_ball_are_those_of_exact_light() {
     let lamp = plate(DVec3::new(-0.5, -0.5, 3.0), DVec3::Y, DVec3::X);
     let taken = taken(over_floor(1.0, 0.5, 0.0, Some(lamp)), 1);
-    let reader = Reader::new(&taken.outcome.solution, &taken.visibility, Read::Direct, 1e-4);
+    let reader = Reader::new(&taken.outcome.solution, &taken.visibility, ReadMode::Direct, 1e-4);
     let (mut squares, mut sum, mut dark) = (0.0, 0.0, 0);
     for (value, place) in taken.on_floor() {
         let element =
@@ -265,8 +265,8 @@ sphere = { center = [1.5,1.5,1.0], radius = 0.2 }
     let scene = typed(room);
     let Taken { outcome, visibility, scene, raster } = taken(scene, 1);
     let camera = scene.camera.clone().expect("a camera");
-    let read = Read::Basis;
-    let smooth = render(&outcome.solution, &visibility, &camera, 1, read, Shown::Irradiance, &Work::alone());
+    let read = ReadMode::Basis;
+    let smooth = render(&outcome.solution, &visibility, &camera, 1, read, Quantity::Irradiance, &Work::alone());
     let [direct, basis] = [&raster, &smooth].map(|own| own.pixels().map(|pixel| pixel[0]).sum::<f64>());
     assert!((direct - basis).abs() < 0.03 * basis, "{direct} {basis}");
 }

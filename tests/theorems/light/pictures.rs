@@ -7,8 +7,8 @@ use radiosity::Work;
 use radiosity::geom::{DVec3, Encounter};
 use radiosity::reading::pictures::pinhole::Pinhole;
 use radiosity::reading::pictures::render::render;
-use radiosity::reading::reader::{Read, Reader};
-use radiosity::reading::shown::Shown;
+use radiosity::reading::reader::{ReadMode, Reader};
+use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Camera;
 use radiosity::solve::Options;
 use radiosity::solve::solution::Place;
@@ -33,11 +33,11 @@ fn fitted_light_is_that_of_every_pixel() {
             &visibility,
             &camera,
             1,
-            Read::Gather,
-            Shown::Radiosity,
+            ReadMode::Gather,
+            Quantity::Radiosity,
             &Work::alone(),
         );
-        let reader = Reader::new(&outcome.solution, &visibility, Read::Gather, 1e-3);
+        let reader = Reader::new(&outcome.solution, &visibility, ReadMode::Gather, 1e-3);
         let view = Pinhole::new(&camera);
         let (mut squares, mut sum) = (0.0, 0.0);
         for (index, values) in raster.pixels().enumerate() {
@@ -77,14 +77,14 @@ fn luminous_areas_are_as_bright_as_they_are_towards_the_eye() {
         let eye = DVec3::new(gamma.sin(), 0.0, 2.0 - gamma.cos());
         let camera =
             Camera { width: 3, height: 3, up: DVec3::Y, fov: 1.0, ..Camera::new(eye, 2.0 * DVec3::Z) };
-        let shot = |shown: Shown| {
+        let shot = |shown: Quantity| {
             let raster =
-                render(&outcome.solution, &visibility, &camera, 1, Read::Gather, shown, &Work::alone());
+                render(&outcome.solution, &visibility, &camera, 1, ReadMode::Gather, shown, &Work::alone());
             raster.pixels().nth(4).expect("nine pixels")[0]
         };
-        let (found, exact) = (shot(Shown::Radiosity), PI * 10.0 * gamma.cos().powi(2) / 0.4);
+        let (found, exact) = (shot(Quantity::Radiosity), PI * 10.0 * gamma.cos().powi(2) / 0.4);
         assert!((found - exact).abs() < 1e-9 * exact, "{gamma}: {found}, not {exact}");
-        assert_eq!(shot(Shown::Irradiance), 0.0);
+        assert_eq!(shot(Quantity::Irradiance), 0.0);
     }
 }
 
@@ -106,8 +106,8 @@ fn openings_are_as_bright_as_the_sky_behind_them() {
             &visibility,
             &camera,
             1,
-            Read::Gather,
-            Shown::Radiosity,
+            ReadMode::Gather,
+            Quantity::Radiosity,
             &Work::alone(),
         );
         let found = raster.pixels().nth(4).expect("nine pixels")[0];

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use radiosity::Work;
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::{Radiance, Scene};
 use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::{Failure, Options, Transport, solve};
@@ -126,7 +126,7 @@ const WINDOW: &str = "quad = { vertices = [[0, 1, 1], [0, 4, 1], [0, 4, 2.5], [0
 fn readings(scene: &Scene, by: GatherMethod, options: &Options) -> (Vec<f64>, [f64; 3]) {
     let outcome = outcome_of(scene, options);
     let visibility = Visibility::new(scene, options.into());
-    let reader = Reader::by(by, &outcome.solution, &visibility, Read::Gather, 3e-4);
+    let reader = Reader::by(by, &outcome.solution, &visibility, ReadMode::Gather, 3e-4);
     let points = [
         (V::new(3.0, 3.5, 0.01), V::Z),
         (V::new(1.5, 1.5, 0.71), V::Z),

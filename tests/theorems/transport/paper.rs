@@ -14,7 +14,7 @@ use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::published::zatz1993::transfers::{
-    ChartedElement, EXTRA_POINTS, Reading, Rules, assemble, transfer,
+    ChartedElement, EXTRA_POINTS, HybridReading, PaperRules, assemble, transfer,
 };
 use radiosity::scene::Scene;
 use radiosity::solve::{Failure, Options, solve};
@@ -30,10 +30,10 @@ const CELLS: usize = 500;
 const RECEIVER: [[f64; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
 /// Over the receiver's edge y = 0, facing +y.
 const WALL: [[f64; 3]; 4] = [[0., 0., 0.], [0., 0., 1.], [1., 0., 1.], [1., 0., 0.]];
-const H1: Rules = Rules::Hybrid(Reading::H1);
-const H2: Rules = Rules::Hybrid(Reading::H2);
-const H3: Rules = Rules::Hybrid(Reading::H3);
-const LITERAL: Rules = Rules::Hybrid(Reading::Literal);
+const H1: PaperRules = PaperRules::Hybrid(HybridReading::H1);
+const H2: PaperRules = PaperRules::Hybrid(HybridReading::H2);
+const H3: PaperRules = PaperRules::Hybrid(HybridReading::H3);
+const LITERAL: PaperRules = PaperRules::Hybrid(HybridReading::Literal);
 
 fn ceiling(d: f64) -> [[f64; 3]; 4] {
     [[0., 0., d], [0., 1., d], [1., 1., d], [1., 0., d]]
@@ -75,7 +75,7 @@ fn metric(galerkin: &[f64], exact: &[f64]) -> f64 {
 }
 
 /// Coefficients of the irradiance from an emitter of exitance 1, whose coefficients are (2, 0, 0, …).
-fn received(receiver: &Patch, emitter: &Patch, order: usize, points: usize, rules: Rules) -> Vec<f64> {
+fn received(receiver: &Patch, emitter: &Patch, order: usize, points: usize, rules: PaperRules) -> Vec<f64> {
     let charted = |patch| ChartedElement { patch, order, points };
     let transfer = transfer(charted(receiver), charted(emitter), rules, None);
     transfer.values.iter().step_by(total::count(order)).map(|k| 2.0 * k).collect()
@@ -102,7 +102,7 @@ fn polynomial(order: usize, coefficients: &[f64]) -> Vec<f64> {
     sums
 }
 
-fn by_paper(emitter: [[f64; 3]; 4], exact: &[f64], order: usize, points: usize, rules: Rules) -> f64 {
+fn by_paper(emitter: [[f64; 3]; 4], exact: &[f64], order: usize, points: usize, rules: PaperRules) -> f64 {
     let received = received(&patch(RECEIVER), &patch(emitter), order, points, rules);
     metric(&polynomial(order, &received), exact)
 }
@@ -116,7 +116,7 @@ fn assert_shown(value: f64, shown: &str, what: &str) {
 }
 
 /// A row of the table: the metric for N = 0, 1, … with N + `extra` points.
-fn row(emitter: [[f64; 3]; 4], exact: &[f64], extra: usize, rules: Rules, shown: &str) {
+fn row(emitter: [[f64; 3]; 4], exact: &[f64], extra: usize, rules: PaperRules, shown: &str) {
     for (order, shown) in shown.split(' ').enumerate() {
         let value = by_paper(emitter, exact, order, order + extra, rules);
         assert_shown(value, shown, &format!("{rules:?}, N + {extra} points, N = {order}"));
@@ -127,22 +127,22 @@ fn row(emitter: [[f64; 3]; 4], exact: &[f64], extra: usize, rules: Rules, shown:
 fn parallel_squares_give_the_published_errors() {
     let exact = under_ceiling(1.0);
     let shown = "61.5 9.83 .803 .756 .0385 .0388 .0013 .0013 .0001 .0001";
-    row(ceiling(1.0), &exact, 1, Rules::Legendre, shown);
-    assert_shown(by_paper(ceiling(1.0), &exact, 4, 6, Rules::Legendre), ".04", "the paper's own number");
+    row(ceiling(1.0), &exact, 1, PaperRules::Legendre, shown);
+    assert_shown(by_paper(ceiling(1.0), &exact, 4, 6, PaperRules::Legendre), ".04", "the paper's own number");
     let exact = under_ceiling(0.3);
-    row(ceiling(0.3), &exact, 1, Rules::Legendre, "546 78.4 16.5 6.57 1.61 .613 .195 .113 .0231 .0152");
-    row(ceiling(0.3), &exact, 2, Rules::Legendre, "78.4 26.9 6.57 3.37 .613 .458 .113 .0930 .0152 .0139");
+    row(ceiling(0.3), &exact, 1, PaperRules::Legendre, "546 78.4 16.5 6.57 1.61 .613 .195 .113 .0231 .0152");
+    row(ceiling(0.3), &exact, 2, PaperRules::Legendre, "78.4 26.9 6.57 3.37 .613 .458 .113 .0930 .0152 .0139");
     let exact = under_ceiling(0.1);
-    row(ceiling(0.1), &exact, 1, Rules::Legendre, "3919 907 371 194 108 65.3 40.7 26.1 16.9 11.0");
-    row(ceiling(0.1), &exact, 2, Rules::Legendre, "907 404 194 111 65.3 41.1 26.1 16.93 11.0 7.25");
-    assert_shown(by_paper(ceiling(0.1), &exact, 7, 9, Rules::Legendre), "16.9", "the paper's own number");
+    row(ceiling(0.1), &exact, 1, PaperRules::Legendre, "3919 907 371 194 108 65.3 40.7 26.1 16.9 11.0");
+    row(ceiling(0.1), &exact, 2, PaperRules::Legendre, "907 404 194 111 65.3 41.1 26.1 16.93 11.0 7.25");
+    assert_shown(by_paper(ceiling(0.1), &exact, 7, 9, PaperRules::Legendre), "16.9", "the paper's own number");
 }
 
 #[test]
 fn perpendicular_squares_give_the_published_errors() {
     let exact = beside_wall();
-    row(WALL, &exact, 1, Rules::Legendre, "128 68.9 55.8 44.9 38.6 33.6 30.2 27.0 24.4 22.2");
-    row(WALL, &exact, 2, Rules::Legendre, "119 79.9 66.1 55.4 48.2 42.6 38.0 34.1 30.8 27.9");
+    row(WALL, &exact, 1, PaperRules::Legendre, "128 68.9 55.8 44.9 38.6 33.6 30.2 27.0 24.4 22.2");
+    row(WALL, &exact, 2, PaperRules::Legendre, "119 79.9 66.1 55.4 48.2 42.6 38.0 34.1 30.8 27.9");
     row(WALL, &exact, 2, H1, "43.0 16.5 6.89 2.42 1.415 1.430 1.56 1.79 1.93 1.94");
     row(WALL, &exact, 2, H2, "42.9 16.6 7.73 3.06 1.547 1.413 1.295 1.27 1.38 1.49");
     row(WALL, &exact, 2, H3, "42.6 15.4 6.60 2.42 1.92 1.99 2.06 2.14 2.21 2.27");
@@ -213,7 +213,7 @@ fn ours(elements: &Elements, visibility: &Visibility, eps: f64) -> Blocks {
     blocks_of(elements, visibility, Accuracy { eps, shadow_eps: 1e-3 })
 }
 
-fn as_1993(elements: &Elements, visibility: &Visibility, rules: Rules, extra: usize) -> Blocks {
+fn as_1993(elements: &Elements, visibility: &Visibility, rules: PaperRules, extra: usize) -> Blocks {
     let blocks = assemble(elements, visibility, rules, extra, &Work::alone());
     blocks.expect("all surfaces have charts")
 }
@@ -257,7 +257,7 @@ fn the_common_edge_may_lie_on_any_side() {
         values.iter().zip(coefficients).map(|(t, h)| t * h).sum::<f64>()
     };
     let places = [(0.5, 0.01), (0.2, 0.3), (0.9, 0.95)].map(|(x, y)| DVec3::new(x, y, 0.0));
-    for rules in [Rules::Legendre, H1, H2, H3, LITERAL] {
+    for rules in [PaperRules::Legendre, H1, H2, H3, LITERAL] {
         let plain = received(&receiver, &emitter, order, 6, rules);
         for turn in orientations() {
             for turn_emitter in orientations() {
@@ -278,7 +278,7 @@ fn hybrid_is_for_common_edges_only() {
     let half = [[0., 0., 0.], [0., 0., 1.], [0.5, 0., 1.], [0.5, 0., 0.]];
     for emitter in [ceiling(0.5), half] {
         let [plain, hybrid] =
-            [Rules::Legendre, H1].map(|rules| received(&patch(RECEIVER), &patch(emitter), 3, 5, rules));
+            [PaperRules::Legendre, H1].map(|rules| received(&patch(RECEIVER), &patch(emitter), 3, 5, rules));
         assert_eq!(plain, hybrid);
     }
 }
@@ -288,7 +288,7 @@ fn hybrid_is_for_common_edges_only() {
 fn first_coefficient_is_the_form_factor() {
     let charted = |patch| ChartedElement { patch, order: 0, points: 20 };
     let (receiver, emitter) = (patch(RECEIVER), patch(ceiling(1.0)));
-    let transfer = transfer(charted(&receiver), charted(&emitter), Rules::Legendre, None);
+    let transfer = transfer(charted(&receiver), charted(&emitter), PaperRules::Legendre, None);
     let root = 2f64.sqrt();
     let closed =
         2.0 / PI * ((4.0f64 / 3.0).sqrt().ln() + 2.0 * root * (1.0 / root).atan() - 2.0 * 1f64.atan());
@@ -331,7 +331,7 @@ fn with_many_points_flat_receivers_get_what_we_give_them() {
         scene.surfaces[1].shape = shape;
         let (elements, visibility) = (elements(&scene, 3), Visibility::new(&scene, Shadows::Off));
         let exact = ours(&elements, &visibility, 1e-10);
-        let theirs = as_1993(&elements, &visibility, Rules::Legendre, 20);
+        let theirs = as_1993(&elements, &visibility, PaperRules::Legendre, 20);
         let error = difference(&exact, &theirs);
         assert!(error < 1e-8, "{:?}: {error:e}", scene.surfaces[1].shape);
     }
@@ -346,7 +346,7 @@ fn a_sphere_is_closed_by_the_rules_of_1993() {
         surface.shape = Arc::new(Flipped::new(Box::new(part)));
     }
     let (elements, visibility) = (elements(&scene, 2), Visibility::new(&scene, Shadows::Off));
-    let blocks = as_1993(&elements, &visibility, Rules::Legendre, 10);
+    let blocks = as_1993(&elements, &visibility, PaperRules::Legendre, 10);
     let ones: Vec<f64> = elements.list().iter().flat_map(|element| element.constant.clone()).collect();
     for (c, gc) in ones.iter().zip(blocks.apply(&ones)) {
         assert!((c - gc).abs() < 1e-8 * ones[0], "{c} {gc}");
@@ -368,7 +368,7 @@ fn only_the_hybrid_is_not_reciprocal_on_squares() {
         }
         largest
     };
-    assert!(transposed_error(Rules::Legendre) < 1e-15);
+    assert!(transposed_error(PaperRules::Legendre) < 1e-15);
     assert!(transposed_error(H1) > 1e-3 && transposed_error(H2) > 1e-3);
 }
 
@@ -377,7 +377,7 @@ fn only_the_hybrid_is_not_reciprocal_on_squares() {
 #[test]
 fn power_balances_without_symmetry() {
     let scene = builtin("empty-box");
-    for rules in [Rules::Legendre, H1, H2] {
+    for rules in [PaperRules::Legendre, H1, H2] {
         let options = Options { order: 4, kernel: Some(rules), threads: 2, ..Options::default() };
         let outcome = outcome_of(&scene, &options);
         assert_eq!(outcome.solver, "lu");
@@ -416,7 +416,7 @@ fn a_panel_over_half_hides_half() {
     let elements = elements(&scene, 0);
     let received = |shadows| {
         let visibility = Visibility::new(&scene, shadows);
-        let blocks = as_1993(&elements, &visibility, Rules::Legendre, 8);
+        let blocks = as_1993(&elements, &visibility, PaperRules::Legendre, 8);
         let mut emitted = vec![0.0; blocks.dim()];
         emitted[1] = 1.0;
         blocks.apply(&emitted)[0]

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use radiosity_reading::probe::{Reading, probe};
+use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality;
 use radiosity_reading::read_error::ReadError;
 use radiosity_reading::reader::Reader;
@@ -19,13 +19,13 @@ use crate::sensors::Sensors;
 #[derive(Debug)]
 pub(super) struct Readings {
     sensors: Sensors,
-    how: quality::Reading,
-    frames: Vec<(usize, Vec<Reading>)>,
+    how: quality::ReadSettings,
+    frames: Vec<(usize, Vec<ProbeReading>)>,
 }
 
 impl Readings {
     /// Readings of no frame yet.
-    pub(super) fn new(points: Points, how: quality::Reading) -> Self {
+    pub(super) fn new(points: Points, how: quality::ReadSettings) -> Self {
         Self { sensors: Sensors::Points(points), how, frames: Vec::new() }
     }
 
@@ -52,7 +52,7 @@ impl Readings {
         let light = bands.iter().map(|band| format!("E_{band}"));
         writer.write_record(names.chain(light)).map_err(io::Error::from)?;
         for (frame, readings) in &self.frames {
-            for (point, Reading { probe, irradiance, .. }) in readings.iter().enumerate() {
+            for (point, ProbeReading { probe, irradiance, .. }) in readings.iter().enumerate() {
                 let place = probe.position.to_array().into_iter().chain(probe.normal.to_array());
                 let numbers = place.chain(irradiance.iter().copied()).map(|x| x.to_string());
                 let row = [frame.to_string(), point.to_string()].into_iter().chain(numbers);

@@ -7,9 +7,9 @@ use radiosity_heat::{Heat, kelvin};
 use radiosity_output::drawings::false_colour::false_colour;
 use radiosity_output::drawings::picture::Picture;
 use radiosity_reading::pictures::render::render;
-use radiosity_reading::pictures::sights::Sights;
+use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::reader::Read;
-use radiosity_reading::shown::Shown;
+use radiosity_reading::quantity::Quantity;
 use radiosity_request::picture::{SAMPLES, camera};
 use radiosity_scene::{Camera, Scene};
 use radiosity_visibility::Visibility;
@@ -31,7 +31,7 @@ pub(crate) struct PictureArgs {
 
     /// The quantity that it shows
     #[arg(long, value_name = "QUANTITY", default_value = "temperature", requires = "picture")]
-    show: Quantity,
+    show: HeatQuantity,
 
     /// Pixels across and down [default: as the scene's camera says]
     #[arg(long, value_name = "WxH", requires = "picture")]
@@ -43,7 +43,7 @@ pub(crate) struct PictureArgs {
 
 /// The quantity of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Quantity {
+enum HeatQuantity {
     /// Temperature, K
     Temperature,
     /// σT⁴, what a black surface of that temperature emits, W/m²
@@ -103,23 +103,23 @@ impl Wanted<'_> {
     pub(crate) fn take(&self, scene: &Scene, visibility: &Visibility, heat: &Heat, ranks: &Ranks) -> Picture {
         let PictureArgs { show, colours, .. } = self.args;
         let levels = heat.levels();
-        let (read, shown) = (Read::Basis, Shown::Radiosity);
+        let (read, shown) = (ReadMode::Basis, Quantity::Radiosity);
         let work = Work::among(ranks);
         let raster = render(&levels, visibility, &self.camera, SAMPLES, read, shown, &work);
         let (field, title) = match show {
-            Quantity::Temperature => (raster.field(None).map(kelvin), ["temperature", "K"]),
-            Quantity::Exitance => (raster.field(None), ["σT⁴", "W/m²"]),
+            HeatQuantity::Temperature => (raster.field(None).map(kelvin), ["temperature", "K"]),
+            HeatQuantity::Exitance => (raster.field(None), ["σT⁴", "W/m²"]),
         };
         // No surface is left out of the range for its light.
         let mut dark = scene.clone();
         dark.surfaces.iter_mut().for_each(|surface| surface.material.emission.fill(0.0));
-        let sights = Sights::through(&self.camera, SAMPLES, &dark, visibility, ranks);
+        let seen_surfaces = SeenSurfaces::through(&self.camera, SAMPLES, &dark, visibility, ranks);
         let usual = field.usual_range().unwrap_or_default();
         let colours = match show {
-            Quantity::Temperature => colours.colours_between(usual),
-            Quantity::Exitance => colours.colours(usual),
+            HeatQuantity::Temperature => colours.colours_between(usual),
+            HeatQuantity::Exitance => colours.colours(usual),
         };
         let picture = false_colour(&field, &colours.scale);
-        with_legend(&colours, picture, &field, &sights, title.map(str::to_owned).to_vec())
+        with_legend(&colours, picture, &field, &seen_surfaces, title.map(str::to_owned).to_vec())
     }
 }

@@ -4,14 +4,14 @@ use radiosity_output::documents::plan_page::plan_page;
 use radiosity_output::documents::report_page::{LightPart, PICTURE, ReportedPlane, plan_name};
 use radiosity_output::drawings::picture::Picture;
 use radiosity_output::pictures::image::Image;
-use radiosity_reading::grid::grid;
 use radiosity_reading::pictures::render::{render, usual_read, white_balance};
+use radiosity_reading::grid::grid;
 use radiosity_reading::plane_figures::PlaneFigures;
-use radiosity_reading::probe::{Reading as Sensed, probe};
-use radiosity_reading::quality::Reading;
+use radiosity_reading::probe::{ProbeReading, probe};
+use radiosity_reading::quality::ReadSettings;
 use radiosity_reading::read_error::ReadError;
 use radiosity_reading::reader::Reader;
-use radiosity_reading::shown::{Shown, band_name, of_bands};
+use radiosity_reading::quantity::{Quantity, band_name, of_bands};
 use radiosity_reading::surface_light::SurfaceLight;
 use radiosity_reading::uniformity::Uniformity;
 use radiosity_request::picture::{SAMPLES, pixels, require_pixels, sized};
@@ -47,10 +47,10 @@ pub(super) struct Wanted<'a> {
 
 /// The light that was read.
 #[derive(Debug)]
-pub(super) struct Read {
-    reading: Reading,
+pub(super) struct ReadLight {
+    reading: ReadSettings,
     picture: Option<Picture>,
-    sensed: Vec<Sensed>,
+    sensed: Vec<ProbeReading>,
     surfaces: Vec<SurfaceLight>,
 }
 
@@ -86,7 +86,7 @@ impl<'a> Wanted<'a> {
         args: &ReportPageArgs,
         loaded: Loaded,
         work: &Work<'_>,
-    ) -> Result<(Run, Read), CliError> {
+    ) -> Result<(Run, ReadLight), CliError> {
         let mut run = Run::solve(loaded, &args.method, &args.report, work)?;
         let reading = args.read.reading(&args.method, &run);
         let visibility = run.solved.visibility();
@@ -106,7 +106,7 @@ impl<'a> Wanted<'a> {
         let error = ReadError::of(deviations.chain(cells.iter().map(|cell| cell.deviation)));
         run.add_read_error(error, reading.eps);
         run.add_planes(figures);
-        Ok((run, Read { reading, picture, sensed, surfaces }))
+        Ok((run, ReadLight { reading, picture, sensed, surfaces }))
     }
 }
 
@@ -114,12 +114,12 @@ impl<'a> Wanted<'a> {
 fn picture(run: &Run, camera: &Camera, work: &Work<'_>) -> Result<Picture, CliError> {
     let (solution, visibility) = (&run.solved.outcome.solution, run.solved.visibility());
     let read = usual_read(solution, visibility, pixels(camera));
-    let take = || render(solution, visibility, camera, SAMPLES, read, Shown::Radiosity, work);
+    let take = || render(solution, visibility, camera, SAMPLES, read, Quantity::Radiosity, work);
     let raster = run.in_threads(take)?;
     Ok(Image::new(&raster, white_balance(solution)).photograph())
 }
 
-impl Read {
+impl ReadLight {
     /// The part of the report on light.
     pub(super) fn part<'a>(&'a self, wanted: &'a Wanted, run: &'a Run) -> LightPart<'a> {
         let scene = &run.solved.scene;

@@ -5,12 +5,12 @@ use radiosity_scene::{Scene, SensorPlane};
 use crate::drawings::false_colour::{FalseColours, false_colour};
 use crate::drawings::legend::Legend;
 use crate::drawings::lettering::Lettering;
-use crate::drawings::mark::Mark;
+use crate::drawings::tick::Tick;
 use crate::drawings::picture::{Colour, Picture};
 use crate::drawings::plan::Plan;
-use crate::drawings::round::multiples;
-use radiosity_reading::probe::Reading;
-use radiosity_reading::shown::{Shown, band_name, of_bands};
+use crate::drawings::nice_numbers::multiples;
+use radiosity_reading::probe::ProbeReading;
+use radiosity_reading::quantity::{Quantity, band_name, of_bands};
 use radiosity_reading::uniformity::Uniformity;
 
 const PAPER: Colour = [255; 3];
@@ -41,18 +41,18 @@ struct PlanPage<'a> {
 pub fn plan_page(
     scene: &Scene,
     plane: &SensorPlane,
-    readings: &[Reading],
+    readings: &[ProbeReading],
     band: Option<usize>,
     colours: impl FnOnce([f64; 2]) -> FalseColours,
 ) -> Picture {
     let values: Vec<f64> = readings.iter().map(|reading| of_bands(&reading.irradiance, band)).collect();
     let figures = Uniformity::of(values.iter().copied());
-    let quantity = Shown::Irradiance.name(&scene.unit).to_owned();
+    let quantity = Quantity::Irradiance.name(&scene.unit).to_owned();
     let legend = [quantity].into_iter().chain(band_name(&scene.bands, band)).chain([scene.unit.clone()]);
     let page = PlanPage {
         plan: &Plan::new(plane, &values),
         name: plane.name(),
-        figures: &figures.told(&scene.unit),
+        figures: &figures.text(&scene.unit),
         legend: legend.collect(),
     };
     page.picture(&colours([figures.min, figures.max]))
@@ -66,15 +66,15 @@ impl PlanPage<'_> {
         let parts: Vec<Option<u32>> = field.pixels().map(|(_, part)| (part > 0.0).then_some(0)).collect();
         colours.draw_isolines(&mut drawing, &field, &parts);
         let page = self.page(&drawing);
-        let marks = colours.isolines.iter().map(|mark| mark.value).collect();
-        Legend { scale: &colours.scale, title: self.legend.clone(), note: Vec::new(), marks }.beside(&page)
+        let levels = colours.isolines.iter().map(|tick| tick.value).collect();
+        Legend { scale: &colours.scale, title: self.legend.clone(), note: Vec::new(), levels }.beside(&page)
     }
 
     /// The plan with its titles and rulers.
     fn page(&self, drawing: &Picture) -> Picture {
         let [width, height] = drawing.size().map(|pixels| pixels as i32);
         let [across, up] = self.plan.extent().map(multiples);
-        let labels = up.iter().map(|mark| broad(&mark.text, LINE)).max().unwrap_or(0);
+        let labels = up.iter().map(|tick| broad(&tick.text, LINE)).max().unwrap_or(0);
         let corner = [MARGIN + labels + TICK + 4, MARGIN + NAME as i32 + LINE as i32 + 16];
         let titles = MARGIN + broad(self.name, NAME).max(broad(self.figures, LINE));
         let foot = TICK + LINE as i32 + MARGIN;
@@ -86,12 +86,12 @@ impl PlanPage<'_> {
         let [columns, rows] = [[corner[0], corner[0] + width - 1], [corner[1] + height - 1, corner[1]]];
         ruler_below(
             &mut page,
-            &Ruler { range: self.plan.extent()[0], pixels: columns, marks: across },
+            &Ruler { range: self.plan.extent()[0], pixels: columns, ticks: across },
             rows[0] + 1,
         );
         ruler_beside(
             &mut page,
-            &Ruler { range: self.plan.extent()[1], pixels: rows, marks: up },
+            &Ruler { range: self.plan.extent()[1], pixels: rows, ticks: up },
             columns[0] - 1,
         );
         page
@@ -104,26 +104,26 @@ struct Ruler {
     range: [f64; 2],
     /// The pixels of its ends.
     pixels: [i32; 2],
-    marks: Vec<Mark>,
+    ticks: Vec<Tick>,
 }
 
 impl Ruler {
-    /// The pixel of a mark.
-    fn pixel(&self, mark: &Mark) -> i32 {
+    /// The pixel of a tick.
+    fn pixel(&self, tick: &Tick) -> i32 {
         let [low, high] = self.range;
         let [first, last] = self.pixels.map(f64::from);
-        (first + (mark.value - low) / (high - low) * (last - first)).round() as i32
+        (first + (tick.value - low) / (high - low) * (last - first)).round() as i32
     }
 
-    /// Its marks without those whose texts would come nearer than `apart` says.
-    fn told(&self, apart: impl Fn(&Mark) -> i32) -> Vec<&Mark> {
-        let mut told: Vec<&Mark> = Vec::new();
-        for mark in &self.marks {
-            if told.last().is_none_or(|other| (self.pixel(mark) - self.pixel(other)).abs() >= apart(mark)) {
-                told.push(mark);
+    /// Its ticks without those whose texts would come nearer than `apart` says.
+    fn spaced_ticks(&self, apart: impl Fn(&Tick) -> i32) -> Vec<&Tick> {
+        let mut shown: Vec<&Tick> = Vec::new();
+        for tick in &self.ticks {
+            if shown.last().is_none_or(|other| (self.pixel(tick) - self.pixel(other)).abs() >= apart(tick)) {
+                shown.push(tick);
             }
         }
-        told
+        shown
     }
 }
 
@@ -132,19 +132,19 @@ fn broad(text: &str, size: u32) -> i32 {
 }
 
 fn ruler_below(page: &mut Picture, ruler: &Ruler, top: i32) {
-    for mark in ruler.told(|mark| broad(&mark.text, LINE) + 10) {
-        let x = ruler.pixel(mark);
+    for tick in ruler.spaced_ticks(|tick| broad(&tick.text, LINE) + 10) {
+        let x = ruler.pixel(tick);
         page.fill([x, x + 1], [top, top + TICK], INK);
-        lettering(&mark.text, LINE).draw(page, [x - broad(&mark.text, LINE) / 2, top + TICK]);
+        lettering(&tick.text, LINE).draw(page, [x - broad(&tick.text, LINE) / 2, top + TICK]);
     }
 }
 
 fn ruler_beside(page: &mut Picture, ruler: &Ruler, right: i32) {
-    for mark in ruler.told(|_| LINE as i32 + 4) {
-        let y = ruler.pixel(mark);
+    for tick in ruler.spaced_ticks(|_| LINE as i32 + 4) {
+        let y = ruler.pixel(tick);
         page.fill([right - TICK + 1, right + 1], [y, y + 1], INK);
-        lettering(&mark.text, LINE)
-            .draw(page, [right - TICK - 3 - broad(&mark.text, LINE), y - LINE as i32 / 2]);
+        lettering(&tick.text, LINE)
+            .draw(page, [right - TICK - 3 - broad(&tick.text, LINE), y - LINE as i32 / 2]);
     }
 }
 

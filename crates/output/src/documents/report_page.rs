@@ -13,8 +13,9 @@ use radiosity_heat::{Heat, HeatError};
 use radiosity_scene::Scene;
 
 use crate::documents::document::{Block, Document, Figure};
+use radiosity_reading::quantity::Quantity;
 pub use light_part::{LightPart, PICTURE, ReportedPlane, plan_name};
-use radiosity_reading::shown::Shown;
+use radiosity_reading::quantity::Quantity;
 
 /// Content of a scene's report.
 #[derive(Clone, Debug)]
@@ -55,7 +56,7 @@ impl ReportPage<'_> {
         let light = self.light.as_ref().map(|_| {
             let bands =
                 if bands.len() == 1 { String::new() } else { format!(" in the bands {}", bands.join(", ")) };
-            format!(" · {} in {unit}{bands}", Shown::Irradiance.name(unit))
+            format!(" · {} in {unit}{bands}", Quantity::Irradiance.name(unit))
         });
         let version = env!("CARGO_PKG_VERSION");
         format!(

@@ -6,9 +6,9 @@
 //! point. Its script and style stand beside this file; `packing` says how the numbers are written, `header`
 //! what they belong to.
 
-mod start;
+mod first_view_settings;
 mod packing;
-mod first_sight;
+mod first_view;
 mod header;
 
 use std::io::{self, Write};
@@ -17,12 +17,10 @@ use radiosity_solve::solved::Solved;
 
 use crate::pictures::image::Image;
 use crate::pictures::tessellation::tessellation;
-use first_sight::first_sight;
+use first_view::first_view;
 use header::Header;
 use packing::Packed;
-use radiosity_reading::pictures::lightmap::Lightmap;
-use radiosity_reading::pictures::render::white_balance;
-pub use start::{Start, StartColours};
+pub use first_view_settings::{FirstViewSettings, FirstViewColours};
 
 /// Most values of light, over all texels, parts and bands, of two bytes each. Chosen: the page stays below 3
 /// MB even where they cannot be compressed.
@@ -73,14 +71,14 @@ const SCRIPT: [&str; 11] = [
 pub fn write_viewer(
     solved: &Solved,
     lightmap: &Lightmap,
-    start: &Start,
+    start: &FirstViewSettings,
     mut writer: impl Write,
 ) -> io::Result<()> {
     let (scene, visibility) = (&solved.scene, solved.visibility());
     let triangles = tessellation(scene, TOLERANCE * visibility.bounds().diagonal());
     let balance = white_balance(&solved.outcome.solution);
-    let sight = first_sight(solved, lightmap, start);
-    let automatic = Image::new(&sight, balance).automatic_exposure();
+    let view = first_view(solved, lightmap, start);
+    let automatic = Image::new(&view, balance).automatic_exposure();
     let packed = Packed::new(lightmap, scene.bands.len(), &triangles);
     let header = Header::new(solved, lightmap, &triangles, start, automatic, balance, packed.scale);
     let shaders: Vec<String> = SHADERS

@@ -6,7 +6,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use radiosity_solve::studies::convergence::{ConvergenceRun, RunSeries};
 
 use super::canvas::Canvas;
-use super::decades::Decades;
+use super::log_axis::LogAxis;
 use super::picture::Picture;
 
 /// A chart that could not be drawn.
@@ -88,8 +88,8 @@ impl Chart<'_> {
     ) -> Result<(), DrawError<B>> {
         let series = self.series(&abscissa);
         let points = || series.iter().flat_map(|(_, points)| points);
-        let x = Decades::around(points().map(|p| p.place.0));
-        let y = Decades::around(points().map(|p| p.place.1));
+        let x = LogAxis::around(points().map(|p| p.place.0));
+        let y = LogAxis::around(points().map(|p| p.place.1));
         let mut chart = ChartBuilder::on(area)
             .margin(6 * zoom)
             .margin_right(22 * zoom)

@@ -1,8 +1,8 @@
 //! False colours: a field through a scale, on white, with isolines.
 
 use super::isolines::Isoline;
-use super::labelled::LabelledIsolines;
-use super::mark::Mark;
+use super::labelled_isolines::LabelledIsolines;
+use super::tick::Tick;
 use super::picture::Picture;
 use super::scale::Scale;
 use radiosity_reading::field::Field;
@@ -27,7 +27,7 @@ pub struct FalseColours {
     /// The colours.
     pub scale: Scale,
     /// Values of isolines; none for no isolines.
-    pub isolines: Vec<Mark>,
+    pub isolines: Vec<Tick>,
 }
 
 impl FalseColours {
@@ -40,7 +40,7 @@ impl FalseColours {
         }
         let ticks = self.scale.over([low, high]).ticks();
         Self {
-            isolines: ticks.into_iter().filter(|mark| low < mark.value && mark.value < high).collect(),
+            isolines: ticks.into_iter().filter(|tick| low < tick.value && tick.value < high).collect(),
             ..self
         }
     }
@@ -49,8 +49,8 @@ impl FalseColours {
     /// picture that a pixel belongs to wholly.
     pub fn draw_isolines(&self, picture: &mut Picture, field: &Field, parts: &[Option<u32>]) {
         let mut lines = LabelledIsolines::default();
-        for mark in &self.isolines {
-            lines.add(&Isoline::all(field, parts, mark.value), &mark.text);
+        for tick in &self.isolines {
+            lines.add(&Isoline::all(field, parts, tick.value), &tick.text);
         }
         lines.draw(picture);
     }

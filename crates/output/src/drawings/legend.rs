@@ -21,7 +21,7 @@ pub struct Legend<'a> {
     /// Lines below the bar.
     pub note: Vec<String>,
     /// Numbers with a line across the bar.
-    pub marks: Vec<f64>,
+    pub levels: Vec<f64>,
 }
 
 impl Legend<'_> {
@@ -49,8 +49,8 @@ impl Legend<'_> {
         let top = MARGIN + self.title.len() as i32 * step + step / 2 + 2;
         let ends = [top, (foot - step / 2 - 2).max(top + 2)];
         self.bar(&mut whole, x, ends);
-        for mark in &self.marks {
-            let y = self.row(*mark, ends);
+        for level in &self.levels {
+            let y = self.row(*level, ends);
             whole.fill([x, x + BAR], [y - 1, y + 2], PAPER);
             whole.fill([x, x + BAR], [y, y + 1], INK);
         }

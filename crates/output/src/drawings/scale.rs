@@ -2,9 +2,9 @@
 
 use colorous::Gradient;
 
-use super::mark::Mark;
+use super::tick::Tick;
 use super::picture::Colour;
-use super::round::{multiples, ratios};
+use super::nice_numbers::{multiples, ratios};
 
 /// A range of numbers mapped to perceptually uniform colours; numbers outside take the colours of the ends.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +92,7 @@ impl Scale {
     }
 
     /// Round numbers over the range, 3 to 9 of them, with the text of each.
-    pub(super) fn ticks(&self) -> Vec<Mark> {
+    pub(super) fn ticks(&self) -> Vec<Tick> {
         match self.steps {
             Steps::Differences => multiples(self.range),
             Steps::Ratios => ratios(self.range),

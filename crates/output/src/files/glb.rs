@@ -8,7 +8,7 @@
 //! | one image | the textures of all surfaces side by side (`glb/atlas.rs`), exposed to sRGB |
 //! | a camera | that of the scene |
 //!
-//! The texels before exposure, linear and per band, are [`Baked::raster`], which goes to an OpenEXR file.
+//! The texels before exposure, linear and per band, are [`BakedScene::raster`], which goes to an OpenEXR file.
 //! Only fronts are drawn, which alone have light.
 //!
 //! Reference: Khronos Group, *glTF 2.0 Specification*, 2.0.1.
@@ -25,16 +25,14 @@ use serde_json::{Value, json};
 
 use crate::drawings::picture::Picture;
 use crate::pictures::tessellation::Triangulation;
-use radiosity_reading::pictures::lightmap::{LightTexture, Lightmap};
-use radiosity_reading::pictures::raster::Raster;
-use radiosity_reading::shown::Shown;
+use radiosity_reading::quantity::Quantity;
 
 use atlas::{Atlas, MARGIN};
 use binary::{Binary, Component};
 
 /// A scene with its light in textures.
 #[derive(Debug)]
-pub struct Baked<'a> {
+pub struct BakedScene<'a> {
     scene: &'a Scene,
     triangulations: &'a [Triangulation],
     lightmap: &'a Lightmap,
@@ -47,14 +45,14 @@ pub fn texture_size(sizes: Vec<[usize; 2]>) -> [usize; 2] {
     Atlas::of(sizes).size()
 }
 
-impl<'a> Baked<'a> {
+impl<'a> BakedScene<'a> {
     /// The scene with what is `shown` of the light in `lightmap`, on its `triangulations`: both are of this
     /// scene, surface by surface.
     pub fn new(
         scene: &'a Scene,
         triangulations: &'a [Triangulation],
         lightmap: &'a Lightmap,
-        shown: Shown,
+        shown: Quantity,
     ) -> Self {
         let atlas = Atlas::of(lightmap.surfaces().iter().map(LightTexture::size).collect());
         let raster = raster(scene, lightmap, &atlas, shown);
@@ -156,7 +154,7 @@ impl<'a> Baked<'a> {
 }
 
 /// The texels of all surfaces, where the atlas has them, and their margins.
-fn raster(scene: &Scene, lightmap: &Lightmap, atlas: &Atlas, shown: Shown) -> Raster {
+fn raster(scene: &Scene, lightmap: &Lightmap, atlas: &Atlas, shown: Quantity) -> Raster {
     let [width, height] = atlas.size();
     let bands = scene.bands.len();
     let mut values = vec![0.0; width * height * bands];
@@ -182,7 +180,7 @@ fn raster(scene: &Scene, lightmap: &Lightmap, atlas: &Atlas, shown: Shown) -> Ra
 }
 
 /// The `shown` quantity of one band of a surface (unit of exitance), by texel in row order.
-fn light(scene: &Scene, lightmap: &Lightmap, (surface, band): (usize, usize), shown: Shown) -> Vec<f64> {
+fn light(scene: &Scene, lightmap: &Lightmap, (surface, band): (usize, usize), shown: Quantity) -> Vec<f64> {
     let texture = &lightmap.surfaces()[surface];
     let [across, down] = texture.size();
     let mut irradiance = vec![0.0; across * down];
@@ -191,8 +189,8 @@ fn light(scene: &Scene, lightmap: &Lightmap, (surface, band): (usize, usize), sh
         irradiance.iter_mut().zip(own).for_each(|(sum, x)| *sum += part.factor * f64::from(*x));
     }
     match shown {
-        Shown::Irradiance => irradiance,
-        Shown::Radiosity => {
+        Quantity::Irradiance => irradiance,
+        Quantity::Radiosity => {
             let radiosity = |(texel, irradiance): (usize, f64)| {
                 let parameters = texture.parameters([texel % across, texel / across]);
                 lightmap.radiosity(scene, (surface, band), parameters, irradiance)

@@ -7,7 +7,7 @@ use super::dither::dither;
 use super::tone::Tone;
 use crate::drawings::picture::Picture;
 use radiosity_reading::pictures::raster::Raster;
-use radiosity_reading::pictures::samples::Samples;
+use radiosity_reading::pictures::pixel_samples::PixelSamples;
 
 /// A raster seen as linear light, red, green and blue.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +63,7 @@ impl<'a> Image<'a> {
 }
 
 /// The mean of the colours of all parts of a pixel; what sees nothing is black.
-fn mean(samples: &Samples, shown: impl Fn(&[f64]) -> [f64; 3]) -> [f64; 3] {
+fn mean(samples: &PixelSamples, shown: impl Fn(&[f64]) -> [f64; 3]) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for part in samples.parts() {
         sum.iter_mut().zip(shown(&part.radiosity)).for_each(|(sum, x)| *sum += part.share * x);
@@ -146,7 +146,7 @@ mod tests {
         const WALL: f64 = 0.2;
         let seen = [LAMP, LAMP, LAMP, WALL, WALL, WALL, WALL, WALL, WALL].map(|x| vec![x]).to_vec();
         let raster = strip(&[WALL, (LAMP + 2.0 * WALL) / 3.0, LAMP]);
-        let several = BTreeMap::from([(1, Samples::new(seen, 1, 9))]);
+        let several = BTreeMap::from([(1, PixelSamples::new(seen, 1, 9))]);
         for tone in [Tone::Linear, Tone::Shoulder] {
             assert_eq!(codes(&raster, 1.0, tone)[1..], [255, 255], "the mean alone is burnt out");
             let [wall, edge, lamp] = codes(&raster.clone().with_samples(several.clone()), 1.0, tone)[..]

@@ -49,7 +49,7 @@ pub use assembly::assemble;
 pub use chart::NoChart;
 pub use charted_element::ChartedElement;
 pub use sum::Sees;
-pub use transfer::{Reading, Rules, Transfer, transfer};
+pub use transfer::{HybridReading, PaperRules, Transfer, transfer};
 
 /// Points per direction above the order that reproduce the numbers of the paper (header).
 pub const EXTRA_POINTS: usize = 2;

@@ -6,19 +6,19 @@
 pub(crate) mod eye;
 mod fit;
 pub(crate) mod frame;
-pub(crate) mod tally;
+pub(crate) mod pixel_count;
 pub(crate) mod smooth;
 pub(crate) mod picture_light;
 mod direct_pass;
-pub(crate) mod trial;
+pub(crate) mod forecast;
 
 use radiosity_work::Work;
 
 use direct_pass::lit;
-use eye::Seen;
+use eye::SeenPlace;
 use frame::Frame;
 use picture_light::PictureLight;
-use smooth::{Known, Smooth, Source};
+use smooth::{ComputedLight, Smooth, SmoothSource};
 
 /// The irradiance of a frame.
 pub(crate) struct FrameLight<'a> {
@@ -31,14 +31,14 @@ pub(crate) struct FrameLight<'a> {
 }
 
 /// The light of places beside their direct light.
-struct Rest<'a> {
+struct SmoothPart<'a> {
     light: &'a PictureLight<'a>,
     /// Direct irradiance per place and band (W m⁻²).
     direct: &'a [Vec<f64>],
 }
 
-impl Source for Rest<'_> {
-    fn smooth(&self, place: usize, seen: &Seen) -> Known {
+impl SmoothSource for SmoothPart<'_> {
+    fn smooth(&self, place: usize, seen: &SeenPlace) -> ComputedLight {
         self.light.rest(seen, &self.direct[place])
     }
 
@@ -51,9 +51,9 @@ impl<'a> FrameLight<'a> {
     /// The light of all places of a frame.
     pub(crate) fn over(frame: &'a Frame, light: &'a PictureLight<'a>, work: &Work<'_>) -> Self {
         let direct = lit(frame, light, work);
-        let rest = Rest { light, direct: &direct };
+        let smooth_part = SmoothPart { light, direct: &direct };
         let bands = light.solution().bands().len();
-        let smooth = light.gathers().then(|| Smooth::over(frame, bands, &rest, work));
+        let smooth = light.gathers().then(|| Smooth::over(frame, bands, &smooth_part, work));
         Self { frame, light, direct, smooth }
     }
 
@@ -76,7 +76,7 @@ impl<'a> FrameLight<'a> {
 
     /// Gathered light per band (W m⁻²) where a point between the places of the frame sees `seen`; None where
     /// light is not gathered, or no place around goes with it.
-    pub(crate) fn between(&self, at: [f64; 2], seen: &Seen) -> Option<Vec<f64>> {
+    pub(crate) fn between(&self, at: [f64; 2], seen: &SeenPlace) -> Option<Vec<f64>> {
         self.smooth.as_ref()?.between(at, seen)
     }
 }

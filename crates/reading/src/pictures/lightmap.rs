@@ -39,11 +39,11 @@ use radiosity_work::{Progress, Stage, Work};
 use serde::{Deserialize, Serialize};
 
 use super::frame_light::FrameLight;
-use super::frame_light::eye::Seen;
+use super::frame_light::eye::SeenPlace;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::PictureLight;
-use super::frame_light::trial::seconds;
-use crate::reader::Read;
+use super::frame_light::forecast::seconds;
+use crate::reader::ReadMode;
 use fill::fill;
 use places::Places;
 use sizes::sizes;
@@ -54,13 +54,13 @@ const GATHERED: f64 = 3e-3;
 /// The irradiance of all surfaces of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lightmap {
-    parts: Vec<Part>,
+    parts: Vec<LightmapPart>,
     surfaces: Vec<LightTexture>,
 }
 
 /// A part of the light: that of one group, or of all emitters without a group.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct LightmapPart {
     /// The group; None for light that cannot be dimmed.
     pub group: Option<String>,
     /// The group's factor in the scene; 1 without a group.
@@ -107,11 +107,11 @@ impl Lightmap {
 
     /// The light of `solved`, in about `texels` texels together, shared among the surfaces by area: every one
     /// has two along each parameter at the least, a curved one nine. About how long that takes is told first.
-    pub fn new(solved: &Solved, read: Read, texels: usize, work: &Work<'_>) -> Self {
+    pub fn new(solved: &Solved, read: ReadMode, texels: usize, work: &Work<'_>) -> Self {
         let solution = &solved.outcome.solution;
-        let (parts, alone): (Vec<Part>, Vec<Solution>) = parts(&solved.scene, solution).into_iter().unzip();
+        let (parts, alone): (Vec<LightmapPart>, Vec<Solution>) = parts(&solved.scene, solution).into_iter().unzip();
         let (parts, solutions) = match parts.is_empty() {
-            true => (vec![Part { group: None, factor: 1.0 }], vec![solution]),
+            true => (vec![LightmapPart { group: None, factor: 1.0 }], vec![solution]),
             false => (parts, alone.iter().collect()),
         };
         let lights: Vec<PictureLight> = solutions
@@ -120,7 +120,7 @@ impl Lightmap {
             .collect();
         let sizes = sizes(&solved.scene, texels);
         let diagonal = solved.visibility().bounds().diagonal();
-        let all = All { elements: solution.elements(), sizes: &sizes, diagonal };
+        let all = SurfaceTexels { elements: solution.elements(), sizes: &sizes, diagonal };
         let seconds = lights.iter().map(|light| all.seconds(light, work.ranks)).sum();
         work.report(Progress::Expected { stage: Stage::Texels, seconds });
         let count = parts.len() * all.count();
@@ -146,7 +146,7 @@ impl Lightmap {
 
     /// The parts of the light: of each group, and of light without a group; one for all light where it is not
     /// kept apart.
-    pub fn parts(&self) -> &[Part] {
+    pub fn parts(&self) -> &[LightmapPart] {
         &self.parts
     }
 
@@ -205,7 +205,7 @@ impl LightTexture {
     /// gets the texels that are done.
     fn of(
         bands: usize,
-        seen: Vec<Option<Seen>>,
+        seen: Vec<Option<SeenPlace>>,
         size: [usize; 2],
         lights: &[PictureLight],
         tell: &dyn Fn(usize),
@@ -231,14 +231,14 @@ impl LightTexture {
 }
 
 /// The texels of all surfaces, one after another.
-struct All<'a> {
+struct SurfaceTexels<'a> {
     elements: &'a Elements,
     sizes: &'a [[usize; 2]],
     /// Diagonal of the scene (scene length).
     diagonal: f64,
 }
 
-impl All<'_> {
+impl SurfaceTexels<'_> {
     fn count(&self) -> usize {
         self.sizes.iter().map(|[columns, rows]| columns * rows).sum()
     }
@@ -265,7 +265,7 @@ impl All<'_> {
 
 /// The parts that the light of a solution is kept apart by, each with its light, not dimmed; dark ones left
 /// out. None where it is not kept apart.
-fn parts(scene: &Scene, solution: &Solution) -> Vec<(Part, Solution)> {
+fn parts(scene: &Scene, solution: &Solution) -> Vec<(LightmapPart, Solution)> {
     let known = scene.light_groups();
     let part = |light: &GroupLight| {
         let alone = solution.of_group(scene, light);
@@ -274,7 +274,7 @@ fn parts(scene: &Scene, solution: &Solution) -> Vec<(Part, Solution)> {
             || alone.coatings().iter().any(|coating| coating.exitance.iter().any(shines));
         let own = known.iter().find(|own| Some(own.name.as_str()) == light.group.as_deref());
         let factor = own.map_or(1.0, |own| own.factor);
-        emits.then(|| (Part { group: light.group.clone(), factor }, alone))
+        emits.then(|| (LightmapPart { group: light.group.clone(), factor }, alone))
     };
     solution.groups().iter().filter_map(part).collect()
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::samples::Samples;
+use super::pixel_samples::PixelSamples;
 use crate::field::Field;
 
 /// Radiosities (W m⁻²) per pixel and band, rows from the top.
@@ -16,7 +16,7 @@ pub struct Raster {
     /// Part of each pixel in which a front is seen.
     coverage: Vec<f64>,
     /// Samples of the pixels that average several, by their places in row order.
-    samples: BTreeMap<usize, Samples>,
+    samples: BTreeMap<usize, PixelSamples>,
 }
 
 impl Raster {
@@ -33,7 +33,7 @@ impl Raster {
 
     /// The raster with the samples of pixels that average several, by their places in row order.
     #[must_use]
-    pub fn with_samples(self, samples: BTreeMap<usize, Samples>) -> Self {
+    pub fn with_samples(self, samples: BTreeMap<usize, PixelSamples>) -> Self {
         Self { samples, ..self }
     }
 
@@ -53,7 +53,7 @@ impl Raster {
     }
 
     /// The samples that the pixel at a place in row order averages, if it averages several.
-    pub fn samples(&self, pixel: usize) -> Option<&Samples> {
+    pub fn samples(&self, pixel: usize) -> Option<&PixelSamples> {
         self.samples.get(&pixel)
     }
 

@@ -20,13 +20,13 @@ use super::frame_light::eye::Eye;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::{AVERAGED, PictureLight};
 use super::frame_light::smooth::COARSEST;
-use super::frame_light::tally::Tally;
-use super::frame_light::trial::{INTERPOLATED, seconds};
+use super::frame_light::pixel_count::PixelCount;
+use super::frame_light::forecast::{INTERPOLATED, seconds};
 use super::pinhole::Pinhole;
 use super::raster::Raster;
-use super::samples::Samples;
-pub use crate::reader::Read;
-use crate::shown::Shown;
+use super::pixel_samples::PixelSamples;
+pub use crate::reader::ReadMode;
+use crate::quantity::Quantity;
 
 /// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not
 /// tuned.
@@ -50,7 +50,7 @@ const AT_ONCE: usize = 1 << 20;
 const MARGIN: usize = 5 * COARSEST;
 
 /// Rays for direct light at one of several samples of a pixel: their errors average out. Chosen.
-const ONE_OF_SEVERAL: RayEffort = RayEffort { rough: 3.0, sure: false };
+const ONE_OF_SEVERAL: RayEffort = RayEffort { error_factor: 3.0, sure: false };
 
 /// The corners of the unit square.
 const CORNERS: [[u32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
@@ -63,8 +63,8 @@ pub fn render(
     visibility: &Visibility,
     camera: &Camera,
     samples: u32,
-    read: Read,
-    shown: Shown,
+    read: ReadMode,
+    shown: Quantity,
     work: &Work<'_>,
 ) -> Raster {
     let light = PictureLight::new(solution, visibility, read, GATHERED).showing(shown, camera.eye);
@@ -74,7 +74,7 @@ pub fn render(
         Shot { light: &light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples, work };
     work.report(Progress::Expected { stage: Stage::Picture, seconds: shot.seconds() });
     let at_once = (AT_ONCE / width).div_ceil(COARSEST).max(1) * COARSEST;
-    let done = Tally::new(width * height, Stage::Picture, work);
+    let done = PixelCount::new(width * height, Stage::Picture, work);
     let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));
     let mut pixels: Vec<Pixel> = strips.flat_map(|rows| shot.strip(rows, &done)).collect();
     let bands = solution.bands().iter().map(|band| band.name.clone()).collect();
@@ -87,10 +87,10 @@ pub fn render(
 
 /// Source of light of a picture of so many pixels unless told otherwise: gathered, if two threads do that
 /// within some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
-pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> Read {
+pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> ReadMode {
     let seconds = seconds_to_gather(solution, visibility, AVERAGED * GATHERED);
     let gathered = pixels as f64 / INTERPOLATED / THREADS * seconds;
-    if gathered <= PATIENCE { Read::Gather } else { Read::Direct }
+    if gathered <= PATIENCE { ReadMode::Gather } else { ReadMode::Direct }
 }
 
 /// The radiosity seen through a pixel.
@@ -101,7 +101,7 @@ struct Pixel {
     /// Part of the pixel in which a front is seen.
     coverage: f64,
     /// Samples that are averaged, if they are more than the middle.
-    samples: Option<Samples>,
+    samples: Option<PixelSamples>,
 }
 
 /// A picture about to be taken.
@@ -127,7 +127,7 @@ impl Shot<'_> {
     }
 
     /// The pixels of some rows.
-    fn strip(&self, rows: Range<usize>, done: &Tally) -> Vec<Pixel> {
+    fn strip(&self, rows: Range<usize>, done: &PixelCount) -> Vec<Pixel> {
         let [width, height] = self.size;
         let first = rows.start.saturating_sub(MARGIN);
         let around = first..(rows.end + MARGIN).min(height);
@@ -224,7 +224,7 @@ impl Shot<'_> {
             mean.coverage += scale * coverage;
         }
         let seen = pixels.iter().filter(|pixel| pixel.coverage > 0.0).map(|pixel| pixel.radiosity.clone());
-        let samples = Samples::new(seen.collect(), mean.radiosity.len(), pixels.len());
+        let samples = PixelSamples::new(seen.collect(), mean.radiosity.len(), pixels.len());
         Pixel { samples: Some(samples), ..mean }
     }
 }

@@ -10,7 +10,7 @@ use radiosity_solve::{Options, Outcome};
 use radiosity_visibility::inspection::Inspection;
 use radiosity_work::wording::{Wording, option, set, words};
 
-use crate::missed::missed;
+use crate::accuracy_warning::missed;
 
 use crate::warning::Warning;
 

@@ -42,7 +42,7 @@ pub struct Options {
     /// Accuracy of the kernel blocks.
     pub eps: f64,
     /// The rules of 1993 instead of those that keep `eps`.
-    pub kernel: Option<transfers::Rules>,
+    pub kernel: Option<transfers::PaperRules>,
     /// Carriers of pairs of elements.
     pub transport: Transport,
     /// Rays of the sampled transport; None: as many as the scene and the accuracy of shadows need.

@@ -6,7 +6,7 @@ use std::io::Write;
 use radiosity::Work;
 use radiosity::elements::cells::Layers;
 use radiosity::reading::probe::{Probe, probe};
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, in_threads, solve};
 use radiosity::visibility::Visibility;
@@ -116,7 +116,7 @@ fn floor(scene: &Scene, way: &Way) -> Result<Floor, Box<dyn Error>> {
     };
     let solution = solve(scene, &options, &Work::alone())?.solution;
     let visibility = Visibility::new(scene, (&options).into());
-    let read = if way.gather.is_some() { Read::Gather } else { Read::Basis };
+    let read = if way.gather.is_some() { ReadMode::Gather } else { ReadMode::Basis };
     let readings = in_threads(1, || {
         let reader = Reader::new(&solution, &visibility, read, way.gather.unwrap_or(way.eps));
         probe(&reader, &centres(), scene.middle, &Work::alone())

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use plotters::prelude::*;
 use radiosity::output::drawings::chart::COLOURS;
-use radiosity::output::drawings::decades::Decades;
+use radiosity::output::drawings::log_axis::LogAxis;
 
 /// Width and height in SVG units.
 const SIZE: (u32, u32) = (980, 430);
@@ -36,8 +36,8 @@ pub(crate) fn write(path: &Path, error: &str, panels: &[Panel]) -> Result<(), Bo
             .x_label_area_size(42)
             .y_label_area_size(56)
             .build_cartesian_2d(
-                Decades::around(places().map(|place| place.0)),
-                Decades::around(places().map(|place| place.1)),
+                LogAxis::around(places().map(|place| place.0)),
+                LogAxis::around(places().map(|place| place.1)),
             )?;
         chart
             .configure_mesh()

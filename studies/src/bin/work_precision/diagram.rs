@@ -7,7 +7,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use radiosity::output::drawings::chart::COLOURS;
-use radiosity::output::drawings::decades::Decades;
+use radiosity::output::drawings::log_axis::LogAxis;
 
 use crate::family::Family;
 use crate::front::Front;
@@ -67,8 +67,8 @@ fn text(size: i32) -> TextStyle<'static> {
 }
 
 fn draw(panel: &Panel, title: &str, work: Work, own: &[&Record]) -> Result<(), Box<dyn Error>> {
-    let x = Decades::around(own.iter().map(|record| work.of(record)));
-    let y = Decades::around(own.iter().map(|record| record.error));
+    let x = LogAxis::around(own.iter().map(|record| work.of(record)));
+    let y = LogAxis::around(own.iter().map(|record| record.error));
     let mut chart = ChartBuilder::on(panel)
         .margin(8)
         .margin_right(16)

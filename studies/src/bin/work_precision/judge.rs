@@ -5,7 +5,7 @@ use radiosity::Work;
 use radiosity::elements::rule::UnitRule;
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
 use radiosity::reading::grid::{Cell, Rates, grid};
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::solution::{Place, Solution};
 use radiosity::solve::studies::error_norm::distance;
@@ -105,7 +105,7 @@ fn result(study: &Study, trial: &Trial) -> (Outcome, Vec<Cell>) {
 
 fn cells(scene: &Scene, outcome: &Outcome, options: &Options, kernel: Kernel) -> Vec<Cell> {
     let visibility = Visibility::new(scene, options.into());
-    let read = if kernel == Kernel::Gathered { Read::Gather } else { Read::Basis };
+    let read = if kernel == Kernel::Gathered { ReadMode::Gather } else { ReadMode::Basis };
     let read_all = || {
         let reader = Reader::new(&outcome.solution, &visibility, read, 1e-3);
         grid(&reader, [16, 16], Rates::default(), &Work::alone())

@@ -1,7 +1,7 @@
 //! The scenes, the runs that are tried on each, and what their errors are measured against.
 
 use radiosity::elements::cells::Layers;
-use radiosity::published::zatz1993::transfers::{Reading, Rules};
+use radiosity::published::zatz1993::transfers::{HybridReading, PaperRules};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options};
 
@@ -44,11 +44,11 @@ impl Kernel {
         }
     }
 
-    fn rules(self) -> Option<Rules> {
+    fn rules(self) -> Option<PaperRules> {
         match self {
             Self::Default | Self::Gathered => None,
-            Self::Legendre => Some(Rules::Legendre),
-            Self::Hybrid => Some(Rules::Hybrid(Reading::H1)),
+            Self::Legendre => Some(PaperRules::Legendre),
+            Self::Hybrid => Some(PaperRules::Hybrid(HybridReading::H1)),
         }
     }
 }

@@ -39,7 +39,7 @@ const ENDS: f64 = 40.0;
 /// them.
 pub(crate) fn figure_9(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     let scene = radiosity::builtin("two-boxes")?;
-    let exact = picture(&scene, &Quality::Fine.options(), Read::Gather)?;
+    let exact = picture(&scene, &Quality::Fine.options(), ReadMode::Gather)?;
     let cells = NonZeroUsize::new(20).ok_or("no cells")?;
     let masks = Some(Masking { cells, average: Average::Plain });
     let (mut above, mut below) = (Vec::new(), Vec::new());
@@ -51,7 +51,7 @@ pub(crate) fn figure_9(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     writeln!(out, "| --- | --- | --- | --- | --- | --- |")?;
     for order in ORDERS {
         let options = Options { order, subdivide: Some(1), masks, ..Options::default() };
-        let found = picture(&scene, &options, Read::Basis)?;
+        let found = picture(&scene, &options, ReadMode::Basis)?;
         let difference =
             Difference::new(&found.raster.field(None), &exact.raster.field(None)).ok_or("two views")?;
         writeln!(
@@ -81,7 +81,7 @@ struct Taken {
     seconds: f64,
 }
 
-fn picture(scene: &Scene, options: &Options, read: Read) -> Result<Taken, Box<dyn Error>> {
+fn picture(scene: &Scene, options: &Options, read: ReadMode) -> Result<Taken, Box<dyn Error>> {
     let camera = scene.camera.clone().ok_or("the scene has no camera")?;
     let camera = Camera { width: SIZE[0], height: SIZE[1], ..camera };
     let start = ProcessTime::now();
@@ -89,7 +89,7 @@ fn picture(scene: &Scene, options: &Options, read: Read) -> Result<Taken, Box<dy
     let seconds = start.elapsed().as_secs_f64();
     let visibility = Visibility::new(scene, options.into());
     let raster = in_threads(options.threads, || {
-        render(&solution, &visibility, &camera, 1, read, Shown::Radiosity, &Work::alone())
+        render(&solution, &visibility, &camera, 1, read, Quantity::Radiosity, &Work::alone())
     })?;
     Ok(Taken { raster, unknowns: solution.elements().coefficients(), seconds })
 }

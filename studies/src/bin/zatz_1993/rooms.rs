@@ -7,7 +7,7 @@ use std::num::NonZeroUsize;
 use cpu_time::ProcessTime;
 use radiosity::Work;
 use radiosity::published::zatz1993::masked_light::{Average, Masking};
-use radiosity::published::zatz1993::transfers::{Reading, Rules};
+use radiosity::published::zatz1993::transfers::{HybridReading, PaperRules};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, solve};
 use radiosity::visibility::Hiding;
@@ -85,7 +85,7 @@ fn rooms() -> Result<Vec<Room>, Box<dyn Error>> {
             "empty box, bright ceiling, hybrid rule of 1993",
             ["5.4 s", "7"],
             radiosity::builtin("empty-box")?,
-            Options { kernel: Some(Rules::Hybrid(Reading::H1)), ..shooting },
+            Options { kernel: Some(PaperRules::Hybrid(HybridReading::H1)), ..shooting },
         ),
         room("6", "empty box with a lamp", ["5.4 s", "7"], empty, shooting),
         room(

@@ -10,7 +10,7 @@ use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::Accuracy;
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
-use radiosity::published::zatz1993::transfers::{ChartedElement, EXTRA_POINTS, Reading, Rules, transfer};
+use radiosity::published::zatz1993::transfers::{ChartedElement, EXTRA_POINTS, HybridReading, PaperRules, transfer};
 use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_core::basis::total;
@@ -63,7 +63,7 @@ fn metric(exact: &[f64], galerkin: impl Fn([f64; 2]) -> f64) -> f64 {
 }
 
 /// The metric of the paper's rules with `points` points per direction.
-fn paper(emitter: Emitter, exact: &[f64], order: usize, points: usize, rules: Rules) -> f64 {
+fn paper(emitter: Emitter, exact: &[f64], order: usize, points: usize, rules: PaperRules) -> f64 {
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
     let receiver = Patch::Flat { corners, normal: DVec3::Z };
     let charted = |patch| ChartedElement { patch, order, points };
@@ -123,7 +123,7 @@ pub(crate) fn figure_4(out: &mut impl Write) -> io::Result<()> {
         let emitter = Emitter::parallel(d);
         let exact = exact(emitter);
         row(out, &format!("distance {d} l, rules of 1993"), quoted, |order| {
-            paper(emitter, &exact, order, order + EXTRA_POINTS, Rules::Legendre)
+            paper(emitter, &exact, order, order + EXTRA_POINTS, PaperRules::Legendre)
         })?;
         row(out, &format!("distance {d} l, ours"), "", |order| ours(emitter, &exact, order))?;
     }
@@ -136,10 +136,10 @@ pub(crate) fn figure_5(out: &mut impl Write) -> io::Result<()> {
     let emitter = Emitter::perpendicular();
     let exact = exact(emitter);
     for (name, rules, extra, quoted) in [
-        ("Legendre", Rules::Legendre, 2, "33.2 (N = 7)"),
-        ("hybrid H1", Rules::Hybrid(Reading::H1), 2, "1.4 (N = 4, 5)"),
-        ("hybrid H2, N + 3 points", Rules::Hybrid(Reading::H2), 3, "1.4 (N = 4, 5)"),
-        ("eq. 27 as printed", Rules::Hybrid(Reading::Literal), 2, ""),
+        ("Legendre", PaperRules::Legendre, 2, "33.2 (N = 7)"),
+        ("hybrid H1", PaperRules::Hybrid(HybridReading::H1), 2, "1.4 (N = 4, 5)"),
+        ("hybrid H2, N + 3 points", PaperRules::Hybrid(HybridReading::H2), 3, "1.4 (N = 4, 5)"),
+        ("eq. 27 as printed", PaperRules::Hybrid(HybridReading::Literal), 2, ""),
     ] {
         row(out, name, quoted, |order| paper(emitter, &exact, order, order + extra, rules))?;
     }

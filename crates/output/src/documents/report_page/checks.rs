@@ -5,7 +5,7 @@ use radiosity_scene::Scene;
 use super::light_part::LightPart;
 use crate::documents::document::{Block, Column, Table};
 use radiosity_reading::digits::{decimals, error, significant};
-use radiosity_reading::shown::power_unit;
+use radiosity_reading::quantity::power_unit;
 
 pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
     let mut table =

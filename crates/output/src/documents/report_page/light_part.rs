@@ -4,7 +4,7 @@ use radiosity_scene::SensorPlane;
 use radiosity_solve::Options;
 
 use crate::drawings::picture::Picture;
-use radiosity_reading::quality::Reading;
+use radiosity_reading::quality::ReadSettings;
 use radiosity_reading::report::Report;
 use radiosity_reading::surface_light::SurfaceLight;
 use radiosity_reading::uniformity::Uniformity;
@@ -25,7 +25,7 @@ pub struct LightPart<'a> {
     /// Options by which the light was solved.
     pub options: &'a Options,
     /// Way in which the light of planes and surfaces was read.
-    pub reading: Reading,
+    pub reading: ReadSettings,
     /// Picture of the scene's camera, if there is one.
     pub picture: Option<Picture>,
     /// The planes, in the order of the report's.

@@ -7,7 +7,7 @@ use radiosity_solve::checks::Checks;
 use super::light_part::{LightPart, ReportedPlane};
 use crate::documents::document::{Block, Highlight};
 use radiosity_reading::digits::{decimals, error, significant, three_digits};
-use radiosity_reading::shown::{Shown, power_unit};
+use radiosity_reading::quantity::{Quantity, power_unit};
 
 /// Most planes at a glance. Chosen.
 const PLANES: usize = 6;
@@ -29,7 +29,7 @@ pub(super) fn blocks(
 }
 
 fn of_light(scene: &Scene, light: &LightPart) -> Vec<Highlight> {
-    let quantity = Shown::Irradiance.name(&scene.unit);
+    let quantity = Quantity::Irradiance.name(&scene.unit);
     let plane = |reported: &ReportedPlane| {
         let figures = &reported.shown;
         let u0 = figures.u0.map_or_else(|| "–".to_owned(), |u0| format!("{u0:.2}"));

@@ -6,14 +6,14 @@ use super::light_part::{LightPart, ReportedPlane, plan_name};
 use crate::documents::document::{Block, Column, Figure, Table};
 use radiosity_reading::digits::{column, short, significant};
 use radiosity_reading::plane_figures::{BandFigures, PlaneFigures};
-use radiosity_reading::shown::Shown;
+use radiosity_reading::quantity::Quantity;
 use radiosity_reading::uniformity::Uniformity;
 
 pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
     if light.plans.is_empty() {
         return Vec::new();
     }
-    let quantity = Shown::Irradiance.name(&scene.unit);
+    let quantity = Quantity::Irradiance.name(&scene.unit);
     let mut blocks = vec![
         Block::Heading("Planes of sensors".to_owned()),
         Block::Text(format!(

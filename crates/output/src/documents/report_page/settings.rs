@@ -62,13 +62,13 @@ fn of_light(light: &LightPart) -> Vec<[String; 2]> {
         [lowest, highest] => format!("{lowest} to {highest}"),
     };
     let read = match reading.read {
-        Read::Basis => "the polynomials",
-        Read::Direct => "direct light at each point, the rest from the polynomials",
-        Read::Gather => "gathered at each point",
-        Read::GatherTwice => "gathered twice at each point",
+        ReadMode::Basis => "the polynomials",
+        ReadMode::Direct => "direct light at each point, the rest from the polynomials",
+        ReadMode::Gather => "gathered at each point",
+        ReadMode::GatherTwice => "gathered twice at each point",
     };
     let accuracy = match reading.read {
-        Read::Basis => String::new(),
+        ReadMode::Basis => String::new(),
         _ => format!(", to {}", short(reading.eps)),
     };
     let solver = match report.iterations {

@@ -5,7 +5,7 @@ use radiosity_scene::{Scene, SceneSurface};
 use super::light_part::LightPart;
 use crate::documents::document::{Block, Column, Table};
 use radiosity_reading::digits::{column, significant};
-use radiosity_reading::shown::{Shown, of_bands, power_unit};
+use radiosity_reading::quantity::{Quantity, of_bands, power_unit};
 use radiosity_reading::surface_light::SurfaceLight;
 
 /// Most rows of a table. Chosen: some ten pages.
@@ -17,7 +17,7 @@ const FEW: usize = 4;
 pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
     let listed = listed(&light.surfaces);
     let [n, m] = light.cells;
-    let quantity = Shown::Irradiance.name(&scene.unit);
+    let quantity = Quantity::Irradiance.name(&scene.unit);
     let several = if scene.bands.len() > 1 {
         " Irradiance is the mean of the bands, powers are their sum."
     } else {
@@ -64,20 +64,20 @@ fn sum(values: &[f64]) -> f64 {
 }
 
 /// A column with its cells and the total below them.
-struct Filled {
+struct TotalledColumn {
     column: Column,
     cells: Vec<String>,
     total: String,
 }
 
-impl Filled {
+impl TotalledColumn {
     fn new(column: Column, cells: Vec<String>) -> Self {
         Self { column, cells, total: String::new() }
     }
 }
 
 /// The columns side by side.
-fn table(columns: Vec<Filled>) -> Table {
+fn table(columns: Vec<TotalledColumn>) -> Table {
     let rows = columns.first().map_or(0, |first| first.cells.len());
     let mut table = Table::new(columns.iter().map(|own| own.column.clone()).collect::<Vec<_>>());
     for row in 0..rows {
@@ -115,39 +115,39 @@ fn by_band(scene: &Scene, listed: &[&SurfaceLight]) -> Table {
     let texts = column(&values);
     let irradiances = bands.map(|(band, name)| {
         let cells = texts.iter().skip(band).step_by(scene.bands.len()).cloned().collect();
-        Filled::new(Column::numbers(&format!("E {name}"), &scene.unit), cells)
+        TotalledColumn::new(Column::numbers(&format!("E {name}"), &scene.unit), cells)
     });
     table(names(scene, listed).into_iter().chain(reflectances).chain(irradiances).collect())
 }
 
 /// Names of surfaces and of their materials.
-fn names(scene: &Scene, listed: &[&SurfaceLight]) -> [Filled; 2] {
+fn names(scene: &Scene, listed: &[&SurfaceLight]) -> [TotalledColumn; 2] {
     let of = |head: &str, text: fn(&SceneSurface) -> String| {
         let cells = listed.iter().map(|own| text(&scene.surfaces[own.surface])).collect();
-        Filled::new(Column::text(head), cells)
+        TotalledColumn::new(Column::text(head), cells)
     };
     let material = |surface: &SceneSurface| surface.material_name.clone().unwrap_or_else(|| "–".to_owned());
     [of("surface", |surface| surface.name.clone()), of("material", material)]
 }
 
-fn reflectance(scene: &Scene, listed: &[&SurfaceLight], band: usize, head: &str) -> Filled {
+fn reflectance(scene: &Scene, listed: &[&SurfaceLight], band: usize, head: &str) -> TotalledColumn {
     let rho = |own: &&SurfaceLight| significant(scene.surfaces[own.surface].material.reflectance[band], 3);
-    Filled::new(Column::numbers(head, ""), listed.iter().map(rho).collect())
+    TotalledColumn::new(Column::numbers(head, ""), listed.iter().map(rho).collect())
 }
 
-fn areas(all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Filled {
+fn areas(all: &[SurfaceLight], listed: &[&SurfaceLight]) -> TotalledColumn {
     let cells = listed.iter().map(|own| significant(own.area, 4)).collect();
     let total = significant(all.iter().map(|own| own.area).sum(), 4);
-    Filled { column: Column::numbers("area", "m²"), cells, total }
+    TotalledColumn { column: Column::numbers("area", "m²"), cells, total }
 }
 
 /// Mean, least and greatest irradiance, all with the same decimals.
-fn irradiances(scene: &Scene, listed: &[&SurfaceLight]) -> impl Iterator<Item = Filled> {
+fn irradiances(scene: &Scene, listed: &[&SurfaceLight]) -> impl Iterator<Item = TotalledColumn> {
     let three = |own: &&SurfaceLight| [of_bands(&own.irradiance, None), own.extremes[0], own.extremes[1]];
     let texts = column(&listed.iter().flat_map(three).collect::<Vec<_>>());
     ["E mean", "E min", "E max"].into_iter().enumerate().map(move |(index, head)| {
         let cells = texts.iter().skip(index).step_by(3).cloned().collect();
-        Filled::new(Column::numbers(head, &scene.unit), cells)
+        TotalledColumn::new(Column::numbers(head, &scene.unit), cells)
     })
 }
 
@@ -155,7 +155,7 @@ fn irradiances(scene: &Scene, listed: &[&SurfaceLight]) -> impl Iterator<Item = 
 type Powers = fn(&SurfaceLight) -> &Vec<f64>;
 
 /// The sum of the bands, a dash for none, and the sum over all surfaces.
-fn power(column_head: Column, of: Powers, all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Filled {
+fn power(column_head: Column, of: Powers, all: &[SurfaceLight], listed: &[&SurfaceLight]) -> TotalledColumn {
     let whole = all.iter().map(|own| sum(of(own))).sum();
     let values: Vec<f64> = listed.iter().map(|own| sum(of(own))).chain([whole]).collect();
     let mut cells: Vec<String> = column(&values)
@@ -164,5 +164,5 @@ fn power(column_head: Column, of: Powers, all: &[SurfaceLight], listed: &[&Surfa
         .map(|(text, value)| if *value == 0.0 { "–".to_owned() } else { text })
         .collect();
     let total = cells.pop().unwrap_or_default();
-    Filled { column: column_head, cells, total }
+    TotalledColumn { column: column_head, cells, total }
 }

@@ -6,11 +6,11 @@ use radiosity_scene::Camera;
 use radiosity_solve::solved::Solved;
 use serde::Serialize;
 
-use super::start::{Start, StartColours};
+use super::first_view_settings::{FirstViewSettings, FirstViewColours};
 use crate::drawings::scale::Scale;
+use radiosity_reading::pictures::lightmap::{Lightmap, LightmapPart};
 use crate::pictures::tessellation::Triangulation;
-use radiosity_reading::pictures::lightmap::{Lightmap, Part};
-use radiosity_reading::shown::Shown;
+use radiosity_reading::quantity::Quantity;
 
 /// Colours of the scale that are written; the page interpolates between.
 const COLOURS: u32 = 256;
@@ -83,7 +83,7 @@ impl<'a> Header<'a> {
         solved: &'a Solved,
         lightmap: &'a Lightmap,
         triangles: &[Triangulation],
-        start: &'a Start,
+        start: &'a FirstViewSettings,
         automatic: f64,
         balance: [f64; 3],
         scale: f32,
@@ -91,14 +91,14 @@ impl<'a> Header<'a> {
         let scene = &solved.scene;
         let gradient = Scale::sequential([0.0, f64::from(COLOURS - 1)]);
         let colours =
-            start.false_colours.map(|StartColours { band, range, log }| ColoursHeader { band, range, log });
+            start.false_colours.map(|FirstViewColours { band, range, log }| ColoursHeader { band, range, log });
         let parts = lightmap.parts().iter();
         Self {
             title: scene.title.as_deref().unwrap_or(&scene.name),
             unit: &scene.unit,
             bands: &scene.bands,
             balance,
-            irradiance: Shown::Irradiance.name(&scene.unit),
+            irradiance: Quantity::Irradiance.name(&scene.unit),
             parts: parts
                 .map(|part| PartHeader { group: part.group.as_deref(), factor: part.factor })
                 .collect(),
@@ -109,8 +109,8 @@ impl<'a> Header<'a> {
             automatic,
             exposure: start.exposure,
             quantity: match start.shown {
-                Shown::Radiosity => "radiosity",
-                Shown::Irradiance => "irradiance",
+                Quantity::Radiosity => "radiosity",
+                Quantity::Irradiance => "irradiance",
             },
             colours,
             gradient: (0..COLOURS).map(|k| gradient.colour(f64::from(k))).collect(),
@@ -137,7 +137,7 @@ impl<'a> SurfaceHeader<'a> {
     fn new(solved: &'a Solved, lightmap: &Lightmap, triangles: &Triangulation, index: usize) -> Self {
         let surface = &solved.scene.surfaces[index];
         let group = surface.group.as_ref().map(|group| group.name.as_str());
-        let is_own = |part: &Part| part.group.as_deref() == group;
+        let is_own = |part: &LightmapPart| part.group.as_deref() == group;
         let part = lightmap.parts().iter().position(is_own);
         let bands = 0..solved.scene.bands.len();
         // Where the light of groups is not kept apart, their factors cannot be changed.

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 
 use crate::zatz1993::transfers::chart::{Chart, NoChart};
 use crate::zatz1993::transfers::sum::Sees;
-use crate::zatz1993::transfers::transfer::{Rules, transfer};
+use crate::zatz1993::transfers::transfer::{PaperRules, transfer};
 
 /// Outcome for an ordered pair: left out, or its block.
 enum Outcome {
@@ -32,7 +32,7 @@ enum Outcome {
 pub fn assemble(
     elements: &Elements,
     visibility: &Visibility,
-    rules: Rules,
+    rules: PaperRules,
     extra: usize,
     work: &Work<'_>,
 ) -> Result<Blocks, NoChart> {
@@ -81,7 +81,7 @@ fn integrate(
     emitter: &Chart,
     same: bool,
     visibility: &Visibility,
-    rules: Rules,
+    rules: PaperRules,
     extra: usize,
 ) -> Outcome {
     let (x, y) = (receiver.element, emitter.element);

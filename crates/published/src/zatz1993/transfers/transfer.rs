@@ -12,17 +12,17 @@ use crate::zatz1993::transfers::sum::{Sees, Sum};
 /// Which of the paper's rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Rules {
+pub enum PaperRules {
     /// Gauss–Legendre points for every pair (eq. 26).
     Legendre,
     /// Gauss–Jacobi points for pairs with a common edge (eq. 27), Gauss–Legendre for all others.
-    Hybrid(Reading),
+    Hybrid(HybridReading),
 }
 
 /// Reading of eq. 27; see the module `transfers`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Reading {
+pub enum HybridReading {
     /// Weight (1 − s²)² (1 + t)², Gauss–Legendre points on the emitter: nearest to the paper's numbers.
     H1,
     /// Weight (1 + t)², Gauss–Jacobi points on the emitter with the weight divided out: nearest to the
@@ -56,12 +56,12 @@ pub struct Transfer {
 pub fn transfer(
     receiver: ChartedElement,
     emitter: ChartedElement,
-    rules: Rules,
+    rules: PaperRules,
     sees: Option<Sees>,
 ) -> Transfer {
     let borders = border::common(receiver.patch, emitter.patch);
     let (rows, columns) = match (rules, borders) {
-        (Rules::Hybrid(reading), Some([near, far])) => {
+        (PaperRules::Hybrid(reading), Some([near, far])) => {
             (receiver_axes(receiver, reading, near), emitter_axes(emitter, reading, far))
         }
         _ => (plain(receiver), plain(emitter)),
@@ -78,22 +78,22 @@ fn plain(element: ChartedElement) -> [Axis; 2] {
     [axis.clone(), axis]
 }
 
-fn receiver_axes(element: ChartedElement, reading: Reading, border: Border) -> [Axis; 2] {
+fn receiver_axes(element: ChartedElement, reading: HybridReading, border: Border) -> [Axis; 2] {
     let along = match reading {
-        Reading::H1 => [2, 2],
-        Reading::H2 | Reading::H3 | Reading::Literal => [0, 0],
+        HybridReading::H1 => [2, 2],
+        HybridReading::H2 | HybridReading::H3 | HybridReading::Literal => [0, 0],
     };
     let across = Axis::new(element.order, element.points, border.double_zero());
     border.placed(Axis::new(element.order, element.points, along), across)
 }
 
-fn emitter_axes(element: ChartedElement, reading: Reading, border: Border) -> [Axis; 2] {
+fn emitter_axes(element: ChartedElement, reading: HybridReading, border: Border) -> [Axis; 2] {
     let along = Axis::new(element.order, element.points, [0, 0]);
     let moved = || Axis::with_legendre(element.order, element.points, border.double_zero());
     let across = match reading {
-        Reading::H1 | Reading::H3 => along.clone(),
-        Reading::H2 => moved().divided(border.double_zero()),
-        Reading::Literal => moved(),
+        HybridReading::H1 | HybridReading::H3 => along.clone(),
+        HybridReading::H2 => moved().divided(border.double_zero()),
+        HybridReading::Literal => moved(),
     };
     border.placed(along, across)
 }

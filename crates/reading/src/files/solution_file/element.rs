@@ -47,12 +47,12 @@ pub(super) struct Orthonormal {
     pub(super) direct: Vec<Vec<f64>>,
     /// Coefficients of each light group, not dimmed, where the scene has any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub(super) groups: Vec<Apart>,
+    pub(super) groups: Vec<GroupCoefficients>,
 }
 
 /// Coefficients of one light group per band (W m⁻² times scene length).
 #[derive(Debug, Serialize, Deserialize)]
-pub(super) struct Apart {
+pub(super) struct GroupCoefficients {
     pub(super) irradiance: Vec<Vec<f64>>,
     pub(super) direct: Vec<Vec<f64>>,
 }
@@ -108,12 +108,12 @@ fn saved(
         orthonormal: Orthonormal {
             irradiance,
             direct: bands.iter().map(|band| own(&band.coefficients.direct)).collect(),
-            groups: solution.groups().iter().map(|group| Apart::of(group, range)).collect(),
+            groups: solution.groups().iter().map(|group| GroupCoefficients::of(group, range)).collect(),
         },
     }
 }
 
-impl Apart {
+impl GroupCoefficients {
     fn of(group: &GroupLight, range: &Range<usize>) -> Self {
         let own = |all: &[f64]| all[range.clone()].to_vec();
         Self {

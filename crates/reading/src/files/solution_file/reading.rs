@@ -107,7 +107,7 @@ impl SolutionFile {
             return Err(mismatch());
         }
         let bands = scene.bands.len();
-        let masks = Masks::of(scene, elements, &self.options, ranks);
+        let masks = MaskInputs::of(scene, elements, &self.options, ranks);
         if self.groups.is_empty() {
             let band = |band: usize| Incident {
                 irradiance: together(&self.elements, |own| &own.orthonormal.irradiance[band]),
@@ -156,7 +156,7 @@ fn together<'a>(saved: &'a [SavedElement], own: impl Fn(&'a SavedElement) -> &'a
 }
 
 /// The inputs from which shadow masks are made again.
-struct Masks<'a> {
+struct MaskInputs<'a> {
     scene: &'a Scene,
     elements: &'a Elements,
     options: &'a Options,
@@ -165,7 +165,7 @@ struct Masks<'a> {
     ranks: &'a Ranks,
 }
 
-impl<'a> Masks<'a> {
+impl<'a> MaskInputs<'a> {
     fn of(scene: &'a Scene, elements: &'a Elements, options: &'a Options, ranks: &'a Ranks) -> Self {
         let visibility = options.masks.map(|_| Visibility::new(scene, options.into()));
         Self { scene, elements, options, visibility, ranks }

@@ -18,14 +18,14 @@ const CURVED_DEGREE: usize = 5;
 const MOST_CELLS: usize = 1024;
 
 /// Cells over a patch, of one degree.
-pub(super) struct Bent {
+pub(super) struct BentCells {
     pub(super) degree: usize,
     pub(super) cells: Vec<Patch>,
     /// Greatest distance from the surface found (scene length).
     pub(super) deviation: f64,
 }
 
-impl Bent {
+impl BentCells {
     /// The cells of `patch`, of at least `least` ≥ 1 degrees; `extent` is that of the element (scene length).
     pub(super) fn over(patch: &Patch, least: usize, extent: f64) -> Self {
         let near = NEAR * extent;
@@ -144,7 +144,7 @@ mod tests {
         let corners = [DVec3::ZERO, DVec3::X, DVec3::ONE, DVec3::Y];
         let saddle = Patch::curved(Arc::new(Bilinear::new(corners).expect("a saddle")), &Rect::FULL);
         for least in [1, 4] {
-            let bent = Bent::over(&saddle, least, 1.0);
+            let bent = BentCells::over(&saddle, least, 1.0);
             assert_eq!((bent.degree, bent.cells.len()), (least, 1));
             assert!(bent.deviation < 1e-15);
         }
@@ -153,7 +153,7 @@ mod tests {
     #[test]
     fn spheres_are_cut_until_they_are_near() {
         let sphere = Sphere::new(DVec3::ZERO, 1.0, DVec3::Z, [-1.0, 1.0], FULL_TURN).expect("a sphere");
-        let bent = Bent::over(&Patch::curved(Arc::new(sphere), &Rect::FULL), 3, 2.0);
+        let bent = BentCells::over(&Patch::curved(Arc::new(sphere), &Rect::FULL), 3, 2.0);
         assert!(bent.deviation <= 2e-6 && bent.cells.len() <= 64, "{} cells", bent.cells.len());
         assert_eq!(bent.degree, CURVED_DEGREE);
     }

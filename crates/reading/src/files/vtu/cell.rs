@@ -4,7 +4,7 @@ use radiosity_elements::Element;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_geom::DVec3;
 
-use super::bending::Bent;
+use super::bending::BentCells;
 use super::nodes;
 
 /// VTK's numbers of the types of cells.
@@ -40,7 +40,7 @@ pub(super) fn of(element: &Element) -> (Vec<Cell>, f64) {
             cells.extend(flat(patch, *corners, *normal, element.basis.total_degree().max(1)));
             continue;
         }
-        let bent = Bent::over(patch, element.basis.order().max(1), element.extent);
+        let bent = BentCells::over(patch, element.basis.order().max(1), element.extent);
         deviation = deviation.max(bent.deviation);
         cells.extend(bent.cells.into_iter().map(|patch| quadrilateral(patch, bent.degree)));
     }

@@ -7,8 +7,8 @@ use radiosity_work::{Stage, Work};
 use rayon::prelude::*;
 
 use super::frame::Frame;
-use super::picture_light::{Lit, PictureLight};
-use super::tally::Tally;
+use super::picture_light::{DirectIrradiance, PictureLight};
+use super::pixel_count::PixelCount;
 
 /// Pixels that are compared with one, to each side. Chosen: with first rays that miss a shadow in four of
 /// five pixels, one of so many still finds it.
@@ -20,21 +20,21 @@ const TOGETHER: usize = 64;
 /// The direct irradiance of all pixels; nothing where nothing is seen. All pixels are told, then those that
 /// are computed again.
 pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<Vec<f64>> {
-    let look = |pixel: usize, sure: bool, tally: &Tally| {
-        let care = RayEffort { rough: 1.0, sure };
-        let lit = frame.seen(pixel).map_or_else(Lit::default, |seen| light.direct(seen, care));
-        tally.add();
+    let look = |pixel: usize, sure: bool, pixel_count: &PixelCount| {
+        let effort = RayEffort { error_factor: 1.0, sure };
+        let lit = frame.seen(pixel).map_or_else(DirectIrradiance::default, |seen| light.direct(seen, effort));
+        pixel_count.add();
         lit
     };
     let ranks = work.ranks;
-    let tally = Tally::new(frame.len(), Stage::DirectPixels, work);
-    let first: Vec<Lit> =
-        ranks.map_even(PartName::DirectLight, frame.len(), TOGETHER, |pixel| look(pixel, false, &tally));
+    let pixel_count = PixelCount::new(frame.len(), Stage::DirectPixels, work);
+    let first: Vec<DirectIrradiance> =
+        ranks.map_even(PartName::DirectLight, frame.len(), TOGETHER, |pixel| look(pixel, false, &pixel_count));
     let unsure: Vec<usize> =
         (0..frame.len()).into_par_iter().filter(|pixel| is_unsure(frame, &first, *pixel)).collect();
-    let tally = Tally::new(unsure.len(), Stage::DirectPixels, work);
-    let sure = |place: usize| look(unsure[place], true, &tally);
-    let again: Vec<Lit> = ranks.map_even(PartName::MoreDirectLight, unsure.len(), TOGETHER, sure);
+    let pixel_count = PixelCount::new(unsure.len(), Stage::DirectPixels, work);
+    let sure = |place: usize| look(unsure[place], true, &pixel_count);
+    let again: Vec<DirectIrradiance> = ranks.map_even(PartName::MoreDirectLight, unsure.len(), TOGETHER, sure);
     let mut all: Vec<Vec<f64>> = first.into_iter().map(|lit| lit.bands).collect();
     unsure.into_iter().zip(again).for_each(|(pixel, lit)| all[pixel] = lit.bands);
     all
@@ -42,14 +42,14 @@ pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<V
 
 /// Whether a pixel sees some emitters wholly and the others not at all, but one beside it on the same surface
 /// does not see the same.
-fn is_unsure(frame: &Frame, all: &[Lit], pixel: usize) -> bool {
-    let (Some(seen), Some(shade @ VisibleEmitters::Sees(_))) = (frame.seen(pixel), all[pixel].shade) else {
+fn is_unsure(frame: &Frame, all: &[DirectIrradiance], pixel: usize) -> bool {
+    let (Some(seen), Some(visible @ VisibleEmitters::Sees(_))) = (frame.seen(pixel), all[pixel].visible) else {
         return false;
     };
     let [column, row] = frame.place(pixel).map(|at| at as isize);
     let beside = (-BESIDE..=BESIDE).flat_map(|j| (-BESIDE..=BESIDE).map(move |i| [column + i, row + j]));
     beside.filter_map(|at| frame.pixel(at)).any(|other| {
-        all[other].shade.is_some_and(|other| other != shade)
+        all[other].visible.is_some_and(|other| other != visible)
             && frame.seen(other).is_some_and(|other| seen.goes_with(other))
     })
 }

@@ -18,7 +18,7 @@ const LEVEL: f64 = 0.1;
 
 /// A place on the front of a surface.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub(crate) struct Seen {
+pub(crate) struct SeenPlace {
     /// Index of the element.
     pub element: usize,
     /// The place.
@@ -28,7 +28,7 @@ pub(crate) struct Seen {
     pub normal: DVec3,
 }
 
-impl Seen {
+impl SeenPlace {
     /// The place as a receiver.
     pub(crate) fn receiver_point(&self) -> ReceiverPoint {
         ReceiverPoint::on(self.place.surface, self.place.position, self.normal)
@@ -55,10 +55,10 @@ pub(crate) struct Eye<'a> {
 
 impl Eye<'_> {
     /// The front that a ray meets first, if it is a front.
-    pub(crate) fn along(&self, ray: &Ray) -> Option<Seen> {
+    pub(crate) fn along(&self, ray: &Ray) -> Option<SeenPlace> {
         let Encounter { surface, hit, front } = self.visibility.nearest(ray)?;
         // Where two surfaces meet, light is the limit from within the visible one.
         let point = front.then(|| SurfacePoint::at(self.elements, surface, [hit.u, hit.v], self.diagonal))??;
-        Some(Seen { element: point.element, place: point.place, normal: point.normal })
+        Some(SeenPlace { element: point.element, place: point.place, normal: point.normal })
     }
 }

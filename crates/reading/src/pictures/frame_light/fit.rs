@@ -25,11 +25,11 @@ const FLAT: f64 = 1e-3;
 /// Values around a place.
 #[derive(Clone, Debug)]
 pub(crate) struct Fit<'a> {
-    values: SmallVec<[Value<'a>; 25]>,
+    values: SmallVec<[FitValue<'a>; 25]>,
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Value<'a> {
+struct FitValue<'a> {
     at: [f64; 2],
     weight: f64,
     bands: &'a [f64],
@@ -38,7 +38,7 @@ struct Value<'a> {
 
 /// The result of a fit.
 #[derive(Clone, Debug)]
-pub(crate) struct Found {
+pub(crate) struct FitResult {
     /// The value per band.
     pub value: Vec<f64>,
     /// Root mean square of what the fit leaves, the sum over the bands.
@@ -60,7 +60,7 @@ impl<'a> Fit<'a> {
     /// Takes the value of all bands at the offset `at`, with a weight above 0. Their sum has the standard
     /// deviation `error`.
     pub(crate) fn take(&mut self, at: [f64; 2], weight: f64, bands: &'a [f64], error: f64) {
-        self.values.push(Value { at, weight, bands, error });
+        self.values.push(FitValue { at, weight, bands, error });
     }
 
     /// `found` within the range that the values have, band by band.
@@ -82,7 +82,7 @@ impl<'a> Fit<'a> {
     }
 
     /// The fit; None of too few values, or of values on a line.
-    pub(crate) fn found(&self) -> Option<Found> {
+    pub(crate) fn found(&self) -> Option<FitResult> {
         let wanted = match self.values.len() {
             count if count >= QUADRATIC + SPARE => QUADRATIC,
             count if count >= LINEAR + SPARE => LINEAR,
@@ -107,7 +107,7 @@ impl<'a> Fit<'a> {
             residual += ((squares - dot(&found[..terms], &found[..terms])).max(0.0) / all).sqrt();
         }
         let bend = (terms == QUADRATIC).then_some(bend);
-        Some(Found { value, residual, noise, aside: self.aside(), bend })
+        Some(FitResult { value, residual, noise, aside: self.aside(), bend })
     }
 
     /// Σ w, and the root mean square of the errors.
@@ -121,7 +121,7 @@ impl<'a> Fit<'a> {
     fn aside(&self) -> f64 {
         let (mut all, mut x, mut y, mut squares) = (0.0, 0.0, 0.0, 0.0);
         for value in &self.values {
-            let Value { at, weight, .. } = value;
+            let FitValue { at, weight, .. } = value;
             all += weight;
             x += weight * at[0];
             y += weight * at[1];
@@ -133,7 +133,7 @@ impl<'a> Fit<'a> {
     /// The terms of the polynomial at each place, which are at most 1.
     fn rows(&self) -> SmallVec<[[f64; QUADRATIC]; 25]> {
         let size = self.values.iter().flat_map(|value| value.at).fold(0.0, |most: f64, x| most.max(x.abs()));
-        let row = |value: &Value| {
+        let row = |value: &FitValue| {
             let [x, y] = value.at.map(|x| x / size);
             [1.0, x, y, x * x, x * y, y * y]
         };
@@ -216,7 +216,7 @@ mod tests {
         [-1.5, 0.1],
     ];
 
-    fn fit(count: usize, f: impl Fn([f64; 2]) -> f64) -> Option<Found> {
+    fn fit(count: usize, f: impl Fn([f64; 2]) -> f64) -> Option<FitResult> {
         let values: Vec<[f64; 1]> = PLACES[..count].iter().map(|at| [f(*at)]).collect();
         let mut fit = Fit::new();
         for (at, value) in PLACES.iter().zip(&values) {

@@ -7,7 +7,7 @@ use radiosity_work::ranks::{PartName, Ranks};
 
 use crate::pictures::pinhole::Pinhole;
 
-use super::eye::{Eye, Seen};
+use super::eye::{Eye, SeenPlace};
 
 /// Pixels that one thread looks through after each other. Chosen: they take about a microsecond each.
 const TOGETHER: usize = 256;
@@ -17,7 +17,7 @@ const TOGETHER: usize = 256;
 pub(crate) struct Frame {
     width: usize,
     rows: Range<usize>,
-    seen: Vec<Option<Seen>>,
+    seen: Vec<Option<SeenPlace>>,
 }
 
 impl Frame {
@@ -32,7 +32,7 @@ impl Frame {
     }
 
     /// The frame of these places, row by row of so many columns.
-    pub(crate) fn of(width: usize, seen: Vec<Option<Seen>>) -> Self {
+    pub(crate) fn of(width: usize, seen: Vec<Option<SeenPlace>>) -> Self {
         Self { width, rows: 0..seen.len() / width, seen }
     }
 
@@ -54,7 +54,7 @@ impl Frame {
     }
 
     /// The place that a pixel sees; None where it sees nothing.
-    pub(crate) fn seen(&self, pixel: usize) -> Option<&Seen> {
+    pub(crate) fn seen(&self, pixel: usize) -> Option<&SeenPlace> {
         self.seen[pixel].as_ref()
     }
 }

@@ -2,7 +2,7 @@
 
 use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
-use radiosity_light::penumbra::{Factor, Penumbra, RayEffort, VisibleEmitters};
+use radiosity_light::penumbra::{EmitterFactor, Penumbra, RayEffort, VisibleEmitters};
 use radiosity_solve::gather::Gather;
 use radiosity_solve::gather::ray_gather::{RayEstimate, RayGather};
 use radiosity_solve::gather::gather_method::GatherMethod;
@@ -10,11 +10,11 @@ use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
 
-use crate::reader::Read;
-use crate::shown::{Here, Shown};
+use crate::reader::ReadMode;
+use crate::quantity::{PlaceLight, Quantity};
 
-use super::eye::Seen;
-use super::smooth::Known;
+use super::eye::SeenPlace;
+use super::smooth::ComputedLight;
 
 /// Pairs of an emitter and something that may stand before it, at most, for which direct light is computed
 /// without rays. Chosen.
@@ -29,30 +29,30 @@ const IN_PENUMBRA: f64 = 2.0;
 
 /// RayEffort of the search for direct light on the other side of an element that lets light through: there is
 /// no frame to compare it with.
-const BEHIND: RayEffort = RayEffort { rough: 1.0, sure: true };
+const BEHIND: RayEffort = RayEffort { error_factor: 1.0, sure: true };
 
 /// Direct irradiance at a place.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub(crate) struct Lit {
+pub(crate) struct DirectIrradiance {
     /// Irradiance per band (W m⁻²).
     pub bands: Vec<f64>,
     /// Emitters that were seen, where rays looked for them.
-    pub shade: Option<VisibleEmitters>,
+    pub visible: Option<VisibleEmitters>,
 }
 
 /// Direct light and the rest.
 #[derive(Debug)]
 pub(crate) struct PictureLight<'a> {
     solution: &'a Solution,
-    shown: Shown,
+    shown: Quantity,
     /// Point that it is seen from, in a picture (scene length).
     eye: Option<DVec3>,
-    direct: Direct<'a>,
-    rest: Rest<'a>,
+    direct: DirectSource<'a>,
+    rest: ReflectedSource<'a>,
 }
 
 #[derive(Debug)]
-enum Direct<'a> {
+enum DirectSource<'a> {
     /// Direct light is in the polynomials.
     None,
     Exact(DirectLight<'a>),
@@ -60,7 +60,7 @@ enum Direct<'a> {
 }
 
 #[derive(Debug)]
-enum Rest<'a> {
+enum ReflectedSource<'a> {
     Polynomials,
     Cells(Gather<'a>),
     Rays(RayGather<'a>),
@@ -68,86 +68,86 @@ enum Rest<'a> {
 
 impl<'a> PictureLight<'a> {
     /// The light of `solution`, as it is read to about the relative accuracy `eps`.
-    pub(crate) fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
-        let twice = read == Read::GatherTwice;
+    pub(crate) fn new(solution: &'a Solution, visibility: &'a Visibility, read: ReadMode, eps: f64) -> Self {
+        let twice = read == ReadMode::GatherTwice;
         let rest = match read {
-            Read::Basis | Read::Direct => Rest::Polynomials,
+            ReadMode::Basis | ReadMode::Direct => ReflectedSource::Polynomials,
             _ if GatherMethod::Auto.rays(solution, visibility, AVERAGED * eps, twice) => {
-                Rest::Rays(RayGather::new(solution, visibility, AVERAGED * eps, twice))
+                ReflectedSource::Rays(RayGather::new(solution, visibility, AVERAGED * eps, twice))
             }
-            _ if twice => Rest::Cells(Gather::twice(solution, visibility, eps)),
-            _ => Rest::Cells(Gather::new(solution, visibility, eps)),
+            _ if twice => ReflectedSource::Cells(Gather::twice(solution, visibility, eps)),
+            _ => ReflectedSource::Cells(Gather::new(solution, visibility, eps)),
         };
         let emitters = solution.emitters();
         let direct = match read {
-            Read::Basis => Direct::None,
+            ReadMode::Basis => DirectSource::None,
             _ if is_exact(solution, visibility) => {
-                Direct::Exact(DirectLight::within(&emitters, visibility, eps))
+                DirectSource::Exact(DirectLight::within(&emitters, visibility, eps))
             }
-            _ => Direct::Rays(Penumbra::new(&emitters, visibility, IN_PENUMBRA * eps)),
+            _ => DirectSource::Rays(Penumbra::new(&emitters, visibility, IN_PENUMBRA * eps)),
         };
-        Self { solution, shown: Shown::default(), eye: None, direct, rest }
+        Self { solution, shown: Quantity::default(), eye: None, direct, rest }
     }
 
     /// This light, of which a picture shows the quantity `shown`, as seen from the point `eye`.
-    pub(crate) fn showing(self, shown: Shown, eye: DVec3) -> Self {
+    pub(crate) fn showing(self, shown: Quantity, eye: DVec3) -> Self {
         Self { shown, eye: Some(eye), ..self }
     }
 
     /// Whether the rest is gathered: then it is dear, and smooth across elements.
     pub(crate) fn gathers(&self) -> bool {
-        !matches!(self.rest, Rest::Polynomials)
+        !matches!(self.rest, ReflectedSource::Polynomials)
     }
 
     /// Direct light at a place.
-    pub(crate) fn direct(&self, seen: &Seen, care: RayEffort) -> Lit {
+    pub(crate) fn direct(&self, seen: &SeenPlace, effort: RayEffort) -> DirectIrradiance {
         let mut bands = vec![0.0; self.solution.bands().len()];
-        let mut shade = None;
+        let mut visible = None;
         match &self.direct {
-            Direct::None => {}
-            Direct::Exact(light) => {
+            DirectSource::None => {}
+            DirectSource::Exact(light) => {
                 let rest = self.polynomials(seen);
                 bands = light.at_beside(seen.element, seen.place.position, seen.normal, &rest);
             }
-            Direct::Rays(light) => {
+            DirectSource::Rays(light) => {
                 let rest = self.polynomials(seen);
                 let beside = rest.iter().sum::<f64>() / rest.len() as f64;
-                let sight = light.sight(&seen.receiver_point(), beside, care);
-                bands = sight.points;
-                for Factor { element, value } in sight.factors {
+                let estimate = light.estimate(&seen.receiver_point(), beside, effort);
+                bands = estimate.points;
+                for EmitterFactor { element, value } in estimate.factors {
                     for (sum, band) in bands.iter_mut().zip(self.solution.bands()) {
                         *sum += value * band.coating.exitance[element];
                     }
                 }
-                shade = Some(sight.shade);
+                visible = Some(estimate.visible);
             }
         }
-        Lit { bands, shade }
+        DirectIrradiance { bands, visible }
     }
 
     /// The rest of the light beside the direct light `lit` (W m⁻² per band).
-    pub(crate) fn rest(&self, seen: &Seen, lit: &[f64]) -> Known {
+    pub(crate) fn rest(&self, seen: &SeenPlace, lit: &[f64]) -> ComputedLight {
         match &self.rest {
-            Rest::Polynomials => Known { bands: self.polynomials(seen), error: 0.0 },
-            Rest::Cells(gather) => {
+            ReflectedSource::Polynomials => ComputedLight { bands: self.polynomials(seen), error: 0.0 },
+            ReflectedSource::Cells(gather) => {
                 let receiver = seen.receiver_point();
                 let around = gather.reflection().around(&receiver.site());
-                Known { bands: gather.reflection().irradiance(&receiver, &around, lit), error: 0.0 }
+                ComputedLight { bands: gather.reflection().irradiance(&receiver, &around, lit), error: 0.0 }
             }
-            Rest::Rays(gather) => {
+            ReflectedSource::Rays(gather) => {
                 let RayEstimate { irradiance, deviation } = gather.reflected(&seen.receiver_point(), lit);
                 let all: f64 = irradiance.iter().chain(lit).sum();
-                Known { bands: irradiance, error: deviation.relative * all }
+                ComputedLight { bands: irradiance, error: deviation.relative * all }
             }
         }
     }
 
     /// Irradiance per band (W m⁻²) by the polynomials: all of it, or the part that was reflected at least
     /// once, cut off at 0.
-    fn polynomials(&self, seen: &Seen) -> Vec<f64> {
+    fn polynomials(&self, seen: &SeenPlace) -> Vec<f64> {
         let bands = 0..self.solution.bands().len();
         match self.direct {
-            Direct::None => {
+            DirectSource::None => {
                 bands.map(|band| self.solution.irradiance(band, seen.element, &seen.place)).collect()
             }
             _ => {
@@ -159,32 +159,32 @@ impl<'a> PictureLight<'a> {
     }
 
     /// The shown quantity per band (unit of exitance) under this irradiance.
-    pub(crate) fn shown(&self, seen: &Seen, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
+    pub(crate) fn shown(&self, seen: &SeenPlace, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
         let bands = self.solution.bands().iter();
         let (directed, behind) = (self.directed(seen), self.behind(seen));
         let light = bands.zip(irradiance).zip(behind);
         let (element, parameters) = (seen.element, seen.place.parameters);
         light
             .map(|((band, irradiance), behind)| {
-                let here = Here { element, parameters, irradiance, behind, directed };
-                self.shown.of(&band.coating, &here)
+                let place_light = PlaceLight { element, parameters, irradiance, behind, directed };
+                self.shown.of(&band.coating, &place_light)
             })
             .collect()
     }
 
     /// Irradiance per band (W m⁻²) on the other side of a place that lets light through: direct light, and
     /// polynomials for the rest; else 0.
-    fn behind(&self, seen: &Seen) -> Vec<f64> {
-        let shows = self.shown == Shown::Radiosity;
+    fn behind(&self, seen: &SeenPlace) -> Vec<f64> {
+        let shows = self.shown == Quantity::Radiosity;
         let behind = if shows { self.solution.behind(seen.element, &seen.place) } else { None };
         let Some((element, place)) = behind else { return vec![0.0; self.solution.bands().len()] };
-        let other_side = Seen { element, place, normal: -seen.normal };
+        let other_side = SeenPlace { element, place, normal: -seen.normal };
         let direct = self.direct(&other_side, BEHIND).bands;
         direct.iter().zip(self.polynomials(&other_side)).map(|(d, s)| d + s).collect()
     }
 
     /// Radiance of the own light of a place towards the eye, over that of a diffuse emitter.
-    fn directed(&self, seen: &Seen) -> f64 {
+    fn directed(&self, seen: &SeenPlace) -> f64 {
         self.eye.map_or(1.0, |eye| {
             let into = (eye - seen.place.position).normalize_or_zero();
             self.solution.emitters().radiances.relative(seen.place.surface, into)

@@ -15,10 +15,10 @@ use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
-use super::eye::Seen;
-use super::fit::{Fit, Found};
+use super::eye::SeenPlace;
+use super::fit::{Fit, FitResult};
 use super::frame::Frame;
-use super::tally::Tally;
+use super::pixel_count::PixelCount;
 
 /// Pixels from one computed value to the next at first: a power of two. Chosen.
 pub(crate) const COARSEST: usize = 16;
@@ -50,9 +50,9 @@ const DEAR: usize = 1;
 const CHEAP: usize = 256;
 
 /// Light that is computed where it is wanted.
-pub(crate) trait Source: Sync {
+pub(crate) trait SmoothSource: Sync {
     /// The smooth light at a pixel and what it sees.
-    fn smooth(&self, pixel: usize, seen: &Seen) -> Known;
+    fn smooth(&self, pixel: usize, seen: &SeenPlace) -> ComputedLight;
 
     /// Other light at the pixel, all bands together.
     fn other(&self, pixel: usize) -> f64;
@@ -60,7 +60,7 @@ pub(crate) trait Source: Sync {
 
 /// Light that was computed.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Known {
+pub(crate) struct ComputedLight {
     /// Irradiance per band (W m⁻²).
     pub bands: Vec<f64>,
     /// Standard deviation of the sum over the bands (W m⁻²).
@@ -78,22 +78,22 @@ pub(crate) struct Smooth<'a> {
 
 impl<'a> Smooth<'a> {
     /// The light of all pixels of a frame in so many bands; those computed at one spacing are told.
-    pub(crate) fn over(frame: &'a Frame, bands: usize, source: &impl Source, work: &Work<'_>) -> Self {
-        let mut known: Vec<Option<Known>> = vec![None; frame.len()];
+    pub(crate) fn over(frame: &'a Frame, bands: usize, source: &impl SmoothSource, work: &Work<'_>) -> Self {
+        let mut known: Vec<Option<ComputedLight>> = vec![None; frame.len()];
         let mut values = vec![0.0; frame.len() * bands];
         let mut open: Vec<usize> = (0..frame.len()).filter(|pixel| frame.seen(*pixel).is_some()).collect();
         let mut spacing = COARSEST;
         let ranks = work.ranks;
         while !open.is_empty() && spacing > 0 {
             let wanted = wanted(frame, &known, &open, spacing);
-            let tally = Tally::new(wanted.len(), Stage::GatheredPixels, work);
+            let pixel_count = PixelCount::new(wanted.len(), Stage::GatheredPixels, work);
             let compute = |place: usize| {
                 let pixel = wanted[place];
                 let known = frame.seen(pixel).map(|seen| source.smooth(pixel, seen));
-                tally.add();
+                pixel_count.add();
                 known
             };
-            let computed: Vec<Option<Known>> =
+            let computed: Vec<Option<ComputedLight>> =
                 ranks.map_even(PartName::GatheredLight, wanted.len(), DEAR, compute);
             wanted.into_iter().zip(computed).for_each(|(pixel, value)| known[pixel] = value);
             let fit = |place: usize| fitted(frame, &known, open[place], spacing, source.other(open[place]));
@@ -118,7 +118,7 @@ impl<'a> Smooth<'a> {
 
     /// The light at a place seen at a point of the picture, counted from the first row of the frame; None
     /// where no pixel around sees that surface.
-    pub(crate) fn between(&self, [x, y]: [f64; 2], seen: &Seen) -> Option<Vec<f64>> {
+    pub(crate) fn between(&self, [x, y]: [f64; 2], seen: &SeenPlace) -> Option<Vec<f64>> {
         let mut fit = Fit::new();
         let [column, row] = [x, y].map(|at| at.floor() as isize);
         for (i, j) in (-2..=2).flat_map(|j| (-2..=2).map(move |i| (i, j))) {
@@ -130,7 +130,7 @@ impl<'a> Smooth<'a> {
         found.map(|found| fit.within(found.value)).or_else(|| fit.mean())
     }
 
-    fn take<'b>(&'b self, fit: &mut Fit<'b>, pixel: usize, weight: f64, seen: &Seen) {
+    fn take<'b>(&'b self, fit: &mut Fit<'b>, pixel: usize, weight: f64, seen: &SeenPlace) {
         let Some(other) = self.frame.seen(pixel).filter(|other| weight > 0.0 && seen.goes_with(other)) else {
             return;
         };
@@ -139,7 +139,7 @@ impl<'a> Smooth<'a> {
 }
 
 /// The pixels to compute: around those that are open, the next ones of the lattice.
-fn wanted(frame: &Frame, known: &[Option<Known>], open: &[usize], spacing: usize) -> Vec<usize> {
+fn wanted(frame: &Frame, known: &[Option<ComputedLight>], open: &[usize], spacing: usize) -> Vec<usize> {
     let mut wanted: Vec<usize> =
         open.iter().flat_map(|pixel| around(frame, *pixel, spacing, [0, 1])).flatten().collect();
     wanted.sort_unstable();
@@ -166,14 +166,14 @@ fn around(
 /// The value of a pixel, computed or fitted; None where the lattice is too coarse.
 fn fitted(
     frame: &Frame,
-    known: &[Option<Known>],
+    known: &[Option<ComputedLight>],
     pixel: usize,
     spacing: usize,
     other: f64,
 ) -> Option<Vec<f64>> {
     let seen = frame.seen(pixel)?;
     let own = known[pixel].as_ref();
-    if let Some(Known { bands, error: 0.0 }) = own {
+    if let Some(ComputedLight { bands, error: 0.0 }) = own {
         return Some(bands.clone());
     }
     let between = || {
@@ -190,9 +190,9 @@ fn fitted(
 /// The fit of the known values around a pixel, on the same smooth surface.
 fn fit_of<'a>(
     frame: &Frame,
-    known: &'a [Option<Known>],
+    known: &'a [Option<ComputedLight>],
     pixel: usize,
-    seen: &Seen,
+    seen: &SeenPlace,
     spacing: usize,
 ) -> Fit<'a> {
     let mut fit = Fit::new();
@@ -211,8 +211,8 @@ fn fit_of<'a>(
 
 /// The value of a fit, if it is trusted beside `other` light. Light below 0 by no more than a fit may leave
 /// is none.
-fn trusted(found: Found, spacing: usize, other: f64) -> Option<Vec<f64>> {
-    let Found { value, residual, noise, aside, bend } = found;
+fn trusted(found: FitResult, spacing: usize, other: f64) -> Option<Vec<f64>> {
+    let FitResult { value, residual, noise, aside, bend } = found;
     let size = value.iter().map(|value| value.max(0.0)).sum::<f64>() + other;
     let rough = if spacing <= SMALL { 2.0 * ROUGH } else { ROUGH } * size;
     let most = rough.hypot(noise);
@@ -228,7 +228,7 @@ fn weight([x, y]: [f64; 2], reach: f64) -> f64 {
 }
 
 /// The offset of a place in the tangent plane of another.
-fn offset(from: &Seen, to: &Seen) -> [f64; 2] {
+fn offset(from: &SeenPlace, to: &SeenPlace) -> [f64; 2] {
     let (along, across) = from.normal.any_orthonormal_pair();
     let step = to.place.position - from.place.position;
     [step.dot(along), step.dot(across)]

@@ -5,7 +5,7 @@ use radiosity_elements::patch::Patch;
 use radiosity_geom::{DVec3, Jet, Rect, Surface, distance_to_segment, overhang, sides};
 use radiosity_solve::gather::surface_point::SurfacePoint;
 
-use crate::pictures::frame_light::eye::Seen;
+use crate::pictures::frame_light::eye::SeenPlace;
 
 /// Distance that computed points keep from borders, over the surface's extent: three times as far as a
 /// [`SurfacePoint`] moves a point.
@@ -29,18 +29,18 @@ pub(super) struct Places<'a> {
     /// Diagonal of the scene (scene length).
     diagonal: f64,
     /// The open part of a flat surface; None of a curved one.
-    open: Option<Open>,
+    open: Option<OpenPart>,
 }
 
 impl<'a> Places<'a> {
     /// The places of so many texels of a surface in a scene of this diagonal.
     pub(super) fn of(elements: &'a Elements, surface: usize, size: [usize; 2], diagonal: f64) -> Self {
-        let open = elements.shape(surface).region().map(|_| Open::of(elements, surface, size));
+        let open = elements.shape(surface).region().map(|_| OpenPart::of(elements, surface, size));
         Self { elements, surface, size, diagonal, open }
     }
 
     /// The place at which the light of a texel is computed; None where no place in the open is near to it.
-    pub(super) fn at(&self, texel: [usize; 2]) -> Option<Seen> {
+    pub(super) fn at(&self, texel: [usize; 2]) -> Option<SeenPlace> {
         let Self { elements, surface, size, .. } = *self;
         let shape = elements.shape(surface);
         let own = parameters(size, texel);
@@ -53,18 +53,18 @@ impl<'a> Places<'a> {
         };
         let SurfacePoint { place, element, normal, .. } = SurfacePoint::at(elements, surface, at, self.diagonal)?;
         let is_open = elements.list()[element].contact.is_none();
-        is_open.then_some(Seen { element, place, normal })
+        is_open.then_some(SeenPlace { element, place, normal })
     }
 
     /// The places of all texels, in rows of constant v.
-    pub(super) fn all(&self) -> Vec<Option<Seen>> {
+    pub(super) fn all(&self) -> Vec<Option<SeenPlace>> {
         let [columns, rows] = self.size;
         (0..rows).flat_map(|j| (0..columns).map(move |i| [i, j])).map(|texel| self.at(texel)).collect()
     }
 }
 
 /// The open part of a flat surface: no body stands on it and no sheet covers it.
-struct Open {
+struct OpenPart {
     /// Convex and disjoint polygons, counter-clockwise about the normal.
     pieces: Vec<Vec<DVec3>>,
     normal: DVec3,
@@ -74,7 +74,7 @@ struct Open {
     reach: f64,
 }
 
-impl Open {
+impl OpenPart {
     fn of(elements: &Elements, surface: usize, size: [usize; 2]) -> Self {
         let shape = elements.shape(surface);
         let own = &elements.list()[elements.of_surface(surface)];

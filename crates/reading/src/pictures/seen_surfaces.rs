@@ -1,4 +1,4 @@
-//! Sights: one surface or several that a camera sees in each pixel, and whether an emitter is among them.
+//! Surfaces seen through pixels: one surface or several that a camera sees in each pixel, and whether an emitter is among them.
 
 use radiosity_geom::Encounter;
 use radiosity_scene::{Camera, Scene};
@@ -10,7 +10,7 @@ use super::pinhole::Pinhole;
 
 /// Surfaces and emitters seen through the pixels of a picture, in row order.
 #[derive(Clone, Debug)]
-pub struct Sights {
+pub struct SeenSurfaces {
     /// The surface that is seen all over a pixel, if it is one and does not emit.
     parts: Vec<Option<u32>>,
     /// Whether an emitter is seen in a pixel.
@@ -19,13 +19,13 @@ pub struct Sights {
 
 /// Surface and emitter seen through one pixel.
 #[derive(Serialize, Deserialize)]
-struct Sight {
+struct PixelSurface {
     part: Option<u32>,
     emitter: bool,
 }
 
-impl Sights {
-    /// The sights of `camera` by `samples × samples` rays a pixel.
+impl SeenSurfaces {
+    /// The surfaces seen by `camera` through `samples × samples` rays a pixel.
     pub fn through(
         camera: &Camera,
         samples: u32,
@@ -35,9 +35,9 @@ impl Sights {
     ) -> Self {
         let view = Pinhole::new(camera);
         let count = camera.width as usize * camera.height as usize;
-        let sights = ranks.map_even(PartName::Sights, count, camera.width as usize, |index| {
+        let pixels = ranks.map_even(PartName::Sights, count, camera.width as usize, |index| {
             let pixel = [index as u32 % camera.width, index as u32 / camera.width];
-            sight(
+            pixel_surface(
                 view.rays(pixel, samples).map(|ray| {
                     let seen = visibility.nearest(&ray);
                     seen.filter(|seen| seen.front).map(|Encounter { surface, .. }| surface)
@@ -45,7 +45,7 @@ impl Sights {
                 scene,
             )
         });
-        let (parts, emitters) = sights.into_iter().map(|sight| (sight.part, sight.emitter)).unzip();
+        let (parts, emitters) = pixels.into_iter().map(|pixel| (pixel.part, pixel.emitter)).unzip();
         Self { parts, emitters }
     }
 
@@ -60,11 +60,11 @@ impl Sights {
     }
 }
 
-/// The sight of a pixel through which rays meet the fronts of `surfaces`.
-fn sight(surfaces: impl Iterator<Item = Option<usize>>, scene: &Scene) -> Sight {
+/// The surface of a pixel through which rays meet the fronts of `surfaces`.
+fn pixel_surface(surfaces: impl Iterator<Item = Option<usize>>, scene: &Scene) -> PixelSurface {
     let emits = |surface: &usize| scene.surfaces[*surface].material.emits();
     let surfaces: Vec<Option<usize>> = surfaces.collect();
     let emitter = surfaces.iter().flatten().any(emits);
     let one = surfaces.first().copied().flatten().filter(|_| surfaces.windows(2).all(|two| two[0] == two[1]));
-    Sight { part: one.filter(|_| !emitter).and_then(|surface| u32::try_from(surface).ok()), emitter }
+    PixelSurface { part: one.filter(|_| !emitter).and_then(|surface| u32::try_from(surface).ok()), emitter }
 }

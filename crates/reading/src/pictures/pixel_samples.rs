@@ -11,7 +11,7 @@ const MOST: usize = 16;
 
 /// Radiosities (W m⁻²) seen through parts of a pixel, in 32 bits; nothing is seen through the rest of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Samples {
+pub struct PixelSamples {
     bands: usize,
     /// Of each part its share in the pixel, then its radiosity per band.
     parts: Box<[f32]>,
@@ -19,14 +19,14 @@ pub struct Samples {
 
 /// A part of a pixel.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct PixelPart {
     /// Its share in the pixel.
     pub share: f64,
     /// Radiosity seen through the part (W m⁻²), per band.
     pub radiosity: Vec<f64>,
 }
 
-impl Samples {
+impl PixelSamples {
     /// The samples of a pixel of so many `bands`, `count` in all, of which some have `seen` these
     /// radiosities.
     pub fn new(mut seen: Vec<Vec<f64>>, bands: usize, count: usize) -> Self {
@@ -43,8 +43,8 @@ impl Samples {
     }
 
     /// The parts through which something is seen.
-    pub fn parts(&self) -> impl Iterator<Item = Part> {
-        self.parts.chunks_exact(1 + self.bands).map(|part| Part {
+    pub fn parts(&self) -> impl Iterator<Item = PixelPart> {
+        self.parts.chunks_exact(1 + self.bands).map(|part| PixelPart {
             share: f64::from(part[0]),
             radiosity: part[1..].iter().copied().map(f64::from).collect(),
         })
@@ -63,14 +63,14 @@ mod tests {
                 (0..count - count / 4).map(|k| vec![(k * 7 % count) as f64, 1.0]).collect();
             let sum = |band: usize| seen.iter().map(|sample| sample[band]).sum::<f64>() / count as f64;
             let expected = [sum(0), sum(1)];
-            let samples = Samples::new(seen, 2, count);
-            let parts: Vec<Part> = samples.parts().collect();
+            let samples = PixelSamples::new(seen, 2, count);
+            let parts: Vec<PixelPart> = samples.parts().collect();
             assert!(parts.len() <= MOST, "{side}: {}", parts.len());
             for (band, expected) in expected.into_iter().enumerate() {
                 let found: f64 = parts.iter().map(|part| part.share * part.radiosity[band]).sum();
                 assert!((found - expected).abs() <= 1e-6 * expected, "{side}: {found}");
             }
         }
-        assert_eq!(Samples::new(Vec::new(), 2, 9).parts().count(), 0);
+        assert_eq!(PixelSamples::new(Vec::new(), 2, 9).parts().count(), 0);
     }
 }

@@ -2,11 +2,11 @@
 
 use radiosity_scene::Camera;
 
-use radiosity_reading::shown::Shown;
+use radiosity_reading::quantity::Quantity;
 
 /// The first view of a page.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Start {
+pub struct FirstViewSettings {
     /// Camera of the first view.
     pub camera: Camera,
     /// Samples along each side of a pixel, once the picture stands still.
@@ -15,14 +15,14 @@ pub struct Start {
     /// pictures, with a soft approach to white.
     pub exposure: Option<f64>,
     /// Quantity that is shown.
-    pub shown: Shown,
+    pub shown: Quantity,
     /// False colours instead of a photograph.
-    pub false_colours: Option<StartColours>,
+    pub false_colours: Option<FirstViewColours>,
 }
 
 /// False colours to begin with.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct StartColours {
+pub struct FirstViewColours {
     /// Index of the band; None for the mean of all.
     pub band: Option<usize>,
     /// Ends of the scale; None: chosen for the view.

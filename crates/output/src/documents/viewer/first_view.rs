@@ -9,31 +9,31 @@ use radiosity_solve::solved::Solved;
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
-use super::start::Start;
+use super::first_view_settings::FirstViewSettings;
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::pinhole::Pinhole;
 use radiosity_reading::pictures::raster::Raster;
-use radiosity_reading::shown::Shown;
+use radiosity_reading::quantity::Quantity;
 
 /// Most pixels along a side. Chosen.
 const SIDE: u32 = 1024;
 
 /// The first view, at the factors of its groups.
-pub(super) fn first_sight(solved: &Solved, lightmap: &Lightmap, start: &Start) -> Raster {
+pub(super) fn first_view(solved: &Solved, lightmap: &Lightmap, start: &FirstViewSettings) -> Raster {
     let camera = smaller(&start.camera);
-    let sight = Sight { solved, lightmap, shown: start.shown, view: Pinhole::new(&camera) };
+    let first_view = FirstView { solved, lightmap, shown: start.shown, view: Pinhole::new(&camera) };
     let size = [camera.width, camera.height];
     let [count, width] = [camera.width * camera.height, camera.width].map(|number| number as usize);
     let all = || (0..count).into_par_iter().with_min_len(width);
     let middle = |pixel: usize| {
         check_interrupt();
-        Some(sight.meet(place(size, pixel as u32, [0.5; 2]))?.0)
+        Some(first_view.meet(place(size, pixel as u32, [0.5; 2]))?.0)
     };
     let middles: Vec<Option<usize>> = all().map(middle).collect();
     let pixels = all().map(|pixel| {
         check_interrupt();
         let samples = if is_inside(&middles, size, pixel as u32) { 1 } else { start.samples };
-        sight.mean(size, pixel as u32, samples)
+        first_view.mean(size, pixel as u32, samples)
     });
     let (values, coverage): (Vec<Vec<f64>>, Vec<f64>) = pixels.unzip();
     Raster::new(size, solved.scene.bands.clone(), values.concat(), coverage)
@@ -61,14 +61,14 @@ fn is_inside(middles: &[Option<usize>], [width, height]: [u32; 2], pixel: u32) -
     beside.all(|other| middles[other as usize] == middles[pixel as usize])
 }
 
-struct Sight<'a> {
+struct FirstView<'a> {
     solved: &'a Solved,
     lightmap: &'a Lightmap,
-    shown: Shown,
+    shown: Quantity,
     view: Pinhole,
 }
 
-impl Sight<'_> {
+impl FirstView<'_> {
     /// The surface, and the parameters on it, whose front is met through a point of the picture.
     fn meet(&self, [x, y]: [f64; 2]) -> Option<(usize, [f64; 2])> {
         let Encounter { surface, hit, front } = self.solved.visibility().nearest(&self.view.ray(x, y))?;
@@ -96,10 +96,10 @@ impl Sight<'_> {
     fn value(&self, band: usize, surface: usize, parameters: [f64; 2]) -> f64 {
         let irradiance = self.lightmap.irradiance(surface, band, parameters);
         match self.shown {
-            Shown::Radiosity => {
+            Quantity::Radiosity => {
                 self.lightmap.radiosity(&self.solved.scene, (surface, band), parameters, irradiance)
             }
-            Shown::Irradiance => irradiance,
+            Quantity::Irradiance => irradiance,
         }
     }
 }

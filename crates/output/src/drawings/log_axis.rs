@@ -6,12 +6,12 @@ use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, Value
 
 /// A logarithmic axis over whole decades, labelled 10ᵏ at each.
 #[derive(Clone, Debug)]
-pub struct Decades {
+pub struct LogAxis {
     lowest: i32,
     highest: i32,
 }
 
-impl Decades {
+impl LogAxis {
     /// The decades that hold `values`, at least one.
     pub fn around(values: impl Iterator<Item = f64>) -> Self {
         let (low, high) = values
@@ -22,7 +22,7 @@ impl Decades {
     }
 }
 
-impl Ranged for Decades {
+impl Ranged for LogAxis {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;
 
@@ -48,7 +48,7 @@ impl Ranged for Decades {
     }
 }
 
-impl ValueFormatter<f64> for Decades {
+impl ValueFormatter<f64> for LogAxis {
     fn format_ext(&self, value: &f64) -> String {
         const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
         let exponent = (value.log10().round() as i32).to_string();
@@ -63,10 +63,10 @@ mod tests {
 
     #[test]
     fn axes_span_whole_decades_with_raised_exponents() {
-        let axis = Decades::around([0.02, 3.0, 0.5].into_iter());
+        let axis = LogAxis::around([0.02, 3.0, 0.5].into_iter());
         assert_eq!(axis.range(), 0.01..10.0);
         assert_eq!(axis.format_ext(&0.01), "10⁻²");
         assert_eq!(axis.map(&0.1, (0, 300)), 100);
-        assert_eq!(Decades::around(std::iter::empty()).range(), 1.0..10.0);
+        assert_eq!(LogAxis::around(std::iter::empty()).range(), 1.0..10.0);
     }
 }

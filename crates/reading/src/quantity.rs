@@ -7,7 +7,7 @@ use serde::Deserialize;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
-pub enum Shown {
+pub enum Quantity {
     /// Exitance of surfaces, as the eye sees it.
     #[default]
     Radiosity,
@@ -17,7 +17,7 @@ pub enum Shown {
 
 /// The light at a place of an element.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Here {
+pub(crate) struct PlaceLight {
     /// Index of the element.
     pub element: usize,
     /// Parameters of its surface.
@@ -30,10 +30,10 @@ pub(crate) struct Here {
     pub directed: f64,
 }
 
-impl Shown {
+impl Quantity {
     /// The quantity (unit of exitance, ≥ 0) at a place; negative values of polynomials are cut off at zero.
-    pub(crate) fn of(self, coating: &Coating, here: &Here) -> f64 {
-        let Here { element, parameters, irradiance, behind, directed } = *here;
+    pub(crate) fn of(self, coating: &Coating, light: &PlaceLight) -> f64 {
+        let PlaceLight { element, parameters, irradiance, behind, directed } = *light;
         let value = match self {
             Self::Radiosity => {
                 let radiosity = coating.radiosity(element, parameters, irradiance, behind);

@@ -1,8 +1,6 @@
 //! Round numbers: ends and ticks of scales, levels of isolines, with their texts.
 
-use radiosity_reading::digits::short;
-
-use super::mark::Mark;
+use super::tick::Tick;
 
 /// Mantissas of round ends of a range.
 const ENDS: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
@@ -35,13 +33,13 @@ pub fn round_around([low, high]: [f64; 2]) -> [f64; 2] {
 
 /// Multiples of 1, 2 or 5 times a power of ten in a range that ascends, 3 to 9 of them, with the text of
 /// each.
-pub(crate) fn multiples([low, high]: [f64; 2]) -> Vec<Mark> {
+pub(crate) fn multiples([low, high]: [f64; 2]) -> Vec<Tick> {
     let step = [1.0, 2.0, 5.0, 10.0].map(|x| x * power_below((high - low) / 8.0));
     let step = step.into_iter().find(|step| (high - low) / step <= 8.0 * (1.0 + SLACK)).unwrap_or(step[3]);
     let slack = SLACK * step;
     let first = ((low - slack) / step).ceil();
     let multiples = (0..9).map(|k| first + f64::from(k)).take_while(|k| k * step <= high + slack);
-    multiples.map(|k| Mark { value: k * step, text: label(k * step, step) }).collect()
+    multiples.map(|k| Tick { value: k * step, text: label(k * step, step) }).collect()
 }
 
 /// Mantissas of numbers that follow each other in about equal ratios, finest first.
@@ -54,7 +52,7 @@ const RATIOS: [&[f64]; 4] = [
 
 /// Round numbers in about equal ratios in a range of positive numbers that ascends, 3 to 9 of them, with the
 /// text of each. In a range of less than about a factor of 2 they are multiples.
-pub(super) fn ratios([low, high]: [f64; 2]) -> Vec<Mark> {
+pub(super) fn ratios([low, high]: [f64; 2]) -> Vec<Tick> {
     let powers = low.log10().floor() as i32..=high.log10().floor() as i32;
     let within = |mantissas: &'static [f64], every: usize| -> Vec<f64> {
         let all = powers
@@ -68,7 +66,7 @@ pub(super) fn ratios([low, high]: [f64; 2]) -> Vec<Mark> {
     let chosen = fine.chain(coarse).find(|numbers| numbers.len() <= 9).unwrap_or_default();
     match chosen.len() {
         0..3 => multiples([low, high]),
-        _ => chosen.into_iter().map(|value| Mark { value, text: short(value) }).collect(),
+        _ => chosen.into_iter().map(|value| Tick { value, text: short(value) }).collect(),
     }
 }
 
@@ -96,8 +94,8 @@ fn label(value: f64, step: f64) -> String {
 mod tests {
     use super::*;
 
-    fn texts(marks: Vec<Mark>) -> Vec<String> {
-        marks.into_iter().map(|mark| mark.text).collect()
+    fn texts(ticks: Vec<Tick>) -> Vec<String> {
+        ticks.into_iter().map(|tick| tick.text).collect()
     }
 
     #[test]

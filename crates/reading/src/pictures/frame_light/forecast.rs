@@ -6,7 +6,7 @@ use radiosity_light::penumbra::RayEffort;
 use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 
-use super::eye::Seen;
+use super::eye::SeenPlace;
 use super::picture_light::PictureLight;
 
 /// Places at which light is computed, and of those the ones at which it is gathered. Chosen: a thousandth of
@@ -26,7 +26,7 @@ pub(crate) const INTERPOLATED: f64 = 20.0;
 pub(crate) fn seconds(
     light: &PictureLight,
     places: usize,
-    seen: &(dyn Fn(usize) -> Option<Seen> + Sync),
+    seen: &(dyn Fn(usize) -> Option<SeenPlace> + Sync),
     ranks: &Ranks,
 ) -> f64 {
     let tried = if ranks.is_first() { tried(light, places, seen) } else { 0.0 };
@@ -34,13 +34,13 @@ pub(crate) fn seconds(
 }
 
 /// About the seconds that the light of so many places takes one rank.
-fn tried(light: &PictureLight, places: usize, seen: &(dyn Fn(usize) -> Option<Seen> + Sync)) -> f64 {
+fn tried(light: &PictureLight, places: usize, seen: &(dyn Fn(usize) -> Option<SeenPlace> + Sync)) -> f64 {
     let start = Instant::now();
-    let trial: Vec<(Seen, Vec<f64>)> = (0..TRIAL)
+    let trial: Vec<(SeenPlace, Vec<f64>)> = (0..TRIAL)
         .into_par_iter()
         .filter_map(|k| {
             let seen = seen((k * places + places / 2) / TRIAL)?;
-            let direct = light.direct(&seen, RayEffort { rough: 1.0, sure: false }).bands;
+            let direct = light.direct(&seen, RayEffort { error_factor: 1.0, sure: false }).bands;
             Some((seen, direct))
         })
         .collect();
@@ -49,7 +49,7 @@ fn tried(light: &PictureLight, places: usize, seen: &(dyn Fn(usize) -> Option<Se
         return MORE * direct;
     }
     let step = (trial.len() / TRIAL_GATHERED).max(1);
-    let chosen: Vec<&(Seen, Vec<f64>)> = trial.iter().step_by(step).collect();
+    let chosen: Vec<&(SeenPlace, Vec<f64>)> = trial.iter().step_by(step).collect();
     let start = Instant::now();
     chosen.par_iter().for_each(|(seen, direct)| drop(light.rest(seen, direct)));
     let gathered = start.elapsed().as_secs_f64() / chosen.len().max(1) as f64;

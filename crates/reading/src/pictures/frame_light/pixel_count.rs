@@ -8,14 +8,14 @@ use radiosity_work::{Stage, Work};
 const OFTEN: usize = 1024;
 
 /// Counts pixels, from any thread.
-pub(crate) struct Tally<'a> {
+pub(crate) struct PixelCount<'a> {
     done: AtomicUsize,
     total: usize,
     stage: Stage,
     work: &'a Work<'a>,
 }
 
-impl<'a> Tally<'a> {
+impl<'a> PixelCount<'a> {
     /// A count of `total` pixels in a stage of this work, none of which is done.
     pub(crate) fn new(total: usize, stage: Stage, work: &'a Work<'a>) -> Self {
         Self { done: AtomicUsize::new(0), total, stage, work }
@@ -46,8 +46,8 @@ mod tests {
             reports.lock().expect("no panic").push((done, of));
         };
         let work = Work::alone().observed_by(&observe);
-        let tally = Tally::new(2 * OFTEN + 7, Stage::Picture, &work);
-        (0..2 * OFTEN + 7).for_each(|_| tally.add());
+        let pixel_count = PixelCount::new(2 * OFTEN + 7, Stage::Picture, &work);
+        (0..2 * OFTEN + 7).for_each(|_| pixel_count.add());
         let all = 2 * OFTEN + 7;
         assert_eq!(*reports.lock().expect("no panic"), [(OFTEN, all), (2 * OFTEN, all), (all, all)]);
     }
