@@ -10,11 +10,11 @@
 //! knows nothing of it: a new S needs no new blocks (H. Jang, *Radiosity Methods*, has b = e + S G b).
 
 mod tiles;
-mod varied;
-mod root;
-mod paint;
-mod glow;
-mod pane;
+mod element_pattern;
+mod square_root;
+mod varying_reflectance;
+mod varying_exitance;
+mod transmission;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -28,10 +28,10 @@ use rayon::prelude::*;
 use super::element::Element;
 use super::parameters::of_node;
 use super::patch::{Node, Patch};
-use glow::Glow;
-use paint::Paint;
-use pane::{Pane, Sheet};
-use varied::Varied;
+use varying_exitance::VaryingExitance;
+use varying_reflectance::VaryingReflectance;
+use transmission::{TransmissionPart, Transmission};
+use element_pattern::ElementPattern;
 
 /// Reflection, transmission and emission of all elements in one band.
 #[derive(Clone, Debug, Default)]
@@ -40,9 +40,9 @@ pub struct Coating {
     pub reflectance: Vec<f64>,
     /// Emitted exitance per element (W m⁻²); its mean over the element's area where it varies.
     pub exitance: Vec<f64>,
-    paints: BTreeMap<usize, Arc<Paint>>,
-    glows: BTreeMap<usize, Arc<Glow>>,
-    sheets: BTreeMap<usize, Arc<Sheet>>,
+    varying_reflectances: BTreeMap<usize, Arc<VaryingReflectance>>,
+    varying_exitances: BTreeMap<usize, Arc<VaryingExitance>>,
+    transmissions: BTreeMap<usize, Arc<Transmission>>,
 }
 
 /// Cells along each direction of a patch for the mean of what varies. Chosen; not tuned.
@@ -59,21 +59,21 @@ pub struct Means {
 
 /// Square root of the reflection of an element.
 #[derive(Clone, Copy, Debug)]
-pub enum Root<'a> {
+pub enum SquareRoot<'a> {
     /// √ρ, where ρ is constant.
     Number(f64),
     /// S^½, row-major and symmetric.
     Matrix(&'a [f64]),
 }
 
-impl Root<'_> {
+impl SquareRoot<'_> {
     /// Writes its product with x into `out`.
     pub fn multiply(self, x: &[f64], out: &mut [f64]) {
         match self {
-            Root::Number(root) => out.iter_mut().zip(x).for_each(|(out, x)| *out = root * x),
-            Root::Matrix(root) => {
+            SquareRoot::Number(square_root) => out.iter_mut().zip(x).for_each(|(out, x)| *out = square_root * x),
+            SquareRoot::Matrix(square_root) => {
                 out.fill(0.0);
-                add_product(root, x, out);
+                add_product(square_root, x, out);
             }
         }
     }
@@ -102,13 +102,13 @@ impl Coating {
         let reflectance = |own: &Element| scene.surfaces[own.surface].material.reflectance[band];
         let mut coating =
             Self::constant(elements.iter().map(reflectance).collect(), vec![0.0; elements.len()]);
-        coating.sheets = sheets(scene, elements, band);
-        coating.paints = of_each(elements, &|element| {
+        coating.transmissions = transmissions(scene, elements, band);
+        coating.varying_reflectances = of_each(elements, &|element| {
             let surface = &scene.surfaces[element.surface];
             let pattern = surface.material.reflectance_pattern.as_ref()?;
-            Some(Paint::new(element, &surface.shape, pattern, band))
+            Some(VaryingReflectance::new(element, &surface.shape, pattern, band))
         });
-        coating.paints.iter().for_each(|(index, paint)| coating.reflectance[*index] = paint.mean);
+        coating.varying_reflectances.iter().for_each(|(index, reflectance)| coating.reflectance[*index] = reflectance.mean);
         coating
     }
 
@@ -131,58 +131,58 @@ impl Coating {
         let exitance =
             |own: &Element| factor(own.surface) * scene.surfaces[own.surface].material.emission[band];
         self.exitance = elements.iter().map(exitance).collect();
-        self.glows = of_each(elements, &|element| {
+        self.varying_exitances = of_each(elements, &|element| {
             let surface = &scene.surfaces[element.surface];
             let factor = factor(element.surface);
             let pattern = surface.material.emission_pattern.as_ref().filter(|_| factor > 0.0)?;
-            Some(Glow::new(element, &surface.shape, pattern, (band, factor)))
+            Some(VaryingExitance::new(element, &surface.shape, pattern, (band, factor)))
         });
-        self.glows.iter().for_each(|(index, glow)| self.exitance[*index] = glow.mean(&elements[*index]));
+        self.varying_exitances.iter().for_each(|(index, exitance)| self.exitance[*index] = exitance.mean(&elements[*index]));
         self
     }
 
     /// Coating of this reflection and transmission where nothing emits.
     pub fn unlit(mut self) -> Self {
         self.exitance.fill(0.0);
-        self.glows.clear();
+        self.varying_exitances.clear();
         self
     }
 
     /// E₀ (W m⁻²) at parameters of an element's surface.
     pub fn exitance_at(&self, element: usize, parameters: [f64; 2]) -> f64 {
-        self.glows.get(&element).map_or_else(|| self.exitance[element], |glow| glow.at(parameters))
+        self.varying_exitances.get(&element).map_or_else(|| self.exitance[element], |exitance| exitance.at(parameters))
     }
 
     /// ρ at parameters of an element's surface.
     pub fn reflectance_at(&self, element: usize, parameters: [f64; 2]) -> f64 {
-        self.paints.get(&element).map_or_else(|| self.reflectance[element], |paint| paint.at(parameters))
+        self.varying_reflectances.get(&element).map_or_else(|| self.reflectance[element], |reflectance| reflectance.at(parameters))
     }
 
     /// About ρ at a node of an element: the mean over some texels where they are many.
     pub fn reflectance_about(&self, element: usize, node: &Node, is_flat: bool) -> f64 {
-        let Some(paint) = self.paints.get(&element) else { return self.reflectance[element] };
-        paint.about(of_node(paint.shape(), node, is_flat))
+        let Some(reflectance) = self.varying_reflectances.get(&element) else { return self.reflectance[element] };
+        reflectance.about(of_node(reflectance.shape(), node, is_flat))
     }
 
     /// Means of E₀ (W m⁻²) and ρ over a patch of an element, the part of it over the parameters `rect`.
     /// Texels count by their share of the parameters; polynomials by their values in the middles of `ALONG`²
     /// cells.
     pub fn means_over(&self, element: usize, patch: &Patch, rect: &Rect) -> Means {
-        let of = |varied: &Varied| {
-            varied.tiles.over(rect).unwrap_or_else(|| {
+        let of = |element_pattern: &ElementPattern| {
+            element_pattern.tiles.over(rect).unwrap_or_else(|| {
                 let (mut sum, mut area) = (0.0, 0.0);
                 for node in patch.cell_nodes(ALONG) {
                     area += node.area;
-                    sum += node.area * varied.at(of_node(varied.shape.as_ref(), &node, patch.is_flat()));
+                    sum += node.area * element_pattern.at(of_node(element_pattern.shape.as_ref(), &node, patch.is_flat()));
                 }
                 sum / area
             })
         };
-        let glow = self.glows.get(&element).map(|glow| glow.factor * of(&glow.varied));
-        let paint = self.paints.get(&element).map(|paint| of(&paint.varied));
+        let exitance = self.varying_exitances.get(&element).map(|exitance| exitance.factor * of(&exitance.element_pattern));
+        let reflectance = self.varying_reflectances.get(&element).map(|reflectance| of(&reflectance.element_pattern));
         Means {
-            exitance: glow.unwrap_or(self.exitance[element]),
-            reflectance: paint.unwrap_or(self.reflectance[element]),
+            exitance: exitance.unwrap_or(self.exitance[element]),
+            reflectance: reflectance.unwrap_or(self.reflectance[element]),
         }
     }
 
@@ -195,13 +195,13 @@ impl Coating {
 
     /// τ of an element.
     pub fn transmittance(&self, element: usize) -> f64 {
-        self.sheets.get(&element).map_or(0.0, |sheet| sheet.transmittance)
+        self.transmissions.get(&element).map_or(0.0, |transmission| transmission.transmittance)
     }
 
     /// The largest ρ + τ of an element.
     pub fn most(&self, element: usize) -> f64 {
-        let paint = self.paints.get(&element).map(|paint| paint.most());
-        paint.unwrap_or(self.reflectance[element]) + self.transmittance(element)
+        let reflectance = self.varying_reflectances.get(&element).map(|reflectance| reflectance.most());
+        reflectance.unwrap_or(self.reflectance[element]) + self.transmittance(element)
     }
 
     /// ρ² + τ² of an element, by which squared errors of irradiance count in radiosity; the square of its
@@ -212,27 +212,27 @@ impl Coating {
 
     /// The element of the other side at parameters of an element that lets light through.
     pub fn behind(&self, element: usize, parameters: [f64; 2]) -> Option<usize> {
-        self.sheets.get(&element)?.behind(parameters)
+        self.transmissions.get(&element)?.behind(parameters)
     }
 
     /// The element of the other side at a node of an element that lets light through.
     pub fn behind_node(&self, element: usize, node: &Node, is_flat: bool) -> Option<usize> {
-        let sheet = self.sheets.get(&element)?;
-        sheet.behind(of_node(sheet.shape.as_ref(), node, is_flat))
+        let transmission = self.transmissions.get(&element)?;
+        transmission.behind(of_node(transmission.shape.as_ref(), node, is_flat))
     }
 
     /// The elements of the other side that light comes through to an element.
     pub fn all_behind(&self, element: usize) -> impl Iterator<Item = usize> {
-        self.panes(element).map(|pane| pane.behind)
+        self.parts(element).map(|part| part.behind)
     }
 
-    fn panes(&self, element: usize) -> impl Iterator<Item = &Pane> {
-        self.sheets.get(&element).into_iter().flat_map(|sheet| &sheet.panes)
+    fn parts(&self, element: usize) -> impl Iterator<Item = &TransmissionPart> {
+        self.transmissions.get(&element).into_iter().flat_map(|transmission| &transmission.parts)
     }
 
     /// Whether any surface lets light through.
     pub fn transmits(&self) -> bool {
-        !self.sheets.is_empty()
+        !self.transmissions.is_empty()
     }
 
     /// Whether an element reflects or transmits.
@@ -242,36 +242,36 @@ impl Coating {
 
     /// Whether reflectance and transmittance are those of another coating on all elements but for constant ρ.
     pub fn varies_as(&self, other: &Self) -> bool {
-        let same_paints = self.paints.len() == other.paints.len()
+        let same_paints = self.varying_reflectances.len() == other.varying_reflectances.len()
             && self
-                .paints
+                .varying_reflectances
                 .iter()
-                .zip(&other.paints)
+                .zip(&other.varying_reflectances)
                 .all(|((i, own), (k, theirs))| i == k && own.is_as(theirs));
         let transmits = |own: &Self| {
-            own.sheets.iter().map(|(index, sheet)| (*index, sheet.transmittance)).collect::<Vec<_>>()
+            own.transmissions.iter().map(|(index, transmission)| (*index, transmission.transmittance)).collect::<Vec<_>>()
         };
         same_paints && transmits(self) == transmits(other)
     }
 
     /// Whether ρ varies over an element.
     pub fn varies(&self, element: usize) -> bool {
-        self.paints.contains_key(&element)
+        self.varying_reflectances.contains_key(&element)
     }
 
     /// Whether the elements emit as those of another coating.
     pub fn emits_as(&self, other: &Self) -> bool {
-        let glows = || self.glows.iter().zip(&other.glows);
+        let varying_exitances = || self.varying_exitances.iter().zip(&other.varying_exitances);
         self.exitance == other.exitance
-            && self.glows.len() == other.glows.len()
-            && glows().all(|((i, own), (k, theirs))| i == k && own.coefficients == theirs.coefficients)
+            && self.varying_exitances.len() == other.varying_exitances.len()
+            && varying_exitances().all(|((i, own), (k, theirs))| i == k && own.coefficients == theirs.coefficients)
     }
 
     /// Square root of the reflection of an element, without what the element transmits.
-    pub fn root(&self, element: usize) -> Root<'_> {
-        match self.paints.get(&element) {
-            Some(paint) => Root::Matrix(paint.root()),
-            None => Root::Number(self.reflectance[element].sqrt()),
+    pub fn square_root(&self, element: usize) -> SquareRoot<'_> {
+        match self.varying_reflectances.get(&element) {
+            Some(reflectance) => SquareRoot::Matrix(reflectance.square_root()),
+            None => SquareRoot::Number(self.reflectance[element].sqrt()),
         }
     }
 
@@ -280,8 +280,8 @@ impl Coating {
     pub fn emitted(&self, starts: &[usize], ones: &[f64]) -> Vec<f64> {
         let mut all = Vec::with_capacity(ones.len());
         for (element, ends) in starts.windows(2).enumerate() {
-            match self.glows.get(&element) {
-                Some(glow) => all.extend(&glow.coefficients),
+            match self.varying_exitances.get(&element) {
+                Some(exitance) => all.extend(&exitance.coefficients),
                 None => all.extend(ones[ends[0]..ends[1]].iter().map(|c| c * self.exitance[element])),
             }
         }
@@ -293,15 +293,15 @@ impl Coating {
         let mut out = vec![0.0; irradiance.len()];
         for (element, range) in starts.windows(2).map(|ends| ends[0]..ends[1]).enumerate() {
             let own = &mut out[range.clone()];
-            match self.paints.get(&element) {
-                Some(paint) => add_product(&paint.matrix, &irradiance[range], own),
+            match self.varying_reflectances.get(&element) {
+                Some(reflectance) => add_product(&reflectance.matrix, &irradiance[range], own),
                 None => {
                     let rho = self.reflectance[element];
                     own.iter_mut().zip(&irradiance[range]).for_each(|(out, h)| *out = rho * h);
                 }
             }
-            for pane in self.panes(element) {
-                add_product(&pane.matrix, &irradiance[starts[pane.behind]..starts[pane.behind + 1]], own);
+            for part in self.parts(element) {
+                add_product(&part.matrix, &irradiance[starts[part.behind]..starts[part.behind + 1]], own);
             }
         }
         out
@@ -311,7 +311,7 @@ impl Coating {
     pub fn halved(&self, starts: &[usize], x: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; x.len()];
         for (element, range) in starts.windows(2).map(|ends| ends[0]..ends[1]).enumerate() {
-            self.root(element).multiply(&x[range.clone()], &mut out[range]);
+            self.square_root(element).multiply(&x[range.clone()], &mut out[range]);
         }
         out
     }
@@ -330,14 +330,14 @@ impl Coating {
             rows[k * columns..][..columns].iter_mut().zip(line).for_each(|(out, x)| *out += factor * x);
         };
         if element == from {
-            match self.paints.get(&element) {
-                Some(paint) => each_entry(&paint.matrix, incident.len() / columns, &mut add),
+            match self.varying_reflectances.get(&element) {
+                Some(reflectance) => each_entry(&reflectance.matrix, incident.len() / columns, &mut add),
                 None => (0..incident.len() / columns).for_each(|k| add(k, k, self.reflectance[element])),
             }
         }
-        for pane in self.panes(element) {
-            if pane.behind == from {
-                each_entry(&pane.matrix, incident.len() / columns, &mut add);
+        for part in self.parts(element) {
+            if part.behind == from {
+                each_entry(&part.matrix, incident.len() / columns, &mut add);
             }
         }
     }
@@ -345,7 +345,7 @@ impl Coating {
     /// Coating of this emission where nothing is reflected or let through.
     pub fn black(&self) -> Self {
         let reflectance = vec![0.0; self.reflectance.len()];
-        Self { reflectance, paints: BTreeMap::new(), sheets: BTreeMap::new(), ..self.clone() }
+        Self { reflectance, varying_reflectances: BTreeMap::new(), transmissions: BTreeMap::new(), ..self.clone() }
     }
 }
 
@@ -375,9 +375,9 @@ fn of_each<T: Send + Sync>(
     .collect()
 }
 
-/// Sheets of the elements of surfaces that let light through, by index of the element.
-fn sheets(scene: &Scene, elements: &[Element], band: usize) -> BTreeMap<usize, Arc<Sheet>> {
-    let mut sheets = BTreeMap::new();
+/// Transmissions of the elements of surfaces that let light through, by index of the element.
+fn transmissions(scene: &Scene, elements: &[Element], band: usize) -> BTreeMap<usize, Arc<Transmission>> {
+    let mut transmissions = BTreeMap::new();
     for (index, element) in elements.iter().enumerate() {
         let surface = &scene.surfaces[element.surface];
         let transmittance = surface.material.transmittance[band];
@@ -385,9 +385,9 @@ fn sheets(scene: &Scene, elements: &[Element], band: usize) -> BTreeMap<usize, A
         let start = elements.partition_point(|element| element.surface < other);
         let end = elements.partition_point(|element| element.surface <= other);
         let shape = Arc::clone(&surface.shape);
-        let pane = |behind| Pane::new(element, (behind, &elements[behind]), shape.as_ref(), transmittance);
-        let panes: Vec<Pane> = (start..end).filter_map(pane).collect();
-        sheets.insert(index, Arc::new(Sheet { shape, transmittance, panes }));
+        let part = |behind| TransmissionPart::new(element, (behind, &elements[behind]), shape.as_ref(), transmittance);
+        let parts: Vec<TransmissionPart> = (start..end).filter_map(part).collect();
+        transmissions.insert(index, Arc::new(Transmission { shape, transmittance, parts }));
     }
-    sheets
+    transmissions
 }

@@ -49,7 +49,7 @@ pub use element::flat_patches;
 pub use element::{Element, clip_to_cell};
 use element::{Part, element};
 pub use fault::ElementError;
-use mesh::{Mesh, Refinement, Tree};
+use mesh::{Mesh, CellRefinement, Tree};
 use patch::Patch;
 use resolution::Resolution;
 pub use resolution::{shares, usual_mesh};
@@ -59,7 +59,7 @@ use space::Space;
 #[derive(Debug)]
 pub struct Elements {
     list: Vec<Element>,
-    surfaces: Vec<Cut>,
+    surfaces: Vec<SurfaceCut>,
     how: Discretization,
     mesh: Mesh,
     /// Whether the mesh is another than follows from `how`.
@@ -68,7 +68,7 @@ pub struct Elements {
 
 /// The cut of one surface: its cells with the element of each, and the covered elements.
 #[derive(Debug)]
-struct Cut {
+struct SurfaceCut {
     shape: Arc<dyn Surface>,
     cells: Tree<Option<usize>>,
     /// Elements of the covered parts.
@@ -159,7 +159,7 @@ impl Elements {
             let own: Vec<&CoveredPart> = covered_parts::of_surface(covered_parts, index).collect();
             let pieces = shape.region().map_or_else(Vec::new, |region| open_pieces(region, &own));
             let mut maker =
-                Maker { surface: (index, surface), space: how.space, covered_parts: &own, list: &mut list };
+                ElementMaker { surface: (index, surface), space: how.space, covered_parts: &own, list: &mut list };
             let cells = cells.map(&Rect::FULL, &mut |rect, order| {
                 check_interrupt();
                 maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
@@ -169,13 +169,13 @@ impl Elements {
                 let part = Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) };
                 covered.extend(maker.made(part, order)?);
             }
-            surfaces.push(Cut { shape: Arc::clone(&shape), cells, covered });
+            surfaces.push(SurfaceCut { shape: Arc::clone(&shape), cells, covered });
         }
         Ok(Self { list, surfaces, how: *how, mesh, is_refined })
     }
 
     /// The cut of a surface, if it has this shape and nothing covers it; its elements are appended to `list`.
-    fn copied(&self, surface: usize, shape: &Arc<dyn Surface>, list: &mut Vec<Element>) -> Option<Cut> {
+    fn copied(&self, surface: usize, shape: &Arc<dyn Surface>, list: &mut Vec<Element>) -> Option<SurfaceCut> {
         let cut = self.surfaces.get(surface)?;
         if !Arc::ptr_eq(&cut.shape, shape) || !cut.covered.is_empty() {
             return None;
@@ -186,7 +186,7 @@ impl Elements {
         let place = |element: &Option<usize>| element.map(|element| element - own.start + start);
         let cells = cut.cells.map::<_, ElementError>(&Rect::FULL, &mut |_, element| Ok(place(element)));
         let cells = cells.expect("nothing can fail");
-        Some(Cut { shape: Arc::clone(shape), cells, covered: Vec::new() })
+        Some(SurfaceCut { shape: Arc::clone(shape), cells, covered: Vec::new() })
     }
 
     /// The mesh, if it is another than follows from the discretization.
@@ -195,11 +195,11 @@ impl Elements {
     }
 
     /// The mesh after what `refinement` says of each element; covered parts stay.
-    pub fn refined(&self, refinement: &[Refinement]) -> Mesh {
+    pub fn refined(&self, refinement: &[CellRefinement]) -> Mesh {
         let leaves: Vec<Vec<Option<usize>>> =
             self.surfaces.iter().map(|cut| cut.cells.values().into_iter().copied().collect()).collect();
         self.mesh.refined(&|surface, leaf| {
-            leaves[surface][leaf].map_or(Refinement::Keep, |element| refinement[element])
+            leaves[surface][leaf].map_or(CellRefinement::Keep, |element| refinement[element])
         })
     }
 
@@ -243,7 +243,7 @@ impl Elements {
     }
 
     /// The element of the part on which another surface lies at the parameters (u, v).
-    fn covered_at(&self, cut: &Cut, [u, v]: [f64; 2]) -> Option<usize> {
+    fn covered_at(&self, cut: &SurfaceCut, [u, v]: [f64; 2]) -> Option<usize> {
         let position = (!cut.covered.is_empty()).then(|| cut.shape.jet(u, v).position)?;
         let holds = |index: &&usize| {
             let element = &self.list[**index];
@@ -285,19 +285,19 @@ impl Elements {
 }
 
 /// Makes the elements of one surface.
-struct Maker<'a> {
+struct ElementMaker<'a> {
     surface: (usize, &'a SceneSurface),
     space: Space,
     covered_parts: &'a [&'a CoveredPart],
     list: &'a mut Vec<Element>,
 }
 
-impl Maker<'_> {
+impl ElementMaker<'_> {
     /// Appends the element of a part to the list; its index, or None where the part is empty.
     fn made(&mut self, part: Part, order: usize) -> Result<Option<usize>, ElementError> {
         let found = match element(self.surface, part, (self.space, order)) {
-            // Beside covers the rest of a cell may be a sliver, for which a constant is enough.
-            Err(ElementError::Thin { .. }) if !self.covers.is_empty() => {
+            // Beside covered parts the rest of a cell may be a sliver, for which a constant is enough.
+            Err(ElementError::Thin { .. }) if !self.covered_parts.is_empty() => {
                 element(self.surface, part, (self.space, 0))
             }
             found => found,
@@ -309,7 +309,7 @@ impl Maker<'_> {
     }
 }
 
-/// Pieces beside covers that are narrower than this part of the surface's extent are rounding. Chosen; not
+/// Pieces beside covered parts that are narrower than this part of the surface's extent are rounding. Chosen; not
 /// tuned.
 const LEAST: f64 = 1e-6;
 

@@ -51,7 +51,7 @@ pub enum Axis {
 
 /// Change of a cell when a mesh is refined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Refinement {
+pub enum CellRefinement {
     /// The cell stays as it is.
     Keep,
     /// The order of the cell rises by this, to the highest at the most.
@@ -162,8 +162,8 @@ impl<T: Copy> Tree<T> {
     }
 
     /// The cells of `rect`: cut as `cut` says of it and of what comes of that, as long as it says so.
-    pub fn cut_while(rect: &Rect, value: T, cut: &dyn Fn(&Rect) -> Refinement) -> Self {
-        let Refinement::Cut(across) = cut(rect) else { return Self::Leaf(value) };
+    pub fn cut_while(rect: &Rect, value: T, cut: &dyn Fn(&Rect) -> CellRefinement) -> Self {
+        let CellRefinement::Cut(across) = cut(rect) else { return Self::Leaf(value) };
         match Self::halved(rect, across, value) {
             whole @ Self::Leaf(_) => whole,
             parts => {
@@ -219,16 +219,16 @@ impl Mesh {
     }
 
     /// The mesh after what `refinement` says of each leaf, by its surface and its number there.
-    pub fn refined(&self, refinement: &dyn Fn(usize, usize) -> Refinement) -> Self {
+    pub fn refined(&self, refinement: &dyn Fn(usize, usize) -> CellRefinement) -> Self {
         let surface = |(surface, tree): (usize, &Tree<usize>)| {
             let mut leaf = 0;
             let refined = tree.replaced(&Rect::FULL, &mut |rect, order| {
                 let what = refinement(surface, leaf);
                 leaf += 1;
                 Ok::<_, Infallible>(match what {
-                    Refinement::Keep => Tree::Leaf(*order),
-                    Refinement::Raise(by) => Tree::Leaf((order + by).min(HIGHEST_ORDER)),
-                    Refinement::Cut(across) => Tree::halved(rect, across, *order),
+                    CellRefinement::Keep => Tree::Leaf(*order),
+                    CellRefinement::Raise(by) => Tree::Leaf((order + by).min(HIGHEST_ORDER)),
+                    CellRefinement::Cut(across) => Tree::halved(rect, across, *order),
                 })
             });
             refined.unwrap_or_else(|never| match never {})
@@ -288,11 +288,11 @@ mod tests {
             let mut mesh = Mesh::new(vec![Tree::Leaf(1)]);
             for round in 0..rounds {
                 mesh = mesh.refined(&|_, leaf| match choices[(17 * round + leaf) % choices.len()] {
-                    0 => Refinement::Keep,
-                    1 => Refinement::Raise(2),
-                    2 => Refinement::Cut(None),
-                    3 => Refinement::Cut(Some(Axis::U)),
-                    _ => Refinement::Cut(Some(Axis::V)),
+                    0 => CellRefinement::Keep,
+                    1 => CellRefinement::Raise(2),
+                    2 => CellRefinement::Cut(None),
+                    3 => CellRefinement::Cut(Some(Axis::U)),
+                    _ => CellRefinement::Cut(Some(Axis::V)),
                 });
             }
             prop_assert!(mesh.is_valid(1));

@@ -19,7 +19,7 @@
 //! `System` on constants; every solver takes it.
 //!
 //! A pair is linked where it carries less than `eps` of all emitted power by an upper estimate without
-//! visibility (`oracle`); else the larger node is split (`refinement`). Links are refined again as
+//! visibility (`oracle`); else the larger node is split (`pair_refinement`). Links are refined again as
 //! radiosities become known. Then the number of links is of the order of the number of surfaces, not of its
 //! square (study `links`).
 //!
@@ -39,7 +39,7 @@ mod tree;
 mod oracle;
 mod sight;
 mod exchange;
-mod refinement;
+mod pair_refinement;
 mod fields;
 mod links;
 mod options;

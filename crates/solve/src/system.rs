@@ -54,7 +54,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use radiosity_core::norm;
-use radiosity_elements::coating::{Coating, Root};
+use radiosity_elements::coating::{Coating, SquareRoot};
 use radiosity_elements::columns::transposed;
 use radiosity_elements::{Element, starts};
 use radiosity_kernel::Blocks;
@@ -312,14 +312,14 @@ impl<'a> System<'a> {
 
     /// √ρ_i G_ij √ρ_j for a block G_ij, row-major.
     fn halved<'b>(&self, [row, column]: [usize; 2], block: &'b [f64]) -> Cow<'b, [f64]> {
-        if let (Root::Number(_), Root::Number(_)) = (self.coating.root(row), self.coating.root(column)) {
+        if let (SquareRoot::Number(_), SquareRoot::Number(_)) = (self.coating.square_root(row), self.coating.square_root(column)) {
             let root = (self.coating.reflectance[row] * self.coating.reflectance[column]).sqrt();
             return block.iter().map(|g| root * g).collect();
         }
         let columns = self.elements[column].basis.len();
-        let left = multiplied(self.coating.root(row), block, columns);
+        let left = multiplied(self.coating.square_root(row), block, columns);
         let turned = transposed(&left, columns);
-        let both = multiplied(self.coating.root(column), &turned, block.len() / columns);
+        let both = multiplied(self.coating.square_root(column), &turned, block.len() / columns);
         transposed(&both, block.len() / columns).into()
     }
 
@@ -351,7 +351,7 @@ impl<'a> System<'a> {
             let range = self.range(*i);
             let (own, others) = rest.split_at(range.len());
             rest = others;
-            let root = if self.coating.transmits() { Root::Number(1.0) } else { self.coating.root(*i) };
+            let root = if self.coating.transmits() { SquareRoot::Number(1.0) } else { self.coating.square_root(*i) };
             root.multiply(own, &mut radiosity[range]);
         }
         radiosity
@@ -446,7 +446,7 @@ fn radiosity(elements: &[Element], coating: &Coating, irradiance: &[f64]) -> Vec
 }
 
 /// √ρ M for a row-major matrix M of so many columns.
-fn multiplied(root: Root<'_>, matrix: &[f64], columns: usize) -> Vec<f64> {
+fn multiplied(root: SquareRoot<'_>, matrix: &[f64], columns: usize) -> Vec<f64> {
     let turned = transposed(matrix, columns);
     let mut out = vec![0.0; matrix.len()];
     let rows = matrix.len() / columns;

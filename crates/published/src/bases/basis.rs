@@ -13,7 +13,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use radiosity_elements::basis::HIGHEST_ORDER;
-use radiosity_elements::mesh::{Mesh, Refinement, Tree};
+use radiosity_elements::mesh::{Mesh, CellRefinement, Tree};
 use radiosity_elements::space::Space;
 use radiosity_elements::{Discretization, usual_mesh};
 use radiosity_geom::Rect;
@@ -143,8 +143,8 @@ fn holding_cosines(mut mesh: Mesh, tolerance: f64) -> Mesh {
             return orders;
         }
         mesh = mesh.refined(&|surface, leaf| match leaves[surface][leaf] {
-            &usize::MAX => Refinement::Cut(None),
-            _ => Refinement::Keep,
+            &usize::MAX => CellRefinement::Cut(None),
+            _ => CellRefinement::Keep,
         });
     }
 }

@@ -13,7 +13,7 @@ use super::links::Link;
 use super::network::Hierarchy;
 use super::options::HierarchyOptions;
 use super::oracle::Oracle;
-use super::refinement::{Pair, Refinement};
+use super::pair_refinement::{Pair, PairRefinement};
 use super::solution::{Hierarchical, Light};
 use super::tree::Tree;
 
@@ -105,7 +105,7 @@ impl Work<'_> {
     fn refine(&mut self, tree: &mut Tree, light: &mut [Vec<f64>], is_first: bool) -> bool {
         let least_area = self.options.least_area * tree.nodes().first().map_or(0.0, |root| root.area);
         let oracle = Oracle { eps: self.options.eps, separation: self.options.separation };
-        let mut refinement = Refinement { tree, oracle, least_area, light, dropped: 0 };
+        let mut refinement = PairRefinement { tree, oracle, least_area, light, dropped: 0 };
         let too_bright = |link: &Link| refinement.is_too_bright(link.pair);
         let (open, kept): (Vec<Link>, Vec<Link>) = self.links.iter().partition(|link| too_bright(link));
         let mut open: Vec<Pair> = open.iter().map(|link| link.pair).collect();

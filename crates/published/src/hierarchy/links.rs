@@ -18,7 +18,7 @@ use super::exchange::exchange;
 use super::face::Face;
 use super::fields::Fields;
 use super::harmonics::{HARMONICS, add, harmonics};
-use super::refinement::Pair;
+use super::pair_refinement::Pair;
 use super::sight::visible_part;
 use super::tree::Tree;
 

@@ -1,6 +1,6 @@
 //! The hierarchy: the tree, its leaves and the links between its nodes.
 
-use radiosity_elements::mesh::Refinement;
+use radiosity_elements::mesh::CellRefinement;
 use radiosity_geom::Rect;
 use serde::{Deserialize, Serialize};
 
@@ -110,7 +110,7 @@ impl Hierarchy {
     }
 
     /// Cut of the cell `rect` of a surface.
-    pub(crate) fn cut_of(&self, surface: usize, rect: &Rect) -> Refinement {
+    pub(crate) fn cut_of(&self, surface: usize, rect: &Rect) -> CellRefinement {
         self.tree.cut_of(surface, rect)
     }
 

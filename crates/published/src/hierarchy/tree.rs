@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use radiosity_elements::mesh::{Axis, Refinement};
+use radiosity_elements::mesh::{Axis, CellRefinement};
 use radiosity_geom::{Aabb, DVec3, Rect, Surface};
 use smallvec::{SmallVec, smallvec};
 
@@ -146,14 +146,14 @@ impl Tree {
     }
 
     /// Cut of the cell `rect` of a surface; none if it is no node.
-    pub(crate) fn cut_of(&self, surface: usize, rect: &Rect) -> Refinement {
+    pub(crate) fn cut_of(&self, surface: usize, rect: &Rect) -> CellRefinement {
         let [u, v] = rect.center();
         let mut node = self.of_surface(surface);
         while let Some(face) = &self.nodes[node].face {
             let part = self.children(node).find_map(|child| Some(self.nodes[child].face.as_ref()?.rect));
             let Some(part) = part else { break };
             if face.rect == *rect {
-                return Refinement::Cut(match () {
+                return CellRefinement::Cut(match () {
                     () if part.u == rect.u => Some(Axis::V),
                     () if part.v == rect.v => Some(Axis::U),
                     () => None,
@@ -164,7 +164,7 @@ impl Tree {
             let Some(child) = self.children(node).find(holds) else { break };
             node = child;
         }
-        Refinement::Keep
+        CellRefinement::Keep
     }
 
     /// The leaf of a surface that holds the parameters (u, v); None in a hole that fills a cell.

@@ -7,7 +7,7 @@
 
 use std::time::Instant;
 
-use radiosity_elements::mesh::{Mesh, Refinement};
+use radiosity_elements::mesh::{Mesh, CellRefinement};
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
@@ -129,7 +129,7 @@ fn refined(scene: &Scene, solution: &Solution, shares: &[f64], part: f64) -> Opt
     bearing.sort_by(|a, b| shares[*b].total_cmp(&shares[*a]));
     let wanted = part * bearing.iter().map(|index| shares[*index]).sum::<f64>();
     let starts = solution.elements().starts();
-    let mut refinements = vec![Refinement::Keep; list.len()];
+    let mut refinements = vec![CellRefinement::Keep; list.len()];
     let mut borne = 0.0;
     for index in bearing {
         if borne >= wanted {

@@ -15,7 +15,7 @@
 
 use radiosity_elements::Element;
 use radiosity_elements::basis::{Frame, HIGHEST_ORDER};
-use radiosity_elements::mesh::{Axis, Refinement};
+use radiosity_elements::mesh::{Axis, CellRefinement};
 use radiosity_elements::space::Space;
 use radiosity_geom::{DVec3, Surface};
 
@@ -32,15 +32,15 @@ const STEP: usize = 2;
 const ONE_SIDED: f64 = 16.0;
 
 /// The refinement of element `index`.
-pub(super) fn refinement(solution: &Solution, starts: &[usize], index: usize) -> Refinement {
+pub(super) fn refinement(solution: &Solution, starts: &[usize], index: usize) -> CellRefinement {
     let elements = solution.elements();
     let element = &elements.list()[index];
     let order = element.basis.order();
     let squares = squares(solution, starts[index]..starts[index + 1]);
     if element.basis.space() == Space::Total && order < HIGHEST_ORDER && decay(element, &squares) < SMOOTH {
-        return Refinement::Raise(STEP);
+        return CellRefinement::Raise(STEP);
     }
-    Refinement::Cut(one_axis(element, &squares, elements.shape(element.surface)))
+    CellRefinement::Cut(one_axis(element, &squares, elements.shape(element.surface)))
 }
 
 /// Squares of the coefficients of reflected light, summed over the bands.

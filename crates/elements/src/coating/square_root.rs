@@ -17,10 +17,10 @@ pub(super) fn square_root(matrix: &[f64]) -> Vec<f64> {
     let eigen = DMatrix::from_row_slice(n, n, matrix).symmetric_eigen();
     let roots = eigen.eigenvalues.map(|value| value.max(0.0).sqrt());
     let vectors = eigen.eigenvectors;
-    let mut root = &vectors * DMatrix::from_diagonal(&roots) * vectors.transpose();
+    let mut square_root = &vectors * DMatrix::from_diagonal(&roots) * vectors.transpose();
     // The entries on both sides of the diagonal differ by rounding.
-    root.fill_upper_triangle_with_lower_triangle();
-    root.as_slice().to_vec()
+    square_root.fill_upper_triangle_with_lower_triangle();
+    square_root.as_slice().to_vec()
 }
 
 #[cfg(test)]
@@ -49,9 +49,9 @@ mod tests {
         ) {
             let factor = DMatrix::from_fn(n, n, |k, l| if l < rank { entries[8 * k + l] } else { 0.0 });
             let matrix = &factor * factor.transpose();
-            let root = root_of(&matrix);
-            prop_assert_eq!(&root, &root.transpose());
-            prop_assert!((&root * &root - &matrix).amax() <= 2e-14 * matrix.amax(), "{}", matrix);
+            let square_root = root_of(&matrix);
+            prop_assert_eq!(&square_root, &square_root.transpose());
+            prop_assert!((&square_root * &square_root - &matrix).amax() <= 2e-14 * matrix.amax(), "{}", matrix);
         }
     }
 
@@ -73,10 +73,10 @@ mod tests {
                 |values: Vec<f64>| reflection(&v) * DMatrix::from_diagonal(&values.into()) * reflection(&v);
             let (matrix, right) =
                 (of(values.to_vec()), of(values.iter().map(|value| value.sqrt()).collect()));
-            let root = root_of(&matrix);
-            assert!((&root * &root - &matrix).amax() <= 2e-15, "{values:?}");
-            assert!((&root - right).amax() <= 3e-8, "{values:?}");
-            assert!(root.symmetric_eigenvalues().min() > -1e-15, "{values:?}");
+            let square_root = root_of(&matrix);
+            assert!((&square_root * &square_root - &matrix).amax() <= 2e-15, "{values:?}");
+            assert!((&square_root - right).amax() <= 3e-8, "{values:?}");
+            assert!(square_root.symmetric_eigenvalues().min() > -1e-15, "{values:?}");
         }
     }
 }

@@ -1,24 +1,24 @@
-//! Glow: emitted exitance that varies over an element.
+//! Emitted exitance that varies over an element.
 
 use std::sync::Arc;
 
 use radiosity_geom::Surface;
 use radiosity_scene::Pattern;
 
-use super::varied::Varied;
+use super::element_pattern::ElementPattern;
 use crate::element::Element;
 
 /// The emitted exitance E₀(x) of an element, with e_k = ∫ E₀ φ_k dA.
 #[derive(Debug)]
-pub(super) struct Glow {
-    pub(super) varied: Varied,
+pub(super) struct VaryingExitance {
+    pub(super) element_pattern: ElementPattern,
     /// Factor of the light group, by which the pattern is multiplied.
     pub(super) factor: f64,
     /// e (W m⁻² times length).
     pub(super) coefficients: Vec<f64>,
 }
 
-impl Glow {
+impl VaryingExitance {
     /// Exitance of `factor` times a band of `pattern` on an element of a surface of this shape.
     pub(super) fn new(
         element: &Element,
@@ -26,14 +26,14 @@ impl Glow {
         pattern: &Arc<Pattern>,
         (band, factor): (usize, f64),
     ) -> Self {
-        let varied = Varied::new(element, shape, pattern, band);
-        let coefficients = varied.vector(element).iter().map(|e| factor * e).collect();
-        Self { varied, factor, coefficients }
+        let element_pattern = ElementPattern::new(element, shape, pattern, band);
+        let coefficients = element_pattern.vector(element).iter().map(|e| factor * e).collect();
+        Self { element_pattern, factor, coefficients }
     }
 
     /// E₀ (W m⁻²) at parameters of the surface.
     pub(super) fn at(&self, parameters: [f64; 2]) -> f64 {
-        self.factor * self.varied.at(parameters)
+        self.factor * self.element_pattern.at(parameters)
     }
 
     /// ∫ E₀ dA / A.

@@ -15,7 +15,7 @@ pub(crate) type Pair = [u32; 2];
 
 /// The state of a refinement.
 #[derive(Debug)]
-pub(crate) struct Refinement<'a> {
+pub(crate) struct PairRefinement<'a> {
     pub tree: &'a mut Tree,
     pub oracle: Oracle,
     /// Faces up to this area are not cut (scene length²).
@@ -26,7 +26,7 @@ pub(crate) struct Refinement<'a> {
     pub dropped: usize,
 }
 
-impl Refinement<'_> {
+impl PairRefinement<'_> {
     /// The pairs to be linked that stand for `pairs`.
     pub(crate) fn refine(&mut self, pairs: Vec<Pair>) -> Vec<Pair> {
         let (mut open, mut found) = (pairs, Vec::new());

@@ -22,7 +22,7 @@ use crate::parameters::of_node;
 
 /// A band of a pattern on an element.
 #[derive(Debug)]
-pub(super) struct Varied {
+pub(super) struct ElementPattern {
     pattern: Arc<Pattern>,
     band: usize,
     /// The shape of the element's surface.
@@ -30,7 +30,7 @@ pub(super) struct Varied {
     pub(super) tiles: Tiles,
 }
 
-impl Varied {
+impl ElementPattern {
     /// A band of `pattern` on an element of a surface of this shape.
     pub(super) fn new(
         element: &Element,

@@ -1,4 +1,4 @@
-//! Panes: elements of two-sided surfaces that let light through, diffusely.
+//! Transmission: elements of two-sided surfaces that let light through, diffusely.
 //!
 //! What arrives on the element j of the other side leaves the element i with the transmittance τ:
 //!
@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use radiosity_geom::{DVec3, Rect, Surface, clip_polygon};
 
-use super::varied::orthonormal_rows;
+use super::element_pattern::orthonormal_rows;
 use crate::columns::transposed;
 use crate::element::{Element, overlap};
 use crate::measure::Measure;
@@ -20,31 +20,31 @@ use crate::patch::Patch;
 
 /// Transmission of an element, from all elements of the other side.
 #[derive(Debug)]
-pub(super) struct Sheet {
+pub(super) struct Transmission {
     /// The shape of both sides.
     pub shape: Arc<dyn Surface>,
     /// Transmittance τ.
     pub(super) transmittance: f64,
     /// Transmission from each element of the other side.
-    pub(super) panes: Vec<Pane>,
+    pub(super) parts: Vec<TransmissionPart>,
 }
 
-impl Sheet {
+impl Transmission {
     /// The element of the other side at these parameters: what something covers there, else the cell, or at a
     /// rounding beside all of them the first.
     pub(super) fn behind(&self, [u, v]: [f64; 2]) -> Option<usize> {
-        let [pane, ..] = &self.panes[..] else { return None };
-        let covered = self.panes.iter().filter_map(|pane| Some((pane.behind, pane.cover.as_deref()?)));
+        let [part, ..] = &self.parts[..] else { return None };
+        let covered = self.parts.iter().filter_map(|part| Some((part.behind, part.cover.as_deref()?)));
         let position = self.shape.jet(u, v).position;
         let covered = covered.into_iter().find(|(_, cover)| cover.covers(position, 0.0));
-        let cell = || self.panes.iter().find(|pane| pane.cover.is_none() && pane.rect.contains(u, v));
-        Some(covered.map_or_else(|| cell().unwrap_or(pane).behind, |(behind, _)| behind))
+        let cell = || self.parts.iter().find(|part| part.cover.is_none() && part.rect.contains(u, v));
+        Some(covered.map_or_else(|| cell().unwrap_or(part).behind, |(behind, _)| behind))
     }
 }
 
 /// Transmission of an element from one element of the other side.
 #[derive(Clone, Debug)]
-pub(super) struct Pane {
+pub(super) struct TransmissionPart {
     /// The element of the other side.
     pub(super) behind: usize,
     /// The parameters that both cover.
@@ -55,7 +55,7 @@ pub(super) struct Pane {
     pub(super) matrix: Vec<f64>,
 }
 
-impl Pane {
+impl TransmissionPart {
     /// Transmission of `own` from `other`, the element number `behind`, on two sides of `shape`; None where
     /// they share nothing.
     pub(super) fn new(
