@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use radiosity::scene::{
     Clock, Curve, MoverDraft, Notation, Pose, RigidPath, Scene, SceneBuilder, SceneError, SceneSurface,
-    Source, Track, Turn,
+    Source, TimeFunction, Turn,
 };
 use radiosity::visibility::inspection::Inspection;
 use radiosity_geom::DVec3;
@@ -250,9 +250,9 @@ fn scenes_far_from_the_origin_turn_about_the_same_point() {
 #[test]
 fn scenes_made_in_code_move_as_those_of_files() {
     let path = || {
-        let degrees = Track::new("angles", vec![0.0, 40.0], vec![0.0, 10.0], Curve::Line).unwrap();
+        let degrees = TimeFunction::new("angles", vec![0.0, 40.0], vec![0.0, 10.0], Curve::Line).unwrap();
         let points = vec![DVec3::ZERO, DVec3::new(0.3, 0.0, 0.1), DVec3::new(0.1, 0.2, 0.0)];
-        let points = Track::new("points", points, vec![0.0, 5.0, 10.0], Curve::Spline).unwrap();
+        let points = TimeFunction::new("points", points, vec![0.0, 5.0, 10.0], Curve::Spline).unwrap();
         RigidPath::turning_along(Turn::about_axis(DVec3::ONE, DVec3::Z, degrees).unwrap(), points)
     };
     let build = |mover: Option<MoverDraft>| {
@@ -584,13 +584,13 @@ prop_compose! {
     ) -> Keyed {
         let times = times(&steps);
         let curve = if spline { Curve::Spline } else { Curve::Line };
-        let shift = Track::new("points", points.clone(), times.clone(), curve).unwrap();
+        let shift = TimeFunction::new("points", points.clone(), times.clone(), curve).unwrap();
         let axis = |k: usize| axes[k] + DVec3::new(0.0, 0.0, 2.0);
         let turn = if keyed {
             let keys: Vec<(DVec3, f64)> = (0..4).map(|k| (axis(k), angles[k])).collect();
             Turn::by_keys(center, &keys, times.clone())
         } else {
-            Turn::about_axis(center, axis(0), Track::new("angles", angles, times.clone(), curve).unwrap())
+            Turn::about_axis(center, axis(0), TimeFunction::new("angles", angles, times.clone(), curve).unwrap())
         };
         Keyed { points, times, center, path: RigidPath::turning_along(turn.unwrap(), shift) }
     }

@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use radiosity_photometry::{Photometry, luminaire as photometry};
 use radiosity_scene::{
     Distribution, Extent, Fault, Luminaire, Source, Strength, SurfaceDraft,
-    draft::Typed,
+    surface_draft::DraftPlaces,
     error::{Located, luminaire_title},
     luminaire::check_intensity,
     luminous_surface::luminous_surfaces,
@@ -44,8 +44,8 @@ pub(super) fn luminaires(
 }
 
 /// Places in the text of the surface that a luminaire's extent makes.
-fn typed(LuminaireFile { name, span, extent, .. }: &LuminaireFile, source: &Source) -> Typed {
-    Typed {
+fn typed(LuminaireFile { name, span, extent, .. }: &LuminaireFile, source: &Source) -> DraftPlaces {
+    DraftPlaces {
         place: source.place(span),
         name: name.span.clone(),
         name_line: source.line(name.span.start),
@@ -101,7 +101,7 @@ fn luminaire(
 /// Extent that the light of a luminaire comes out of: typed, or the opening of its photometric file.
 fn extent_of(file: ExtentFile, distribution: &Distribution) -> Result<Extent, Fault> {
     match (file, distribution) {
-        (ExtentFile::Typed(extent), _) => Ok(extent),
+        (ExtentFile::DraftPlaces(extent), _) => Ok(extent),
         (ExtentFile::OfTable, Distribution::Table(table)) => Extent::of_opening(&table.opening),
         (ExtentFile::OfTable, _) => Err(Fault::BadExtent { problem: "there is no photometric file" }),
     }

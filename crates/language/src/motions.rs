@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use radiosity_geom::DVec3;
 use radiosity_scene::{
-    Animation, Clock, Fault, MoverDraft, RigidPath, Source, Track, Turn,
+    Animation, Clock, Fault, MoverDraft, RigidPath, Source, TimeFunction, Turn,
     error::{Located, motion_title},
-    movement::{Chosen, Handles, Movable, TypedMover, movers},
+    mover_draft::{NamedMember, MemberNames, MovableThings, MoverPlaces, movers},
     place::{At, Span},
     surfaces::Maker,
 };
@@ -20,7 +20,7 @@ use crate::{
 pub(super) fn animation(
     frames: &FramesFile,
     motions: &[MotionFile],
-    movable: &Movable,
+    movable: &MovableThings,
     source: &Source,
 ) -> Result<Option<Animation>, Located> {
     let Some(count) = &frames.count else {
@@ -51,25 +51,25 @@ pub(super) fn movable(
     makers: &[Maker],
     luminaires: &[PlacedLuminaire<'_>],
     camera: bool,
-) -> Movable {
+) -> MovableThings {
     let of_luminaire =
-        |own: &PlacedLuminaire<'_>| Handles::named([own.name.clone()]).within(Arc::clone(&own.instances));
-    let luminaires: Vec<Handles> = luminaires.iter().map(of_luminaire).collect();
+        |own: &PlacedLuminaire<'_>| MemberNames::named([own.name.clone()]).within(Arc::clone(&own.instances));
+    let luminaires: Vec<MemberNames> = luminaires.iter().map(of_luminaire).collect();
     let of_surface = |Maker { draft, front }: &Maker| match surfaces.get(*draft) {
         Some(PlacedSurface { name, instances, .. }) => {
-            Handles::named([front.clone(), name.clone()]).within(Arc::clone(instances))
+            MemberNames::named([front.clone(), name.clone()]).within(Arc::clone(instances))
         }
-        None => Handles::of_area(front, &luminaires),
+        None => MemberNames::of_area(front, &luminaires),
     };
-    Movable { surfaces: makers.iter().map(of_surface).collect(), luminaires, camera }
+    MovableThings { surfaces: makers.iter().map(of_surface).collect(), luminaires, camera }
 }
 
 fn draft(file: &MotionFile, clock: Clock, source: &Source) -> Result<MoverDraft, Located> {
-    let chosen = |names: &[At<String>]| -> Vec<Chosen> {
-        names.iter().map(|name| Chosen { name: name.value.clone(), span: Some(name.span.clone()) }).collect()
+    let chosen = |names: &[At<String>]| -> Vec<NamedMember> {
+        names.iter().map(|name| NamedMember { name: name.value.clone(), span: Some(name.span.clone()) }).collect()
     };
     let draft = MoverDraft::new(&file.name.value, path(file, clock)?);
-    let typed = TypedMover {
+    let typed = MoverPlaces {
         place: source.place(&file.span),
         span: file.span.clone(),
         name: file.name.span.clone(),
@@ -94,10 +94,10 @@ fn path(file: &MotionFile, clock: Clock) -> Result<RigidPath, Located> {
     }
 }
 
-fn shift(file: &TranslateFile, clock: Clock) -> Result<Track<DVec3>, Located> {
+fn shift(file: &TranslateFile, clock: Clock) -> Result<TimeFunction<DVec3>, Located> {
     let TranslateFile { points, times, curve } = file;
-    let track = Track::new("points", points.value.to_vec(), given(times, points.value.len(), clock), *curve);
-    track.map_err(|fault| located(fault, times, &points.span))
+    let time_function = TimeFunction::new("points", points.value.to_vec(), given(times, points.value.len(), clock), *curve);
+    time_function.map_err(|fault| located(fault, times, &points.span))
 }
 
 fn turn(file: &RotateFile, clock: Clock) -> Result<Turn, Located> {
@@ -105,9 +105,9 @@ fn turn(file: &RotateFile, clock: Clock) -> Result<Turn, Located> {
     match turns {
         TurnsFile::Axis { axis, angles, curve } => {
             let given = given(times, angles.value.len(), clock);
-            let track = Track::new("angles", angles.value.clone(), given, *curve);
-            let track = track.map_err(|fault| located(fault, times, &angles.span))?;
-            let turn = Turn::about_axis(*center, axis.value, track);
+            let time_function = TimeFunction::new("angles", angles.value.clone(), given, *curve);
+            let time_function = time_function.map_err(|fault| located(fault, times, &angles.span))?;
+            let turn = Turn::about_axis(*center, axis.value, time_function);
             turn.map_err(|fault| located(fault, &None, &axis.span))
         }
         TurnsFile::Keys(keys) => {

@@ -7,7 +7,7 @@ use radiosity_scene::{
     Camera, Fault, Glass, Material, Opening, SensorPlane, Sky, Source, Sun, SurfaceDraft, Thermal,
     bands::check_bands,
     covering::Covering,
-    draft::{NamedShape, Typed},
+    surface_draft::{NamedShape, DraftPlaces},
     error::{Located, material_title, plane_title, surface_title},
     luminaire::across,
     material::{check_emission, check_flux, check_reflectance, check_transmittance},
@@ -215,7 +215,7 @@ fn draft(
         subdivide: file.subdivide,
         two_sided: file.two_sided,
         flip: file.flip,
-        typed: Some(Typed {
+        typed: Some(DraftPlaces {
             place: source.place(&file.span),
             name: name_span.clone(),
             name_line: source.line(name_span.start),

@@ -113,7 +113,7 @@ pub fn check_rate(rate: f64) -> Result<(), Fault> {
 
 #[cfg(test)]
 mod tests {
-    use crate::track::{Curve, Track};
+    use crate::time_function::{Curve, TimeFunction};
 
     use super::*;
 
@@ -123,7 +123,7 @@ mod tests {
             let clock = Clock::new(frames, rate).unwrap();
             let times = clock.spread(4);
             let values = [0.0, 1.0, -2.0, 3.0].map(|x| x * DVec3::X).to_vec();
-            let path = RigidPath::along(Track::new("points", values, times, Curve::Line).unwrap());
+            let path = RigidPath::along(TimeFunction::new("points", values, times, Curve::Line).unwrap());
             let mover = Mover {
                 name: "a".into(),
                 surfaces: vec![0],

@@ -10,12 +10,12 @@ use crate::{
     bands::check_bands,
     camera::Camera,
     covering::Covering,
-    draft::SurfaceDraft,
+    surface_draft::SurfaceDraft,
     error::{Fault, Located, SceneError, luminaire_title, material_title, plane_title},
     luminaire::Luminaire,
     luminous_surface::luminous_surfaces,
     material::Material,
-    movement::{Handles, Movable, MoverDraft, movers},
+    mover_draft::{MemberNames, MovableThings, MoverDraft, movers},
     named_material::NamedMaterial,
     names::{UniqueNames, check_text},
     sensor_plane::SensorPlane,
@@ -185,13 +185,13 @@ impl SceneBuilder {
         let luminous = luminous.collect::<Result<Vec<_>, _>>()?;
         let drafts = drafts.into_iter().chain(luminous.into_iter().flatten());
         let Surfaces { list, makers, middle, fitted } = fitted_surfaces(drafts.map(Ok), self.tolerance)?;
-        let lamps = self.luminaires.iter().map(|own| Handles::named([own.name.clone()]));
-        let lamps: Vec<Handles> = lamps.collect();
+        let lamps = self.luminaires.iter().map(|own| MemberNames::named([own.name.clone()]));
+        let lamps: Vec<MemberNames> = lamps.collect();
         let own = makers.iter().map(|own| match entries.get(own.draft) {
-            Some(entry) => Handles::named([own.front.clone(), entry.clone()]),
-            None => Handles::of_area(&own.front, &lamps),
+            Some(entry) => MemberNames::named([own.front.clone(), entry.clone()]),
+            None => MemberNames::of_area(&own.front, &lamps),
         });
-        let movable = Movable { surfaces: own.collect(), luminaires: lamps, camera: camera.is_some() };
+        let movable = MovableThings { surfaces: own.collect(), luminaires: lamps, camera: camera.is_some() };
         let animation = animation(self.clock, self.movers, &movable)?;
         Ok(Scene {
             middle,
@@ -216,7 +216,7 @@ impl SceneBuilder {
 fn animation(
     clock: Option<Clock>,
     drafts: Vec<MoverDraft>,
-    movable: &Movable,
+    movable: &MovableThings,
 ) -> Result<Option<Animation>, Located> {
     match clock {
         Some(clock) => movers(drafts, clock, movable).map(Some),

@@ -14,7 +14,7 @@ use radiosity_fit::{
 use radiosity_geom::{DVec3, Surface};
 use serde::Serialize;
 
-use crate::draft::SurfaceDraft;
+use crate::surface_draft::SurfaceDraft;
 
 /// Changes to the shapes of a scene, made to fit them together.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]

@@ -7,7 +7,7 @@
 //!
 //! In order: errors with their places and cures; patterns, materials, luminaires, skies; poses, paths and
 //! animations; surfaces as drafts and as fitted; the [`Source`] that a scene was read from; the builder; what
-//! is made of a scene: other factors (`dimming`), other materials (`painting`), another moment (`still`).
+//! is made of a scene: other factors (`group_factors`), other materials (`with_material`), another moment (`frame_scenes`).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `photometry`.
 
@@ -26,10 +26,10 @@ pub mod unit;
 mod sensor_plane;
 mod camera;
 mod pose;
-mod track;
+mod time_function;
 mod path;
 pub mod animation;
-pub mod movement;
+pub mod mover_draft;
 mod light_group;
 mod distribution;
 mod extent;
@@ -42,7 +42,7 @@ mod radiance;
 pub mod thermal;
 mod surface;
 pub mod covering;
-pub mod draft;
+pub mod surface_draft;
 pub mod luminous_surface;
 pub mod tree;
 mod numbering;
@@ -51,9 +51,9 @@ mod source;
 mod fitted;
 pub mod surfaces;
 mod builder;
-mod dimming;
-mod painting;
-mod still;
+mod group_factors;
+mod with_material;
+mod frame_scenes;
 
 use radiosity_geom::DVec3;
 
@@ -61,7 +61,7 @@ pub use animation::{Animation, Clock, Mover};
 pub use builder::SceneBuilder;
 pub use camera::Camera;
 pub use distribution::Distribution;
-pub use draft::SurfaceDraft;
+pub use surface_draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
 pub use extent::Extent;
 pub use fitted::{Fitted, LiesOn};
@@ -71,7 +71,7 @@ pub use light_group::LightGroup;
 pub use luminaire::{Luminaire, Strength};
 pub use luminous_area::LuminousArea;
 pub use material::Material;
-pub use movement::MoverDraft;
+pub use mover_draft::MoverDraft;
 pub use named_material::NamedMaterial;
 pub use outlook::{Opening, Outlook};
 pub use path::{RigidPath, Turn};
@@ -84,10 +84,10 @@ pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use sensor_plane::SensorPlane;
 pub use sky::{Sky, SkyModel, Sun};
 pub use source::Source;
-pub use still::Stills;
+pub use frame_scenes::FrameScenes;
 pub use surface::SceneSurface;
 pub use thermal::{Condition, Thermal};
-pub use track::{Curve, Mixed, Track};
+pub use time_function::{Curve, Interpolable, TimeFunction};
 pub use tree::Tree;
 
 use error::surface_title;

@@ -7,7 +7,7 @@ use radiosity_geom::{ShapeError, Surface};
 
 use crate::{
     covering::Covering,
-    draft::{SurfaceDraft, Typed},
+    surface_draft::{SurfaceDraft, DraftPlaces},
     error::{Fault, Located, luminaire_title},
     extent::Extent,
     luminaire::Luminaire,
@@ -24,7 +24,7 @@ const LUMINAIRE: &str = "luminaire";
 /// point or a line.
 pub fn luminous_surfaces(
     own: &Luminaire,
-    typed: impl Fn() -> Option<Typed>,
+    typed: impl Fn() -> Option<DraftPlaces>,
 ) -> Result<Vec<SurfaceDraft>, Located> {
     let shape = shape(own).map_err(|error| {
         let fault = Fault::Shape(error);
@@ -61,7 +61,7 @@ fn draft(
     own: &Luminaire,
     area: LuminousArea,
     (name, shape, flip): (String, Arc<dyn Surface>, bool),
-    typed: Option<Typed>,
+    typed: Option<DraftPlaces>,
 ) -> SurfaceDraft {
     let size = shape.area();
     let emission = area.flux().into_iter().map(|flux| flux / size).collect();

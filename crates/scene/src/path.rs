@@ -6,14 +6,14 @@ use crate::{
     error::Fault,
     pose::Pose,
     ranges::check_number,
-    track::{Times, Track},
+    time_function::{Times, TimeFunction},
 };
 
 /// A rigid path: first a rotation about a point, then a translation, each from the pose at rest, whatever
 /// came before.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidPath {
-    shift: Option<Track<DVec3>>,
+    shift: Option<TimeFunction<DVec3>>,
     turn: Option<Turn>,
 }
 
@@ -27,14 +27,14 @@ pub struct Turn {
 #[derive(Clone, Debug, PartialEq)]
 enum Kind {
     /// Rotations about one unit axis, by degrees over time.
-    Axis(DVec3, Track<f64>),
+    Axis(DVec3, TimeFunction<f64>),
     /// Rotations, and between them the shorter way about one axis at constant speed.
     Keys(Times, Vec<DQuat>),
 }
 
 impl RigidPath {
     /// The path along a track (scene length), without rotation.
-    pub fn along(shift: Track<DVec3>) -> Self {
+    pub fn along(shift: TimeFunction<DVec3>) -> Self {
         Self { shift: Some(shift), turn: None }
     }
 
@@ -44,14 +44,14 @@ impl RigidPath {
     }
 
     /// The path of rotations about a point, each followed by a translation along a track (scene length).
-    pub fn turning_along(turn: Turn, shift: Track<DVec3>) -> Self {
+    pub fn turning_along(turn: Turn, shift: TimeFunction<DVec3>) -> Self {
         Self { shift: Some(shift), turn: Some(turn) }
     }
 
     /// The times at which the path may bend: it is smooth between them, and rests before the first and after
     /// the last.
     pub(crate) fn times(&self) -> Vec<f64> {
-        let shift = self.shift.iter().flat_map(Track::times).copied();
+        let shift = self.shift.iter().flat_map(TimeFunction::times).copied();
         let turn = self.turn.iter().flat_map(|turn| match &turn.kind {
             Kind::Axis(_, degrees) => degrees.times(),
             Kind::Keys(times, _) => times.all(),
@@ -81,7 +81,7 @@ impl Turn {
     ///
     /// # Errors
     /// [`Fault::NoDirection`] for an axis without a length; a number that is not finite or out of range.
-    pub fn about_axis(center: DVec3, axis: DVec3, degrees: Track<f64>) -> Result<Self, Fault> {
+    pub fn about_axis(center: DVec3, axis: DVec3, degrees: TimeFunction<f64>) -> Result<Self, Fault> {
         [center, axis].into_iter().try_for_each(check_point)?;
         let axis = axis.try_normalize().ok_or(Fault::NoDirection { what: "axis" })?;
         Ok(Self { center, kind: Kind::Axis(axis, degrees) })
@@ -92,7 +92,7 @@ impl Turn {
     ///
     /// # Errors
     /// [`Fault::NoDirection`] for degrees about an axis without a length; a number that is not finite or out
-    /// of range; what [`Track::new`] refuses.
+    /// of range; what [`TimeFunction::new`] refuses.
     pub fn by_keys(center: DVec3, turns: &[(DVec3, f64)], times: Vec<f64>) -> Result<Self, Fault> {
         let times = Times::new(times, "turns", turns.len())?;
         check_point(center)?;

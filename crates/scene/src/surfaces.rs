@@ -5,7 +5,7 @@ use radiosity_geom::{Aabb, Bvh, DVec3};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::{
-    draft::SurfaceDraft,
+    surface_draft::SurfaceDraft,
     error::{Fault, Located, surface_title},
     fitted::{self, Fitted},
     names::UniqueNames,

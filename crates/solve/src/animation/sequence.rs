@@ -10,7 +10,7 @@ use std::mem;
 use std::sync::Arc;
 
 use radiosity_published::expansions::{Expansions, ORDERS, SeriesCounts, known};
-use radiosity_scene::{Scene, Stills};
+use radiosity_scene::{Scene, FrameScenes};
 use radiosity_transport::{KeptBlocks, RayCounts};
 use radiosity_work::Work;
 
@@ -24,7 +24,7 @@ use crate::animation::series_error::series_error;
 /// The frames of a scene that moves.
 #[derive(Debug)]
 pub struct Sequence<'a> {
-    stills: Stills<'a>,
+    frame_scenes: FrameScenes<'a>,
     options: Options,
     layout: Layout,
     kept: Kept,
@@ -77,7 +77,7 @@ impl<'a> Sequence<'a> {
     /// The sequence of [`Sequence::new`], to the bit, with nothing kept between frames.
     pub fn fresh(scene: &'a Scene, options: &Options) -> Self {
         Self {
-            stills: Stills::of(scene),
+            frame_scenes: FrameScenes::of(scene),
             options: *options,
             layout: Layout::of(scene, options),
             kept: Kept::default(),
@@ -102,7 +102,7 @@ impl<'a> Sequence<'a> {
 
     /// The scene with its motions.
     pub(super) fn scene(&self) -> &'a Scene {
-        self.stills.scene()
+        self.frame_scenes.scene()
     }
 
     /// The options that every frame is solved with.
@@ -118,7 +118,7 @@ impl<'a> Sequence<'a> {
         if self.has_series() && self.layout.is_by_rays() {
             return Err(AnimationError::ByRays);
         }
-        let still = self.stills.at(moment)?;
+        let still = self.frame_scenes.at(moment)?;
         // It is put back once the frame is solved: what fails or is interrupted leaves nothing that belongs
         // to half a frame.
         let anew = self.kept.anew();

@@ -18,17 +18,17 @@ const ANY_ENDING: char = '*';
 #[derive(Debug)]
 pub struct MoverDraft {
     name: String,
-    surfaces: Vec<Chosen>,
-    instances: Vec<Chosen>,
-    luminaires: Vec<Chosen>,
+    surfaces: Vec<NamedMember>,
+    instances: Vec<NamedMember>,
+    luminaires: Vec<NamedMember>,
     camera: Option<Option<Span>>,
     path: RigidPath,
-    typed: Option<TypedMover>,
+    typed: Option<MoverPlaces>,
 }
 
 /// The name of something that moves, with its place in a file.
 #[derive(Clone, Debug)]
-pub struct Chosen {
+pub struct NamedMember {
     /// The name.
     pub name: String,
     /// Place of the name in a file; none if it was given in code.
@@ -37,7 +37,7 @@ pub struct Chosen {
 
 /// The place of a mover in a file or a tree.
 #[derive(Debug)]
-pub struct TypedMover {
+pub struct MoverPlaces {
     /// The place of the whole mover.
     pub place: Option<Place>,
     /// Span of the whole mover.
@@ -65,13 +65,13 @@ impl MoverDraft {
     /// Moves the surfaces of that name, both sides; a `*` at its end stands for any ending.
     #[must_use]
     pub fn surface(self, name: impl Into<String>) -> Self {
-        self.surfaces([Chosen { name: name.into(), span: None }])
+        self.surfaces([NamedMember { name: name.into(), span: None }])
     }
 
     /// Moves the luminaires of that name; a `*` at its end stands for any ending.
     #[must_use]
     pub fn luminaire(self, name: impl Into<String>) -> Self {
-        self.luminaires([Chosen { name: name.into(), span: None }])
+        self.luminaires([NamedMember { name: name.into(), span: None }])
     }
 
     /// Moves the camera.
@@ -81,19 +81,19 @@ impl MoverDraft {
     }
 
     /// Moves surfaces by their names.
-    pub fn surfaces(mut self, chosen: impl IntoIterator<Item = Chosen>) -> Self {
+    pub fn surfaces(mut self, chosen: impl IntoIterator<Item = NamedMember>) -> Self {
         self.surfaces.extend(chosen);
         self
     }
 
     /// Moves instances by their names.
-    pub fn instances(mut self, chosen: impl IntoIterator<Item = Chosen>) -> Self {
+    pub fn instances(mut self, chosen: impl IntoIterator<Item = NamedMember>) -> Self {
         self.instances.extend(chosen);
         self
     }
 
     /// Moves luminaires by their names.
-    pub fn luminaires(mut self, chosen: impl IntoIterator<Item = Chosen>) -> Self {
+    pub fn luminaires(mut self, chosen: impl IntoIterator<Item = NamedMember>) -> Self {
         self.luminaires.extend(chosen);
         self
     }
@@ -104,7 +104,7 @@ impl MoverDraft {
     }
 
     /// Keeps its places in a file.
-    pub fn typed(self, typed: TypedMover) -> Self {
+    pub fn typed(self, typed: MoverPlaces) -> Self {
         Self { typed: Some(typed), ..self }
     }
 
@@ -119,7 +119,7 @@ impl MoverDraft {
 
 /// The names by which a surface or a luminaire can be moved.
 #[derive(Debug, Default)]
-pub struct Handles {
+pub struct MemberNames {
     /// Its own name, and the name of the entry that made it.
     pub(super) names: Vec<String>,
     /// Names of the instances that it is in.
@@ -128,8 +128,8 @@ pub struct Handles {
     luminaire: Option<usize>,
 }
 
-impl Handles {
-    /// Handles of a thing with these names, in no instance.
+impl MemberNames {
+    /// Names of a thing with these names, in no instance.
     pub fn named(names: impl Into<Vec<String>>) -> Self {
         Self { names: names.into(), ..Self::default() }
     }
@@ -139,7 +139,7 @@ impl Handles {
         Self { instances, ..self }
     }
 
-    /// Handles of the surface `name`, a side of the area of one of these luminaires.
+    /// Names of the surface `name`, a side of the area of one of these luminaires.
     pub fn of_area(name: &str, luminaires: &[Self]) -> Self {
         let called = |name: &str| luminaires.iter().position(|own| own.names[0] == name);
         let luminaire = called(name).or_else(|| called(name.strip_suffix(":back")?));
@@ -151,19 +151,19 @@ impl Handles {
 
 /// Surfaces, luminaires and camera that can be moved, in the order of the scene.
 #[derive(Debug)]
-pub struct Movable {
-    /// Handles of each surface.
-    pub surfaces: Vec<Handles>,
-    /// Handles of each luminaire.
-    pub luminaires: Vec<Handles>,
+pub struct MovableThings {
+    /// Names of each surface.
+    pub surfaces: Vec<MemberNames>,
+    /// Names of each luminaire.
+    pub luminaires: Vec<MemberNames>,
     /// Whether there is a camera.
     pub camera: bool,
 }
 
 /// The movers of a scene: every name is known, and nothing moves twice.
-pub fn movers(drafts: Vec<MoverDraft>, clock: Clock, movable: &Movable) -> Result<Animation, Located> {
+pub fn movers(drafts: Vec<MoverDraft>, clock: Clock, movable: &MovableThings) -> Result<Animation, Located> {
     let mut names = UniqueNames::default();
-    let mut taken = Taken::default();
+    let mut taken = TakenThings::default();
     let mut mover = |draft: MoverDraft| {
         let typed = draft.typed.as_ref();
         let added = names.add(&draft.name, typed.and_then(|typed| typed.name_line.clone()));
@@ -180,7 +180,7 @@ pub fn movers(drafts: Vec<MoverDraft>, clock: Clock, movable: &Movable) -> Resul
 }
 
 impl MoverDraft {
-    fn resolved(&self, movable: &Movable) -> Result<Mover, Located> {
+    fn resolved(&self, movable: &MovableThings) -> Result<Mover, Located> {
         let surfaces = self.found(
             &self.surfaces,
             &movable.surfaces,
@@ -193,7 +193,7 @@ impl MoverDraft {
             |own| &own.names,
             |name, known| Fault::UnknownLuminaire { name, known },
         )?;
-        let all: Vec<&Handles> = movable.surfaces.iter().chain(&movable.luminaires).collect();
+        let all: Vec<&MemberNames> = movable.surfaces.iter().chain(&movable.luminaires).collect();
         let in_instances = self.found(
             &self.instances,
             &all,
@@ -229,15 +229,15 @@ impl MoverDraft {
     }
 
     /// Indices of all things that one of the `chosen` names means.
-    fn found<H: Borrow<Handles>>(
+    fn found<H: Borrow<MemberNames>>(
         &self,
-        chosen: &[Chosen],
+        chosen: &[NamedMember],
         all: &[H],
-        names: fn(&Handles) -> &[String],
+        names: fn(&MemberNames) -> &[String],
         unknown: fn(String, Vec<String>) -> Fault,
     ) -> Result<Vec<usize>, Located> {
         let mut found = Vec::new();
-        for Chosen { name, span } in chosen {
+        for NamedMember { name, span } in chosen {
             let means = |own: &String| match name.strip_suffix(ANY_ENDING) {
                 Some(stem) => own.starts_with(stem),
                 None => own == name,
@@ -267,15 +267,15 @@ fn united(mut list: Vec<usize>, other: Vec<usize>) -> Vec<usize> {
 
 /// Surfaces, luminaires and camera that belong to a mover already, each with the name of its mover.
 #[derive(Default)]
-struct Taken {
+struct TakenThings {
     surfaces: BTreeMap<usize, String>,
     luminaires: BTreeMap<usize, String>,
     camera: Option<String>,
 }
 
-impl Taken {
+impl TakenThings {
     /// Adds a mover; refuses one that moves a thing of another mover.
-    fn take(&mut self, mover: &Mover, movable: &Movable) -> Result<(), Fault> {
+    fn take(&mut self, mover: &Mover, movable: &MovableThings) -> Result<(), Fault> {
         let twice = |what: String, first: String| Fault::MovesTwice { what, first };
         for index in &mover.surfaces {
             if let Some(first) = self.surfaces.insert(*index, mover.name.clone()) {

@@ -55,7 +55,7 @@ pub struct SurfaceDraft {
     /// Whether its front and its back are exchanged.
     pub flip: bool,
     /// Its places in a file or a tree; none if it was made in code.
-    pub typed: Option<Typed>,
+    pub typed: Option<DraftPlaces>,
 }
 
 /// A shape with the name of the surface it makes.
@@ -63,7 +63,7 @@ pub type NamedShape = (String, Arc<dyn Surface>);
 
 /// The place of a draft in a file or a tree.
 #[derive(Clone, Debug)]
-pub struct Typed {
+pub struct DraftPlaces {
     /// The place of the whole draft.
     pub place: Option<Place>,
     /// Place of its name.

@@ -4,7 +4,7 @@
 //! Where a moved flat sheet comes into the plane of another one, it is set apart from it, as at rest; what
 //! did not move stays where it is. So a surface that does not move, or whose pose is that of rest, is the
 //! same to the bit in every frame; there are as many surfaces in each, in the same order, with the same names
-//! and parameters. Of scenes made one after the other ([`Stills`]), surfaces that are where they were in the
+//! and parameters. Of scenes made one after the other ([`FrameScenes`]), surfaces that are where they were in the
 //! one before are the same ones in memory, too.
 
 use std::sync::Arc;
@@ -30,7 +30,7 @@ use crate::{
 
 /// The still scenes of a scene that moves, one after the other, in any order.
 #[derive(Debug)]
-pub struct Stills<'a> {
+pub struct FrameScenes<'a> {
     scene: &'a Scene,
     /// Motions and shapes of the surfaces of the still scene that was made last.
     before: Vec<(Placement, Arc<dyn Surface>)>,
@@ -39,7 +39,7 @@ pub struct Stills<'a> {
 /// Motions that a surface was moved by from rest, as bits: by its mover, and off another sheet.
 type Placement = Vec<[u64; 13]>;
 
-impl<'a> Stills<'a> {
+impl<'a> FrameScenes<'a> {
     /// The still scenes of `scene`, of which none is made yet.
     pub fn of(scene: &'a Scene) -> Self {
         Self { scene, before: Vec::new() }

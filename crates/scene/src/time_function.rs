@@ -26,13 +26,13 @@ pub enum Curve {
 }
 
 /// A number or a vector, of which weighted sums are made.
-pub trait Mixed: Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
+pub trait Interpolable: Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
 
-impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Mixed for T {}
+impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Interpolable for T {}
 
 /// A function of time, interpolated between values at given times.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Track<T> {
+pub struct TimeFunction<T> {
     times: Times,
     values: Vec<T>,
     /// Second derivatives by time; empty for straight lines.
@@ -79,7 +79,7 @@ impl Times {
     }
 }
 
-impl<T: Mixed> Track<T> {
+impl<T: Interpolable> TimeFunction<T> {
     /// The `values` at these `times`, which ascend; `what` names the values in messages.
     ///
     /// # Errors
@@ -120,7 +120,7 @@ impl<T: Mixed> Track<T> {
 /// ```text
 /// h₀ M₀ + 2 (h₀ + h₁) M₁ + h₁ M₂ = 6 ((x₂ − x₁)/h₁ − (x₁ − x₀)/h₀) .
 /// ```
-fn bends<T: Mixed>(values: &[T], times: &Times) -> Vec<T> {
+fn bends<T: Interpolable>(values: &[T], times: &Times) -> Vec<T> {
     let count = values.len();
     let slope = |k: usize| (values[k + 1] - values[k]) * (1.0 / times.step(k));
     // M_k = rest_k − factor_k M_{k+1}.
@@ -143,19 +143,19 @@ mod tests {
 
     use super::*;
 
-    fn track(values: &[f64], times: &[f64], curve: Curve) -> Track<f64> {
-        Track::new("values", values.to_vec(), times.to_vec(), curve).expect("a track")
+    fn time_function(values: &[f64], times: &[f64], curve: Curve) -> TimeFunction<f64> {
+        TimeFunction::new("values", values.to_vec(), times.to_vec(), curve).expect("a track")
     }
 
     #[test]
     fn given_values_are_met_to_the_bit_and_kept_beyond_the_ends() {
         let (values, times) = ([0.1, -0.7, 0.3, 1e-9], [0.3, 0.7, 1.9, 2.0]);
         for curve in [Curve::Line, Curve::Spline] {
-            let track = track(&values, &times, curve);
+            let time_function = time_function(&values, &times, curve);
             for (value, time) in values.iter().zip(times) {
-                assert_eq!(track.at(time), *value);
+                assert_eq!(time_function.at(time), *value);
             }
-            assert_eq!([track.at(-1.0), track.at(9.0)], [0.1, 1e-9]);
+            assert_eq!([time_function.at(-1.0), time_function.at(9.0)], [0.1, 1e-9]);
         }
     }
 
@@ -163,10 +163,10 @@ mod tests {
     fn a_line_runs_at_constant_speed_and_a_spline_through_its_points_is_that_line() {
         let (values, times) = ([1.0, 2.0, 5.0], [0.0, 1.0, 4.0]);
         for curve in [Curve::Line, Curve::Spline] {
-            let track = track(&values, &times, curve);
+            let time_function = time_function(&values, &times, curve);
             for k in 0..=40 {
                 let time = 0.1 * f64::from(k);
-                assert!((track.at(time) - (1.0 + time)).abs() < 1e-14);
+                assert!((time_function.at(time) - (1.0 + time)).abs() < 1e-14);
             }
         }
     }
@@ -176,10 +176,10 @@ mod tests {
         // On [−1, 1] with a knot at 0, where its first two derivatives are continuous; the second is 0 at
         // both ends.
         let natural = |x: f64| 3.0 * x * x - x.abs().powi(3);
-        let track = track(&[2.0, 0.0, 2.0], &[-1.0, 0.0, 1.0], Curve::Spline);
+        let time_function = time_function(&[2.0, 0.0, 2.0], &[-1.0, 0.0, 1.0], Curve::Spline);
         for k in -10..=10 {
             let x = 0.1 * f64::from(k);
-            assert!((track.at(x) - natural(x)).abs() < 1e-14, "{x}");
+            assert!((time_function.at(x) - natural(x)).abs() < 1e-14, "{x}");
         }
     }
 
@@ -188,11 +188,11 @@ mod tests {
         let values = [[0.0, 1.0, 0.0], [0.4, 0.2, 0.1], [-0.3, 0.0, 2.0], [1.0, 1.0, 1.0]];
         let times = vec![0.0, 1.0, 1.5, 3.0];
         let values = values.map(DVec3::from_array).to_vec();
-        let track = Track::new("points", values, times, Curve::Spline).expect("a track");
+        let time_function = TimeFunction::new("points", values, times, Curve::Spline).expect("a track");
         let step = 1e-4;
-        let speed = |time: f64| (track.at(time + step) - track.at(time - step)) / (2.0 * step);
+        let speed = |time: f64| (time_function.at(time + step) - time_function.at(time - step)) / (2.0 * step);
         let bend =
-            |time: f64| (track.at(time + step) + track.at(time - step) - 2.0 * track.at(time)) / step.powi(2);
+            |time: f64| (time_function.at(time + step) + time_function.at(time - step) - 2.0 * time_function.at(time)) / step.powi(2);
         for knot in [1.0, 1.5] {
             // Differences over 2e-4 see third derivatives, about 10, times 2e-4.
             let away = 1.5 * step;
@@ -207,7 +207,7 @@ mod tests {
     #[test]
     fn what_makes_no_track_is_told() {
         let new = |values: &[f64], times: &[f64]| {
-            Track::new("points", values.to_vec(), times.to_vec(), Curve::Line)
+            TimeFunction::new("points", values.to_vec(), times.to_vec(), Curve::Line)
         };
         assert!(matches!(new(&[1.0], &[0.0]), Err(Fault::WrongCount { what: "points", found: 1, .. })));
         assert!(matches!(new(&[1.0, 2.0], &[0.0]), Err(Fault::WrongCount { what: "times", found: 1, .. })));
