@@ -107,27 +107,27 @@ impl Occlusion {
         let accuracy = limit.error / limit.entry;
         let Sides { side, outer, inner } = Sides::of(pair, &blockers, visibility, accuracy);
         let bodies = visibility.one_of_each_body(&blockers);
-        let task = Task::new(pair, side, &inner, &bodies, visibility, limit);
+        let correction = Correction::new(pair, side, &inner, &bodies, visibility, limit);
         let area = |patch: &Patch| patch.node(0.5, 0.5).area;
         let whole: f64 = outer.iter().map(area).sum();
-        let add = |work: &mut Work, patch: &Patch| {
-            work.left = MOST_CELLS;
-            work.visit(patch, &bodies, None, limit.error * (area(patch) / whole).sqrt(), DEPTH);
+        let add = |sums: &mut CorrectionSums, patch: &Patch| {
+            sums.left = MOST_CELLS;
+            sums.visit(patch, &bodies, None, limit.error * (area(patch) / whole).sqrt(), DEPTH);
         };
-        let mut work = Work::new(&task);
+        let mut sums = CorrectionSums::new(&correction);
         if outer.len() < MANY {
-            outer.iter().for_each(|patch| add(&mut work, patch));
-            return work.finish();
+            outer.iter().for_each(|patch| add(&mut sums, patch));
+            return sums.finish();
         }
         // Partial sums are added in the order of the patches: the same result on any number of threads.
         let sum_of = |patch: &Patch| {
-            let mut part = Work::new(&task);
+            let mut part = CorrectionSums::new(&correction);
             add(&mut part, patch);
             part
         };
-        let parts: Vec<Work> = outer.par_iter().map(sum_of).collect();
-        parts.iter().for_each(|part| work.merge(part));
-        work.finish()
+        let parts: Vec<CorrectionSums> = outer.par_iter().map(sum_of).collect();
+        parts.iter().for_each(|part| sums.merge(part));
+        sums.finish()
     }
 }
 
@@ -140,47 +140,47 @@ pub(crate) fn occluded_block(
     limit: Limit,
     unshaded: impl FnOnce() -> Block,
 ) -> Block {
-    let shade = Occlusion::of(pair, blockers, visibility, limit);
-    if shade.dark {
-        return Block { samples: shade.samples, ..Block::hidden(shade.values.len(), 0) };
+    let occlusion = Occlusion::of(pair, blockers, visibility, limit);
+    if occlusion.dark {
+        return Block { samples: occlusion.samples, ..Block::hidden(occlusion.values.len(), 0) };
     }
     let mut block = unshaded();
-    block.values.iter_mut().zip(&shade.values).for_each(|(value, hidden)| *value -= hidden);
+    block.values.iter_mut().zip(&occlusion.values).for_each(|(value, hidden)| *value -= hidden);
     if let [factor] = &mut block.values[..] {
         *factor = factor.max(0.0);
     }
-    block.partly_hidden = shade.hides;
-    block.error += shade.error;
-    block.samples += shade.samples;
-    block.distinct += shade.samples;
+    block.partly_hidden = occlusion.hides;
+    block.error += occlusion.error;
+    block.samples += occlusion.samples;
+    block.distinct += occlusion.samples;
     block
 }
 
 /// The correction from one cell of the outer element.
-struct Sum {
+struct CellSum {
     values: Vec<f64>,
     /// Points of the rule along and across the cell.
     points: [usize; 2],
     /// Part of the inner element that is hidden from all points of the rule together.
-    shadow: Shadow,
+    shadow: HiddenShare,
 }
 
 /// Part of the inner element that is hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Shadow {
+enum HiddenShare {
     Nothing,
     Part,
     Everything,
 }
 
-impl Shadow {
+impl HiddenShare {
     fn and(self, other: Self) -> Self {
         if self == other { self } else { Self::Part }
     }
 }
 
 /// The constants of one correction.
-struct Task<'a> {
+struct Correction<'a> {
     pair: [&'a Element; 2],
     visibility: &'a Visibility,
     edges: Edges,
@@ -204,7 +204,7 @@ struct Task<'a> {
     limit: Limit,
 }
 
-impl<'a> Task<'a> {
+impl<'a> Correction<'a> {
     fn new(
         pair: [&'a Element; 2],
         side: Side,
@@ -243,8 +243,8 @@ impl<'a> Task<'a> {
 }
 
 /// The running sums of one correction.
-struct Work<'a> {
-    task: &'a Task<'a>,
+struct CorrectionSums<'a> {
+    correction: &'a Correction<'a>,
     moments: Moments<'a>,
     /// Raw functions of the inner element at one point.
     row: Vec<f64>,
@@ -256,12 +256,12 @@ struct Work<'a> {
     left: u64,
 }
 
-impl<'a> Work<'a> {
-    fn new(task: &'a Task<'a>) -> Self {
+impl<'a> CorrectionSums<'a> {
+    fn new(correction: &'a Correction<'a>) -> Self {
         Self {
-            task,
-            moments: Moments::new(&task.pair[0].basis, &task.pair[1].basis),
-            row: vec![0.0; task.inner.basis.len()],
+            correction,
+            moments: Moments::new(&correction.pair[0].basis, &correction.pair[1].basis),
+            row: vec![0.0; correction.inner.basis.len()],
             hides: false,
             dark: true,
             error: 0.0,
@@ -285,26 +285,26 @@ impl<'a> Work<'a> {
 
     /// Adds a cell of the outer element with an error up to `limit`. `coarse` are its moments by one rule, if
     /// known.
-    fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<Sum>, limit: f64, depth: usize) {
+    fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<CellSum>, limit: f64, depth: usize) {
         check_interrupt();
-        let blockers = self.task.visibility.narrow_bodies(blockers, &cell.hull(), self.task.edges.inner());
+        let blockers = self.correction.visibility.narrow_bodies(blockers, &cell.hull(), self.correction.edges.inner());
         if blockers.is_empty() {
             self.dark = false;
             return;
         }
-        let coarse = coarse.unwrap_or_else(|| self.sum(cell, &blockers, [self.task.points; 2]));
-        let cut = Cut::of(cell);
+        let coarse = coarse.unwrap_or_else(|| self.sum(cell, &blockers, [self.correction.points; 2]));
+        let cut = CellCut::of(cell);
         let parts = cut.parts(cell);
-        let points = cut.points(self.task.points, coarse.points);
-        let sums: Vec<Sum> = parts.iter().map(|part| self.sum(part, &blockers, points)).collect();
+        let points = cut.points(self.correction.points, coarse.points);
+        let sums: Vec<CellSum> = parts.iter().map(|part| self.sum(part, &blockers, points)).collect();
         let fine = |k: usize| sums.iter().map(|sum| sum.values[k]).sum::<f64>();
         let differences = coarse.values.iter().enumerate().map(|(k, value)| (value - fine(k)).abs());
-        let difference = differences.fold(0.0, f64::max) * self.task.unit;
+        let difference = differences.fold(0.0, f64::max) * self.correction.unit;
         // The first two levels, of few points, may agree by chance: they have to agree better.
         let agreed = if depth == DEPTH { limit } else { AGREED * limit };
-        let agreed = agreed.max(ROUNDING * self.task.limit.entry);
-        let shadow = sums.iter().map(|sum| sum.shadow).fold(coarse.shadow, Shadow::and);
-        let is_sure = shadow == Shadow::Part || depth + SURE <= DEPTH;
+        let agreed = agreed.max(ROUNDING * self.correction.limit.entry);
+        let shadow = sums.iter().map(|sum| sum.shadow).fold(coarse.shadow, HiddenShare::and);
+        let is_sure = shadow == HiddenShare::Part || depth + SURE <= DEPTH;
         let is_told = difference <= agreed && is_sure;
         self.left = self.left.saturating_sub(parts.len() as u64);
         let is_last = depth == 0 || self.left == 0;
@@ -312,7 +312,7 @@ impl<'a> Work<'a> {
             self.error += difference;
         }
         let may_miss = is_told && !is_last && self.may_miss(cell, &blockers);
-        let entries = self.task.outer.basis.len() * self.task.inner.basis.len();
+        let entries = self.correction.outer.basis.len() * self.correction.inner.basis.len();
         let share = limit / (parts.len() as f64).sqrt();
         for (index, (part, sum)) in parts.iter().zip(sums).enumerate() {
             let is_done = is_last || is_told && !(may_miss && self.may_miss(part, &blockers));
@@ -331,8 +331,8 @@ impl<'a> Work<'a> {
 
     /// Whether the rule on a cell may have missed shadows that matter.
     fn may_miss(&self, cell: &Patch, blockers: &[usize]) -> bool {
-        CARRIED * self.most(cell) > self.task.limit.error
-            && self.task.edges.may_be_passed_over(cell, blockers, self.task.points as f64, self.task.accuracy)
+        CARRIED * self.most(cell) > self.correction.limit.error
+            && self.correction.edges.may_be_passed_over(cell, blockers, self.correction.points as f64, self.correction.accuracy)
     }
 
     /// Maximal contribution of a cell to an entry, estimated from the unobstructed irradiance at its corners
@@ -341,16 +341,16 @@ impl<'a> Work<'a> {
         let nodes =
             [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[s, t]| cell.node(s, t));
         let seen = |x: &Node| -> f64 {
-            self.task.polygons.iter().map(|polygon| irradiance(x.position, x.normal, polygon)).sum()
+            self.correction.polygons.iter().map(|polygon| irradiance(x.position, x.normal, polygon)).sum()
         };
-        nodes.iter().map(seen).fold(0.0, f64::max) * nodes[0].area * self.task.constants
+        nodes.iter().map(seen).fold(0.0, f64::max) * nodes[0].area * self.correction.constants
     }
 
     /// Moments of what is hidden from a cell, receiver's raw functions by emitter's. If the outer element has
     /// constants only, the moments with its two coordinates follow: one number may agree on two levels by
     /// chance, three hardly do.
-    fn sum(&mut self, cell: &Patch, blockers: &[usize], points: [usize; 2]) -> Sum {
-        let (own, other) = (self.task.outer.basis.len(), self.task.inner.basis.len());
+    fn sum(&mut self, cell: &Patch, blockers: &[usize], points: [usize; 2]) -> CellSum {
+        let (own, other) = (self.correction.outer.basis.len(), self.correction.inner.basis.len());
         let witnesses = if own == 1 { 2 * other } else { 0 };
         let (mut sum, mut shadow) = (vec![0.0; own * other + witnesses], None);
         let (mut left, mut right) = (vec![0.0; own], vec![0.0; other]);
@@ -361,13 +361,13 @@ impl<'a> Work<'a> {
             right.fill(0.0);
             let found = self.hidden(&x, blockers, &mut right);
             shadow = Some(shadow.map_or(found, |other| found.and(other)));
-            if found == Shadow::Nothing {
+            if found == HiddenShare::Nothing {
                 continue;
             }
-            let coordinates = self.task.outer.basis.frame().coordinates(&x);
-            self.task.outer.basis.raw(coordinates, &mut left);
+            let coordinates = self.correction.outer.basis.frame().coordinates(&x);
+            self.correction.outer.basis.raw(coordinates, &mut left);
             let weight = ws * wt * x.area;
-            let (rows, columns) = match self.task.side {
+            let (rows, columns) = match self.correction.side {
                 Side::Receiver => (&left, &right),
                 Side::Emitter => (&right, &left),
             };
@@ -379,16 +379,16 @@ impl<'a> Work<'a> {
                 row.iter_mut().zip(&right).for_each(|(value, r)| *value += weight * left[0] * place * r);
             }
         }
-        Sum { values: sum, points, shadow: shadow.unwrap_or(Shadow::Nothing) }
+        CellSum { values: sum, points, shadow: shadow.unwrap_or(HiddenShare::Nothing) }
     }
 
     /// Adds ∫ κ(x, y) R_l(y) dA_y over what is hidden from x to `out`; returns how much is hidden.
-    fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> Shadow {
-        let volumes = self.task.visibility.volumes(blockers, x.position, &self.task.ball);
+    fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> HiddenShare {
+        let volumes = self.correction.visibility.volumes(blockers, x.position, &self.correction.ball);
         let (mut any, mut everything) = (false, true);
-        for index in 0..self.task.polygons.len() {
+        for index in 0..self.correction.polygons.len() {
             let Some(polygon) = self.seen_from(x, index) else { continue };
-            let (hidden, all) = inside_any(&polygon, &self.task.balls[index], &volumes);
+            let (hidden, all) = inside_any(&polygon, &self.correction.balls[index], &volumes);
             everything &= all;
             any |= !hidden.is_empty();
             hidden.into_iter().for_each(|seen| self.gather(x, seen, out));
@@ -396,19 +396,19 @@ impl<'a> Work<'a> {
         self.dark &= everything;
         self.hides |= any;
         match (any, everything) {
-            (false, _) => Shadow::Nothing,
-            (true, true) => Shadow::Everything,
-            (true, false) => Shadow::Part,
+            (false, _) => HiddenShare::Nothing,
+            (true, true) => HiddenShare::Everything,
+            (true, false) => HiddenShare::Part,
         }
     }
 
     /// The part of a polygon of the inner element that a point sees without blockers.
     fn seen_from(&self, x: &Node, index: usize) -> Option<Cow<'_, [DVec3]>> {
-        let polygon = &self.task.polygons[index];
-        if self.task.outer.plane.is_some() {
+        let polygon = &self.correction.polygons[index];
+        if self.correction.outer.plane.is_some() {
             return Some(Cow::Borrowed(polygon));
         }
-        let is_before = (x.position - polygon[0]).dot(self.task.normal) > 0.0;
+        let is_before = (x.position - polygon[0]).dot(self.correction.normal) > 0.0;
         let above = clip_polygon(polygon, x.position, x.normal);
         (is_before && above.len() > 2).then_some(Cow::Owned(above))
     }
@@ -417,11 +417,11 @@ impl<'a> Work<'a> {
     fn gather(&mut self, x: &Node, seen: Corners, out: &mut [f64]) {
         if out.len() == 1 {
             self.samples += seen.len() as u64;
-            out[0] += self.task.constant * irradiance_seen(x.normal, seen);
+            out[0] += self.correction.constant * irradiance_seen(x.normal, seen);
             return;
         }
         let polygon: Corners = seen.iter().map(|a| a + x.position).collect();
-        for patch in Patch::of_polygon(&polygon, self.task.normal) {
+        for patch in Patch::of_polygon(&polygon, self.correction.normal) {
             let corners = patch.polygon();
             let length = Aabb::around(corners.iter().copied()).diagonal();
             if polygon_area(&corners) > SLIVER * length * length {
@@ -438,16 +438,16 @@ impl<'a> Work<'a> {
             let direction = if along >= across { Direction::Along } else { Direction::Across };
             return patch.halves(direction).iter().for_each(|half| self.gauss(x, half, out, depth - 1));
         }
-        let basis = &self.task.inner.basis;
+        let basis = &self.correction.inner.basis;
         let degree = basis.total_degree() + usize::from(!patch.is_parallelogram());
         let rule = |extent: f64| {
             let ratio = (gap / extent).max(SMALLEST_RATIO);
             let rho = 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt();
-            UnitRule::of(far::points(degree, self.task.accuracy, rho))
+            UnitRule::of(far::points(degree, self.correction.accuracy, rho))
         };
         let (first, second) = (rule(along), rule(across));
         let area = [(b - a).cross(d - a), (b - a).cross(c - b), (c - d).cross(d - a)].map(|n| n.length());
-        let height = (x.position - a).dot(self.task.normal) * FRAC_1_PI;
+        let height = (x.position - a).dot(self.correction.normal) * FRAC_1_PI;
         for (s, ws) in first.iter() {
             let (start, across) = (a + (b - a) * s, (d - a) * (1.0 - s) + (c - b) * s);
             for (t, wt) in second.iter() {
@@ -473,12 +473,12 @@ fn points(degree: usize, accuracy: f64) -> usize {
 
 /// Ways to cut a cell: into quarters, or across the longer side of a slender one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Cut {
+enum CellCut {
     Halves(Direction),
     Quarters,
 }
 
-impl Cut {
+impl CellCut {
     fn of(cell: &Patch) -> Self {
         let [along, across] = cell.extents();
         if along > SLENDER * across {

@@ -40,7 +40,7 @@ const SURE: f64 = 2.0;
 
 /// The points that are summed: those that see each other, or those hidden from each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Choice {
+pub(crate) enum SummedPoints {
     /// The seen or the hidden points, whichever are rarer: if a rule over all is cheap.
     Rarer,
     /// The seen points, unless that needs many, else whichever are rarer: if a rule over all is expensive.
@@ -69,17 +69,17 @@ impl SampledVisibility {
         bases: [&AreaBasis; 2],
         sees: Sees,
         limit: f64,
-        choice: Choice,
+        summed: SummedPoints,
     ) -> Self {
         let constants = bases.map(AreaBasis::constant).iter().product();
         let mut work =
-            Work { patches, bases, constants, sees, rays: 0, hidden: false, count: Count::default() };
-        let of_seen = (choice == Choice::Seen).then(|| work.sum(limit, DEAR));
+            PairSampler { patches, bases, constants, sees, rays: 0, hidden: false, count: PointCounts::default() };
+        let of_seen = (summed == SummedPoints::Seen).then(|| work.sum(limit, DEAR));
         // If no points face each other, they decide nothing.
         let enough = of_seen.filter(|(_, error)| *error <= limit && work.count.facing > 0);
         let (values, error) = enough.unwrap_or_else(|| work.rarer(limit));
         let error = if error <= limit { 0.0 } else { error };
-        let Work { hidden, count: Count { samples, .. }, rays, .. } = work;
+        let PairSampler { hidden, count: PointCounts { samples, .. }, rays, .. } = work;
         Self { values, hidden, error, samples, rays }
     }
 
@@ -92,7 +92,7 @@ impl SampledVisibility {
     }
 }
 
-struct Work<'a> {
+struct PairSampler<'a> {
     patches: [&'a Patch; 2],
     bases: [&'a AreaBasis; 2],
     /// Product of the constants of both bases.
@@ -102,12 +102,12 @@ struct Work<'a> {
     rays: u64,
     /// Whether what is hidden is summed.
     hidden: bool,
-    count: Count,
+    count: PointCounts,
 }
 
 /// The points of a sum.
 #[derive(Clone, Copy, Debug, Default)]
-struct Count {
+struct PointCounts {
     samples: u64,
     /// Samples whose two points face each other, and those that see each other.
     facing: u64,
@@ -116,13 +116,13 @@ struct Count {
     weight: f64,
 }
 
-impl Work<'_> {
+impl PairSampler<'_> {
     /// The integral of what is rarer, and its estimated error.
     fn rarer(&mut self, limit: f64) -> (Vec<f64>, f64) {
         if self.count.samples == 0 {
             self.batch(PILOT);
         }
-        let Count { facing, seen, .. } = std::mem::take(&mut self.count);
+        let PointCounts { facing, seen, .. } = std::mem::take(&mut self.count);
         self.hidden = 2 * seen >= facing;
         self.sum(limit, f64::INFINITY)
     }
@@ -172,7 +172,7 @@ impl Work<'_> {
     /// The contribution of [`OFF`] or [`UNMET`] points: batches with few points of the summed kind may agree
     /// by chance.
     fn least_error(&self) -> f64 {
-        let Count { samples, facing, seen, weight } = self.count;
+        let PointCounts { samples, facing, seen, weight } = self.count;
         if facing == 0 {
             return 0.0;
         }
@@ -231,16 +231,16 @@ mod tests {
     /// For two squares, one above the other, of which the lower one sees the upper one from x < `to` only:
     /// the result, and the exact integral.
     fn found(to: f64, limit: f64) -> (SampledVisibility, f64) {
-        found_of(to, limit, Choice::Rarer)
+        found_of(to, limit, SummedPoints::Rarer)
     }
 
-    fn found_of(to: f64, limit: f64, choice: Choice) -> (SampledVisibility, f64) {
+    fn found_of(to: f64, limit: f64, summed: SummedPoints) -> (SampledVisibility, f64) {
         let (floor, ceiling) = (square(0.0, true), square(1.0, false));
         let p = Patch::of_polygon(&floor, DVec3::Z);
         let q = Patch::of_polygon(&ceiling, -DVec3::Z);
         let bases = [basis(&p), basis(&q)];
         let sees = |x: DVec3, _| x.x < to;
-        let found = SampledVisibility::new([&p[0], &q[0]], [&bases[0], &bases[1]], &sees, limit, choice);
+        let found = SampledVisibility::new([&p[0], &q[0]], [&bases[0], &bases[1]], &sees, limit, summed);
         let part = |from: f64, to: f64| {
             let corners = [[from, 0.], [to, 0.], [to, 1.], [from, 1.]].map(|[x, y]| DVec3::new(x, y, 0.0));
             polygon_exchange(&corners, &ceiling)
@@ -266,7 +266,7 @@ mod tests {
     #[test]
     fn what_is_seen_is_summed_unless_that_is_dear() {
         for (limit, hidden) in [(1e-3, false), (1e-5, true)] {
-            let (found, exact) = found_of(0.99, limit, Choice::Seen);
+            let (found, exact) = found_of(0.99, limit, SummedPoints::Seen);
             assert_eq!(found.hidden, hidden);
             assert!((found.values[0] - exact).abs() <= 3.0 * limit);
         }
@@ -278,7 +278,7 @@ mod tests {
         let [p, q] = [Patch::of_polygon(&up, DVec3::Z), Patch::of_polygon(&down, -DVec3::Z)];
         let bases = [basis(&p), basis(&q)];
         let found =
-            SampledVisibility::new([&p[0], &q[0]], [&bases[0], &bases[1]], &|_, _| true, 1e-3, Choice::Seen);
+            SampledVisibility::new([&p[0], &q[0]], [&bases[0], &bases[1]], &|_, _| true, 1e-3, SummedPoints::Seen);
         assert!(found.hidden && found.values == [0.0] && found.error == 0.0 && found.rays == 0);
     }
 

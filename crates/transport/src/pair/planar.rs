@@ -34,7 +34,7 @@ use radiosity_kernel::{Accuracy, Kind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
-use crate::occlusion::sampled::{Choice, SampledVisibility};
+use crate::occlusion::sampled::{SummedPoints, SampledVisibility};
 
 /// Smallest extent of patches that may still be halved, relative to the larger element. Chosen; not tuned.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
@@ -281,7 +281,7 @@ impl<'a> Job<'a> {
     fn scatter(&mut self, p: &Patch, q: &Patch, contact: &FlatContact, sees: Sees) {
         let volume = polygon_area(&p.polygon()) * polygon_area(&q.polygon());
         let limit = self.shadow_error / self.scale * volume.sqrt() / self.unit;
-        let found = SampledVisibility::new([p, q], self.moments.bases(), sees, limit, Choice::Rarer);
+        let found = SampledVisibility::new([p, q], self.moments.bases(), sees, limit, SummedPoints::Rarer);
         found.add_to(&mut self.moments);
         self.error += self.scale * found.error;
         if found.hidden {

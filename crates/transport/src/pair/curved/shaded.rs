@@ -3,7 +3,7 @@
 use radiosity_elements::patch::Patch;
 use radiosity_kernel::contact::orientation::Facing;
 
-use crate::occlusion::sampled::{Choice, SampledVisibility};
+use crate::occlusion::sampled::{SummedPoints, SampledVisibility};
 use crate::pair::curved::job::Job;
 use crate::pair::curved::size::area;
 
@@ -14,10 +14,10 @@ impl Job<'_> {
     pub(super) fn scatter(&mut self, p: &Patch, q: &Patch, facing: Facing, blockers: &[usize]) -> bool {
         let own = self.surfaces();
         let free = |x, y| self.visibility.free_between(own, blockers, x, y);
-        let choice = if facing == Facing::Wholly { Choice::Rarer } else { Choice::Seen };
+        let summed = if facing == Facing::Wholly { SummedPoints::Rarer } else { SummedPoints::Seen };
         let scale = self.norm.first();
         let limit = self.budget.shadow_error / scale * (area(p) * area(q)).sqrt() / self.budget.unit;
-        let found = SampledVisibility::new([p, q], self.moments.bases(), &free, limit, choice);
+        let found = SampledVisibility::new([p, q], self.moments.bases(), &free, limit, summed);
         found.add_to(&mut self.moments);
         self.error += scale * found.error;
         found.hidden
