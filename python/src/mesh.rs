@@ -50,7 +50,7 @@ fn model(vertices: &[DVec3], faces: &Faces<'_>, names: &[String]) -> Result<Mode
             refused(message, "give indices of rows of `vertices`, counted from 0")
         })?;
         let coat = Coat { object, material: Some(object), sides: Sides::Front };
-        let place = radiosity::photometry::place::Place::Line(index);
+        let place = radiosity::photometry::file_place::FilePlace::Line(index);
         mesh.face(corners, coat, place).map_err(|fault| refused(fault.cause, &fault.cure))?;
     }
     mesh.finish("faces").map_err(|fault| Trouble::new(fault.cause, fault.cure))

@@ -50,12 +50,12 @@ pub(crate) struct Solution {
 type Readings<'py> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArrayDyn<f64>>);
 
 /// A scene with its solution and its report.
-pub(crate) struct Found {
+pub(crate) struct ReportedSolution {
     solved: Solved,
     report: Report,
 }
 
-impl Found {
+impl ReportedSolution {
     /// A solution with its report, computed by as many threads as the solution.
     pub(crate) fn of(solved: Solved) -> Result<Self, Failure> {
         let threads = Ranks::alone().threads(solved.options.threads);
@@ -75,7 +75,7 @@ pub(crate) fn load_solution(
     Solution::new(py, found, MethodRequest::default(), true)
 }
 
-fn read_file(path: &str, factors: &BTreeMap<String, f64>) -> Result<Found, Trouble> {
+fn read_file(path: &str, factors: &BTreeMap<String, f64>) -> Result<ReportedSolution, Trouble> {
     let text = radiosity::language::text_of(path, &[])?;
     if !is_solution(&text.text()) {
         let cure = "solve it first: load(…).solve()";
@@ -83,7 +83,7 @@ fn read_file(path: &str, factors: &BTreeMap<String, f64>) -> Result<Found, Troub
     }
     let solved = solution_file::read(&text, Ranks::alone())?;
     let solved = if factors.is_empty() { solved } else { solved.relight(&borrowed(factors))? };
-    Ok(Found::of(solved)?)
+    Ok(ReportedSolution::of(solved)?)
 }
 
 fn borrowed(factors: &BTreeMap<String, f64>) -> Vec<(&str, f64)> {
@@ -92,8 +92,8 @@ fn borrowed(factors: &BTreeMap<String, f64>) -> Vec<(&str, f64)> {
 
 impl Solution {
     /// A solution in Python; gives the warnings of its report.
-    pub(crate) fn new(py: Python<'_>, found: Found, method: MethodRequest, is_saved: bool) -> PyResult<Self> {
-        let Found { solved, report } = found;
+    pub(crate) fn new(py: Python<'_>, found: ReportedSolution, method: MethodRequest, is_saved: bool) -> PyResult<Self> {
+        let ReportedSolution { solved, report } = found;
         report.warnings.iter().try_for_each(|warning| warn(py, &warning.message))?;
         Ok(Self { solved: Arc::new(solved), method, is_saved, report })
     }
@@ -271,7 +271,7 @@ impl Solution {
     /// The solution with light groups at other factors.
     fn relight(&self, py: Python<'_>, factors: BTreeMap<String, f64>) -> PyResult<Self> {
         let found = work(py, None, |_| -> Result<_, Trouble> {
-            Ok(Found::of(self.solved.relight(&borrowed(&factors))?)?)
+            Ok(ReportedSolution::of(self.solved.relight(&borrowed(&factors))?)?)
         })?;
         Self::new(py, found, self.method.clone(), self.is_saved)
     }

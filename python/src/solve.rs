@@ -18,7 +18,7 @@ use crate::arrays::probes;
 use crate::error::Trouble;
 use crate::requests;
 use crate::scene::Scene;
-use crate::solution::{Found, Solution};
+use crate::solution::{ReportedSolution, Solution};
 use crate::work::work;
 
 /// Solves a scene. `aim` is what an accuracy is wanted of: "gathered", "solution", "picture", or "points"
@@ -36,7 +36,7 @@ pub(crate) fn solution_of(
     let keep_partial = given.flag("keep_partial")?;
     let mut method = requests::method(&mut given)?;
     given.finish("solve")?;
-    let wanted = Wanted::of(aim, sensors)?;
+    let wanted = AimArgument::of(aim, sensors)?;
     method.aim = aim.is_some().then_some(wanted.aim());
     if method.aim.is_some() && method.wanted_accuracy().is_none() {
         let cure = "add accuracy=, such as accuracy=1e-2, or leave aim= out";
@@ -50,7 +50,7 @@ pub(crate) fn solution_of(
     let found = work(py, observer.as_ref(), |progress| -> Result<_, Trouble> {
         let deadline = method.deadline().map(|at| Deadline::at(Some(at)));
         let work = Work { deadline: deadline.as_ref(), ..Work::alone().observed_by(progress) };
-        Ok(Found::of(solved(own, options, wanted.goal(&method, &scene.scene)?, &work)?)?)
+        Ok(ReportedSolution::of(solved(own, options, wanted.goal(&method, &scene.scene)?, &work)?)?)
     })?;
     Solution::new(py, found, method, false)
 }
@@ -68,14 +68,14 @@ fn solved(
 }
 
 /// Quantity that an accuracy is wanted of.
-enum Wanted {
+enum AimArgument {
     Gathered,
     Solution,
     Picture,
     At(Vec<Probe>),
 }
 
-impl Wanted {
+impl AimArgument {
     fn of(
         aim: Option<&str>,
         sensors: Option<(PyReadonlyArray2<'_, f64>, PyReadonlyArray2<'_, f64>)>,

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use radiosity::kernel::Accuracy;
 use radiosity::scene::Fault;
 use radiosity::solve::Options;
-use radiosity::solve::solution::Place;
+use radiosity::solve::solution::SurfacePlace;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_test_support::scenes::builtin_with;
@@ -168,7 +168,7 @@ fn furnaces_have_one_radiosity() {
         for (index, element) in elements.list().iter().enumerate() {
             for parameters in [[0.0, 0.0], [0.9, -0.9], [-0.5, 0.3]] {
                 let position = elements.shape(element.surface).jet(parameters[0], parameters[1]).position;
-                let place = Place { surface: element.surface, parameters, position };
+                let place = SurfacePlace { surface: element.surface, parameters, position };
                 let error = outcome.solution.radiosity(0, index, &place) * (1.0 - reflectance) - 1.0;
                 assert!(error.abs() < 1e-2, "{name}, {reflectance}: {error}");
             }

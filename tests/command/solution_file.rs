@@ -137,7 +137,7 @@ fn a_reader_needs_nothing_but_the_file_to_evaluate_it() {
         saved["irradiance"][0][k].as_f64().unwrap() * legendre(*i, a) * legendre(*j, b)
     };
     let value: f64 = places.iter().enumerate().map(term).sum();
-    let place = radiosity::solve::solution::Place { surface: wall, parameters: [-0.7, 0.3], position };
+    let place = radiosity::solve::solution::SurfacePlace { surface: wall, parameters: [-0.7, 0.3], position };
     let known = solved.outcome.solution.irradiance(0, index, &place);
     assert!((value - known).abs() < 1e-12 * known.abs(), "{value} {known}");
 }

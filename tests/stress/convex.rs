@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use radiosity::elements::rule::UnitRule;
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
-use radiosity::solve::solution::{Place, Solution};
+use radiosity::solve::solution::{SurfacePlace, Solution};
 use radiosity_geom::DVec3;
 use radiosity_test_support::scenes::typed;
 
@@ -65,7 +65,7 @@ fn error(solution: &Solution, lamp: &[DVec3]) -> f64 {
             for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
                 let node = patch.node(s, t);
                 let (parameters, position) = (node.parameters.to_array(), node.position);
-                let place = Place { surface: element.surface, parameters, position };
+                let place = SurfacePlace { surface: element.surface, parameters, position };
                 let exact = irradiance(position, node.normal, lamp);
                 let weight = ws * wt * node.area;
                 squares[0] += weight * (solution.irradiance(0, index, &place) - exact).powi(2);

@@ -258,7 +258,7 @@ fn error_below_a_square(options: &Options) -> f64 {
     for index in solution.elements().of_surface(0) {
         let element = &solution.elements().list()[index];
         for (x, parameters, weight) in points(element) {
-            let place = radiosity::solve::solution::Place { surface: 0, parameters, position: x };
+            let place = radiosity::solve::solution::SurfacePlace { surface: 0, parameters, position: x };
             let exact = below_a_square(x.x, x.y, 0.7);
             error += weight * (solution.irradiance(0, index, &place) - exact).powi(2);
             size += weight * exact * exact;

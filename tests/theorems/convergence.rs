@@ -13,7 +13,7 @@ use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
 use radiosity::solve::driver::memory_estimate::MemoryEstimate;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::solution::{Band, Place, Solution};
+use radiosity::solve::solution::{Band, SurfacePlace, Solution};
 use radiosity::solve::studies::adaptation::{Achieved, Adapted, Aim, EndReason, Goal, adapt};
 use radiosity::solve::studies::convergence::{Reference, convergence};
 use radiosity::solve::studies::error_norm::{Incomparable, distance};
@@ -193,7 +193,7 @@ fn radiosity(adapted: &Adapted, surface: usize, position: [f64; 3]) -> f64 {
     };
     let elements: Vec<usize> = solution.elements().of_surface(surface).collect();
     let element = *elements.iter().find(hit).expect("the point lies on the surface");
-    solution.radiosity(0, element, &Place { surface, parameters: [0.0; 2], position })
+    solution.radiosity(0, element, &SurfacePlace { surface, parameters: [0.0; 2], position })
 }
 
 #[test]

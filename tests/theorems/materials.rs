@@ -6,7 +6,7 @@ use radiosity::Work;
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
 use radiosity::scene::{Material, Pattern, Placement, Polynomial, Scene, SceneBuilder, SurfaceDraft, Term};
-use radiosity::solve::solution::Place;
+use radiosity::solve::solution::SurfacePlace;
 use radiosity::solve::{Options, Outcome};
 use radiosity_test_support::scenes::{material, typed};
 use radiosity_test_support::shapes::faces;
@@ -137,7 +137,7 @@ box = { origin = [0.2, 0.2, 0.5], size = [0.3, 0.6, 0.2] }
     let below = scene.surface_named("table:back").expect("it is there");
     let element = solution.elements().at(below, [-0.5, 0.0]).expect("it is there");
     let position = scene.surfaces[below].shape.jet(-0.5, 0.0).position;
-    let place = Place { surface: below, parameters: [-0.5, 0.0], position };
+    let place = SurfacePlace { surface: below, parameters: [-0.5, 0.0], position };
     assert!((solution.radiosity(0, element, &place) - 1.0).abs() < 1e-6);
 }
 

@@ -12,7 +12,7 @@ use radiosity::light::first_bounce::DirectLightEntry;
 use radiosity::reading::grid::{Rates, grid};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::solve::checks::Checks;
-use radiosity::solve::solution::{Band, Place, Solution};
+use radiosity::solve::solution::{Band, SurfacePlace, Solution};
 use radiosity::solve::system::System;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::{Shadows, Visibility};
@@ -39,7 +39,7 @@ fn furnace_error(solution: &Solution) -> f64 {
     for (index, element) in solution.elements().list().iter().enumerate() {
         for (u, v) in ticks.iter().flat_map(|u| ticks.iter().map(move |v| (*u, *v))) {
             let position = solution.elements().shape(element.surface).jet(u, v).position;
-            let place = Place { surface: element.surface, parameters: [u, v], position };
+            let place = SurfacePlace { surface: element.surface, parameters: [u, v], position };
             largest = largest.max((solution.radiosity(0, index, &place) - 2.0).abs());
         }
     }
@@ -182,7 +182,7 @@ fn direct_light_is_exact_at_a_point() {
     let exact = 4.0 / std::f64::consts::PI * q * q.atan();
     assert!((lit - exact).abs() < 1e-14, "{lit} {exact}");
     // What the polynomials make of the same light converges to it.
-    let place = Place { surface: floor, parameters: [0.0; 2], position: jet.position };
+    let place = SurfacePlace { surface: floor, parameters: [0.0; 2], position: jet.position };
     let basis = outcome.solution.irradiance(0, floor, &place);
     let split = lit + outcome.solution.indirect(0, floor, &place);
     assert!((basis - split).abs() < 1e-4 * split, "{basis} {split}");

@@ -18,7 +18,7 @@ const FORM: &str = "expected gathered, solution, picture, points FILE or plane N
 
 /// Light that is to be accurate.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Wanted {
+pub(crate) enum AimOption {
     /// Light as sensors and pictures read it, on all surfaces.
     Gathered,
     /// The polynomials, as `--read basis` shows them.
@@ -31,7 +31,7 @@ pub(crate) enum Wanted {
     Picture,
 }
 
-impl FromStr for Wanted {
+impl FromStr for AimOption {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -46,7 +46,7 @@ impl FromStr for Wanted {
     }
 }
 
-impl Wanted {
+impl AimOption {
     /// The aim of the accuracy.
     pub(crate) fn aim(&self) -> Aim {
         match self {
@@ -111,10 +111,10 @@ mod tests {
 
     #[test]
     fn what_is_wanted_is_told_apart() {
-        assert_eq!("points=a=b".parse(), Ok(Wanted::Points("a=b".to_owned())));
-        assert_eq!("plane=desk".parse(), Ok(Wanted::Plane("desk".to_owned())));
+        assert_eq!("points=a=b".parse(), Ok(AimOption::Points("a=b".to_owned())));
+        assert_eq!("plane=desk".parse(), Ok(AimOption::Plane("desk".to_owned())));
         for wrong in ["points", "plane=", "all", "picture=x"] {
-            assert!(wrong.parse::<Wanted>().is_err(), "{wrong}");
+            assert!(wrong.parse::<AimOption>().is_err(), "{wrong}");
         }
     }
 }

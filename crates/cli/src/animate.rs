@@ -1,7 +1,7 @@
 //! `radiosity animate`: the frames of a scene in which things move.
 
 mod encoder;
-mod film;
+mod frame_files;
 mod frames;
 mod readings;
 mod summary;
@@ -34,7 +34,7 @@ use crate::{
     read::ReadArgs,
     run::{Loaded, options},
 };
-use film::Film;
+use frame_files::FrameFiles;
 use frames::FrameRange;
 use readings::Readings;
 
@@ -160,7 +160,7 @@ impl AnimateArgs {
     }
 
     /// The files or the film of the pictures; None where none were asked for.
-    fn film(&self, loaded: &Loaded, first: usize, ranks: &Ranks) -> Result<Option<Film>, CliError> {
+    fn film(&self, loaded: &Loaded, first: usize, ranks: &Ranks) -> Result<Option<FrameFiles>, CliError> {
         let output = match (&self.output, &self.probe) {
             (Some(output), _) => output.clone(),
             (None, Some(_)) => return Ok(None),
@@ -168,7 +168,7 @@ impl AnimateArgs {
         };
         let rate = loaded.scene.animation.as_ref().map(|animation| animation.rate);
         let of_scene = rate.filter(|rate| *rate != 1.0);
-        let film = Film::new(&output, (self.fps, of_scene), first, loaded, ranks)?;
+        let film = FrameFiles::new(&output, (self.fps, of_scene), first, loaded, ranks)?;
         if film.is_exr() && self.exposure.is_some() {
             return Err(CliError::Refused {
                 message: "--exposure: an .exr holds the values and nothing else".to_owned(),
@@ -259,7 +259,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
             film.add(number, &raster, develop, ranks)
         })??;
     }
-    film.map_or(Ok(()), Film::finish)?;
+    film.map_or(Ok(()), FrameFiles::finish)?;
     let read_error = readings.as_ref().and_then(Readings::error);
     readings.map_or(Ok(()), |readings| readings.write(&scene.bands, ranks))?;
     drop(progress);

@@ -12,7 +12,7 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::ranks::journal::{Begin, fingerprint};
 
 use crate::error::CliError;
-use crate::given::Given;
+use crate::typed_options::TypedOptions;
 
 /// Where a run is recorded.
 #[derive(Debug, Args)]
@@ -37,7 +37,7 @@ impl CheckpointArgs {
     /// Ranks that differ; a folder that does not hold what was asked for, or cannot be written.
     pub(crate) fn recording(
         &self,
-        given: &Given,
+        given: &TypedOptions,
         content: &dyn Debug,
         reads: &[Option<&Path>],
         ranks: &Ranks,

@@ -160,12 +160,12 @@ fn one_of_others() -> impl TypedValueParser<Value = RunSeries> {
 
 /// File format of a chart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Kind {
+enum ChartFormat {
     Svg,
     Png,
 }
 
-fn kind(path: &Path) -> Result<Kind, CliError> {
+fn kind(path: &Path) -> Result<ChartFormat, CliError> {
     of_ending(path).ok_or_else(|| CliError::Refused {
         message: format!("{}: the ending names no kind of drawing", path.display()),
         cure: "choose a file ending in .svg or .png".to_owned(),
@@ -212,13 +212,13 @@ fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &'a [Converg
     }
 }
 
-fn draw(chart: &Chart, kind: Kind, output: &OutputFile) -> Result<(), CliError> {
+fn draw(chart: &Chart, kind: ChartFormat, output: &OutputFile) -> Result<(), CliError> {
     match kind {
-        Kind::Svg => {
+        ChartFormat::Svg => {
             let svg = chart.svg()?;
             output.write(|writer| writer.write_all(svg.as_bytes()))
         }
-        Kind::Png => {
+        ChartFormat::Png => {
             let picture = chart.picture()?;
             output.write(|writer| picture.write_png(writer))
         }

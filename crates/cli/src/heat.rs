@@ -27,7 +27,7 @@ use crate::{
     destination::Destination,
     error::CliError,
     format,
-    given::Given,
+    typed_options::TypedOptions,
     heat::picture::PictureArgs,
     options::{SceneArg, solver},
     output_file::OutputFile,
@@ -124,7 +124,7 @@ enum MatrixFormat {
 const DIGITS: usize = 6;
 
 /// Computes the balance of heat and writes it.
-pub(crate) fn run(args: &HeatArgs, given: &Given, ranks: &Ranks) -> Result<(), CliError> {
+pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
     args.transfers.request().check()?;
     let scene = args.scene.request().load_lit(ranks)?;

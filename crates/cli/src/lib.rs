@@ -20,7 +20,7 @@ mod subdivide;
 mod numbers;
 mod points;
 mod error;
-mod given;
+mod typed_options;
 mod checkpoint;
 mod colours;
 mod planes;
@@ -72,7 +72,7 @@ use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 pub(crate) use error::CliError;
-use given::Given;
+use typed_options::TypedOptions;
 pub use launch::launch;
 use options::MethodArgs;
 use radiosity_work::ranks::Ranks;
@@ -112,7 +112,7 @@ pub(crate) struct Cli {
 
     /// Options and arguments that change results.
     #[arg(skip)]
-    given: Given,
+    given: TypedOptions,
 }
 
 #[derive(Debug, Subcommand)]
@@ -144,7 +144,7 @@ impl Cli {
         let matches = command.try_get_matches_from_mut(joined(std::env::args_os()))?;
         let mut cli = Self::from_arg_matches(&matches)?;
         cli.fixing = matches.subcommand().map(|(_, typed)| MethodArgs::fixing(typed)).unwrap_or_default();
-        cli.given = Given::of(&command, &matches);
+        cli.given = TypedOptions::of(&command, &matches);
         Ok(cli)
     }
 

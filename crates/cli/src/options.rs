@@ -19,7 +19,7 @@ use radiosity_work::Deadline;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
-    aim::Wanted,
+    aim::AimOption,
     error::CliError,
     import::ImportArgs,
     masks::MaskArgs,
@@ -140,7 +140,7 @@ pub(crate) struct MethodArgs {
     /// solution (the polynomials), picture (what the scene's camera sees), points FILE.csv, or plane NAME
     /// [default: gathered; the sensors that probe reads]
     #[arg(long = "for", id = "for", value_name = "WHAT")]
-    pub(crate) aim: Option<Wanted>,
+    pub(crate) aim: Option<AimOption>,
 
     /// Seconds after which no finer run begins, and rays end, where an accuracy is wanted; what there is is
     /// written, with exit code 3
@@ -234,7 +234,7 @@ impl MethodArgs {
             basis: self.basis,
             order: self.order,
             accuracy: self.accuracy,
-            aim: self.aim.as_ref().map(Wanted::aim),
+            aim: self.aim.as_ref().map(AimOption::aim),
             time_limit: self.time_limit,
             tensor: self.tensor,
             subdivide: self.subdivide.0,
@@ -260,7 +260,7 @@ impl MethodArgs {
     /// The file of points where light is to be accurate, if there is one.
     pub(crate) fn points_file(&self) -> Option<&Path> {
         match &self.aim {
-            Some(Wanted::Points(file)) => Some(Path::new(file)),
+            Some(AimOption::Points(file)) => Some(Path::new(file)),
             _ => None,
         }
     }
@@ -272,7 +272,7 @@ impl MethodArgs {
 
     /// The accuracy that is wanted in a scene, and its aim, if one is wanted.
     pub(crate) fn goal(&self, scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
-        let aim = self.aim.as_ref().unwrap_or(&Wanted::Gathered);
+        let aim = self.aim.as_ref().unwrap_or(&AimOption::Gathered);
         self.request().wanted_accuracy().map(|accuracy| aim.goal(accuracy, scene, ranks)).transpose()
     }
 }

@@ -85,20 +85,20 @@ impl OutputFile {
         &self,
         write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
     ) -> Result<(), CliError> {
-        self.filled(write)?.put()
+        self.pending(write)?.put()
     }
 
-    /// Has `write` write the whole output, which [`Filled::put`] puts in place: for files that belong
+    /// Has `write` write the whole output, which [`PendingOutput::put`] puts in place: for files that belong
     /// together.
     ///
     /// # Errors
     /// [`CliError::Unwritten`] if anything fails; the old file at the path is then unchanged.
-    pub(crate) fn filled(
+    pub(crate) fn pending(
         &self,
         write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
-    ) -> Result<Filled<'_>, CliError> {
+    ) -> Result<PendingOutput<'_>, CliError> {
         let temporary = self.try_fill(write).map_err(|reason| self.unwritten(reason))?;
-        Ok(Filled { output: self, temporary })
+        Ok(PendingOutput { output: self, temporary })
     }
 
     /// An empty file for another program to fill, which [`OutputFile::put`] puts in place; nothing stays of
@@ -121,7 +121,7 @@ impl OutputFile {
     /// # Errors
     /// [`CliError::Unwritten`]; the old file at the path is then unchanged.
     pub(crate) fn put(&self, draft: Draft) -> Result<(), CliError> {
-        Filled { output: self, temporary: draft.temporary }.put()
+        PendingOutput { output: self, temporary: draft.temporary }.put()
     }
 
     /// The error of an output whose writing failed.
@@ -166,12 +166,12 @@ impl Draft {
 }
 
 /// An output that is written and not yet in place; nothing stays of it if it never is.
-pub(crate) struct Filled<'a> {
+pub(crate) struct PendingOutput<'a> {
     output: &'a OutputFile,
     temporary: Option<Temporary>,
 }
 
-impl Filled<'_> {
+impl PendingOutput<'_> {
     /// Puts the output in place.
     ///
     /// # Errors
@@ -286,9 +286,9 @@ mod tests {
         let [first, second] = ["a", "b"].map(|name| folder.path().join(name));
         fs::write(&first, "old").unwrap();
         let [one, other] = [&first, &second].map(|path| OutputFile::reserve(path, Ranks::alone()).unwrap());
-        let filled = one.filled(|file| file.write_all(b"new")).unwrap();
-        assert!(other.filled(|_| Err(io::Error::other("no more"))).is_err());
-        drop(filled);
+        let pending = one.pending(|file| file.write_all(b"new")).unwrap();
+        assert!(other.pending(|_| Err(io::Error::other("no more"))).is_err());
+        drop(pending);
         assert_eq!(fs::read_to_string(&first).unwrap(), "old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }

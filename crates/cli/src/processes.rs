@@ -22,7 +22,7 @@ use radiosity_work::ranks::failure::Failure;
 use radiosity_work::ranks::machine_share::{MachineShare, allowed};
 use radiosity_work::ranks::{Ranks, shares};
 
-use gate::{Call, Passed, fail, pass};
+use gate::{Call, GateResult, fail, pass};
 use messages::{all_gather, complete, exchange};
 
 /// Time that a rank that failed waits for the others before it ends them. Chosen.
@@ -125,9 +125,9 @@ impl Processes {
         *calls += 1;
         let world = SimpleCommunicator::world();
         match pass(&world, call, *calls) {
-            Passed::Together => share(&world),
-            Passed::Apart => panic!("the ranks do different things; they need the same arguments and files"),
-            Passed::Failed => {
+            GateResult::Together => share(&world),
+            GateResult::Apart => panic!("the ranks do different things; they need the same arguments and files"),
+            GateResult::Failed => {
                 let failure = failed(&world, None).expect("a rank has failed");
                 resume_unwind(Box::new(Ended(failure)))
             }
@@ -140,9 +140,9 @@ impl Processes {
         let world = SimpleCommunicator::world();
         let Some(own) = own else {
             return match pass(&world, Call::End, calls) {
-                Passed::Together => None,
-                Passed::Failed => failed(&world, None),
-                Passed::Apart => {
+                GateResult::Together => None,
+                GateResult::Failed => failed(&world, None),
+                GateResult::Apart => {
                     let message = "error: one rank has done less than another\n".to_owned();
                     self.end(Some(Failure { code: 1, message }), tell)
                 }

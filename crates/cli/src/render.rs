@@ -20,7 +20,7 @@ use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
-    aim::Wanted,
+    aim::AimOption,
     bake::Bake,
     checkpoint::CheckpointArgs,
     error::CliError,
@@ -30,7 +30,7 @@ use crate::{
     progress::Progress,
     read::ROUGH,
     run::{Loaded, Run},
-    style::{Kind, StyleArgs},
+    style::{PictureFormat, StyleArgs},
 };
 
 /// Solves a scene and takes a picture through its camera
@@ -84,12 +84,12 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
     check_aim(args.read, &args.method.request())?;
     let kind = args.style.kind(&path)?;
-    if kind == Kind::Glb {
+    if kind == PictureFormat::Glb {
         return args.bake(&path)?.run(loaded, ranks);
     }
     let output = loaded.reserve(&path, &args.report, ranks)?;
     let camera = camera(args.size(), &loaded.scene)?;
-    if kind == Kind::Html {
+    if kind == PictureFormat::Html {
         let start = args.start(&loaded.scene, camera)?;
         return page::write(loaded, &args.method, &args.report, (&path, &output), &start, args.read, ranks);
     }
@@ -127,7 +127,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     if args.read.is_none() && read == ReadMode::Direct {
         written += ROUGH;
     }
-    if kind == Kind::Exr {
+    if kind == PictureFormat::Exr {
         output.write(|writer| write_exr(&raster, writer))?;
     } else {
         let (picture, figures) =
@@ -188,7 +188,7 @@ impl RenderArgs {
 
     /// The goal to which light is worth something, where its importance is shown.
     fn wanted(&self, scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
-        let aim = self.method.aim.as_ref().unwrap_or(&Wanted::Gathered);
+        let aim = self.method.aim.as_ref().unwrap_or(&AimOption::Gathered);
         // No accuracy follows from the sensors alone; any stands for none.
         self.importance.then(|| aim.goal(1.0, scene, ranks)).transpose()
     }

@@ -1,7 +1,7 @@
 //! `radiosity report`: a report for people.
 
 mod args;
-mod kind;
+mod report_files;
 mod light;
 
 use std::path::Path;
@@ -17,8 +17,8 @@ use radiosity_work::{Progress as Event, Stage, Work};
 
 use crate::{console, error::CliError, progress::Progress, run::Loaded};
 pub(crate) use args::ReportPageArgs;
-use kind::Files;
-use light::Wanted;
+use report_files::ReportFiles;
+use light::ReportLight;
 
 /// Solves the scene and writes the report.
 pub(crate) fn run(args: &ReportPageArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
@@ -28,10 +28,10 @@ pub(crate) fn run(args: &ReportPageArgs, loaded: Loaded, ranks: &Ranks) -> Resul
         return run_in_the_dark(args, &path, &loaded, ranks);
     }
     let loaded = loaded.required()?;
-    let wanted = Wanted::of(args, &loaded.scene, ranks)?;
+    let wanted = ReportLight::of(args, &loaded.scene, ranks)?;
     args.read.check(&loaded.options(&args.method, ranks), &args.method)?;
     let reserve = |path: &Path| loaded.reserve(path, &args.report, ranks);
-    let files = Files::reserve(&path, &wanted.figures(), reserve)?;
+    let files = ReportFiles::reserve(&path, &wanted.figures(), reserve)?;
     let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
     let (run, read) = wanted.read(args, loaded, &work)?;
@@ -59,7 +59,7 @@ fn run_in_the_dark(
             cure: "leave it out; `radiosity heat -o FILE.json` has those of heat".to_owned(),
         });
     }
-    let files = Files::reserve(path, &[], |path| loaded.reserve(path, &args.report, ranks))?;
+    let files = ReportFiles::reserve(path, &[], |path| loaded.reserve(path, &args.report, ranks))?;
     let progress = Progress::of(&args.report, ranks);
     let heat = heat(args, &loaded.scene, &progress, ranks)?;
     let command = command();

@@ -59,7 +59,7 @@ pub(crate) struct StyleArgs {
 
 /// File format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum PictureFormat {
     /// 8-bit colours.
     Png,
     /// Values as they are, in 32 bits.
@@ -93,27 +93,27 @@ enum Other {
 
 impl StyleArgs {
     /// The kind that the ending of `path` names.
-    pub(crate) fn kind(&self, path: &Path) -> Result<Kind, CliError> {
+    pub(crate) fn kind(&self, path: &Path) -> Result<PictureFormat, CliError> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let drawn = self.false_colour || self.wireframe || self.difference.is_some();
         match ending.as_deref() {
-            Some("png") => Ok(Kind::Png),
+            Some("png") => Ok(PictureFormat::Png),
             Some("exr") if drawn || self.exposure.is_some() => Err(CliError::Refused {
                 message: format!("{}: an .exr holds the values and nothing else", path.display()),
                 cure: "leave out the options of style, or choose a file ending in .png".to_owned(),
             }),
-            Some("exr") => Ok(Kind::Exr),
+            Some("exr") => Ok(PictureFormat::Exr),
             Some("glb") => {
                 let drawn = ["--false-colour", "--wireframe", "--difference"];
                 let of_colours = ["--range", "--band", "--log", "--isolines"];
                 let unfit = [&drawn[..], &of_colours].concat();
                 self.require_none(path, &unfit, "a .glb holds textures of light, for which there is")?;
-                Ok(Kind::Glb)
+                Ok(PictureFormat::Glb)
             }
             Some("html") => {
                 let unfit = ["--wireframe", "--difference", "--isolines"];
                 self.require_none(path, &unfit, "a page to walk through has")?;
-                Ok(Kind::Html)
+                Ok(PictureFormat::Html)
             }
             _ => Err(CliError::Refused {
                 message: format!("{}: the ending names no kind of picture", path.display()),

@@ -19,7 +19,7 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress as Event, Work};
 
 use crate::{
-    console, destination::Destination, error::CliError, format, given::Given, options::SceneArg,
+    console, destination::Destination, error::CliError, format, typed_options::TypedOptions, options::SceneArg,
     output_file::OutputFile, progress::Progress, run::remarks, transfers::TransferArgs,
 };
 
@@ -89,7 +89,7 @@ impl Format {
 }
 
 /// Computes the factors and writes them.
-pub(crate) fn run(args: &ViewFactorsArgs, given: &Given, ranks: &Ranks) -> Result<(), CliError> {
+pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
     let format = args.format()?;
     args.transfers.request().check()?;

@@ -3,4 +3,4 @@
 pub mod kronecker;
 pub mod shift;
 pub mod lambert;
-pub mod spread;
+pub mod area_preserving_map;

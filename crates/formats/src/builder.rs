@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 use radiosity_fit::outline::WARPED;
 use radiosity_photometry::fault::Fault;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::short;
 
 use crate::colour::settle;
@@ -38,7 +38,7 @@ pub(crate) struct ModelBuilder {
 impl ModelBuilder {
     /// Notes something in a line; what was noted before is only counted.
     pub(crate) fn note(&mut self, text: &str, line: usize) {
-        self.model.note(text, Some(Place::Line(line)));
+        self.model.note(text, Some(FilePlace::Line(line)));
     }
 
     /// States the unit of exitance.
@@ -93,7 +93,7 @@ impl ModelBuilder {
             material: Some(material),
             shape,
             sides: coat.sides,
-            place: Some(Place::Line(line)),
+            place: Some(FilePlace::Line(line)),
         });
         Ok(())
     }

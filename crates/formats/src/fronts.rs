@@ -23,9 +23,9 @@ const ASKED: usize = 64;
 
 /// Faces whose fronts point the wrong way.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Turned {
+pub(crate) struct TurnedFaces {
     /// Reason for which the fronts seem to be wrong.
-    pub why: Why,
+    pub why: TurnReason,
     /// Indices of the faces among the model's surfaces.
     pub surfaces: Vec<usize>,
     /// The index of a surface that they belong to the same body with.
@@ -34,7 +34,7 @@ pub(crate) struct Turned {
 
 /// Reasons for which fronts seem to point the wrong way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Why {
+pub(crate) enum TurnReason {
     /// Neighbours of the faces have more area and show their fronts on the other side.
     Neighbours,
     /// Neighbours of the faces have as much area and show their fronts on the other side: either may be
@@ -48,7 +48,7 @@ pub(crate) enum Why {
 
 /// The faces whose fronts point the wrong way, body by body. Only flat and bilinear one-sided surfaces are
 /// looked at.
-pub(crate) fn turned(model: &Model) -> Vec<Turned> {
+pub(crate) fn turned(model: &Model) -> Vec<TurnedFaces> {
     let faces = Faces::of(model);
     let middles = Middles::of(model);
     let mut found = Vec::new();
@@ -58,19 +58,19 @@ pub(crate) fn turned(model: &Model) -> Vec<Turned> {
         let beside = body.members[0].0;
         if !minority.is_empty() {
             let beside = body.members.iter().map(|(face, _)| *face).find(|face| !minority.contains(face));
-            found.push(Turned {
+            found.push(TurnedFaces {
                 why,
                 surfaces: minority.iter().map(|face| faces.list[*face].surface).collect(),
                 beside: faces.list[beside.unwrap_or(body.members[0].0)].surface,
             });
         }
-        if !is_whole || why == Why::Halves {
+        if !is_whole || why == TurnReason::Halves {
             continue;
         }
-        let skin = faces.skin(&body, &minority);
-        if let Some(why) = skin.fault(model, &middles) {
+        let shell = faces.shell(&body, &minority);
+        if let Some(why) = shell.fault(model, &middles) {
             let surfaces = body.members.iter().map(|(face, _)| faces.list[*face].surface).collect();
-            found.push(Turned { why, surfaces, beside: faces.list[beside].surface });
+            found.push(TurnedFaces { why, surfaces, beside: faces.list[beside].surface });
         }
     }
     found
@@ -207,7 +207,7 @@ impl Faces {
 
     /// The faces of the orientation with less area, of the two that the faces of a body have; of equal areas,
     /// the faces against the first one. Empty if all faces have one orientation, or if the body has none.
-    fn minority(&self, body: &Body) -> (BTreeSet<usize>, Why) {
+    fn minority(&self, body: &Body) -> (BTreeSet<usize>, TurnReason) {
         let [mut along, mut against] = [(BTreeSet::new(), 0.0), (BTreeSet::new(), 0.0)];
         for (face, way) in &body.members {
             let part = if *way { &mut along } else { &mut against };
@@ -215,17 +215,17 @@ impl Faces {
             part.1 += self.list[*face].area();
         }
         if !body.is_orientable || along.0.is_empty() || against.0.is_empty() {
-            return (BTreeSet::new(), Why::Neighbours);
+            return (BTreeSet::new(), TurnReason::Neighbours);
         }
         let is_tie = (along.1 - against.1).abs() <= SAME_AREA * (along.1 + against.1);
         match along.1 < against.1 && !is_tie {
-            true => (along.0, Why::Neighbours),
-            false => (against.0, if is_tie { Why::Halves } else { Why::Neighbours }),
+            true => (along.0, TurnReason::Neighbours),
+            false => (against.0, if is_tie { TurnReason::Halves } else { TurnReason::Neighbours }),
         }
     }
 
     /// A closed body's faces with the orientation of most of them.
-    fn skin(&self, body: &Body, minority: &BTreeSet<usize>) -> Skin {
+    fn shell(&self, body: &Body, minority: &BTreeSet<usize>) -> ClosedShell {
         let mut rings = Vec::new();
         for (face, _) in &body.members {
             let is_turned = minority.contains(face);
@@ -233,7 +233,7 @@ impl Faces {
         }
         let surfaces = body.members.iter().map(|(face, _)| self.list[*face].surface).collect();
         let bounds = Aabb::around(rings.iter().flat_map(|(ring, _)| ring.iter().copied()));
-        Skin { rings, surfaces, bounds }
+        ClosedShell { rings, surfaces, bounds }
     }
 }
 
@@ -255,16 +255,16 @@ struct Body {
 }
 
 /// A closed surface of flat faces.
-struct Skin {
+struct ClosedShell {
     /// Rings, each with whether its face has to be turned over first.
     rings: Vec<(Vec<DVec3>, bool)>,
     surfaces: BTreeSet<usize>,
     bounds: Aabb,
 }
 
-impl Skin {
-    /// Reason for which all fronts of the skin seem to point the wrong way, if there is one.
-    fn fault(&self, model: &Model, middles: &Middles) -> Option<Why> {
+impl ClosedShell {
+    /// Reason for which all fronts of the shell seem to point the wrong way, if there is one.
+    fn fault(&self, model: &Model, middles: &Middles) -> Option<TurnReason> {
         let is_outward = self.volume() > 0.0;
         let others = model.surfaces.len() - self.surfaces.len();
         let near = middles.within(&self.bounds, &self.surfaces);
@@ -275,14 +275,14 @@ impl Skin {
             // Everything else is inside.
             let is_room =
                 others > 0 && near.len() == others && near.iter().take(ASKED).all(|x| is_inside(*x));
-            return is_room.then_some(Why::Outwards);
+            return is_room.then_some(TurnReason::Outwards);
         }
         let emits = |surface: &usize| {
             let material = model.surfaces[*surface].material.and_then(|index| model.materials.get(index));
             material.is_some_and(|material| material.emission.iter().any(|value| *value > 0.0))
         };
         let is_empty = near.len() < others && !self.surfaces.iter().any(emits) && !is_occupied();
-        is_empty.then_some(Why::Inwards)
+        is_empty.then_some(TurnReason::Inwards)
     }
 
     /// Six times the volume, positive if the fronts point outwards.
@@ -291,7 +291,7 @@ impl Skin {
         self.triangles(origin).map(|[a, b, c]| a.dot(b.cross(c))).sum()
     }
 
-    /// Winding number of the skin about a point (Van Oosterom and Strackee, *The solid angle of a plane
+    /// Winding number of the shell about a point (Van Oosterom and Strackee, *The solid angle of a plane
     /// triangle*, 1983).
     fn winding(&self, x: DVec3) -> f64 {
         let angle = |[a, b, c]: [DVec3; 3]| {
@@ -367,7 +367,7 @@ mod tests {
     #[test]
     fn a_box_inside_out_is_found() {
         let scene = model([room(), over(cube(DVec3::splat(2.0), 1.0))].concat());
-        assert_eq!(turned(&scene), [Turned { why: Why::Inwards, surfaces: (6..12).collect(), beside: 6 }]);
+        assert_eq!(turned(&scene), [TurnedFaces { why: TurnReason::Inwards, surfaces: (6..12).collect(), beside: 6 }]);
     }
 
     #[test]
@@ -383,7 +383,7 @@ mod tests {
     #[test]
     fn a_room_that_looks_outwards_is_found() {
         let scene = model([cube(DVec3::ZERO, 10.0), cube(DVec3::splat(2.0), 1.0)].concat());
-        assert_eq!(turned(&scene), [Turned { why: Why::Outwards, surfaces: (0..6).collect(), beside: 0 }]);
+        assert_eq!(turned(&scene), [TurnedFaces { why: TurnReason::Outwards, surfaces: (0..6).collect(), beside: 0 }]);
     }
 
     #[test]
@@ -392,7 +392,7 @@ mod tests {
         shapes[7].turn_over();
         let found = turned(&model(shapes.clone()));
         assert_eq!(found.len(), 1);
-        assert_eq!((found[0].why, found[0].surfaces.as_slice()), (Why::Neighbours, &[7][..]));
+        assert_eq!((found[0].why, found[0].surfaces.as_slice()), (TurnReason::Neighbours, &[7][..]));
         shapes.remove(9);
         assert_eq!(turned(&model(shapes))[0].surfaces, [7]);
     }

@@ -357,7 +357,7 @@ mod tests {
             let refusal = applied(text).unwrap_err();
             assert_eq!(
                 refusal.place,
-                Some(radiosity_photometry::place::Place::Line(line)),
+                Some(radiosity_photometry::file_place::FilePlace::Line(line)),
                 "{text}: {refusal}"
             );
             assert!(refusal.cause.contains(cause) && refusal.cure.contains(cure), "{text}: {refusal:?}");

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use radiosity_fit::outline::{WARPED, is_warped};
 use radiosity_photometry::fault::Fault;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use crate::colour;
 use crate::merge;
@@ -43,7 +43,7 @@ impl Mesh {
     ///
     /// # Errors
     /// Fewer than three corners, coordinates beyond measure, too many faces.
-    pub fn face(&mut self, corners: Vec<DVec3>, coat: Coat, place: Place) -> Result<(), Fault> {
+    pub fn face(&mut self, corners: Vec<DVec3>, coat: Coat, place: FilePlace) -> Result<(), Fault> {
         if corners.len() < 3 {
             return Err(Fault::new(
                 format!("a face has {} corners, 3 are the least", corners.len()),

@@ -6,7 +6,7 @@
 
 use glam::DVec3;
 use radiosity_photometry::note::Note;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 /// Most surfaces that a reader makes, faces of meshes counted before they are merged. Chosen: a model of so
 /// many holds half a gigabyte.
@@ -61,7 +61,7 @@ pub struct Surface {
     /// Sides of the surface that reflect and emit.
     pub sides: Sides,
     /// Place in the file at which the surface stands.
-    pub place: Option<Place>,
+    pub place: Option<FilePlace>,
 }
 
 /// Sides of a surface that reflect and emit.
@@ -179,7 +179,7 @@ impl Shape {
 
 impl Model {
     /// Notes something at `place`; what was noted before is only counted.
-    pub fn note(&mut self, text: impl Into<String>, place: Option<Place>) {
+    pub fn note(&mut self, text: impl Into<String>, place: Option<FilePlace>) {
         Note::add(&mut self.notes, text, place);
     }
 }

@@ -24,7 +24,7 @@ use std::io;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::located::decoded;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::short;
 
 use crate::colour::UNKNOWN;
@@ -97,7 +97,7 @@ fn libraries(
             0 => String::new(),
             more => format!(", nor can {more} more"),
         };
-        model.note(format!("the material file {first}{more}"), Some(Place::Line(*line)));
+        model.note(format!("the material file {first}{more}"), Some(FilePlace::Line(*line)));
     }
     Ok(known)
 }
@@ -116,7 +116,7 @@ fn bytes(names: &str, read: &HashSet<String>, files: &dyn Files) -> Vec<(String,
 
 /// Adds the material of a name, as a material file describes it or not.
 fn add_material(model: &mut Model, name: &str, mtl: Option<&Mtl>, line: usize) {
-    let place = Some(Place::Line(line));
+    let place = Some(FilePlace::Line(line));
     let (reflectance, emission) = match mtl {
         Some(mtl) => {
             mtl.left_out.iter().for_each(|what| model.note(what.as_str(), None));

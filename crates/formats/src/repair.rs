@@ -24,7 +24,7 @@ use glam::DVec3;
 use radiosity_photometry::error::Refusal;
 
 use crate::model::{Model, Shape, Sides};
-pub use record::{Kind, Repair, Repairs};
+pub use record::{RepairKind, Repair, Repairs};
 
 /// The largest coordinate that is reckoned with: its fourth power is a number. `radiosity` refuses larger
 /// ones.
@@ -70,7 +70,7 @@ pub fn repair(model: &mut Model, options: &Options) -> Repairs {
 /// fronts that were left as they are changed nothing.
 pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
     let made: Vec<&Repair> =
-        repairs.list.iter().filter(|repair| repair.kind != Kind::DoubtfulFronts).collect();
+        repairs.list.iter().filter(|repair| repair.kind != RepairKind::DoubtfulFronts).collect();
     let first = made.first()?;
     let cause = match made.len() {
         1 => first.text.clone(),

@@ -31,10 +31,10 @@ use std::collections::HashMap;
 use glam::DVec3;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::fault::Fault;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::decode;
 
-use self::statements::{Corners, Input, Kind, OBSTRUCTION, Statement};
+use self::statements::{Corners, Input, SurfaceRole, OBSTRUCTION, Statement};
 use crate::files::Files;
 use crate::model::{GREATEST, Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
@@ -97,7 +97,7 @@ fn vertex(vertices: &[DVec3], number: usize) -> Result<DVec3, Fault> {
 fn holes<'a>(input: &'a Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DVec3>>>, Faulty<'a>> {
     let mut holes = vec![Vec::new(); outlines.len()];
     for (index, (surface, outline)) in input.surfaces.iter().zip(outlines).enumerate() {
-        if surface.kind == Kind::Obstruction {
+        if surface.kind == SurfaceRole::Obstruction {
             continue;
         }
         let base = base(&input.surfaces, index, surface).map_err(|fault| (surface, fault))?;
@@ -116,7 +116,7 @@ fn holes<'a>(input: &'a Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DV
 fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Option<usize>, Fault> {
     let Some(base) = surface.base.checked_sub(1) else {
         return match surface.kind {
-            Kind::Masking | Kind::Null => Err(Fault::new(
+            SurfaceRole::Masking | SurfaceRole::Null => Err(Fault::new(
                 "a masking or null surface has no base",
                 "write the number of the surface it lies on",
             )),
@@ -124,7 +124,7 @@ fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Opt
         };
     };
     match surfaces.get(base) {
-        Some(found) if base < index || (base > index && found.kind == Kind::Obstruction) => Ok(Some(base)),
+        Some(found) if base < index || (base > index && found.kind == SurfaceRole::Obstruction) => Ok(Some(base)),
         _ => Err(Fault::new(
             format!("the base {} is neither a surface before this one nor an obstruction", surface.base),
             "write the surface behind its base, or write base 0",
@@ -149,11 +149,11 @@ fn model(input: &Input, outlines: Vec<Vec<DVec3>>, holes: Vec<Vec<Vec<DVec3>>>) 
         input.surfaces.iter().zip(outlines.into_iter().zip(holes)).enumerate()
     {
         let wanted = surface.name.clone().unwrap_or_else(|| format!("{}-{}", word(surface.kind), index + 1));
-        let place = Some(Place::Line(surface.line));
+        let place = Some(FilePlace::Line(surface.line));
         if surface.combined > 0 {
             model.note("the combining of surfaces in the output is left out", place);
         }
-        if matches!(surface.kind, Kind::Masking | Kind::Null) {
+        if matches!(surface.kind, SurfaceRole::Masking | SurfaceRole::Null) {
             model.note("a black surface takes the place of a masking or null surface", place);
         }
         let material = material(surface);
@@ -174,19 +174,19 @@ fn model(input: &Input, outlines: Vec<Vec<DVec3>>, holes: Vec<Vec<Vec<DVec3>>>) 
     model
 }
 
-fn word(kind: Kind) -> &'static str {
+fn word(kind: SurfaceRole) -> &'static str {
     match kind {
-        Kind::Radiating => "surface",
-        Kind::Masking => "mask",
-        Kind::Null => "null",
-        Kind::Obstruction => "obstruction",
+        SurfaceRole::Radiating => "surface",
+        SurfaceRole::Masking => "mask",
+        SurfaceRole::Null => "null",
+        SurfaceRole::Obstruction => "obstruction",
     }
 }
 
 /// A material by its emittance; all that does not radiate is one black material.
 fn material(surface: &Statement) -> Material {
     let (name, reflectance) = match surface.kind {
-        Kind::Radiating => {
+        SurfaceRole::Radiating => {
             (format!("emit-{}", surface.emittance), ((1.0 - surface.emittance) * DIGITS).round() / DIGITS)
         }
         _ => (OBSTRUCTION.to_owned(), 0.0),
@@ -197,9 +197,9 @@ fn material(surface: &Statement) -> Material {
 fn note_the_rest(model: &mut Model, input: &Input) {
     if let Some(line) = input.enclosure {
         let text = "encl=1, which adjusts view factors to an enclosure, is left out";
-        model.note(text, Some(Place::Line(line)));
+        model.note(text, Some(FilePlace::Line(line)));
     }
     if let Some(line) = input.transformation {
-        model.note("coordinate transformations (X) are left out", Some(Place::Line(line)));
+        model.note("coordinate transformations (X) are left out", Some(FilePlace::Line(line)));
     }
 }

@@ -2,10 +2,10 @@
 //!
 //! Ranks share G by rows of elements: each holds the blocks of its own rows, and of its own columns where a
 //! block stands for its transpose too. A product is summed on the rank that holds its row, in the order of
-//! all blocks, and then completed by those of the others ([`Held`]).
+//! all blocks, and then completed by those of the others ([`HeldRows`]).
 
 pub mod block;
-pub mod held;
+pub mod held_rows;
 pub(crate) mod worst_error;
 pub(crate) mod pair_counts;
 pub(crate) mod reciprocity;
@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::blocks::pair_counts::PairCounts;
 use block::BlockReport;
-use held::Held;
+use held_rows::HeldRows;
 use reciprocity::Reciprocity;
 use remainder::Remainder;
 use worst_error::WorstError;
@@ -37,7 +37,7 @@ const CHUNKS: usize = 32;
 pub struct Blocks {
     starts: Vec<usize>,
     /// The part of this rank.
-    held: Held,
+    held: HeldRows,
     stored: List,
     /// Blocks of which only the first line and the first column are not zero.
     crosses: List,
@@ -131,7 +131,7 @@ impl Blocks {
     pub fn empty(starts: Vec<usize>, symmetric: bool, ranks: &Ranks) -> Self {
         Self {
             complete: vec![true; starts.len() - 1],
-            held: Held::of(ranks, &starts),
+            held: HeldRows::of(ranks, &starts),
             starts,
             stored: List::default(),
             crosses: List::default(),
@@ -180,7 +180,7 @@ impl Blocks {
     }
 
     /// The rows of this rank, and those of all.
-    pub fn held(&self) -> &Held {
+    pub fn held(&self) -> &HeldRows {
         &self.held
     }
 

@@ -16,7 +16,7 @@ pub mod terms;
 
 pub use blocks::Blocks;
 pub use blocks::block::Accuracy;
-pub use blocks::block::Kind;
+pub use blocks::block::PairKind;
 pub use blocks::pair_counts::PairCounts;
 pub use blocks::reciprocity::Reciprocity;
 pub use blocks::remainder::Remainder;

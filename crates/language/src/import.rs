@@ -17,7 +17,7 @@ use radiosity_formats::{
     unit::Unit,
     up::Up,
 };
-use radiosity_photometry::{error::Refusal, note::Note, place::Place};
+use radiosity_photometry::{error::Refusal, note::Note, file_place::FilePlace};
 use radiosity_scene::{Fault, Imported, Notation, SceneError, Source};
 use radiosity_work::ranks::Ranks;
 
@@ -97,7 +97,7 @@ impl Import {
             let cause = refusal.cause.clone();
             return Err(SceneError { fault: Fault::NeedsRepairs { cause }, ..refused(refusal) });
         }
-        let at = |place: Option<Place>| Located { file, place };
+        let at = |place: Option<FilePlace>| Located { file, place };
         let notes = std::mem::take(&mut model.notes);
         let notes = notes.iter().map(|note| format!("{}: {}", at(note.place), counted(note))).collect();
         let repairs = repairs.list.iter().map(|own| format!("{}: {}", at(own.place), own.text)).collect();
@@ -147,14 +147,14 @@ fn counted(note: &Note) -> String {
 /// A file and a line or byte of it: `room.mgf:12`.
 struct Located<'a> {
     file: &'a str,
-    place: Option<Place>,
+    place: Option<FilePlace>,
 }
 
 impl fmt::Display for Located<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.place {
-            Some(Place::Line(line)) => write!(f, "{}:{line}", self.file),
-            Some(Place::Byte(byte)) => write!(f, "{}: byte {byte}", self.file),
+            Some(FilePlace::Line(line)) => write!(f, "{}:{line}", self.file),
+            Some(FilePlace::Byte(byte)) => write!(f, "{}: byte {byte}", self.file),
             None => write!(f, "{}", self.file),
         }
     }

@@ -172,7 +172,7 @@ impl CoatedBounce {
         let scale = scales(elements, coatings, &d);
         let reflection = Reflection::new(elements, coatings, visibility, lit, scale, eps);
         let coats = Coats::of(coatings);
-        let light = Light { lit, reflection, coats: &coats };
+        let light = DirectReflection { lit, reflection, coats: &coats };
         let of_element = |index: usize| of_reflected(&elements[index], index, &light);
         let mut channels = projected(elements.len(), coats.count() * bands, &of_element, ranks).into_iter();
         let reflected = (0..coats.count()).map(|_| channels.by_ref().take(bands).collect()).collect();
@@ -246,15 +246,15 @@ fn nearest([start, end]: &[DVec3; 2], point: DVec3) -> DVec3 {
 }
 
 /// Direct light, and what of it is reflected by which coat.
-struct Light<'a> {
+struct DirectReflection<'a> {
     lit: IrradianceAt<'a>,
     reflection: Reflection<'a>,
     coats: &'a Coats,
 }
 
 /// The coefficients g of an element, per coat and band.
-fn of_reflected(element: &Element, index: usize, light: &Light<'_>) -> Vec<Vec<f64>> {
-    let Light { lit, reflection, coats } = light;
+fn of_reflected(element: &Element, index: usize, light: &DirectReflection<'_>) -> Vec<Vec<f64>> {
+    let DirectReflection { lit, reflection, coats } = light;
     let mut sums = Sums::new(element, coats.count() * reflection.bands());
     for patch in &element.patches {
         let halvings = if area(patch) < SMALL * element.area { 0 } else { REFLECTED_HALVINGS };

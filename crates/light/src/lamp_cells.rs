@@ -1,7 +1,7 @@
 //! An emitter cut into cells that are small beside their distance from a point: targets for rays where it is
 //! near.
 //!
-//! The square of numbers that chooses points of the emitter ([`Spread`]) is quartered until each cell is at
+//! The square of numbers that chooses points of the emitter ([`AreaPreservingMap`]) is quartered until each cell is at
 //! most half as large as it is far away. A cell of the share w² of the square, at the distance d, gets the
 //! share p ∝ w² (κ + 0.2/(π d²)) of the rays, with the largest kernel κ of its corners and its middle, and
 //! their values the weight w²/p.
@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use radiosity_elements::patch::Node;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::shifted;
-use radiosity_elements::sampling::spread::{WeightedNode, Spread};
+use radiosity_elements::sampling::area_preserving_map::{WeightedNode, AreaPreservingMap};
 use smallvec::{SmallVec, smallvec};
 
 use crate::receiver_point::ReceiverPoint;
@@ -28,7 +28,7 @@ const DEEPEST: u32 = 7;
 /// Cells of an emitter as seen from a point.
 #[derive(Debug)]
 pub(super) struct LampCells<'a> {
-    spread: &'a Spread,
+    area_map: &'a AreaPreservingMap,
     cells: SmallVec<[Cell; 1]>,
     /// Sum of the p before they add up to 1.
     all: f64,
@@ -45,20 +45,20 @@ struct Cell {
 
 impl<'a> LampCells<'a> {
     /// The whole emitter in one cell.
-    pub(super) fn whole(spread: &'a Spread) -> Self {
-        Self { spread, cells: smallvec![Cell { corner: [0.0; 2], width: 1.0, end: 1.0 }], all: 1.0 }
+    pub(super) fn whole(area_map: &'a AreaPreservingMap) -> Self {
+        Self { area_map, cells: smallvec![Cell { corner: [0.0; 2], width: 1.0, end: 1.0 }], all: 1.0 }
     }
 
     /// Cells that are small as seen from a point.
-    pub(super) fn near(spread: &'a Spread, receiver: &ReceiverPoint) -> Self {
-        let mut cells = Self { spread, cells: SmallVec::new(), all: 0.0 };
+    pub(super) fn near(area_map: &'a AreaPreservingMap, receiver: &ReceiverPoint) -> Self {
+        let mut cells = Self { area_map, cells: SmallVec::new(), all: 0.0 };
         cells.divide(receiver, [0.0; 2], 0);
         cells
     }
 
     fn divide(&mut self, receiver: &ReceiverPoint, corner: [f64; 2], depth: u32) {
         let width = 0.5_f64.powi(depth as i32);
-        let at = |[s, t]: [f64; 2]| self.spread.point([corner[0] + s * width, corner[1] + t * width]).node;
+        let at = |[s, t]: [f64; 2]| self.area_map.point([corner[0] + s * width, corner[1] + t * width]).node;
         let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
         let (middle, ends) = (at([0.5; 2]), corners.map(at));
         let radius = ends.iter().map(|end| end.position.distance(middle.position)).fold(0.0, f64::max);
@@ -81,7 +81,7 @@ impl<'a> LampCells<'a> {
     pub(super) fn target(&self, index: u64, offset: &[f64; 3]) -> WeightedNode {
         if let [cell] = &self.cells[..] {
             let [s, t, _] = *offset;
-            return self.spread.point(cell.point(shifted(kronecker::point(index), &[s, t])));
+            return self.area_map.point(cell.point(shifted(kronecker::point(index), &[s, t])));
         }
         let [choice, s, t] = shifted(kronecker::point(index), offset);
         let place =
@@ -89,7 +89,7 @@ impl<'a> LampCells<'a> {
         let cell = &self.cells[place];
         let before = place.checked_sub(1).map_or(0.0, |before| self.cells[before].end);
         let share = (cell.end - before) / self.all;
-        let WeightedNode { node, weight } = self.spread.point(cell.point([s, t]));
+        let WeightedNode { node, weight } = self.area_map.point(cell.point([s, t]));
         WeightedNode { node, weight: weight * cell.width.powi(2) / share }
     }
 }

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
 use radiosity_elements::patch::Patch;
-use radiosity_elements::sampling::spread::{WeightedNode, Spread};
+use radiosity_elements::sampling::area_preserving_map::{WeightedNode, AreaPreservingMap};
 use radiosity_geom::{Aabb, DVec3};
 
 use crate::receiver_point::ReceiverPoint;
@@ -37,7 +37,7 @@ pub(crate) struct Lamp {
     /// Area (scene length²).
     pub area: f64,
     /// Map to points on it, spread over its area.
-    pub spread: Spread,
+    pub area_map: AreaPreservingMap,
     center: DVec3,
     radius: f64,
     plane: Option<(DVec3, DVec3)>,
@@ -114,7 +114,7 @@ impl Lamp {
             area: own.area,
             plane: own.plane,
             brightness,
-            spread: Spread::over(own),
+            area_map: AreaPreservingMap::over(own),
         })
     }
 
@@ -129,7 +129,7 @@ impl Lamp {
             radius: 0.5 * bounds.diagonal(),
             area: elements.iter().map(|element| element.area).sum(),
             plane,
-            spread: Spread::of(&patches),
+            area_map: AreaPreservingMap::of(&patches),
             ..self
         }
     }
@@ -188,7 +188,7 @@ impl Shares<'_> {
         let lamp = &self.lamps.list[place];
         Target {
             element: lamp.element,
-            place: lamp.spread.point([s, t]),
+            place: lamp.area_map.point([s, t]),
             density: self.shares[place] / lamp.area,
         }
     }

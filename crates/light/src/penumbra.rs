@@ -336,8 +336,8 @@ fn cut_out(
 /// The targets on an emitter as seen from a point.
 fn cells<'l>(lamp: &'l Lamp, receiver: &ReceiverPoint) -> LampCells<'l> {
     match lamp.distance(receiver.position) < NEAR * lamp.radius() {
-        true => LampCells::near(&lamp.spread, receiver),
-        false => LampCells::whole(&lamp.spread),
+        true => LampCells::near(&lamp.area_map, receiver),
+        false => LampCells::whole(&lamp.area_map),
     }
 }
 

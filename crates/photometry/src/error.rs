@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::place::Place;
+use crate::file_place::FilePlace;
 
 /// Refusal to read or to write a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -10,7 +10,7 @@ pub struct Refusal {
     /// The file, as it was named; of an included file its own name.
     pub file: String,
     /// Line or byte of the cause, if it is known.
-    pub place: Option<Place>,
+    pub place: Option<FilePlace>,
     /// Cause, without a full stop: "a face has 2 vertices, 3 are the least".
     pub cause: String,
     /// Cure, without a full stop; empty where the cause says so.
@@ -20,8 +20,8 @@ pub struct Refusal {
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.place {
-            Some(Place::Line(line)) => write!(f, "{}:{line}: {}", self.file, self.cause),
-            Some(Place::Byte(byte)) => write!(f, "{}: byte {byte}: {}", self.file, self.cause),
+            Some(FilePlace::Line(line)) => write!(f, "{}:{line}: {}", self.file, self.cause),
+            Some(FilePlace::Byte(byte)) => write!(f, "{}: byte {byte}: {}", self.file, self.cause),
             None => write!(f, "{}: {}", self.file, self.cause),
         }
     }

@@ -1,7 +1,7 @@
 //! Faults: cause and cure, before their place is known.
 
 use crate::error::Refusal;
-use crate::place::Place;
+use crate::file_place::FilePlace;
 
 /// Cause and cure of a fault in a file, without its place, which is added where it is known.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,7 +20,7 @@ impl Fault {
 
     /// The refusal of `file` for this fault in a line.
     pub fn in_line(self, file: &str, line: usize) -> Refusal {
-        Refusal { file: file.to_owned(), place: Some(Place::Line(line)), cause: self.cause, cure: self.cure }
+        Refusal { file: file.to_owned(), place: Some(FilePlace::Line(line)), cause: self.cause, cure: self.cure }
     }
 
     /// The refusal of the whole `file`.

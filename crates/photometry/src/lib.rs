@@ -1,6 +1,6 @@
 //! Files of luminaires, and the words that all readers of files share: places, faults, refusals, notes.
 //!
-//! In order: `place`, `note`, `error`, `fault`, `text`, `located` and `numbers` (reading), `symmetry`,
+//! In order: `file_place`, `note`, `error`, `fault`, `text`, `located` and `numbers` (reading), `symmetry`,
 //! `opening` and `web` (intensities by direction), `ies` and `eulumdat` (the formats) and `luminaire`
 //! (either). Imports no other crate of the workspace.
 //!
@@ -17,7 +17,7 @@
 //! In LM-63 the length of the luminous opening is along x and its width along y. In EULUMDAT it is the other
 //! way round: the plane C0 is across the lamps, so that the width is along x and the length along y.
 
-pub mod place;
+pub mod file_place;
 pub mod note;
 pub mod error;
 pub mod fault;

@@ -2,7 +2,7 @@
 
 use crate::error::Refusal;
 use crate::fault::Fault;
-use crate::place::Place;
+use crate::file_place::FilePlace;
 use crate::text::decode;
 
 /// A fault with its place in a file.
@@ -11,12 +11,12 @@ pub struct Located {
     /// Cause and cure of the fault.
     pub(crate) fault: Fault,
     /// Line or byte of the fault.
-    place: Place,
+    place: FilePlace,
 }
 
 impl Located {
     /// A fault at `place`.
-    pub fn new(place: Place, cause: impl Into<String>, cure: impl Into<String>) -> Self {
+    pub fn new(place: FilePlace, cause: impl Into<String>, cure: impl Into<String>) -> Self {
         Self { fault: Fault::new(cause, cure), place }
     }
 
@@ -29,7 +29,7 @@ impl Located {
 
 impl Fault {
     /// This fault at `place`.
-    pub fn at(self, place: Place) -> Located {
+    pub fn at(self, place: FilePlace) -> Located {
         Located { fault: self, place }
     }
 }
@@ -40,5 +40,5 @@ impl Fault {
 /// A zero byte, at its place.
 pub fn decoded(bytes: &[u8]) -> Result<String, Located> {
     let zero = || bytes.iter().position(|byte| *byte == 0).unwrap_or(0);
-    decode(bytes).map_err(|fault| fault.at(Place::Byte(zero())))
+    decode(bytes).map_err(|fault| fault.at(FilePlace::Byte(zero())))
 }

@@ -1,6 +1,6 @@
 //! Notes: parts of a file that reading left out or changed.
 
-use crate::place::Place;
+use crate::file_place::FilePlace;
 
 /// Note on a part that was left out or changed by reading: "specular reflection is left out".
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -8,14 +8,14 @@ pub struct Note {
     /// Text of the note, without a full stop.
     pub text: String,
     /// Place of the first occurrence, if it is known.
-    pub place: Option<Place>,
+    pub place: Option<FilePlace>,
     /// Number of occurrences, at least 1.
     pub count: usize,
 }
 
 impl Note {
     /// Adds a note at `place` to `notes`; one whose text is among them already is only counted.
-    pub fn add(notes: &mut Vec<Note>, text: impl Into<String>, place: Option<Place>) {
+    pub fn add(notes: &mut Vec<Note>, text: impl Into<String>, place: Option<FilePlace>) {
         let text = text.into();
         match notes.iter_mut().find(|note| note.text == text) {
             Some(note) => note.count += 1,

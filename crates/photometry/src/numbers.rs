@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 
 use crate::located::Located;
-use crate::place::Place;
+use crate::file_place::FilePlace;
 use crate::text::{number, short, told};
 
 /// The name of one number among several.
@@ -34,8 +34,8 @@ impl<'a> Numbers<'a> {
     }
 
     /// Place of the word that was read last.
-    pub(crate) fn place(&self) -> Place {
-        Place::Line(self.line)
+    pub(crate) fn place(&self) -> FilePlace {
+        FilePlace::Line(self.line)
     }
 
     /// A fault at the word that was read last.
@@ -151,7 +151,7 @@ impl<'a> Numbers<'a> {
         match left {
             None => Ok(()),
             Some((line, word)) => Err(Located::new(
-                Place::Line(line),
+                FilePlace::Line(line),
                 format!("'{}' is left over", short(word)),
                 "check the counts of angles; they say how many intensities there are",
             )),

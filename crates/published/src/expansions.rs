@@ -7,7 +7,7 @@
 //! lie within the range; else, as where it is rotated, curved, touching or has something between, it is
 //! integrated like that of any other scene.
 
-mod places;
+mod element_places;
 mod expansion;
 
 use std::collections::HashMap;
@@ -16,14 +16,14 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use radiosity_elements::Element;
 use radiosity_geom::DVec3;
-use radiosity_kernel::{Kind, blocks::block::Block};
+use radiosity_kernel::{PairKind, blocks::block::Block};
 use radiosity_transport::{Known, KnownBlocks};
 use radiosity_work::ranks::Ranks;
 
 use super::series::MovedBlock;
 use expansion::Expansion;
 pub use expansion::ORDERS;
-use places::{Place, Places};
+use element_places::{ElementPlace, ElementPlaces};
 
 /// Steps of this part of the extents of a pair are rounding.
 const ROUNDED: f64 = 1e-13;
@@ -38,7 +38,7 @@ pub struct Expansions {
     /// `eps`.
     tolerance: f64,
     eps: f64,
-    places: Mutex<Places>,
+    places: Mutex<ElementPlaces>,
     pairs: Mutex<HashMap<[usize; 2], Pair>>,
     /// Blocks that were summed for this frame.
     summed: AtomicUsize,
@@ -107,7 +107,7 @@ impl Expansions {
     fn moved(
         &self,
         pair: &mut Pair,
-        ends: &[Place; 2],
+        ends: &[ElementPlace; 2],
         step: DVec3,
         tolerance: f64,
     ) -> Option<(MovedBlock, u64)> {
@@ -163,7 +163,7 @@ impl KnownBlocks for Expansions {
         self.summed.fetch_add(1, Ordering::Relaxed);
         let block = Block {
             values,
-            kind: Kind::Separated,
+            kind: PairKind::Separated,
             partly_hidden: false,
             unresolved: false,
             untried: false,

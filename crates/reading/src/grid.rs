@@ -25,7 +25,7 @@ use radiosity_light::occluders::Site;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::reflected::Reflection;
 use radiosity_solve::gather::ray_gather::{Deviation, Receiver};
-use radiosity_solve::solution::Place;
+use radiosity_solve::solution::SurfacePlace;
 use radiosity_work::ranks::{PartName, vector};
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
@@ -208,7 +208,7 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> R
     let owner = &reader.solution().elements().list()[element];
     let degree = owner.basis.total_degree();
     let exact = if patch.is_flat() { degree / 2 + 2 } else { degree + 4 };
-    let place = |node: &Node| Place {
+    let place = |node: &Node| SurfacePlace {
         surface: owner.surface,
         parameters: node.parameters.to_array(),
         position: node.position,

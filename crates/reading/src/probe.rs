@@ -7,7 +7,7 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_scene::SensorPlane;
 use radiosity_solve::gather::ray_gather::Deviation;
 use radiosity_solve::gather::surface_point::SurfacePoint;
-use radiosity_solve::solution::Place;
+use radiosity_solve::solution::SurfacePlace;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
@@ -142,13 +142,13 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<ProbeValues, Pr
 }
 
 /// Where a surface point is read: polynomials have a value at the foot itself, recomputed light near it.
-fn place(reader: &Reader, point: &SurfacePoint) -> Place {
+fn place(reader: &Reader, point: &SurfacePoint) -> SurfacePlace {
     if !matches!(reader.light(), RecomputedLight::Basis) {
         return point.place;
     }
-    let Place { surface, .. } = point.place;
+    let SurfacePlace { surface, .. } = point.place;
     let position = reader.solution().elements().shape(surface).jet(point.foot[0], point.foot[1]).position;
-    Place { surface, parameters: point.foot, position }
+    SurfacePlace { surface, parameters: point.foot, position }
 }
 
 fn on(reader: &Reader, point: &SurfacePoint, irradiance: &[f64]) -> OnSurface {

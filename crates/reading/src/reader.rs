@@ -6,7 +6,7 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_solve::gather::Gather;
 use radiosity_solve::gather::ray_gather::{Deviation, RayEstimate, RayGather, Receiver};
 use radiosity_solve::gather::gather_method::GatherMethod;
-use radiosity_solve::solution::{Place, Solution};
+use radiosity_solve::solution::{SurfacePlace, Solution};
 use radiosity_visibility::Visibility;
 use serde::Deserialize;
 
@@ -110,19 +110,19 @@ impl<'a> Reader<'a> {
     }
 
     /// The polynomials of irradiance (W m⁻²) per band at a place of an element.
-    pub(super) fn polynomials(&self, element: usize, place: &Place) -> Vec<f64> {
+    pub(super) fn polynomials(&self, element: usize, place: &SurfacePlace) -> Vec<f64> {
         let bands = 0..self.solution.bands().len();
         bands.map(|band| self.solution.irradiance(band, element, place)).collect()
     }
 
     /// The polynomials of the irradiance (W m⁻²) that was reflected at least once, per band.
-    pub(super) fn indirect_polynomials(&self, element: usize, place: &Place) -> Vec<f64> {
+    pub(super) fn indirect_polynomials(&self, element: usize, place: &SurfacePlace) -> Vec<f64> {
         let bands = 0..self.solution.bands().len();
         bands.map(|band| self.solution.indirect(band, element, place)).collect()
     }
 
     /// Irradiance per band at a place of an element with unit normal `normal`, on its front.
-    pub fn irradiance(&self, element: usize, place: &Place, normal: DVec3) -> ReadIrradiance {
+    pub fn irradiance(&self, element: usize, place: &SurfacePlace, normal: DVec3) -> ReadIrradiance {
         match &self.light {
             RecomputedLight::Basis => self.polynomials(element, place).into(),
             RecomputedLight::Direct(direct) => {
@@ -139,7 +139,7 @@ impl<'a> Reader<'a> {
 
     /// Irradiance per band (W m⁻²) on the other side of a place of an element that lets light through; 0
     /// elsewhere. `normal` is that of the element.
-    pub(super) fn behind(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
+    pub(super) fn behind(&self, element: usize, place: &SurfacePlace, normal: DVec3) -> Vec<f64> {
         match self.solution.behind(element, place) {
             Some((behind, place)) => self.irradiance(behind, &place, -normal).irradiance,
             None => vec![0.0; self.solution.bands().len()],

@@ -21,11 +21,11 @@ pub struct RigidPath {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turn {
     center: DVec3,
-    kind: Kind,
+    kind: TurnForm,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Kind {
+enum TurnForm {
     /// Rotations about one unit axis, by degrees over time.
     Axis(DVec3, TimeFunction<f64>),
     /// Rotations, and between them the shorter way about one axis at constant speed.
@@ -53,8 +53,8 @@ impl RigidPath {
     pub(crate) fn times(&self) -> Vec<f64> {
         let shift = self.shift.iter().flat_map(TimeFunction::times).copied();
         let turn = self.turn.iter().flat_map(|turn| match &turn.kind {
-            Kind::Axis(_, degrees) => degrees.times(),
-            Kind::Keys(times, _) => times.all(),
+            TurnForm::Axis(_, degrees) => degrees.times(),
+            TurnForm::Keys(times, _) => times.all(),
         });
         shift.chain(turn.copied()).collect()
     }
@@ -84,7 +84,7 @@ impl Turn {
     pub fn about_axis(center: DVec3, axis: DVec3, degrees: TimeFunction<f64>) -> Result<Self, Fault> {
         [center, axis].into_iter().try_for_each(check_point)?;
         let axis = axis.try_normalize().ok_or(Fault::NoDirection { what: "axis" })?;
-        Ok(Self { center, kind: Kind::Axis(axis, degrees) })
+        Ok(Self { center, kind: TurnForm::Axis(axis, degrees) })
     }
 
     /// Rotations about `center`: at each of the `times`, which ascend, by so many degrees about an axis of
@@ -106,13 +106,13 @@ impl Turn {
             }
         };
         let keys = turns.iter().map(key).collect::<Result<_, _>>()?;
-        Ok(Self { center, kind: Kind::Keys(times, keys) })
+        Ok(Self { center, kind: TurnForm::Keys(times, keys) })
     }
 
     fn rotation(&self, time: f64) -> DQuat {
         match &self.kind {
-            Kind::Axis(axis, degrees) => rotation(*axis, degrees.at(time)),
-            Kind::Keys(times, keys) => match times.place(time) {
+            TurnForm::Axis(axis, degrees) => rotation(*axis, degrees.at(time)),
+            TurnForm::Keys(times, keys) => match times.place(time) {
                 // Keys are met to the bit.
                 (before, 0.0) => keys[before],
                 (before, 1.0) => keys[before + 1],

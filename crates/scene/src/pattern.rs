@@ -41,12 +41,12 @@ const MOST_ACROSS: f64 = 1e6;
 /// A number per band that varies over a surface: reflectance, or emission (W m⁻²).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pattern {
-    kind: Kind,
+    kind: PatternForm,
     picture: Option<Arc<PictureFile>>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
-enum Kind {
+enum PatternForm {
     Polynomial(Vec<Polynomial>),
     Texels(Texels),
 }
@@ -90,7 +90,7 @@ impl fmt::Display for Spot {
 impl Pattern {
     /// A polynomial per band, of powers up to 20.
     pub fn polynomial(bands: Vec<Polynomial>) -> Self {
-        Self { kind: Kind::Polynomial(bands), picture: None }
+        Self { kind: PatternForm::Polynomial(bands), picture: None }
     }
 
     /// A grid of `columns` × `rows` texels; `values` are given band after band, row after row from v = −1,
@@ -106,7 +106,7 @@ impl Pattern {
         values.iter().flatten().try_for_each(|value| check_number(*value))?;
         let rows = count / columns;
         check_placement(&placement, [columns, rows])?;
-        Ok(Self { kind: Kind::Texels(Texels { columns, rows, values, placement }), picture: None })
+        Ok(Self { kind: PatternForm::Texels(Texels { columns, rows, values, placement }), picture: None })
     }
 
     /// The pattern with the path of the picture file that it was read from, and remarks on its conversion.
@@ -122,16 +122,16 @@ impl Pattern {
     /// Number of bands.
     pub fn bands(&self) -> usize {
         match &self.kind {
-            Kind::Polynomial(bands) => bands.len(),
-            Kind::Texels(texels) => texels.values.len(),
+            PatternForm::Polynomial(bands) => bands.len(),
+            PatternForm::Texels(texels) => texels.values.len(),
         }
     }
 
     /// Value q of a band at the parameters (u, v).
     pub fn at(&self, band: usize, parameters: [f64; 2]) -> f64 {
         match &self.kind {
-            Kind::Polynomial(bands) => bands[band].at(parameters),
-            Kind::Texels(texels) => texels.at(band, parameters),
+            PatternForm::Polynomial(bands) => bands[band].at(parameters),
+            PatternForm::Texels(texels) => texels.at(band, parameters),
         }
     }
 
@@ -139,48 +139,48 @@ impl Pattern {
     /// polynomials.
     pub fn line(&self, axis: usize, parameter: f64) -> usize {
         match &self.kind {
-            Kind::Polynomial(_) => 0,
-            Kind::Texels(texels) => texels.line(axis, parameter),
+            PatternForm::Polynomial(_) => 0,
+            PatternForm::Texels(texels) => texels.line(axis, parameter),
         }
     }
 
     /// Largest total degree of the polynomials of all bands; none for texels.
     pub fn degree(&self) -> Option<u32> {
         match &self.kind {
-            Kind::Polynomial(bands) => bands.iter().map(Polynomial::degree).max().or(Some(0)),
-            Kind::Texels(_) => None,
+            PatternForm::Polynomial(bands) => bands.iter().map(Polynomial::degree).max().or(Some(0)),
+            PatternForm::Texels(_) => None,
         }
     }
 
     /// Numbers of columns and rows of the grid; none for polynomials.
     pub fn grid(&self) -> Option<[usize; 2]> {
         match &self.kind {
-            Kind::Polynomial(_) => None,
-            Kind::Texels(texels) => Some([texels.columns, texels.rows]),
+            PatternForm::Polynomial(_) => None,
+            PatternForm::Texels(texels) => Some([texels.columns, texels.rows]),
         }
     }
 
     /// Placement of the grid on the surface; none for polynomials.
     pub fn placement(&self) -> Option<&Placement> {
         match &self.kind {
-            Kind::Polynomial(_) => None,
-            Kind::Texels(texels) => Some(&texels.placement),
+            PatternForm::Polynomial(_) => None,
+            PatternForm::Texels(texels) => Some(&texels.placement),
         }
     }
 
     /// The parameters along u, and along v, at which q may jump, within (−1, 1), ascending.
     pub fn breaks(&self) -> [Vec<f64>; 2] {
         match &self.kind {
-            Kind::Polynomial(_) => [Vec::new(), Vec::new()],
-            Kind::Texels(texels) => texels.breaks(),
+            PatternForm::Polynomial(_) => [Vec::new(), Vec::new()],
+            PatternForm::Texels(texels) => texels.breaks(),
         }
     }
 
     /// Mean of a band over the square of parameters.
     pub fn mean(&self, band: usize) -> f64 {
         match &self.kind {
-            Kind::Polynomial(bands) => bands[band].mean(),
-            Kind::Texels(texels) => texels.mean(band),
+            PatternForm::Polynomial(bands) => bands[band].mean(),
+            PatternForm::Texels(texels) => texels.mean(band),
         }
     }
 
@@ -199,11 +199,11 @@ impl Pattern {
     /// The least and the largest value of a band, with their places.
     pub(super) fn extremes(&self, band: usize) -> [Extreme; 2] {
         [-1.0, 1.0].map(|sign| match &self.kind {
-            Kind::Polynomial(bands) => {
+            PatternForm::Polynomial(bands) => {
                 let found = maximum(&bands[band].times(sign));
                 Extreme { value: sign * found.bound, spot: Spot::Parameters(found.at) }
             }
-            Kind::Texels(texels) => {
+            PatternForm::Texels(texels) => {
                 let (value, place) = texels.maximum(band, sign);
                 Extreme { value: sign * value, spot: Spot::Texel(place) }
             }
@@ -214,16 +214,16 @@ impl Pattern {
     /// to the values.
     pub(super) fn rounding(&self, band: usize) -> f64 {
         match &self.kind {
-            Kind::Polynomial(bands) => {
+            PatternForm::Polynomial(bands) => {
                 2e-9 * bands[band].terms().iter().map(|term| term.factor.abs()).sum::<f64>()
             }
-            Kind::Texels(_) => 0.0,
+            PatternForm::Texels(_) => 0.0,
         }
     }
 
     /// Checks that factors are finite and powers at most 20.
     pub(super) fn check(&self) -> Result<(), Fault> {
-        let Kind::Polynomial(bands) = &self.kind else { return Ok(()) };
+        let PatternForm::Polynomial(bands) = &self.kind else { return Ok(()) };
         bands.iter().flat_map(Polynomial::terms).try_for_each(check_term)
     }
 }

@@ -57,7 +57,7 @@ pub fn fitted_surfaces(
 /// The surfaces of all drafts, with unique names and none in another, and their makers.
 fn named(drafts: &[SurfaceDraft]) -> Result<(Vec<SceneSurface>, Vec<Maker>), Located> {
     let mut names = UniqueNames::default();
-    let mut claims = Vec::new();
+    let mut occupied = Vec::new();
     let mut surfaces = Vec::new();
     let mut outlooks = KnownOutlooks::default();
     let mut makers = Vec::new();
@@ -71,7 +71,7 @@ fn named(drafts: &[SurfaceDraft]) -> Result<(Vec<SceneSurface>, Vec<Maker>), Loc
             name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
         }
         for sides in shapes {
-            claims.push(Claim {
+            occupied.push(OccupiedSpace {
                 name: sides[0].name.clone(),
                 occupied: Occupied::new(&sides[0].shape),
                 span: typed.map(|typed| typed.shape.clone()),
@@ -85,7 +85,7 @@ fn named(drafts: &[SurfaceDraft]) -> Result<(Vec<SceneSurface>, Vec<Maker>), Loc
             }));
         }
     }
-    check_apart(&claims)?;
+    check_apart(&occupied)?;
     Ok((surfaces, makers))
 }
 
@@ -101,33 +101,33 @@ fn check_tolerance(value: f64) -> Result<(), Located> {
 }
 
 /// The space that a surface occupies, with its name and the place of its shape in a file.
-struct Claim {
+struct OccupiedSpace {
     name: String,
     occupied: Occupied,
     span: Option<Span>,
 }
 
-impl Claim {
-    /// Whether this claim is the back of `front`: named so, and facing away.
-    fn is_back_of(&self, front: &Claim) -> bool {
+impl OccupiedSpace {
+    /// Whether this is the back of `front`: named so, and facing away.
+    fn is_back_of(&self, front: &OccupiedSpace) -> bool {
         self.name.strip_suffix(":back") == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
     }
 }
 
 /// Refuses the first surface that lies in an earlier one, except backs.
-fn check_apart(claims: &[Claim]) -> Result<(), Located> {
-    let boxes: Vec<Aabb> = claims.iter().map(|claim| *claim.occupied.bounds()).collect();
+fn check_apart(occupied: &[OccupiedSpace]) -> Result<(), Located> {
+    let boxes: Vec<Aabb> = occupied.iter().map(|space| *space.occupied.bounds()).collect();
     let tree = Bvh::build(&boxes);
     let mut near = Vec::new();
-    for (index, own) in claims.iter().enumerate() {
+    for (index, own) in occupied.iter().enumerate() {
         near.clear();
         tree.overlapping(own.occupied.bounds(), |other| near.push(other));
         near.retain(|other| *other < index);
         near.sort_unstable();
-        let clashes = |other: &&Claim| {
+        let clashes = |other: &&OccupiedSpace| {
             other.occupied.coincides(&own.occupied) && !own.is_back_of(other) && !other.is_back_of(own)
         };
-        if let Some(other) = near.iter().map(|other| &claims[*other]).find(clashes) {
+        if let Some(other) = near.iter().map(|other| &occupied[*other]).find(clashes) {
             let fault = Fault::Coincident { other: other.name.clone() };
             let located = match &own.span {
                 Some(span) => Located::at(span, fault),

@@ -31,7 +31,7 @@ use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
 use crate::solution::powers::Powers;
-use crate::solution::{Band, Place, Solution};
+use crate::solution::{Band, SurfacePlace, Solution};
 
 pub(crate) use balance::{Balance, BandLight};
 
@@ -185,14 +185,14 @@ fn seam_jump(solution: &Solution) -> f64 {
         for (u, v, du, dv) in seam_points(element) {
             let Some(other) = elements.across_seam(element.surface, [u, v], [du, dv]) else { continue };
             let position = elements.shape(element.surface).jet(u, v).position;
-            let place = Place { surface: element.surface, parameters: [u, v], position };
+            let place = SurfacePlace { surface: element.surface, parameters: [u, v], position };
             largest = largest.max(relative_jump(solution, index, other, &place));
         }
     }
     largest
 }
 
-fn relative_jump(solution: &Solution, a: usize, b: usize, place: &Place) -> f64 {
+fn relative_jump(solution: &Solution, a: usize, b: usize, place: &SurfacePlace) -> f64 {
     let jump = |band: usize| {
         let (here, there) = (solution.radiosity(band, a, place), solution.radiosity(band, b, place));
         let scale = here.abs().max(there.abs());

@@ -25,7 +25,7 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::reflected::Reflection;
 use radiosity_visibility::Visibility;
 
-use crate::solution::{Place, Solution};
+use crate::solution::{SurfacePlace, Solution};
 use mean_radiosity::mean_radiosity;
 
 /// Tolerance of the first gathering over that of the second, which smooths its errors. Chosen; not tuned.
@@ -115,7 +115,7 @@ impl<'a> Gather<'a> {
 /// Adds max(S_h, 0) per band at a node of an element to `sums`.
 fn add_indirect(solution: &Solution, element: usize, node: &Node, sums: &mut [f64]) {
     let surface = solution.elements().list()[element].surface;
-    let place = Place { surface, parameters: node.parameters.to_array(), position: node.position };
+    let place = SurfacePlace { surface, parameters: node.parameters.to_array(), position: node.position };
     let mut indirect = vec![0.0; sums.len()];
     solution.indirect_bands(element, &place, &mut indirect);
     sums.iter_mut().zip(indirect).for_each(|(sum, indirect)| *sum += indirect.max(0.0));

@@ -30,7 +30,7 @@ use powers::Powers;
 
 /// A place on a surface.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub struct Place {
+pub struct SurfacePlace {
     /// Index of the surface.
     pub surface: usize,
     /// Parameters of the place, in [−1, 1]².
@@ -276,7 +276,7 @@ impl Solution {
     }
 
     /// Irradiance (W m⁻²) of one band on element `element`, at a place of its surface.
-    pub fn irradiance(&self, band: usize, element: usize, place: &Place) -> f64 {
+    pub fn irradiance(&self, band: usize, element: usize, place: &SurfacePlace) -> f64 {
         if let Some(masked) = &self.masked {
             let list = self.elements.list();
             let direct = masked.at(band, list, element, place.position, place.parameters);
@@ -298,25 +298,25 @@ impl Solution {
     }
 
     /// Irradiance (W m⁻²) that was reflected at least once, of one band on element `element`.
-    pub fn indirect(&self, band: usize, element: usize, place: &Place) -> f64 {
+    pub fn indirect(&self, band: usize, element: usize, place: &SurfacePlace) -> f64 {
         let raw = &self.bands[band].raw_indirect[element];
         self.elements.list()[element].evaluate(raw, place.position, place.parameters)
     }
 
     /// The irradiance of [`Solution::indirect`] of all bands, into `out`.
-    pub fn indirect_bands(&self, element: usize, place: &Place, out: &mut [f64]) {
+    pub fn indirect_bands(&self, element: usize, place: &SurfacePlace, out: &mut [f64]) {
         self.evaluate_bands(element, place, |band| &band.raw_indirect[element], out);
     }
 
     /// Irradiance (W m⁻²) of all bands on element `element` by its polynomials, into `out`.
-    pub fn irradiance_bands(&self, element: usize, place: &Place, out: &mut [f64]) {
+    pub fn irradiance_bands(&self, element: usize, place: &SurfacePlace, out: &mut [f64]) {
         self.evaluate_bands(element, place, |band| &band.raw[element], out);
     }
 
     fn evaluate_bands<'a>(
         &'a self,
         element: usize,
-        place: &Place,
+        place: &SurfacePlace,
         raw: impl Fn(&'a Band) -> &'a [f64],
         out: &mut [f64],
     ) {
@@ -327,13 +327,13 @@ impl Solution {
     }
 
     /// The element and the place on the other side of an element that lets light through in some band.
-    pub fn behind(&self, element: usize, place: &Place) -> Option<(usize, Place)> {
+    pub fn behind(&self, element: usize, place: &SurfacePlace) -> Option<(usize, SurfacePlace)> {
         let behind = self.bands.iter().find_map(|band| band.coating.behind(element, place.parameters))?;
-        Some((behind, Place { surface: self.elements.list()[behind].surface, ..*place }))
+        Some((behind, SurfacePlace { surface: self.elements.list()[behind].surface, ..*place }))
     }
 
     /// Radiosity (W m⁻²) of one band on element `element`, at a place of its surface.
-    pub fn radiosity(&self, band: usize, element: usize, place: &Place) -> f64 {
+    pub fn radiosity(&self, band: usize, element: usize, place: &SurfacePlace) -> f64 {
         let behind = self.behind(element, place);
         let behind = behind.map_or(0.0, |(element, place)| self.irradiance(band, element, &place));
         let irradiance = self.irradiance(band, element, place);

@@ -10,7 +10,7 @@ use radiosity_work::Work;
 
 use crate::driver::{Failure, Options, Outcome, solve};
 use crate::gather::Gather;
-use crate::solution::Place;
+use crate::solution::SurfacePlace;
 use crate::studies::adaptation::{Achieved, Adapted, Goal, adapt};
 
 /// Relative accuracy of light gathered at a point. Chosen; not tuned.
@@ -137,7 +137,7 @@ impl Solved {
         let solution = &self.outcome.solution;
         let element = solution.elements().at(surface, [u, v])?;
         let position = solution.elements().shape(surface).jet(u, v).position;
-        let place = Place { surface, parameters: [u, v], position };
+        let place = SurfacePlace { surface, parameters: [u, v], position };
         Some((0..solution.bands().len()).map(|band| solution.radiosity(band, element, &place)).collect())
     }
 }

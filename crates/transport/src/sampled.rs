@@ -13,7 +13,7 @@
 //! even and of odd number are two estimates of their own: half of what they differ by is about the error of
 //! their mean.
 //!
-//! Pairs on which many rays would land are carried by the exact rules, if that costs less ([`strong`]).
+//! Pairs on which many rays would land are carried by the exact rules, if that costs less ([`exact_pairs`]).
 //!
 //! What lies on another surface exchanges with it alone, exactly ([`radiosity_kernel::rules::covering`]), and
 //! sends no rays.
@@ -25,7 +25,7 @@
 mod sender;
 mod hit;
 mod tally;
-mod strong;
+mod exact_pairs;
 mod rays;
 mod closure;
 mod estimate;
@@ -36,7 +36,7 @@ use radiosity_elements::{Element, Elements};
 use radiosity_geom::Encounter;
 use radiosity_kernel::Accuracy;
 use radiosity_kernel::Blocks;
-use radiosity_kernel::blocks::held::Held;
+use radiosity_kernel::blocks::held_rows::HeldRows;
 use radiosity_kernel::rules::covering;
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
@@ -51,7 +51,7 @@ use estimate::{Counted, Counts, Estimate};
 use hit::{Hit, hit};
 pub use rays::Rays;
 use sender::{Departure, Sender};
-use strong::Strong;
+use exact_pairs::ExactPairs;
 use tally::{Sums, Tally, functions};
 
 /// Relative error of exact pairs, as far as it matters here. Chosen: the default accuracy of their blocks.
@@ -76,9 +76,9 @@ pub struct SampledTransport<'a> {
     /// The ranks that send the rays.
     ranks: &'a Ranks,
     /// Elements whose pairs each rank counts; all of them where they are few.
-    held: Held,
+    held: HeldRows,
     tally: Tally,
-    strong: Strong,
+    exact_pairs: ExactPairs,
     /// The pairs on which rays count, if not on all but the strong ones.
     only: Option<HashSet<(u32, u32)>>,
     /// Hits of these rays in the scene before, if those were kept.
@@ -141,7 +141,7 @@ impl<'a> SampledTransport<'a> {
         let starts = elements.starts();
         Self {
             only: Some(pairs),
-            held: Held::of(Ranks::alone(), &starts),
+            held: HeldRows::of(Ranks::alone(), &starts),
             ..Self::numbered(elements, visibility, &|element| numbers[element], ranks)
         }
     }
@@ -162,11 +162,11 @@ impl<'a> SampledTransport<'a> {
             senders: senders.collect(),
             sent: vec![0; list.len()],
             ranks,
-            held: Held::of(ranks, &starts),
+            held: HeldRows::of(ranks, &starts),
             starts,
             counts: Counts::new(list.len(), elements.coefficients()),
             tally: Tally::new(list.len()),
-            strong: Strong::default(),
+            exact_pairs: ExactPairs::default(),
             only: None,
             kept: None,
         }
@@ -281,20 +281,20 @@ impl<'a> SampledTransport<'a> {
             let [[a, b], [c, d]] = [density(sums.row), density(sums.column)];
             f64::from(sums.hits) * (a + c) / (b + d)
         };
-        let pairs = Strong::worth(self.elements, self.visibility, &self.tally, &self.held, &expected);
-        self.strong = Strong::new(pairs, self.elements, self.visibility, (accuracy, kept), work);
+        let pairs = ExactPairs::worth(self.elements, self.visibility, &self.tally, &self.held, &expected);
+        self.exact_pairs = ExactPairs::new(pairs, self.elements, self.visibility, (accuracy, kept), work);
         self.tally.settle(list, &expected);
         self.counts = Counts::new(list.len(), self.elements.coefficients());
     }
 
     /// Number of pairs that are carried exactly.
     pub fn exact_pairs(&self) -> usize {
-        self.strong.len()
+        self.exact_pairs.len()
     }
 
     /// Largest error of the exact pairs, as [`Blocks::accuracy_reached`].
     pub fn exact_accuracy(&self) -> f64 {
-        self.strong.accuracy_reached()
+        self.exact_pairs.accuracy_reached()
     }
 
     /// Sends the rays of these tasks, each rank those of some of them, and counts what became of all.
@@ -403,7 +403,7 @@ impl<'a> SampledTransport<'a> {
     /// Whether rays count on the pair of two elements.
     fn counts(&self, first: u32, second: u32) -> bool {
         let pair = (first.min(second), first.max(second));
-        self.only.as_ref().map_or_else(|| !self.strong.holds(pair), |only| only.contains(&pair))
+        self.only.as_ref().map_or_else(|| !self.exact_pairs.holds(pair), |only| only.contains(&pair))
     }
 
     /// Blocks of the pairs on which rays count, given those of all others.
@@ -423,7 +423,7 @@ impl<'a> SampledTransport<'a> {
     pub fn blocks(&self, rays: Rays) -> Blocks {
         let list = self.elements.list();
         let mut blocks = Blocks::empty(self.starts.clone(), true, self.ranks);
-        self.strong.append_to(&mut blocks);
+        self.exact_pairs.append_to(&mut blocks);
         self.push_covered(&mut blocks);
         let exact = blocks.apply(&self.elements.constant());
         let fixed = Fixed { sums: &exact, error: EXACT, blocks: &blocks };
@@ -431,7 +431,7 @@ impl<'a> SampledTransport<'a> {
         let integrated = estimate.projections(&vec![1.0; list.len()]);
         blocks.integrated = Some(integrated.iter().zip(exact).map(|(a, b)| a + b).collect());
         estimate.push(&mut blocks);
-        self.strong.add_accounts(&mut blocks);
+        self.exact_pairs.add_reports(&mut blocks);
         blocks.rays = self.sent.iter().sum();
         blocks
     }

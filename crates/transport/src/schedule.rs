@@ -28,14 +28,14 @@ use radiosity_kernel::PairCounts;
 use radiosity_kernel::Reciprocity;
 use radiosity_kernel::Remainder;
 use radiosity_kernel::WorstError;
-use radiosity_kernel::blocks::held::Held;
+use radiosity_kernel::blocks::held_rows::HeldRows;
 use radiosity_kernel::contact::planes;
 use radiosity_kernel::contact::planes::Planes;
 use radiosity_kernel::estimates::entry_bounds::{ROW_SHARE, SMALLEST_ENTRY};
 use radiosity_kernel::estimates::probing_rays::{Hidden, ProbingRays};
 use radiosity_kernel::rules::covering;
 use radiosity_kernel::{
-    Accuracy, Kind,
+    Accuracy, PairKind,
     blocks::block::{BlockReport, Block},
 };
 use radiosity_visibility::Visibility;
@@ -401,7 +401,7 @@ impl Schedule<'_> {
         tasks: &[Task],
         goals: &[Goal],
         sources: &[Source],
-        (kept, held): (Option<&KeptBlocks>, &Held),
+        (kept, held): (Option<&KeptBlocks>, &HeldRows),
         work: &Work<'_>,
     ) -> Integrated {
         let own: Vec<usize> =
@@ -525,7 +525,7 @@ impl Schedule<'_> {
                 if self.unreached == Unreached::Left && !self.casts_flat_shadows(task) {
                     return Block::untried(
                         pair.map(|own| own.basis.len()).iter().product(),
-                        Kind::Separated,
+                        PairKind::Separated,
                         0,
                     );
                 }
@@ -563,7 +563,7 @@ impl Schedule<'_> {
         let is_ball = row != column && self.visibility.only_ball(&blockers).is_some();
         let is_near = self.bounds[row].is_near(&self.bounds[column]);
         if self.unreached == Unreached::Left && is_near && !blockers.is_empty() && !is_ball {
-            let kind = if row == column { Kind::Same } else { Kind::Separated };
+            let kind = if row == column { PairKind::Same } else { PairKind::Separated };
             return Block::untried(receiver.basis.len() * emitter.basis.len(), kind, rays);
         }
         let accuracy = if blockers.is_empty() { accuracy } else { bent };

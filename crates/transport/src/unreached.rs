@@ -18,7 +18,7 @@
 //! A value by rules is kept where rays agree with it and its own error, times [`DOUBT`], is smaller than
 //! theirs.
 
-mod found;
+mod ray_block;
 mod wholes;
 
 use std::collections::{HashMap, HashSet};
@@ -34,7 +34,7 @@ use crate::kept_blocks::KeptBlocks;
 use crate::sampled::{Fixed, SampledTransport};
 use crate::schedule::UnreachedPair;
 use crate::schedule::order::Precedence;
-use found::{BATCHES, Found, SURE};
+use ray_block::{BATCHES, RayBlock, SURE};
 pub(crate) use wholes::Whole;
 use wholes::Wholes;
 
@@ -112,8 +112,8 @@ pub(crate) fn add(
         let fixed = Fixed { sums: &sums, error, blocks };
         let found = judged(elements.list(), (&wholes, &firsts), &fixed, left, &batches);
         // Rays cannot better a value by rules that is as good as they become.
-        let may_fall = |found: &Found| !found.is_by_rules || found.relative > REACHED;
-        let is_open = |(pair, found): &(&UnreachedPair, &Found)| {
+        let may_fall = |found: &RayBlock| !found.is_by_rules || found.relative > REACHED;
+        let is_open = |(pair, found): &(&UnreachedPair, &RayBlock)| {
             found.relative > goal(pair).max(ENOUGH) && may_fall(found)
         };
         let missing = left.iter().zip(&found).filter(is_open);
@@ -133,7 +133,7 @@ pub(crate) fn add(
     }
     blocks.rays += sent;
     blocks.pairs.by_rays += left.len();
-    for (Found { row, column, values, relative, .. }, pair) in found.into_iter().zip(left) {
+    for (RayBlock { row, column, values, relative, .. }, pair) in found.into_iter().zip(left) {
         blocks.push(row, column, &values);
         blocks.record_error(WorstError {
             pair: [row, column],
@@ -167,7 +167,7 @@ fn judged(
     others: &Fixed,
     left: &[UnreachedPair],
     batches: &[SampledTransport],
-) -> Vec<Found> {
+) -> Vec<RayBlock> {
     let sizes = |pair: &UnreachedPair| list[pair.row].basis.len() * list[pair.column].basis.len();
     let places: HashMap<(usize, usize), usize> =
         left.iter().enumerate().map(|(place, pair)| ((pair.row, pair.column), place)).collect();
@@ -196,7 +196,7 @@ fn judged(
         let largest = values.iter().zip(&squares).map(deviation).fold(0.0, f64::max);
         let unit = (list[pair.row].area * list[pair.column].area).sqrt();
         let one = 1.0 / ((density(pair.row) + density(pair.column)) * unit);
-        Found {
+        RayBlock {
             row: pair.row,
             column: pair.column,
             values,
@@ -206,7 +206,7 @@ fn judged(
             relative: 0.0,
         }
     });
-    let mut found: Vec<Found> = found.collect();
+    let mut found: Vec<RayBlock> = found.collect();
     let rows = wholes.largest_factors(list, others_firsts, &found);
     for ((found, pair), firsts) in found.iter_mut().zip(left).zip(&mut firsts) {
         if let Some((values, error)) = &pair.found

@@ -21,7 +21,7 @@ use rayon::prelude::*;
 
 use crate::{Shadows, Visibility};
 pub use footprint::Footprint;
-use seal::Suspect;
+use seal::SealCandidate;
 use segments::Segments;
 
 /// Least part of a surface's area that has to be left beside footprints. Chosen; not tuned.
@@ -31,9 +31,9 @@ const LEAST: f64 = 1e-6;
 pub fn footprints(scene: &Scene) -> Vec<Footprint> {
     let obstacles = Visibility::new(scene, Shadows::Off);
     let all = 0..scene.surfaces.len();
-    let suspects: Vec<Vec<Suspect>> =
+    let suspects: Vec<Vec<SealCandidate>> =
         all.into_par_iter().map(|surface| suspects(scene, &obstacles, surface)).collect();
-    let suspects: Vec<Suspect> = suspects.into_iter().flatten().collect();
+    let suspects: Vec<SealCandidate> = suspects.into_iter().flatten().collect();
     let sealed = seal::sealed(scene, &obstacles, &suspects);
     suspects.into_iter().zip(sealed).filter(|(_, sealed)| *sealed).map(|(s, _)| s.footprint).collect()
 }
@@ -54,7 +54,7 @@ pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
 
 /// The faces, smaller by 1e-6 than the whole (as `LEAST`), that lines of contact cut off from a planar
 /// surface.
-fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspect> {
+fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<SealCandidate> {
     check_interrupt();
     let Some(region) = scene.surfaces[surface].shape.region() else { return Vec::new() };
     let lines = lines::on(scene, obstacles, surface, region);
@@ -70,9 +70,9 @@ fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspec
     let proper = regions.filter(|face| face.area() < (1.0 - 1e-6) * region.area());
     let suspect = |face: PlanarRegion| {
         let standing = lines::around(&lines, &contacts, &face);
-        Suspect::new(Footprint { surface, region: face, standing }, region)
+        SealCandidate::new(Footprint { surface, region: face, standing }, region)
     };
-    let mut found: Vec<Suspect> = proper.map(suspect).collect();
+    let mut found: Vec<SealCandidate> = proper.map(suspect).collect();
     seal::keep_apart(&mut found);
     found
 }

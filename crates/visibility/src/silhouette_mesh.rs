@@ -62,11 +62,11 @@ pub struct Quad {
 #[derive(Debug)]
 struct Node {
     bounds: Aabb,
-    kind: Kind,
+    kind: NodeKind,
 }
 
 #[derive(Debug)]
-enum Kind {
+enum NodeKind {
     /// Indices of the two halves.
     Halves([usize; 2]),
     Leaf(Box<Quad>),
@@ -100,17 +100,17 @@ impl SilhouetteMesh {
         if wide.max(high) == 1 {
             let rect = Rect { u: u.map(|k| place(k, counts[0])), v: v.map(|k| place(k, counts[1])) };
             let quad = self.quad(rect);
-            self.nodes.push(Node { bounds: quad.bounds, kind: Kind::Leaf(Box::new(quad)) });
+            self.nodes.push(Node { bounds: quad.bounds, kind: NodeKind::Leaf(Box::new(quad)) });
             return index;
         }
-        self.nodes.push(Node { bounds: Aabb::EMPTY, kind: Kind::Halves([0, 0]) });
+        self.nodes.push(Node { bounds: Aabb::EMPTY, kind: NodeKind::Halves([0, 0]) });
         let middle = |range: [usize; 2]| usize::midpoint(range[0], range[1]);
         let halves = match wide >= high {
             true => [[u[0], middle(u)], [middle(u), u[1]]].map(|u| self.grow(u, v, counts)),
             false => [[v[0], middle(v)], [middle(v), v[1]]].map(|v| self.grow(u, v, counts)),
         };
         let bounds = self.nodes[halves[0]].bounds.union(self.nodes[halves[1]].bounds);
-        self.nodes[index] = Node { bounds, kind: Kind::Halves(halves) };
+        self.nodes[index] = Node { bounds, kind: NodeKind::Halves(halves) };
         index
     }
 
@@ -150,8 +150,8 @@ impl SilhouetteMesh {
     /// All quads.
     pub fn quads(&self) -> impl Iterator<Item = &Quad> {
         self.nodes.iter().filter_map(|node| match &node.kind {
-            Kind::Leaf(quad) => Some(&**quad),
-            Kind::Halves(_) => None,
+            NodeKind::Leaf(quad) => Some(&**quad),
+            NodeKind::Halves(_) => None,
         })
     }
 
@@ -164,8 +164,8 @@ impl SilhouetteMesh {
                 continue;
             }
             match &node.kind {
-                Kind::Halves(halves) => stack.extend(halves),
-                Kind::Leaf(quad) => self.visit_quad(Cow::Borrowed(&**quad), region, DEPTH, take),
+                NodeKind::Halves(halves) => stack.extend(halves),
+                NodeKind::Leaf(quad) => self.visit_quad(Cow::Borrowed(&**quad), region, DEPTH, take),
             }
         }
     }

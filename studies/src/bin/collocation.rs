@@ -12,7 +12,7 @@ use std::error::Error;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::rule::UnitRule;
 use radiosity::geom::DVec3;
-use radiosity::solve::solution::Place;
+use radiosity::solve::solution::SurfacePlace;
 use radiosity::solve::{Direct, Options, Outcome, solve};
 use radiosity::{Basis, Solution, Work};
 use radiosity_solvers::method::Method;
@@ -128,7 +128,7 @@ fn collocated(squares: &[Square; 2], cells: usize) -> Result<(Vec<f64>, Tents), 
 fn radiosity(solution: &Solution, squares: &[Square; 2], square: usize, u: f64, v: f64) -> f64 {
     let parameters = [2.0 * u - 1.0, 2.0 * v - 1.0];
     let element = solution.elements().at(square, parameters).expect("squares have no holes");
-    let place = Place { surface: square, parameters, position: squares[square].at(u, v) };
+    let place = SurfacePlace { surface: square, parameters, position: squares[square].at(u, v) };
     solution.radiosity(0, element, &place)
 }
 

@@ -24,7 +24,7 @@ use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Camera;
 use radiosity::solve::gather::gather_method::GatherMethod;
-use radiosity::solve::solution::{Place, Solution};
+use radiosity::solve::solution::{SurfacePlace, Solution};
 use radiosity::solve::{Options, solve};
 use radiosity::visibility::Visibility;
 
@@ -71,7 +71,7 @@ fn row(name: &str) -> String {
 #[derive(Clone, Copy)]
 struct Seen {
     element: usize,
-    place: Place,
+    place: SurfacePlace,
     normal: DVec3,
 }
 
@@ -102,7 +102,7 @@ impl<'a> Errors<'a> {
             let Encounter { surface, hit, .. } = visibility.nearest(&ray).filter(|met| met.front)?;
             let element = solution.elements().at(surface, [hit.u, hit.v])?;
             let jet = solution.elements().shape(surface).jet(hit.u, hit.v);
-            let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
+            let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position: jet.position };
             let emits = solution.bands().iter().any(|band| band.coating.exitance[element] > 0.0);
             (!emits).then_some(Seen { element, place, normal: jet.normal })
         };

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use glam::DVec3;
 use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
-use radiosity_formats::repair::{Kind, Options, repair};
+use radiosity_formats::repair::{RepairKind, Options, repair};
 
 /// Boxes, of six faces each.
 const BOXES: usize = 16_667;
@@ -29,14 +29,14 @@ fn main() -> io::Result<()> {
     let mut out = io::stdout().lock();
     writeln!(out, "{polygons} polygons repaired in {seconds:.2} s; {} are left", model.surfaces.len())?;
     for kind in [
-        Kind::Vertices,
-        Kind::Sliver,
-        Kind::Outline,
-        Kind::Plane,
-        Kind::Coincident,
-        Kind::Overlap,
-        Kind::Reflectance,
-        Kind::Fronts,
+        RepairKind::Vertices,
+        RepairKind::Sliver,
+        RepairKind::Outline,
+        RepairKind::Plane,
+        RepairKind::Coincident,
+        RepairKind::Overlap,
+        RepairKind::Reflectance,
+        RepairKind::Fronts,
     ] {
         writeln!(out, "{kind:?}: {}", repairs.count(kind))?;
     }

@@ -1,6 +1,6 @@
 //! Flat enclosures, and what any balance keeps.
 
-use radiosity::solve::solution::Place;
+use radiosity::solve::solution::SurfacePlace;
 use radiosity_test_support::compare::assert_close;
 
 use super::shared::{CUBE, at_order, level, lumped, of};
@@ -96,7 +96,7 @@ fn the_field_of_levels_has_the_means_of_the_surfaces() {
     let patch = &levels.elements().list()[element].patches[0];
     let heights = [patch.node(0.1, 0.1), patch.node(0.9, 0.9)].map(|node| (node.position.z, node));
     let level_at = |node: &radiosity::elements::patch::Node| {
-        let place = Place { surface: wall, parameters: [0.0; 2], position: node.position };
+        let place = SurfacePlace { surface: wall, parameters: [0.0; 2], position: node.position };
         levels.radiosity(0, element, &place)
     };
     let [low, high] = if heights[0].0 < heights[1].0 { [0, 1] } else { [1, 0] };

@@ -5,7 +5,7 @@ use radiosity::reading::pictures::lightmap::Lightmap;
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
-use radiosity::solve::solution::Place;
+use radiosity::solve::solution::SurfacePlace;
 use radiosity::solve::solved::Solved;
 use radiosity_test_support::scenes::{builtin, typed};
 use radiosity_test_support::solved::solved_of;
@@ -69,7 +69,7 @@ fn difference(solved: &Solved, lightmap: &Lightmap, factors: &[f64]) -> f64 {
                 continue;
             }
             let Some(element) = solution.elements().at(surface, parameters) else { continue };
-            let place = Place { surface, parameters, position: jet.position };
+            let place = SurfacePlace { surface, parameters, position: jet.position };
             let exact = reader.irradiance(element, &place, jet.normal).irradiance;
             for (band, exact) in exact.into_iter().enumerate() {
                 let parts = factors.iter().enumerate();

@@ -10,7 +10,7 @@ use radiosity::reading::pictures::raster::Raster;
 use radiosity::reading::pictures::render::render;
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::reading::quantity::Quantity;
-use radiosity::solve::solution::Place;
+use radiosity::solve::solution::SurfacePlace;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;
 use radiosity::{Scene, SceneBuilder, Work, scene::Camera};
@@ -62,14 +62,14 @@ fn taken(scene: Scene, samples: u32) -> Taken {
 
 impl Taken {
     /// Value and place of each pixel that sees the floor.
-    fn on_floor(&self) -> Vec<(f64, Place)> {
+    fn on_floor(&self) -> Vec<(f64, SurfacePlace)> {
         let view = Pinhole::new(self.scene.camera.as_ref().expect("a camera"));
         let pixel = |(index, values): (usize, &[f64])| {
             let [column, row] = [index as u32 % SIZE, index as u32 / SIZE].map(|at| f64::from(at) + 0.5);
             let met = self.visibility.nearest(&view.ray(column, row))?;
             let Encounter { surface, hit, .. } = met;
             let position = self.outcome.solution.elements().shape(surface).jet(hit.u, hit.v).position;
-            let place = Place { surface, parameters: [hit.u, hit.v], position };
+            let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position };
             (self.scene.surfaces[surface].name == "floor").then_some((values[0], place))
         };
         self.raster.pixels().enumerate().filter_map(pixel).collect()

@@ -11,7 +11,7 @@ use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Camera;
 use radiosity::solve::Options;
-use radiosity::solve::solution::Place;
+use radiosity::solve::solution::SurfacePlace;
 use radiosity::visibility::Visibility;
 use radiosity_test_support::scenes::{builtin, typed};
 use radiosity_test_support::solved::outcome_of;
@@ -46,7 +46,7 @@ fn fitted_light_is_that_of_every_pixel() {
             let elements = outcome.solution.elements();
             let element = elements.at(surface, [hit.u, hit.v]).expect("no holes");
             let jet = elements.shape(surface).jet(hit.u, hit.v);
-            let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
+            let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position: jet.position };
             let irradiance = reader.irradiance(element, &place, jet.normal).irradiance;
             for ((value, e), band) in values.iter().zip(irradiance).zip(outcome.solution.bands()) {
                 let exact = band.coating.radiosity(element, place.parameters, e, 0.0);

@@ -52,12 +52,12 @@ enum HeatQuantity {
 
 /// The kind of file that a picture is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Kind {
+enum PictureFormat {
     Png,
 }
 
 /// A picture about to be taken.
-pub(crate) struct Wanted<'a> {
+pub(crate) struct HeatPicture<'a> {
     args: &'a PictureArgs,
     camera: Camera,
     pub(crate) file: OutputFile,
@@ -71,7 +71,7 @@ impl PictureArgs {
         scene: &Scene,
         reserve: impl FnOnce(&Path) -> Result<OutputFile, CliError>,
         others: &[(Option<&Path>, &str)],
-    ) -> Result<Option<Wanted<'_>>, CliError> {
+    ) -> Result<Option<HeatPicture<'_>>, CliError> {
         let refuse = |message: &str, cure: &str| {
             Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
         };
@@ -89,16 +89,16 @@ impl PictureArgs {
             return refuse("--band: heat is of all wavelengths together", "leave it out");
         }
         self.colours.check()?;
-        format::of_file::<Kind>(path)?;
+        format::of_file::<PictureFormat>(path)?;
         let camera = camera(self.size.map(|Counts(size)| size), scene)?;
         let mut known = others.iter().filter_map(|(path, what)| Some(((*path)?, *what)));
         let file = reserve(path)?;
         let file = known.try_fold(file, |file, (path, what)| file.apart_from(path, what))?;
-        Ok(Some(Wanted { args: self, camera, file }))
+        Ok(Some(HeatPicture { args: self, camera, file }))
     }
 }
 
-impl Wanted<'_> {
+impl HeatPicture<'_> {
     /// The picture of this balance.
     pub(crate) fn take(&self, scene: &Scene, visibility: &Visibility, heat: &Heat, ranks: &Ranks) -> Picture {
         let PictureArgs { show, colours, .. } = self.args;

@@ -27,7 +27,7 @@ const CALLS: u64 = 4;
 
 /// The result of the gate, the same for all ranks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Passed {
+pub(super) enum GateResult {
     /// All ranks are about to make the same call.
     Together,
     /// A rank has failed.
@@ -45,7 +45,7 @@ const LONGEST: Duration = Duration::from_millis(2);
 const ASLEEP: f64 = 0.1;
 
 /// Waits until all ranks are here, where this one is about to make `call`, its call number `before`.
-pub(super) fn pass(world: &SimpleCommunicator, call: Call, before: u64) -> Passed {
+pub(super) fn pass(world: &SimpleCommunicator, call: Call, before: u64) -> GateResult {
     let own = CALLS * before + call as u64;
     passed(world, [own, u64::MAX - own], &|_| ())
 }
@@ -62,7 +62,7 @@ pub(super) fn fail(world: &SimpleCommunicator, patience: Duration, give_up: &dyn
 
 /// Waits until all ranks are here, where this one states `said`, its number c and the complement; `look` gets
 /// the time waited, now and then.
-fn passed(world: &SimpleCommunicator, said: [u64; 2], look: &dyn Fn(Duration)) -> Passed {
+fn passed(world: &SimpleCommunicator, said: [u64; 2], look: &dyn Fn(Duration)) -> GateResult {
     let mut greatest = [0; 2];
     scope(|scope| {
         let mut request =
@@ -75,9 +75,9 @@ fn passed(world: &SimpleCommunicator, said: [u64; 2], look: &dyn Fn(Duration)) -
         }
     });
     match greatest {
-        [u64::MAX, _] => Passed::Failed,
-        [most, rest] if most == u64::MAX - rest => Passed::Together,
-        _ => Passed::Apart,
+        [u64::MAX, _] => GateResult::Failed,
+        [most, rest] if most == u64::MAX - rest => GateResult::Together,
+        _ => GateResult::Apart,
     }
 }
 

@@ -37,7 +37,7 @@ const MOST: usize = 20_000;
 
 /// Light that a report shows: picture, sensors and cells.
 #[derive(Debug)]
-pub(super) struct Wanted<'a> {
+pub(super) struct ReportLight<'a> {
     camera: Option<Camera>,
     sensors: Sensors,
     band: Option<usize>,
@@ -54,7 +54,7 @@ pub(super) struct ReadLight {
     surfaces: Vec<SurfaceLight>,
 }
 
-impl<'a> Wanted<'a> {
+impl<'a> ReportLight<'a> {
     /// The light of `scene` that was asked for.
     pub(super) fn of(args: &'a ReportPageArgs, scene: &Scene, ranks: &Ranks) -> Result<Self, CliError> {
         args.colours.check()?;
@@ -121,7 +121,7 @@ fn picture(run: &Run, camera: &Camera, work: &Work<'_>) -> Result<Picture, CliEr
 
 impl ReadLight {
     /// The part of the report on light.
-    pub(super) fn part<'a>(&'a self, wanted: &'a Wanted, run: &'a Run) -> LightPart<'a> {
+    pub(super) fn part<'a>(&'a self, wanted: &'a ReportLight, run: &'a Run) -> LightPart<'a> {
         let scene = &run.solved.scene;
         let plans = wanted.sensors.by_plane(&self.sensed).map(|on| ReportedPlane {
             plane: on.plane,

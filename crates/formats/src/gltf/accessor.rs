@@ -8,7 +8,7 @@ use std::rc::Rc;
 use glam::DVec3;
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::short;
 
 use super::json::Json;
@@ -132,16 +132,16 @@ impl Data<'_> {
 
 /// Use of the numbers of an accessor: points or indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Kind {
+pub(super) enum NumberUse {
     Points,
     Indices,
 }
 
-impl Kind {
+impl NumberUse {
     fn width(self) -> usize {
         match self {
-            Kind::Points => 3,
-            Kind::Indices => 1,
+            NumberUse::Points => 3,
+            NumberUse::Indices => 1,
         }
     }
 }
@@ -152,7 +152,7 @@ pub(super) struct Accessors<'a, 'b> {
     json: &'b Json<'a>,
     root: &'b Root<'a>,
     buffers: &'b [Cow<'a, [u8]>],
-    known: HashMap<(usize, Kind), Rc<Data<'b>>>,
+    known: HashMap<(usize, NumberUse), Rc<Data<'b>>>,
     replaced: usize,
 }
 
@@ -163,11 +163,11 @@ impl<'a, 'b> Accessors<'a, 'b> {
     }
 
     /// The numbers of an accessor that is named at `from`.
-    pub(super) fn data(&mut self, index: usize, kind: Kind, from: Place) -> Result<Rc<Data<'b>>, Located> {
+    pub(super) fn data(&mut self, index: usize, kind: NumberUse, from: FilePlace) -> Result<Rc<Data<'b>>, Located> {
         if let Some(data) = self.known.get(&(index, kind)) {
             return Ok(Rc::clone(data));
         }
-        let (accessor, place): (Accessor, Place) =
+        let (accessor, place): (Accessor, FilePlace) =
             self.json.item(&self.root.accessors, index, "accessor", from)?;
         let located =
             |Fault { cause, cure }| Located::new(place, format!("the accessor {index}: {cause}"), cure);
@@ -179,17 +179,17 @@ impl<'a, 'b> Accessors<'a, 'b> {
         Ok(data)
     }
 
-    fn checked(&mut self, accessor: &Accessor, kind: Kind, place: Place) -> Result<Data<'b>, Wrong> {
+    fn checked(&mut self, accessor: &Accessor, kind: NumberUse, place: FilePlace) -> Result<Data<'b>, Wrong> {
         let component = Component::of(accessor.component_type)?;
         let is_right = match kind {
-            Kind::Points => accessor.kind == "VEC3" && component != Component::U32,
-            Kind::Indices => {
+            NumberUse::Points => accessor.kind == "VEC3" && component != Component::U32,
+            NumberUse::Indices => {
                 accessor.kind == "SCALAR"
                     && matches!(component, Component::U8 | Component::U16 | Component::U32)
             }
         };
         if !is_right {
-            let what = if kind == Kind::Points { "points" } else { "indices" };
+            let what = if kind == NumberUse::Points { "points" } else { "indices" };
             return Err(Fault::new(
                 format!(
                     "{what} cannot be {} of component type {}",
@@ -203,7 +203,7 @@ impl<'a, 'b> Accessors<'a, 'b> {
         if accessor.count > MOST {
             return Err(Fault::new(format!("it has more than {MOST} rows"), "split the model").into());
         }
-        if kind == Kind::Points && accessor.buffer_view.is_none() && accessor.sparse.is_none() {
+        if kind == NumberUse::Points && accessor.buffer_view.is_none() && accessor.sparse.is_none() {
             return Err(Fault::new(
                 "its points are all 0: it has neither a buffer view nor sparse values",
                 "export the model without compression",
@@ -229,7 +229,7 @@ impl<'a, 'b> Accessors<'a, 'b> {
         sparse: &Sparse,
         rows: &Rows<'b>,
         [count, width]: [usize; 2],
-        place: Place,
+        place: FilePlace,
     ) -> Result<(HashMap<usize, usize>, Rows<'b>), Wrong> {
         self.replaced = self.replaced.saturating_add(sparse.count);
         if sparse.count > count || self.replaced > MOST_REPLACED {
@@ -262,9 +262,9 @@ impl<'a, 'b> Accessors<'a, 'b> {
         like: &Rows<'b>,
         [view, offset, count]: [usize; 3],
         width: usize,
-        place: Place,
+        place: FilePlace,
     ) -> Result<Rows<'b>, Wrong> {
-        let (view, at): (BufferView, Place) =
+        let (view, at): (BufferView, FilePlace) =
             self.json.item(&self.root.buffer_views, view, "buffer view", place)?;
         let Some(buffer) = self.buffers.get(view.buffer) else {
             return Err(Wrong::There(Located::new(

@@ -2,7 +2,7 @@
 //! header is the JSON itself.
 
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 const MAGIC: &[u8] = b"glTF";
 const JSON: u32 = 0x4E4F_534A;
@@ -30,7 +30,7 @@ pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, Located> {
     }
     if word(bytes, 4) != Some(2) {
         return Err(Located::new(
-            Place::Byte(4),
+            FilePlace::Byte(4),
             "this is no GLB of version 2",
             "export the model as glTF 2.0",
         ));
@@ -38,14 +38,14 @@ pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, Located> {
     let length = word(bytes, 8).map_or(0, |length| length as usize);
     if length > bytes.len() {
         return Err(Located::new(
-            Place::Byte(8),
+            FilePlace::Byte(8),
             format!("the file has {} bytes, its header says {length}", bytes.len()),
             "copy or export it again",
         ));
     }
     let (kind, json, next) = chunk(bytes, 12)?;
     if kind != JSON {
-        return Err(Located::new(Place::Byte(16), "the first chunk is not JSON", "export the model again"));
+        return Err(Located::new(FilePlace::Byte(16), "the first chunk is not JSON", "export the model again"));
     }
     let mut binary = None;
     if next < length {
@@ -64,7 +64,7 @@ fn chunk(bytes: &[u8], at: usize) -> Result<(u32, &[u8], usize), Located> {
         Some((kind, part, start + length.next_multiple_of(4)))
     });
     part.ok_or_else(|| {
-        Located::new(Place::Byte(at), "the file ends within a chunk", "copy or export it again")
+        Located::new(FilePlace::Byte(at), "the file ends within a chunk", "copy or export it again")
     })
 }
 
@@ -77,14 +77,14 @@ fn word(bytes: &[u8], at: usize) -> Option<u32> {
 fn text(bytes: &[u8], start: usize) -> Result<&str, Located> {
     if bytes.len() > MOST {
         return Err(Located::new(
-            Place::Byte(start),
+            FilePlace::Byte(start),
             format!("the JSON is longer than {MOST} bytes"),
             "keep buffers in files beside it",
         ));
     }
     std::str::from_utf8(bytes).map_err(|error| {
         Located::new(
-            Place::Byte(start + error.valid_up_to()),
+            FilePlace::Byte(start + error.valid_up_to()),
             "the JSON is not UTF-8",
             "save it as UTF-8, or name the format that the file has",
         )

@@ -1,7 +1,7 @@
 //! JSON whose parts know where they stand.
 
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
@@ -34,15 +34,15 @@ impl<'a> Json<'a> {
     }
 
     /// Place at which a part of the text begins: the line in a text file, the byte in a binary one.
-    pub(super) fn place(&self, part: &str) -> Place {
+    pub(super) fn place(&self, part: &str) -> FilePlace {
         self.at((part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize))
     }
 
     /// Place of byte `at` of the text.
-    fn at(&self, at: usize) -> Place {
+    fn at(&self, at: usize) -> FilePlace {
         match self.start {
-            Some(start) => Place::Byte(start + at),
-            None => Place::Line(self.lines.partition_point(|line| *line <= at).max(1)),
+            Some(start) => FilePlace::Byte(start + at),
+            None => FilePlace::Line(self.lines.partition_point(|line| *line <= at).max(1)),
         }
     }
 
@@ -77,8 +77,8 @@ impl<'a> Json<'a> {
         list: &[&'a RawValue],
         index: usize,
         what: &str,
-        from: Place,
-    ) -> Result<(T, Place), Located> {
+        from: FilePlace,
+    ) -> Result<(T, FilePlace), Located> {
         let Some(item) = list.get(index) else {
             return Err(Located::new(
                 from,

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use serde_json::value::RawValue;
 
 use super::json::Json;
@@ -82,7 +82,7 @@ fn read<'a>(
 }
 
 /// Says what of a material is left out.
-fn note(material: &scheme::Material, place: Place, model: &mut Model) {
+fn note(material: &scheme::Material, place: FilePlace, model: &mut Model) {
     let pbr = &material.pbr_metallic_roughness;
     if pbr.metallic_roughness_texture.or(material.normal_texture).is_some() {
         model.note("textures are left out", Some(place));

@@ -6,10 +6,10 @@ use std::rc::Rc;
 use glam::{DMat3, DMat4, DQuat, DVec3};
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use serde_json::value::RawValue;
 
-use super::accessor::{Accessors, Data, Kind};
+use super::accessor::{Accessors, Data, NumberUse};
 use super::json::Json;
 use super::scheme::{self, Node, Primitive, Root};
 use super::triangles::Mode;
@@ -37,14 +37,14 @@ pub(super) struct Nodes<'a, 'b> {
 /// A mesh that was parsed.
 struct Parts {
     name: Option<String>,
-    primitives: Vec<(Primitive, Place)>,
+    primitives: Vec<(Primitive, FilePlace)>,
 }
 
 /// A node in the world.
 struct Placed {
     node: Node,
     world: DMat4,
-    place: Place,
+    place: FilePlace,
 }
 
 impl<'a, 'b> Nodes<'a, 'b> {
@@ -76,18 +76,18 @@ impl<'a, 'b> Nodes<'a, 'b> {
             true => self.parentless()?,
             false => {
                 let index = self.root.scene.unwrap_or(0);
-                let (scene, _): (scheme::Scene, Place) =
+                let (scene, _): (scheme::Scene, FilePlace) =
                     self.json.item(&self.root.scenes, index, "scene", top)?;
                 self.mesh.model.title = scene.name.filter(|name| !name.trim().is_empty());
                 scene.nodes
             }
         };
         let mut is_met = vec![false; self.root.nodes.len()];
-        let mut open: Vec<(usize, DMat4, Place)> =
+        let mut open: Vec<(usize, DMat4, FilePlace)> =
             roots.into_iter().rev().map(|node| (node, DMat4::IDENTITY, top)).collect();
         while let Some((index, parent, from)) = open.pop() {
             self.visit(1, from)?;
-            let (node, place): (Node, Place) = self.json.item(&self.root.nodes, index, "node", from)?;
+            let (node, place): (Node, FilePlace) = self.json.item(&self.root.nodes, index, "node", from)?;
             if std::mem::replace(&mut is_met[index], true) {
                 return Err(Located::new(
                     place,
@@ -116,7 +116,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
         Ok((0..is_child.len()).filter(|index| !is_child[*index]).collect())
     }
 
-    fn visit(&mut self, count: usize, place: Place) -> Result<(), Located> {
+    fn visit(&mut self, count: usize, place: FilePlace) -> Result<(), Located> {
         self.visits = self.visits.saturating_add(count);
         match self.visits > MOST {
             true => Err(Located::new(
@@ -148,7 +148,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
     }
 
     fn add_camera(&mut self, index: usize, placed: &Placed) -> Result<(), Located> {
-        let (camera, place): (scheme::Camera, Place) =
+        let (camera, place): (scheme::Camera, FilePlace) =
             self.json.item(&self.root.cameras, index, "camera", placed.place)?;
         let Some(perspective) = camera.perspective else {
             self.mesh.model.note("cameras without perspective are left out", Some(place));
@@ -189,12 +189,12 @@ impl<'a, 'b> Nodes<'a, 'b> {
     }
 
     /// The mesh of an index, which is parsed once however many nodes place it.
-    fn mesh(&mut self, index: usize, from: Place) -> Result<Rc<Parts>, Located> {
+    fn mesh(&mut self, index: usize, from: FilePlace) -> Result<Rc<Parts>, Located> {
         if let Some(known) = self.meshes.get(&index) {
             return Ok(Rc::clone(known));
         }
-        let (mesh, _): (scheme::Mesh, Place) = self.json.item(&self.root.meshes, index, "mesh", from)?;
-        let primitive = |text: &&RawValue| -> Result<(Primitive, Place), Located> {
+        let (mesh, _): (scheme::Mesh, FilePlace) = self.json.item(&self.root.meshes, index, "mesh", from)?;
+        let primitive = |text: &&RawValue| -> Result<(Primitive, FilePlace), Located> {
             Ok((self.json.parse(text.get(), "the primitive")?, self.json.place(text.get())))
         };
         let primitives = mesh.primitives.iter().map(primitive).collect::<Result<_, _>>()?;
@@ -208,7 +208,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
         primitive: &Primitive,
         object: usize,
         world: &DMat4,
-        place: Place,
+        place: FilePlace,
     ) -> Result<(), Located> {
         let number = primitive.mode.unwrap_or(4);
         let Some(mode) = Mode::of(number) else {
@@ -226,9 +226,9 @@ impl<'a, 'b> Nodes<'a, 'b> {
             self.mesh.model.note("primitives without positions are left out", Some(place));
             return Ok(());
         };
-        let points = self.accessors.data(position, Kind::Points, place)?;
+        let points = self.accessors.data(position, NumberUse::Points, place)?;
         let indices = match primitive.indices {
-            Some(indices) => Some(self.accessors.data(indices, Kind::Indices, place)?),
+            Some(indices) => Some(self.accessors.data(indices, NumberUse::Indices, place)?),
             None => None,
         };
         let coat = self.coat(primitive.material, object, place)?;
@@ -267,7 +267,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
     }
 
     /// Object, material and sides that all faces of a primitive have. Without a material, surfaces have none.
-    fn coat(&self, material: Option<usize>, object: usize, place: Place) -> Result<Coat, Located> {
+    fn coat(&self, material: Option<usize>, object: usize, place: FilePlace) -> Result<Coat, Located> {
         let Some(index) = material else {
             return Ok(Coat { object, material, sides: Sides::Front });
         };

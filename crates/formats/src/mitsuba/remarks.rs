@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use radiosity_photometry::note::Note;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use super::element::Element;
 
@@ -27,7 +27,7 @@ impl Remarks {
         let index = *self.known.entry(text.clone()).or_insert(next);
         match self.notes.get_mut(index) {
             Some(note) => note.count += 1,
-            None => self.notes.push(Note { text, place: Some(Place::Line(element.line)), count: 1 }),
+            None => self.notes.push(Note { text, place: Some(FilePlace::Line(element.line)), count: 1 }),
         }
     }
 

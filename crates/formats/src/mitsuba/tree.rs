@@ -287,7 +287,7 @@ fn snake(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use radiosity_photometry::place::Place;
+    use radiosity_photometry::file_place::FilePlace;
 
     use super::*;
 
@@ -305,6 +305,6 @@ mod tests {
         let error = Document::parse("<a>\n<b></a>").expect_err("the tags are crossed");
         let refusal = refusal("a.xml", &error);
         assert!(refusal.cause.starts_with("this is no XML") && refusal.cause.contains("'b'"), "{refusal}");
-        assert_eq!(refusal.place, Some(Place::Line(2)));
+        assert_eq!(refusal.place, Some(FilePlace::Line(2)));
     }
 }

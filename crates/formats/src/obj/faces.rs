@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::{number, short};
 
 use super::statements::split;
@@ -156,14 +156,14 @@ impl Faces {
     /// Adds all faces to a mesh that has the materials.
     pub(super) fn add_to(&self, mesh: &mut Mesh) -> Result<(), Located> {
         for (what, line) in &self.notes {
-            mesh.model.note(*what, Some(Place::Line(*line)));
+            mesh.model.note(*what, Some(FilePlace::Line(*line)));
         }
         let mut names: Vec<(&String, &usize)> = self.objects.iter().collect();
         names.sort_by_key(|(_, number)| **number);
         let objects: Vec<usize> = names.iter().map(|(name, _)| mesh.object(Some(name))).collect();
         let ends = self.faces.iter().skip(1).map(|face| face.start).chain([self.corners.len()]);
         for (face, end) in self.faces.iter().zip(ends) {
-            let place = Place::Line(face.line);
+            let place = FilePlace::Line(face.line);
             let corners: Result<Vec<DVec3>, Fault> =
                 self.corners[face.start..end].iter().map(|corner| self.point(*corner)).collect();
             let coat = Coat { object: objects[face.object], material: face.material, sides: Sides::Open };

@@ -5,7 +5,7 @@ use std::collections::hash_map::Entry;
 
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::{number, short};
 
 use super::statements::{split, statements};
@@ -38,12 +38,12 @@ pub(super) fn read(text: &str, known: &mut HashMap<String, Mtl>) -> Result<(), L
         }
         let Some((_, mtl)) = &mut current else {
             return Err(Located::new(
-                Place::Line(line),
+                FilePlace::Line(line),
                 format!("'{}' stands before the first material", short(keyword)),
                 "begin each material with 'newmtl NAME'",
             ));
         };
-        mtl.statement(keyword, rest).map_err(|fault| fault.at(Place::Line(line)))?;
+        mtl.statement(keyword, rest).map_err(|fault| fault.at(FilePlace::Line(line)))?;
     }
     add(current, known);
     Ok(())

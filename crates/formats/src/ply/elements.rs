@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use super::header::{Element, Header, Property};
 use super::numbers::Numbers;
@@ -21,7 +21,7 @@ pub(super) struct Elements {
     vertices: Vec<DVec3>,
     corners: Vec<f64>,
     /// Index in `corners` at which each face begins, and place of the face in the file.
-    faces: Vec<(usize, Place)>,
+    faces: Vec<(usize, FilePlace)>,
 }
 
 impl Elements {
@@ -41,7 +41,7 @@ impl Elements {
             let most = numbers.most_rows(bytes, element.properties.len());
             if element.count > most.min(MOST) {
                 return Err(Located::new(
-                    Place::Line(element.line),
+                    FilePlace::Line(element.line),
                     format!(
                         "{} elements are announced, {} at the most are there",
                         element.count,
@@ -68,7 +68,7 @@ impl Elements {
             let is_axis = |property: &Property| property.name == name && property.count.is_none();
             element.properties.iter().position(is_axis).ok_or_else(|| {
                 Located::new(
-                    Place::Line(element.line),
+                    FilePlace::Line(element.line),
                     format!("the vertices have no property {name}"),
                     "give them x, y and z as numbers",
                 )
@@ -102,7 +102,7 @@ impl Elements {
             |property: &Property| property.count.is_some() && LISTS.contains(&property.name.as_str());
         let Some(list) = element.properties.iter().position(is_list) else {
             return Err(Located::new(
-                Place::Line(element.line),
+                FilePlace::Line(element.line),
                 "the faces have no list vertex_indices",
                 "add 'property list uchar int vertex_indices', or export the model with faces",
             ));
@@ -142,7 +142,7 @@ impl Elements {
         Ok(())
     }
 
-    fn vertex(&self, number: f64, place: Place) -> Result<DVec3, Located> {
+    fn vertex(&self, number: f64, place: FilePlace) -> Result<DVec3, Located> {
         // The cast of what is below 0 or no number is 0, which then differs.
         let index = number as usize;
         match self.vertices.get(index).filter(|_| index as f64 == number) {
@@ -208,7 +208,7 @@ fn length(count: f64) -> Option<usize> {
 
 /// Says what of an element is left out.
 fn note(element: &Element, model: &mut Model) {
-    let place = Some(Place::Line(element.line));
+    let place = Some(FilePlace::Line(element.line));
     let is_colour = |property: &Property| property.name.ends_with("red") || property.name == "r";
     if element.count > 0 && element.properties.iter().any(is_colour) {
         model.note("colours are left out", place);

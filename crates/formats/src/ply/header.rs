@@ -2,7 +2,7 @@
 
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::short;
 
 /// Encoding of the elements behind the header.
@@ -108,7 +108,7 @@ impl Header {
             if is_end {
                 let Some(encoding) = encoding else {
                     return Err(Located::new(
-                        Place::Line(number),
+                        FilePlace::Line(number),
                         "the header names no format",
                         "add 'format ascii 1.0' below 'ply'",
                     ));
@@ -119,10 +119,10 @@ impl Header {
                 1 => magic(&words),
                 _ => statement(&words, number, &mut encoding, &mut elements),
             };
-            read.map_err(|fault| fault.at(Place::Line(number)))?;
+            read.map_err(|fault| fault.at(FilePlace::Line(number)))?;
         }
         Err(Located::new(
-            Place::Line(number.max(1)),
+            FilePlace::Line(number.max(1)),
             "the header does not end",
             "export the model again; a header ends with 'end_header'",
         ))

@@ -2,7 +2,7 @@
 
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::short;
 
 use super::header::Scalar;
@@ -10,7 +10,7 @@ use super::header::Scalar;
 /// Numbers one after another.
 pub(super) trait Numbers {
     /// Place of the next number in the file.
-    fn place(&mut self) -> Place;
+    fn place(&mut self) -> FilePlace;
 
     /// The next number, finite or not.
     ///
@@ -30,7 +30,7 @@ pub(super) trait Numbers {
 }
 
 /// Refusal of a file that ends early.
-fn end(place: Place) -> Located {
+fn end(place: FilePlace) -> Located {
     Fault::new("the file ends early", "export it again, or correct the counts in its header").at(place)
 }
 
@@ -59,19 +59,19 @@ impl<'a> Words<'a> {
 }
 
 impl Numbers for Words<'_> {
-    fn place(&mut self) -> Place {
+    fn place(&mut self) -> FilePlace {
         while self.words.peek().is_none() {
             let Some((index, line)) = self.lines.next() else { break };
             self.line = self.before + index + 1;
             self.words = line.split_whitespace().peekable();
         }
-        Place::Line(self.line)
+        FilePlace::Line(self.line)
     }
 
     fn number(&mut self, _scalar: Scalar) -> Result<f64, Located> {
         let word = self.word()?;
         word.parse().map_err(|_| {
-            Located::new(Place::Line(self.line), format!("'{}' is no number", short(word)), "write a number")
+            Located::new(FilePlace::Line(self.line), format!("'{}' is no number", short(word)), "write a number")
         })
     }
 
@@ -104,7 +104,7 @@ impl<'a> Bits<'a> {
     /// The next bytes, the most significant one last.
     fn word(&mut self, size: usize) -> Result<[u8; 8], Located> {
         let found = self.bytes.get(self.at..).and_then(|rest| rest.get(..size));
-        let Some(found) = found else { return Err(end(Place::Byte(self.bytes.len()))) };
+        let Some(found) = found else { return Err(end(FilePlace::Byte(self.bytes.len()))) };
         let mut word = [0; 8];
         word[..size].copy_from_slice(found);
         if self.is_big {
@@ -116,8 +116,8 @@ impl<'a> Bits<'a> {
 }
 
 impl Numbers for Bits<'_> {
-    fn place(&mut self) -> Place {
-        Place::Byte(self.at)
+    fn place(&mut self) -> FilePlace {
+        FilePlace::Byte(self.at)
     }
 
     fn number(&mut self, scalar: Scalar) -> Result<f64, Located> {
@@ -142,7 +142,7 @@ impl Numbers for Bits<'_> {
                 self.at = end_at;
                 Ok(())
             }
-            None => Err(end(Place::Byte(self.bytes.len()))),
+            None => Err(end(FilePlace::Byte(self.bytes.len()))),
         }
     }
 

@@ -8,7 +8,7 @@ use std::collections::HashSet;
 
 use crate::model::{Model, Sides};
 use crate::repair::edit::Edit;
-use crate::repair::record::{Kind, Repairs, spelt};
+use crate::repair::record::{RepairKind, Repairs, spelt};
 
 /// Surfaces of which some go or change because of copies.
 pub(super) struct Copies<'a> {
@@ -74,7 +74,7 @@ impl<'a> Copies<'a> {
             self.gone[gone] = true;
             format!("{pair} coincide; {:?} was removed", self.model.surfaces[gone].name)
         };
-        self.repairs.say(Kind::Coincident, names, one.place, text);
+        self.repairs.say(RepairKind::Coincident, names, one.place, text);
     }
 
     pub(super) fn changes(self, repairs: &mut Repairs) -> Changes {

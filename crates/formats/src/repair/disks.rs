@@ -12,7 +12,7 @@ use glam::DVec3;
 use crate::model::{Model, Shape, Sides};
 use crate::repair::copies::{are_sides_of_one, emits};
 use crate::repair::edit::Edit;
-use crate::repair::record::{Kind, Repairs};
+use crate::repair::record::{RepairKind, Repairs};
 use crate::repair::sheets::{Sheet, Sheets};
 
 /// Gap below a face over its extent: a hundred times what is no length. Chosen; not tuned.
@@ -32,7 +32,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
     let mut say = |[sheet, on]: [usize; 2], what: &str| {
         let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list()[index].surface]);
         let text = format!("{:?} lies on {:?}{what}", surface.name, other.name);
-        repairs.say(Kind::Overlap, vec![surface.name.clone(), other.name.clone()], surface.place, text);
+        repairs.say(RepairKind::Overlap, vec![surface.name.clone(), other.name.clone()], surface.place, text);
     };
     for (sheet, on) in &hidden {
         say([*sheet, *on], " face down; it was removed");

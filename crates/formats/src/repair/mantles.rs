@@ -6,7 +6,7 @@ use glam::DVec3;
 use radiosity_geom::{Aabb, Bvh};
 
 use crate::model::{Model, Shape, Surface};
-use crate::repair::record::{Kind, Repairs};
+use crate::repair::record::{RepairKind, Repairs};
 
 /// Gap over the radius: a hundred times what is no length. Chosen; not tuned.
 const GAP: f64 = 1e-7;
@@ -32,7 +32,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
             steps.push(steps[under] + GAP);
             let names = [*index, line[under].0].map(|surface| model.surfaces[surface].name.clone());
             let text = format!("{:?} lies partly in {:?}; it was raised slightly", names[0], names[1]);
-            repairs.say(Kind::Overlap, names.to_vec(), model.surfaces[*index].place, text);
+            repairs.say(RepairKind::Overlap, names.to_vec(), model.surfaces[*index].place, text);
             raise(&mut model.surfaces[*index].shape, steps[own]);
         }
     }

@@ -10,7 +10,7 @@ use radiosity_geom::{PlanarRegion, ShapeError};
 
 use crate::model::{Model, Shape};
 use crate::repair::edit::Edit;
-use crate::repair::record::{Kind, Repairs, counted, spelt};
+use crate::repair::record::{RepairKind, Repairs, counted, spelt};
 
 /// Makes each outline that touches or crosses itself into outlines that do not, with holes.
 pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs) {
@@ -39,7 +39,7 @@ pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs)
             [_] => "it was led around what it encloses".to_owned(),
             names => format!("it was cut into {}", spelt(names)),
         };
-        let kind = if edited.names(index).is_empty() { Kind::Sliver } else { Kind::Outline };
+        let kind = if edited.names(index).is_empty() { RepairKind::Sliver } else { RepairKind::Outline };
         repairs.say(kind, vec![name.clone()], place, format!("the outline of {name:?} {cause}; {made}"));
     }
 }

@@ -12,7 +12,7 @@ use radiosity_fit::overlay::{Part, enclosed, without};
 use crate::model::{Model, Shape, Sides};
 use crate::repair::copies::{are_sides_of_one, emits};
 use crate::repair::edit::Edit;
-use crate::repair::record::{Kind, Repairs, spelt};
+use crate::repair::record::{RepairKind, Repairs, spelt};
 use crate::repair::sheets::{Sheet, Sheets};
 
 /// Areas that differ by less than this part are equal within rounding. As in `radiosity_scene`.
@@ -74,7 +74,7 @@ fn round(
         let verb = if others.len() == 1 { "shares" } else { "share" };
         let text = format!("{} {verb} a part of the place of {name:?}; {made}", spelt(&others));
         let surfaces = std::iter::once(name).chain(others).collect();
-        repairs.say(Kind::Overlap, surfaces, place, text);
+        repairs.say(RepairKind::Overlap, surfaces, place, text);
     }
     edited.changed
 }

@@ -10,7 +10,7 @@ use radiosity_geom::{PlanarRegion, ShapeError};
 
 use crate::model::{Model, Shape};
 use crate::repair::edit::Edit;
-use crate::repair::record::{Kind, Repairs, counted, spelt};
+use crate::repair::record::{RepairKind, Repairs, counted, spelt};
 
 /// Makes polygons off their planes into patches and triangles.
 pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
@@ -36,7 +36,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
             names => format!("it was cut into {}, {}", counted(names.len(), "triangle"), spelt(names)),
         };
         let text = format!("{name:?} is off its plane by {deviation:.1e}; {made}");
-        repairs.say(Kind::Plane, vec![name], place, text);
+        repairs.say(RepairKind::Plane, vec![name], place, text);
     }
 }
 

@@ -1,13 +1,13 @@
 //! Record of repairs: one entry, one line, for each repair.
 
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 /// Most names that a line spells out; the rest are counted. Chosen; not tuned.
 const SPELT: usize = 4;
 
 /// Kind of the fault that was repaired.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Kind {
+pub enum RepairKind {
     /// Vertices that repeat their neighbours, and outlines that run somewhere and straight back.
     Vertices,
     /// Faces without area.
@@ -32,13 +32,13 @@ pub enum Kind {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repair {
     /// Kind of the fault.
-    pub kind: Kind,
+    pub kind: RepairKind,
     /// Names of the surfaces that had it, as the file names them.
     pub surfaces: Vec<String>,
     /// The fault and its repair, without a full stop: `"desk-3" and "desk-7" coincide; "desk-7" was removed`.
     pub text: String,
     /// Place in the file of the first of the surfaces.
-    pub place: Option<Place>,
+    pub place: Option<FilePlace>,
 }
 
 /// All repairs, in the order in which they were made.
@@ -55,15 +55,15 @@ impl Repairs {
     }
 
     /// Number of repairs of a kind.
-    pub fn count(&self, kind: Kind) -> usize {
+    pub fn count(&self, kind: RepairKind) -> usize {
         self.list.iter().filter(|repair| repair.kind == kind).count()
     }
 
     pub(super) fn say(
         &mut self,
-        kind: Kind,
+        kind: RepairKind,
         surfaces: Vec<String>,
-        place: Option<Place>,
+        place: Option<FilePlace>,
         text: impl Into<String>,
     ) {
         self.list.push(Repair { kind, surfaces, text: text.into(), place });

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::model::{Model, Surface};
-use crate::repair::record::{Kind, Repairs};
+use crate::repair::record::{RepairKind, Repairs};
 
 /// The largest reflectance: what reflects all light never comes to rest, and no paint does. Chosen; not
 /// tuned.
@@ -34,7 +34,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
             let place = users.first().and_then(|surface| surface.place);
             let names = users.iter().map(|surface| surface.name.clone()).collect();
             let text = format!("reflectance of material {:?}: {}", material.name, parts.join(", "));
-            repairs.say(Kind::Reflectance, names, place, text);
+            repairs.say(RepairKind::Reflectance, names, place, text);
         }
     }
 }

@@ -5,7 +5,7 @@ use radiosity_fit::ring::{TOUCH, length_and_width};
 
 use crate::model::{Model, Shape};
 use crate::repair::edit::Edit;
-use crate::repair::record::{Kind, Repairs};
+use crate::repair::record::{RepairKind, Repairs};
 
 /// Width over length of a face without area. Chosen; not tuned.
 const NARROW: f64 = 1e-7;
@@ -17,7 +17,7 @@ pub(super) fn remove(model: &mut Model, repairs: &mut Repairs) {
     {
         edit.replace(index, Vec::new());
         let text = format!("{:?} has no area; it was removed", surface.name);
-        repairs.say(Kind::Sliver, vec![surface.name.clone()], surface.place, text);
+        repairs.say(RepairKind::Sliver, vec![surface.name.clone()], surface.place, text);
     }
     edit.apply(model);
 }

@@ -1,8 +1,8 @@
 //! Fronts that point the wrong way.
 
-use crate::fronts::{Why, turned};
+use crate::fronts::{TurnReason, turned};
 use crate::model::Model;
-use crate::repair::record::{Kind, Repairs, spelt};
+use crate::repair::record::{RepairKind, Repairs, spelt};
 
 /// Turns over what shows its front the wrong way, if `fixes`; else only says so.
 pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
@@ -14,22 +14,22 @@ pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
         let [show, were] =
             if count == 1 { ["shows its front", "it was"] } else { ["show their fronts", "they were"] };
         let what = match found.why {
-            Why::Neighbours => {
+            TurnReason::Neighbours => {
                 let beside = &model.surfaces[found.beside].name;
                 format!("{} {show} where {beside:?} beside has its back", spelt(&names))
             }
-            Why::Halves => {
+            TurnReason::Halves => {
                 let beside = &model.surfaces[found.beside].name;
                 format!("{} {show} where {beside:?} beside has its back, of equal areas", spelt(&names))
             }
-            Why::Inwards => format!("{} enclose nothing and {show} inwards", spelt(&names)),
-            Why::Outwards => format!("{} enclose everything and {show} outwards", spelt(&names)),
+            TurnReason::Inwards => format!("{} enclose nothing and {show} inwards", spelt(&names)),
+            TurnReason::Outwards => format!("{} enclose everything and {show} outwards", spelt(&names)),
         };
-        if fixes && found.why != Why::Halves {
+        if fixes && found.why != TurnReason::Halves {
             found.surfaces.iter().for_each(|surface| model.surfaces[*surface].shape.turn_over());
-            repairs.say(Kind::Fronts, names, place, format!("{what}; {were} turned over"));
+            repairs.say(RepairKind::Fronts, names, place, format!("{what}; {were} turned over"));
         } else {
-            repairs.say(Kind::DoubtfulFronts, names, place, format!("{what}; {were} left so"));
+            repairs.say(RepairKind::DoubtfulFronts, names, place, format!("{what}; {were} left so"));
         }
     }
 }

@@ -7,7 +7,7 @@ use radiosity_fit::ring::tolerance;
 use radiosity_geom::distance_to_segment;
 
 use crate::model::{Model, Shape};
-use crate::repair::record::{Kind, Repairs, counted};
+use crate::repair::record::{RepairKind, Repairs, counted};
 
 /// Takes out vertices that repeat their neighbours, and spikes. Other vertices stay, also those of no effect.
 pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs) {
@@ -21,7 +21,7 @@ pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs)
         holes.retain(|hole| hole.len() > 2);
         if found.is_some() {
             let text = format!("{:?} has {}, taken out", surface.name, found.text());
-            repairs.say(Kind::Vertices, vec![surface.name.clone()], surface.place, text);
+            repairs.say(RepairKind::Vertices, vec![surface.name.clone()], surface.place, text);
         }
     }
 }

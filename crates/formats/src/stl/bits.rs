@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 use radiosity_photometry::located::Located;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use crate::mesh::{Coat, Mesh};
 use crate::model::Sides;
@@ -38,14 +38,14 @@ fn length(count: usize) -> Option<usize> {
 pub(super) fn read(bytes: &[u8], mesh: &mut Mesh) -> Result<(), Located> {
     let Some(count) = count(bytes) else {
         return Err(Located::new(
-            Place::Byte(bytes.len()),
+            FilePlace::Byte(bytes.len()),
             format!("the file ends after {} bytes; a binary STL has a header of {HEADER}", bytes.len()),
             "export it again; a text STL begins with 'solid'",
         ));
     };
     if length(count).is_none_or(|length| length > bytes.len()) {
         return Err(Located::new(
-            Place::Byte(HEADER - 4),
+            FilePlace::Byte(HEADER - 4),
             format!("{count} triangles are announced, {} are there", (bytes.len() - HEADER) / TRIANGLE),
             "export it again; a text STL begins with 'solid'",
         ));
@@ -53,16 +53,16 @@ pub(super) fn read(bytes: &[u8], mesh: &mut Mesh) -> Result<(), Located> {
     let object = mesh.object(None);
     let body = &bytes[HEADER..];
     for (index, part) in body.chunks_exact(TRIANGLE).take(count).enumerate() {
-        let place = Place::Byte(HEADER + index * TRIANGLE);
+        let place = FilePlace::Byte(HEADER + index * TRIANGLE);
         triangle(part, object, mesh, place)?;
     }
     if length(count) != Some(bytes.len()) {
-        mesh.model.note("bytes behind the last triangle are left out", length(count).map(Place::Byte));
+        mesh.model.note("bytes behind the last triangle are left out", length(count).map(FilePlace::Byte));
     }
     Ok(())
 }
 
-fn triangle(part: &[u8], object: usize, mesh: &mut Mesh, place: Place) -> Result<(), Located> {
+fn triangle(part: &[u8], object: usize, mesh: &mut Mesh, place: FilePlace) -> Result<(), Located> {
     let number = |bytes: &[u8]| bytes.try_into().map_or(f64::NAN, |word| f64::from(f32::from_le_bytes(word)));
     let numbers: Vec<f64> = part[..48].chunks_exact(4).map(number).collect();
     let corners: Vec<DVec3> = numbers.chunks_exact(3).skip(1).map(DVec3::from_slice).collect();

@@ -4,7 +4,7 @@ use glam::DVec3;
 use radiosity_fit::outline::area_vector;
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::located::{Located, decoded};
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::{number, short};
 
 use crate::mesh::{Coat, Mesh};
@@ -20,11 +20,11 @@ pub(super) fn read(bytes: &[u8], mesh: &mut Mesh) -> Result<(), Located> {
             continue;
         }
         last = index + 1;
-        reader.line(line, last).map_err(|fault| fault.at(Place::Line(last)))?;
+        reader.line(line, last).map_err(|fault| fault.at(FilePlace::Line(last)))?;
     }
     match reader.facet {
         Some(_) => Err(Located::new(
-            Place::Line(last),
+            FilePlace::Line(last),
             "the text ends within a facet",
             "export the model again, or end the facet with 'endloop', 'endfacet'",
         )),
@@ -98,7 +98,7 @@ impl Reader<'_> {
 
     fn end(&mut self) -> Result<(), Fault> {
         let Some(facet) = self.facet.take() else { return Ok(()) };
-        let place = Place::Line(facet.line);
+        let place = FilePlace::Line(facet.line);
         if area_vector(&facet.corners).dot(facet.normal) < 0.0 {
             self.mesh.model.note("normals that contradict the order of corners are left out", Some(place));
         }

@@ -15,7 +15,7 @@ const MOST: usize = 10_000_000;
 
 /// Role of a surface: the letter that its line begins with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum SurfaceRole {
     /// `S`: it radiates to other surfaces.
     Radiating,
     /// `M`: it covers a part of its base and faces it.
@@ -37,7 +37,7 @@ pub(super) enum Corners {
 #[derive(Clone, Debug)]
 pub(super) struct Statement {
     pub(super) line: usize,
-    pub(super) kind: Kind,
+    pub(super) kind: SurfaceRole,
     pub(super) corners: Corners,
     /// Number of the surface that it lies on, 0 for none.
     pub(super) base: usize,
@@ -133,12 +133,12 @@ fn unknown(letter: &str) -> Fault {
     )
 }
 
-fn kind(letter: char) -> Kind {
+fn kind(letter: char) -> SurfaceRole {
     match letter {
-        'M' => Kind::Masking,
-        'N' => Kind::Null,
-        'O' => Kind::Obstruction,
-        _ => Kind::Radiating,
+        'M' => SurfaceRole::Masking,
+        'N' => SurfaceRole::Null,
+        'O' => SurfaceRole::Obstruction,
+        _ => SurfaceRole::Radiating,
     }
 }
 
@@ -196,7 +196,7 @@ fn in_order(word: &str, wanted: usize, what: &str) -> Result<(), Fault> {
 /// The surface whose line behind the letter is `words`.
 fn surface(
     file: &str,
-    kind: Kind,
+    kind: SurfaceRole,
     (line, words): Words,
     wanted: usize,
     lines: &mut Lines,
@@ -212,7 +212,7 @@ fn surface(
     };
     let mut statement = Statement { line, kind, corners, base: 0, combined: 0, emittance: 1.0, name: None };
     match kind {
-        Kind::Obstruction => statement.name = obstruction_name(rest),
+        SurfaceRole::Obstruction => statement.name = obstruction_name(rest),
         _ => data(&mut statement, rest).map_err(refuse)?,
     }
     if let Some(form) = form {
@@ -222,9 +222,9 @@ fn surface(
     Ok(statement)
 }
 
-fn missing(what: &str, kind: Kind) -> Fault {
+fn missing(what: &str, kind: SurfaceRole) -> Fault {
     let cure = match kind {
-        Kind::Obstruction => "write O, its number, four vertices (the fourth 0 for a triangle) and a name",
+        SurfaceRole::Obstruction => "write O, its number, four vertices (the fourth 0 for a triangle) and a name",
         _ => {
             "write the letter, its number, four vertices (the fourth 0 for a triangle) or R, Q or T, its base (0 for \
              none), the surface it is combined with (0 for none), its emittance and a name"
@@ -234,7 +234,7 @@ fn missing(what: &str, kind: Kind) -> Fault {
 }
 
 /// The numbers of its vertices, and the words behind.
-fn numbers<'a, 'b>(words: &'b [&'a str], kind: Kind) -> Result<(Corners, &'b [&'a str]), Fault> {
+fn numbers<'a, 'b>(words: &'b [&'a str], kind: SurfaceRole) -> Result<(Corners, &'b [&'a str]), Fault> {
     let (vertices, rest) =
         words.split_at_checked(4).ok_or_else(|| missing("some of its four vertices", kind))?;
     let mut numbers = vertices.iter().map(|word| whole(word, "a vertex")).collect::<Result<Vec<_>, _>>()?;

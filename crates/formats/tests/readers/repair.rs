@@ -3,13 +3,13 @@
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
-use radiosity_formats::repair::{Kind, Options, Repairs, refusal, repair};
+use radiosity_formats::repair::{RepairKind, Options, Repairs, refusal, repair};
 use radiosity_geom::PlanarRegion;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_test_support::random::seeded;
 
 fn surface(name: &str, shape: Shape) -> Surface {
-    Surface { name: name.into(), material: Some(0), shape, sides: Sides::Front, place: Some(Place::Line(1)) }
+    Surface { name: name.into(), material: Some(0), shape, sides: Sides::Front, place: Some(FilePlace::Line(1)) }
 }
 
 fn polygon(points: &[[f64; 3]]) -> Shape {
@@ -320,7 +320,7 @@ fn of_copies_the_emitter_is_kept_or_else_the_first() {
         outline.insert(1, 0.5 * (outline[0] + outline[1]));
     }
     let (after, repairs) = repaired(model(vec![desk, copy]));
-    assert_eq!((names(&after), repairs.count(Kind::Coincident)), (vec!["desk"], 1));
+    assert_eq!((names(&after), repairs.count(RepairKind::Coincident)), (vec!["desk"], 1));
     assert_eq!(repairs.list[0].surfaces, ["desk", "copy"]);
 }
 
@@ -329,7 +329,7 @@ fn two_sides_of_a_sheet_become_one_surface_or_front_and_back() {
     let [front, back] = [("front", true), ("back", false)].map(|(name, up)| square(name, [0.0; 3], 1.0, up));
     let (after, repairs) = repaired(model(vec![front.clone(), back.clone()]));
     assert_eq!((names(&after), after.surfaces[0].sides), (vec!["front"], Sides::Both));
-    assert_eq!(repairs.count(Kind::Coincident), 1);
+    assert_eq!(repairs.count(RepairKind::Coincident), 1);
     let (after, _) = repaired(model(vec![front.clone(), Surface { material: Some(1), ..back.clone() }]));
     assert_eq!(names(&after), ["front", "front:back"]);
     assert!(after.surfaces.iter().all(|surface| surface.sides == Sides::Front));
@@ -418,7 +418,7 @@ fn what_turns_its_face_to_a_wall_is_removed_unless_it_emits() {
     let floor = square("floor", [0.0; 3], 4.0, true);
     let mut rug = square("rug", [1.0, 1.0, 0.0], 2.0, false);
     let (after, repairs) = repaired(model(vec![floor.clone(), rug.clone()]));
-    assert_eq!((names(&after), repairs.count(Kind::Overlap)), (vec!["floor"], 1));
+    assert_eq!((names(&after), repairs.count(RepairKind::Overlap)), (vec!["floor"], 1));
     rug.material = Some(1);
     let (after, _) = repaired(model(vec![floor, rug.clone()]));
     assert!(after.surfaces[1] == rug && (area(&after.surfaces[0].shape) - 12.0).abs() < 1e-9);
@@ -452,10 +452,10 @@ fn fronts_are_turned_only_when_asked() {
         model(all)
     };
     let (after, repairs) = repaired(before());
-    assert!(after == before() && repairs.count(Kind::DoubtfulFronts) == 1);
+    assert!(after == before() && repairs.count(RepairKind::DoubtfulFronts) == 1);
     let mut fixed = before();
     let repairs = repair(&mut fixed, &Options { fix_fronts: true, ..Options::default() });
-    assert_eq!(repairs.count(Kind::Fronts), 1);
+    assert_eq!(repairs.count(RepairKind::Fronts), 1);
     assert!(
         repairs.list[0]
             .text
@@ -488,7 +488,7 @@ fn a_refusal_tells_the_first_repair() {
     // What was left as it is was not repaired.
     let boxes = cuboid("box", DVec3::ZERO, DVec3::ONE, false);
     let (_, left) = repaired(model([boxes, vec![square("sign", [5.0; 3], 1.0, true)]].concat()));
-    assert_eq!((left.count(Kind::DoubtfulFronts), refusal(&left, "room.obj")), (1, None));
+    assert_eq!((left.count(RepairKind::DoubtfulFronts), refusal(&left, "room.obj")), (1, None));
 }
 
 #[test]
@@ -532,7 +532,7 @@ fn a_fan_of_many_crossings_is_mended() {
     };
     let star: Vec<[f64; 3]> = (0..count).map(corner).collect();
     let (after, repairs) = repaired(model(vec![surface("star", polygon(&star))]));
-    assert!(repairs.count(Kind::Outline) == 1 && after.surfaces.len() > 1000);
+    assert!(repairs.count(RepairKind::Outline) == 1 && after.surfaces.len() > 1000);
 }
 
 #[test]

@@ -32,7 +32,7 @@ impl Accuracy {
 
 /// The hardest contact met between a pair of elements, from easy to hard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum Kind {
+pub enum PairKind {
     /// Constants on flat elements: contour integrals, exact.
     Contour,
     /// Far apart: a plain tensor rule.
@@ -53,7 +53,7 @@ pub enum Kind {
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct BlockReport {
     /// Hardest contact met.
-    pub kind: Kind,
+    pub kind: PairKind,
     /// As [`Block::partly_hidden`].
     pub partly_hidden: bool,
     /// As [`Block::unresolved`].
@@ -78,7 +78,7 @@ pub struct Block {
     /// G_kl, row-major, receiver functions by emitter functions.
     pub values: Vec<f64>,
     /// Hardest contact met.
-    pub kind: Kind,
+    pub kind: PairKind,
     /// Whether something hides a part of one element from the other.
     pub partly_hidden: bool,
     /// Whether a near part was left at the smallest size, with unknown accuracy.
@@ -111,7 +111,7 @@ impl Block {
     }
 
     /// The block with these moments and no known error.
-    pub fn of(moments: Moments, kind: Kind, partly_hidden: bool) -> Self {
+    pub fn of(moments: Moments, kind: PairKind, partly_hidden: bool) -> Self {
         Self {
             samples: moments.samples,
             distinct: moments.distinct,
@@ -134,7 +134,7 @@ impl Block {
     }
 
     /// A block of `size` entries that the rules leave to rays, after so many probing rays.
-    pub fn untried(size: usize, kind: Kind, rays: u64) -> Self {
+    pub fn untried(size: usize, kind: PairKind, rays: u64) -> Self {
         Self { untried: true, kind, ..Self::hidden(size, rays) }
     }
 
@@ -142,7 +142,7 @@ impl Block {
     pub fn hidden(size: usize, rays: u64) -> Self {
         Self {
             values: vec![0.0; size],
-            kind: Kind::Separated,
+            kind: PairKind::Separated,
             partly_hidden: true,
             unresolved: false,
             untried: false,

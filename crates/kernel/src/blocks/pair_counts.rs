@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::blocks::block::{BlockReport, Kind};
+use crate::blocks::block::{BlockReport, PairKind};
 
 /// Numbers of pairs by contact and by reason of being skipped.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -46,13 +46,13 @@ impl PairCounts {
     /// Counts one more pair whose block was integrated or copied.
     pub fn take(&mut self, block: &BlockReport) {
         let counter = match block.kind {
-            Kind::Contour => &mut self.contour,
-            Kind::Separated => &mut self.separated,
-            Kind::Split => &mut self.split,
-            Kind::Vertex => &mut self.vertex,
-            Kind::Edge => &mut self.edge,
-            Kind::Contact => &mut self.contact,
-            Kind::Same => &mut self.same,
+            PairKind::Contour => &mut self.contour,
+            PairKind::Separated => &mut self.separated,
+            PairKind::Split => &mut self.split,
+            PairKind::Vertex => &mut self.vertex,
+            PairKind::Edge => &mut self.edge,
+            PairKind::Contact => &mut self.contact,
+            PairKind::Same => &mut self.same,
         };
         *counter += 1;
         self.partly_hidden += usize::from(block.partly_hidden);

@@ -11,7 +11,7 @@
 use radiosity_elements::Element;
 use radiosity_elements::rule::UnitRule;
 
-use crate::blocks::block::{Block, Kind};
+use crate::blocks::block::{Block, PairKind};
 use crate::moments::Moments;
 
 /// The block of two elements of which one covers the other.
@@ -33,5 +33,5 @@ pub fn block(receiver: &Element, emitter: &Element) -> Block {
     }
     let mut moments = Moments::new(&receiver.basis, &emitter.basis);
     moments.add_raw(&sum, samples);
-    Block::of(moments, Kind::Contact, false)
+    Block::of(moments, PairKind::Contact, false)
 }

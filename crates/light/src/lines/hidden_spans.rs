@@ -70,7 +70,7 @@ struct End {
 
 /// An end of a hidden interval, corrected to the surface.
 #[derive(Clone, Copy)]
-struct Place<'a> {
+struct CorrectedEnd<'a> {
     s: f64,
     /// The mesh that contains the end, with the projected breadth of its quad, where no outline was found.
     within: Option<(&'a SilhouetteMesh, f64)>,
@@ -164,7 +164,7 @@ impl<'a> HiddenSpans<'a> {
     pub(crate) fn visible(&self, t: f64, [low, high]: [f64; 2], out: &mut Vec<[f64; 2]>) {
         out.clear();
         let outside = OUTSIDE * (high - low);
-        let mut last = Place { s: low, within: None };
+        let mut last = CorrectedEnd { s: low, within: None };
         for hidden in self.hidden(t, [low - outside, high + outside]) {
             let from = self.corrected(t, hidden.low, -1.0);
             if from.s > last.s + COINCIDENT && !last.is_crack(&from) {
@@ -206,7 +206,7 @@ impl<'a> HiddenSpans<'a> {
 
     /// An end of a hidden interval, corrected to the surface; `side` is +1 for the high end, −1 for the low
     /// one.
-    fn corrected(&self, t: f64, end: End, side: f64) -> Place<'_> {
+    fn corrected(&self, t: f64, end: End, side: f64) -> CorrectedEnd<'_> {
         let size = |seen: &[DVec3; 4]| seen.iter().map(|p| (p.x / p.z - end.s).abs()).fold(0.0, f64::max);
         let found = end.causes.iter().flatten().filter_map(|(index, crossing)| {
             let Facet { mesh, quad, seen } = &self.quads[*index];
@@ -216,16 +216,16 @@ impl<'a> HiddenSpans<'a> {
         });
         let farther = |a: f64, b: f64| if side > 0.0 { a.max(b) } else { a.min(b) };
         if let Some(s) = found.reduce(farther) {
-            return Place { s, within: None };
+            return CorrectedEnd { s, within: None };
         }
         let inner =
             end.causes[0].filter(|(index, crossing)| !self.quads[*index].quad.is_border(crossing.edge));
         let within = inner.map(|(index, _)| (self.quads[index].mesh, size(&self.quads[index].seen)));
-        Place { s: end.s, within }
+        CorrectedEnd { s: end.s, within }
     }
 }
 
-impl Place<'_> {
+impl CorrectedEnd<'_> {
     /// Whether the gap between two ends is a crack between quads of different sizes.
     fn is_crack(&self, next: &Self) -> bool {
         match (self.within, next.within) {

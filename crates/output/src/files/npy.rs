@@ -10,7 +10,7 @@ const PREFIX: usize = 10;
 
 /// The kind of an array's entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum EntryKind {
     /// f64.
     Float64,
     /// i32.
@@ -23,7 +23,7 @@ pub(super) enum Kind {
     Bytes(usize),
 }
 
-impl Kind {
+impl EntryKind {
     /// `NumPy`'s type string of the kind, such as `<f8`.
     fn word(self) -> String {
         match self {
@@ -50,7 +50,7 @@ impl Kind {
 ///
 /// # Errors
 /// Errors of writing to `out`.
-pub(super) fn header(kind: Kind, shape: &[usize], mut out: impl Write) -> io::Result<()> {
+pub(super) fn header(kind: EntryKind, shape: &[usize], mut out: impl Write) -> io::Result<()> {
     let shape: String = shape.iter().map(|count| format!("{count}, ")).collect();
     // Python writes (4, 5) and (4,).
     let shape = shape.trim_end().strip_suffix(',').map_or(String::new(), |shape| match shape.contains(',') {
@@ -74,7 +74,7 @@ pub(crate) fn square(
     rows: impl Iterator<Item = impl AsRef<[f64]>>,
     mut out: impl Write,
 ) -> io::Result<()> {
-    header(Kind::Float64, &[count, count], &mut out)?;
+    header(EntryKind::Float64, &[count, count], &mut out)?;
     for row in rows {
         for number in row.as_ref() {
             out.write_all(&number.to_le_bytes())?;

@@ -12,7 +12,7 @@ use std::io::{self, Write};
 use zip::write::{SimpleFileOptions, StreamWriter};
 use zip::{CompressionMethod, ZipWriter};
 
-use super::npy::{self, Kind};
+use super::npy::{self, EntryKind};
 
 /// An archive that is being written.
 pub(crate) struct Archive<W: Write> {
@@ -35,7 +35,7 @@ impl<W: Write> Archive<W> {
         count: usize,
         rows: impl Iterator<Item = impl AsRef<[f64]>>,
     ) -> io::Result<()> {
-        self.begin(name, Kind::Float64.size() * count * count)?;
+        self.begin(name, EntryKind::Float64.size() * count * count)?;
         npy::square(count, rows, &mut self.zip)
     }
 
@@ -49,7 +49,7 @@ impl<W: Write> Archive<W> {
         count: usize,
         numbers: impl Iterator<Item = f64>,
     ) -> io::Result<()> {
-        self.entries(name, Kind::Float64, count, numbers.map(f64::to_le_bytes))
+        self.entries(name, EntryKind::Float64, count, numbers.map(f64::to_le_bytes))
     }
 
     /// Adds a list of `count` indices of rows or columns, 32 bits wide.
@@ -62,7 +62,7 @@ impl<W: Write> Archive<W> {
         count: usize,
         indices: impl Iterator<Item = usize>,
     ) -> io::Result<()> {
-        self.entries(name, Kind::Int32, count, indices.map(|index| (index as i32).to_le_bytes()))
+        self.entries(name, EntryKind::Int32, count, indices.map(|index| (index as i32).to_le_bytes()))
     }
 
     /// Adds a list of `count` counts, 64 bits wide.
@@ -75,7 +75,7 @@ impl<W: Write> Archive<W> {
         count: usize,
         counts: impl Iterator<Item = usize>,
     ) -> io::Result<()> {
-        self.entries(name, Kind::Int64, count, counts.map(|count| (count as i64).to_le_bytes()))
+        self.entries(name, EntryKind::Int64, count, counts.map(|count| (count as i64).to_le_bytes()))
     }
 
     /// Adds a list of texts.
@@ -88,7 +88,7 @@ impl<W: Write> Archive<W> {
         texts: impl ExactSizeIterator<Item = &'a str> + Clone,
     ) -> io::Result<()> {
         let longest = texts.clone().map(|text| text.chars().count()).max().unwrap_or(0).max(1);
-        let (kind, count) = (Kind::Text(longest), texts.len());
+        let (kind, count) = (EntryKind::Text(longest), texts.len());
         let code = |letter: Option<char>| letter.map_or(0, u32::from).to_le_bytes();
         let padded = |text: &'a str| {
             let letters = text.chars().map(Some).chain(std::iter::repeat(None));
@@ -103,7 +103,7 @@ impl<W: Write> Archive<W> {
     /// Errors of writing to the output.
     pub(super) fn word(&mut self, name: &str, word: &str) -> io::Result<()> {
         self.begin(name, word.len())?;
-        npy::header(Kind::Bytes(word.len()), &[], &mut self.zip)?;
+        npy::header(EntryKind::Bytes(word.len()), &[], &mut self.zip)?;
         self.zip.write_all(word.as_bytes())
     }
 
@@ -119,7 +119,7 @@ impl<W: Write> Archive<W> {
     fn entries(
         &mut self,
         name: &str,
-        kind: Kind,
+        kind: EntryKind,
         count: usize,
         entries: impl Iterator<Item = impl AsRef<[u8]>>,
     ) -> io::Result<()> {

@@ -3,7 +3,7 @@
 use super::edition::Edition;
 use crate::fault::Fault;
 use crate::located::Located;
-use crate::place::Place;
+use crate::file_place::FilePlace;
 use crate::text::short;
 
 /// The header of a file, and where its numbers begin.
@@ -33,7 +33,7 @@ impl<'a> Header<'a> {
         while !rest.is_empty() {
             let (current, data) = rest.split_once('\n').unwrap_or((rest, ""));
             (rest, line) = (data, line + 1);
-            let place = Place::Line(line);
+            let place = FilePlace::Line(line);
             if let Some(tilt) = tilt(current) {
                 let has_tilt_factors = includes(tilt).map_err(|fault| fault.at(place))?;
                 return Ok(Self { edition, keywords, has_tilt_factors, data, line });
@@ -44,7 +44,7 @@ impl<'a> Header<'a> {
             }
         }
         Err(Located::new(
-            Place::Line(line.max(1)),
+            FilePlace::Line(line.max(1)),
             "the text ends before a line TILT=",
             "write TILT=NONE before the numbers; if this is an EULUMDAT file, name it .ldt",
         ))

@@ -14,7 +14,7 @@ use super::network::Hierarchy;
 use super::options::HierarchyOptions;
 use super::oracle::Oracle;
 use super::pair_refinement::{Pair, PairRefinement};
-use super::solution::{Hierarchical, Light};
+use super::solution::{Hierarchical, LeafLight};
 use super::tree::Tree;
 
 /// Solves a scene of Lambertian surfaces with constants on elements that the light asks for; back sides only
@@ -47,18 +47,18 @@ pub fn solve_hierarchically(
     }
     let shapes = bare_shapes(scene);
     let whole = scene.surfaces.iter().map(|surface| surface.shape.clone()).collect();
-    let mut work = Work { scene, options, obstacles: RayTree::new(whole), links: Vec::new(), dropped: 0 };
+    let mut run = HierarchyRun { scene, options, obstacles: RayTree::new(whole), links: Vec::new(), dropped: 0 };
     let mut tree = Tree::new(shapes);
-    let mut light = work.emitted(&tree);
+    let mut light = run.emitted(&tree);
     let mut solved = None;
     for number in 1..=options.rounds {
-        if !work.refine(&mut tree, &mut light, number == 1) {
+        if !run.refine(&mut tree, &mut light, number == 1) {
             break;
         }
         observer.report(Progress::Done { stage: Stage::Blocks, done: number, of: options.rounds });
-        let hierarchy = Hierarchy::new(tree, &work.links, work.dropped, number);
-        let bands = work.solve(&hierarchy)?;
-        light = work.sent(&hierarchy, &bands);
+        let hierarchy = Hierarchy::new(tree, &run.links, run.dropped, number);
+        let bands = run.solve(&hierarchy)?;
+        light = run.sent(&hierarchy, &bands);
         if number == options.rounds {
             return Ok(Hierarchical::new(hierarchy, bands));
         }
@@ -66,7 +66,7 @@ pub fn solve_hierarchically(
         solved = Some((bands, number));
     }
     let (bands, rounds) = solved.unwrap_or_default();
-    Ok(Hierarchical::new(Hierarchy::new(tree, &work.links, work.dropped, rounds), bands))
+    Ok(Hierarchical::new(Hierarchy::new(tree, &run.links, run.dropped, rounds), bands))
 }
 
 fn check(options: &HierarchyOptions) -> Result<(), HierarchyError> {
@@ -91,7 +91,7 @@ fn check(options: &HierarchyOptions) -> Result<(), HierarchyError> {
 }
 
 /// Data that all rounds share.
-struct Work<'a> {
+struct HierarchyRun<'a> {
     scene: &'a Scene,
     options: &'a HierarchyOptions,
     obstacles: RayTree,
@@ -99,7 +99,7 @@ struct Work<'a> {
     dropped: usize,
 }
 
-impl Work<'_> {
+impl HierarchyRun<'_> {
     /// Refines the pair of the root with itself at first, then the links that became too bright, and links
     /// what is found. Returns whether any pair was open, so that something changed.
     fn refine(&mut self, tree: &mut Tree, light: &mut [Vec<f64>], is_first: bool) -> bool {
@@ -125,11 +125,11 @@ impl Work<'_> {
         true
     }
 
-    fn solve(&self, hierarchy: &Hierarchy) -> Result<Vec<Light>, HierarchyError> {
+    fn solve(&self, hierarchy: &Hierarchy) -> Result<Vec<LeafLight>, HierarchyError> {
         (0..self.scene.bands.len()).map(|band| self.solve_band(hierarchy, band)).collect()
     }
 
-    fn solve_band(&self, hierarchy: &Hierarchy, band: usize) -> Result<Light, HierarchyError> {
+    fn solve_band(&self, hierarchy: &Hierarchy, band: usize) -> Result<LeafLight, HierarchyError> {
         let surfaces = &self.scene.surfaces;
         let reflectance: Vec<f64> = surfaces.iter().map(|own| own.material.reflectance[band]).collect();
         let exitance: Vec<f64> = surfaces.iter().map(|own| own.exitance(band)).collect();
@@ -139,7 +139,7 @@ impl Work<'_> {
         let failed = |source| HierarchyError::Solver { band: self.scene.bands[band].clone(), source };
         let irradiance = system.gather(&solved.map_err(failed)?.0);
         let radiosity = system.radiosity(&irradiance);
-        Ok(Light { irradiance, radiosity })
+        Ok(LeafLight { irradiance, radiosity })
     }
 
     /// The power that the scene emits (W) in a band; 1 if it is dark.
@@ -166,8 +166,8 @@ impl Work<'_> {
     }
 
     /// Power that each node sends by its radiosity, per band, in parts of the power that the scene emits.
-    fn sent(&self, hierarchy: &Hierarchy, bands: &[Light]) -> Vec<Vec<f64>> {
-        let of_band = |(band, light): (usize, &Light)| {
+    fn sent(&self, hierarchy: &Hierarchy, bands: &[LeafLight]) -> Vec<Vec<f64>> {
+        let of_band = |(band, light): (usize, &LeafLight)| {
             let power = self.power(band);
             let sent = hierarchy.leaves().iter().zip(&light.radiosity);
             hierarchy.sums(&sent.map(|(leaf, radiosity)| leaf.area * radiosity / power).collect::<Vec<_>>())

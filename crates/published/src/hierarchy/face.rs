@@ -5,7 +5,7 @@ use std::sync::Arc;
 use radiosity_elements::flat_patches;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_elements::sampling::spread::Spread;
+use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
 use radiosity_geom::{Aabb, DVec3, Rect, Surface};
 
 use super::harmonics::{HARMONICS, add, clamped_cosine};
@@ -32,7 +32,7 @@ pub(crate) struct Face {
     /// ∫ A_l Y_lm(n) dA (scene length²).
     pub moments: [f64; HARMONICS],
     /// Points on it at random.
-    pub spread: Spread,
+    pub area_map: AreaPreservingMap,
 }
 
 impl Face {
@@ -61,8 +61,8 @@ impl Face {
             return None;
         }
         let hull = patches.iter().flat_map(Patch::hull).collect();
-        let spread = Spread::of(&patches);
-        Some(Self { surface, rect, patches, normal, hull, moments: [0.0; HARMONICS], spread })
+        let area_map = AreaPreservingMap::of(&patches);
+        Some(Self { surface, rect, patches, normal, hull, moments: [0.0; HARMONICS], area_map })
     }
 
     /// The cells that it is cut into, those without area left out.

@@ -17,7 +17,7 @@ use radiosity_work::interruption::check_interrupt;
 use super::two_scale::TwoScale;
 
 /// An element by its level, 0 for the largest elements, and its index there.
-pub type Place = (usize, usize);
+pub type LevelElement = (usize, usize);
 
 /// Levels of nested elements, the last of them the leaves, with blocks between elements of any level.
 #[derive(Debug, Default)]
@@ -68,7 +68,7 @@ impl LinkedBlocks {
     ///
     /// # Panics
     /// If there is no such element, or `values` has another size than the block.
-    pub fn link(&mut self, places: [Place; 2], values: &[f64]) {
+    pub fn link(&mut self, places: [LevelElement; 2], values: &[f64]) {
         let pair = places.map(|(level, index)| self.starts[level] + index);
         let [rows, columns] = pair.map(|node| self.nodes[node].coefficients.len());
         assert_eq!(values.len(), rows * columns, "the block has a number for each pair of functions");

@@ -9,7 +9,7 @@
 
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::{shift, shifted};
-use radiosity_elements::sampling::spread::WeightedNode;
+use radiosity_elements::sampling::area_preserving_map::WeightedNode;
 use radiosity_geom::RayTree;
 use radiosity_kernel::kernel;
 use radiosity_visibility::OWN_END;
@@ -62,5 +62,5 @@ fn place(tree: &Tree, mut node: usize, [mut s, t]: [f64; 2]) -> Option<(usize, W
         node = chosen;
     }
     let face = tree.nodes()[node].face.as_ref()?;
-    Some((face.surface, face.spread.point([s, t])))
+    Some((face.surface, face.area_map.point([s, t])))
 }

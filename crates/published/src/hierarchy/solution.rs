@@ -4,7 +4,7 @@ use super::network::{Counts, Hierarchy, Leaf};
 
 /// The light of one band on all leaves.
 #[derive(Clone, Debug)]
-pub(crate) struct Light {
+pub(crate) struct LeafLight {
     /// Irradiance of each leaf (W m⁻²).
     pub irradiance: Vec<f64>,
     /// Radiosity of each leaf (W m⁻²).
@@ -15,12 +15,12 @@ pub(crate) struct Light {
 #[derive(Debug)]
 pub struct Hierarchical {
     hierarchy: Hierarchy,
-    bands: Vec<Light>,
+    bands: Vec<LeafLight>,
 }
 
 impl Hierarchical {
     /// The light of all bands over a hierarchy.
-    pub(crate) fn new(hierarchy: Hierarchy, bands: Vec<Light>) -> Self {
+    pub(crate) fn new(hierarchy: Hierarchy, bands: Vec<LeafLight>) -> Self {
         Self { hierarchy, bands }
     }
 

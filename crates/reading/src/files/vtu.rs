@@ -31,7 +31,7 @@ use std::io::{self, Write};
 use radiosity_elements::Element;
 use radiosity_elements::parameters::parameters;
 use radiosity_scene::Scene;
-use radiosity_solve::solution::{Place, Solution};
+use radiosity_solve::solution::{SurfacePlace, Solution};
 
 use cell::{Cell, Corner};
 pub use error::VtuError;
@@ -117,7 +117,7 @@ impl<'a> Grid<'a> {
     fn add_point(&mut self, index: usize, element: &Element, node: &Corner) {
         let shape = self.solution.elements().shape(element.surface);
         let parameters = node.parameters.unwrap_or_else(|| parameters(shape, node.position));
-        let place = Place { surface: element.surface, parameters, position: node.position };
+        let place = SurfacePlace { surface: element.surface, parameters, position: node.position };
         let bands = self.solution.bands();
         let mut irradiance = vec![0.0; bands.len()];
         self.solution.irradiance_bands(index, &place, &mut irradiance);

@@ -9,7 +9,7 @@ use super::sequence_report::SequenceReport;
 use super::path_interpolation::PathInterpolation;
 use super::error::AnimationError;
 use super::frame::Frame;
-use super::ledger::Ledger;
+use super::break_even::BreakEven;
 use super::sequence::Sequence;
 
 /// Ways in which the light of one frame follows from that of others.
@@ -37,7 +37,7 @@ pub enum FollowMode {
 #[derive(Debug)]
 pub struct Follower<'a> {
     source: FrameSource<'a>,
-    ledger: Ledger,
+    break_even: BreakEven,
     /// Largest error told of series so far.
     error: Option<f64>,
 }
@@ -60,7 +60,7 @@ impl<'a> Follower<'a> {
                 FrameSource::Path(PathInterpolation::new(Sequence::new(scene, options), frames, tolerance))
             }
         };
-        Self { source, ledger: Ledger::default(), error: None }
+        Self { source, break_even: BreakEven::default(), error: None }
     }
 
     /// The light of a frame, one of those that were asked for.
@@ -76,7 +76,7 @@ impl<'a> Follower<'a> {
             }
             FrameSource::Path(path) => (path.frame(frame, work)?, path.spent()),
         };
-        self.ledger.take(spent);
+        self.break_even.add_frame(spent);
         Ok(now)
     }
 
@@ -92,7 +92,7 @@ impl<'a> Follower<'a> {
     /// all cost less, in blocks that were integrated or rays that were traced, than if each had been solved
     /// alone. None if they do not.
     pub fn repaid(&self) -> Option<usize> {
-        self.ledger.repaid()
+        self.break_even.repaid()
     }
 
     /// Number of moments that were solved so far.

@@ -34,7 +34,7 @@ use radiosity_elements::patch::Patch;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
-use radiosity_elements::sampling::spread::{Spread, WeightedNode};
+use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, WeightedNode};
 use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_light::emitters::Radiances;
 use radiosity_light::lamps::{Lamps, Shares, Target};
@@ -45,7 +45,7 @@ use radiosity_work::interruption::check_interrupt_at;
 use serde::{Deserialize, Serialize};
 
 use crate::gather::mean_radiosity::mean_radiosity;
-use crate::solution::{Place, Solution};
+use crate::solution::{SurfacePlace, Solution};
 
 /// Independent sequences. Chosen.
 const BATCHES: usize = 8;
@@ -164,7 +164,7 @@ struct RayMix {
 /// Where the rays of a receiver start.
 enum RayOrigin {
     Point(ReceiverPoint),
-    Patch(usize, Spread),
+    Patch(usize, AreaPreservingMap),
 }
 
 /// Cosine-distributed rays that an error of `eps` takes.
@@ -207,7 +207,7 @@ impl<'a> RayGather<'a> {
     /// that these miss. `chance` chooses the rays.
     pub(crate) fn missed(
         &self,
-        (element, place): (usize, &Place),
+        (element, place): (usize, &SurfacePlace),
         there: &ReceiverPoint,
         distance: f64,
         chance: u64,
@@ -325,7 +325,7 @@ impl<'a> RayGather<'a> {
             return;
         }
         let position = x + hit.t * direction;
-        let place = Place { surface, parameters: [hit.u, hit.v], position };
+        let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position };
         let normal = || {
             own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |(_, normal)| normal)
         };
@@ -356,7 +356,7 @@ impl<'a> RayGather<'a> {
     /// An estimate of the irradiance (W m⁻²) per band where a ray ends, so far from where it began.
     fn arriving(
         &self,
-        (element, place): (usize, &Place),
+        (element, place): (usize, &SurfacePlace),
         there: &dyn Fn() -> ReceiverPoint,
         distance: f64,
         end_light: EndLight,
@@ -387,14 +387,14 @@ impl<'a> RayGather<'a> {
     }
 
     /// Adds the polynomials E_h ≥ 0 of all light.
-    fn add_held(&self, element: usize, place: &Place, irradiance: &mut [f64]) {
+    fn add_held(&self, element: usize, place: &SurfacePlace, irradiance: &mut [f64]) {
         let mut held = vec![0.0; irradiance.len()];
         self.solution.irradiance_bands(element, place, &mut held);
         irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += held.max(0.0));
     }
 
     /// Adds `factor` times the polynomials S_h ≥ 0 of reflected light.
-    fn add_reflected(&self, element: usize, place: &Place, factor: f64, irradiance: &mut [f64]) {
+    fn add_reflected(&self, element: usize, place: &SurfacePlace, factor: f64, irradiance: &mut [f64]) {
         let mut held = vec![0.0; irradiance.len()];
         self.solution.indirect_bands(element, place, &mut held);
         irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += factor * held.max(0.0));
@@ -527,7 +527,7 @@ impl RayOrigin {
         match receiver {
             Receiver::Point(receiver) => Self::Point(*receiver),
             Receiver::Patch { surface, patch } => {
-                Self::Patch(*surface, Spread::of(std::slice::from_ref(*patch)))
+                Self::Patch(*surface, AreaPreservingMap::of(std::slice::from_ref(*patch)))
             }
         }
     }
@@ -540,8 +540,8 @@ impl RayOrigin {
     fn at(&self, place: [f64; 2]) -> (ReceiverPoint, f64) {
         match self {
             Self::Point(receiver) => (*receiver, 1.0),
-            Self::Patch(surface, spread) => {
-                let WeightedNode { node, weight } = spread.point(place);
+            Self::Patch(surface, area_map) => {
+                let WeightedNode { node, weight } = area_map.point(place);
                 (ReceiverPoint::on(*surface, node.position, node.normal), weight)
             }
         }

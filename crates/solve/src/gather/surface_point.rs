@@ -10,7 +10,7 @@ use radiosity_geom::{Aabb, DVec3, Rect, Surface, overhang};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 
-use crate::solution::Place;
+use crate::solution::SurfacePlace;
 
 /// A point lies on a surface if it is nearer than this part of the scene's diagonal and than `OF_ITS_OWN` of
 /// the surface's diagonal. Coordinates are rounded relative to the scene's size, but small things may stand
@@ -27,7 +27,7 @@ const AT_MOST: f64 = 1e-3;
 #[derive(Clone, Copy, Debug)]
 pub struct SurfacePoint {
     /// The point for which light is computed: the foot of the given point, moved as the module says.
-    pub place: Place,
+    pub place: SurfacePlace,
     /// Parameters of the foot before it was moved, in [−1, 1]².
     pub foot: [f64; 2],
     /// Index of the element that holds the foot.
@@ -103,7 +103,7 @@ impl SurfacePoint {
         };
         let jet = shape.jet(parameters[0], parameters[1]);
         let element = elements.at(surface, parameters)?;
-        let place = Place { surface, parameters, position: jet.position };
+        let place = SurfacePlace { surface, parameters, position: jet.position };
         Some(Self { place, foot: at, element, normal: jet.normal })
     }
 }

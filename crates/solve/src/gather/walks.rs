@@ -16,7 +16,7 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
-use crate::solution::{Place, Solution};
+use crate::solution::{SurfacePlace, Solution};
 
 /// Largest probability that a walk goes on. Chosen.
 const LIKELIEST: f64 = 0.95;
@@ -42,7 +42,7 @@ pub(crate) struct WalkEnd {
 /// through.
 pub(crate) struct SendingSide {
     pub(crate) element: usize,
-    pub(crate) place: Place,
+    pub(crate) place: SurfacePlace,
     pub(crate) there: ReceiverPoint,
     /// Per band, ρ of the side that a ray met, or τ, over the probability of the choice between them.
     pub(crate) factors: Vec<f64>,
@@ -100,14 +100,14 @@ impl<'a> Walks<'a> {
         let elements = self.solution.elements();
         let element = elements.at(surface, [hit.u, hit.v])?;
         let jet = elements.shape(surface).jet(hit.u, hit.v);
-        let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
+        let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position: jet.position };
         let there = ReceiverPoint::on(surface, jet.position, jet.normal);
         let lit = self.lit(element, &place, &there, chance);
         Some(WalkEnd { element, lit, distance: hit.t, chance })
     }
 
     /// The side whose light a place sends on, which `chance` chooses.
-    fn lit(&self, element: usize, place: &Place, there: &ReceiverPoint, chance: u64) -> SendingSide {
+    fn lit(&self, element: usize, place: &SurfacePlace, there: &ReceiverPoint, chance: u64) -> SendingSide {
         let coatings = || self.solution.bands().iter().map(|band| &band.coating);
         let mut factors: Vec<f64> =
             coatings().map(|coating| coating.reflectance_at(element, place.parameters)).collect();

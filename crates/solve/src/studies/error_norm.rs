@@ -19,7 +19,7 @@ use radiosity_elements::rule::UnitRule;
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
-use crate::solution::{Place, Solution};
+use crate::solution::{SurfacePlace, Solution};
 
 /// Two solutions that are not of one scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -83,7 +83,7 @@ impl Squares {
         sum
     }
 
-    fn add(&mut self, weight: f64, place: &Place, of: (usize, &Solution), from: (usize, &Solution)) {
+    fn add(&mut self, weight: f64, place: &SurfacePlace, of: (usize, &Solution), from: (usize, &Solution)) {
         for band in 0..from.1.bands().len() {
             let exact = from.1.radiosity(band, from.0, place);
             let emitted = from.1.bands()[band].coating.exitance_at(from.0, place.parameters);
@@ -94,10 +94,10 @@ impl Squares {
 }
 
 /// The place of a node of an element, whose patches carry no parameters if it is flat.
-fn place(solution: &Solution, element: &Element, node: &Node) -> Place {
+fn place(solution: &Solution, element: &Element, node: &Node) -> SurfacePlace {
     let shape = solution.elements().shape(element.surface);
     let parameters = of_node(shape, node, element.plane.is_some());
-    Place { surface: element.surface, parameters, position: node.position }
+    SurfacePlace { surface: element.surface, parameters, position: node.position }
 }
 
 /// Points and area weights that integrate the square of a polynomial of `degree`.

@@ -87,7 +87,7 @@ use radiosity_kernel::contact::planes::plane_of;
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::estimates::coarse::scale;
 use radiosity_kernel::rules::horizon::Front;
-use radiosity_kernel::{Accuracy, Kind, blocks::block::Block};
+use radiosity_kernel::{Accuracy, PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
@@ -152,7 +152,7 @@ pub(crate) fn self_block(
     let rough = scale(&parts, &parts, job.budget.unit);
     job.budget.scale = rough.max(least).max(job.smallest_scale());
     job.budget.row = row;
-    job.kind = Kind::Same;
+    job.kind = PairKind::Same;
     if job.carries_nothing(rough, [&parts; 2]) {
         return job.finish();
     }

@@ -30,7 +30,7 @@ use radiosity_kernel::rules::common_edge::{LARGEST_ASPECT, EdgePair};
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::near::Plan;
 use radiosity_kernel::rules::{common_edge, common_vertex, contour, far};
-use radiosity_kernel::{Accuracy, Kind, blocks::block::Block};
+use radiosity_kernel::{Accuracy, PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
@@ -83,7 +83,7 @@ fn constant_block(receiver: &Element, emitter: &Element, blockers: &[usize]) -> 
     }
     Some(Block {
         values: vec![sum / (receiver.area * emitter.area).sqrt()],
-        kind: Kind::Contour,
+        kind: PairKind::Contour,
         partly_hidden: false,
         unresolved: false,
         untried: false,
@@ -108,7 +108,7 @@ struct Job<'a> {
     /// Standard deviation of an entry that sampled shadows may make.
     shadow_error: f64,
     moments: Moments<'a>,
-    kind: Kind,
+    kind: PairKind,
     partly_hidden: bool,
     unresolved: bool,
     error: f64,
@@ -141,7 +141,7 @@ impl<'a> Job<'a> {
             scale: receiver.basis.transform()[0] * emitter.basis.transform()[0],
             shadow_error,
             moments: Moments::new(&receiver.basis, &emitter.basis),
-            kind: Kind::Separated,
+            kind: PairKind::Separated,
             partly_hidden: false,
             unresolved: false,
             error: 0.0,
@@ -166,7 +166,7 @@ impl<'a> Job<'a> {
             return self.lose(area);
         }
         if self.facets(&seen, &seeing, state) > 1 {
-            self.kind = self.kind.max(Kind::Contact);
+            self.kind = self.kind.max(PairKind::Contact);
         }
     }
 
@@ -205,10 +205,10 @@ impl<'a> Job<'a> {
     /// Applies the rule of a contact, or halves the pair where no rule is accurate.
     fn apply(&mut self, p: &Patch, q: &Patch, contact: FlatContact, state: State) {
         self.kind = self.kind.max(match &contact {
-            FlatContact::Edge(..) => Kind::Edge,
-            FlatContact::Vertex(..) => Kind::Vertex,
-            FlatContact::Apart(gap) if self.is_near(p, q, *gap) => Kind::Split,
-            FlatContact::Apart(_) => Kind::Separated,
+            FlatContact::Edge(..) => PairKind::Edge,
+            FlatContact::Vertex(..) => PairKind::Vertex,
+            FlatContact::Apart(gap) if self.is_near(p, q, *gap) => PairKind::Split,
+            FlatContact::Apart(_) => PairKind::Separated,
         });
         if state.blockers.is_empty() {
             return self.free(p, q, &contact, state);

@@ -22,7 +22,7 @@
 
 use radiosity_elements::Element;
 use radiosity_kernel::Blocks;
-use radiosity_kernel::blocks::held::Held;
+use radiosity_kernel::blocks::held_rows::HeldRows;
 use radiosity_work::interruption::check_interrupt;
 use serde::{Deserialize, Serialize};
 
@@ -56,7 +56,7 @@ impl Counts {
 pub(super) struct Counted<'a> {
     /// The sums over the pairs of which this rank holds one of the elements.
     pub tally: &'a Tally,
-    pub held: &'a Held,
+    pub held: &'a HeldRows,
     pub rays: Rays,
 }
 

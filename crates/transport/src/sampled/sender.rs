@@ -10,13 +10,13 @@ use radiosity_elements::patch::Node;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{shift, shifted};
-use radiosity_elements::sampling::spread::{WeightedNode, Spread};
+use radiosity_elements::sampling::area_preserving_map::{WeightedNode, AreaPreservingMap};
 use radiosity_geom::DVec3;
 
 /// The source of the rays of one element: points and directions from a shifted sequence.
 #[derive(Debug)]
 pub(super) struct Sender {
-    spread: Spread,
+    area_map: AreaPreservingMap,
     shift: [f64; 4],
 }
 
@@ -34,13 +34,13 @@ pub(super) struct Departure {
 impl Sender {
     /// The sender of an element; its rays are those of this number.
     pub(super) fn new(element: &Element, number: u64) -> Self {
-        Self { spread: Spread::over(element), shift: shift(number) }
+        Self { area_map: AreaPreservingMap::over(element), shift: shift(number) }
     }
 
     /// The ray of that `index`.
     pub(super) fn departure(&self, index: u64) -> Departure {
         let [s, t, polar, turn] = shifted(kronecker::point(index), &self.shift);
-        let WeightedNode { node, weight } = self.spread.point([s, t]);
+        let WeightedNode { node, weight } = self.area_map.point([s, t]);
         Departure { node, direction: lambert(node.normal, [polar, turn]), weight }
     }
 }

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use radiosity_kernel::blocks::block::{BlockReport, Block};
-use radiosity_kernel::blocks::held::Held;
+use radiosity_kernel::blocks::held_rows::HeldRows;
 use radiosity_work::ranks::{Part, PartName, Ranks};
 use serde::{Deserialize, Serialize};
 
@@ -106,7 +106,7 @@ impl Integrated {
         tasks: &[Task],
         sources: &[Source],
         is_left: &dyn Fn(&Task, &BlockReport) -> bool,
-        held: &Held,
+        held: &HeldRows,
     ) {
         if self.ranks.are_alone() {
             return;

@@ -1,7 +1,7 @@
 //! Costs of the blocks of a scene, and shares of ranks in them.
 
 use radiosity_elements::Elements;
-use radiosity_kernel::blocks::held::Held;
+use radiosity_kernel::blocks::held_rows::HeldRows;
 use radiosity_kernel::{Accuracy, blocks::block::BlockReport};
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
@@ -44,7 +44,7 @@ pub fn work(
     let (tasks, _) = schedule.sort(Ranks::alone());
     let goals = schedule.goals(&tasks);
     let sources = schedule.share(&tasks, &goals);
-    let held = Held::of(Ranks::alone(), &elements.starts());
+    let held = HeldRows::of(Ranks::alone(), &elements.starts());
     let integrated = schedule.integrate(&tasks, &goals, &sources, (None, &held), &Work::alone());
     let items = schedule.items(&tasks, &sources).into_iter().enumerate();
     items.map(|(place, item)| BlockWork { item, report: integrated.report(place).block }).collect()

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use radiosity_elements::Element;
 use radiosity_kernel::blocks::FirstEntry;
 
-use super::found::{BATCHES, Found, SURE};
+use super::ray_block::{BATCHES, RayBlock, SURE};
 
 /// Things between which view factors are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,7 +44,7 @@ impl Wholes {
         &self,
         list: &[Element],
         others: &[FirstEntry],
-        found: &[Found],
+        found: &[RayBlock],
     ) -> Vec<f64> {
         let mut exchanges: HashMap<[usize; 2], f64> = HashMap::new();
         let mut take = |row: usize, column: usize, value: f64| {
@@ -67,7 +67,7 @@ impl Wholes {
     }
 
     /// The error of a pair as if it were all that its wholes exchange, relative to the largest of their rows.
-    pub(super) fn relative(&self, list: &[Element], rows: &[f64], found: &Found) -> f64 {
+    pub(super) fn relative(&self, list: &[Element], rows: &[f64], found: &RayBlock) -> f64 {
         let unit = (list[found.row].area * list[found.column].area).sqrt();
         let most = (found.values[0].abs() + found.error) * unit;
         self.relative_to(rows, self.wholes([found.row, found.column]), found.error * unit, most)
@@ -79,14 +79,14 @@ impl Wholes {
         &self,
         list: &[Element],
         rows: &[f64],
-        found: &mut [Found],
+        found: &mut [RayBlock],
         firsts: &[[f64; BATCHES]],
     ) {
         if self.kind == Whole::Element {
             found.iter_mut().for_each(|found| found.relative = self.relative(list, rows, found));
             return;
         }
-        let mut sums: HashMap<[usize; 2], Sum> = HashMap::new();
+        let mut sums: HashMap<[usize; 2], BatchExchange> = HashMap::new();
         for (found, firsts) in found.iter().zip(firsts) {
             let unit = (list[found.row].area * list[found.column].area).sqrt();
             let pair = self.wholes([found.row, found.column]);
@@ -120,13 +120,13 @@ impl Wholes {
 
 /// The exchange of two wholes by each batch.
 #[derive(Clone, Copy, Debug, Default)]
-struct Sum {
+struct BatchExchange {
     batches: [f64; BATCHES],
     /// Value of one ray in the exchange (length²), the largest of the pairs.
     one: f64,
 }
 
-impl Sum {
+impl BatchExchange {
     fn take(&mut self, firsts: &[f64; BATCHES], one: f64, unit: f64) {
         self.batches.iter_mut().zip(firsts).for_each(|(sum, first)| *sum += unit * first);
         self.one = self.one.max(unit * one);

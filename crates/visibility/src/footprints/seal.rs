@@ -20,14 +20,14 @@ const RAYS: usize = 64;
 const OUTWARD: f64 = 0.95;
 
 /// A part of a surface that may be sealed off.
-pub(super) struct Suspect {
+pub(super) struct SealCandidate {
     pub(super) footprint: Footprint,
     places: Vec<DVec3>,
     /// Whether it is less than half of its surface, so that other parts may depend on it.
     is_minor: bool,
 }
 
-impl Suspect {
+impl SealCandidate {
     /// A suspect part of the surface with the region `region`.
     pub(super) fn new(footprint: Footprint, region: &PlanarRegion) -> Self {
         let pieces = footprint.region.convex_pieces();
@@ -44,7 +44,7 @@ impl Suspect {
 
 /// Suspects that are found by place.
 struct Parts<'a> {
-    list: &'a [Suspect],
+    list: &'a [SealCandidate],
     tree: Bvh,
 }
 
@@ -52,7 +52,7 @@ impl Parts<'_> {
     /// The first of the minor parts of a surface that contain a point.
     fn minor_at(&self, surface: usize, point: DVec3) -> Option<usize> {
         let holds = |index: &usize| {
-            let Suspect { footprint, is_minor, .. } = &self.list[*index];
+            let SealCandidate { footprint, is_minor, .. } = &self.list[*index];
             *is_minor && footprint.surface == surface && footprint.region.contains(point)
         };
         self.tree.search(|bounds| bounds.contains(point)).filter(holds).min()
@@ -60,7 +60,7 @@ impl Parts<'_> {
 }
 
 /// Drops the places of each part that lie in a smaller part.
-pub(super) fn keep_apart(suspects: &mut [Suspect]) {
+pub(super) fn keep_apart(suspects: &mut [SealCandidate]) {
     let regions: Vec<PlanarRegion> = suspects.iter().map(|suspect| suspect.footprint.region.clone()).collect();
     let tree = tree(suspects.iter());
     for (own, suspect) in suspects.iter_mut().enumerate() {
@@ -73,8 +73,8 @@ pub(super) fn keep_apart(suspects: &mut [Suspect]) {
 
 /// The boxes of the parts, inflated by more than the 1e-6 of the extent at which a point off the plane still
 /// counts.
-fn tree<'a>(suspects: impl Iterator<Item = &'a Suspect>) -> Bvh {
-    let around = |suspect: &Suspect| {
+fn tree<'a>(suspects: impl Iterator<Item = &'a SealCandidate>) -> Bvh {
+    let around = |suspect: &SealCandidate| {
         let region = &suspect.footprint.region;
         Aabb::around(region.outer().iter().copied()).inflate(2e-6 * region.extent())
     };
@@ -82,7 +82,7 @@ fn tree<'a>(suspects: impl Iterator<Item = &'a Suspect>) -> Bvh {
 }
 
 /// Which of the suspects are sealed off.
-pub(super) fn sealed(scene: &Scene, obstacles: &Visibility, suspects: &[Suspect]) -> Vec<bool> {
+pub(super) fn sealed(scene: &Scene, obstacles: &Visibility, suspects: &[SealCandidate]) -> Vec<bool> {
     let parts = Parts { list: suspects, tree: tree(suspects.iter()) };
     let seen: Vec<Option<Vec<usize>>> =
         suspects.par_iter().map(|suspect| fronts_seen(scene, obstacles, &parts, suspect)).collect();
@@ -106,7 +106,7 @@ fn fronts_seen(
     scene: &Scene,
     obstacles: &Visibility,
     parts: &Parts<'_>,
-    own: &Suspect,
+    own: &SealCandidate,
 ) -> Option<Vec<usize>> {
     if own.places.is_empty() {
         return None;

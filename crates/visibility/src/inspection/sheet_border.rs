@@ -75,7 +75,7 @@ fn around(border: &Border<'_>) -> Aabb {
 }
 
 /// A place of a border that is compared with other sheets.
-struct Place<'a> {
+struct BorderPlace<'a> {
     sheets: &'a Sheets,
     sheet: usize,
     point: DVec3,
@@ -97,7 +97,7 @@ struct Reach {
 
 fn meeting(sheets: &Sheets, own: &Line<'_>, w: f64, lines: &[&Line<'_>], near: &[usize]) -> Meeting {
     let (sheet, normal) = (own.sheet, sheets.list[own.sheet].normal_at(&own.border, w));
-    let place = Place { sheets, sheet, point: own.border.point(w), normal, direction: direction(own, w) };
+    let place = BorderPlace { sheets, sheet, point: own.border.point(w), normal, direction: direction(own, w) };
     let others = lines.iter().filter(|line| !std::ptr::eq(**line, own));
     let borders: Vec<Reach> = others.filter_map(|line| place.reach_border(line)).collect();
     let touched: Vec<_> = borders.iter().filter(|reach| reach.touches).map(|reach| (reach.sheet, reach.cosine)).collect();
@@ -113,7 +113,7 @@ fn meeting(sheets: &Sheets, own: &Line<'_>, w: f64, lines: &[&Line<'_>], near: &
     nearest.map_or(Meeting::Open, |reach| Meeting::Gap { sheet: reach.sheet, distance: reach.distance })
 }
 
-impl Place<'_> {
+impl BorderPlace<'_> {
     fn reach_border(&self, line: &Line<'_>) -> Option<Reach> {
         let room = GAP * self.size(line.sheet);
         if !line.bounds.inflate(room).contains(self.point) {

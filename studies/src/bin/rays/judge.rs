@@ -7,7 +7,7 @@ use std::path::Path;
 use radiosity::Scene;
 use radiosity::elements::patch::Node;
 use radiosity::geom::{DVec3, Encounter, Ray};
-use radiosity::solve::solution::{Place, Solution};
+use radiosity::solve::solution::{SurfacePlace, Solution};
 use radiosity::visibility::{Shadows, Visibility};
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -154,7 +154,7 @@ impl<'a> Lit<'a> {
         let Some(Encounter { surface, hit, front: true }) = self.visibility.nearest(ray) else { return 0.0 };
         let Some(element) = self.solution.elements().at(surface, [hit.u, hit.v]) else { return 0.0 };
         let place =
-            Place { surface, parameters: [hit.u, hit.v], position: ray.origin + hit.t * ray.direction };
+            SurfacePlace { surface, parameters: [hit.u, hit.v], position: ray.origin + hit.t * ray.direction };
         self.solution.radiosity(0, element, &place) - self.solution.coatings()[0].exitance[element]
     }
 }

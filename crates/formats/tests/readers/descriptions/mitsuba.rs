@@ -11,7 +11,7 @@ use radiosity_formats::files::NoFiles;
 use radiosity_formats::mitsuba;
 use radiosity_formats::model::Model;
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use crate::memory::Memory;
 
@@ -60,7 +60,7 @@ fn is_refused(found: Result<Model, Refusal>, line: usize, cause: &str) {
         Ok(model) => panic!("{model:?} instead of {cause}"),
         Err(refusal) => {
             assert!(refusal.cause.contains(cause), "{refusal} instead of {cause}");
-            assert_eq!(refusal.place, Some(Place::Line(line)), "{refusal}");
+            assert_eq!(refusal.place, Some(FilePlace::Line(line)), "{refusal}");
             assert!(!refusal.cure.is_empty() && refusal.file == "room.xml", "{refusal}");
         }
     }

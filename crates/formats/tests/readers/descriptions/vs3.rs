@@ -5,7 +5,7 @@ use radiosity_formats::files::NoFiles;
 use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
 use radiosity_formats::vs3;
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_test_support::mutations::break_often;
 
 use crate::measures::{assert_cube, named, polygon, vector};
@@ -29,7 +29,7 @@ fn a_unit_cube_is_six_squares_that_face_its_middle() {
     assert_eq!(model.materials.len(), 1);
     assert_eq!(model.materials[0].reflectance, [0.1]);
     assert_eq!(model.surfaces[0].name, "floor");
-    assert_eq!(model.surfaces[0].place, Some(Place::Line(14)));
+    assert_eq!(model.surfaces[0].place, Some(FilePlace::Line(14)));
     assert!(model.surfaces.iter().all(|surface| surface.sides == Sides::Front));
     assert!(model.notes.is_empty(), "{:?}", model.notes);
 }
@@ -140,7 +140,7 @@ fn broken_inputs_are_refused_with_line_cause_and_cure() {
         let text = right.replacen(from, to, 1);
         let refusal = read(&text).expect_err(&text);
         assert_eq!(refusal.file, "room.vs3");
-        assert_eq!(refusal.place, line.map(Place::Line), "{refusal}");
+        assert_eq!(refusal.place, line.map(FilePlace::Line), "{refusal}");
         assert!(refusal.cause.contains(cause), "{refusal}");
         assert!(refusal.cure.contains(cure), "{refusal}: {}", refusal.cure);
     }

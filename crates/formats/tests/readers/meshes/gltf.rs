@@ -9,7 +9,7 @@ use radiosity_formats::files::NoFiles;
 use radiosity_formats::gltf::read;
 use radiosity_formats::model::{Model, Sides};
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use crate::measures::{assert_cube, names, notes};
 use crate::memory::Memory;
@@ -98,13 +98,13 @@ fn the_cube_is_six_squares_as_text_and_as_bits() {
     assert_eq!((red.name.as_str(), red.reflectance.as_slice()), ("red", &[0.8, 0.2, 0.1][..]));
     assert_eq!(red.emission, [4.0 * PI, 2.0 * PI, 0.0]);
     assert!(model.surfaces.iter().all(|x| x.material == Some(0) && x.sides == Sides::Front));
-    assert_eq!(model.surfaces[0].place, Some(Place::Line(7)));
+    assert_eq!(model.surfaces[0].place, Some(FilePlace::Line(7)));
     assert_eq!(notes(&model), ["12 coplanar triangles were merged to 6 polygons"]);
     let model = read("a.glb", &bits(), &NoFiles).unwrap();
     assert_cube(&model, DVec3::splat(0.5), true);
     assert_eq!(names(&model)[0], "cube-1");
     let start = bits().windows(15).position(|part| part.starts_with(b"{\"attributes\""));
-    assert_eq!(model.surfaces[0].place, start.map(Place::Byte));
+    assert_eq!(model.surfaces[0].place, start.map(FilePlace::Byte));
 }
 
 #[test]

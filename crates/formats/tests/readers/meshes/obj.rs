@@ -7,7 +7,7 @@ use radiosity_formats::files::NoFiles;
 use radiosity_formats::model::{Model, Shape, Sides};
 use radiosity_formats::obj::read;
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use crate::measures::{assert_cube, names, notes};
 use crate::memory::Memory;
@@ -70,7 +70,7 @@ fn the_cube_is_six_squares_of_two_materials() {
     assert_eq!(lamp.emission, [10.0 * PI, 20.0 * PI, 30.0 * PI]);
     assert!(model.surfaces.iter().all(|surface| surface.sides == Sides::Open));
     assert_eq!(model.surfaces[1].material, Some(1));
-    assert_eq!(model.surfaces[1].place, Some(Place::Line(20)));
+    assert_eq!(model.surfaces[1].place, Some(FilePlace::Line(20)));
     assert!(model.notes.is_empty(), "{:?}", model.notes);
 }
 
@@ -85,7 +85,7 @@ fn odd_texts_are_read() {
         "12 coplanar triangles were merged to 6 polygons",
     ];
     assert_eq!(notes(&model), expected);
-    assert_eq!((model.notes[1].count, model.notes[1].place), (2, Some(Place::Line(21))));
+    assert_eq!((model.notes[1].count, model.notes[1].place), (2, Some(FilePlace::Line(21))));
     assert_eq!(names(&model)[0], "polygon-1");
     assert_cube(&from(&text().replace('\n', "\r")).unwrap(), DVec3::splat(0.5), true);
     // Vertices below the face; five corners are kept.
@@ -180,7 +180,7 @@ fn models_without_their_material_files_are_read() {
     assert_eq!((model.materials[0].name.as_str(), model.materials[0].reflectance[0]), ("wood", 0.5));
     let missing = "the material file 'gone.mtl' cannot be read: no such file";
     assert_eq!(notes(&model), [missing, "materials that no file describes reflect 0.5"]);
-    assert_eq!(model.notes[0].place, Some(Place::Line(1)));
+    assert_eq!(model.notes[0].place, Some(FilePlace::Line(1)));
 }
 
 #[test]

@@ -5,7 +5,7 @@ use radiosity_formats::files::NoFiles;
 use radiosity_formats::model::{Model, Shape};
 use radiosity_formats::ply::read;
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use crate::measures::{assert_cube, names, notes};
 use crate::meshes::shapes::{SIDES, assert_refusal, corner};
@@ -67,7 +67,7 @@ fn the_cube_is_six_squares_as_text_and_as_bits() {
     let model = from(&text()).unwrap();
     assert_cube(&model, DVec3::splat(0.5), true);
     assert_eq!(names(&model)[5], "polygon-6");
-    assert_eq!(model.surfaces[5].place, Some(Place::Line(24)));
+    assert_eq!(model.surfaces[5].place, Some(FilePlace::Line(24)));
     assert_eq!(model.bands, ["grey"]);
     assert!(model.notes.is_empty());
     for is_big in [false, true] {
@@ -75,7 +75,7 @@ fn the_cube_is_six_squares_as_text_and_as_bits() {
         assert_cube(&model, DVec3::splat(0.5), true);
         let elements = "elements other than vertices and faces are left out";
         assert_eq!(notes(&model), [elements, "colours are left out"]);
-        let Some(Place::Byte(first)) = model.surfaces[0].place else { panic!("bits have bytes") };
+        let Some(FilePlace::Byte(first)) = model.surfaces[0].place else { panic!("bits have bytes") };
         assert_eq!(first + 6 * 14, bits(is_big).len());
     }
 }
@@ -93,7 +93,7 @@ fn odd_texts_are_read() {
     let Shape::Polygon { outline, .. } = &model.surfaces[0].shape else { panic!("a polygon") };
     assert_eq!(outline.len(), 5);
     assert_eq!(outline[2].to_array(), [2.0, 1.0, 0.0]);
-    assert_eq!(model.surfaces[0].place, Some(Place::Line(16)));
+    assert_eq!(model.surfaces[0].place, Some(FilePlace::Line(16)));
     assert_eq!(notes(&model), ["elements other than vertices and faces are left out", "edges are left out"]);
 }
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 use radiosity_formats::files::NoFiles;
 use radiosity_formats::model::{Model, Shape, Sides};
 use radiosity_formats::stl::read;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use crate::measures::{assert_cube, names, notes};
 use crate::meshes::shapes::{assert_refusal, corner, triangles};
@@ -46,14 +46,14 @@ fn the_cube_is_six_squares_as_text_and_as_bits() {
     let model = from(&text()).unwrap();
     assert_cube(&model, DVec3::splat(0.5), true);
     assert_eq!(names(&model), ["cube-1", "cube-2", "cube-3", "cube-4", "cube-5", "cube-6"]);
-    assert_eq!(model.surfaces[1].place, Some(Place::Line(16)));
+    assert_eq!(model.surfaces[1].place, Some(FilePlace::Line(16)));
     assert_eq!(model.bands, ["grey"]);
     assert!(model.surfaces.iter().all(|x| x.material.is_none() && x.sides == Sides::Open));
     assert_eq!(notes(&model), ["12 coplanar triangles were merged to 6 polygons"]);
     let model = read("a.stl", &bits(), &NoFiles).unwrap();
     assert_cube(&model, DVec3::splat(0.5), true);
     assert_eq!(names(&model)[0], "polygon-1");
-    assert_eq!(model.surfaces[1].place, Some(Place::Byte(184)));
+    assert_eq!(model.surfaces[1].place, Some(FilePlace::Byte(184)));
 }
 
 #[test]

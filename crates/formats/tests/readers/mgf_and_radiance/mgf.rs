@@ -4,7 +4,7 @@ use glam::DVec3;
 use radiosity_formats::mgf;
 use radiosity_formats::model::{Model, Shape, Sides};
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use super::assert_refused;
 use crate::measures::{area, assert_cube, named, notes, vector};
@@ -127,7 +127,7 @@ fn all_entities_are_read() {
     assert!(matches!(shape("things-13"), Shape::Torus { major: 4.0, minor: 2.0, inward: true, .. }));
     // Six faces of the prism and one outside all objects.
     assert_eq!(model.surfaces.len(), 21);
-    assert!(named(&model, "polygon-21").place == Some(Place::Line(ALL.lines().count())));
+    assert!(named(&model, "polygon-21").place == Some(FilePlace::Line(ALL.lines().count())));
     let sides = |name: &str| named(&model, name).sides;
     assert_eq!(
         [sides("things"), sides("things-3"), sides("things-5")],
@@ -245,14 +245,14 @@ fn odd_but_legal_texts_are_read() {
                 #no blank behind\r\nF a b c\r\nm\\\r\n x =\r\n rd 1\r\nf \\\r\na b\\\r\n c\r\no\r\nm x\r\n sides 2\r\nrs 0 0\r\nf a b c a b c\r\nf a a a";
     let model = right(text);
     assert_eq!(model.surfaces.len(), 3);
-    assert_eq!(model.surfaces[0].place, Some(Place::Line(14)));
+    assert_eq!(model.surfaces[0].place, Some(FilePlace::Line(14)));
     assert_eq!((model.materials.len(), model.materials[0].reflectance[0]), (1, 1.0));
     assert_eq!(
         notes(&model),
         ["lines that begin with no word of MGF are left out", "an o that ends no object is left out"]
     );
     let old = right("v a =\rv b =\r\tp 1 0 0\rv c =\r\tp 0 1 0\rf a b c\r");
-    assert_eq!(old.surfaces[0].place, Some(Place::Line(6)));
+    assert_eq!(old.surfaces[0].place, Some(FilePlace::Line(6)));
     // A material that is changed after it was used is another of its name.
     let changed = right(
         "v a =\nv b =\n p 1 0 0\nv c =\n p 0 1 0\nm x =\n rd .5\nf a b c\nm x\n rd .25\nf a b c\nm x =\nrd .5\nf a b c",

@@ -6,7 +6,7 @@ use glam::DVec3;
 use radiosity_formats::model::{Model, Shape, Sides};
 use radiosity_formats::rad;
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use super::assert_refused;
 use crate::measures::{area, assert_cube, named, notes, vector};
@@ -96,7 +96,7 @@ fn all_surfaces_are_read() {
     let model = right(ALL);
     let shape = |name: &str| &named(&model, name).shape;
     assert!((area(shape("floor")) - 2.0).abs() < 1e-15);
-    assert_eq!(named(&model, "floor").place, Some(Place::Line(20)));
+    assert_eq!(named(&model, "floor").place, Some(FilePlace::Line(20)));
     assert!(matches!(shape("ball"), Shape::Sphere { radius: 0.5, inward: false, .. }));
     assert!(matches!(shape("inside"), Shape::Sphere { inward: true, .. }));
     assert!(matches!(shape("negative"), Shape::Sphere { radius: 0.5, inward: true, .. }));
@@ -200,8 +200,8 @@ fn odd_but_legal_texts_are_read() {
     let model = right(text);
     assert_eq!((model.surfaces.len(), model.bands.len()), (8, 1));
     assert_eq!((model.materials[0].name.as_str(), model.materials[0].reflectance[0]), ("a b", 0.5));
-    assert_eq!(model.surfaces[0].place, Some(Place::Line(7)));
-    assert_eq!(model.surfaces[7].place, Some(Place::Line(12)));
+    assert_eq!(model.surfaces[0].place, Some(FilePlace::Line(7)));
+    assert_eq!(model.surfaces[7].place, Some(FilePlace::Line(12)));
 }
 
 #[test]

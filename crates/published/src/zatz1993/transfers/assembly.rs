@@ -6,7 +6,7 @@ use radiosity_elements::Elements;
 use radiosity_kernel::Blocks;
 use radiosity_kernel::contact::planes;
 use radiosity_kernel::contact::planes::Planes;
-use radiosity_kernel::{Kind, blocks::block::Block};
+use radiosity_kernel::{PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 use radiosity_work::{Stage, Work};
@@ -102,9 +102,9 @@ fn integrate(
     let emitting = emitter.charted(extra + usize::from(same));
     let transfer = transfer(receiver.charted(extra), emitting, rules, sees);
     let kind = match (same, transfer.edge) {
-        (true, _) => Kind::Same,
-        (false, true) => Kind::Edge,
-        (false, false) => Kind::Separated,
+        (true, _) => PairKind::Same,
+        (false, true) => PairKind::Edge,
+        (false, false) => PairKind::Separated,
     };
     Outcome::Integrated(Block {
         values: receiver.block(emitter, &transfer.values),

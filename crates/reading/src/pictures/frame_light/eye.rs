@@ -4,7 +4,7 @@ use radiosity_elements::Elements;
 use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_solve::gather::surface_point::SurfacePoint;
-use radiosity_solve::solution::Place;
+use radiosity_solve::solution::SurfacePlace;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::vector;
 use serde::{Deserialize, Serialize};
@@ -22,7 +22,7 @@ pub(crate) struct SeenPlace {
     /// Index of the element.
     pub element: usize,
     /// The place.
-    pub place: Place,
+    pub place: SurfacePlace,
     /// Unit normal there.
     #[serde(with = "vector")]
     pub normal: DVec3,

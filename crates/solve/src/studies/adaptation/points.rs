@@ -10,7 +10,7 @@ use radiosity_elements::patch::{Node, Patch};
 use radiosity_geom::DVec3;
 use radiosity_light::receiver_point::ReceiverPoint;
 
-use crate::solution::Place;
+use crate::solution::SurfacePlace;
 
 /// Points in all, at least. Chosen; not tuned.
 const POINTS: usize = 1024;
@@ -24,7 +24,7 @@ const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_3];
 /// A point of an element.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point {
-    pub place: Place,
+    pub place: SurfacePlace,
     /// Unit normal of the surface.
     pub normal: DVec3,
     /// Area that it stands for (m²).
@@ -84,7 +84,7 @@ fn by_area(list: &[Element], first: usize) -> Vec<Vec<Point>> {
 fn point(element: &Element, patch: &Patch, index: usize) -> (Point, f64) {
     let [s, t] = STEPS.map(|step| (0.5 + step * index as f64).fract());
     let Node { position, normal, parameters, area, .. } = patch.node(s, t);
-    let place = Place { surface: element.surface, parameters: parameters.to_array(), position };
+    let place = SurfacePlace { surface: element.surface, parameters: parameters.to_array(), position };
     (Point { place, normal, area }, area)
 }
 

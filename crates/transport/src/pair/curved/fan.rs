@@ -7,7 +7,7 @@ use std::collections::VecDeque;
 
 use radiosity_elements::patch::Patch;
 use radiosity_geom::COINCIDENT;
-use radiosity_kernel::Kind;
+use radiosity_kernel::PairKind;
 use radiosity_kernel::contact::curved::{CurvedContact, classify};
 use radiosity_kernel::contact::flat::gap;
 use radiosity_kernel::contact::orientation::{Facing, facing};
@@ -71,7 +71,7 @@ impl Job<'_> {
                 }
             }
             if close {
-                self.kind = self.kind.max(Kind::Split);
+                self.kind = self.kind.max(PairKind::Split);
                 if reach > part.longest().1 {
                     near.push(part);
                 } else {

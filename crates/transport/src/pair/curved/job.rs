@@ -13,7 +13,7 @@ use radiosity_kernel::estimates::entry_norm::EntryNorm;
 use radiosity_kernel::moments::Moments;
 use radiosity_kernel::rules::common_edge::EdgePair;
 use radiosity_kernel::rules::horizon::{Ball, Front};
-use radiosity_kernel::{Accuracy, Kind, blocks::block::Block};
+use radiosity_kernel::{Accuracy, PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 
 use crate::pair::curved::budget::Budget;
@@ -62,7 +62,7 @@ pub(super) struct Job<'a> {
     pub moments: Moments<'a>,
     pub norm: EntryNorm,
     pub tasks: VecDeque<Task>,
-    pub kind: Kind,
+    pub kind: PairKind,
     pub partly_hidden: bool,
     pub unresolved: bool,
     pub error: f64,
@@ -87,7 +87,7 @@ impl<'a> Job<'a> {
             moments: Moments::new(&receiver.basis, &emitter.basis),
             norm: EntryNorm::of([&receiver.basis, &emitter.basis]),
             tasks: VecDeque::new(),
-            kind: Kind::Separated,
+            kind: PairKind::Separated,
             partly_hidden: false,
             unresolved: false,
             error: 0.0,

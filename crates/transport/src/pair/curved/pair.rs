@@ -2,7 +2,7 @@
 
 use radiosity_elements::patch::Patch;
 use radiosity_geom::COINCIDENT;
-use radiosity_kernel::Kind;
+use radiosity_kernel::PairKind;
 use radiosity_kernel::contact::curved::{CurvedContact, classify};
 use radiosity_kernel::contact::flat::gap;
 use radiosity_kernel::contact::orientation::{Facing, facing};
@@ -85,7 +85,7 @@ impl Job<'_> {
             }
             return self.horizon(p, &[(q.clone(), gap)]);
         }
-        self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+        self.kind = self.kind.max(if gap > 0.0 { PairKind::Split } else { PairKind::Contact });
         if !self.attempt(p, q, Some(contact), state) {
             self.halve(p, q, contact, state);
         }
@@ -109,7 +109,7 @@ impl Job<'_> {
         let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
         match contact {
             CurvedContact::Edge { p: a, q: b, matched } => {
-                self.kind = self.kind.max(Kind::Edge);
+                self.kind = self.kind.max(PairKind::Edge);
                 let edge_pair = EdgePair::of(a, b);
                 if edge_pair.aspect() > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
@@ -119,7 +119,7 @@ impl Job<'_> {
                 self.by_rule(missed, |moments| rule(moments, a, b, points, sees));
             }
             CurvedContact::Vertex(a, b) => {
-                self.kind = self.kind.max(Kind::Vertex);
+                self.kind = self.kind.max(PairKind::Vertex);
                 if common_vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
                 }
@@ -131,7 +131,7 @@ impl Job<'_> {
                 self.moments.tensor(p, q, points, sees);
             }
             _ => {
-                self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+                self.kind = self.kind.max(if gap > 0.0 { PairKind::Split } else { PairKind::Contact });
                 let by_halving = gap > 0.0 || matches!(contact, CurvedContact::Cut(_) | CurvedContact::Tip(_));
                 if by_halving && !self.spent() || !self.attempt(p, q, Some(contact), state) {
                     self.halve(p, q, contact, state);

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use radiosity_formats::model::{Shape, Sides};
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use super::{beside, notes, read, right};
 use crate::measures::{assert_cube, named, polygon};
@@ -32,7 +32,7 @@ fn the_room_has_its_surfaces() {
     assert_eq!(polygon(named(&room, "floor")), DVec3::new(0.0, 0.0, 16.0));
     assert_eq!(polygon(named(&room, "ceiling")), DVec3::new(0.0, 0.0, -16.0));
     assert_eq!(polygon(named(&room, "left")), DVec3::new(16.0, 0.0, 0.0));
-    assert_eq!(named(&room, "floor").place, Some(Place::Line(37)));
+    assert_eq!(named(&room, "floor").place, Some(FilePlace::Line(37)));
     let ball = Shape::Sphere { center: DVec3::new(-1.0, 0.0, 0.5), radius: 0.5, inward: false };
     assert_eq!(named(&room, "ball").shape, ball);
     let base = DVec3::new(0.0, 1.0, 0.0);

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use radiosity_formats::model::Shape;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 
 use super::{beside, inside, is_refused, notes, read, right};
 
@@ -64,12 +64,12 @@ fn broken_includes_are_refused() {
     let back = "<scene version=\"3.0.0\"><include filename=\"./a.xml\"/></scene>";
     let refusal = beside("<include filename=\"a.xml\"/>", &[("a.xml", circle), ("b.xml", back)])
         .expect_err("it is a circle");
-    assert_eq!((refusal.file.as_str(), refusal.place), ("b.xml", Some(Place::Line(1))));
+    assert_eq!((refusal.file.as_str(), refusal.place), ("b.xml", Some(FilePlace::Line(1))));
     assert!(refusal.cause.contains("'a.xml' includes itself"));
     let fault = "<scene version=\"3.0.0\">\n\n<shape type=\"sphere\"><float name=\"radius\" value=\"x\"/></shape></scene>";
     let refusal =
         beside("<include filename=\"a.xml\"/>", &[("a.xml", fault)]).expect_err("the radius is none");
-    assert_eq!((refusal.file.as_str(), refusal.place), ("a.xml", Some(Place::Line(3))));
+    assert_eq!((refusal.file.as_str(), refusal.place), ("a.xml", Some(FilePlace::Line(3))));
 }
 
 /// Thirty files, each of which includes the next twice, are given up.

@@ -4,7 +4,7 @@ use radiosity_photometry::Photometry;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::luminaire;
 use radiosity_photometry::opening::Form;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::symmetry::Symmetry;
 
 use super::texts::{Eulumdat, steps};
@@ -106,7 +106,7 @@ fn broken_files_are_refused_with_line_cause_and_cure() {
         (54, "1.234,5", 54, "'1.234,5', which is no number", "number"),
     ] {
         let refusal = read(&with(number, line)).expect_err(&format!("{number}: {line}"));
-        assert_eq!(refusal.place, Some(Place::Line(place)), "{number}: {refusal}");
+        assert_eq!(refusal.place, Some(FilePlace::Line(place)), "{number}: {refusal}");
         assert!(refusal.cause.contains(cause), "{refusal}");
         assert!(refusal.cure.contains(cure), "{refusal}: {}", refusal.cure);
     }

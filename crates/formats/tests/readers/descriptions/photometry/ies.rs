@@ -4,7 +4,7 @@ use radiosity_photometry::Photometry;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::ies;
 use radiosity_photometry::opening::Form;
-use radiosity_photometry::place::Place;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::symmetry::Symmetry;
 
 fn read(text: &str) -> Result<Photometry, Refusal> {
@@ -126,7 +126,7 @@ fn broken_files_are_refused_with_line_cause_and_cure() {
         assert_ne!(text, RIGHT, "{from}");
         let refusal = read(&text).expect_err(&text);
         assert_eq!(refusal.file, "lamp.ies");
-        assert_eq!(refusal.place, line.map(Place::Line), "{refusal}");
+        assert_eq!(refusal.place, line.map(FilePlace::Line), "{refusal}");
         assert!(refusal.cause.contains(cause), "{refusal}");
         assert!(refusal.cure.contains(cure), "{refusal}: {}", refusal.cure);
     }

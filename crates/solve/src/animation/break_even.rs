@@ -2,14 +2,14 @@
 
 /// Cost of frames, in solutions of a single frame that is solved alone.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Ledger {
+pub(super) struct BreakEven {
     frames: usize,
     repaid: Option<usize>,
 }
 
-impl Ledger {
+impl BreakEven {
     /// Takes note of a frame more, after all of them together cost `spent` solutions.
-    pub(super) fn take(&mut self, spent: f64) {
+    pub(super) fn add_frame(&mut self, spent: f64) {
         self.frames += 1;
         let is_repaid = spent < self.frames as f64;
         self.repaid = is_repaid.then(|| self.repaid.unwrap_or(self.frames));
@@ -28,10 +28,10 @@ mod tests {
 
     #[test]
     fn what_is_repaid_and_lent_again_is_repaid_later() {
-        let mut ledger = Ledger::default();
+        let mut break_even = BreakEven::default();
         let repaid = [5.0, 5.0, 5.0, 5.0, 5.0, 5.0, 8.0, 8.0, 8.0].map(|spent| {
-            ledger.take(spent);
-            ledger.repaid()
+            break_even.add_frame(spent);
+            break_even.repaid()
         });
         assert_eq!(repaid, [None, None, None, None, None, Some(6), None, None, Some(9)]);
     }

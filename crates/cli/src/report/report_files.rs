@@ -10,14 +10,14 @@ use crate::output_file::OutputFile;
 
 /// The files of a report, reserved before the work.
 #[derive(Debug)]
-pub(super) struct Files {
-    kind: Kind,
+pub(super) struct ReportFiles {
+    kind: ReportFormat,
     page: OutputFile,
     path: String,
 }
 
 #[derive(Debug)]
-enum Kind {
+enum ReportFormat {
     Html,
     /// The name of the text without its ending, and the file of each figure.
     Markdown {
@@ -26,7 +26,7 @@ enum Kind {
     },
 }
 
-impl Files {
+impl ReportFiles {
     /// The files that the ending of `path` tells, for a document with these figures; `reserve` finds out
     /// whether one can be written.
     pub(super) fn reserve(
@@ -36,7 +36,7 @@ impl Files {
     ) -> Result<Self, CliError> {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let kind = match ending.as_deref() {
-            Some("html" | "htm") => Kind::Html,
+            Some("html" | "htm") => ReportFormat::Html,
             Some("md") => {
                 let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
                 let file = |figure: &String| {
@@ -44,7 +44,7 @@ impl Files {
                     Ok((figure.clone(), reserve(&path)?))
                 };
                 let figures = figures.iter().map(file).collect::<Result<_, CliError>>()?;
-                Kind::Markdown { stem, figures }
+                ReportFormat::Markdown { stem, figures }
             }
             _ => {
                 return Err(CliError::Refused {
@@ -61,8 +61,8 @@ impl Files {
     /// Writes the document: pictures first, so that no text lacks them.
     pub(super) fn write(&self, document: &Document) -> Result<(), CliError> {
         match &self.kind {
-            Kind::Html => self.page.write(|writer| html::write(document, writer)),
-            Kind::Markdown { stem, figures } => {
+            ReportFormat::Html => self.page.write(|writer| html::write(document, writer)),
+            ReportFormat::Markdown { stem, figures } => {
                 for block in &document.blocks {
                     let Block::Figure(figure) = block else { continue };
                     let (_, file) =
@@ -77,12 +77,12 @@ impl Files {
     /// Path of the report and number of pictures beside it, for the summary.
     pub(super) fn written(&self) -> String {
         match &self.kind {
-            Kind::Markdown { figures, .. } => match figures.len() {
+            ReportFormat::Markdown { figures, .. } => match figures.len() {
                 0 => self.path.clone(),
                 1 => format!("{} and a picture beside it", self.path),
                 count => format!("{} and {count} pictures beside it", self.path),
             },
-            Kind::Html => self.path.clone(),
+            ReportFormat::Html => self.path.clone(),
         }
     }
 }

@@ -10,7 +10,7 @@ use std::collections::HashSet;
 use radiosity_elements::Elements;
 use radiosity_kernel::Accuracy;
 use radiosity_kernel::Blocks;
-use radiosity_kernel::blocks::held::Held;
+use radiosity_kernel::blocks::held_rows::HeldRows;
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 use radiosity_work::interruption::check_interrupt;
@@ -25,19 +25,19 @@ const MOST_ELEMENTS: usize = 5_000;
 
 /// Pairs that are carried exactly, and their blocks.
 #[derive(Debug, Default)]
-pub(super) struct Strong {
+pub(super) struct ExactPairs {
     pairs: HashSet<(u32, u32)>,
     blocks: Option<Blocks>,
 }
 
-impl Strong {
+impl ExactPairs {
     /// The pairs of `tally`, of which each rank judges those in its rows, that are worth it for the number of
     /// hits that is `expected` of them.
     pub(super) fn worth(
         elements: &Elements,
         visibility: &Visibility,
         tally: &Tally,
-        held: &Held,
+        held: &HeldRows,
         expected: &dyn Fn(&Sums) -> f64,
     ) -> HashSet<(u32, u32)> {
         if elements.list().len() > MOST_ELEMENTS {
@@ -91,8 +91,8 @@ impl Strong {
         self.pairs.len()
     }
 
-    /// Adds what the exact blocks cost, and what they miss, to the accounts of `blocks`.
-    pub(super) fn add_accounts(&self, blocks: &mut Blocks) {
+    /// Adds what the exact blocks cost, and what they miss, to the statistics of `blocks`.
+    pub(super) fn add_reports(&self, blocks: &mut Blocks) {
         if let Some(exact) = &self.blocks {
             (blocks.pairs, blocks.samples, blocks.distinct) = (exact.pairs, exact.samples, exact.distinct);
             blocks.reciprocity = exact.reciprocity;

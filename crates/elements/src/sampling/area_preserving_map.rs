@@ -25,7 +25,7 @@ pub struct WeightedNode {
 
 /// Map from two numbers in [0, 1] to points of patches, spread evenly over their area.
 #[derive(Debug)]
-pub struct Spread {
+pub struct AreaPreservingMap {
     pieces: Vec<Piece>,
 }
 
@@ -44,7 +44,7 @@ enum Chart {
     Curved { patch: Patch, area: f64 },
 }
 
-impl Spread {
+impl AreaPreservingMap {
     /// Map onto an element.
     pub fn over(element: &Element) -> Self {
         Self::of(&element.patches)

@@ -29,7 +29,7 @@ const SPEED: i32 = 10;
 
 /// Files of the pictures of frames.
 #[derive(Debug)]
-pub(super) enum Film {
+pub(super) enum FrameFiles {
     /// A file for each frame.
     Files(Pattern),
     /// One animated GIF, written at the end.
@@ -47,7 +47,7 @@ pub(super) struct Pattern {
     is_exr: bool,
 }
 
-impl Film {
+impl FrameFiles {
     /// The files of a name as typed; finds out whether they can be written. Pictures a second are those that
     /// were typed, or those of the scene.
     pub(super) fn new(

@@ -7,7 +7,7 @@ use radiosity_work::ranks::{Ranks, shares};
 /// The rows of elements that a rank holds, and those of the others: runs of elements, in order, with about as
 /// many coefficients.
 #[derive(Clone, Debug)]
-pub struct Held {
+pub struct HeldRows {
     ranks: Ranks,
     /// The elements at which the rows of each rank end.
     ends: Vec<usize>,
@@ -19,7 +19,7 @@ pub struct Held {
     own_coefficients: Range<usize>,
 }
 
-impl Held {
+impl HeldRows {
     /// For elements of which these are the first coefficients, and the dimension at the end.
     pub fn of(ranks: &Ranks, starts: &[usize]) -> Self {
         let sizes: Vec<f64> = starts.windows(2).map(|range| (range[1] - range[0]) as f64).collect();

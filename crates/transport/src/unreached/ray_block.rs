@@ -8,7 +8,7 @@ pub(super) const BATCHES: usize = 8;
 pub(super) const SURE: f64 = 2.0;
 
 /// A block by rays, or by rules where rays agree.
-pub(super) struct Found {
+pub(super) struct RayBlock {
     pub row: usize,
     pub column: usize,
     pub values: Vec<f64>,

@@ -9,14 +9,14 @@ use clap::{ArgMatches, Command};
 /// Options and arguments on which results depend, with their values: a run that resumes may differ in all
 /// others.
 #[derive(Debug, Default)]
-pub(crate) struct Given(#[expect(dead_code, reason = "it is printed")] Vec<(String, Vec<OsString>)>);
+pub(crate) struct TypedOptions(#[expect(dead_code, reason = "it is printed")] Vec<(String, Vec<OsString>)>);
 
 /// Options on which no number depends: means, messages, and where a run is recorded. Names of outputs may
 /// differ, their endings not.
 const FREE: [&str; 9] =
     ["checkpoint", "keep_partial", "memory", "quiet", "report", "resume", "threads", "time_limit", "verbose"];
 
-impl Given {
+impl TypedOptions {
     /// The options and arguments that were typed after a verb of `command`, and the verb.
     pub(crate) fn of(command: &Command, matches: &ArgMatches) -> Self {
         let Some((verb, typed)) = matches.subcommand() else { return Self::default() };

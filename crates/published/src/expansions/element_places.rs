@@ -14,14 +14,14 @@ const ROUNDED_VALUES: f64 = 1e-10;
 
 /// Where the elements of a scene are.
 #[derive(Debug, Default)]
-pub(super) struct Places {
+pub(super) struct ElementPlaces {
     /// Place of each element; None of those that are curved.
-    now: Vec<Option<Place>>,
+    now: Vec<Option<ElementPlace>>,
 }
 
 /// Where an element is.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct ElementPlace {
     /// The element as it was seen first.
     pub reference: Arc<Element>,
     /// Number of times that it was seen anew because it was not only translated.
@@ -30,7 +30,7 @@ pub(super) struct Place {
     pub shift: DVec3,
 }
 
-impl Place {
+impl ElementPlace {
     fn anew(element: &Element, turn: u32) -> Self {
         Self { reference: Arc::new(element.clone()), turn, shift: DVec3::ZERO }
     }
@@ -44,7 +44,7 @@ impl Place {
     }
 }
 
-impl Places {
+impl ElementPlaces {
     /// Takes note of where the elements of the next scene are; of another number of them all are new.
     pub(super) fn move_to(&mut self, elements: &[Element]) {
         let before = std::mem::take(&mut self.now);
@@ -52,7 +52,7 @@ impl Places {
         let known = |index: usize| before.get(index).filter(|_| are_known).and_then(Option::as_ref);
         let place = |(index, element): (usize, &Element)| {
             element.plane?;
-            Some(known(index).map_or_else(|| Place::anew(element, 0), |before| before.moved(element)))
+            Some(known(index).map_or_else(|| ElementPlace::anew(element, 0), |before| before.moved(element)))
         };
         self.now = elements.iter().enumerate().map(place).collect();
     }
@@ -63,7 +63,7 @@ impl Places {
     }
 
     /// Where the element number `index` is; None if it is curved.
-    pub(super) fn of(&self, index: usize) -> Option<Place> {
+    pub(super) fn of(&self, index: usize) -> Option<ElementPlace> {
         self.now.get(index)?.clone()
     }
 }
