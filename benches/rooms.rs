@@ -6,7 +6,7 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::Work;
 use radiosity::reading::pictures::render::render;
-use radiosity::reading::reader::Read;
+use radiosity::reading::reader::ReadMode;
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads};

@@ -14,7 +14,7 @@ use radiosity_output::drawings::picture::Picture;
 use radiosity_output::pictures::image::Image;
 use radiosity_output::pictures::tone::Tone;
 use radiosity_reading::rank_work::RanksWork;
-use radiosity_reading::reader::Read;
+use radiosity_reading::reader::ReadMode;
 use radiosity_reading::quantity::Quantity;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_request::require_all_bounces;

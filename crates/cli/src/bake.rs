@@ -11,7 +11,7 @@ use radiosity_output::pictures::tessellation::tessellation;
 use radiosity_output::pictures::tone::Tone;
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::render::{usual_read, white_balance};
-use radiosity_reading::reader::Read;
+use radiosity_reading::reader::ReadMode;
 use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
 use radiosity_work::Work;

@@ -5,7 +5,7 @@ use std::path::Path;
 use radiosity_output::documents::viewer::{FirstViewSettings, texels, write_viewer};
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::render::usual_read;
-use radiosity_reading::reader::Read;
+use radiosity_reading::reader::ReadMode;
 use radiosity_scene::{Material, Scene};
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use clap::Args;
 use radiosity_reading::grid::Rates;
 use radiosity_reading::quality::ReadSettings;
-use radiosity_reading::reader::Read;
+use radiosity_reading::reader::ReadMode;
 use radiosity_request::ReadRequest;
 use radiosity_request::ranges;
 use radiosity_solve::Options;

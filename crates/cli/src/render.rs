@@ -8,7 +8,7 @@ use radiosity_output::files::exr_file::write_exr;
 use radiosity_reading::pictures::render::{render, usual_read, white_balance};
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_output::pictures::wireframe::wireframe;
-use radiosity_reading::reader::Read;
+use radiosity_reading::reader::ReadMode;
 use radiosity_reading::quantity::Quantity;
 use radiosity_request::check_aim;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};

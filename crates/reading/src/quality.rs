@@ -16,7 +16,7 @@ use radiosity_solve::gather::gather_method::{GatherMethod, USUAL_EPS};
 use serde::Deserialize;
 
 use crate::grid::Rates;
-use crate::reader::Read;
+use crate::reader::ReadMode;
 
 /// A preset.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]

@@ -30,7 +30,7 @@ pub use assembly::{assemble, assemble_factors, assemble_pairs, assemble_senders}
 pub use carrier::Carrier;
 pub use known::{Known, KnownBlocks};
 pub use kept_blocks::KeptBlocks;
-pub use kept_blocks::met::RayCounts;
+pub use kept_blocks::kept_rays::RayCounts;
 pub use sampled::{Rays, SampledTransport};
 pub use schedule::{BlockWork, cost, shared, work};
 pub use unreached::FINEST as FINEST_BY_RAYS;

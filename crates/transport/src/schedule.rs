@@ -15,7 +15,7 @@ mod source;
 mod work;
 mod goal;
 mod integrated;
-mod recalled;
+mod kept;
 
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
@@ -155,12 +155,12 @@ pub(crate) fn by_rules(
         let requests = asked.map(|((task, goal), _)| goal.request(task, visibility));
         let me = integrated.ranks.number();
         let own = integrated
-            .answers
+            .blocks
             .into_iter()
             .zip(integrated.makers)
-            .map(|(answer, maker)| answer.filter(|_| maker == me));
-        let answers = requests.zip(own).filter_map(|(request, answer)| Some((request, answer?)));
-        kept.replace(answers.collect(), work.ranks);
+            .map(|(block, maker)| block.filter(|_| maker == me));
+        let integrated = requests.zip(own).filter_map(|(request, block)| Some((request, block?)));
+        kept.replace(integrated.collect(), work.ranks);
     }
     (blocks, left)
 }
@@ -408,10 +408,10 @@ impl Schedule<'_> {
             (0..tasks.len()).filter(|index| matches!(sources[*index], Source::Own(_))).collect();
         let (done, total) = (AtomicUsize::new(0), own.len());
         let ranks = work.ranks;
-        let answer = |place: usize| {
+        let block = |place: usize| {
             let (task, goal) = (&tasks[own[place]], goals[own[place]]);
-            let known = kept.and_then(|kept| self.recalled(task, goal, kept));
-            let answer = known.unwrap_or_else(|| {
+            let known = kept.and_then(|kept| self.kept_block(task, goal, kept));
+            let block = known.unwrap_or_else(|| {
                 let block = self.block(task, goal);
                 ranks.count_work(block.samples, block.rays);
                 Arc::new(IntegratedBlock::of(block))
@@ -419,13 +419,13 @@ impl Schedule<'_> {
             // Others do about as much in the same time.
             let done = ranks.count() * (done.fetch_add(1, Ordering::Relaxed) + 1);
             work.report_done(Stage::Blocks, done.min(total), total);
-            answer
+            block
         };
         if kept.is_some() {
             let makers: Vec<usize> = own.iter().map(|index| held.rank(tasks[*index].row as usize)).collect();
-            return Integrated::made_by(ranks.clone(), &makers, answer);
+            return Integrated::made_by(ranks.clone(), &makers, block);
         }
-        Integrated::made(ranks.clone(), &self.items(tasks, sources), answer)
+        Integrated::made(ranks.clone(), &self.items(tasks, sources), block)
     }
 
     /// The work of the tasks that are not copies: classes and prices.
@@ -487,12 +487,12 @@ impl Schedule<'_> {
                 let (index, place) = sample[number];
                 let task = &tasks[index];
                 let [a, b] = [task.row, task.column].map(|element| self.list[element as usize].area);
-                let answer = integrated.answer(place);
-                let again = *answer.exchanged.get_or_init(|| {
+                let block = integrated.block(place);
+                let again = *block.exchanged.get_or_init(|| {
                     let again = self.block_from(!self.is_turned(task), task, goals[index]);
                     (!again.untried).then(|| again.values[0])
                 });
-                again.map(|again| (again - answer.block.values[0]).abs() * (a * b).sqrt() / a.min(b))
+                again.map(|again| (again - block.block.values[0]).abs() * (a * b).sqrt() / a.min(b))
             });
         let mut reciprocity = Reciprocity::default();
         differences.into_iter().flatten().for_each(|difference| reciprocity.take(difference));

@@ -8,7 +8,7 @@ use radiosity_output::drawings::false_colour::false_colour;
 use radiosity_output::drawings::picture::Picture;
 use radiosity_reading::pictures::render::render;
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
-use radiosity_reading::reader::Read;
+use radiosity_reading::reader::ReadMode;
 use radiosity_reading::quantity::Quantity;
 use radiosity_request::picture::{SAMPLES, camera};
 use radiosity_scene::{Camera, Scene};

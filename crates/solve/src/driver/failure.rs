@@ -6,7 +6,7 @@ use radiosity_solvers::{SolveError, Stop};
 use radiosity_work::wording::{Wording, option, set, value, words};
 use rayon::ThreadPoolBuildError;
 
-use super::fit;
+use super::memory_reduction;
 use super::memory_reduction::MemoryReduction;
 
 /// Why a scene could not be solved.

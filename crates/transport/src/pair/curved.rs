@@ -21,7 +21,7 @@
 //!   [`radiosity_kernel::rules::common_edge`], [`radiosity_kernel::rules::common_edge::unequal_speed`] or
 //!   [`radiosity_kernel::rules::common_vertex`];
 //! * near, 0 < g < H/4, or a contact without a rule, or touching and cut by a horizon → halved;
-//! * with blockers → sampled: large parts apart as for planar pairs ([`shaded`]), others by the rules of
+//! * with blockers → sampled: large parts apart as for planar pairs ([`blocked_parts`]), others by the rules of
 //!   their contacts after a few halvings; a single ball, outside which both elements lie, is left to
 //!   [`radiosity_kernel::rules::horizon`].
 //!
@@ -66,7 +66,7 @@
 //! N. Trefethen, *Approximation Theory and Approximation Practice*, SIAM 2013, chapter 19 (numbers of
 //! points).
 
-mod before;
+mod plane_clip;
 mod points;
 mod size;
 mod budget;
@@ -74,9 +74,9 @@ mod job;
 mod attempt;
 mod constant;
 mod fan;
-mod own;
+mod same_element;
 mod pair;
-mod shaded;
+mod blocked_parts;
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -118,7 +118,7 @@ pub(crate) fn block(
     let mut job = Job::new(receiver, emitter, visibility, (accuracy, shadow_error));
     let parts = [sectors(receiver), sectors(emitter)];
     let planes = [plane_of(&parts[0]), plane_of(&parts[1])];
-    let [receivers, emitters] = before::each_other(parts, planes, COINCIDENT * job.size);
+    let [receivers, emitters] = plane_clip::clipped(parts, planes, COINCIDENT * job.size);
     if let [Some(first), Some(second)] = planes {
         job.fronts = Some([Front::of(second), Front::of(first)]);
     }

@@ -29,7 +29,7 @@ pub(super) struct Integrated {
     pub(super) makers: Vec<usize>,
     reports: Vec<Option<IntegratedReport>>,
     /// Blocks that this rank made, and after [`Integrated::deliver`] those that it needs.
-    pub(super) answers: Vec<Option<Arc<IntegratedBlock>>>,
+    pub(super) blocks: Vec<Option<Arc<IntegratedBlock>>>,
 }
 
 impl Integrated {
@@ -67,7 +67,7 @@ impl Integrated {
 
     /// None of so many blocks yet.
     fn none(ranks: Ranks, count: usize) -> Self {
-        Self { makers: vec![0; count], reports: vec![None; count], answers: vec![None; count], ranks }
+        Self { makers: vec![0; count], reports: vec![None; count], blocks: vec![None; count], ranks }
     }
 
     /// Makes the blocks at these places, each on the rank in `makers`.
@@ -81,16 +81,16 @@ impl Integrated {
         let me = self.ranks.number();
         let own = places.iter().zip(makers).filter(|(_, maker)| **maker == me);
         let made = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), make);
-        let report = |answer: &Arc<IntegratedBlock>| IntegratedReport {
-            block: answer.block.report(),
-            remainder: answer.remainder,
+        let report = |block: &Arc<IntegratedBlock>| IntegratedReport {
+            block: block.block.report(),
+            remainder: block.remainder,
         };
         let reports = self.ranks.merged(makers, made.iter().map(report).collect());
         let mut made = made.into_iter();
         for ((place, maker), report) in places.iter().zip(makers).zip(reports) {
             self.makers[*place] = *maker;
             self.reports[*place] = Some(report);
-            self.answers[*place] = (*maker == me).then(|| made.next()).flatten();
+            self.blocks[*place] = (*maker == me).then(|| made.next()).flatten();
         }
     }
 
@@ -133,18 +133,18 @@ impl Integrated {
         }
         for (place, values) in self.ranks.exchange(parcels).into_iter().flatten() {
             let IntegratedReport { block, remainder } = *self.report(place);
-            self.answers[place] =
+            self.blocks[place] =
                 Some(Arc::new(IntegratedBlock::known(Block::from_report(values, &block), remainder)));
         }
     }
 
     /// A block that this rank made or was sent.
-    pub(super) fn answer(&self, place: usize) -> &IntegratedBlock {
-        self.answers[place].as_ref().expect("ranks have the blocks of their rows and columns")
+    pub(super) fn block(&self, place: usize) -> &IntegratedBlock {
+        self.blocks[place].as_ref().expect("ranks have the blocks of their rows and columns")
     }
 
     /// The values of the block at `place`, row-major.
     pub(super) fn values(&self, place: usize) -> &[f64] {
-        &self.answer(place).block.values
+        &self.block(place).block.values
     }
 }

@@ -10,10 +10,10 @@ use crate::schedule::task::{Schedule, Task};
 impl Schedule<'_> {
     /// The block of a task that `kept` holds; that of flat elements with nothing between may be known
     /// otherwise as well.
-    pub(super) fn recalled(&self, task: &Task, goal: Goal, kept: &KeptBlocks) -> Option<Arc<IntegratedBlock>> {
+    pub(super) fn kept_block(&self, task: &Task, goal: Goal, kept: &KeptBlocks) -> Option<Arc<IntegratedBlock>> {
         let request = goal.request(task, self.visibility);
-        if let Some(answer) = kept.get(&request) {
-            return Some(Arc::clone(answer));
+        if let Some(block) = kept.get(&request) {
+            return Some(Arc::clone(block));
         }
         let known = kept.known()?;
         let places = [task.row, task.column].map(|index| index as usize);

@@ -6,7 +6,7 @@ use radiosity_scene::Scene;
 use super::light_part::LightPart;
 use crate::documents::document::{Block, Column, Table};
 use radiosity_reading::digits::short;
-use radiosity_reading::reader::Read;
+use radiosity_reading::reader::ReadMode;
 
 pub(super) fn blocks(scene: &Scene, light: Option<&LightPart>, command: &str) -> Vec<Block> {
     let mut blocks = vec![Block::Heading("Settings".to_owned())];

@@ -15,15 +15,15 @@ use radiosity_kernel::contact::planes::Plane;
 
 /// The parts of two elements, flat ones without what lies behind the other's plane, if it has one in
 /// `planes`. Points closer to a plane than `tolerance` lie on it.
-pub(super) fn each_other(
+pub(super) fn clipped(
     [first, second]: [Vec<Patch>; 2],
     planes: [Option<Plane>; 2],
     tolerance: f64,
 ) -> [Vec<Patch>; 2] {
-    [before(first, planes[1], tolerance), before(second, planes[0], tolerance)]
+    [in_front(first, planes[1], tolerance), in_front(second, planes[0], tolerance)]
 }
 
-fn before(patches: Vec<Patch>, plane: Option<Plane>, tolerance: f64) -> Vec<Patch> {
+fn in_front(patches: Vec<Patch>, plane: Option<Plane>, tolerance: f64) -> Vec<Patch> {
     let Some((point, normal)) = plane else { return patches };
     let horizon = Facet { corners: vec![point], normal };
     let seen = |patch: Patch| {
@@ -49,7 +49,7 @@ mod tests {
         let corners = [[0., 0., 0.], [4., 0., 0.], [4., 3., 0.], [0., 3., 0.]].map(DVec3::from_array);
         let floor = Patch::Flat { corners, normal: DVec3::Z };
         let seen = |x: f64, normal: DVec3| -> f64 {
-            let parts = before(vec![floor.clone()], Some((DVec3::new(x, 1.0, 1.0), normal)), 1e-9);
+            let parts = in_front(vec![floor.clone()], Some((DVec3::new(x, 1.0, 1.0), normal)), 1e-9);
             parts.iter().map(|part| polygon_area(&part.polygon())).sum()
         };
         assert!((seen(1.0, DVec3::X) - 9.0).abs() < 1e-12);
