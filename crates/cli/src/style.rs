@@ -228,7 +228,8 @@ impl Style<'_> {
         }
     }
 
-    /// The picture, in false colours where there are `seen_surfaces`, and the message to print after its name.
+    /// The picture, in false colours where there are `seen_surfaces`, and the message to print after its
+    /// name.
     pub(crate) fn picture(
         &self,
         raster: &Raster,

@@ -1,9 +1,9 @@
 //! Elements: the scene's surfaces cut into pieces that carry polynomials.
 //!
 //! A planar element is any polygon, without holes and footprints, with polynomials of order N in affine
-//! coordinates of its plane; parts that other surfaces lie on ([`radiosity_visibility::covered_parts`]) are elements
-//! of their own. A curved element is a rectangle of its surface's parameters, with polynomials in them. Both
-//! bases are orthonormal with respect to area ([`basis`]). For quadrature an element is covered by
+//! coordinates of its plane; parts that other surfaces lie on ([`radiosity_visibility::covered_parts`]) are
+//! elements of their own. A curved element is a rectangle of its surface's parameters, with polynomials in
+//! them. Both bases are orthonormal with respect to area ([`basis`]). For quadrature an element is covered by
 //! [`patch`]es.
 //!
 //! In order: [`cells`] and [`columns`] (cuts of the square, columns of tables), [`patch`] and [`frame`]
@@ -309,8 +309,8 @@ impl ElementMaker<'_> {
     }
 }
 
-/// Pieces beside covered parts that are narrower than this part of the surface's extent are rounding. Chosen; not
-/// tuned.
+/// Pieces beside covered parts that are narrower than this part of the surface's extent are rounding. Chosen;
+/// not tuned.
 const LEAST: f64 = 1e-6;
 
 /// Convex pieces of a flat surface outside its `covered_parts`.

@@ -1,10 +1,10 @@
 //! An emitter cut into cells that are small beside their distance from a point: targets for rays where it is
 //! near.
 //!
-//! The square of numbers that chooses points of the emitter ([`AreaPreservingMap`]) is quartered until each cell is at
-//! most half as large as it is far away. A cell of the share w² of the square, at the distance d, gets the
-//! share p ∝ w² (κ + 0.2/(π d²)) of the rays, with the largest kernel κ of its corners and its middle, and
-//! their values the weight w²/p.
+//! The square of numbers that chooses points of the emitter ([`AreaPreservingMap`]) is quartered until each
+//! cell is at most half as large as it is far away. A cell of the share w² of the square, at the distance d,
+//! gets the share p ∝ w² (κ + 0.2/(π d²)) of the rays, with the largest kernel κ of its corners and its
+//! middle, and their values the weight w²/p.
 
 use std::f64::consts::PI;
 

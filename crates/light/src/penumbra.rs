@@ -17,11 +17,11 @@
 //! ```
 //!
 //! U_l of flat diffuse emitters and of whole curved surfaces has a closed form but for some points near them
-//! (`super::light_sources`). What may stand between a point and an emitter that sends at least a tenth of all light
-//! is listed first ([`super::occluders`], `super::blockers`). Where a flat thing or convex body hides all of
-//! the emitter v_l = 0; where nothing stands there v_l = 1; where at most 8 shadow volumes of flat things
-//! hide a part of a flat emitter, U_l v_l is the sum over what they leave of it: no ray is sent, and D is
-//! exact. Else rays ask what is listed. Rays of weaker emitters ask all surfaces.
+//! (`super::light_sources`). What may stand between a point and an emitter that sends at least a tenth of all
+//! light is listed first ([`super::occluders`], `super::blockers`). Where a flat thing or convex body hides
+//! all of the emitter v_l = 0; where nothing stands there v_l = 1; where at most 8 shadow volumes of flat
+//! things hide a part of a flat emitter, U_l v_l is the sum over what they leave of it: no ray is sent, and D
+//! is exact. Else rays ask what is listed. Rays of weaker emitters ask all surfaces.
 //!
 //! The points y_k are a Kronecker sequence, shifted for each x and l, on the emitter or, within three of its
 //! radii, on its cells (`super::lamp_cells`). The first rays are 24 times the share of the emitter in all

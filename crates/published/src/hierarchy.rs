@@ -23,8 +23,8 @@
 //! radiosities become known. Then the number of links is of the order of the number of surfaces, not of its
 //! square (study `links`).
 //!
-//! Covered parts of surfaces ([`radiosity_visibility::covered_parts`]) are no leaves of their own: rays find them
-//! dark. Footprints are cut out.
+//! Covered parts of surfaces ([`radiosity_visibility::covered_parts`]) are no leaves of their own: rays find
+//! them dark. Footprints are cut out.
 //!
 //! References: P. Hanrahan, D. Salzman, L. Aupperle, *A rapid hierarchical radiosity algorithm*, SIGGRAPH 91;
 //! B. Smits, J. Arvo, D. Greenberg, *A clustering algorithm for radiosity in complex environments*, SIGGRAPH

@@ -4,8 +4,8 @@
 //! Where a moved flat sheet comes into the plane of another one, it is set apart from it, as at rest; what
 //! did not move stays where it is. So a surface that does not move, or whose pose is that of rest, is the
 //! same to the bit in every frame; there are as many surfaces in each, in the same order, with the same names
-//! and parameters. Of scenes made one after the other ([`FrameScenes`]), surfaces that are where they were in the
-//! one before are the same ones in memory, too.
+//! and parameters. Of scenes made one after the other ([`FrameScenes`]), surfaces that are where they were in
+//! the one before are the same ones in memory, too.
 
 use std::sync::Arc;
 

@@ -7,7 +7,8 @@
 //!
 //! In order: errors with their places and cures; patterns, materials, luminaires, skies; poses, paths and
 //! animations; surfaces as drafts and as fitted; the [`Source`] that a scene was read from; the builder; what
-//! is made of a scene: other factors (`group_factors`), other materials (`with_material`), another moment (`frame_scenes`).
+//! is made of a scene: other factors (`group_factors`), other materials (`with_material`), another moment
+//! (`frame_scenes`).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `photometry`.
 

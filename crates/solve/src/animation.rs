@@ -2,8 +2,9 @@
 //!
 //! `series` expands the transfer between two flat elements in powers of the displacement between them, and
 //! `expansions` does so for the pairs of a scene; `sequence` solves any frame after any other and keeps what
-//! has not changed (`sequence_report`: what that cost, and what is missed); `path_interpolation` interpolates the light along a
-//! known path (`chebyshev`); `follower` chooses among them, and `break_even` tells when that is repaid.
+//! has not changed (`sequence_report`: what that cost, and what is missed); `path_interpolation` interpolates
+//! the light along a known path (`chebyshev`); `follower` chooses among them, and `break_even` tells when
+//! that is repaid.
 
 pub mod error;
 pub mod frame;

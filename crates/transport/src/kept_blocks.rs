@@ -2,8 +2,9 @@
 //!
 //! A block follows from its two elements, the surfaces that may stand between them, and the accuracy that the
 //! other pairs of its rows leave to it. Where all these are as they were, to the bit, so is the block: it is
-//! taken from there, and the matrix is the one that would be integrated anew. So it is with rays ([`kept_rays`]).
-//! What did not move is found by comparing what is given, not by what somebody says has moved.
+//! taken from there, and the matrix is the one that would be integrated anew. So it is with rays
+//! ([`kept_rays`]). What did not move is found by comparing what is given, not by what somebody says has
+//! moved.
 
 mod change;
 pub mod kept_rays;
@@ -157,8 +158,8 @@ impl KeptBlocks {
         }
     }
 
-    /// Takes out the kept rays of a sequence, one of so many, until [`KeptBlocks::put_rays`]: the rays of each
-    /// element of this number.
+    /// Takes out the kept rays of a sequence, one of so many, until [`KeptBlocks::put_rays`]: the rays of
+    /// each element of this number.
     pub(crate) fn take_rays(
         &mut self,
         sequence: usize,

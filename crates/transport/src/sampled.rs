@@ -219,8 +219,8 @@ impl<'a> SampledTransport<'a> {
         list.map(share).collect()
     }
 
-    /// Sends so many more rays from each element; covered ones send none. `goes_on` is told how many are done,
-    /// and ends the sending where it says no.
+    /// Sends so many more rays from each element; covered ones send none. `goes_on` is told how many are
+    /// done, and ends the sending where it says no.
     pub fn send(&mut self, rays: &[u64], goes_on: &mut dyn FnMut(u64) -> bool) {
         let list = self.elements.list();
         let tasks = rays.iter().enumerate().filter(|(element, _)| list[*element].contact.is_none());

@@ -210,8 +210,8 @@ impl Body {
     }
 }
 
-/// The plane of the face that would close a body along `border`, if it is flat and the whole scene lies behind
-/// it.
+/// The plane of the face that would close a body along `border`, if it is flat and the whole scene lies
+/// behind it.
 fn missing_face(border: &[[DVec3; 2]], cloud: &Cloud, size: f64) -> Option<Plane> {
     let point = border[0][0];
     let area: DVec3 = border.iter().map(|[a, b]| (b - point).cross(a - point)).sum();

@@ -61,8 +61,8 @@ pub fn covered_parts(scene: &Scene) -> Vec<CoveredPart> {
     found
 }
 
-/// The parts of the convex `pieces` outside the `covered_parts` of their surface; `normal` is the unit normal of its
-/// front.
+/// The parts of the convex `pieces` outside the `covered_parts` of their surface; `normal` is the unit normal
+/// of its front.
 pub fn without<'a>(
     pieces: Vec<Vec<DVec3>>,
     covered_parts: impl Iterator<Item = &'a CoveredPart>,

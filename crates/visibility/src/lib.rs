@@ -9,8 +9,8 @@
 //! In order: [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`, `convex_bodies`,
 //! [`silhouette_mesh`], [`Shadows`] and `obstacle` (of what obstacles are made), `rays` and `whole` (what
 //! rays meet first, what hides as a whole), [`Visibility`], the noun of the crate; then what a scene says of
-//! itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat surfaces on others) and [`inspection`]
-//! (contents, contacts, what looks wrong).
+//! itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat surfaces on others) and
+//! [`inspection`] (contents, contacts, what looks wrong).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `scene`.
 

@@ -1,5 +1,5 @@
-//! Two flat elements that lie on each other ([`radiosity_visibility::covered_parts`]): each point exchanges light
-//! with the one it touches.
+//! Two flat elements that lie on each other ([`radiosity_visibility::covered_parts`]): each point exchanges
+//! light with the one it touches.
 //!
 //! ```text
 //! κ(x, y) dA_y → δ(x − y) ,     G_kl = ∫ φ_k(x) φ_l(x) dA_x .

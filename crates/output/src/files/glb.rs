@@ -8,8 +8,8 @@
 //! | one image | the textures of all surfaces side by side (`glb/atlas.rs`), exposed to sRGB |
 //! | a camera | that of the scene |
 //!
-//! The texels before exposure, linear and per band, are [`BakedScene::raster`], which goes to an OpenEXR file.
-//! Only fronts are drawn, which alone have light.
+//! The texels before exposure, linear and per band, are [`BakedScene::raster`], which goes to an OpenEXR
+//! file. Only fronts are drawn, which alone have light.
 //!
 //! Reference: Khronos Group, *glTF 2.0 Specification*, 2.0.1.
 

@@ -58,8 +58,8 @@ pub fn tessellation(scene: &Scene, tolerance: f64) -> Vec<Triangulation> {
     scene.surfaces.par_iter().enumerate().map(surface).collect()
 }
 
-/// Convex pieces of a flat surface outside its `covered_parts`: with no corners on its borders other than its own,
-/// where that can be.
+/// Convex pieces of a flat surface outside its `covered_parts`: with no corners on its borders other than its
+/// own, where that can be.
 fn open_pieces(region: &PlanarRegion, covered_parts: &[&CoveredPart]) -> Vec<Vec<DVec3>> {
     if covered_parts.is_empty() {
         return region.convex_pieces().to_vec();

@@ -1,4 +1,5 @@
-//! Surfaces seen through pixels: one surface or several that a camera sees in each pixel, and whether an emitter is among them.
+//! Surfaces seen through pixels: one surface or several that a camera sees in each pixel, and whether an
+//! emitter is among them.
 
 use radiosity_geom::Encounter;
 use radiosity_scene::{Camera, Scene};

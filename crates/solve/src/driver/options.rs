@@ -71,8 +71,8 @@ pub struct Options {
     pub max_iterations: usize,
     /// Whether the best iterate counts as a solution if the solver does not converge.
     pub keep_partial: bool,
-    /// Most bytes to use ([`MemoryEstimate`](crate::driver::memory_estimate::MemoryEstimate)); a run that needs more
-    /// is refused before it begins.
+    /// Most bytes to use ([`MemoryEstimate`](crate::driver::memory_estimate::MemoryEstimate)); a run that
+    /// needs more is refused before it begins.
     #[serde(skip)]
     pub memory: Option<u64>,
     /// Threads, 0 for all that a rank may use; the result does not depend on it.

@@ -41,8 +41,8 @@ pub struct SurfacePoint {
 const ASIDE: f64 = 0.1;
 
 impl SurfacePoint {
-    /// The surface point for the point `x` with the unit normal `n`: on the surface within tolerance whose normal is
-    /// nearest to n. None where no such surface faces n.
+    /// The surface point for the point `x` with the unit normal `n`: on the surface within tolerance whose
+    /// normal is nearest to n. None where no such surface faces n.
     pub fn find(elements: &Elements, visibility: &Visibility, x: DVec3, n: DVec3) -> Option<Self> {
         let diagonal = visibility.bounds().diagonal();
         let tolerance = ON_SURFACE * diagonal;
@@ -69,8 +69,8 @@ impl SurfacePoint {
         })
     }
 
-    /// The surface point at these parameters of a surface in a scene of this diagonal. None inside a hole that fills a
-    /// cell.
+    /// The surface point at these parameters of a surface in a scene of this diagonal. None inside a hole
+    /// that fills a cell.
     pub fn at(elements: &Elements, surface: usize, parameters: [f64; 2], diagonal: f64) -> Option<Self> {
         Self::within(elements, surface, parameters, INWARDS * diagonal, DVec3::ZERO)
     }
@@ -81,8 +81,8 @@ impl SurfacePoint {
         ReceiverPoint { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }
     }
 
-    /// The surface point at the parameters `at`, moved by the length `step` along `away`, or inwards if `away` nearly
-    /// vanishes.
+    /// The surface point at the parameters `at`, moved by the length `step` along `away`, or inwards if
+    /// `away` nearly vanishes.
     fn within(elements: &Elements, surface: usize, at: [f64; 2], step: f64, away: DVec3) -> Option<Self> {
         let shape = elements.shape(surface);
         let step = step.min(INWARDS / ON_SURFACE * OF_ITS_OWN * extent(shape));

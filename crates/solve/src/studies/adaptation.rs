@@ -2,8 +2,8 @@
 //!
 //! Each run has more polynomials or elements than the one before, and more accurate transfers. Its error is
 //! estimated from light gathered at points, plus what transfers and shadows may miss: that of the polynomials
-//! by what is gathered beside them (`estimate`), that of gathered light by walks (`error_estimate`). Against exact
-//! answers and much finer runs the estimate of polynomials is within a factor of three of the error
+//! by what is gathered beside them (`estimate`), that of gathered light by walks (`error_estimate`). Against
+//! exact answers and much finer runs the estimate of polynomials is within a factor of three of the error
 //! (`cargo test --release --test stress -- --ignored`), that of gathered light within two
 //! (`cargo run --release -p radiosity-studies --bin estimates`).
 //!

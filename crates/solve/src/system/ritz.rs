@@ -74,8 +74,9 @@ impl<'a> Ritz<'a> {
         Self { system, reduction }
     }
 
-    /// The solver in place of the one that was asked for, where the matrix `is_symmetric` or not. In a subspace it is
-    /// known by its products, so that a choice that is left open falls on a solver that multiplies.
+    /// The solver in place of the one that was asked for, where the matrix `is_symmetric` or not. In a
+    /// subspace it is known by its products, so that a choice that is left open falls on a solver that
+    /// multiplies.
     pub(crate) fn solver(&self, asked: &'static Method, is_symmetric: bool) -> &'static Method {
         if self.reduction.is_none() || asked.access != Access::BySize {
             return asked;

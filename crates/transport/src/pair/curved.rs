@@ -21,8 +21,8 @@
 //!   [`radiosity_kernel::rules::common_edge`], [`radiosity_kernel::rules::common_edge::unequal_speed`] or
 //!   [`radiosity_kernel::rules::common_vertex`];
 //! * near, 0 < g < H/4, or a contact without a rule, or touching and cut by a horizon → halved;
-//! * with blockers → sampled: large parts apart as for planar pairs ([`blocked_parts`]), others by the rules of
-//!   their contacts after a few halvings; a single ball, outside which both elements lie, is left to
+//! * with blockers → sampled: large parts apart as for planar pairs ([`blocked_parts`]), others by the rules
+//!   of their contacts after a few halvings; a single ball, outside which both elements lie, is left to
 //!   [`radiosity_kernel::rules::horizon`].
 //!
 //! Of an element with itself half of all pairs of parts are summed, H, and the block is H + Hᵀ; where a ball

@@ -50,7 +50,8 @@ const OF_WANTED: f64 = 0.1;
 const TRANSFERRED: f64 = 0.1;
 
 /// Estimated ‖B − B_h‖/‖B − E₀‖ of the run `outcome`, all bands pooled, accurate enough to compare with the
-/// goal; B_h are the polynomials, or E₀ + ρ E_g where gathered light is the goal ([`error_estimate`](super::error_estimate)).
+/// goal; B_h are the polynomials, or E₀ + ρ E_g where gathered light is the goal
+/// ([`error_estimate`](super::error_estimate)).
 ///
 /// # Errors
 /// Threads that cannot be started.
