@@ -61,7 +61,9 @@ fn pictures(criterion: &mut Criterion) {
     let visibility = Visibility::new(&scene, (&options).into());
     let camera = scene.camera.clone().expect("the scene has a camera");
     let camera = Camera { width: 64, height: 48, ..camera };
-    for (name, read) in [("basis", ReadMode::Basis), ("direct", ReadMode::Direct), ("gather", ReadMode::Gather)] {
+    for (name, read) in
+        [("basis", ReadMode::Basis), ("direct", ReadMode::Direct), ("gather", ReadMode::Gather)]
+    {
         let picture =
             || render(&outcome.solution, &visibility, &camera, 1, read, Quantity::Radiosity, &Work::alone());
         criterion.bench_function(&format!("picture read by {name}"), |bench| {

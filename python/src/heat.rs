@@ -37,7 +37,11 @@ pub(crate) fn heat_of(
     given.finish("heat")?;
     request.transfers.check().map_err(Trouble::from)?;
     let heat = work(py, observer.as_ref(), |progress| {
-        library::Heat::of(&scene.scene, &request.options(Ranks::alone()), &Work::alone().observed_by(progress))
+        library::Heat::of(
+            &scene.scene,
+            &request.options(Ranks::alone()),
+            &Work::alone().observed_by(progress),
+        )
     })?;
     if let Some(worst) = heat.outcome.worst_error.filter(WorstError::is_real) {
         let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;

@@ -92,7 +92,12 @@ fn borrowed(factors: &BTreeMap<String, f64>) -> Vec<(&str, f64)> {
 
 impl Solution {
     /// A solution in Python; gives the warnings of its report.
-    pub(crate) fn new(py: Python<'_>, found: ReportedSolution, method: MethodRequest, is_saved: bool) -> PyResult<Self> {
+    pub(crate) fn new(
+        py: Python<'_>,
+        found: ReportedSolution,
+        method: MethodRequest,
+        is_saved: bool,
+    ) -> PyResult<Self> {
         let ReportedSolution { solved, report } = found;
         report.warnings.iter().try_for_each(|warning| warn(py, &warning.message))?;
         Ok(Self { solved: Arc::new(solved), method, is_saved, report })

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use radiosity::elements::rule::UnitRule;
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
-use radiosity::solve::solution::{SurfacePlace, Solution};
+use radiosity::solve::solution::{Solution, SurfacePlace};
 use radiosity_geom::DVec3;
 use radiosity_test_support::scenes::typed;
 

@@ -2,7 +2,7 @@
 
 use radiosity::Work;
 use radiosity::scene::Scene;
-use radiosity::solve::animation::follower::{Follower, FollowMode};
+use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};

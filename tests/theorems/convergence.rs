@@ -13,7 +13,7 @@ use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
 use radiosity::solve::driver::memory_estimate::MemoryEstimate;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::solution::{Band, SurfacePlace, Solution};
+use radiosity::solve::solution::{Band, Solution, SurfacePlace};
 use radiosity::solve::studies::adaptation::{Achieved, Adapted, Aim, EndReason, Goal, adapt};
 use radiosity::solve::studies::convergence::{Reference, convergence};
 use radiosity::solve::studies::error_norm::{Incomparable, distance};

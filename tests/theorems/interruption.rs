@@ -10,7 +10,7 @@ use radiosity::kernel::Accuracy;
 use radiosity::reading::pictures::render::{Read, render};
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Camera;
-use radiosity::solve::animation::follower::{Follower, FollowMode};
+use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::{LightMethod, Transport, in_threads};

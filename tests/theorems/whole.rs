@@ -12,7 +12,7 @@ use radiosity::light::first_bounce::DirectLightEntry;
 use radiosity::reading::grid::{Rates, grid};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::solve::checks::Checks;
-use radiosity::solve::solution::{Band, SurfacePlace, Solution};
+use radiosity::solve::solution::{Band, Solution, SurfacePlace};
 use radiosity::solve::system::System;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::{Shadows, Visibility};

@@ -18,7 +18,7 @@ use radiosity_reading::reader::ReadMode;
 use radiosity_reading::quantity::Quantity;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_request::require_all_bounces;
-use radiosity_solve::animation::follower::{Follower, FollowMode};
+use radiosity_solve::animation::follower::{FollowMode, Follower};
 use radiosity_solve::animation::frame::Frame;
 use radiosity_solve::{LightMethod, Options};
 use radiosity_work::Work;

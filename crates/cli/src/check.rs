@@ -9,11 +9,13 @@ use clap::{Args, ValueEnum};
 use radiosity_geom::Adjacency;
 use radiosity_geom::DVec3;
 use radiosity_scene::{
-    Animation, Camera, Distribution, Extent, Imported, Luminaire, LiesOn, Mover, Scene, SceneSurface,
+    Animation, Camera, Distribution, Extent, Imported, LiesOn, Luminaire, Mover, Scene, SceneSurface,
     SensorPlane,
 };
 use radiosity_visibility::footprints::Footprint;
-use radiosity_visibility::inspection::{SurfaceContact, Fronts, Inspection, NearPoint, Passage, Shell, Warning};
+use radiosity_visibility::inspection::{
+    Fronts, Inspection, NearPoint, Passage, Shell, SurfaceContact, Warning,
+};
 use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 

@@ -11,7 +11,7 @@ use radiosity_request::check_series;
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use radiosity_solve::solved::Solved;
-use radiosity_solve::studies::convergence::{Reference, ConvergenceRun, RunSeries, convergence};
+use radiosity_solve::studies::convergence::{ConvergenceRun, Reference, RunSeries, convergence};
 use radiosity_solve::studies::error_norm::distance;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;

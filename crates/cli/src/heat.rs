@@ -27,7 +27,6 @@ use crate::{
     destination::Destination,
     error::CliError,
     format,
-    typed_options::TypedOptions,
     heat::picture::PictureArgs,
     options::{SceneArg, solver},
     output_file::OutputFile,
@@ -35,6 +34,7 @@ use crate::{
     run::remarks,
     table::Table,
     transfers::TransferArgs,
+    typed_options::TypedOptions,
 };
 
 const NOTES: &str = "\

@@ -72,11 +72,11 @@ use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 pub(crate) use error::CliError;
-use typed_options::TypedOptions;
 pub use launch::launch;
 use options::MethodArgs;
 use radiosity_work::ranks::Ranks;
 use run::Loaded;
+use typed_options::TypedOptions;
 
 const EXAMPLES: &str = "\
 Examples:

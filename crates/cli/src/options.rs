@@ -13,7 +13,7 @@ use radiosity_reading::quality::Quality;
 use radiosity_request::{Kernel, MethodRequest, Order, SceneRequest, Shadows, ranges};
 use radiosity_scene::Scene;
 use radiosity_solve::studies::adaptation::Goal;
-use radiosity_solve::{LightMethod, Direct, MOST_RAYS, Preconditioning, Transport};
+use radiosity_solve::{Direct, LightMethod, MOST_RAYS, Preconditioning, Transport};
 use radiosity_solvers::method::Method;
 use radiosity_work::Deadline;
 use radiosity_work::ranks::Ranks;

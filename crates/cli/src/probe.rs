@@ -196,8 +196,9 @@ impl<'a> Table<'a> {
 
     fn document(&self) -> Document<'a> {
         let names = self.plane_names();
-        let row =
-            |(index, reading): (usize, &'a ProbeReading)| Row::new(self.scene, names.get(index).copied(), reading);
+        let row = |(index, reading): (usize, &'a ProbeReading)| {
+            Row::new(self.scene, names.get(index).copied(), reading)
+        };
         Document { bands: &self.scene.bands, points: self.readings.iter().enumerate().map(row).collect() }
     }
 

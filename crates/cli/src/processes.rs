@@ -126,7 +126,9 @@ impl Processes {
         let world = SimpleCommunicator::world();
         match pass(&world, call, *calls) {
             GateResult::Together => share(&world),
-            GateResult::Apart => panic!("the ranks do different things; they need the same arguments and files"),
+            GateResult::Apart => {
+                panic!("the ranks do different things; they need the same arguments and files")
+            }
             GateResult::Failed => {
                 let failure = failed(&world, None).expect("a rank has failed");
                 resume_unwind(Box::new(Ended(failure)))

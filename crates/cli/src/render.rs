@@ -120,7 +120,8 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
         style.take_other(|other| take(&other.outcome.solution, other.visibility()));
         let borders = || wireframe(solution.elements(), visibility, &camera, samples, ranks);
         let seen_surfaces = || SeenSurfaces::through(&camera, samples, &run.solved.scene, visibility, ranks);
-        let (borders, seen_surfaces) = (args.style.wireframe.then(borders), args.style.false_colour.then(seen_surfaces));
+        let (borders, seen_surfaces) =
+            (args.style.wireframe.then(borders), args.style.false_colour.then(seen_surfaces));
         (take(solution, visibility), borders, seen_surfaces)
     })?;
     let mut written = path.display().to_string();

@@ -17,8 +17,8 @@ use radiosity_work::{Progress as Event, Stage, Work};
 
 use crate::{console, error::CliError, progress::Progress, run::Loaded};
 pub(crate) use args::ReportPageArgs;
-use report_files::ReportFiles;
 use light::ReportLight;
+use report_files::ReportFiles;
 
 /// Solves the scene and writes the report.
 pub(crate) fn run(args: &ReportPageArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {

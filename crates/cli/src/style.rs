@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use radiosity_output::documents::viewer::{FirstViewSettings, FirstViewColours};
+use radiosity_output::documents::viewer::{FirstViewColours, FirstViewSettings};
 use radiosity_output::drawings::false_colour::{FalseColours, false_colour};
 use radiosity_output::drawings::legend::Legend;
 use radiosity_output::drawings::picture::Picture;
@@ -143,7 +143,12 @@ impl StyleArgs {
     }
 
     /// The first view of a page through `camera`, with so many samples along each side of a pixel.
-    pub(crate) fn start(&self, scene: &Scene, camera: Camera, samples: u32) -> Result<FirstViewSettings, CliError> {
+    pub(crate) fn start(
+        &self,
+        scene: &Scene,
+        camera: Camera,
+        samples: u32,
+    ) -> Result<FirstViewSettings, CliError> {
         self.check_colours()?;
         self.colours.check()?;
         let ColourArgs { range, log, .. } = &self.colours;
@@ -259,11 +264,22 @@ impl Style<'_> {
         Ok((wired(picture), String::new()))
     }
 
-    fn false_colours(&self, field: &Field, seen_surfaces: &SeenSurfaces, wired: impl Fn(Picture) -> Picture) -> Picture {
+    fn false_colours(
+        &self,
+        field: &Field,
+        seen_surfaces: &SeenSurfaces,
+        wired: impl Fn(Picture) -> Picture,
+    ) -> Picture {
         // Where everything emits, emitters are what there is to see.
         let usual = field.without(seen_surfaces.emitters()).usual_range().or(field.usual_range());
         let colours = self.args.colours.colours(usual.unwrap_or_default());
-        with_legend(&colours, wired(false_colour(field, &colours.scale)), field, seen_surfaces, self.title.clone())
+        with_legend(
+            &colours,
+            wired(false_colour(field, &colours.scale)),
+            field,
+            seen_surfaces,
+            self.title.clone(),
+        )
     }
 
     fn difference(

@@ -19,8 +19,8 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress as Event, Work};
 
 use crate::{
-    console, destination::Destination, error::CliError, format, typed_options::TypedOptions, options::SceneArg,
-    output_file::OutputFile, progress::Progress, run::remarks, transfers::TransferArgs,
+    console, destination::Destination, error::CliError, format, options::SceneArg, output_file::OutputFile,
+    progress::Progress, run::remarks, transfers::TransferArgs, typed_options::TypedOptions,
 };
 
 const NOTES: &str = "\

@@ -28,10 +28,10 @@ use rayon::prelude::*;
 use super::element::Element;
 use super::parameters::of_node;
 use super::patch::{Node, Patch};
+use element_pattern::ElementPattern;
+use transmission::{Transmission, TransmissionPart};
 use varying_exitance::VaryingExitance;
 use varying_reflectance::VaryingReflectance;
-use transmission::{TransmissionPart, Transmission};
-use element_pattern::ElementPattern;
 
 /// Reflection, transmission and emission of all elements in one band.
 #[derive(Clone, Debug, Default)]
@@ -70,7 +70,9 @@ impl SquareRoot<'_> {
     /// Writes its product with x into `out`.
     pub fn multiply(self, x: &[f64], out: &mut [f64]) {
         match self {
-            SquareRoot::Number(square_root) => out.iter_mut().zip(x).for_each(|(out, x)| *out = square_root * x),
+            SquareRoot::Number(square_root) => {
+                out.iter_mut().zip(x).for_each(|(out, x)| *out = square_root * x)
+            }
             SquareRoot::Matrix(square_root) => {
                 out.fill(0.0);
                 add_product(square_root, x, out);
@@ -108,7 +110,10 @@ impl Coating {
             let pattern = surface.material.reflectance_pattern.as_ref()?;
             Some(VaryingReflectance::new(element, &surface.shape, pattern, band))
         });
-        coating.varying_reflectances.iter().for_each(|(index, reflectance)| coating.reflectance[*index] = reflectance.mean);
+        coating
+            .varying_reflectances
+            .iter()
+            .for_each(|(index, reflectance)| coating.reflectance[*index] = reflectance.mean);
         coating
     }
 
@@ -137,7 +142,9 @@ impl Coating {
             let pattern = surface.material.emission_pattern.as_ref().filter(|_| factor > 0.0)?;
             Some(VaryingExitance::new(element, &surface.shape, pattern, (band, factor)))
         });
-        self.varying_exitances.iter().for_each(|(index, exitance)| self.exitance[*index] = exitance.mean(&elements[*index]));
+        self.varying_exitances
+            .iter()
+            .for_each(|(index, exitance)| self.exitance[*index] = exitance.mean(&elements[*index]));
         self
     }
 
@@ -150,17 +157,23 @@ impl Coating {
 
     /// E₀ (W m⁻²) at parameters of an element's surface.
     pub fn exitance_at(&self, element: usize, parameters: [f64; 2]) -> f64 {
-        self.varying_exitances.get(&element).map_or_else(|| self.exitance[element], |exitance| exitance.at(parameters))
+        self.varying_exitances
+            .get(&element)
+            .map_or_else(|| self.exitance[element], |exitance| exitance.at(parameters))
     }
 
     /// ρ at parameters of an element's surface.
     pub fn reflectance_at(&self, element: usize, parameters: [f64; 2]) -> f64 {
-        self.varying_reflectances.get(&element).map_or_else(|| self.reflectance[element], |reflectance| reflectance.at(parameters))
+        self.varying_reflectances
+            .get(&element)
+            .map_or_else(|| self.reflectance[element], |reflectance| reflectance.at(parameters))
     }
 
     /// About ρ at a node of an element: the mean over some texels where they are many.
     pub fn reflectance_about(&self, element: usize, node: &Node, is_flat: bool) -> f64 {
-        let Some(reflectance) = self.varying_reflectances.get(&element) else { return self.reflectance[element] };
+        let Some(reflectance) = self.varying_reflectances.get(&element) else {
+            return self.reflectance[element];
+        };
         reflectance.about(of_node(reflectance.shape(), node, is_flat))
     }
 
@@ -173,13 +186,18 @@ impl Coating {
                 let (mut sum, mut area) = (0.0, 0.0);
                 for node in patch.cell_nodes(ALONG) {
                     area += node.area;
-                    sum += node.area * element_pattern.at(of_node(element_pattern.shape.as_ref(), &node, patch.is_flat()));
+                    sum += node.area
+                        * element_pattern.at(of_node(element_pattern.shape.as_ref(), &node, patch.is_flat()));
                 }
                 sum / area
             })
         };
-        let exitance = self.varying_exitances.get(&element).map(|exitance| exitance.factor * of(&exitance.element_pattern));
-        let reflectance = self.varying_reflectances.get(&element).map(|reflectance| of(&reflectance.element_pattern));
+        let exitance = self
+            .varying_exitances
+            .get(&element)
+            .map(|exitance| exitance.factor * of(&exitance.element_pattern));
+        let reflectance =
+            self.varying_reflectances.get(&element).map(|reflectance| of(&reflectance.element_pattern));
         Means {
             exitance: exitance.unwrap_or(self.exitance[element]),
             reflectance: reflectance.unwrap_or(self.reflectance[element]),
@@ -249,7 +267,10 @@ impl Coating {
                 .zip(&other.varying_reflectances)
                 .all(|((i, own), (k, theirs))| i == k && own.is_as(theirs));
         let transmits = |own: &Self| {
-            own.transmissions.iter().map(|(index, transmission)| (*index, transmission.transmittance)).collect::<Vec<_>>()
+            own.transmissions
+                .iter()
+                .map(|(index, transmission)| (*index, transmission.transmittance))
+                .collect::<Vec<_>>()
         };
         same_paints && transmits(self) == transmits(other)
     }
@@ -264,7 +285,8 @@ impl Coating {
         let varying_exitances = || self.varying_exitances.iter().zip(&other.varying_exitances);
         self.exitance == other.exitance
             && self.varying_exitances.len() == other.varying_exitances.len()
-            && varying_exitances().all(|((i, own), (k, theirs))| i == k && own.coefficients == theirs.coefficients)
+            && varying_exitances()
+                .all(|((i, own), (k, theirs))| i == k && own.coefficients == theirs.coefficients)
     }
 
     /// Square root of the reflection of an element, without what the element transmits.
@@ -345,7 +367,12 @@ impl Coating {
     /// Coating of this emission where nothing is reflected or let through.
     pub fn black(&self) -> Self {
         let reflectance = vec![0.0; self.reflectance.len()];
-        Self { reflectance, varying_reflectances: BTreeMap::new(), transmissions: BTreeMap::new(), ..self.clone() }
+        Self {
+            reflectance,
+            varying_reflectances: BTreeMap::new(),
+            transmissions: BTreeMap::new(),
+            ..self.clone()
+        }
     }
 }
 
@@ -385,7 +412,9 @@ fn transmissions(scene: &Scene, elements: &[Element], band: usize) -> BTreeMap<u
         let start = elements.partition_point(|element| element.surface < other);
         let end = elements.partition_point(|element| element.surface <= other);
         let shape = Arc::clone(&surface.shape);
-        let part = |behind| TransmissionPart::new(element, (behind, &elements[behind]), shape.as_ref(), transmittance);
+        let part = |behind| {
+            TransmissionPart::new(element, (behind, &elements[behind]), shape.as_ref(), transmittance)
+        };
         let parts: Vec<TransmissionPart> = (start..end).filter_map(part).collect();
         transmissions.insert(index, Arc::new(Transmission { shape, transmittance, parts }));
     }

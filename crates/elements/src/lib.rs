@@ -49,7 +49,7 @@ pub use element::flat_patches;
 pub use element::{Element, clip_to_cell};
 use element::{Part, element};
 pub use fault::ElementError;
-use mesh::{Mesh, CellRefinement, Tree};
+use mesh::{CellRefinement, Mesh, Tree};
 use patch::Patch;
 use resolution::Resolution;
 pub use resolution::{shares, usual_mesh};
@@ -158,8 +158,12 @@ impl Elements {
             }
             let own: Vec<&CoveredPart> = covered_parts::of_surface(covered_parts, index).collect();
             let pieces = shape.region().map_or_else(Vec::new, |region| open_pieces(region, &own));
-            let mut maker =
-                ElementMaker { surface: (index, surface), space: how.space, covered_parts: &own, list: &mut list };
+            let mut maker = ElementMaker {
+                surface: (index, surface),
+                space: how.space,
+                covered_parts: &own,
+                list: &mut list,
+            };
             let cells = cells.map(&Rect::FULL, &mut |rect, order| {
                 check_interrupt();
                 maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
@@ -175,7 +179,12 @@ impl Elements {
     }
 
     /// The cut of a surface, if it has this shape and nothing covers it; its elements are appended to `list`.
-    fn copied(&self, surface: usize, shape: &Arc<dyn Surface>, list: &mut Vec<Element>) -> Option<SurfaceCut> {
+    fn copied(
+        &self,
+        surface: usize,
+        shape: &Arc<dyn Surface>,
+        list: &mut Vec<Element>,
+    ) -> Option<SurfaceCut> {
         let cut = self.surfaces.get(surface)?;
         if !Arc::ptr_eq(&cut.shape, shape) || !cut.covered.is_empty() {
             return None;

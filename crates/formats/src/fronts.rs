@@ -367,7 +367,10 @@ mod tests {
     #[test]
     fn a_box_inside_out_is_found() {
         let scene = model([room(), over(cube(DVec3::splat(2.0), 1.0))].concat());
-        assert_eq!(turned(&scene), [TurnedFaces { why: TurnReason::Inwards, surfaces: (6..12).collect(), beside: 6 }]);
+        assert_eq!(
+            turned(&scene),
+            [TurnedFaces { why: TurnReason::Inwards, surfaces: (6..12).collect(), beside: 6 }]
+        );
     }
 
     #[test]
@@ -383,7 +386,10 @@ mod tests {
     #[test]
     fn a_room_that_looks_outwards_is_found() {
         let scene = model([cube(DVec3::ZERO, 10.0), cube(DVec3::splat(2.0), 1.0)].concat());
-        assert_eq!(turned(&scene), [TurnedFaces { why: TurnReason::Outwards, surfaces: (0..6).collect(), beside: 0 }]);
+        assert_eq!(
+            turned(&scene),
+            [TurnedFaces { why: TurnReason::Outwards, surfaces: (0..6).collect(), beside: 0 }]
+        );
     }
 
     #[test]

@@ -5,8 +5,8 @@
 //! to that.
 
 use glam::DVec3;
-use radiosity_photometry::note::Note;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::note::Note;
 
 /// Most surfaces that a reader makes, faces of meshes counted before they are merged. Chosen: a model of so
 /// many holds half a gigabyte.

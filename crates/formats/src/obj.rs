@@ -23,8 +23,8 @@ use std::io;
 
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::fault::Fault;
-use radiosity_photometry::located::decoded;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::decoded;
 use radiosity_photometry::text::short;
 
 use crate::colour::UNKNOWN;

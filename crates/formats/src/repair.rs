@@ -24,7 +24,7 @@ use glam::DVec3;
 use radiosity_photometry::error::Refusal;
 
 use crate::model::{Model, Shape, Sides};
-pub use record::{RepairKind, Repair, Repairs};
+pub use record::{Repair, RepairKind, Repairs};
 
 /// The largest coordinate that is reckoned with: its fourth power is a number. `radiosity` refuses larger
 /// ones.

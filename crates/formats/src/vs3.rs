@@ -34,7 +34,7 @@ use radiosity_photometry::fault::Fault;
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::decode;
 
-use self::statements::{Corners, Input, SurfaceRole, OBSTRUCTION, Statement};
+use self::statements::{Corners, Input, OBSTRUCTION, Statement, SurfaceRole};
 use crate::files::Files;
 use crate::model::{GREATEST, Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
@@ -124,7 +124,9 @@ fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Opt
         };
     };
     match surfaces.get(base) {
-        Some(found) if base < index || (base > index && found.kind == SurfaceRole::Obstruction) => Ok(Some(base)),
+        Some(found) if base < index || (base > index && found.kind == SurfaceRole::Obstruction) => {
+            Ok(Some(base))
+        }
         _ => Err(Fault::new(
             format!("the base {} is neither a surface before this one nor an obstruction", surface.base),
             "write the surface behind its base, or write base 0",

@@ -17,7 +17,7 @@ use radiosity_formats::{
     unit::Unit,
     up::Up,
 };
-use radiosity_photometry::{error::Refusal, note::Note, file_place::FilePlace};
+use radiosity_photometry::{error::Refusal, file_place::FilePlace, note::Note};
 use radiosity_scene::{Fault, Imported, Notation, SceneError, Source};
 use radiosity_work::ranks::Ranks;
 

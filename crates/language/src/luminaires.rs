@@ -5,13 +5,13 @@ use std::{collections::BTreeMap, sync::Arc};
 use radiosity_photometry::{Photometry, luminaire as photometry};
 use radiosity_scene::{
     Distribution, Extent, Fault, Luminaire, Source, Strength, SurfaceDraft,
-    surface_draft::DraftPlaces,
     error::{Located, luminaire_title},
     luminaire::check_intensity,
     luminous_surface::luminous_surfaces,
     material::check_flux,
     names::UniqueNames,
     place::At,
+    surface_draft::DraftPlaces,
 };
 
 use crate::{

@@ -6,7 +6,7 @@ use radiosity_geom::DVec3;
 use radiosity_scene::{
     Animation, Clock, Fault, MoverDraft, RigidPath, Source, TimeFunction, Turn,
     error::{Located, motion_title},
-    mover_draft::{NamedMember, MemberNames, MovableThings, MoverPlaces, movers},
+    mover_draft::{MemberNames, MovableThings, MoverPlaces, NamedMember, movers},
     place::{At, Span},
     surfaces::Maker,
 };
@@ -66,7 +66,10 @@ pub(super) fn movable(
 
 fn draft(file: &MotionFile, clock: Clock, source: &Source) -> Result<MoverDraft, Located> {
     let chosen = |names: &[At<String>]| -> Vec<NamedMember> {
-        names.iter().map(|name| NamedMember { name: name.value.clone(), span: Some(name.span.clone()) }).collect()
+        names
+            .iter()
+            .map(|name| NamedMember { name: name.value.clone(), span: Some(name.span.clone()) })
+            .collect()
     };
     let draft = MoverDraft::new(&file.name.value, path(file, clock)?);
     let typed = MoverPlaces {
@@ -96,7 +99,8 @@ fn path(file: &MotionFile, clock: Clock) -> Result<RigidPath, Located> {
 
 fn shift(file: &TranslateFile, clock: Clock) -> Result<TimeFunction<DVec3>, Located> {
     let TranslateFile { points, times, curve } = file;
-    let time_function = TimeFunction::new("points", points.value.to_vec(), given(times, points.value.len(), clock), *curve);
+    let time_function =
+        TimeFunction::new("points", points.value.to_vec(), given(times, points.value.len(), clock), *curve);
     time_function.map_err(|fault| located(fault, times, &points.span))
 }
 

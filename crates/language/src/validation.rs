@@ -7,12 +7,12 @@ use radiosity_scene::{
     Camera, Fault, Glass, Material, Opening, SensorPlane, Sky, Source, Sun, SurfaceDraft, Thermal,
     bands::check_bands,
     covering::Covering,
-    surface_draft::{NamedShape, DraftPlaces},
     error::{Located, material_title, plane_title, surface_title},
     luminaire::across,
     material::{check_emission, check_flux, check_reflectance, check_transmittance},
     place::At,
     sky::{check_elevation, check_irradiance},
+    surface_draft::{DraftPlaces, NamedShape},
     unit::{self, check_unit},
 };
 

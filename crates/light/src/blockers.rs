@@ -185,7 +185,9 @@ impl<'a> Shadows<'a> {
                 Some((quad, radius)) => volume.coverage_of_quad(quad, *radius),
                 None => volume.coverage(&cell.hull, cell.center, cell.radius),
             },
-            Blocker::Curved(surface) if cell.is_flat() => shadows.coverage_of_ball(*surface, &Extent::of(cell)),
+            Blocker::Curved(surface) if cell.is_flat() => {
+                shadows.coverage_of_ball(*surface, &Extent::of(cell))
+            }
             Blocker::Curved(surface) => shadows.curved_coverage(*surface, &Extent::of(cell)),
         })
     }

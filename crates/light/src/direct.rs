@@ -19,8 +19,8 @@ use rayon::prelude::*;
 use smallvec::{SmallVec, smallvec};
 
 use crate::area_light::AreaLight;
-use crate::emitters::Emitters;
 use crate::cells::tree::Tree;
+use crate::emitters::Emitters;
 use crate::occluders::{Occluders, Site};
 use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
@@ -191,7 +191,9 @@ impl<'a> DirectLight<'a> {
                 None => traversal.add(index, tree, tolerance, factor),
             }
         };
-        if self.trees.iter().all(|tree| tree.plane.is_some() && tree.radiance.is_none()) && traversal.is_flat() {
+        if self.trees.iter().all(|tree| tree.plane.is_some() && tree.radiance.is_none())
+            && traversal.is_flat()
+        {
             let mut factors = smallvec![0.0; self.trees.len()];
             let each = factors.chunks_exact_mut(1).enumerate();
             each.for_each(|(index, factor)| add(&mut traversal, index, 0.0, factor));

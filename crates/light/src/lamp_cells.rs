@@ -9,9 +9,9 @@
 use std::f64::consts::PI;
 
 use radiosity_elements::patch::Node;
+use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, WeightedNode};
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::shifted;
-use radiosity_elements::sampling::area_preserving_map::{WeightedNode, AreaPreservingMap};
 use smallvec::{SmallVec, smallvec};
 
 use crate::receiver_point::ReceiverPoint;

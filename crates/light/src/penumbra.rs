@@ -65,10 +65,10 @@ use crate::blockers::{BlockerRange, Shadows};
 use crate::emitters::{Emitters, Radiances};
 use crate::lamp_cells::LampCells;
 use crate::lamps::Lamp;
+use crate::light_sources::LightSource;
 use crate::occluders::Occluders;
 use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
-use crate::light_sources::LightSource;
 
 /// Rays to an emitter that sends all direct light, before they are compared; fewer to weaker ones, but some.
 /// Chosen.
@@ -209,8 +209,13 @@ impl<'a> Penumbra<'a> {
         let arrives: f64 = beams.iter().map(|beam| beam.source.lamp.brightness * beam.factor()).sum();
         let tolerance = effort.error_factor * self.eps * (beside + arrives).max(DARK * all);
         self.refine(receiver, &mut beams, tolerance, effort.sure);
-        let factor = |beam: &EmitterBeam| EmitterFactor { element: beam.source.lamp.element, value: beam.factor() };
-        DirectEstimate { visible: visible_emitters(&beams), factors: beams.iter().map(factor).collect(), points }
+        let factor =
+            |beam: &EmitterBeam| EmitterFactor { element: beam.source.lamp.element, value: beam.factor() };
+        DirectEstimate {
+            visible: visible_emitters(&beams),
+            factors: beams.iter().map(factor).collect(),
+            points,
+        }
     }
 
     /// Obstacles that may stand between a point and an emitter of the part `share` of all light, if that is

@@ -15,8 +15,8 @@ use radiosity_elements::patch::Node;
 use radiosity_visibility::Visibility;
 use rayon::prelude::*;
 
-use crate::coats::Coats;
 use crate::cells::tree::Tree;
+use crate::coats::Coats;
 use crate::occluders::{Occluders, Site};
 use crate::receiver_point::ReceiverPoint;
 use crate::traversal::Traversal;

@@ -20,7 +20,12 @@ impl Fault {
 
     /// The refusal of `file` for this fault in a line.
     pub fn in_line(self, file: &str, line: usize) -> Refusal {
-        Refusal { file: file.to_owned(), place: Some(FilePlace::Line(line)), cause: self.cause, cure: self.cure }
+        Refusal {
+            file: file.to_owned(),
+            place: Some(FilePlace::Line(line)),
+            cause: self.cause,
+            cure: self.cure,
+        }
     }
 
     /// The refusal of the whole `file`.

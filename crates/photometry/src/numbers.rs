@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::fmt;
 
-use crate::located::Located;
 use crate::file_place::FilePlace;
+use crate::located::Located;
 use crate::text::{number, short, told};
 
 /// The name of one number among several.

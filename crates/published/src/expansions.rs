@@ -21,9 +21,9 @@ use radiosity_transport::{Known, KnownBlocks};
 use radiosity_work::ranks::Ranks;
 
 use super::series::MovedBlock;
+use element_places::{ElementPlace, ElementPlaces};
 use expansion::Expansion;
 pub use expansion::ORDERS;
-use element_places::{ElementPlace, ElementPlaces};
 
 /// Steps of this part of the extents of a pair are rounding.
 const ROUNDED: f64 = 1e-13;

@@ -226,7 +226,9 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> R
             sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))
                 .into()
         }
-        RecomputedLight::Rays(gather) => gather.read(&Receiver::Patch { surface: owner.surface, patch }).into(),
+        RecomputedLight::Rays(gather) => {
+            gather.read(&Receiver::Patch { surface: owner.surface, patch }).into()
+        }
         RecomputedLight::Gather(gather) => {
             let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
             let gathered = gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);

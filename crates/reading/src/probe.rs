@@ -120,7 +120,8 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<ProbeValues, Pr
     let (position, normal) = (probe.position - middle, probe.normal);
     let elements = reader.solution().elements();
     let point = SurfacePoint::find(elements, reader.visibility(), position, normal);
-    let along_surface = |point: &SurfacePoint| reader.irradiance(point.element, &place(reader, point), point.normal);
+    let along_surface =
+        |point: &SurfacePoint| reader.irradiance(point.element, &place(reader, point), point.normal);
     let (value, on) = match point {
         None => {
             let free = ReceiverPoint::free(position, normal);

@@ -4,9 +4,9 @@ use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_solve::gather::Gather;
-use radiosity_solve::gather::ray_gather::{Deviation, RayEstimate, RayGather, Receiver};
 use radiosity_solve::gather::gather_method::GatherMethod;
-use radiosity_solve::solution::{SurfacePlace, Solution};
+use radiosity_solve::gather::ray_gather::{Deviation, RayEstimate, RayGather, Receiver};
+use radiosity_solve::solution::{Solution, SurfacePlace};
 use radiosity_visibility::Visibility;
 use serde::Deserialize;
 
@@ -74,15 +74,28 @@ impl<'a> Reader<'a> {
     }
 
     /// As [`Reader::new`], with gathered light by cells or by rays.
-    pub fn by(by: GatherMethod, solution: &'a Solution, visibility: &'a Visibility, read: ReadMode, eps: f64) -> Self {
+    pub fn by(
+        by: GatherMethod,
+        solution: &'a Solution,
+        visibility: &'a Visibility,
+        read: ReadMode,
+        eps: f64,
+    ) -> Self {
         let light = match read {
             ReadMode::Gather | ReadMode::GatherTwice
                 if by.rays(solution, visibility, eps, read == ReadMode::GatherTwice) =>
             {
-                RecomputedLight::Rays(RayGather::new(solution, visibility, eps, read == ReadMode::GatherTwice))
+                RecomputedLight::Rays(RayGather::new(
+                    solution,
+                    visibility,
+                    eps,
+                    read == ReadMode::GatherTwice,
+                ))
             }
             ReadMode::Basis => RecomputedLight::Basis,
-            ReadMode::Direct => RecomputedLight::Direct(DirectLight::within(&solution.emitters(), visibility, eps)),
+            ReadMode::Direct => {
+                RecomputedLight::Direct(DirectLight::within(&solution.emitters(), visibility, eps))
+            }
             ReadMode::Gather => RecomputedLight::Gather(Gather::new(solution, visibility, eps)),
             ReadMode::GatherTwice => RecomputedLight::Gather(Gather::twice(solution, visibility, eps)),
         };

@@ -4,7 +4,7 @@ use radiosity_elements::cells::Layers;
 use radiosity_published::bases::Basis;
 use radiosity_published::zatz1993::masked_light::Masking;
 use radiosity_solve::studies::convergence::RunSeries;
-use radiosity_solve::{LightMethod, Direct, Preconditioning, Transport};
+use radiosity_solve::{Direct, LightMethod, Preconditioning, Transport};
 use radiosity_work::wording::{Wording, option, set, value, words};
 
 use super::method::MethodRequest;

@@ -8,7 +8,7 @@ use radiosity_published::bases::Basis;
 use radiosity_published::zatz1993::masked_light::Masking;
 use radiosity_reading::quality::Quality;
 use radiosity_solve::studies::adaptation::Aim;
-use radiosity_solve::{LightMethod, Direct, Options, Preconditioning, Transport};
+use radiosity_solve::{Direct, LightMethod, Options, Preconditioning, Transport};
 use radiosity_solvers::method::Method;
 use radiosity_work::ranks::Ranks;
 

@@ -56,7 +56,9 @@ impl ReadRequest {
                     + " gather none",
                 words("leave one of them out, or take ") + set("read", "gather"),
             ),
-            _ if self.by == Some(GatherMethod::Rays) && (options.masks.is_some() || options.shadows == Hiding::Off) => {
+            _ if self.by == Some(GatherMethod::Rays)
+                && (options.masks.is_some() || options.shadows == Hiding::Off) =>
+            {
                 refuse(
                     set("read-by", "rays")
                         + " always sees exact shadows, and the solution has others: "

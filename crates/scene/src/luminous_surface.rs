@@ -7,13 +7,13 @@ use radiosity_geom::{ShapeError, Surface};
 
 use crate::{
     covering::Covering,
-    surface_draft::{SurfaceDraft, DraftPlaces},
     error::{Fault, Located, luminaire_title},
     extent::Extent,
     luminaire::Luminaire,
     luminous_area::LuminousArea,
     material::Material,
     radiance::Radiance,
+    surface_draft::{DraftPlaces, SurfaceDraft},
     thermal::{Condition, Thermal},
 };
 

@@ -6,7 +6,7 @@ use crate::{
     error::Fault,
     pose::Pose,
     ranges::check_number,
-    time_function::{Times, TimeFunction},
+    time_function::{TimeFunction, Times},
 };
 
 /// A rigid path: first a rotation about a point, then a translation, each from the pose at rest, whatever

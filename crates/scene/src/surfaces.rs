@@ -5,13 +5,13 @@ use radiosity_geom::{Aabb, Bvh, DVec3};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::{
-    surface_draft::SurfaceDraft,
     error::{Fault, Located, surface_title},
     fitted::{self, Fitted},
     names::UniqueNames,
     outlook::KnownOutlooks,
     place::Span,
     surface::SceneSurface,
+    surface_draft::SurfaceDraft,
 };
 
 /// The surfaces of a scene, with the changes to their shapes.

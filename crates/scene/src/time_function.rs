@@ -26,7 +26,10 @@ pub enum Curve {
 }
 
 /// A number or a vector, of which weighted sums are made.
-pub trait Interpolable: Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
+pub trait Interpolable:
+    Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self>
+{
+}
 
 impl<T: Copy + Default + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Interpolable for T {}
 
@@ -190,9 +193,12 @@ mod tests {
         let values = values.map(DVec3::from_array).to_vec();
         let time_function = TimeFunction::new("points", values, times, Curve::Spline).expect("a track");
         let step = 1e-4;
-        let speed = |time: f64| (time_function.at(time + step) - time_function.at(time - step)) / (2.0 * step);
-        let bend =
-            |time: f64| (time_function.at(time + step) + time_function.at(time - step) - 2.0 * time_function.at(time)) / step.powi(2);
+        let speed =
+            |time: f64| (time_function.at(time + step) - time_function.at(time - step)) / (2.0 * step);
+        let bend = |time: f64| {
+            (time_function.at(time + step) + time_function.at(time - step) - 2.0 * time_function.at(time))
+                / step.powi(2)
+        };
         for knot in [1.0, 1.5] {
             // Differences over 2e-4 see third derivatives, about 10, times 2e-4.
             let away = 1.5 * step;

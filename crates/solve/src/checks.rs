@@ -31,7 +31,7 @@ use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
 use crate::solution::powers::Powers;
-use crate::solution::{Band, SurfacePlace, Solution};
+use crate::solution::{Band, Solution, SurfacePlace};
 
 pub(crate) use balance::{Balance, BandLight};
 

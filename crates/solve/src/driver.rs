@@ -55,21 +55,21 @@ use radiosity_elements::mesh::Mesh;
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
-pub use light_method::LightMethod;
 use by_links::solve_by_links;
-pub use transport_choice::{TransportChoice, MOST_RAYS, Transport};
 pub use direct::Direct;
 pub use failure::Failure;
 pub use first_light::masked_light;
-pub use memory_reduction::MemoryReduction;
+pub use in_threads::in_threads;
 pub(crate) use layout::Layout;
+pub use light_method::LightMethod;
+pub use memory_reduction::MemoryReduction;
 pub use model::Model;
 pub use options::Options;
 pub use outcome::{Functional, Outcome, Stages};
-pub use in_threads::in_threads;
 pub use preconditioning::Preconditioning;
 pub use sampling::Sampling;
 pub(crate) use timed::timed;
+pub use transport_choice::{MOST_RAYS, Transport, TransportChoice};
 
 /// Solves `scene`.
 ///

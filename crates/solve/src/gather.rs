@@ -25,7 +25,7 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::reflected::Reflection;
 use radiosity_visibility::Visibility;
 
-use crate::solution::{SurfacePlace, Solution};
+use crate::solution::{Solution, SurfacePlace};
 use mean_radiosity::mean_radiosity;
 
 /// Tolerance of the first gathering over that of the second, which smooths its errors. Chosen; not tuned.

@@ -19,6 +19,6 @@ pub mod animation;
 pub mod view_factors;
 
 pub use driver::{
-    LightMethod, TransportChoice, Direct, Failure, MemoryReduction, Functional, MOST_RAYS, Model, Options, Outcome, Preconditioning,
-    Sampling, Stages, Transport, in_threads, solve,
+    Direct, Failure, Functional, LightMethod, MOST_RAYS, MemoryReduction, Model, Options, Outcome,
+    Preconditioning, Sampling, Stages, Transport, TransportChoice, in_threads, solve,
 };

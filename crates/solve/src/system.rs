@@ -312,7 +312,9 @@ impl<'a> System<'a> {
 
     /// √ρ_i G_ij √ρ_j for a block G_ij, row-major.
     fn halved<'b>(&self, [row, column]: [usize; 2], block: &'b [f64]) -> Cow<'b, [f64]> {
-        if let (SquareRoot::Number(_), SquareRoot::Number(_)) = (self.coating.square_root(row), self.coating.square_root(column)) {
+        if let (SquareRoot::Number(_), SquareRoot::Number(_)) =
+            (self.coating.square_root(row), self.coating.square_root(column))
+        {
             let root = (self.coating.reflectance[row] * self.coating.reflectance[column]).sqrt();
             return block.iter().map(|g| root * g).collect();
         }
@@ -351,7 +353,8 @@ impl<'a> System<'a> {
             let range = self.range(*i);
             let (own, others) = rest.split_at(range.len());
             rest = others;
-            let root = if self.coating.transmits() { SquareRoot::Number(1.0) } else { self.coating.square_root(*i) };
+            let root =
+                if self.coating.transmits() { SquareRoot::Number(1.0) } else { self.coating.square_root(*i) };
             root.multiply(own, &mut radiosity[range]);
         }
         radiosity

@@ -22,8 +22,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::known::KnownBlocks;
 use change::{Change, SceneState};
-pub(crate) use kept_rays::{KeptRays, KeptHit};
-use kept_rays::{MOST, ChangedSurfaces, RayCounts, ElementRays};
+use kept_rays::{ChangedSurfaces, ElementRays, MOST, RayCounts};
+pub(crate) use kept_rays::{KeptHit, KeptRays};
 
 /// Blocks and rays of earlier scenes. The scenes have the same surfaces in the same order, each here or
 /// there, and are solved with the same options.
@@ -149,7 +149,8 @@ impl KeptBlocks {
     fn forget_rays(&mut self, state: &SceneState, change: &Change) {
         self.sequences.retain(|_, sequence| sequence.scene == self.scenes);
         for sequence in self.sequences.values_mut() {
-            for ((rays, is_other), owner) in sequence.elements.iter_mut().zip(&change.elements).zip(state.owners())
+            for ((rays, is_other), owner) in
+                sequence.elements.iter_mut().zip(&change.elements).zip(state.owners())
             {
                 if *is_other || change.surfaces[owner] || change.starts[owner] {
                     *rays = ElementRays::default();

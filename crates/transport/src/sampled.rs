@@ -45,13 +45,13 @@ use radiosity_work::ranks::{PartName, Ranks, shares};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::kept_blocks::{KeptRays, KeptBlocks, KeptHit};
+use crate::kept_blocks::{KeptBlocks, KeptHit, KeptRays};
 pub(crate) use estimate::Fixed;
 use estimate::{Counted, Counts, Estimate};
+use exact_pairs::ExactPairs;
 use hit::{Hit, hit};
 pub use rays::Rays;
 use sender::{Departure, Sender};
-use exact_pairs::ExactPairs;
 use tally::{Sums, Tally, functions};
 
 /// Relative error of exact pairs, as far as it matters here. Chosen: the default accuracy of their blocks.
@@ -388,7 +388,13 @@ impl<'a> SampledTransport<'a> {
     }
 
     /// First hit of a ray: as known from the scene before, or else as traced.
-    fn first_hit(&self, element: usize, index: u64, departure: &Departure, sent: &mut SentRays) -> Option<Encounter> {
+    fn first_hit(
+        &self,
+        element: usize,
+        index: u64,
+        departure: &Departure,
+        sent: &mut SentRays,
+    ) -> Option<Encounter> {
         let (origin, direction) = (departure.node.position, departure.direction);
         let surface = self.elements.list()[element].surface;
         let found = || self.visibility.nearest_from(surface, origin, direction);

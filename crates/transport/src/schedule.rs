@@ -36,7 +36,7 @@ use radiosity_kernel::estimates::probing_rays::{Hidden, ProbingRays};
 use radiosity_kernel::rules::covering;
 use radiosity_kernel::{
     Accuracy, PairKind,
-    blocks::block::{BlockReport, Block},
+    blocks::block::{Block, BlockReport},
 };
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
@@ -255,7 +255,15 @@ impl Schedule<'_> {
         let estimate = if self.is_estimated { self.estimate(row, column) } else { 0.0 };
         let task = |entries, hash, blockers| {
             let own = self.visibility.hiding_themselves(surfaces, [&receiver.hull, &emitter.hull]);
-            Sorted::Task(Task { row: row as u32, column: column as u32, entries, estimate, hash, blockers, own })
+            Sorted::Task(Task {
+                row: row as u32,
+                column: column as u32,
+                entries,
+                estimate,
+                hash,
+                blockers,
+                own,
+            })
         };
         if row == column {
             return task([0.0, f64::INFINITY], None, blockers);
@@ -476,7 +484,8 @@ impl Schedule<'_> {
             _ => None,
         };
         let pairs: Vec<(usize, usize)> = sources.iter().enumerate().filter_map(own).collect();
-        let cost = |place: usize| integrated.report(place).block.samples + integrated.report(place).block.rays;
+        let cost =
+            |place: usize| integrated.report(place).block.samples + integrated.report(place).block.rays;
         let mean = pairs.iter().map(|(_, place)| cost(*place)).sum::<u64>() / pairs.len().max(1) as u64;
         let step = (pairs.len() / (pairs.len() / SAMPLED_SHARE).max(FEWEST_SAMPLED)).max(1);
         let sample: Vec<(usize, usize)> =

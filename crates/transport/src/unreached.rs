@@ -127,8 +127,7 @@ pub(crate) fn add(
     };
     if let Some(kept) = kept {
         let rays = batches.into_iter().map(SampledTransport::into_kept).enumerate();
-        rays
-            .filter_map(|(batch, rays)| Some((batch, rays?)))
+        rays.filter_map(|(batch, rays)| Some((batch, rays?)))
             .for_each(|(batch, rays)| kept.put_rays(batch, rays, work.ranks));
     }
     blocks.rays += sent;

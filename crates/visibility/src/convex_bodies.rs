@@ -192,7 +192,9 @@ impl Body {
     /// Its edges.
     pub(super) fn blocker_edges(&self) -> impl Iterator<Item = BlockerEdge> {
         let face = |face: usize| (self.planes[face].point, self.planes[face].outward);
-        self.edges.iter().map(move |edge| BlockerEdge { ends: edge.ends, faces: edge.between.map(face).into() })
+        self.edges
+            .iter()
+            .map(move |edge| BlockerEdge { ends: edge.ends, faces: edge.between.map(face).into() })
     }
 
     /// The shadow volume of the body from `x`; None where x is not outside, and each face hides by itself.

@@ -88,7 +88,12 @@ impl Visibility {
     pub fn blocker_edges(&self, surface: usize) -> Vec<BlockerEdge> {
         match self.bodies.of(surface) {
             Some(body) => body.blocker_edges().collect(),
-            None => self.pieces(surface).into_iter().flatten().flat_map(|piece| BlockerEdge::all_of(piece)).collect(),
+            None => self
+                .pieces(surface)
+                .into_iter()
+                .flatten()
+                .flat_map(|piece| BlockerEdge::all_of(piece))
+                .collect(),
         }
     }
 }

@@ -32,8 +32,8 @@ use crate::interruption::check_interrupt;
 use bytes::{decoded, encoded};
 use comm::Comm;
 use journal::{Begin, Journal, JournalError, RecordedPart};
-pub use part_name::PartName;
 use machine_share::MachineShare;
+pub use part_name::PartName;
 use traffic::Counter;
 pub use traffic::Traffic;
 

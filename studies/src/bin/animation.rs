@@ -23,7 +23,7 @@ use cpu_time::ProcessTime;
 
 use radiosity::Work;
 use radiosity::scene::Scene;
-use radiosity::solve::animation::follower::{Follower, FollowMode};
+use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::{Direct, Options, Transport};
 use radiosity::transport::RayCounts;

@@ -28,7 +28,7 @@ use radiosity::reading::reader::ReadMode;
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::Options;
-use radiosity::solve::animation::follower::{Follower, FollowMode};
+use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::visibility::Visibility;
 
 /// The films that the command line asks for.

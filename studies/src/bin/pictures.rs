@@ -24,7 +24,7 @@ use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Camera;
 use radiosity::solve::gather::gather_method::GatherMethod;
-use radiosity::solve::solution::{SurfacePlace, Solution};
+use radiosity::solve::solution::{Solution, SurfacePlace};
 use radiosity::solve::{Options, solve};
 use radiosity::visibility::Visibility;
 

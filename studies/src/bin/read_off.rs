@@ -64,7 +64,11 @@ fn ways() -> Vec<Way> {
     let usual = Quality::Default.reading();
     let reads = |reads: &[ReadMode]| reads.iter().map(|read| ReadSettings { read: *read, ..usual }).collect();
     let preset = |name, quality: Quality| {
-        let more = if quality == Quality::Default { reads(&[ReadMode::Direct, ReadMode::Basis]) } else { Vec::new() };
+        let more = if quality == Quality::Default {
+            reads(&[ReadMode::Direct, ReadMode::Basis])
+        } else {
+            Vec::new()
+        };
         Way { name, options: quality.options(), readings: [vec![quality.reading()], more].concat() }
     };
     let cells = NonZeroUsize::new(40).expect("40 is not zero");

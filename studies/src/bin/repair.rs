@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use glam::DVec3;
 use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
-use radiosity_formats::repair::{RepairKind, Options, repair};
+use radiosity_formats::repair::{Options, RepairKind, repair};
 
 /// Boxes, of six faces each.
 const BOXES: usize = 16_667;

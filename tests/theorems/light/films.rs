@@ -6,7 +6,7 @@ use radiosity::reading::pictures::render::render;
 use radiosity::reading::reader::ReadMode;
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Scene;
-use radiosity::solve::animation::follower::{Follower, FollowMode};
+use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::{Options, Transport};
 use radiosity::visibility::Visibility;
 use radiosity_test_support::scenes::typed;

@@ -85,8 +85,15 @@ fn two_sided_panels_are_seen_from_both_sides() {
         let outcome = solved(&scene, 1e-3);
         let camera = scene.camera.clone().expect("there is a camera");
         let visibility = Visibility::new(&scene, Shadows::Off);
-        let image =
-            render(&outcome.solution, &visibility, &camera, 1, ReadMode::Basis, Quantity::Radiosity, &Work::alone());
+        let image = render(
+            &outcome.solution,
+            &visibility,
+            &camera,
+            1,
+            ReadMode::Basis,
+            Quantity::Radiosity,
+            &Work::alone(),
+        );
         assert!(image.pixels().all(|pixel| *pixel == [1.0]), "the panel fills the picture");
     }
 }

@@ -113,7 +113,9 @@ fn means_over_cells_are_those_of_the_closed_form() {
     let scene = floor(half, lamp(Distribution::Power { exponent: 1.0 }, h, peak)).build().expect("a scene");
     let outcome = outcome_of(&scene, &Options::default());
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
-    for (read, by, error) in [(ReadMode::Direct, GatherMethod::Cells, 1e-5), (ReadMode::Gather, GatherMethod::Rays, 3e-3)] {
+    for (read, by, error) in
+        [(ReadMode::Direct, GatherMethod::Cells, 1e-5), (ReadMode::Gather, GatherMethod::Rays, 3e-3)]
+    {
         let reader = Reader::by(by, &outcome.solution, &visibility, read, 1e-3);
         for cell in grid(&reader, [8, 8], Rates::default(), &Work::alone()) {
             // The mean by a Gauss rule of 3 × 3 points on 4 × 4 parts.
@@ -233,8 +235,8 @@ fn a_cosine_spot_is_the_limit_of_a_small_diffuse_emitter() {
     let panel = "[[surfaces]]\nmaterial = \"lamp\"\nflux = 1000\n\
         parallelogram = { origin = [1.995, 1.995, 2.2], edge1 = [0, 0.01, 0], edge2 = [0.01, 0, 0] }\n";
     let options = Options { shadow_eps: 3e-4, direct: Direct::Split, ..Options::default() };
-    let [spot, panel] =
-        [spot, panel].map(|more| readings(&room(0.5, more), &options, ReadMode::GatherTwice, GatherMethod::Cells, 1e-4));
+    let [spot, panel] = [spot, panel]
+        .map(|more| readings(&room(0.5, more), &options, ReadMode::GatherTwice, GatherMethod::Cells, 1e-4));
     for (spot, panel) in spot.iter().zip(&panel) {
         assert!((spot - panel).abs() < 2e-3 * panel, "{spot} {panel}");
     }
@@ -247,7 +249,9 @@ fn readings_by_cells_and_by_rays_agree_however_light_entered() {
     let exact = readings(&scene, &fine, ReadMode::GatherTwice, GatherMethod::Cells, 1e-4);
     let sampled = Options { transport: Transport::Sampled, ..Options::default() };
     let projected = Options { direct: Direct::Projected, ..Options::default() };
-    for (options, by) in [(&fine, GatherMethod::Rays), (&sampled, GatherMethod::Rays), (&projected, GatherMethod::Cells)] {
+    for (options, by) in
+        [(&fine, GatherMethod::Rays), (&sampled, GatherMethod::Rays), (&projected, GatherMethod::Cells)]
+    {
         let found = readings(&scene, options, ReadMode::Gather, by, 1e-3);
         let close = found.iter().zip(&exact).all(|(found, exact)| (found - exact).abs() < 0.015 * exact);
         assert!(close, "{by:?} {:?}: {found:?}, not {exact:?}", options.direct);

@@ -266,7 +266,8 @@ sphere = { center = [1.5,1.5,1.0], radius = 0.2 }
     let Taken { outcome, visibility, scene, raster } = taken(scene, 1);
     let camera = scene.camera.clone().expect("a camera");
     let read = ReadMode::Basis;
-    let smooth = render(&outcome.solution, &visibility, &camera, 1, read, Quantity::Irradiance, &Work::alone());
+    let smooth =
+        render(&outcome.solution, &visibility, &camera, 1, read, Quantity::Irradiance, &Work::alone());
     let [direct, basis] = [&raster, &smooth].map(|own| own.pixels().map(|pixel| pixel[0]).sum::<f64>());
     assert!((direct - basis).abs() < 0.03 * basis, "{direct} {basis}");
 }

@@ -131,11 +131,21 @@ fn parallel_squares_give_the_published_errors() {
     assert_shown(by_paper(ceiling(1.0), &exact, 4, 6, PaperRules::Legendre), ".04", "the paper's own number");
     let exact = under_ceiling(0.3);
     row(ceiling(0.3), &exact, 1, PaperRules::Legendre, "546 78.4 16.5 6.57 1.61 .613 .195 .113 .0231 .0152");
-    row(ceiling(0.3), &exact, 2, PaperRules::Legendre, "78.4 26.9 6.57 3.37 .613 .458 .113 .0930 .0152 .0139");
+    row(
+        ceiling(0.3),
+        &exact,
+        2,
+        PaperRules::Legendre,
+        "78.4 26.9 6.57 3.37 .613 .458 .113 .0930 .0152 .0139",
+    );
     let exact = under_ceiling(0.1);
     row(ceiling(0.1), &exact, 1, PaperRules::Legendre, "3919 907 371 194 108 65.3 40.7 26.1 16.9 11.0");
     row(ceiling(0.1), &exact, 2, PaperRules::Legendre, "907 404 194 111 65.3 41.1 26.1 16.93 11.0 7.25");
-    assert_shown(by_paper(ceiling(0.1), &exact, 7, 9, PaperRules::Legendre), "16.9", "the paper's own number");
+    assert_shown(
+        by_paper(ceiling(0.1), &exact, 7, 9, PaperRules::Legendre),
+        "16.9",
+        "the paper's own number",
+    );
 }
 
 #[test]

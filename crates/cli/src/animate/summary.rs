@@ -3,6 +3,7 @@
 use radiosity_reading::accuracy_warning::missed;
 use radiosity_solve::animation::sequence_report::SequenceReport;
 use radiosity_solve::animation::follower::Follower;
+use radiosity_solve::animation::sequence_report::SequenceReport;
 use radiosity_transport::RayCounts;
 
 /// Lines on so many frames that were made in so many seconds: one on their cost, and one for each warning.

@@ -5,8 +5,8 @@ use std::sync::{Arc, OnceLock};
 use radiosity_geom::Surface;
 use radiosity_scene::Pattern;
 
-use super::square_root::square_root;
 use super::element_pattern::ElementPattern;
+use super::square_root::square_root;
 use crate::element::Element;
 
 /// The reflectance ρ(x) of an element, with S_kl = ∫ ρ φ_k φ_l dA, by which coefficients of irradiance become

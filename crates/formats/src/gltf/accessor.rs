@@ -7,8 +7,8 @@ use std::rc::Rc;
 
 use glam::DVec3;
 use radiosity_photometry::fault::Fault;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::Located;
 use radiosity_photometry::text::short;
 
 use super::json::Json;
@@ -163,7 +163,12 @@ impl<'a, 'b> Accessors<'a, 'b> {
     }
 
     /// The numbers of an accessor that is named at `from`.
-    pub(super) fn data(&mut self, index: usize, kind: NumberUse, from: FilePlace) -> Result<Rc<Data<'b>>, Located> {
+    pub(super) fn data(
+        &mut self,
+        index: usize,
+        kind: NumberUse,
+        from: FilePlace,
+    ) -> Result<Rc<Data<'b>>, Located> {
         if let Some(data) = self.known.get(&(index, kind)) {
             return Ok(Rc::clone(data));
         }

@@ -1,8 +1,8 @@
 //! GLB: a header of 12 bytes, a chunk of JSON, and a chunk of binary data (section 4.4). A file without that
 //! header is the JSON itself.
 
-use radiosity_photometry::located::Located;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::Located;
 
 const MAGIC: &[u8] = b"glTF";
 const JSON: u32 = 0x4E4F_534A;
@@ -45,7 +45,11 @@ pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, Located> {
     }
     let (kind, json, next) = chunk(bytes, 12)?;
     if kind != JSON {
-        return Err(Located::new(FilePlace::Byte(16), "the first chunk is not JSON", "export the model again"));
+        return Err(Located::new(
+            FilePlace::Byte(16),
+            "the first chunk is not JSON",
+            "export the model again",
+        ));
     }
     let mut binary = None;
     if next < length {

@@ -1,7 +1,7 @@
 //! JSON whose parts know where they stand.
 
-use radiosity_photometry::located::Located;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::Located;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use radiosity_photometry::located::Located;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::Located;
 use serde_json::value::RawValue;
 
 use super::json::Json;

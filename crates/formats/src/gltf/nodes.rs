@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
 use radiosity_photometry::fault::Fault;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::Located;
 use serde_json::value::RawValue;
 
 use super::accessor::{Accessors, Data, NumberUse};

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use radiosity_photometry::note::Note;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::note::Note;
 
 use super::element::Element;
 

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 use radiosity_photometry::fault::Fault;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::Located;
 use radiosity_photometry::text::{number, short};
 
 use super::statements::split;

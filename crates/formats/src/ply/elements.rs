@@ -1,8 +1,8 @@
 //! Vertices and faces of a PLY.
 
 use glam::DVec3;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::Located;
 
 use super::header::{Element, Header, Property};
 use super::numbers::Numbers;

@@ -1,8 +1,8 @@
 //! The header of a PLY: how what follows is encoded, and the elements with their properties.
 
 use radiosity_photometry::fault::Fault;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::Located;
 use radiosity_photometry::text::short;
 
 /// Encoding of the elements behind the header.

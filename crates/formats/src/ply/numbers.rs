@@ -1,8 +1,8 @@
 //! The numbers behind the header of a PLY, as words or as bits.
 
 use radiosity_photometry::fault::Fault;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::Located;
 use radiosity_photometry::text::short;
 
 use super::header::Scalar;
@@ -71,7 +71,11 @@ impl Numbers for Words<'_> {
     fn number(&mut self, _scalar: Scalar) -> Result<f64, Located> {
         let word = self.word()?;
         word.parse().map_err(|_| {
-            Located::new(FilePlace::Line(self.line), format!("'{}' is no number", short(word)), "write a number")
+            Located::new(
+                FilePlace::Line(self.line),
+                format!("'{}' is no number", short(word)),
+                "write a number",
+            )
         })
     }
 

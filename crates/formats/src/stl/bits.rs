@@ -2,8 +2,8 @@
 //! and a word that programs use for colours; little-endian.
 
 use glam::DVec3;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::Located;
 
 use crate::mesh::{Coat, Mesh};
 use crate::model::Sides;

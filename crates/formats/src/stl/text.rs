@@ -3,8 +3,8 @@
 use glam::DVec3;
 use radiosity_fit::outline::area_vector;
 use radiosity_photometry::fault::Fault;
-use radiosity_photometry::located::{Located, decoded};
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::located::{Located, decoded};
 use radiosity_photometry::text::{number, short};
 
 use crate::mesh::{Coat, Mesh};

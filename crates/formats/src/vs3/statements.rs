@@ -224,7 +224,9 @@ fn surface(
 
 fn missing(what: &str, kind: SurfaceRole) -> Fault {
     let cure = match kind {
-        SurfaceRole::Obstruction => "write O, its number, four vertices (the fourth 0 for a triangle) and a name",
+        SurfaceRole::Obstruction => {
+            "write O, its number, four vertices (the fourth 0 for a triangle) and a name"
+        }
         _ => {
             "write the letter, its number, four vertices (the fourth 0 for a triangle) or R, Q or T, its base (0 for \
              none), the surface it is combined with (0 for none), its emittance and a name"

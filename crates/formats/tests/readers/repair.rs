@@ -3,13 +3,19 @@
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
-use radiosity_formats::repair::{RepairKind, Options, Repairs, refusal, repair};
+use radiosity_formats::repair::{Options, RepairKind, Repairs, refusal, repair};
 use radiosity_geom::PlanarRegion;
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_test_support::random::seeded;
 
 fn surface(name: &str, shape: Shape) -> Surface {
-    Surface { name: name.into(), material: Some(0), shape, sides: Sides::Front, place: Some(FilePlace::Line(1)) }
+    Surface {
+        name: name.into(),
+        material: Some(0),
+        shape,
+        sides: Sides::Front,
+        place: Some(FilePlace::Line(1)),
+    }
 }
 
 fn polygon(points: &[[f64; 3]]) -> Shape {

@@ -54,9 +54,10 @@ pub fn classify(p: &Patch, q: &Patch, tolerance: f64) -> CurvedContact {
         return CurvedContact::Cut(cuts);
     }
     match shared[..] {
-        [(i, j)] => {
-            CurvedContact::Vertex(p.oriented(i, (i + 1) % corners_p.len()), q.oriented(j, (j + 1) % corners_q.len()))
-        }
+        [(i, j)] => CurvedContact::Vertex(
+            p.oriented(i, (i + 1) % corners_p.len()),
+            q.oriented(j, (j + 1) % corners_q.len()),
+        ),
         [(i, j), (k, l)] if neighbours(i, k, corners_p.len()) && neighbours(j, l, corners_q.len()) => {
             edge(p.oriented(i, k), q.oriented(j, l), tolerance).unwrap_or(CurvedContact::Apart(0.0))
         }

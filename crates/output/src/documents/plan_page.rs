@@ -5,7 +5,7 @@ use radiosity_scene::{Scene, SensorPlane};
 use crate::drawings::false_colour::{FalseColours, false_colour};
 use crate::drawings::legend::Legend;
 use crate::drawings::lettering::Lettering;
-use crate::drawings::tick::Tick;
+use crate::drawings::nice_numbers::multiples;
 use crate::drawings::picture::{Colour, Picture};
 use crate::drawings::plan::Plan;
 use crate::drawings::nice_numbers::multiples;

@@ -18,9 +18,9 @@ use radiosity_solve::solved::Solved;
 use crate::pictures::image::Image;
 use crate::pictures::tessellation::tessellation;
 use first_view::first_view;
+pub use first_view_settings::{FirstViewColours, FirstViewSettings};
 use header::Header;
 use packing::Packed;
-pub use first_view_settings::{FirstViewSettings, FirstViewColours};
 
 /// Most values of light, over all texels, parts and bands, of two bytes each. Chosen: the page stays below 3
 /// MB even where they cannot be compressed.

@@ -2,7 +2,6 @@
 
 use super::isolines::Isoline;
 use super::labelled_isolines::LabelledIsolines;
-use super::tick::Tick;
 use super::picture::Picture;
 use super::scale::Scale;
 use radiosity_reading::field::Field;

@@ -7,8 +7,8 @@
 use super::isolines::Isoline;
 use super::label::Label;
 use super::picture::{Colour, Picture};
-use super::stroke::Stroke;
 use super::polyline::Polyline;
+use super::stroke::Stroke;
 
 const INK: Colour = [0; 3];
 const CASING: Colour = [255; 3];
@@ -47,7 +47,8 @@ struct LabelledIsoline {
 impl LabelledIsolines {
     /// Adds the lines of one value, which is told by `text`.
     pub(super) fn add(&mut self, lines: &[Isoline], text: &str) {
-        let labelled = |line: &Isoline| LabelledIsoline { line: line.smoothed(EVENED), text: text.to_owned() };
+        let labelled =
+            |line: &Isoline| LabelledIsoline { line: line.smoothed(EVENED), text: text.to_owned() };
         self.lines.extend(lines.iter().map(labelled));
     }
 
@@ -90,8 +91,10 @@ struct PlacedLabel<'a> {
 
 impl<'a> LabelMap<'a> {
     fn new(lines: &'a [LabelledIsoline], size: f64, extent: [f64; 2]) -> Self {
-        let drawn =
-            |labelled: &'a LabelledIsoline| DrawnIsoline { polyline: Polyline::new(&labelled.line.points), text: &labelled.text };
+        let drawn = |labelled: &'a LabelledIsoline| DrawnIsoline {
+            polyline: Polyline::new(&labelled.line.points),
+            text: &labelled.text,
+        };
         let mut isolines: Vec<DrawnIsoline> = lines.iter().map(drawn).collect();
         isolines.retain(|isoline| isoline.polyline.length() > SHORTEST * size);
         isolines.sort_by(|a, b| b.polyline.length().total_cmp(&a.polyline.length()));
@@ -122,12 +125,13 @@ impl<'a> LabelMap<'a> {
         }
         let most = ((0.5 * (to - from) - half) / STEP) as usize;
         let lengths = (0..=most).flat_map(|k| [middle + STEP * k as f64, middle - STEP * k as f64]);
-        lengths.filter_map(|length| {
-            let gap = [length - half, length + half];
-            let label = self.label_at(line, gap)?;
-            self.is_free(line, &label).then_some(PlacedLabel { line, gap, label })
-        })
-        .next()
+        lengths
+            .filter_map(|length| {
+                let gap = [length - half, length + half];
+                let label = self.label_at(line, gap)?;
+                self.is_free(line, &label).then_some(PlacedLabel { line, gap, label })
+            })
+            .next()
     }
 
     /// The text along the piece of a line, if that is about straight.

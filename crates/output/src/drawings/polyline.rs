@@ -38,8 +38,11 @@ impl<'a> Polyline<'a> {
 
     /// The piece between two lengths along it.
     pub(crate) fn between(&self, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
-        let inner =
-            self.points.iter().zip(&self.lengths).filter(|(_, length)| (from..to).contains(*length) && **length > from);
+        let inner = self
+            .points
+            .iter()
+            .zip(&self.lengths)
+            .filter(|(_, length)| (from..to).contains(*length) && **length > from);
         let inner = inner.map(|(point, _)| *point);
         std::iter::once(self.at(from)).chain(inner).chain([self.at(to)]).collect()
     }

@@ -2,9 +2,9 @@
 
 use colorous::Gradient;
 
-use super::tick::Tick;
-use super::picture::Colour;
 use super::nice_numbers::{multiples, ratios};
+use super::picture::Colour;
+use super::tick::Tick;
 
 /// A range of numbers mapped to perceptually uniform colours; numbers outside take the colours of the ends.
 #[derive(Clone, Copy, Debug)]

@@ -69,7 +69,11 @@ fn open_pieces(region: &PlanarRegion, covered_parts: &[&CoveredPart]) -> Vec<Vec
     match PlanarRegion::new(region.outer().to_vec(), holes) {
         Ok(open) => open.convex_pieces().to_vec(),
         // Covered parts that reach the border, or lie beside each other, are no holes.
-        Err(_) => covered_parts::without(region.convex_pieces().to_vec(), covered_parts.iter().copied(), region.normal()),
+        Err(_) => covered_parts::without(
+            region.convex_pieces().to_vec(),
+            covered_parts.iter().copied(),
+            region.normal(),
+        ),
     }
 }
 

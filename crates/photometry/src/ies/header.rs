@@ -2,8 +2,8 @@
 
 use super::edition::Edition;
 use crate::fault::Fault;
-use crate::located::Located;
 use crate::file_place::FilePlace;
+use crate::located::Located;
 use crate::text::short;
 
 /// The header of a file, and where its numbers begin.

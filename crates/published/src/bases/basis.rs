@@ -13,7 +13,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use radiosity_elements::basis::HIGHEST_ORDER;
-use radiosity_elements::mesh::{Mesh, CellRefinement, Tree};
+use radiosity_elements::mesh::{CellRefinement, Mesh, Tree};
 use radiosity_elements::space::Space;
 use radiosity_elements::{Discretization, usual_mesh};
 use radiosity_geom::Rect;

@@ -47,7 +47,8 @@ pub fn solve_hierarchically(
     }
     let shapes = bare_shapes(scene);
     let whole = scene.surfaces.iter().map(|surface| surface.shape.clone()).collect();
-    let mut run = HierarchyRun { scene, options, obstacles: RayTree::new(whole), links: Vec::new(), dropped: 0 };
+    let mut run =
+        HierarchyRun { scene, options, obstacles: RayTree::new(whole), links: Vec::new(), dropped: 0 };
     let mut tree = Tree::new(shapes);
     let mut light = run.emitted(&tree);
     let mut solved = None;

@@ -31,7 +31,7 @@ use std::io::{self, Write};
 use radiosity_elements::Element;
 use radiosity_elements::parameters::parameters;
 use radiosity_scene::Scene;
-use radiosity_solve::solution::{SurfacePlace, Solution};
+use radiosity_solve::solution::{Solution, SurfacePlace};
 
 use cell::{Cell, Corner};
 pub use error::VtuError;

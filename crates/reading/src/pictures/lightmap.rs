@@ -40,6 +40,7 @@ use serde::{Deserialize, Serialize};
 
 use super::frame_light::FrameLight;
 use super::frame_light::eye::SeenPlace;
+use super::frame_light::forecast::seconds;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::PictureLight;
 use super::frame_light::forecast::seconds;
@@ -109,7 +110,8 @@ impl Lightmap {
     /// has two along each parameter at the least, a curved one nine. About how long that takes is told first.
     pub fn new(solved: &Solved, read: ReadMode, texels: usize, work: &Work<'_>) -> Self {
         let solution = &solved.outcome.solution;
-        let (parts, alone): (Vec<LightmapPart>, Vec<Solution>) = parts(&solved.scene, solution).into_iter().unzip();
+        let (parts, alone): (Vec<LightmapPart>, Vec<Solution>) =
+            parts(&solved.scene, solution).into_iter().unzip();
         let (parts, solutions) = match parts.is_empty() {
             true => (vec![LightmapPart { group: None, factor: 1.0 }], vec![solution]),
             false => (parts, alone.iter().collect()),

@@ -17,13 +17,12 @@ use serde::{Deserialize, Serialize};
 
 use super::frame_light::FrameLight;
 use super::frame_light::eye::Eye;
+use super::frame_light::forecast::{INTERPOLATED, seconds};
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::{AVERAGED, PictureLight};
-use super::frame_light::smooth::COARSEST;
 use super::frame_light::pixel_count::PixelCount;
-use super::frame_light::forecast::{INTERPOLATED, seconds};
+use super::frame_light::smooth::COARSEST;
 use super::pinhole::Pinhole;
-use super::raster::Raster;
 use super::pixel_samples::PixelSamples;
 pub use crate::reader::ReadMode;
 use crate::quantity::Quantity;

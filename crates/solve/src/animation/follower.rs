@@ -5,12 +5,12 @@ use radiosity_work::Work;
 
 use crate::driver::Options;
 
-use super::sequence_report::SequenceReport;
-use super::path_interpolation::PathInterpolation;
+use super::break_even::BreakEven;
 use super::error::AnimationError;
 use super::frame::Frame;
-use super::break_even::BreakEven;
+use super::path_interpolation::PathInterpolation;
 use super::sequence::Sequence;
+use super::sequence_report::SequenceReport;
 
 /// Ways in which the light of one frame follows from that of others.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +55,9 @@ impl<'a> Follower<'a> {
         let source = match mode {
             FollowMode::Fresh => FrameSource::Frames(Sequence::fresh(scene, options)),
             FollowMode::Selective => FrameSource::Frames(Sequence::new(scene, options)),
-            FollowMode::Series { tolerance } => FrameSource::Frames(Sequence::by_series(scene, options, tolerance)),
+            FollowMode::Series { tolerance } => {
+                FrameSource::Frames(Sequence::by_series(scene, options, tolerance))
+            }
             FollowMode::Path { tolerance } => {
                 FrameSource::Path(PathInterpolation::new(Sequence::new(scene, options), frames, tolerance))
             }

@@ -32,11 +32,11 @@ use radiosity_work::Work;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 
-use super::sequence_report::SequenceReport;
 use super::chebyshev;
 use super::error::AnimationError;
 use super::frame::Frame;
 use super::sequence::Sequence;
+use super::sequence_report::SequenceReport;
 
 /// Numbers of intervals between the points of a segment.
 const LEVELS: [usize; 3] = [4, 8, 16];

@@ -10,15 +10,15 @@ use std::mem;
 use std::sync::Arc;
 
 use radiosity_published::expansions::{Expansions, ORDERS, SeriesCounts, known};
-use radiosity_scene::{Scene, FrameScenes};
+use radiosity_scene::{FrameScenes, Scene};
 use radiosity_transport::{KeptBlocks, RayCounts};
 use radiosity_work::Work;
 
 use crate::driver::{Failure, Layout, Model, Options};
 
-use super::sequence_report::SequenceReport;
 use super::error::AnimationError;
 use super::frame::Frame;
+use super::sequence_report::SequenceReport;
 use crate::animation::series_error::series_error;
 
 /// The frames of a scene that moves.

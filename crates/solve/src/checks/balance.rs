@@ -50,7 +50,9 @@ impl Balance {
             let exitance = coating.emitted(&self.starts, &self.ones);
             let scattered = coating.reflected(&self.starts, irradiance);
             let beside = match entry {
-                DirectLightEntry::Split(Bounce { direct, .. }) => coating.reflected(&self.starts, &direct[index]),
+                DirectLightEntry::Split(Bounce { direct, .. }) => {
+                    coating.reflected(&self.starts, &direct[index])
+                }
                 _ => Vec::new(),
             };
             for (k, (one, lost)) in self.ones.iter().zip(&self.lost).enumerate() {

@@ -7,15 +7,15 @@ use radiosity_solvers::Step;
 use radiosity_solvers::method::Method;
 use radiosity_work::{Progress, Work};
 
-use crate::system::ritz::{RitzSolution, Ritz};
+use crate::system::ritz::{Ritz, RitzSolution};
 use crate::system::{Coefficients, System};
 
-use super::solve_band::{SolveCost, solve_band};
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::EnteringLight;
 use super::options::Options;
 use super::outcome::Functional;
+use super::solve_band::{SolveCost, solve_band};
 
 /// The data from which the light of all bands follows.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +75,12 @@ impl BandSystems<'_> {
     }
 
     /// The light of each emission that was reflected so many times at the most.
-    pub(super) fn bounced(&self, emissions: &[Emission], first: &[EnteringLight], bounces: usize) -> SolvedLight {
+    pub(super) fn bounced(
+        &self,
+        emissions: &[Emission],
+        first: &[EnteringLight],
+        bounces: usize,
+    ) -> SolvedLight {
         let dark = || emissions.iter().map(|_| Vec::new()).collect::<Vec<Vec<Coefficients>>>();
         let (mut light, mut before) = (dark(), (bounces > 0).then(dark));
         for band in 0..self.names.len() {
@@ -91,7 +96,12 @@ impl BandSystems<'_> {
     }
 
     /// The systems of a band, one for each emission.
-    fn systems<'a>(&'a self, band: usize, emissions: &'a [Emission], first: &[EnteringLight]) -> Vec<Ritz<'a>> {
+    fn systems<'a>(
+        &'a self,
+        band: usize,
+        emissions: &'a [Emission],
+        first: &[EnteringLight],
+    ) -> Vec<Ritz<'a>> {
         let system = |(emission, first): (&'a Emission, &EnteringLight)| {
             let coating = (band, &emission.coatings[band]);
             Ritz::new(System::entered(self.elements, self.blocks, coating, &first.entry), self.subspace)

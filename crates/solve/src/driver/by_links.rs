@@ -16,13 +16,13 @@ use radiosity_solvers::method::{Access, Method};
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress, Stage, Work};
 
-use super::transport_choice::TransportChoice;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::options::Options;
 use super::outcome::{Outcome, Stages};
 use super::timed::timed;
-use crate::checks::{Balance, Checks, BandLight};
+use super::transport_choice::TransportChoice;
+use crate::checks::{Balance, BandLight, Checks};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;

@@ -16,9 +16,9 @@ use radiosity_scene::Scene;
 use radiosity_transport::price::{ElementPair, LEAST, price};
 use radiosity_visibility::{Hiding, Visibility};
 
-use super::transport_choice::{TransportChoice, Transport, USUAL_ACCURACY, usual_rays};
 use super::options::Options;
 use super::outline::Outline;
+use super::transport_choice::{Transport, TransportChoice, USUAL_ACCURACY, usual_rays};
 
 /// Exact blocks are made where they cost no more than the usual rays this often at the default accuracy: to
 /// their error, so many would be needed. Measured in the temple (10), the teapot (1) and the Cornell box

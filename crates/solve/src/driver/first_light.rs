@@ -93,7 +93,8 @@ impl FirstLight {
 
     /// The first light of `emissions` where it is known whether direct light is masked or split off.
     pub(super) fn as_split(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, is_split: bool) -> Self {
-        let sources = emissions.iter().map(|emission| EmissionLight::of(lit_scene, emission, is_split)).collect();
+        let sources =
+            emissions.iter().map(|emission| EmissionLight::of(lit_scene, emission, is_split)).collect();
         Self { is_split, emissions, sources }
     }
 
@@ -134,7 +135,9 @@ impl EmissionLight {
         let entry = match &self.direct {
             DirectEntry::Carried => DirectLightEntry::Carried,
             DirectEntry::Lit(lit) => DirectLightEntry::Lit(lit.clone()),
-            DirectEntry::Split(bounce) => DirectLightEntry::Split(bounce.repainted(&old.list(), &new.list())?),
+            DirectEntry::Split(bounce) => {
+                DirectLightEntry::Split(bounce.repainted(&old.list(), &new.list())?)
+            }
         };
         Some(EnteringLight { masked: self.masked.clone(), entry })
     }

@@ -7,8 +7,8 @@ use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 
 use super::assembly::ground;
-use super::transport_choice::TransportChoice;
 use super::options::Options;
+use super::transport_choice::TransportChoice;
 
 /// The carrier of the pairs of a scene, and the cuts of its surfaces. Scenes that differ only in the places
 /// of some things share a layout: what carries the light of things that turn does not depend on how they

@@ -8,8 +8,8 @@ use radiosity_solvers::method::Method;
 use radiosity_work::ranks::Ranks;
 
 use super::failure::Failure;
-use super::memory_reduction::MemoryReduction;
 use super::memory_estimate::MemoryEstimate;
+use super::memory_reduction::MemoryReduction;
 use super::options::Options;
 
 /// A run as far as its memory goes.

@@ -21,24 +21,24 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set};
 use radiosity_work::{Progress, Stage, Work};
 
-use crate::checks::{Balance, Checks, BandLight};
+use crate::checks::{Balance, BandLight, Checks};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
 
-use super::memory_need::{MemoryNeed, peak_of_mesh, require_memory_of_mesh};
 use super::assembly::{carried, ground};
-use super::band_systems::{SolvedLight, BandSystems};
-use super::transport_choice::TransportChoice;
+use super::band_systems::{BandSystems, SolvedLight};
 use super::direct::Direct;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::{EnteringLight, FirstLight, LitScene};
 use super::layout::Layout;
+use super::memory_need::{MemoryNeed, peak_of_mesh, require_memory_of_mesh};
 use super::options::Options;
 use super::outcome::{Outcome, Stages};
 use super::sampling::{Sampling, Subject};
 use super::timed::timed;
+use super::transport_choice::TransportChoice;
 
 /// The elements of a scene and the blocks between them.
 ///
@@ -82,7 +82,9 @@ impl Model {
     /// started.
     pub fn assemble(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Self, Failure> {
         let choice = TransportChoice::of(scene, options);
-        options.in_threads(work.ranks, || Self::assembled(scene, options, AssemblyPlan::of(choice), None, work))?
+        options.in_threads(work.ranks, || {
+            Self::assembled(scene, options, AssemblyPlan::of(choice), None, work)
+        })?
     }
 
     /// A model of this layout; what `kept` holds of earlier scenes, which differ in the places of some
@@ -97,7 +99,8 @@ impl Model {
         kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        let plan = AssemblyPlan { choice: layout.choice.clone(), how: Some(layout.how), mesh: Some(&layout.mesh) };
+        let plan =
+            AssemblyPlan { choice: layout.choice.clone(), how: Some(layout.how), mesh: Some(&layout.mesh) };
         options.in_threads(work.ranks, || Self::assembled(scene, options, plan, kept, work))?
     }
 
@@ -119,7 +122,10 @@ impl Model {
         mesh: Option<&Mesh>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        let plan = AssemblyPlan { mesh, ..AssemblyPlan::of(TransportChoice { sampled: false, why: why.to_owned() }) };
+        let plan = AssemblyPlan {
+            mesh,
+            ..AssemblyPlan::of(TransportChoice { sampled: false, why: why.to_owned() })
+        };
         options.in_threads(work.ranks, || Self::assembled(scene, options, plan, None, work))?
     }
 
@@ -152,8 +158,7 @@ impl Model {
                 (MemoryNeed { scene, how, options, rays, is_kept, ranks: work.ranks }).require()?;
             }
         }
-        let before =
-            kept.as_ref().and_then(|kept| kept.elements()).filter(|_| options.kernel.is_none());
+        let before = kept.as_ref().and_then(|kept| kept.elements()).filter(|_| options.kernel.is_none());
         let elements = timed(&mut seconds.elements, || match before {
             Some(before) => before.moved(scene),
             None => options.elements(scene, &how, mesh),
@@ -162,7 +167,8 @@ impl Model {
         let elements = Arc::new(elements);
         work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
         let emissions = Emission::all(scene, elements.list());
-        let lit_scene = LitScene { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
+        let lit_scene =
+            LitScene { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
         let by_rules = options.kernel.is_none() && !choice.sampled;
         let first = timed(&mut seconds.direct, || FirstLight::of(&lit_scene, emissions, by_rules));
         if first.is_split {
@@ -344,7 +350,11 @@ impl Model {
                 .iter()
                 .zip(&light)
                 .enumerate()
-                .map(|(band, (coating, coefficients))| BandLight { coating, flux: points.flux(band), coefficients })
+                .map(|(band, (coating, coefficients))| BandLight {
+                    coating,
+                    flux: points.flux(band),
+                    coefficients,
+                })
                 .collect();
             let powers = balance.powers(&own, &first.entry);
             let bands = light.into_iter().map(Coefficients::into).collect();

@@ -14,12 +14,12 @@ use radiosity_visibility::{Hiding, Shadows};
 use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
-use super::light_method::LightMethod;
-use super::transport_choice::{MOST_RAYS, Transport, usual_rays};
 use super::direct::Direct;
 use super::failure::Failure;
 use super::in_threads::in_threads;
+use super::light_method::LightMethod;
 use super::preconditioning::Preconditioning;
+use super::transport_choice::{MOST_RAYS, Transport, usual_rays};
 
 /// Options of a solution: method, elements, accuracies, solver and means.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]

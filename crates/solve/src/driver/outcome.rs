@@ -10,8 +10,8 @@ use serde::Serialize;
 use crate::checks::Checks;
 use crate::solution::Solution;
 
-use super::transport_choice::TransportChoice;
 use super::sampling::Sampling;
+use super::transport_choice::TransportChoice;
 
 /// The solution with its cost and self-checks.
 #[derive(Debug)]

@@ -27,8 +27,8 @@ use serde::{Deserialize, Serialize};
 use crate::system::ritz::Ritz;
 use crate::system::{Coefficients, System};
 
-use super::solve_band::solve_band;
 use super::options::Options;
+use super::solve_band::solve_band;
 
 /// Share of the rays that the pilot sends, one round of them at most. Chosen; between 0.05 and 0.2 errors
 /// changed by less than a tenth of themselves.
@@ -90,8 +90,7 @@ impl Subject<'_> {
         let work = self.work;
         let _guard = work.deadline.map(Deadline::accept_wishes);
         let (elements, visibility) = (self.elements, self.visibility);
-        let mut transport =
-            SampledTransport::keeping(elements, visibility, kept.as_deref_mut(), work.ranks);
+        let mut transport = SampledTransport::keeping(elements, visibility, kept.as_deref_mut(), work.ranks);
         let pilot = (PILOT * rays as f64).min(ROUND as f64);
         transport.send(&self.by_area(pilot), &mut |done| {
             self.goes_on(Progress::Rays { done, of: rays, error: None })

@@ -7,7 +7,7 @@ use radiosity_solvers::{Report, Settings, SolveError, Step};
 use radiosity_work::Work;
 use radiosity_work::interruption::{self, Interruption, check_interrupt};
 
-use crate::system::ritz::{RitzSolution, Ritz};
+use crate::system::ritz::{Ritz, RitzSolution};
 
 use super::options::Options;
 
@@ -26,10 +26,9 @@ pub(super) struct SolveCost {
 /// too, if it has one: a factorisation that ran out of time has none.
 fn cost(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<Option<SolveCost>, SolveError> {
     match ended {
-        Ok(reports) => Ok(reports
-            .into_iter()
-            .max_by_key(|report| report.iterations)
-            .map(|Report { method: solver, iterations, .. }| SolveCost { solver, iterations, converged: true })),
+        Ok(reports) => Ok(reports.into_iter().max_by_key(|report| report.iterations).map(
+            |Report { method: solver, iterations, .. }| SolveCost { solver, iterations, converged: true },
+        )),
         Err(SolveError::NotConverged { method: solver, iterations, residual, .. })
             if keep_partial && residual.is_finite() =>
         {

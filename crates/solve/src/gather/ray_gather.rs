@@ -31,10 +31,10 @@ use std::ops::Range;
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
+use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, WeightedNode};
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
-use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, WeightedNode};
 use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_light::emitters::Radiances;
 use radiosity_light::lamps::{Lamps, Shares, Target};
@@ -45,7 +45,7 @@ use radiosity_work::interruption::check_interrupt_at;
 use serde::{Deserialize, Serialize};
 
 use crate::gather::mean_radiosity::mean_radiosity;
-use crate::solution::{SurfacePlace, Solution};
+use crate::solution::{Solution, SurfacePlace};
 
 /// Independent sequences. Chosen.
 const BATCHES: usize = 8;
@@ -228,7 +228,13 @@ impl<'a> RayGather<'a> {
 
     /// Reflected light, and direct light where there are `shares`, from `first` rays of each sequence on;
     /// `other` light (W m⁻² per band) arrives too.
-    fn gathered(&self, origin: &RayOrigin, shares: Option<&Shares>, first: u64, other: &[f64]) -> RayEstimate {
+    fn gathered(
+        &self,
+        origin: &RayOrigin,
+        shares: Option<&Shares>,
+        first: u64,
+        other: &[f64],
+    ) -> RayEstimate {
         let middle = origin.middle();
         let [position, normal] = [middle.position, middle.normal].map(|vector| vector.to_array());
         let number = number_of(position.into_iter().chain(normal));
@@ -462,7 +468,14 @@ impl<'a> RayGather<'a> {
     }
 
     /// Sends rays to the emitters, those that belong to the cosine-distributed ones of these numbers.
-    fn send_to_lamps(&self, origin: &RayOrigin, shares: &Shares, number: u64, rays: Range<u64>, sums: &mut [f64]) {
+    fn send_to_lamps(
+        &self,
+        origin: &RayOrigin,
+        shares: &Shares,
+        number: u64,
+        rays: Range<u64>,
+        sums: &mut [f64],
+    ) {
         let [a, b, c, d] = shift(number_of([f64::from_bits(number)]));
         let [s] = shift(number_of([f64::from_bits(number), 1.0]));
         for index in rays {
@@ -473,14 +486,7 @@ impl<'a> RayGather<'a> {
     }
 
     /// Adds `scale` times the light of one ray to an emitter.
-    fn add_lamp(
-        &self,
-        receiver: &ReceiverPoint,
-        target: &Target,
-        mix: RayMix,
-        scale: f64,
-        sums: &mut [f64],
-    ) {
+    fn add_lamp(&self, receiver: &ReceiverPoint, target: &Target, mix: RayMix, scale: f64, sums: &mut [f64]) {
         let WeightedNode { node, weight } = target.place;
         let Some(kernel) = receiver.kernel_to(&node) else { return };
         if !self.visibility.is_free(receiver.surface, receiver.position, node.position) {

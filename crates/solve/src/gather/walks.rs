@@ -16,7 +16,7 @@ use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
-use crate::solution::{SurfacePlace, Solution};
+use crate::solution::{Solution, SurfacePlace};
 
 /// Largest probability that a walk goes on. Chosen.
 const LIKELIEST: f64 = 0.95;

@@ -28,7 +28,7 @@ mod local;
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
-use crate::driver::{LightMethod, TransportChoice, Failure, Options, Transport};
+use crate::driver::{Failure, LightMethod, Options, Transport, TransportChoice};
 
 pub use achieved::{Achieved, Adapted, EndReason};
 pub use goal::{Aim, Goal};

@@ -24,7 +24,7 @@ use radiosity_published::bases::Basis;
 use radiosity_scene::Scene;
 use radiosity_work::{Progress, Stage, Work};
 
-use crate::driver::{LightMethod, Failure, Options, Outcome, Transport, solve};
+use crate::driver::{Failure, LightMethod, Options, Outcome, Transport, solve};
 use crate::solution::Solution;
 use crate::studies::adaptation::{Aim, Goal, adapt};
 use crate::studies::error_norm::distance;
@@ -188,9 +188,13 @@ fn plan(options: &Options, other: &[RunSeries]) -> Vec<PlannedRun> {
             RunSeries::Hierarchical => LINKS.map(|eps| planned(by_links(eps), None)).into(),
             RunSeries::Hp => WANTED.map(|wanted| planned(Options { order: 0, ..plain }, Some(wanted))).into(),
             RunSeries::Sampled => RAYS.map(|rays| planned(by_rays(rays), None)).into(),
-            RunSeries::Constant => CELLS.map(|cells| planned(on_cells(Basis::Constant, 0, cells), None)).into(),
+            RunSeries::Constant => {
+                CELLS.map(|cells| planned(on_cells(Basis::Constant, 0, cells), None)).into()
+            }
             RunSeries::Linear => CELLS.map(|cells| planned(on_cells(Basis::Linear, 1, cells), None)).into(),
-            RunSeries::Harmonic => (0..=options.order).map(|order| planned(by_cosines(order), None)).collect(),
+            RunSeries::Harmonic => {
+                (0..=options.order).map(|order| planned(by_cosines(order), None)).collect()
+            }
         }
     };
     plan.extend(other.iter().flat_map(|series| of_series(*series)));
@@ -243,7 +247,9 @@ fn run(planned: &PlannedRun, made: &FinishedRun, error: Option<f64>) -> Converge
     let elements = made.outcome.solution.elements();
     let orders = elements.list().iter().map(|element| element.basis.order());
     let order = match planned.series {
-        RunSeries::Uniform | RunSeries::Constant | RunSeries::Linear | RunSeries::Harmonic => planned.options.order,
+        RunSeries::Uniform | RunSeries::Constant | RunSeries::Linear | RunSeries::Harmonic => {
+            planned.options.order
+        }
         _ => orders.max().unwrap_or(0),
     };
     ConvergenceRun {

@@ -19,7 +19,7 @@ use radiosity_elements::rule::UnitRule;
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
-use crate::solution::{SurfacePlace, Solution};
+use crate::solution::{Solution, SurfacePlace};
 
 /// Two solutions that are not of one scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

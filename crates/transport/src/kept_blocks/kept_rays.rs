@@ -95,7 +95,12 @@ impl ElementRays {
 impl KeptRays {
     /// Rays `before` of elements that are as they were and whose rays have these `numbers`, with room for so
     /// many rays of this scene.
-    pub(super) fn new(before: Vec<ElementRays>, numbers: &[u64], changed: Arc<ChangedSurfaces>, room: u64) -> Self {
+    pub(super) fn new(
+        before: Vec<ElementRays>,
+        numbers: &[u64],
+        changed: Arc<ChangedSurfaces>,
+        room: u64,
+    ) -> Self {
         let before = before.into_iter().zip(numbers).map(|(rays, number)| rays.of_number(*number)).collect();
         let now = numbers.iter().map(|number| ElementRays { number: *number, hits: Vec::new() }).collect();
         Self { before, now, changed, room, counts: RayCounts::default() }

@@ -287,7 +287,8 @@ impl<'a> CorrectionSums<'a> {
     /// known.
     fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<CellSum>, limit: f64, depth: usize) {
         check_interrupt();
-        let blockers = self.correction.visibility.narrow_bodies(blockers, &cell.hull(), self.correction.edges.inner());
+        let blockers =
+            self.correction.visibility.narrow_bodies(blockers, &cell.hull(), self.correction.edges.inner());
         if blockers.is_empty() {
             self.dark = false;
             return;
@@ -332,7 +333,12 @@ impl<'a> CorrectionSums<'a> {
     /// Whether the rule on a cell may have missed shadows that matter.
     fn may_miss(&self, cell: &Patch, blockers: &[usize]) -> bool {
         CARRIED * self.most(cell) > self.correction.limit.error
-            && self.correction.edges.may_be_passed_over(cell, blockers, self.correction.points as f64, self.correction.accuracy)
+            && self.correction.edges.may_be_passed_over(
+                cell,
+                blockers,
+                self.correction.points as f64,
+                self.correction.accuracy,
+            )
     }
 
     /// Maximal contribution of a cell to an entry, estimated from the unobstructed irradiance at its corners

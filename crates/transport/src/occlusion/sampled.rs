@@ -72,8 +72,15 @@ impl SampledVisibility {
         summed: SummedPoints,
     ) -> Self {
         let constants = bases.map(AreaBasis::constant).iter().product();
-        let mut work =
-            PairSampler { patches, bases, constants, sees, rays: 0, hidden: false, count: PointCounts::default() };
+        let mut work = PairSampler {
+            patches,
+            bases,
+            constants,
+            sees,
+            rays: 0,
+            hidden: false,
+            count: PointCounts::default(),
+        };
         let of_seen = (summed == SummedPoints::Seen).then(|| work.sum(limit, DEAR));
         // If no points face each other, they decide nothing.
         let enough = of_seen.filter(|(_, error)| *error <= limit && work.count.facing > 0);
@@ -277,8 +284,13 @@ mod tests {
         let (up, down) = (square(0.0, true), square(-1.0, false));
         let [p, q] = [Patch::of_polygon(&up, DVec3::Z), Patch::of_polygon(&down, -DVec3::Z)];
         let bases = [basis(&p), basis(&q)];
-        let found =
-            SampledVisibility::new([&p[0], &q[0]], [&bases[0], &bases[1]], &|_, _| true, 1e-3, SummedPoints::Seen);
+        let found = SampledVisibility::new(
+            [&p[0], &q[0]],
+            [&bases[0], &bases[1]],
+            &|_, _| true,
+            1e-3,
+            SummedPoints::Seen,
+        );
         assert!(found.hidden && found.values == [0.0] && found.error == 0.0 && found.rays == 0);
     }
 

@@ -26,7 +26,7 @@ use radiosity_kernel::contact::clip::{Facet, match_contact};
 use radiosity_kernel::contact::flat::{FlatContact, classify, gap};
 use radiosity_kernel::moments::Moments;
 use radiosity_kernel::moments::integrand::Sees;
-use radiosity_kernel::rules::common_edge::{LARGEST_ASPECT, EdgePair};
+use radiosity_kernel::rules::common_edge::{EdgePair, LARGEST_ASPECT};
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::near::Plan;
 use radiosity_kernel::rules::{common_edge, common_vertex, contour, far};
@@ -34,7 +34,7 @@ use radiosity_kernel::{Accuracy, PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
-use crate::occlusion::sampled::{SummedPoints, SampledVisibility};
+use crate::occlusion::sampled::{SampledVisibility, SummedPoints};
 
 /// Smallest extent of patches that may still be halved, relative to the larger element. Chosen; not tuned.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
@@ -194,7 +194,8 @@ impl<'a> Job<'a> {
                 return;
             }
         }
-        let contact = if state.touching { classify(p, q, self.tolerance) } else { FlatContact::Apart(gap(p, q)) };
+        let contact =
+            if state.touching { classify(p, q, self.tolerance) } else { FlatContact::Apart(gap(p, q)) };
         if !state.blockers.is_empty() && state.levels > 0 {
             state.levels -= 1;
             return self.halve(p, q, &contact, state);
@@ -222,10 +223,12 @@ impl<'a> Job<'a> {
     fn free(&mut self, p: &Patch, q: &Patch, contact: &FlatContact, state: State) {
         let (degrees, eps) = (self.degrees, self.accuracy.eps);
         let done = match contact {
-            FlatContact::Edge(a, b) => match common_edge::integrate_flat(&mut self.moments, a, b, degrees, eps) {
-                Some(rest) => return rest.iter().for_each(|(a, b)| self.visit(a, b, state.clone())),
-                None => false,
-            },
+            FlatContact::Edge(a, b) => {
+                match common_edge::integrate_flat(&mut self.moments, a, b, degrees, eps) {
+                    Some(rest) => return rest.iter().for_each(|(a, b)| self.visit(a, b, state.clone())),
+                    None => false,
+                }
+            }
             FlatContact::Vertex(a, b) => common_vertex::integrate_flat(&mut self.moments, a, b, degrees, eps),
             FlatContact::Apart(gap) if self.is_near(p, q, *gap) => {
                 match Plan::cheaper_than_split(&self.moments, p, q, eps) {

@@ -240,7 +240,8 @@ impl<'a> Estimate<'a> {
             is_cross: sums.is_cross,
             is_zero: rays.sums(&sums).all(|sum| sum == 0.0),
         };
-        let own: Vec<PairEstimate> = self.pairs().filter(|(sums, _)| held.has(sums.row)).map(estimate).collect();
+        let own: Vec<PairEstimate> =
+            self.pairs().filter(|(sums, _)| held.has(sums.row)).map(estimate).collect();
         held.ranks().all(own).concat()
     }
 

@@ -47,7 +47,8 @@ impl ExactPairs {
             check_interrupt();
             let expected = expected(sums);
             expected > LEAST
-                && expected > price_up_to(expected, &element_pair(elements, [sums.row, sums.column]), visibility)
+                && expected
+                    > price_up_to(expected, &element_pair(elements, [sums.row, sums.column]), visibility)
         };
         let own = tally.iter().filter(|sums| held.has(sums.row)).filter(is_worth);
         let own: Vec<(u32, u32)> = own.map(|sums| (sums.row as u32, sums.column as u32)).collect();

@@ -7,10 +7,10 @@
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
+use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, WeightedNode};
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{shift, shifted};
-use radiosity_elements::sampling::area_preserving_map::{WeightedNode, AreaPreservingMap};
 use radiosity_geom::DVec3;
 
 /// The source of the rays of one element: points and directions from a shifted sequence.

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use radiosity_kernel::blocks::block::{BlockReport, Block};
+use radiosity_kernel::blocks::block::{Block, BlockReport};
 use radiosity_kernel::blocks::held_rows::HeldRows;
 use radiosity_work::ranks::{Part, PartName, Ranks};
 use serde::{Deserialize, Serialize};

@@ -2,15 +2,20 @@
 
 use std::sync::Arc;
 
-use crate::known::Known;
 use crate::kept_blocks::{IntegratedBlock, KeptBlocks};
+use crate::known::Known;
 use crate::schedule::goal::Goal;
 use crate::schedule::task::{Schedule, Task};
 
 impl Schedule<'_> {
     /// The block of a task that `kept` holds; that of flat elements with nothing between may be known
     /// otherwise as well.
-    pub(super) fn kept_block(&self, task: &Task, goal: Goal, kept: &KeptBlocks) -> Option<Arc<IntegratedBlock>> {
+    pub(super) fn kept_block(
+        &self,
+        task: &Task,
+        goal: Goal,
+        kept: &KeptBlocks,
+    ) -> Option<Arc<IntegratedBlock>> {
         let request = goal.request(task, self.visibility);
         if let Some(block) = kept.get(&request) {
             return Some(Arc::clone(block));

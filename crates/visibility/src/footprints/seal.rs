@@ -61,7 +61,8 @@ impl Parts<'_> {
 
 /// Drops the places of each part that lie in a smaller part.
 pub(super) fn keep_apart(suspects: &mut [SealCandidate]) {
-    let regions: Vec<PlanarRegion> = suspects.iter().map(|suspect| suspect.footprint.region.clone()).collect();
+    let regions: Vec<PlanarRegion> =
+        suspects.iter().map(|suspect| suspect.footprint.region.clone()).collect();
     let tree = tree(suspects.iter());
     for (own, suspect) in suspects.iter_mut().enumerate() {
         let covers = |other: usize, x: DVec3| {

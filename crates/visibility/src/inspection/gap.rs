@@ -7,13 +7,18 @@ use radiosity_scene::Scene;
 
 use crate::inspection::{
     contact::SurfaceContact,
-    sheet_border::{Meeting, SheetBorder},
     sheet::Sheets,
+    sheet_border::{Meeting, SheetBorder},
     warning::{Warning, place},
 };
 
 /// Borders that nearly reach another sheet, once per pair, at the widest gap; not for surfaces that cross.
-pub(super) fn gaps(scene: &Scene, sheets: &Sheets, borders: &[SheetBorder], contacts: &[SurfaceContact]) -> Vec<Warning> {
+pub(super) fn gaps(
+    scene: &Scene,
+    sheets: &Sheets,
+    borders: &[SheetBorder],
+    contacts: &[SurfaceContact],
+) -> Vec<Warning> {
     let crossing = contacts.iter().filter(|contact| matches!(contact.touch, Adjacency::Crossing { .. }));
     let crossing: BTreeSet<[usize; 2]> = crossing.map(|contact| contact.surfaces).collect();
     let cross = |pair: [usize; 2]| crossing.contains(&pair.map(|k| sheets.list[k].surface));

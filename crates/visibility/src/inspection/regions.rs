@@ -10,9 +10,8 @@ use radiosity_scene::Scene;
 
 use crate::inspection::{
     enclosure::Enclosure,
-    sheet_border,
     sheet::{Sheets, backs},
-    shell,
+    sheet_border, shell,
     shell::{Fronts, Shell},
 };
 

@@ -97,10 +97,12 @@ struct Reach {
 
 fn meeting(sheets: &Sheets, own: &Line<'_>, w: f64, lines: &[&Line<'_>], near: &[usize]) -> Meeting {
     let (sheet, normal) = (own.sheet, sheets.list[own.sheet].normal_at(&own.border, w));
-    let place = BorderPlace { sheets, sheet, point: own.border.point(w), normal, direction: direction(own, w) };
+    let place =
+        BorderPlace { sheets, sheet, point: own.border.point(w), normal, direction: direction(own, w) };
     let others = lines.iter().filter(|line| !std::ptr::eq(**line, own));
     let borders: Vec<Reach> = others.filter_map(|line| place.reach_border(line)).collect();
-    let touched: Vec<_> = borders.iter().filter(|reach| reach.touches).map(|reach| (reach.sheet, reach.cosine)).collect();
+    let touched: Vec<_> =
+        borders.iter().filter(|reach| reach.touches).map(|reach| (reach.sheet, reach.cosine)).collect();
     if !touched.is_empty() {
         return Meeting::Borders(touched);
     }

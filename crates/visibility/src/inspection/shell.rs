@@ -10,8 +10,8 @@ use radiosity_core::gauss::{Legendre, Rule};
 use radiosity_geom::{Aabb, DVec3, Rect};
 
 use crate::inspection::{
-    sheet_border::{Meeting, SheetBorder},
     sheet::{Sheet, Sheets},
+    sheet_border::{Meeting, SheetBorder},
 };
 
 /// A closed surface made of one or more surfaces.
@@ -76,8 +76,9 @@ fn joints(sheets: &Sheets, borders: &[SheetBorder]) -> Vec<Vec<(usize, f64)>> {
         for (_, meeting) in &border.places {
             let Meeting::Borders(others) = meeting else { continue };
             for (other, cosine) in others.iter().filter(|(other, _)| *other != border.sheet) {
-                let is_clear =
-                    others.len() == 1 && !sheets.list[border.sheet].two_sided && !sheets.list[*other].two_sided;
+                let is_clear = others.len() == 1
+                    && !sheets.list[border.sheet].two_sided
+                    && !sheets.list[*other].two_sided;
                 let agree = if is_clear { -cosine.signum() } else { 0.0 };
                 if known.insert((border.sheet, *other, agree.to_bits())) {
                     joints[border.sheet].push((*other, agree));

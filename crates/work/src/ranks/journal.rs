@@ -38,8 +38,8 @@ pub use error::JournalError;
 use fingerprint::digest;
 pub use fingerprint::fingerprint;
 use folder::Folder;
-use stored_pieces::StoredPieces;
 use record::Key;
+use stored_pieces::StoredPieces;
 use writer::Writer;
 
 /// Pieces that a rank has recalled and recorded so far.

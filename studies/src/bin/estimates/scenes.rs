@@ -50,7 +50,11 @@ impl Case {
 
     /// The goal of this accuracy of light, read as the truth is.
     pub(crate) fn goal(&self, accuracy: f64) -> Goal {
-        Goal::new(accuracy, Aim::Gathered).read_by(if self.by_rays { GatherMethod::Rays } else { GatherMethod::Cells })
+        Goal::new(accuracy, Aim::Gathered).read_by(if self.by_rays {
+            GatherMethod::Rays
+        } else {
+            GatherMethod::Cells
+        })
     }
 
     fn flat(name: &str, scene: Scene, [order, cuts]: [usize; 2]) -> Self {

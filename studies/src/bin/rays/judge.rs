@@ -7,7 +7,7 @@ use std::path::Path;
 use radiosity::Scene;
 use radiosity::elements::patch::Node;
 use radiosity::geom::{DVec3, Encounter, Ray};
-use radiosity::solve::solution::{SurfacePlace, Solution};
+use radiosity::solve::solution::{Solution, SurfacePlace};
 use radiosity::visibility::{Shadows, Visibility};
 use rayon::prelude::*;
 use serde::Deserialize;
@@ -153,8 +153,11 @@ impl<'a> Lit<'a> {
     fn sent_back(&self, ray: &Ray) -> f64 {
         let Some(Encounter { surface, hit, front: true }) = self.visibility.nearest(ray) else { return 0.0 };
         let Some(element) = self.solution.elements().at(surface, [hit.u, hit.v]) else { return 0.0 };
-        let place =
-            SurfacePlace { surface, parameters: [hit.u, hit.v], position: ray.origin + hit.t * ray.direction };
+        let place = SurfacePlace {
+            surface,
+            parameters: [hit.u, hit.v],
+            position: ray.origin + hit.t * ray.direction,
+        };
         self.solution.radiosity(0, element, &place) - self.solution.coatings()[0].exitance[element]
     }
 }

@@ -7,7 +7,7 @@ use radiosity::kernel::irradiance::visible_polygon::irradiance;
 use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
-use radiosity::solve::solution::{SurfacePlace, Solution};
+use radiosity::solve::solution::{Solution, SurfacePlace};
 use radiosity::solve::studies::error_norm::distance;
 use radiosity::solve::{Options, Outcome, in_threads, solve};
 use radiosity::visibility::Visibility;
@@ -122,8 +122,11 @@ fn from_closed_form(solution: &Solution) -> f64 {
         for patch in &elements.list()[element].patches {
             for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
                 let node = patch.node(s, t);
-                let place =
-                    SurfacePlace { surface: 0, parameters: node.parameters.to_array(), position: node.position };
+                let place = SurfacePlace {
+                    surface: 0,
+                    parameters: node.parameters.to_array(),
+                    position: node.position,
+                };
                 let exact = irradiance(node.position, node.normal, &LAMP);
                 let weight = ws * wt * node.area;
                 squares[0] += weight * (solution.irradiance(0, element, &place) - exact).powi(2);

@@ -10,7 +10,9 @@ use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::Accuracy;
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
-use radiosity::published::zatz1993::transfers::{ChartedElement, EXTRA_POINTS, HybridReading, PaperRules, transfer};
+use radiosity::published::zatz1993::transfers::{
+    ChartedElement, EXTRA_POINTS, HybridReading, PaperRules, transfer,
+};
 use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_core::basis::total;

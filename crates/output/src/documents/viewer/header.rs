@@ -6,7 +6,7 @@ use radiosity_scene::Camera;
 use radiosity_solve::solved::Solved;
 use serde::Serialize;
 
-use super::first_view_settings::{FirstViewSettings, FirstViewColours};
+use super::first_view_settings::{FirstViewColours, FirstViewSettings};
 use crate::drawings::scale::Scale;
 use radiosity_reading::pictures::lightmap::{Lightmap, LightmapPart};
 use crate::pictures::tessellation::Triangulation;
@@ -90,8 +90,11 @@ impl<'a> Header<'a> {
     ) -> Self {
         let scene = &solved.scene;
         let gradient = Scale::sequential([0.0, f64::from(COLOURS - 1)]);
-        let colours =
-            start.false_colours.map(|FirstViewColours { band, range, log }| ColoursHeader { band, range, log });
+        let colours = start.false_colours.map(|FirstViewColours { band, range, log }| ColoursHeader {
+            band,
+            range,
+            log,
+        });
         let parts = lightmap.parts().iter();
         Self {
             title: scene.title.as_deref().unwrap_or(&scene.name),

@@ -8,7 +8,7 @@ use radiosity_solve::solution::Solution;
 use radiosity_solve::solution::powers::Powers;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Achieved;
-use radiosity_solve::{TransportChoice, Outcome, Sampling, Stages};
+use radiosity_solve::{Outcome, Sampling, Stages, TransportChoice};
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 

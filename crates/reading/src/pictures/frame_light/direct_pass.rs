@@ -29,12 +29,14 @@ pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<V
     let ranks = work.ranks;
     let pixel_count = PixelCount::new(frame.len(), Stage::DirectPixels, work);
     let first: Vec<DirectIrradiance> =
-        ranks.map_even(PartName::DirectLight, frame.len(), TOGETHER, |pixel| look(pixel, false, &pixel_count));
+        ranks
+            .map_even(PartName::DirectLight, frame.len(), TOGETHER, |pixel| look(pixel, false, &pixel_count));
     let unsure: Vec<usize> =
         (0..frame.len()).into_par_iter().filter(|pixel| is_unsure(frame, &first, *pixel)).collect();
     let pixel_count = PixelCount::new(unsure.len(), Stage::DirectPixels, work);
     let sure = |place: usize| look(unsure[place], true, &pixel_count);
-    let again: Vec<DirectIrradiance> = ranks.map_even(PartName::MoreDirectLight, unsure.len(), TOGETHER, sure);
+    let again: Vec<DirectIrradiance> =
+        ranks.map_even(PartName::MoreDirectLight, unsure.len(), TOGETHER, sure);
     let mut all: Vec<Vec<f64>> = first.into_iter().map(|lit| lit.bands).collect();
     unsure.into_iter().zip(again).for_each(|(pixel, lit)| all[pixel] = lit.bands);
     all
@@ -43,7 +45,8 @@ pub(crate) fn lit(frame: &Frame, light: &PictureLight, work: &Work<'_>) -> Vec<V
 /// Whether a pixel sees some emitters wholly and the others not at all, but one beside it on the same surface
 /// does not see the same.
 fn is_unsure(frame: &Frame, all: &[DirectIrradiance], pixel: usize) -> bool {
-    let (Some(seen), Some(visible @ VisibleEmitters::Sees(_))) = (frame.seen(pixel), all[pixel].visible) else {
+    let (Some(seen), Some(visible @ VisibleEmitters::Sees(_))) = (frame.seen(pixel), all[pixel].visible)
+    else {
         return false;
     };
     let [column, row] = frame.place(pixel).map(|at| at as isize);

@@ -58,7 +58,8 @@ impl Eye<'_> {
     pub(crate) fn along(&self, ray: &Ray) -> Option<SeenPlace> {
         let Encounter { surface, hit, front } = self.visibility.nearest(ray)?;
         // Where two surfaces meet, light is the limit from within the visible one.
-        let point = front.then(|| SurfacePoint::at(self.elements, surface, [hit.u, hit.v], self.diagonal))??;
+        let point =
+            front.then(|| SurfacePoint::at(self.elements, surface, [hit.u, hit.v], self.diagonal))??;
         Some(SeenPlace { element: point.element, place: point.place, normal: point.normal })
     }
 }

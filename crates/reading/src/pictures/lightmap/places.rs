@@ -51,7 +51,8 @@ impl<'a> Places<'a> {
             }
             None => own,
         };
-        let SurfacePoint { place, element, normal, .. } = SurfacePoint::at(elements, surface, at, self.diagonal)?;
+        let SurfacePoint { place, element, normal, .. } =
+            SurfacePoint::at(elements, surface, at, self.diagonal)?;
         let is_open = elements.list()[element].contact.is_none();
         is_open.then_some(SeenPlace { element, place, normal })
     }

@@ -43,9 +43,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::driver::Outcome;
 use crate::gather::Gather;
-use crate::gather::ray_gather::{RayGather, Receiver};
 use crate::gather::gather_method::USUAL_EPS;
-use crate::gather::walks::{WalkEnd, SendingSide, Walks};
+use crate::gather::ray_gather::{RayGather, Receiver};
+use crate::gather::walks::{SendingSide, WalkEnd, Walks};
 use crate::solution::{Band, Solution};
 
 use super::goal::Goal;
@@ -206,7 +206,8 @@ pub(super) fn error_estimate(
     let missed_light = MissedLight::of(outcome, visibility, goal, (OF_EXPECTED * expected).min(LOOSEST));
     let ranks = work.ranks;
     let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
-    let gathered = ranks.map_by(PartName::SensorLight, &makers, |place| missed_light.gathered(&sensors[place]));
+    let gathered =
+        ranks.map_by(PartName::SensorLight, &makers, |place| missed_light.gathered(&sensors[place]));
     let begin = |(number, (sensor, gathered))| {
         SensorWalks::new(sensor, number_of([number as f64, unknowns as f64]), gathered)
     };
@@ -421,7 +422,8 @@ mod tests {
     /// Σ w e / Σ w E_g of the first band, by so many walks of each half.
     fn mean(missing: &MissedLight, sensors: &[Sensor], walks: u64) -> f64 {
         let each = sensors.par_iter().enumerate().map(|(number, sensor)| {
-            let mut found = SensorWalks::new(sensor, number_of([number as f64]), missed_light.gathered(sensor));
+            let mut found =
+                SensorWalks::new(sensor, number_of([number as f64]), missed_light.gathered(sensor));
             found.light = missed_light.walked(&found, 0..walks);
             let [first, second] = found.halves(walks);
             [0.5 * (first[0] + second[0]), found.light.gathered[0]].map(|light| sensor.weights[0] * light)

@@ -7,7 +7,7 @@
 
 use std::time::Instant;
 
-use radiosity_elements::mesh::{Mesh, CellRefinement};
+use radiosity_elements::mesh::{CellRefinement, Mesh};
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 

@@ -9,8 +9,8 @@ use radiosity_work::{Progress, Stage, Work};
 use crate::driver::{Failure, MemoryReduction, Options, Outcome, timed};
 
 use super::achieved::EndReason;
-use super::estimate::estimate;
 use super::error_estimate::ErrorEstimate;
+use super::estimate::estimate;
 use super::goal::Goal;
 
 /// Order of the first rungs. Chosen; not tuned.

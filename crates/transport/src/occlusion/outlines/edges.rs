@@ -78,8 +78,10 @@ impl Edges {
             };
             (is_tight || points <= COARSE) && breadth() * points < NARROW
         };
-        let is_near = |edge: &BlockerEdge| segment_distance(&corners, edge.ends) * points * points < NEAR * extent;
-        let reaches_between = |edge: &BlockerEdge| !separated(&hull, &self.inner, &edge.ends, COINCIDENT * extent);
+        let is_near =
+            |edge: &BlockerEdge| segment_distance(&corners, edge.ends) * points * points < NEAR * extent;
+        let reaches_between =
+            |edge: &BlockerEdge| !separated(&hull, &self.inner, &edge.ends, COINCIDENT * extent);
         let near = self.edges.iter().filter(|(blocker, _)| blockers.contains(blocker));
         near.flat_map(|(_, edges)| edges).any(|edge| {
             edge.may_part(&hull, &self.inner) && (is_near(edge) || is_narrow(edge)) && reaches_between(edge)

@@ -36,7 +36,13 @@ impl<'a> Job<'a> {
     /// Attempts a part that no rule covers: one cut by a horizon, or a contact of another kind. The error is
     /// the difference of the rule with n and n + 2 points. `contact` is None for a patch with itself. Returns
     /// whether the result is kept: because it is accurate enough, or because the samples are spent.
-    pub(super) fn attempt(&mut self, p: &Patch, q: &Patch, contact: Option<&CurvedContact>, state: &State) -> bool {
+    pub(super) fn attempt(
+        &mut self,
+        p: &Patch,
+        q: &Patch,
+        contact: Option<&CurvedContact>,
+        state: &State,
+    ) -> bool {
         let share = self.budget.share(p, q);
         if !self.spent() && self.carried(p, q, share) > LARGEST_ATTEMPT * self.budget.scale {
             return false;

@@ -3,7 +3,7 @@
 use radiosity_elements::patch::Patch;
 use radiosity_kernel::contact::orientation::Facing;
 
-use crate::occlusion::sampled::{SummedPoints, SampledVisibility};
+use crate::occlusion::sampled::{SampledVisibility, SummedPoints};
 use crate::pair::curved::job::Job;
 use crate::pair::curved::size::area;
 

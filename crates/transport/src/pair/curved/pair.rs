@@ -8,7 +8,7 @@ use radiosity_kernel::contact::flat::gap;
 use radiosity_kernel::contact::orientation::{Facing, facing};
 use radiosity_kernel::moments::Moments;
 use radiosity_kernel::moments::integrand::Sees;
-use radiosity_kernel::rules::common_edge::{LARGEST_ASPECT, EdgePair, unequal_speed};
+use radiosity_kernel::rules::common_edge::{EdgePair, LARGEST_ASPECT, unequal_speed};
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::orders::by_trial::Trial;
 use radiosity_kernel::rules::{common_edge, common_vertex};
@@ -34,7 +34,8 @@ impl Job<'_> {
             }
         }
         let tolerance = COINCIDENT * self.size;
-        let contact = if state.touching { classify(p, q, tolerance) } else { CurvedContact::Apart(gap(p, q)) };
+        let contact =
+            if state.touching { classify(p, q, tolerance) } else { CurvedContact::Apart(gap(p, q)) };
         let gap = if let CurvedContact::Apart(gap) = contact { gap } else { 0.0 };
         state.touching = gap <= 0.0;
         let facing = facing(p, q, !matches!(contact, CurvedContact::Apart(_)), self.budget.slight(share));
@@ -132,7 +133,8 @@ impl Job<'_> {
             }
             _ => {
                 self.kind = self.kind.max(if gap > 0.0 { PairKind::Split } else { PairKind::Contact });
-                let by_halving = gap > 0.0 || matches!(contact, CurvedContact::Cut(_) | CurvedContact::Tip(_));
+                let by_halving =
+                    gap > 0.0 || matches!(contact, CurvedContact::Cut(_) | CurvedContact::Tip(_));
                 if by_halving && !self.spent() || !self.attempt(p, q, Some(contact), state) {
                     self.halve(p, q, contact, state);
                 }

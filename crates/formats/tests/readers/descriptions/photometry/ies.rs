@@ -2,9 +2,9 @@
 
 use radiosity_photometry::Photometry;
 use radiosity_photometry::error::Refusal;
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::ies;
 use radiosity_photometry::opening::Form;
-use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::symmetry::Symmetry;
 
 fn read(text: &str) -> Result<Photometry, Refusal> {
