@@ -101,7 +101,7 @@ fn luminaire(
 /// Extent that the light of a luminaire comes out of: typed, or the opening of its photometric file.
 fn extent_of(file: ExtentFile, distribution: &Distribution) -> Result<Extent, Fault> {
     match (file, distribution) {
-        (ExtentFile::DraftPlaces(extent), _) => Ok(extent),
+        (ExtentFile::Typed(extent), _) => Ok(extent),
         (ExtentFile::OfTable, Distribution::Table(table)) => Extent::of_opening(&table.opening),
         (ExtentFile::OfTable, _) => Err(Fault::BadExtent { problem: "there is no photometric file" }),
     }
