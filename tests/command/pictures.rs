@@ -224,12 +224,12 @@ fn pixels_know_whether_they_see_an_emitter_or_one_surface() {
     let scene = typed(&below_a_lamp());
     let visibility = Visibility::new(&scene, Shadows::Off);
     let camera = scene.camera.clone().expect("there is one");
-    let sights = SeenSurfaces::through(&camera, 3, &scene, &visibility, Ranks::alone());
+    let seen_surfaces = SeenSurfaces::through(&camera, 3, &scene, &visibility, Ranks::alone());
     // The lamp is seen from x = (½ − 0.2/0.9) 48 = 13.33 to (½ + 0.1/0.9) 48 = 29.33, and as high as broad.
     let lamp = 17 * 17;
-    assert_eq!(sights.emitters().iter().filter(|emitter| **emitter).count(), lamp);
-    assert_eq!(sights.parts().iter().filter(|part| **part == Some(0)).count(), 48 * 48 - lamp);
-    assert_eq!(sights.parts().iter().filter(|part| part.is_none()).count(), lamp);
+    assert_eq!(seen_surfaces.emitters().iter().filter(|emitter| **emitter).count(), lamp);
+    assert_eq!(seen_surfaces.parts().iter().filter(|part| **part == Some(0)).count(), 48 * 48 - lamp);
+    assert_eq!(seen_surfaces.parts().iter().filter(|part| part.is_none()).count(), lamp);
 }
 
 #[test]

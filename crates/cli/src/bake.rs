@@ -74,8 +74,8 @@ impl Bake<'_> {
         let baked = BakedScene::new(scene, &triangles, &lightmap, self.style.show);
         let (picture, about) = self.coloured(&baked, &run.solved, &beside);
         // Both are written before one is put in place: they belong together.
-        let linear = linear.filled(|writer| write_exr(baked.raster(), writer))?;
-        output.filled(|writer| baked.write(&picture, &about, writer))?.put()?;
+        let linear = linear.pending(|writer| write_exr(baked.raster(), writer))?;
+        output.pending(|writer| baked.write(&picture, &about, writer))?.put()?;
         linear.put()?;
         let [width, height] = baked.raster().size();
         let figures = format!("{} triangles, texture of {width} × {height}", baked.triangles());

@@ -73,8 +73,8 @@ impl Resolution {
                     if occluded && large { 2 } else { 1 }
                 }
             };
-            let glow = surface.material.emission_pattern.as_deref().map_or([1, 1], parts_of_glow);
-            glow.map(|least| parts.max(least))
+            let least_parts = surface.material.emission_pattern.as_deref().map_or([1, 1], parts_of_emitter);
+            least_parts.map(|least| parts.max(least))
         })
     }
 
@@ -96,18 +96,18 @@ pub fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
 
 /// Most elements along each direction for the sake of emission that varies, and elements for a polynomial.
 /// Chosen; not tuned.
-const MOST_OF_GLOW: usize = 8;
+const MOST_OF_EMITTER: usize = 8;
 const OF_POLYNOMIAL: usize = 4;
 
 /// Elements of an emitter along u and v. Direct light takes the exitance of each as constant, so that what it
 /// misses falls with their size over the distance; elements as texels, where these are few, miss nothing.
-fn parts_of_glow(pattern: &Pattern) -> [usize; 2] {
+fn parts_of_emitter(pattern: &Pattern) -> [usize; 2] {
     match pattern.degree() {
         Some(0) => [1, 1],
         Some(_) => [OF_POLYNOMIAL; 2],
         None => pattern.breaks().map(|breaks| {
             let texels = breaks.len() + 1;
-            if texels <= 2 * MOST_OF_GLOW { texels } else { MOST_OF_GLOW }
+            if texels <= 2 * MOST_OF_EMITTER { texels } else { MOST_OF_EMITTER }
         }),
     }
 }

@@ -321,11 +321,11 @@ impl<'a> CorrectionSums<'a> {
                 self.moments.add_raw(&sum.values[..entries], 0);
             } else {
                 // No part takes the cells that later ones may need.
-                let pool = self.left;
-                self.left = pool.div_ceil((parts.len() - index) as u64);
+                let cells_left = self.left;
+                self.left = cells_left.div_ceil((parts.len() - index) as u64);
                 let own = self.left;
                 self.visit(part, &blockers, Some(sum), share, depth - 1);
-                self.left += pool - own;
+                self.left += cells_left - own;
             }
         }
     }
