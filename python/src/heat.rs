@@ -6,7 +6,7 @@ use pyo3::types::PyDict;
 use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
 use radiosity::kernel::WorstError;
-use radiosity::reading::missed::{corrected, missed, no_error_of_order};
+use radiosity::reading::accuracy_warning::{corrected, missed, no_error_of_order};
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
 

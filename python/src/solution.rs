@@ -12,7 +12,7 @@ use radiosity::reading::files::solution_file::{self, SolutionFile, is_solution};
 use radiosity::reading::files::vtu::Grid as Cells;
 use radiosity::reading::grid::{Cell, grid};
 use radiosity::reading::probe::{Probe, ProbeReading, probe};
-use radiosity::reading::quality::ReadSettings as How;
+use radiosity::reading::quality::ReadSettings;
 use radiosity::reading::read_error::ReadError;
 use radiosity::reading::reader::Reader;
 use radiosity::reading::report::Report;

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::shapes::Polygon;
 use radiosity::kernel::WorstError;
-use radiosity::reading::accuracy_warning::accuracy_warning;
+use radiosity::reading::accuracy_warning::missed;
 use radiosity::reading::row_sums::RowSums;
 use radiosity::request::TransferRequest;
 use radiosity::scene::{Material, Scene as Whole, SceneError};

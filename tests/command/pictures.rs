@@ -9,7 +9,7 @@ use base64::engine::general_purpose::STANDARD;
 use flate2::read::DeflateDecoder;
 use radiosity::output::files::exr_file::read_exr;
 use radiosity::output::pictures::wireframe::wireframe;
-use radiosity::reading::pictures::sights::Sights;
+use radiosity::reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity::work::ranks::Ranks;
 use radiosity_test_support::folders::folder;

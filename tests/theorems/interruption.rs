@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use radiosity::geom::DVec3;
 use radiosity::heat::{Heat, HeatOptions};
 use radiosity::kernel::Accuracy;
-use radiosity::reading::pictures::render::{Read, render};
+use radiosity::reading::pictures::render::{ReadMode, render};
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Camera;
 use radiosity::solve::animation::follower::{FollowMode, Follower};

@@ -5,15 +5,6 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use radiosity_language::Import;
-use radiosity_reading::digits::decimals;
-use radiosity_reading::files::solution_file::{is_solution, read};
-use radiosity_reading::checkpoint::Checkpoint;
-use radiosity_reading::plane_figures::PlaneFigures;
-use radiosity_reading::probe::Probe;
-use radiosity_reading::rank_work::RanksWork;
-use radiosity_reading::read_error::ReadError;
-use radiosity_reading::report::Report;
-use radiosity_reading::warning::Warning;
 use radiosity_published::bases::Basis;
 use radiosity_published::hierarchy::Counts;
 use radiosity_reading::checkpoint::Checkpoint;

@@ -30,7 +30,7 @@ use radiosity_work::ranks::{PartName, vector};
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
-use crate::reader::{RecomputedLight, Reader, ReadIrradiance};
+use crate::reader::{ReadIrradiance, Reader, RecomputedLight};
 
 /// Means over one cell of one surface.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -12,7 +12,7 @@ use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
-use crate::reader::{RecomputedLight, Reader, ReadIrradiance};
+use crate::reader::{ReadIrradiance, Reader, RecomputedLight};
 
 /// Least cosine between a probe's normal and its surface's for which they count as equal: where only
 /// polynomials are known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not

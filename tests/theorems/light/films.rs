@@ -3,8 +3,8 @@
 use radiosity::Work;
 use radiosity::reading::pictures::raster::Raster;
 use radiosity::reading::pictures::render::render;
-use radiosity::reading::reader::ReadMode;
 use radiosity::reading::quantity::Quantity;
+use radiosity::reading::reader::ReadMode;
 use radiosity::scene::Scene;
 use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::{Options, Transport};

@@ -1,7 +1,7 @@
 //! Scenes on which an earlier version was wrong, dark or slow.
 
 use radiosity::Work;
-use radiosity::reading::pictures::render::{Read, render};
+use radiosity::reading::pictures::render::{ReadMode, render};
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome};

@@ -6,7 +6,7 @@ use radiosity::Work;
 use radiosity::light::direct::DirectLight;
 use radiosity::published::zatz1993::masked_light::{Average, Masking};
 use radiosity::reading::grid::{Cell, Rates, grid};
-use radiosity::reading::reader::{Read, Reader};
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome};
 use radiosity::visibility::{Hiding, Visibility};

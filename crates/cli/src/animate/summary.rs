@@ -1,7 +1,6 @@
 //! Lines of a summary on frames: cost and warnings.
 
 use radiosity_reading::accuracy_warning::missed;
-use radiosity_solve::animation::sequence_report::SequenceReport;
 use radiosity_solve::animation::follower::Follower;
 use radiosity_solve::animation::sequence_report::SequenceReport;
 use radiosity_transport::RayCounts;

@@ -6,7 +6,6 @@ use radiosity_heat::{Conductances, Heat, SurfaceHeat};
 use serde::Serialize;
 
 use crate::documents::document::{Column, Table};
-use radiosity_reading::digits::significant;
 use crate::files::npy;
 use crate::files::npz::Archive;
 use radiosity_reading::digits::significant;

@@ -1,5 +1,6 @@
 //! A plan on a page: its name and figures above, rulers in the scene's length at its sides, a legend.
 
+use crate::drawings::tick::Tick;
 use radiosity_scene::{Scene, SensorPlane};
 
 use crate::drawings::false_colour::{FalseColours, false_colour};
@@ -8,7 +9,6 @@ use crate::drawings::lettering::Lettering;
 use crate::drawings::nice_numbers::multiples;
 use crate::drawings::picture::{Colour, Picture};
 use crate::drawings::plan::Plan;
-use crate::drawings::nice_numbers::multiples;
 use radiosity_reading::probe::ProbeReading;
 use radiosity_reading::quantity::{Quantity, band_name, of_bands};
 use radiosity_reading::uniformity::Uniformity;

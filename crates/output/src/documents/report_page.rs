@@ -13,7 +13,6 @@ use radiosity_heat::{Heat, HeatError};
 use radiosity_scene::Scene;
 
 use crate::documents::document::{Block, Document, Figure};
-use radiosity_reading::quantity::Quantity;
 pub use light_part::{LightPart, PICTURE, ReportedPlane, plan_name};
 use radiosity_reading::quantity::Quantity;
 

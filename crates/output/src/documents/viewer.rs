@@ -13,6 +13,8 @@ mod header;
 
 use std::io::{self, Write};
 
+use radiosity_reading::pictures::lightmap::Lightmap;
+use radiosity_reading::pictures::render::white_balance;
 use radiosity_solve::solved::Solved;
 
 use crate::pictures::image::Image;

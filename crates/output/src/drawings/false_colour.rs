@@ -4,6 +4,7 @@ use super::isolines::Isoline;
 use super::labelled_isolines::LabelledIsolines;
 use super::picture::Picture;
 use super::scale::Scale;
+use super::tick::Tick;
 use radiosity_reading::field::Field;
 
 /// Least difference of values, relative to the greatest, that isolines are chosen for: below it, errors of

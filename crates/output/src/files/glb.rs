@@ -20,6 +20,8 @@ mod up;
 use std::io::{self, Write};
 
 use glam::{DMat3, DQuat, DVec3};
+use radiosity_reading::pictures::lightmap::{LightTexture, Lightmap};
+use radiosity_reading::pictures::raster::Raster;
 use radiosity_scene::{Camera, Scene};
 use serde_json::{Value, json};
 

@@ -6,8 +6,8 @@
 use super::dither::dither;
 use super::tone::Tone;
 use crate::drawings::picture::Picture;
-use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::pixel_samples::PixelSamples;
+use radiosity_reading::pictures::raster::Raster;
 
 /// A raster seen as linear light, red, green and blue.
 #[derive(Clone, Copy, Debug)]

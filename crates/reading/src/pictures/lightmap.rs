@@ -43,7 +43,6 @@ use super::frame_light::eye::SeenPlace;
 use super::frame_light::forecast::seconds;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::PictureLight;
-use super::frame_light::forecast::seconds;
 use crate::reader::ReadMode;
 use fill::fill;
 use places::Places;

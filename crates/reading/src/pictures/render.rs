@@ -24,8 +24,9 @@ use super::frame_light::pixel_count::PixelCount;
 use super::frame_light::smooth::COARSEST;
 use super::pinhole::Pinhole;
 use super::pixel_samples::PixelSamples;
-pub use crate::reader::ReadMode;
+use super::raster::Raster;
 use crate::quantity::Quantity;
+pub use crate::reader::ReadMode;
 
 /// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not
 /// tuned.

@@ -8,8 +8,8 @@ use serde::Serialize;
 
 use super::first_view_settings::{FirstViewColours, FirstViewSettings};
 use crate::drawings::scale::Scale;
-use radiosity_reading::pictures::lightmap::{Lightmap, LightmapPart};
 use crate::pictures::tessellation::Triangulation;
+use radiosity_reading::pictures::lightmap::{Lightmap, LightmapPart};
 use radiosity_reading::quantity::Quantity;
 
 /// Colours of the scale that are written; the page interpolates between.

@@ -10,8 +10,8 @@ use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
 
-use crate::reader::ReadMode;
 use crate::quantity::{PlaceLight, Quantity};
+use crate::reader::ReadMode;
 
 use super::eye::SeenPlace;
 use super::smooth::ComputedLight;

@@ -420,7 +420,7 @@ mod tests {
     use crate::driver::{Options, Transport, solve};
 
     /// Σ w e / Σ w E_g of the first band, by so many walks of each half.
-    fn mean(missing: &MissedLight, sensors: &[Sensor], walks: u64) -> f64 {
+    fn mean(missed_light: &MissedLight, sensors: &[Sensor], walks: u64) -> f64 {
         let each = sensors.par_iter().enumerate().map(|(number, sensor)| {
             let mut found =
                 SensorWalks::new(sensor, number_of([number as f64]), missed_light.gathered(sensor));
