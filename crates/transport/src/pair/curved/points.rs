@@ -7,7 +7,8 @@ use radiosity_elements::rule::MOST_POINTS;
 use radiosity_kernel::rules::common_edge::{Wedge, unequal_speed};
 use radiosity_kernel::rules::orders::by_trial::Trial;
 use radiosity_kernel::rules::orders::{by_trial, chart_orders};
-use radiosity_kernel::rules::{common_edge, common_vertex, far, horizon};
+use radiosity_kernel::rules::{common_edge, common_vertex, far};
+use radiosity_kernel::tolerances::MOST_QUARTERINGS;
 
 /// Most points per direction of the corner rule, which takes their fourth power. Chosen; not tuned.
 pub(super) const MOST_CORNER_POINTS: usize = 20;
@@ -84,6 +85,6 @@ pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc
     };
     // A horizon tangent to a quarter's lines cuts off less of each smaller quarter: one level per two digits,
     // and one.
-    let deepest = (1 + (-0.5 * eps.log10()).ceil() as usize).min(horizon::DEEPEST);
+    let deepest = (1 + (-0.5 * eps.log10()).ceil() as usize).min(MOST_QUARTERINGS);
     (0..=deepest).map(|depth| [0, 1].map(|axis| count(axis, depth))).collect()
 }
