@@ -72,7 +72,7 @@ pub use separated::separated;
 pub use shape_error::ShapeError;
 pub use surface::{Foot, Jet, Surface};
 pub use tolerances::{
-    COINCIDENT, LOOSE, NO_AREA, PARALLEL_DIRECTIONS, PARALLEL_PLANES, PLANARITY, ROUNDING,
+    COINCIDENT, LOOSE, NO_AREA, PARALLEL_DIRECTIONS, PARALLEL_PLANES, PLANARITY, ROUNDING, ROUNDING_OF_AREAS,
     ROUNDINGS_OF_PLANE, ROUNDOFF_OF_DOUBLE,
 };
 pub use touch::touching;

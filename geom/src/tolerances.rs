@@ -33,6 +33,11 @@ pub(crate) const OVERHANG: f64 = 1e-8;
 /// length.
 pub const NO_AREA: f64 = 1e-12;
 
+/// Part by which areas that are equal may differ where they are sums of many: some 10⁷ roundings. What is cut
+/// into pieces or merged has to keep its area to this part, or it stays as it was; with a larger value pieces
+/// that overlap a little, or leave a gap, would pass.
+pub const ROUNDING_OF_AREAS: f64 = 1e-9;
+
 /// Sine of the angle between planes, or axes, below which they are parallel: of sheets that may lie on each
 /// other, whose corners may be of single precision ([`LOOSE`]). With a larger value sheets that meet at an
 /// angle would count as one; with a smaller one copies of a sheet that were rounded apart would not be found.

@@ -31,7 +31,7 @@ use crate::model::{GREATEST, Material, Model};
 /// The name of the material of surfaces without one.
 const ANY: &str = "*";
 
-/// Most names that a message spells out. Chosen; not tuned.
+/// Most names that a message spells out: a line of a terminal, about.
 const SPELT: usize = 6;
 
 /// A file of materials.

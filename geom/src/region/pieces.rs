@@ -7,7 +7,7 @@
 
 use super::rings::{encloses, signed_area, to_segment};
 use crate::ShapeError;
-use crate::tolerances::COINCIDENT;
+use crate::tolerances::{COINCIDENT, ROUNDING_OF_AREAS};
 use glam::{DVec2, DVec3};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation, mitigate_underflow};
 use std::collections::BTreeMap;
@@ -72,7 +72,7 @@ fn triangulate(flat: &[Vec<DVec2>]) -> Option<Mesh> {
         }
     }
     let covered: f64 = mesh.triangles.iter().map(|t| mesh.area(t)).sum();
-    (expected > 0.0 && (covered - expected).abs() <= 1e-9 * expected).then_some(mesh)
+    (expected > 0.0 && (covered - expected).abs() <= ROUNDING_OF_AREAS * expected).then_some(mesh)
 }
 
 /// The triangles between points, counter-clockwise, with the edges `constraints` among their sides; the same

@@ -13,7 +13,7 @@ use crate::colour::UNKNOWN;
 use crate::model::Sides;
 
 /// Reflectance where the scene states none: Mitsuba's own.
-const USUAL: f64 = 0.5;
+pub(super) const USUAL: f64 = 0.5;
 
 /// Most bsdfs in one another. Chosen.
 const DEEPEST: usize = 16;
