@@ -12,7 +12,7 @@ use radiosity_elements::sampling::shift::{shift, shifted};
 use radiosity_elements::sampling::spread::Place;
 use radiosity_geom::RayTree;
 use radiosity_kernel::kernel;
-use radiosity_visibility::OWN_END;
+use radiosity_visibility::tolerances::OWN_END;
 
 use super::tree::Tree;
 

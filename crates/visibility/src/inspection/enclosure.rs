@@ -10,7 +10,8 @@ use crate::inspection::{
     shell::Shell,
 };
 
-/// Directions of rays, along no axis or diagonal. Chosen; not tuned.
+/// Directions of rays, along no axis, diagonal or plane of both, where edges of buildings run. Arbitrary
+/// otherwise.
 const DIRECTIONS: [DVec3; 3] =
     [DVec3::new(0.31, 0.57, 0.76), DVec3::new(-0.69, 0.41, -0.6), DVec3::new(0.17, -0.83, 0.53)];
 

@@ -8,7 +8,8 @@ use radiosity_scene::{Distribution, Extent, Luminaire, Scene};
 use serde::Serialize;
 
 use crate::inspection::warning::Warning;
-use crate::{OWN_END, Shadows, Visibility};
+use crate::tolerances::OWN_END;
+use crate::{Shadows, Visibility};
 
 /// Rays that look for a front that a luminaire lights. Chosen.
 const RAYS: u32 = 256;
