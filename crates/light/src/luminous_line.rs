@@ -19,13 +19,13 @@ use radiosity_visibility::Visibility;
 use smallvec::{SmallVec, smallvec};
 
 use crate::receiver_point::ReceiverPoint;
+use crate::tolerances::MOST_HALVINGS_OF_LINE;
 
 /// Accuracy of the integral, relative to itself. Chosen.
 const ACCURACY: f64 = 1e-6;
 
-/// Points of a Gauss rule, and halvings at most. Chosen.
+/// Points of a Gauss rule. Chosen.
 const POINTS: usize = 8;
-const DEEPEST: u32 = 16;
 
 /// Rays to a line. Chosen.
 const RAYS: usize = 32;
@@ -66,7 +66,11 @@ impl<'a> LuminousLine<'a> {
         let parts: SmallVec<[Span; 4]> = seen.into_iter().flat_map(|span| self.cut_at_foot(span)).collect();
         let rough: SmallVec<[f64; 4]> = parts.iter().map(|span| self.by_rule(*span)).collect();
         let tolerance = ACCURACY * rough.iter().sum::<f64>();
-        parts.iter().zip(rough).map(|(span, rough)| self.integral(*span, rough, tolerance, DEEPEST)).sum()
+        parts
+            .iter()
+            .zip(rough)
+            .map(|(span, rough)| self.integral(*span, rough, tolerance, MOST_HALVINGS_OF_LINE))
+            .sum()
     }
 
     fn at(&self, t: f64) -> DVec3 {
