@@ -10,8 +10,8 @@ use radiosity_kernel::rules::orders::{by_trial, chart_orders};
 use radiosity_kernel::rules::{common_edge, common_vertex, far};
 use radiosity_kernel::tolerances::MOST_QUARTERINGS;
 
-/// Most points per direction of the corner rule, which takes their fourth power. Chosen; not tuned.
-pub(super) const MOST_CORNER_POINTS: usize = 20;
+use crate::tolerances::MOST_CORNER_POINTS;
+
 /// The degrees and the accuracy that decide the numbers of points, with the shapes of the parts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Points {
@@ -65,7 +65,8 @@ impl Points {
 }
 
 /// Points for the charts of two touching patches: half as many again as for patches apart, since between
-/// touching patches the charts alone make the kernel vary. The half is chosen, not tuned.
+/// touching patches the charts alone make the kernel vary. The half is an estimate, and errors of too few are
+/// told by trials.
 pub(super) fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
     let most =
         [chart_orders::points(p, eps), chart_orders::points(q, eps)].concat().into_iter().max().unwrap_or(0);
@@ -73,7 +74,7 @@ pub(super) fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
 }
 
 /// Points of the tensor rule on an inner patch, its quarters, their quarters and so on: extents halve, and
-/// charts take about a quarter less points each time. The 0.75 is chosen, not tuned.
+/// charts take about a quarter less points each time, an estimate.
 pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc<[[usize; 2]]> {
     let charts = chart_orders::points(patch, eps);
     let extents = patch.extents();
