@@ -69,6 +69,7 @@ use crate::occluders::Occluders;
 use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
 use crate::sources::Source;
+use crate::tolerances::DARK;
 
 /// Rays to an emitter that sends all direct light, before they are compared; fewer to weaker ones, but some.
 /// Chosen.
@@ -98,9 +99,6 @@ const LEAST: f64 = 0.5;
 /// Light that n rays miss, or see too much, times n: at most (1 − f)ⁿ f n = 1/e of what a part f of an
 /// emitter sends.
 const MISSED: f64 = 0.37;
-
-/// Light that arrives over that without shadows, below which the error counts relative to the latter. Chosen.
-const DARK: f64 = 0.02;
 
 /// An emitter is cut into cells within as many of its radii: there one cell would be larger than half its
 /// distance.

@@ -44,3 +44,8 @@ pub(crate) const MOST_HALVINGS_OF_PANEL: usize = 6;
 
 /// Most halvings of a luminous line.
 pub(crate) const MOST_HALVINGS_OF_LINE: u32 = 16;
+
+/// Light that arrives at a point below which its error counts relative to this part of what is expected: of
+/// the light without shadows, or of the mean radiosity of the scene. With a smaller value deep shadows take
+/// most of the rays.
+pub const DARK: f64 = 0.02;

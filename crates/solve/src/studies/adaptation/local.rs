@@ -11,13 +11,13 @@ use radiosity_elements::mesh::{Mesh, Refinement};
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
-use crate::driver::{Failure, Options, solve_exactly};
-use crate::solution::Solution;
-
 use super::achieved::{Achieved, Adapted, End};
 use super::goal::Goal;
 use super::run::{FIRST_ORDER, advise, estimated, finer};
 use super::smoothness::refinement;
+use crate::driver::{Failure, Options, solve_exactly};
+use crate::solution::Solution;
+use crate::tolerances::SHARPENING_IN_VAIN;
 
 /// Part of the squared error that the refined elements bear, at the least and at the most. Chosen.
 const BORNE: [f64; 2] = [0.5, 0.95];
@@ -31,10 +31,8 @@ const OF_BLOCKS: f64 = 0.5;
 const OF_SHADOWS: f64 = 3.0;
 
 /// After so many runs without a smaller error errors of blocks are taken for the cause, and their accuracies
-/// are multiplied by
-/// [`SHARPENING`]: one run may look worse by chance. Both are chosen.
+/// are multiplied by [`SHARPENING_IN_VAIN`]: one run may look worse by chance. Chosen.
 const VAIN: usize = 2;
-const SHARPENING: f64 = 0.4;
 
 /// Error that the first run is expected to have where less is wanted. Chosen.
 const FIRST: f64 = 3e-3;
@@ -87,7 +85,7 @@ pub(super) fn locally(
         vain = if error < least { 0 } else { vain + 1 };
         least = least.min(error);
         if vain == VAIN {
-            (sharper, vain) = (SHARPENING * sharper, 0);
+            (sharper, vain) = (SHARPENING_IN_VAIN * sharper, 0);
         }
         let next = accurate(expected, sharper);
         let elements = outcome.solution.elements();

@@ -17,7 +17,7 @@ use radiosity_elements::Element;
 use radiosity_elements::basis::{Frame, HIGHEST_ORDER};
 use radiosity_elements::mesh::{Axis, Refinement};
 use radiosity_elements::space::Space;
-use radiosity_geom::{DVec3, Surface};
+use radiosity_geom::{DVec3, PARALLEL_DIRECTIONS, Surface};
 
 use crate::solution::Solution;
 
@@ -91,7 +91,7 @@ fn one_axis(element: &Element, squares: &[f64], shape: &dyn Surface) -> Option<A
 fn is_along_parameters(element: &Element, shape: &dyn Surface) -> bool {
     let [u, v] = element.rect.center();
     let jet = shape.jet(u, v);
-    let parallel = |a: DVec3, b: DVec3| a.cross(b).length() <= 1e-9 * a.length() * b.length();
+    let parallel = |a: DVec3, b: DVec3| a.cross(b).length() <= PARALLEL_DIRECTIONS * a.length() * b.length();
     match element.basis.frame() {
         Frame::Parameters { .. } => true,
         Frame::Plane { first, second, .. } => parallel(*first, jet.du) && parallel(*second, jet.dv),
