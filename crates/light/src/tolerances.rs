@@ -49,3 +49,8 @@ pub(crate) const MOST_HALVINGS_OF_LINE: u32 = 16;
 /// the light without shadows, or of the mean radiosity of the scene. With a smaller value deep shadows take
 /// most of the rays.
 pub const DARK: f64 = 0.02;
+
+/// Length of a curved cell over its breadth above which it is cut across its length only, and not quartered:
+/// its parts are half as long at least as they are broad. With a larger value slender cells take more
+/// quarters to become as short as rules want.
+pub const LONG_CELL: f64 = 2.0;

@@ -17,12 +17,7 @@ use radiosity_scene::Radiance;
 use radiosity_visibility::shadow_volume::Quad;
 use smallvec::SmallVec;
 
-use crate::tolerances::COSINE_OF_FLAT;
-
-/// A curved cell longer than this multiple of its breadth is cut across its length only, and its parts are
-/// half as long at least as they are broad. With a larger value slender cells take more quarters to become as
-/// short as rules want.
-const LONG: f64 = 2.0;
+use crate::tolerances::{COSINE_OF_FLAT, LONG_CELL};
 
 /// Number of Gauss points, index 2 a + b for the a-th along s and the b-th along t.
 pub(crate) const POINTS: usize = 4;
@@ -276,8 +271,8 @@ impl Cell {
         let apart = |i: usize, j: usize| self.nodes[i].position.distance(self.nodes[j].position);
         let (along, across) = (apart(0, 2).max(apart(1, 3)), apart(0, 1).max(apart(2, 3)));
         match self.is_flat() {
-            false if along > LONG * across => [Direction::Along; 2],
-            false if across > LONG * along => [Direction::Across; 2],
+            false if along > LONG_CELL * across => [Direction::Along; 2],
+            false if across > LONG_CELL * along => [Direction::Across; 2],
             _ => [Direction::Along, Direction::Across],
         }
     }
