@@ -21,20 +21,21 @@ use smallvec::{SmallVec, smallvec};
 use crate::receiver_point::ReceiverPoint;
 use crate::tolerances::MOST_HALVINGS_OF_LINE;
 
-/// Accuracy of the integral, relative to itself. Chosen.
+/// Accuracy of the integral, relative to itself: that of direct light, which is coarser, is left to its
+/// shadows. The integrand is smooth, so that a few more halvings reach it.
 const ACCURACY: f64 = 1e-6;
 
-/// Points of a Gauss rule. Chosen.
+/// Points of a Gauss rule. Fewer are halved more often, more are more than a smooth part needs.
 const POINTS: usize = 8;
 
-/// Rays to a line. Chosen.
+/// Rays to a line, between which a blocker that hides less than 1/32 of it may be missed. More take time in
+/// proportion.
 const RAYS: usize = 32;
 
 /// Halvings of the step between two rays: a border is then right to 1/(32 · 2¹⁴) = 2e-6 of the line's angle.
-/// Chosen.
 const HALVINGS: usize = 14;
 
-/// Distance from a line's axis over half its length below which all angles to it are one. Chosen.
+/// Distance from a line's axis over half its length below which all angles to it are one, to nine digits.
 const ON_AXIS: f64 = 1e-9;
 
 /// A luminaire that is a line, as a point sees it.

@@ -24,9 +24,9 @@ const MOST_ELEMENTS: usize = 2_000_000;
 /// Most elements in one another. Chosen: scenes have six.
 const DEEPEST: usize = 64;
 
-/// Most quotes in an element and most prefixes of namespaces in a file: the time of reading them is
-/// quadratic. Chosen.
+/// Most quotes in an element, since the time of reading them is quadratic: 500 attributes.
 const MOST_QUOTES: usize = 1000;
+/// Most prefixes of namespaces in a file, since the time of reading them is quadratic; scenes have none.
 const MOST_PREFIXES: usize = 100;
 
 /// The root element of the scene `file`, what it includes in the places of the includes.

@@ -66,7 +66,7 @@ impl Default for Frame {
     }
 }
 
-/// Most stages of a command, each of which places those before it. Chosen.
+/// Most stages of a command, each of which places those before it, so that their products are bounded.
 const MOST_STAGES: usize = 32;
 
 impl Pass {

@@ -14,7 +14,7 @@ use radiosity_visibility::Visibility;
 use radiosity_visibility::inspection::Regions;
 use radiosity_work::interruption::check_interrupt;
 
-/// Most elements of which it is looked at what follows: the pairs are looked at one by one. Chosen.
+/// Most elements of which it is looked at what follows, one pair at a time: half a million pairs.
 const MOST: usize = 1000;
 
 /// The pairs of elements whose exchange has to be found by quadrature or rays that err.

@@ -38,7 +38,8 @@ const PILOT: f64 = 0.1;
 /// sends all light of a scene gets β/(1 + β) of them.
 const BRIGHTNESS: f64 = 0.3;
 
-/// Fewest rays of an element in the pilot round, and in all. Chosen.
+/// Fewest rays of an element in the pilot round, and in all, so that no element is without any: a row of four
+/// hits is known to a half, one of sixteen to a fourth.
 const FEWEST: [u64; 2] = [4, 16];
 
 /// Accuracy of pairs that are carried exactly, in multiples of n^-½ for n rays in all: better than rays find

@@ -55,13 +55,15 @@ use crate::tolerances::{LOOSEST_FOR_GATHERED, OF_ERROR, USUAL_EPS};
 /// than many of these.
 const BY_CELLS: Numbers = Numbers { first: 1 << 12, noisy: 1 << 14, doubtful: 1 << 12, most: 1 << 16 };
 const BY_RAYS: Numbers = Numbers { first: 1 << 16, noisy: 1 << 18, doubtful: 1 << 18, most: 1 << 22 };
+/// Fewest walks per half and sensor: of one there is no noise to be seen.
 const FEWEST: u64 = 2;
 
 /// Walks for each ray that carried the pairs where an estimate is doubtful: a finer run would send at least
 /// as many. Chosen.
 const PER_RAY: u64 = 2;
 
-/// Part of the estimate that the noise of walks may be. Chosen.
+/// Part of the estimate that the noise of walks may be: an error is then known to a factor of √1.5. With a
+/// smaller value walks take longer than a run.
 const NOISE: f64 = 0.5;
 
 /// Standard deviations beyond which noise is no reason to refine. Chosen; in a classroom read at 200 points
@@ -75,7 +77,7 @@ const ONE_IN: f64 = 8.0;
 const COARSER: f64 = 3.0;
 const LEAST_ABSORBED: f64 = 0.05;
 
-/// Accuracy of light that errors are relative to. Chosen.
+/// Accuracy of light that errors are relative to, which need no more digits themselves.
 const OF_SIZE: f64 = 0.1;
 
 /// Numbers of walks in all.

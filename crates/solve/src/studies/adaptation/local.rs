@@ -19,10 +19,12 @@ use crate::driver::{Failure, Options, solve_exactly};
 use crate::solution::Solution;
 use crate::tolerances::SHARPENING_IN_VAIN;
 
-/// Part of the squared error that the refined elements bear, at the least and at the most. Chosen.
+/// Part of the squared error that the refined elements bear, at the least and at the most: less would take
+/// many runs, of more the last elements err by little.
 const BORNE: [f64; 2] = [0.5, 0.95];
 
-/// Part of the squared error that is wanted which refined elements may leave. Chosen.
+/// Part of the squared error that is wanted which refined elements may leave; the other half is for what the
+/// refined ones will have.
 const LEFT: f64 = 0.5;
 
 /// Accuracy of blocks and of their shadows over the expected error: errors of single blocks balance in what
@@ -34,7 +36,8 @@ const OF_SHADOWS: f64 = 3.0;
 /// are multiplied by [`SHARPENING_IN_VAIN`]: one run may look worse by chance. Chosen.
 const VAIN: usize = 2;
 
-/// Error that the first run is expected to have where less is wanted. Chosen.
+/// Error that the first run is expected to have where less is wanted: the elements of a scene as it is err by
+/// more, and finer transfers would be in vain.
 const FIRST: f64 = 3e-3;
 
 /// The least part of the last error that the next run is expected to have; its transfers are made for that.
