@@ -26,7 +26,8 @@ use serde::{Deserialize, Deserializer};
 use strsim::damerau_levenshtein;
 use toml::Spanned;
 
-use crate::model::{GREATEST, Material, Model};
+use crate::model::{Material, Model};
+use crate::tolerances::GREATEST;
 
 /// The name of the material of surfaces without one.
 const ANY: &str = "*";

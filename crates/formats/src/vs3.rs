@@ -36,9 +36,9 @@ use radiosity_photometry::text::decode;
 
 use self::statements::{Corners, Input, Kind, OBSTRUCTION, Statement};
 use crate::files::Files;
-use crate::model::{GREATEST, Material, Model, Shape, Sides, Surface};
+use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
-use crate::tolerances::STEPS_OF_EMITTANCE;
+use crate::tolerances::{GREATEST, STEPS_OF_EMITTANCE};
 
 /// Greatest distance of a surface from the plane of its base, in multiples of the base's size, as View3D
 /// allows it.

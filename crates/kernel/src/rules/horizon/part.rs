@@ -30,7 +30,7 @@ use radiosity_geom::{DVec3, ROUNDING};
 use crate::moments::integrand::kernel;
 use crate::rules::horizon::line::{Lines, seen};
 use crate::rules::horizon::view::{HEIGHTS, Heights, View};
-use crate::tolerances::{GRID_OF_HEIGHTS, MOST_QUARTERINGS};
+use crate::tolerances::GRID_OF_HEIGHTS;
 
 /// The inner patch or a quarter of it, with the data to be integrated as seen from any point.
 pub(super) struct Part<'a> {
@@ -228,6 +228,7 @@ mod tests {
     use radiosity_geom::{DVec2, Flipped, Rect, Surface};
 
     use super::*;
+    use crate::tolerances::MOST_QUARTERINGS;
 
     /// Inside a sphere every point sees nothing but the sphere: ∫κ dA = 1.
     #[test]
