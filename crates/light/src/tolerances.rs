@@ -11,8 +11,8 @@ pub(crate) const OUTLINE_FROM: f64 = 2.0;
 /// who sees them.
 pub(crate) const COSINE_OF_FLAT: f64 = 0.999;
 
-/// Least cosine between two normals of a curved cell that a rule is tried on (46°): at larger ones points of
-/// the rule face away that others stand for, and the cell is divided at once.
+/// Least cosine between two normals of a curved cell that a rule is tried on (46°): of cells that turn
+/// farther, points of the rule face away that others stand for, and the cell is divided at once.
 pub(crate) const COSINE_OF_CELL: f64 = 0.7;
 
 /// Most quarterings of a flat cell of an emitter, which is then 6·10⁻⁸ as long: a bound for receivers that
@@ -38,19 +38,18 @@ pub(crate) const MOST_QUARTERINGS_OF_LAMP: u32 = 7;
 /// luminaire that is nearer lights next to nothing of it from there.
 pub(crate) const MOST_QUARTERINGS_AT_LUMINAIRE: usize = 14;
 
-/// Most halvings of a panel across scan lines: 1/64 of it. What is left errs by less than the part that it is
-/// of the cell.
+/// Most halvings of a panel across scan lines: 1/64 of it, beyond which the sum is taken as it is.
 pub(crate) const MOST_HALVINGS_OF_PANEL: usize = 6;
 
-/// Most halvings of a luminous line.
+/// Most halvings of a luminous line: a bound for intensities that jump along it.
 pub(crate) const MOST_HALVINGS_OF_LINE: u32 = 16;
 
-/// Light that arrives at a point below which its error counts relative to this part of what is expected: of
-/// the light without shadows, or of the mean radiosity of the scene. With a smaller value deep shadows take
-/// most of the rays.
+/// Part of the light that is expected at a point, without shadows or by the mean radiosity of the scene:
+/// where less arrives, its error counts relative to this part. With a smaller value deep shadows take most of
+/// the rays.
 pub const DARK: f64 = 0.02;
 
-/// Length of a curved cell over its breadth above which it is cut across its length only, and not quartered:
-/// its parts are half as long at least as they are broad. With a larger value slender cells take more
-/// quarters to become as short as rules want.
+/// Length of a curved cell over its breadth above which it is cut across its length only. With a larger value
+/// slender cells take more parts to become as short as rules want; with a smaller one parts may become
+/// broader than they are long.
 pub const LONG_CELL: f64 = 2.0;
