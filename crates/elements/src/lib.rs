@@ -41,6 +41,7 @@ use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_width, touching
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_visibility::covers::{self, Cover, covers};
 use radiosity_visibility::footings::bare_shapes;
+use radiosity_visibility::tolerances::NARROW_PIECE;
 use radiosity_work::interruption::check_interrupt;
 
 use basis::HIGHEST_ORDER;
@@ -309,16 +310,12 @@ impl Maker<'_> {
     }
 }
 
-/// Pieces beside covers that are narrower than this part of the surface's extent are rounding. Chosen; not
-/// tuned.
-const LEAST: f64 = 1e-6;
-
 /// Convex pieces of a flat surface outside its `covers`.
 fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
     let whole = region.convex_pieces().to_vec();
     let open = covers::without(whole, covers.iter().copied(), region.normal());
     open.into_iter()
-        .filter(|piece| covers.is_empty() || polygon_width(piece) > LEAST * region.extent())
+        .filter(|piece| covers.is_empty() || polygon_width(piece) > NARROW_PIECE * region.extent())
         .collect()
 }
 

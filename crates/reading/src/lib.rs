@@ -8,6 +8,7 @@
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `language`, `visibility`, `elements`, `kernel`,
 //! `transport`, `light`, `published` and `solve`.
 
+mod tolerances;
 pub mod digits;
 pub mod field;
 pub mod warning;
