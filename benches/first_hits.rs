@@ -3,10 +3,10 @@
 //! `cargo bench -q -p radiosity-benches --bench first_hits`. Rays start at points of the surfaces, evenly by
 //! area, and leave by the cosine law: in random order, or a thousand from one surface after another. A hall is
 //! made here: turned boxes of random sides in the cells of a grid. The rooms are read from `../shared`, a
-//! folder that does not come with the sources; without it they are left out. Beside [`RayTree`]: the hierarchy of obvhs, the
-//! fastest crate for single rays known to us (eight wide, quantised boxes in single precision), over the
-//! surfaces, with their own tests in its leaves, and over triangles that flat surfaces are cut into, tested
-//! in double precision. A rate is that of the fastest of some rounds, in which the ways take turns.
+//! folder that does not come with the sources; without it they are left out. Beside [`RayTree`]: the hierarchy
+//! of obvhs, the fastest crate for single rays known to us (eight wide, quantised boxes in single precision),
+//! over the surfaces, with their own tests in its leaves, and over triangles that flat surfaces are cut into,
+//! tested in double precision. A rate is that of the fastest of some rounds, in which the ways take turns.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

@@ -99,10 +99,13 @@ fn share_plane_area(a: &PlanarRegion, b: &PlanarRegion, tolerance: f64) -> bool 
     shared > strip.min(1e-3 * a.area().min(b.area()))
 }
 
-/// A point where a line of `a` passes through `b`, away from b's border by 5e-3 of its diagonal (chosen, not
-/// tuned).
+/// A point where a line of `a` passes through `b`, more than 5e-3 of b's diagonal away from b's border:
+/// with a smaller margin contacts along the border would count as crossings, with a larger one shallow
+/// crossings would be missed.
 fn crossing(a: &Patch, b: &Patch, tolerance: f64) -> Option<DVec3> {
-    // Odd, so that no step ends in the middle, where crossings are likely. Chosen; not tuned.
+    // Odd, so that no step ends in the middle, where crossings are likely. A crossing is found where both
+    // ends of a step are farther from the other patch than the line sags between them: with fewer steps
+    // strongly bent lines pass unseen, and each takes a ray. An arbitrary choice.
     const STEPS: usize = 17;
     let around = b.bounds().inflate(tolerance);
     let borders = b.borders();

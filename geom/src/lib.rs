@@ -16,6 +16,8 @@
 //!
 //! The modules stand in groups; each imports only from groups above its own.
 
+mod tolerances;
+
 mod aabb;
 mod bernstein;
 mod clip;
@@ -69,4 +71,8 @@ pub use rounding::{coordinate_rounding, unit_roundoff};
 pub use separated::separated;
 pub use shape_error::ShapeError;
 pub use surface::{Foot, Jet, Surface};
-pub use touch::{COINCIDENT, LOOSE, ROUNDING, touching};
+pub use tolerances::{
+    COINCIDENT, LOOSE, NO_AREA, PARALLEL_DIRECTIONS, PARALLEL_PLANES, PLANARITY, ROUNDING, ROUNDING_OF_AREAS,
+    ROUNDINGS_OF_PLANE, ROUNDOFF_OF_DOUBLE,
+};
+pub use touch::touching;

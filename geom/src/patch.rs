@@ -74,7 +74,9 @@ impl<'a> Patch<'a> {
         feet.min_by(|a, b| a.0.total_cmp(&b.0)).expect("a patch has borders").1
     }
 
-    /// Points well inside the patch, with their normals; sampled without symmetry (chosen, not tuned).
+    /// Points well inside the patch, with their normals; sampled without symmetry, since symmetric patches
+    /// may cross at points of a symmetric sample, which would then tell nothing. Five each way are an
+    /// arbitrary choice: a part that is shared and smaller than a cell between them is missed.
     pub(crate) fn inner_samples(&self) -> Vec<(DVec3, DVec3)> {
         const STEPS: [f64; 5] = [-0.83, -0.41, 0.03, 0.44, 0.81];
         match self {
@@ -181,7 +183,8 @@ fn slide(start: f64, x: DVec3, curve: impl Fn(f64) -> (DVec3, DVec3)) -> f64 {
     for _ in 0..30 {
         let (p, slope) = curve(w);
         let step = (x - p).dot(slope) / slope.length_squared().max(f64::MIN_POSITIVE);
-        // Near a cusp of the curve a full step would leap over it: at most 0.25. Chosen; not tuned.
+        // Near a cusp of the curve a full step would leap over it: at most 0.25, an eighth of the curve, so
+        // that 30 steps pass along all of it three times.
         let next = (w + step.clamp(-0.25, 0.25)).clamp(-1.0, 1.0);
         if (next - w).abs() < 1e-15 {
             break;

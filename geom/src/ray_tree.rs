@@ -21,6 +21,7 @@ mod flats;
 mod build;
 mod twins;
 
+use crate::tolerances::OVERHANG;
 use crate::{Aabb, Hit, PlanarRegion, Ray, Rect, Surface};
 use build::{Content, DEEPEST, Item, Layout};
 use facet::{Facet, Meeting};
@@ -33,9 +34,6 @@ use twins::twins;
 
 /// Most children that wait to be visited: all but the nearest at each depth.
 const STACK: usize = (WIDTH - 1) * DEEPEST + WIDTH;
-
-/// Room of a surface's box for hits accepted just outside the parameter domain, as a part of its size.
-const OVERHANG: f64 = 1e-8;
 
 /// Hits of t no farther apart than this part of them are one hit.
 const TIE: f64 = 1e-12;

@@ -7,24 +7,9 @@
 mod rings;
 mod pieces;
 
-use crate::{Motion, ShapeError, coordinate_rounding, intersection};
+use crate::tolerances::{LOOSE, NO_AREA, PLANARITY, ROUNDING, ROUNDINGS_OF_PLANE};
+use crate::{Hit, Motion, ShapeError, coordinate_rounding, intersection};
 use glam::{DVec2, DVec3};
-
-/// Distance of a vertex from the plane of the outline, at most, in multiples of the outline's extent:
-/// decimals and single precision pass, a quad that is meant to be curved does not. Chosen; not tuned.
-pub(crate) const PLANARITY: f64 = 2e-5;
-
-/// Roundings by which a vertex may miss a plane through other vertices: each misses by one, and a plane
-/// through three adds up to three more where it is extended; twice that.
-const ROUNDINGS: f64 = 8.0;
-
-/// Distance from the plane up to which a point lies in the region, in multiples of the extent. Chosen; not
-/// tuned.
-const FLUSH: f64 = 1e-6;
-
-/// Distance from the boundary up to which a point lies inside, in multiples of the extent: seams must not
-/// leak. As `Hit::SEAM`.
-const SEAM: f64 = 1e-9;
 
 /// A polygon with holes in a plane.
 #[derive(Clone, Debug, PartialEq)]
@@ -147,13 +132,13 @@ impl PlanarRegion {
     /// Whether `point` lies in the region: in its plane within 1e-6 of the extent, and inside or within 1e-9
     /// of the boundary.
     pub fn contains(&self, point: DVec3) -> bool {
-        self.height(point).abs() <= FLUSH * self.extent && self.covers(self.to_plane(point))
+        self.height(point).abs() <= LOOSE * self.extent && self.covers(self.to_plane(point))
     }
 
     /// Whether the plane coordinates `at` lie in the region or within 1e-9 of its boundary.
     pub(crate) fn covers(&self, at: DVec2) -> bool {
         let inside = self.flat.iter().filter(|ring| rings::encloses(ring, at)).count() == 1;
-        inside || self.flat.iter().any(|ring| rings::distance(ring, at) <= SEAM * self.extent)
+        inside || self.flat.iter().any(|ring| rings::distance(ring, at) <= Hit::SEAM * self.extent)
     }
 
     /// The outline in plane coordinates.
@@ -231,7 +216,7 @@ fn check_vertices(ring: &[DVec3], name: &str) -> Result<(), ShapeError> {
         return Err(ShapeError::TooFewVertices { field: field(), count: ring.len() });
     }
     let extent = ring.iter().map(|x| x.distance(ring[0])).fold(0.0, f64::max);
-    let repeats = |k: &usize| ring[*k].distance(ring[(k + 1) % ring.len()]) <= 1e-12 * extent;
+    let repeats = |k: &usize| ring[*k].distance(ring[(k + 1) % ring.len()]) <= ROUNDING * extent;
     match (0..ring.len()).find(repeats) {
         Some(index) => Err(ShapeError::RepeatedVertex { field: field(), index }),
         None => Ok(()),
@@ -243,7 +228,7 @@ fn plane_of(outer: &[DVec3]) -> Result<(DVec3, f64), ShapeError> {
     let next = outer.iter().cycle().skip(1);
     let twice: DVec3 = outer.iter().zip(next).map(|(x, y)| (*x - outer[0]).cross(*y - outer[0])).sum();
     let extent = outer.iter().map(|x| x.distance(outer[0])).fold(0.0, f64::max);
-    if twice.length() <= 1e-12 * extent * extent {
+    if twice.length() <= NO_AREA * extent * extent {
         // A symmetric bow tie has no net area; its crossing is the better message.
         return Err(rings::bow_tie(outer).unwrap_or(ShapeError::NoArea { field: ring_name(0) }));
     }
@@ -260,7 +245,7 @@ fn check_planar(
 ) -> Result<(), ShapeError> {
     let heights = ring.iter().map(|x| (*x - origin).dot(normal).abs());
     let (index, deviation) = heights.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).expect("three vertices");
-    if deviation <= (PLANARITY * extent).max(ROUNDINGS * coordinate_rounding(ring, Some(normal))) {
+    if deviation <= (PLANARITY * extent).max(ROUNDINGS_OF_PLANE * coordinate_rounding(ring, Some(normal))) {
         return Ok(());
     }
     Err(ShapeError::NotPlanar { field: name.to_owned(), index, deviation })

@@ -5,11 +5,11 @@
 
 use glam::DVec3;
 
-/// Half a unit in the last place of single and of double precision, relative to the number.
-const SINGLE: f64 = 1.0 / (1u64 << 24) as f64;
-const DOUBLE: f64 = 1.0 / (1u64 << 53) as f64;
+use crate::tolerances::{ROUNDOFF_OF_DOUBLE, ROUNDOFF_OF_SINGLE};
 
-/// Multiples of one over this number may have been typed. Chosen; not tuned.
+/// Multiples of one over this number may have been typed. A number of single precision that has more than
+/// three decimals, such as 0.0625, is taken for a rounded one where all others are of single precision too;
+/// with a larger value fewer are, and fewer models of single precision are known as such.
 const PLAIN: f64 = 1000.0;
 
 /// Largest rounding error (their unit of length) along the unit vector `direction` of `points` given in one
@@ -24,7 +24,7 @@ pub fn coordinate_rounding(points: &[DVec3], direction: Option<DVec3>) -> f64 {
 pub fn unit_roundoff(points: &[DVec3]) -> f64 {
     let coordinates = || points.iter().flat_map(|x| x.to_array());
     let is_single = coordinates().all(|x| f64::from(x as f32) == x) && !coordinates().all(is_plain);
-    if is_single { SINGLE } else { DOUBLE }
+    if is_single { ROUNDOFF_OF_SINGLE } else { ROUNDOFF_OF_DOUBLE }
 }
 
 fn is_plain(x: f64) -> bool {
@@ -41,11 +41,11 @@ mod tests {
         let of = |x: f64| {
             coordinate_rounding(&[DVec3::new(x, 4.0, 0.0), DVec3::new(0.5, 0.0, 2.25)], Some(DVec3::Y))
         };
-        assert_eq!(of(0.125), 4.0 * DOUBLE);
-        assert_eq!(of(third), 4.0 * SINGLE);
-        assert_eq!(of(1.0 / 3.0), 4.0 * DOUBLE);
+        assert_eq!(of(0.125), 4.0 * ROUNDOFF_OF_DOUBLE);
+        assert_eq!(of(third), 4.0 * ROUNDOFF_OF_SINGLE);
+        assert_eq!(of(1.0 / 3.0), 4.0 * ROUNDOFF_OF_DOUBLE);
         // Map coordinates in whole metres.
-        assert_eq!(of(5_400_001.0), 4.0 * DOUBLE);
+        assert_eq!(of(5_400_001.0), 4.0 * ROUNDOFF_OF_DOUBLE);
     }
 
     #[test]

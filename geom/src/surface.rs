@@ -4,6 +4,7 @@
 //! front the side that X_u × X_v points to. A shape has to give its jet, its bounds and its nearest ray hit;
 //! everything else follows from these three, and a shape replaces what it knows in closed form.
 
+use crate::tolerances::ROUNDING;
 use crate::{Aabb, Hit, PlanarRegion, Ray, Rect, ShapeError};
 use glam::DVec3;
 use radiosity_core::gauss::{Legendre, Rule};
@@ -130,8 +131,9 @@ fn gauss_area<S: Surface + ?Sized>(surface: &S, rect: &Rect) -> f64 {
     du * dv * nodes.iter().zip(weights).map(|(s, w)| w * row(*s)).sum::<f64>()
 }
 
-/// Splits `rect` until quartering changes its area, `whole` by one rule, by less than 2e-14, or 8 times (both
-/// chosen, not tuned).
+/// Splits `rect` until quartering changes its area, `whole` by one rule, by less than 2e-14, which
+/// is some hundred roundings, or 8 times: the quarters are 1/256 as long then, and at a crease no number is
+/// enough.
 fn refine_area<S: Surface + ?Sized>(surface: &S, rect: &Rect, whole: f64, depth: usize) -> f64 {
     let quarters = rect.quarters();
     let parts = quarters.map(|quarter| gauss_area(surface, &quarter));
@@ -142,7 +144,9 @@ fn refine_area<S: Surface + ?Sized>(surface: &S, rect: &Rect, whole: f64, depth:
     quarters.iter().zip(parts).map(|(quarter, part)| refine_area(surface, quarter, part, depth + 1)).sum()
 }
 
-/// Starts of a search for the nearest point. Chosen; not tuned.
+/// Starts of a search for the nearest point. A descent ends in the valley that it starts in; six nearest
+/// seeds reach both sides of a seam and the surroundings of a pole. An arbitrary choice: fewer may end in the
+/// wrong valley, more take time in proportion.
 const DESCENTS: usize = 6;
 
 /// Parameters to start descents from, nearest first: the nearest of the centres of 10 × 10 cells, which keep
@@ -162,13 +166,10 @@ fn seeds<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Vec<(f64, [f64; 2])>
     seeds
 }
 
-/// Points nearer than this part of the surface's extent lie on it. Chosen; not tuned.
-const ON_SURFACE: f64 = 1e-12;
-
 /// The best of a few descents: several, since near a pole the nearest seed may lie on the wrong side of the
 /// seam.
 pub(crate) fn nearest_foot<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Foot {
-    let near = ON_SURFACE * surface.bounds(&Rect::FULL).diagonal();
+    let near = ROUNDING * surface.bounds(&Rect::FULL).diagonal();
     let mut best = Foot { u: 0.0, v: 0.0, distance: f64::INFINITY };
     for (_, start) in seeds(surface, point) {
         let foot = descend(surface, point, start);
@@ -186,7 +187,7 @@ pub(crate) fn nearest_foot<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Fo
 /// not find it.
 pub(crate) fn foot_from_middle<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Option<Foot> {
     let foot = descend(surface, point, [0.0; 2]);
-    (foot.distance <= ON_SURFACE * surface.bounds(&Rect::FULL).diagonal()).then_some(foot)
+    (foot.distance <= ROUNDING * surface.bounds(&Rect::FULL).diagonal()).then_some(foot)
 }
 
 /// Minimises |X(u, v) − point| from `start` by damped Gauss–Newton steps kept within the domain.

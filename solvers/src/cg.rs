@@ -23,15 +23,10 @@ use crate::operator::Operator;
 use crate::problem::Problem;
 use crate::settings::{Preconditioner, Settings};
 use crate::solver::{Report, Solver, Step};
+use crate::tolerances::{ASYMMETRY_OF_PRODUCTS, DRIFT};
 use crate::vector::{add_scaled, dot, norm};
 
 pub(crate) const NAME: &str = "cg";
-
-/// Fall of the recurred residual after which it is recomputed: some 50 rounding errors. Chosen; not tuned.
-const DRIFT: f64 = 1e-14;
-
-/// Relative difference of vᵀ(A p) and pᵀ(A v) that counts as rounding. Chosen; not tuned.
-const ASYMMETRY: f64 = 1e-10;
 
 /// Conjugate gradients, with a block-Jacobi preconditioner unless none is wanted; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]
@@ -133,7 +128,7 @@ impl Descent<'_> {
         let image = self.multiply(&v)?;
         let scale = norm(&v) * norm(q) + norm(p) * norm(&image);
         self.probed = true;
-        if (dot(&v, q) - dot(p, &image)).abs() <= ASYMMETRY * scale {
+        if (dot(&v, q) - dot(p, &image)).abs() <= ASYMMETRY_OF_PRODUCTS * scale {
             return Ok(());
         }
         Err(SolveError::NotSymmetric { method: NAME })

@@ -14,13 +14,11 @@ use rayon::prelude::*;
 use crate::error::SolveError;
 use crate::operator::Operator;
 use crate::partition::Partition;
+use crate::tolerances::ASYMMETRY_OF_ENTRIES;
 use crate::vector::{add_scaled, all_finite, dot};
 
 /// Rows summed together: 8 kB of partial sums, which stay in the first-level cache.
 const ROWS: usize = 1024;
-
-/// Relative difference of a_ij and a_ji that counts as rounding. Chosen; not tuned.
-const ASYMMETRY: f64 = 1e-12;
 
 /// A real square matrix held entry by entry, finite, cut into blocks.
 ///
@@ -194,7 +192,7 @@ fn is_symmetric(values: &[f64], dim: usize) -> bool {
     let entry = |i: usize, j: usize| values[j * dim + i];
     let agree = |i, j| {
         let scale = entry(i, j).abs().max((entry(i, i).abs().sqrt()) * entry(j, j).abs().sqrt());
-        (entry(i, j) - entry(j, i)).abs() <= ASYMMETRY * scale
+        (entry(i, j) - entry(j, i)).abs() <= ASYMMETRY_OF_ENTRIES * scale
     };
     let tile = |first: usize| first..dim.min(first + TILE);
     (0..dim)

@@ -21,12 +21,10 @@ use crate::panel::Threads;
 use crate::problem::{Problem, exploded, finite};
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step, check_columns, column_by_column};
+use crate::tolerances::REFINED;
 use crate::vector::{add_scaled, all_finite};
 
-/// Refinement goes on until the residual is below this, even if the tolerance is looser. Chosen; not tuned.
-const AIM: f64 = 1e-10;
-
-/// Most refinement steps. Chosen; not tuned.
+/// Most refinement steps, each of which has to halve the residual: ten of them divide it by 1000 at least.
 const REFINEMENTS: usize = 10;
 
 /// A matrix with its factors, made by [`Lu::factor`](crate::lu::Lu::factor) or
@@ -222,7 +220,7 @@ impl<'r, 'f> Refinement<'r, 'f> {
 
     /// Refines x as long as it pays.
     fn run(&mut self, halt: &Halt<'_>) -> Result<(), SolveError> {
-        let aim = self.factored.settings.tolerance.min(AIM);
+        let aim = self.factored.settings.tolerance.min(REFINED);
         while self.history.len() <= REFINEMENTS && self.residual() > aim {
             let residual = self.residual();
             halt.check(self.history.len() - 1, residual)?;

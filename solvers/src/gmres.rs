@@ -22,13 +22,10 @@ use crate::operator::Operator;
 use crate::problem::Problem;
 use crate::settings::{Granularity, Preconditioner, Settings};
 use crate::solver::{Report, Solver, Step};
+use crate::tolerances::VANISHED;
 use crate::vector::{add_scaled, dot, norm};
 
 pub(crate) const NAME: &str = "gmres";
-
-/// Relative length below which the remainder of orthogonalisation is rounding: some five rounding errors.
-/// Chosen; not tuned.
-const VANISHED: f64 = 1e-15;
 
 /// Restarted GMRES, with a block-Jacobi preconditioner unless none is wanted; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]

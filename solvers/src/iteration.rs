@@ -16,11 +16,13 @@ use crate::settings::Settings;
 use crate::solver::{Report, Step};
 use crate::vector::all_finite;
 
-/// Growth of the residual after which an iteration is given up. Chosen; not tuned.
+/// Growth of the residual after which an iteration is given up. That of conjugate gradients may rise before
+/// it falls, by less than this in matrices that double precision can solve.
 const DIVERGED: f64 = 1e12;
 
 /// Estimates in a row that were too low, without a new record of the recomputed residual, after which a
-/// method is stuck. Chosen; not tuned.
+/// method is stuck: one or two may come of rounding. With a larger value a method that gains no more takes
+/// longer to say so.
 const CLAIMS: usize = 5;
 
 /// The iteration of one method.

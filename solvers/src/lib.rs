@@ -55,6 +55,8 @@
 //!
 //! The exact conditions and the references stand in each module's header.
 
+mod tolerances;
+
 mod partition;
 
 mod error;

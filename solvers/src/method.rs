@@ -341,7 +341,8 @@ pub struct UnknownMethod {
 }
 
 impl UnknownMethod {
-    /// Jaro–Winkler similarity above which a name is suggested. Chosen; not tuned.
+    /// Jaro–Winkler similarity above which a name is suggested. An arbitrary choice: with a smaller value
+    /// names are suggested that nobody meant, with a larger one none for a short name with a slip.
     const CLOSE: f64 = 0.7;
 
     fn new(name: &str, methods: &[&'static Method]) -> Self {

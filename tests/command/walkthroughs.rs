@@ -59,6 +59,8 @@ fn is_written() -> bool {
 fn follow(page: &str) {
     let place = root().join(page);
     let text = fs::read_to_string(&place).expect("the page is there");
+    let unmarked: Vec<&str> = unmarked(&text).collect();
+    assert!(unmarked.is_empty(), "{page}: commands on lines of their own without a mark: {unmarked:?}");
     let folder = tempfile::tempdir().expect("a folder");
     symlink(root().join("examples"), folder.path().join("examples")).expect("a link");
     fs::create_dir(folder.path().join("docs")).expect("a folder");
@@ -114,6 +116,15 @@ fn followed(text: &str, folder: &TempDir) -> (String, Vec<Output>) {
         }
     }
     (fresh, outputs)
+}
+
+/// Commands that fill a line, below which no mark stands.
+fn unmarked(text: &str) -> impl Iterator<Item = &str> {
+    let is_whole = |line: &str| line.starts_with('`') && line.ends_with('`') && last_command(line).is_some();
+    let below = text.lines().skip(1).chain([""]);
+    let unmarked =
+        text.lines().zip(below).filter(move |(line, below)| is_whole(line) && !below.starts_with("<!--"));
+    unmarked.map(|(line, _)| line)
 }
 
 /// Text of the next block between fences.

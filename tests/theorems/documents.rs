@@ -1,8 +1,9 @@
 //! All that the documents name is there: examples, tests and benches that commands run, pictures and links,
 //! marks in pairs; and the packages' examples are those of their documentation, where they are run.
 
-use std::fs;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::{fs, iter};
 
 /// Folders without documents or sources of the house.
 const ELSEWHERE: [&str; 3] = ["target", ".git", "node_modules"];
@@ -138,6 +139,50 @@ fn links_lead_somewhere() {
         }
     }
     assert!(pictures > 5, "the pictures were found");
+}
+
+/// The name that readers of Markdown give a heading.
+fn anchor(heading: &str) -> String {
+    let letters = heading.trim().to_lowercase().replace(' ', "-");
+    letters.chars().filter(|c| c.is_alphanumeric() || "-_".contains(*c)).collect()
+}
+
+/// The names of a document's headings; those that return are numbered.
+fn anchors(text: &str) -> BTreeSet<String> {
+    let (mut found, mut is_code) = (BTreeSet::new(), false);
+    for line in text.lines() {
+        is_code ^= line.starts_with("```");
+        if is_code || !line.starts_with('#') {
+            continue;
+        }
+        let name = anchor(line.trim_start_matches('#'));
+        let numbered = (1..).map(|number| format!("{name}-{number}"));
+        let mut free = iter::once(name.clone()).chain(numbered).filter(|name| !found.contains(name));
+        let free = free.next().expect("numbers do not end");
+        found.insert(free);
+    }
+    found
+}
+
+#[test]
+fn links_to_headings_find_them() {
+    let mut found = 0;
+    for (document, text) in texts() {
+        for (file, name) in links(&text).filter_map(|link| link.split_once('#')) {
+            if file.starts_with("https://") || !file.is_empty() && !file.ends_with(".md") {
+                continue;
+            }
+            found += 1;
+            let there = if file.is_empty() {
+                anchors(&text)
+            } else {
+                let other = fs::read_to_string(beside(&document, file)).expect("the document is there");
+                anchors(&other)
+            };
+            assert!(there.contains(name), "{document}: {file} has no heading '{name}'");
+        }
+    }
+    assert!(found > 100, "{found} links to headings");
 }
 
 /// Paths in a text between backticks.

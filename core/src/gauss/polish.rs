@@ -156,8 +156,8 @@ impl Polish {
     }
 }
 
-/// Bounds 2⁻⁶⁴ and 2⁶⁴ of the norm between rescalings: far from overflow, and exact powers. Chosen; not
-/// tuned.
+/// Bounds 2⁻⁶⁴ and 2⁶⁴ of the norm between rescalings: far from overflow, and exact powers.
+/// Any power between would do as well.
 const LOW: f64 = 1.0 / HIGH;
 const HIGH: f64 = 18_446_744_073_709_551_616.0;
 

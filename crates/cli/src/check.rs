@@ -33,7 +33,7 @@ pub(crate) struct CheckArgs {
     pub(crate) format: Format,
 }
 
-/// So many names, or warnings of a kind, are written as text; JSON names all. Chosen; not tuned.
+/// So many names, or warnings of a kind, are written as text, a screen of them; JSON names all.
 const LISTED: usize = 20;
 
 /// Form of the findings.

@@ -8,6 +8,7 @@ use radiosity_geom::DVec3;
 use radiosity_language::csv_rows::{Row, Unreadable, rows};
 use radiosity_language::input;
 use radiosity_reading::probe::Probe;
+use radiosity_scene::ranges::LARGEST;
 use radiosity_work::ranks::Ranks;
 use thiserror::Error;
 
@@ -108,9 +109,6 @@ impl Points {
     }
 }
 
-/// Largest coordinate, as in scenes.
-const FARTHEST: f64 = 1e30;
-
 /// Form of the lines of a file.
 const FORM: &str = "write six numbers a line, x,y,z,nx,ny,nz: a point and its normal";
 
@@ -137,7 +135,7 @@ impl Columns {
             *number = parsed.ok_or_else(|| (fault(), "write a number such as 0.25 or 1e-3"))?;
         }
         let [x, y, z, nx, ny, nz] = numbers;
-        if let Some(place) = [x, y, z].iter().position(|x| x.abs() > FARTHEST) {
+        if let Some(place) = [x, y, z].iter().position(|x| x.abs() > LARGEST) {
             let fault =
                 format!("column {} ({}): farther off than 1e30", self.places[place] + 1, COLUMNS[place]);
             return Err((fault, "give the point in the unit of the scene, whose numbers end at 1e30"));

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use radiosity_geom::ROUNDING_OF_AREAS;
 use radiosity_language::input;
 use radiosity_reading::files::solution_file::{is_solution, read};
 use radiosity_scene::{Scene, Source};
@@ -9,9 +10,6 @@ use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;
 
 use crate::error::CliError;
-
-/// Areas of the same surface differ by less than this part. Chosen; not tuned.
-const SAME_AREA: f64 = 1e-9;
 
 /// Reads the solution file at `path` with these ranks, which has to have the surfaces and bands of `scene`.
 pub(crate) fn solution(path: &Path, scene: &Scene, ranks: &Ranks) -> Result<Solved, CliError> {
@@ -43,7 +41,7 @@ pub(crate) fn same_materials(a: &Scene, b: &Scene) -> bool {
 
 /// Whether names and areas are the same.
 fn same_surfaces(a: &Scene, b: &Scene) -> bool {
-    let same = |[a, b]: [f64; 2]| (a - b).abs() <= SAME_AREA * a;
+    let same = |[a, b]: [f64; 2]| (a - b).abs() <= ROUNDING_OF_AREAS * a;
     a.surfaces.len() == b.surfaces.len()
         && a.surfaces
             .iter()

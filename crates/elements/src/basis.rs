@@ -32,10 +32,12 @@ use super::space::Space;
 /// Highest order offered.
 pub const HIGHEST_ORDER: usize = MAX_ORDER;
 
-/// Loss of orthonormality up to which no better way of evaluation is tried. Chosen; not tuned.
+/// Loss of orthonormality up to which no better way of evaluation is tried: rounding of sums over some
+/// hundreds of points.
 const GOOD_DEFECT: f64 = 1e-13;
 
-/// Largest loss of orthonormality of a basis that is accepted. Chosen; not tuned.
+/// Largest loss of orthonormality of a basis that is accepted: solutions are off by as much. With a smaller
+/// value thin elements of high order are refused more often.
 const LARGEST_DEFECT: f64 = 1e-10;
 
 /// Levels of products that a recurrence uses, cheapest first; measured in the table of the module

@@ -45,7 +45,9 @@ pub struct Coating {
     transmissions: BTreeMap<usize, Arc<Transmission>>,
 }
 
-/// Cells along each direction of a patch for the mean of what varies. Chosen; not tuned.
+/// Cells along each direction of a patch for the mean of what varies: polynomials vary little over a
+/// sixteenth of a patch, and the middle of a cell errs by the square of that. With more each element of each
+/// band takes longer.
 const ALONG: usize = 16;
 
 /// Means over a part of an element.

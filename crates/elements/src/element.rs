@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use radiosity_core::dot;
-use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, overhang, polygon_area};
+use radiosity_geom::{
+    Aabb, DVec2, DVec3, PARALLEL_DIRECTIONS, Rect, Surface, clip_polygon, overhang, polygon_area,
+};
 use radiosity_scene::SceneSurface;
 use smallvec::{SmallVec, smallvec};
 
@@ -181,7 +183,8 @@ fn frame(
         Some((_, normal)) => {
             let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
             let jet = shape.jet(u, v);
-            let parallel = |x: DVec3, y: DVec3| x.cross(y).length() <= 1e-9 * x.length() * y.length();
+            let parallel =
+                |x: DVec3, y: DVec3| x.cross(y).length() <= PARALLEL_DIRECTIONS * x.length() * y.length();
             // A parallelogram fills the frame along its own sides, ordered as the parameters along them.
             let sides = match patches {
                 [patch] if patch.is_parallelogram() => {

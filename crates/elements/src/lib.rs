@@ -41,6 +41,7 @@ use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_width, touching
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_visibility::covered_parts::{self, CoveredPart, covered_parts};
 use radiosity_visibility::footprints::bare_shapes;
+use radiosity_visibility::tolerances::NARROW_PIECE;
 use radiosity_work::interruption::check_interrupt;
 
 use basis::HIGHEST_ORDER;
@@ -318,16 +319,12 @@ impl ElementMaker<'_> {
     }
 }
 
-/// Pieces beside covered parts that are narrower than this part of the surface's extent are rounding. Chosen;
-/// not tuned.
-const LEAST: f64 = 1e-6;
-
 /// Convex pieces of a flat surface outside its `covered_parts`.
 fn open_pieces(region: &PlanarRegion, covered_parts: &[&CoveredPart]) -> Vec<Vec<DVec3>> {
     let whole = region.convex_pieces().to_vec();
     let open = covered_parts::without(whole, covered_parts.iter().copied(), region.normal());
     open.into_iter()
-        .filter(|piece| covered_parts.is_empty() || polygon_width(piece) > LEAST * region.extent())
+        .filter(|piece| covered_parts.is_empty() || polygon_width(piece) > NARROW_PIECE * region.extent())
         .collect()
 }
 

@@ -14,10 +14,11 @@ use super::patch::{Node, Patch};
 use super::rule::UnitRule;
 use super::spectrum::Spectrum;
 
-/// Most cells that a curved patch is cut into. Chosen; not tuned.
+/// Most cells that a curved patch is cut into until its area element is resolved: a bound of time, where it
+/// has a crease or a pole.
 const MOST_CELLS: usize = 64;
 
-/// Coefficients of an area element below this part of its mean are rounding: 45 · 2⁻⁵². Chosen; not tuned.
+/// Coefficients of an area element below this part of its mean are rounding: 45 · 2⁻⁵².
 const ROUNDING: f64 = 1e-14;
 
 /// Points of an element with their weights.

@@ -1,12 +1,9 @@
 //! The parameters of points of surfaces, which the patches of flat ones do not carry.
 
-use radiosity_geom::{DVec3, Surface};
+use radiosity_geom::{COINCIDENT, DVec3, Surface};
 
 use super::frame::duals;
 use super::patch::Node;
-
-/// A point closer to its place than this part of the surface's size is there. Chosen; not tuned.
-const SAME_PLACE: f64 = 1e-9;
 
 /// The parameters (u, v) of a point of a flat surface: by the affine map that most of them are, or else by
 /// search; from −1 to 1.
@@ -15,7 +12,7 @@ pub fn parameters(shape: &dyn Surface, position: DVec3) -> [f64; 2] {
     let offset = position - middle.position;
     let [u, v] = duals([middle.du, middle.dv]).map(|dual| offset.dot(dual));
     let size = middle.du.length() + middle.dv.length();
-    if shape.jet(u, v).position.distance(position) <= SAME_PLACE * size {
+    if shape.jet(u, v).position.distance(position) <= COINCIDENT * size {
         return [u, v].map(|x| x.clamp(-1.0, 1.0));
     }
     let foot = shape.project(position);

@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{DVec2, DVec3, Rect, Surface};
+use radiosity_geom::{DVec2, DVec3, ROUNDING, Rect, Surface};
 
 /// A piece of an element charted by the unit square.
 #[derive(Clone, Debug)]
@@ -173,11 +173,11 @@ impl Patch {
         ((*b - *a) - (*c - *d)).abs().max_element() <= 1e-14 * scale
     }
 
-    /// Whether the patch is flat with four right angles, to 1e-12 (chosen, not tuned).
+    /// Whether the patch is flat with four right angles, to rounding.
     pub fn is_rectangle(&self) -> bool {
         let Self::Flat { corners: [a, b, _, d], .. } = self else { return false };
         let (along, across) = (b - a, d - a);
-        self.is_parallelogram() && along.dot(across).abs() <= 1e-12 * along.length() * across.length()
+        self.is_parallelogram() && along.dot(across).abs() <= ROUNDING * along.length() * across.length()
     }
 
     /// Largest lengths along s and along t (scene length).

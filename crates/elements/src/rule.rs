@@ -7,7 +7,8 @@ use std::sync::OnceLock;
 
 use radiosity_core::gauss;
 
-/// Most points per direction of any rule of the kernel. Chosen; not tuned.
+/// Most points per direction of any rule of the kernel. A kernel that needs more is nearly singular, and
+/// halving its patches takes fewer points than a finer rule.
 pub const MOST_POINTS: usize = 64;
 
 /// An n-point rule on [0, 1].

@@ -10,23 +10,20 @@
 use std::sync::Arc;
 
 use radiosity_geom::{
-    Aabb, COINCIDENT, DVec3, PlanarRegion, Ray, Rect, Surface, polygon_area, polygon_width, touching,
+    Aabb, COINCIDENT, DVec3, PARALLEL_PLANES, PlanarRegion, Ray, Rect, Surface, polygon_area, polygon_width,
+    touching,
 };
 
-/// Sine of the angle between planes below which they are the same. Chosen; not tuned.
-const PARALLEL: f64 = 1e-6;
+use crate::tolerances::{OVERLAP_OF_BREADTH, OVERLAP_OF_EXTENT};
 
-/// Regions overlap if their common part is wider than this part of the smaller extent and than the part
-/// `OF_BREADTH` of the narrower breadth: edges that touch overlap by rounding, in many models of single
-/// precision. Chosen; not tuned.
-const WIDTH: f64 = 1e-6;
-const OF_BREADTH: f64 = 1e-3;
-
-/// Tested values of each parameter, no two symmetric, and none where shapes are likely to touch. Chosen; not
-/// tuned.
+/// Tested values of each parameter, no two symmetric, and none where shapes are likely to touch, such as ends
+/// and middles. Overlaps narrower than the steps between them, an eighth of the parameters, may be missed;
+/// more places take time as their square. An arbitrary choice otherwise.
 const PLACES: [f64; 8] = [-0.913, -0.671, -0.437, -0.172, 0.089, 0.323, 0.582, 0.864];
 
-/// Distance in parameters to the tests beside a place. Chosen; not tuned.
+/// Distance in parameters to the tests beside a place. Surfaces that only touch part from each other like its
+/// square: it has to be well above the root of [`COINCIDENT`], 3·10⁻⁵, or they would count as one; and
+/// overlaps narrower than it are missed.
 const ASIDE: f64 = 0.02;
 
 /// A shape with its bounding box, which rules out nearly all pairs.
@@ -84,13 +81,15 @@ fn same_plane(a: &PlanarRegion, b: &PlanarRegion) -> bool {
     // Heights refer to the large region's plane: the small one's is uncertain far away.
     let tolerance = touching(small.extent(), large.extent());
     small.outer().iter().all(|point| large.height(*point).abs() <= tolerance)
-        && large.normal().cross(small.normal()).length() <= PARALLEL
+        && large.normal().cross(small.normal()).length() <= PARALLEL_PLANES
 }
 
-/// Whether two regions in one plane share more than touching edges.
+/// Whether two regions in one plane share more than touching edges, which overlap by rounding, in many models
+/// of single precision.
 fn overlap(a: &PlanarRegion, b: &PlanarRegion) -> bool {
     let breadth = |region: &PlanarRegion| region.area() / region.extent();
-    let least = (WIDTH * a.extent().min(b.extent())).min(OF_BREADTH * breadth(a).min(breadth(b)));
+    let least =
+        (OVERLAP_OF_EXTENT * a.extent().min(b.extent())).min(OVERLAP_OF_BREADTH * breadth(a).min(breadth(b)));
     a.common_parts(b).any(|part| polygon_width(&part) > least)
 }
 
@@ -112,9 +111,10 @@ fn lies_in(a: &Occupied, b: &Occupied) -> bool {
     PLACES.iter().any(|u| PLACES.iter().any(|v| around(*u, *v)))
 }
 
-/// Whether `surface` passes through `point` perpendicular to `normal`, to a sine of 1e-6 (as `PARALLEL`).
+/// Whether `surface` passes through `point` perpendicular to `normal`.
 fn passes_through(surface: &Arc<dyn Surface>, point: DVec3, normal: DVec3, size: f64) -> bool {
-    normal_there(surface, point, normal, size).is_some_and(|there| there.cross(normal).length() < 1e-6)
+    normal_there(surface, point, normal, size)
+        .is_some_and(|there| there.cross(normal).length() < PARALLEL_PLANES)
 }
 
 /// The normal of `surface` at `point`, found by a segment of 1e-4 of `size` along `normal`; None if it is not

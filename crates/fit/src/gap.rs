@@ -6,15 +6,19 @@
 //! boxes over floors: row sums hold from about 4e-9 of the larger extent on
 //! (`cargo test --release --test theorems rounded::gaps` asserts it).
 
-/// Least gap as a part of the smaller extent (chosen, not tuned) and of the larger one (`OF_LARGER`,
-/// measured, see the header), at most the part `MOST` of the smaller: the view factor of the two sheets then
-/// is 1 less about 4e-5.
+/// Least gap as a part of the smaller extent: twenty times the distance within which things touch, so that no
+/// blocker between two sheets is taken to touch both. Contours alone would resolve less.
 const OF_SMALLER: f64 = 2e-8;
+
+/// Least gap as a part of the larger extent, measured: see the header.
 const OF_LARGER: f64 = 4e-9;
+
+/// Largest value of the least gap as a part of the smaller extent: the view factor of the two sheets then is
+/// 1 less about 4e-5.
 const MOST: f64 = 1e-5;
 
-/// Gaps up to this multiple of the least let no light out; sheets that were set apart, also several on each
-/// other, have such gaps. Chosen; not tuned.
+/// Gaps up to this multiple of the least let no light out. Sheets that were set apart have 1.5 times the
+/// least gap, and two on each other 3 times; with a larger value gaps that were meant would count as closed.
 const CLOSED: f64 = 4.0;
 
 /// Largest gap (scene length) between sheets with these extents at which one covers the other. What they see

@@ -1,12 +1,13 @@
 //! Fitting shapes together whose coordinates were rounded.
 //!
-//! In order: `coincident` (surfaces that lie in one another), `gap` (least gaps between sheets), `middle` (of
-//! scenes far from the origin), `stacked` (sheets on others, set apart), `weld` (corners and planes made
-//! equal); and of outlines: `outline` (vectors of area), `ring` (tolerances), `plane` (planes and flat
-//! coordinates), `overlay` (parts that overlap).
+//! In order: `tolerances`, `coincident` (surfaces that lie in one another), `gap` (least gaps between
+//! sheets), `middle` (of scenes far from the origin), `stacked` (sheets on others, set apart), `weld`
+//! (corners and planes made equal); and of outlines: `outline` (vectors of area), `ring` (tolerances),
+//! `plane` (planes and flat coordinates), `overlay` (parts that overlap).
 //!
 //! Imports `core` and `geom`.
 
+pub mod tolerances;
 pub mod coincident;
 pub mod gap;
 pub mod middle;

@@ -1,14 +1,7 @@
 //! Outlines in space: their area and whether they lie in a plane.
 
 use glam::DVec3;
-use radiosity_geom::{coordinate_rounding, sides};
-
-/// Distance of a corner from the plane of an outline, over the outline's extent, up to which the outline is
-/// flat: equal to that of flat regions in `radiosity-geom`.
-const PLANARITY: f64 = 2e-5;
-
-/// Roundings by which a corner may miss the plane of others: that of flat regions in `radiosity-geom`.
-const ROUNDINGS: f64 = 8.0;
+use radiosity_geom::{PLANARITY, ROUNDINGS_OF_PLANE, coordinate_rounding, sides};
 
 /// Vector of area ½ Σ xᵢ × xᵢ₊₁ (Newell): along the front's normal, as long as the area.
 pub fn area_vector(outline: &[DVec3]) -> DVec3 {
@@ -36,7 +29,8 @@ pub const WARPED: &str = "a face of four corners is off its plane: it is a bilin
 /// Whether four corners make a patch that is curved: off their plane by more than 2e-5 of their extent and
 /// than their rounding, and convex seen from the front.
 pub fn is_warped(corners: &[DVec3; 4]) -> bool {
-    let tolerance = (PLANARITY * extent(corners)).max(ROUNDINGS * coordinate_rounding(corners, None));
+    let tolerance =
+        (PLANARITY * extent(corners)).max(ROUNDINGS_OF_PLANE * coordinate_rounding(corners, None));
     let normal = area_vector(corners);
     let turn = |k: usize| {
         let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % 4]);

@@ -13,19 +13,20 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay::{ContourDirection, IntOverlayOptions, Overlay, ShapeType};
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::i_float::int::point::IntPoint;
-use radiosity_geom::distance_to_segment;
+use radiosity_geom::{COINCIDENT, distance_to_segment};
 
 use crate::outline::area_vector;
 use crate::plane::Plane;
-use crate::ring::{TOUCH, perimeter, tolerance};
+use crate::ring::{perimeter, tolerance};
 use nodes::{Near, Nodes, bits, cyclic, through_nodes};
 
-/// Steps of the integers over the extent: about a thousand times finer than the tolerance, and far from their
-/// limit, 2⁶². Chosen; not tuned.
+/// Steps of the integers over the extent: some four thousand to the tolerance of 1e-9, so that crossings stay
+/// where they are, and far from their limit, 2⁶², so that no product overflows.
 const STEPS: f64 = (1u64 << 42) as f64;
 
 /// Distance within which points are made one, over the largest length that is refused as 0, so that none is
-/// refused afterwards. Chosen; not tuned.
+/// refused afterwards: crossings are rounded to steps, and a side that is led through a point moves. Smaller
+/// leaves no room for that; larger closes slits that were meant.
 const SPARE: f64 = 4.0;
 
 /// A polygon with holes: the outline runs counter-clockwise about the plane's normal.
@@ -232,7 +233,7 @@ pub fn crosses_itself(plane: &Plane, ring: &[DVec3], parts: &[Part]) -> bool {
     let net = area_vector(ring).dot(plane.normal());
     let sum =
         parts.iter().flat_map(Part::rings).map(|ring| area_vector(ring).dot(plane.normal())).sum::<f64>();
-    is_new || sum > (1.0 + TOUCH) * net
+    is_new || sum > (1.0 + COINCIDENT) * net
 }
 
 #[cfg(test)]

@@ -1,12 +1,13 @@
 //! Planes of outlines, and flat coordinates in them.
 
 use glam::{DVec2, DVec3};
-use radiosity_geom::sides;
+use radiosity_geom::{NO_AREA, sides};
 
 use crate::outline::{area_vector, extent};
 
-/// Part of its corners' areas below which the net area of an outline that crosses itself tells no direction.
-/// Chosen; not tuned.
+/// Part of its corners' areas below which the net area of an outline that crosses itself tells no direction:
+/// the loops of a bow tie cancel but for what its coordinates are off by. An arbitrary choice: with a larger
+/// value a small loop hides the direction of a large one; with a smaller one rounding decides.
 const LEVEL: f64 = 1e-2;
 
 /// A plane with a front and flat coordinates.
@@ -35,7 +36,7 @@ impl Plane {
             false if net.dot(aligned) < 0.0 => -aligned,
             false => aligned,
         };
-        if normal.length() <= 1e-12 * size * size {
+        if normal.length() <= NO_AREA * size * size {
             return None;
         }
         let normal = normal.try_normalize()?;

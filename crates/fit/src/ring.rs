@@ -1,21 +1,19 @@
 //! Closed rings of points in space: lengths, areas, rounding.
 
 use glam::DVec3;
-use radiosity_geom::{coordinate_rounding, sides};
+use radiosity_geom::{COINCIDENT, coordinate_rounding, sides};
 
 use crate::outline::extent;
+use crate::tolerances::ROUNDINGS_OF_POINTS;
 
-/// Part of a ring's extent up to which a length counts as 0; `radiosity_geom::PlanarRegion` refuses points
-/// that are nearer.
-pub const TOUCH: f64 = 1e-9;
-
-/// Roundings by which two points that are meant to be one may differ: one of each.
-const ROUNDINGS: f64 = 2.0;
-
-/// The length (the ring's unit) up to which two of its points are one: the largest of `asked`, of `TOUCH`
-/// times its extent, and of the rounding of its coordinates, in single precision where they are of that.
+/// The length (the ring's unit) up to which two of its points are one: the largest of `asked`, of 1e-9 of its
+/// extent, within which [`PlanarRegion`](radiosity_geom::PlanarRegion) refuses points, and of the rounding of
+/// its coordinates, in single precision where they are of that.
 pub fn tolerance(ring: &[DVec3], asked: Option<f64>) -> f64 {
-    asked.unwrap_or(0.0).max(TOUCH * extent(ring)).max(ROUNDINGS * coordinate_rounding(ring, None))
+    asked
+        .unwrap_or(0.0)
+        .max(COINCIDENT * extent(ring))
+        .max(ROUNDINGS_OF_POINTS * coordinate_rounding(ring, None))
 }
 
 /// Length of the ring, all around.

@@ -2,14 +2,16 @@
 
 use radiosity_photometry::fault::Fault;
 
-/// Most characters and items that are followed, repetitions by arrays and includes counted. Chosen; not
-/// tuned: a scene of 10⁷ lines is within, and a few lines that repeat one another without end are given up in
+/// Most characters and items that are followed, repetitions by arrays and includes counted: a scene of 10⁷
+/// lines is within, and a few lines that repeat one another without end are given up in
 /// seconds.
 const MOST: u64 = 1_000_000_000;
 
-/// Price of an item beside its characters, and price of an opening of an included file or of an instance of
-/// an array (both in characters). Chosen; not tuned.
+/// Price of an item beside its characters (characters), so that many empty items are not free.
 const ITEM: u64 = 32;
+/// Price of an opening of an included file or of an instance of an array (characters): each takes about as
+/// long as some lines. An arbitrary choice: with a smaller value arrays of little take longer before they are
+/// given up.
 const INCLUDE: u64 = 2000;
 
 /// Characters that a reader may still follow, the prices of items and includes counted.

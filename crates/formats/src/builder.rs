@@ -9,8 +9,9 @@ use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::short;
 
 use crate::colour::settle;
-use crate::model::{GREATEST, MOST_SURFACES, MOST_VERTICES, Material, Model, Shape, Sides, Surface};
+use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
+use crate::tolerances::{GREATEST, MOST_SURFACES, MOST_VERTICES};
 
 /// A material before it has its index.
 #[derive(Clone, Debug, PartialEq)]

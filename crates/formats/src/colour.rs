@@ -4,11 +4,13 @@
 use glam::{DMat3, DVec3};
 
 use crate::model::Model;
+use crate::tolerances::GREY_OF_NUMBERS;
 
 /// Luminance of linear red, green and blue: Y = 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709-6, item 3.2).
 const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
 
-/// Mean reflectance of textures, and reflectance of materials that nothing describes. Chosen; not tuned.
+/// Mean reflectance of textures, and reflectance of materials that nothing describes: halfway between black
+/// and white, it errs by a half at the most.
 pub(crate) const UNKNOWN: f64 = 0.5;
 
 /// Note on materials whose reflectance is a texture.
@@ -16,10 +18,6 @@ pub(crate) const TEXTURED: &str = "textures are left out: their mean reflectance
 
 /// Note on materials whose emission is a texture.
 pub(crate) const TEXTURED_EMISSION: &str = "textures of emission are left out: what they make shine is dark";
-
-/// Values of red, green and blue that differ by less than this part of the largest are grey: rounding leaves
-/// less. Chosen; not tuned.
-const GREY: f64 = 1e-12;
 
 /// The linear value of one that is coded as sRGB, 0 to 1. Source: IEC 61966-2-1:1999, item 5.2.
 pub(crate) fn of_srgb(coded: f64) -> f64 {
@@ -82,7 +80,7 @@ pub(crate) fn settle(model: &mut Model) {
     let mut are_grey = true;
     for material in &mut model.materials {
         for values in [&mut material.reflectance, &mut material.emission] {
-            match is_grey(values, GREY) {
+            match is_grey(values, GREY_OF_NUMBERS) {
                 true if values.iter().all(|value| *value == values[0]) => {}
                 true => *values = vec![grey([values[0], values[1], values[2]]); 3],
                 false => are_grey = false,

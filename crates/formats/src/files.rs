@@ -4,8 +4,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
-/// Most bytes that are read from one file. An endless one ends here.
-const MOST: u64 = 1 << 30;
+use crate::tolerances::MOST_BYTES;
 
 /// Finds files by the names that a scene gives them.
 pub trait Files {
@@ -48,11 +47,12 @@ impl Beside {
 impl Files for Beside {
     fn bytes(&self, name: &str) -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
-        File::open(self.path(name)?)?.take(MOST + 1).read_to_end(&mut bytes)?;
-        match bytes.len() as u64 > MOST {
-            true => {
-                Err(io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {MOST} bytes")))
-            }
+        File::open(self.path(name)?)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
+        match bytes.len() as u64 > MOST_BYTES {
+            true => Err(io::Error::new(
+                io::ErrorKind::FileTooLarge,
+                format!("it is longer than {MOST_BYTES} bytes"),
+            )),
             false => Ok(bytes),
         }
     }

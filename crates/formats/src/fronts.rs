@@ -10,15 +10,13 @@ use std::collections::{BTreeSet, HashMap};
 
 use glam::DVec3;
 use radiosity_fit::outline::area_vector;
-use radiosity_geom::{Aabb, Bvh};
+use radiosity_geom::{Aabb, Bvh, ROUNDING_OF_AREAS};
 
 use crate::model::{Model, Shape, Sides};
 use corners::Corners;
 
-/// Part by which areas that are equal may differ. Chosen: more than rounding.
-const SAME_AREA: f64 = 1e-9;
-
-/// Most surfaces that are asked whether they lie in a body before it counts as empty. Chosen; not tuned.
+/// Most surfaces that are asked whether they lie in a body before it counts as empty: a bound of time, as
+/// each takes all faces of the body. A body whose first 64 neighbours lie outside may be taken for empty.
 const ASKED: usize = 64;
 
 /// Faces whose fronts point the wrong way.
@@ -217,7 +215,7 @@ impl Faces {
         if !body.is_orientable || along.0.is_empty() || against.0.is_empty() {
             return (BTreeSet::new(), TurnReason::Neighbours);
         }
-        let is_tie = (along.1 - against.1).abs() <= SAME_AREA * (along.1 + against.1);
+        let is_tie = (along.1 - against.1).abs() <= ROUNDING_OF_AREAS * (along.1 + against.1);
         match along.1 < against.1 && !is_tie {
             true => (along.0, TurnReason::Neighbours),
             false => (against.0, if is_tie { TurnReason::Halves } else { TurnReason::Neighbours }),

@@ -8,7 +8,8 @@ use radiosity_photometry::text::{decode, short};
 
 use crate::files::Files;
 
-/// Most files that are open at once. Chosen.
+/// Most files that are open at once: scenes have a few in one another, and files that include themselves end
+/// here.
 const DEEPEST: usize = 32;
 
 /// The files that are open, the main one first, and the texts that were read.

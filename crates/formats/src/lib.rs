@@ -4,14 +4,15 @@
 //! Flow: bytes → [`read`] → `Model` → [`repair`] → a scene of `radiosity`, or text of another format
 //! (`write`). Files of luminaires are read by `photometry`.
 //!
-//! In order: [`files`] (that a scene names), [`model`], `names` and `colour` (what readers make);
-//! [`format`](mod@format) (which there are); [`picture`] (PNG and OpenEXR → numbers of texels); `budget`,
-//! `includes`, `xform`, `merge`, `builder` and [`mesh`] (what readers share); the readers, `mgf` to `vs3`,
-//! three with a writer; `read` and `write` (any of them); `materials`, `unit` and `up` (what a file
+//! In order: [`tolerances`], [`files`] (that a scene names), [`model`], `names` and `colour` (what readers
+//! make); [`format`](mod@format) (which there are); [`picture`] (PNG and OpenEXR → numbers of texels);
+//! `budget`, `includes`, `xform`, `merge`, `builder` and [`mesh`] (what readers share); the readers, `mgf` to
+//! `vs3`, three with a writer; `read` and `write` (any of them); `materials`, `unit` and `up` (what a file
 //! does not state); `fronts` and [`repair`].
 //!
 //! Imports `geom`, `fit` and `photometry`.
 
+pub mod tolerances;
 pub mod files;
 pub mod model;
 pub mod names;

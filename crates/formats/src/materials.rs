@@ -26,12 +26,13 @@ use serde::{Deserialize, Deserializer};
 use strsim::damerau_levenshtein;
 use toml::Spanned;
 
-use crate::model::{GREATEST, Material, Model};
+use crate::model::{Material, Model};
+use crate::tolerances::GREATEST;
 
 /// The name of the material of surfaces without one.
 const ANY: &str = "*";
 
-/// Most names that a message spells out. Chosen; not tuned.
+/// Most names that a message spells out: a line of a terminal, about.
 const SPELT: usize = 6;
 
 /// A file of materials.

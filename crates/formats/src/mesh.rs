@@ -7,8 +7,9 @@ use radiosity_photometry::file_place::FilePlace;
 
 use crate::colour;
 use crate::merge;
-use crate::model::{GREATEST, MOST_SURFACES, MOST_VERTICES, Model, Shape, Sides, Surface};
+use crate::model::{Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
+use crate::tolerances::{GREATEST, MOST_SURFACES, MOST_VERTICES};
 
 /// Object, material and sides of faces.
 #[derive(Clone, Copy, Debug)]

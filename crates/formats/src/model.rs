@@ -8,17 +8,6 @@ use glam::DVec3;
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::note::Note;
 
-/// Most surfaces that a reader makes, faces of meshes counted before they are merged. Chosen: a model of so
-/// many holds half a gigabyte.
-pub(crate) const MOST_SURFACES: usize = 1_000_000;
-
-/// Most vertices of all surfaces. Chosen; not tuned.
-pub(crate) const MOST_VERTICES: usize = 10_000_000;
-
-/// Greatest coordinate, radius, reflectance or exitance, of any unit: its sixth power is still a number.
-/// Chosen; not tuned.
-pub(crate) const GREATEST: f64 = 1e50;
-
 /// A scene of another program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Model {

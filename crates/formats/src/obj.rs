@@ -31,12 +31,10 @@ use crate::colour::UNKNOWN;
 use crate::files::Files;
 use crate::mesh::Mesh;
 use crate::model::{Material, Model};
+use crate::tolerances::MOST_BYTES_OF_TEXT;
 use faces::{Faces, Library};
 use mtl::Mtl;
 use statements::statements;
-
-/// Most bytes of all material files. Chosen; not tuned.
-const MOST: usize = 1 << 28;
 
 /// Reads an OBJ of the name `file` and the material files that it names.
 ///
@@ -81,9 +79,9 @@ fn libraries(
                 }
             };
             size += bytes.len();
-            if size > MOST {
+            if size > MOST_BYTES_OF_TEXT {
                 let fault = Fault::new(
-                    format!("the material files are longer than {MOST} bytes"),
+                    format!("the material files are longer than {MOST_BYTES_OF_TEXT} bytes"),
                     "name only those that the model needs",
                 );
                 return Err(fault.in_line(file, *line));

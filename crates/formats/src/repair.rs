@@ -24,11 +24,8 @@ use glam::DVec3;
 use radiosity_photometry::error::Refusal;
 
 use crate::model::{Model, Shape, Sides};
+use crate::tolerances::GREATEST_OF_REPAIR;
 pub use record::{Repair, RepairKind, Repairs};
-
-/// The largest coordinate that is reckoned with: its fourth power is a number. `radiosity` refuses larger
-/// ones.
-const FARTHEST: f64 = 1e60;
 
 /// Options of the repair, as the user sets them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -81,20 +78,22 @@ pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
 }
 
 fn is_within_reach(shape: &Shape) -> bool {
-    let is_near = |points: &[DVec3]| points.iter().all(|x| x.abs().max_element() <= FARTHEST);
+    let is_near = |points: &[DVec3]| points.iter().all(|x| x.abs().max_element() <= GREATEST_OF_REPAIR);
     match shape {
         Shape::Polygon { outline, holes } => is_near(outline) && holes.iter().all(|hole| is_near(hole)),
         Shape::Quad(corners) => is_near(corners),
         Shape::Disk { center, normal, radius, inner } => {
-            is_near(&[*center, *normal]) && radius.max(*inner) <= FARTHEST
+            is_near(&[*center, *normal]) && radius.max(*inner) <= GREATEST_OF_REPAIR
         }
-        Shape::Cylinder { base, axis, radius, .. } => is_near(&[*base, *axis]) && *radius <= FARTHEST,
+        Shape::Cylinder { base, axis, radius, .. } => {
+            is_near(&[*base, *axis]) && *radius <= GREATEST_OF_REPAIR
+        }
         Shape::Cone { base, axis, radii, .. } => {
-            is_near(&[*base, *axis]) && radii[0].max(radii[1]) <= FARTHEST
+            is_near(&[*base, *axis]) && radii[0].max(radii[1]) <= GREATEST_OF_REPAIR
         }
-        Shape::Sphere { center, radius, .. } => is_near(&[*center]) && *radius <= FARTHEST,
+        Shape::Sphere { center, radius, .. } => is_near(&[*center]) && *radius <= GREATEST_OF_REPAIR,
         Shape::Torus { center, axis, major, minor, .. } => {
-            is_near(&[*center, *axis]) && major.max(*minor) <= FARTHEST
+            is_near(&[*center, *axis]) && major.max(*minor) <= GREATEST_OF_REPAIR
         }
     }
 }

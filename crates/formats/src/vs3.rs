@@ -36,15 +36,13 @@ use radiosity_photometry::text::decode;
 
 use self::statements::{Corners, Input, OBSTRUCTION, Statement, SurfaceRole};
 use crate::files::Files;
-use crate::model::{GREATEST, Material, Model, Shape, Sides, Surface};
+use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
+use crate::tolerances::{GREATEST, STEPS_OF_EMITTANCE};
 
 /// Greatest distance of a surface from the plane of its base, in multiples of the base's size, as View3D
 /// allows it.
 const OFF_PLANE: f64 = 1e-5;
-
-/// Digits that emittances are rounded to, so that 1 − 0.9 is 0.1.
-const DIGITS: f64 = 1e12;
 
 /// Reads the View3D input `bytes` of `file`.
 ///
@@ -188,9 +186,10 @@ fn word(kind: SurfaceRole) -> &'static str {
 /// A material by its emittance; all that does not radiate is one black material.
 fn material(surface: &Statement) -> Material {
     let (name, reflectance) = match surface.kind {
-        SurfaceRole::Radiating => {
-            (format!("emit-{}", surface.emittance), ((1.0 - surface.emittance) * DIGITS).round() / DIGITS)
-        }
+        SurfaceRole::Radiating => (
+            format!("emit-{}", surface.emittance),
+            ((1.0 - surface.emittance) * STEPS_OF_EMITTANCE).round() / STEPS_OF_EMITTANCE,
+        ),
         _ => (OBSTRUCTION.to_owned(), 0.0),
     };
     Material { name, reflectance: vec![reflectance], emission: vec![0.0] }

@@ -26,7 +26,8 @@ use correction::{Deficit, corrected};
 use pairs::Pairs;
 
 /// Largest distance of a row sum from 1, over the error of the transfers, that is theirs and not that of the
-/// scene. Chosen.
+/// scene: what is told of errors may be too small by some factor. With a larger value gaps of a scene would
+/// be corrected away.
 const TRUSTED: f64 = 10.0;
 
 /// Accuracy of the transfers between the elements of a scene.

@@ -3,7 +3,7 @@
 use radiosity_solve::Failure;
 use radiosity_work::wording::{Wording, option, words};
 
-/// Most names that a message spells out. Chosen.
+/// Most names that a message spells out: a line of a terminal, about.
 const SPELT: usize = 5;
 
 /// Why the heat of a scene has no balance.

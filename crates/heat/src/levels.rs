@@ -13,8 +13,9 @@ use radiosity_solve::{Model, Options};
 use super::error::HeatError;
 use super::roles::{Role, Roles};
 
-/// Share of its heat that a part has to lose to count as open, over the accuracy of the blocks. Chosen; not
-/// tuned.
+/// Share of its heat that a part has to lose to count as open, over the accuracy of the blocks: what it seems
+/// to lose by their errors alone is less. With a smaller value a closed part would pass, and its temperature
+/// be anything.
 const OPEN: f64 = 10.0;
 
 /// Refuses a scene with a part that has neither a temperature nor an opening.

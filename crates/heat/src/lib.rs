@@ -53,7 +53,8 @@ use figures::{add_errors_of_blocks, add_errors_of_order, figures};
 use forecast::Forecast;
 use roles::Roles;
 
-/// Largest share of the heat exchanged that may be lost in a scene that counts as closed. Chosen.
+/// Largest share of the heat exchanged that may be lost in a scene that counts as closed. An arbitrary
+/// choice: with a larger value leaks go untold, with a smaller one errors of the transfers count as leaks.
 const CLOSED: f64 = 1e-3;
 
 /// The balance of heat of a scene.

@@ -1,11 +1,12 @@
 //! The kernel of radiosity integrated over pairs of elements: the hot loops.
 //!
-//! In order: `irradiance` (closed forms at a point), `moments` (sums over pairs of points), `contact` (how
-//! two patches meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules`
-//! (quadrature for each kind of contact) and `terms` (kernels that are sums of terms).
+//! In order: `tolerances`, `irradiance` (closed forms at a point), `moments` (sums over pairs of points),
+//! `contact` (how two patches meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix),
+//! `rules` (quadrature for each kind of contact) and `terms` (kernels that are sums of terms).
 //!
 //! Imports `core`, `geom`, `work`, `visibility` and `elements`.
 
+pub mod tolerances;
 pub mod irradiance;
 pub mod moments;
 pub mod contact;

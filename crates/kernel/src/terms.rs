@@ -16,9 +16,7 @@ use crate::contact::flat::polygon_distance;
 use crate::moments::Moments;
 use crate::moments::tensor::Terms;
 use crate::rules::far::{SMALLEST_RATIO, counts};
-
-/// Most halvings of a near pair of patches, which then are 1/64 as long each. Chosen; not tuned.
-const MOST_HALVINGS: usize = 12;
+use crate::tolerances::MOST_HALVINGS_OF_TERMS;
 
 /// A patch of the receiver and one of the emitter, and the points along and across of either.
 #[derive(Debug)]
@@ -44,7 +42,7 @@ impl Demand {
     /// The pairs of parts of two flat patches that a rule covers; None where the patches touch or nearly do.
     pub fn divided(&self, p: &Patch, q: &Patch) -> Option<Vec<PatchPair>> {
         let mut pairs = Vec::new();
-        self.divide(p, q, MOST_HALVINGS, &mut pairs).then_some(pairs)
+        self.divide(p, q, MOST_HALVINGS_OF_TERMS, &mut pairs).then_some(pairs)
     }
 
     /// The distance of two flat patches, the second one displaced.

@@ -14,7 +14,7 @@ use radiosity_scene::{
 
 use crate::instances::PlacedSurface;
 
-/// Most names that a message spells out. Chosen; not tuned.
+/// Most names that a message spells out, with the key of each: a line or two of a terminal.
 const SPELT: usize = 4;
 
 /// A model that grows by surfaces.

@@ -11,10 +11,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use radiosity_scene::{
     Fault,
     place::{At, Span},
+    tree::DEEPEST,
 };
-
-/// Deeper parentheses are refused. Chosen; not tuned.
-const DEEPEST: usize = 32;
 
 /// A function of one number, or of two and more, or why it has no value there.
 type Function = fn(&[f64]) -> Result<f64, &'static str>;

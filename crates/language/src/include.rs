@@ -15,7 +15,7 @@ use radiosity_scene::{
     Fault, Source,
     error::Located,
     place::At,
-    tree::{Node, Value, entry},
+    tree::{DEEPEST, Node, Value, entry},
 };
 
 use crate::{
@@ -33,9 +33,6 @@ pub(super) const PHOTOMETRY: &str = "photometry";
 
 /// The key of a picture of a material.
 pub(super) const IMAGE: &str = "image";
-
-/// Files within files. Chosen; not tuned.
-const DEEPEST: usize = 32;
 
 /// The tree of one file.
 #[derive(Debug)]

@@ -3,11 +3,9 @@
 use std::fs::File;
 use std::io::{self, Read};
 
+use radiosity_formats::tolerances::MOST_BYTES;
 use radiosity_photometry::text::decode_western;
 use radiosity_work::ranks::Ranks;
-
-/// Most bytes that are read: some million surfaces. An endless input ends here.
-const MOST: u64 = 1 << 30;
 
 /// The bytes of a file, or of standard input for `-`: that of the first of these ranks, which shares it.
 ///
@@ -16,7 +14,7 @@ const MOST: u64 = 1 << 30;
 pub fn bytes(source: &str, ranks: &Ranks) -> io::Result<Vec<u8>> {
     match source {
         "-" => {
-            let own = if ranks.is_first() { all(io::stdin(), MOST)? } else { Vec::new() };
+            let own = if ranks.is_first() { all(io::stdin(), MOST_BYTES)? } else { Vec::new() };
             Ok(ranks.of_first(own))
         }
         path => of_file(path),
@@ -28,7 +26,7 @@ pub fn bytes(source: &str, ranks: &Ranks) -> io::Result<Vec<u8>> {
 /// # Errors
 /// As [`bytes`].
 pub(super) fn of_file(path: &str) -> io::Result<Vec<u8>> {
-    all(File::open(path)?, MOST)
+    all(File::open(path)?, MOST_BYTES)
 }
 
 /// The text of a file, or of standard input for `-`.

@@ -5,15 +5,11 @@
 use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{DVec3, Motion};
-use radiosity_scene::{Fault, Source, error::Located, names::UniqueNames};
+use radiosity_scene::{Fault, Source, error::Located, names::UniqueNames, tree::DEEPEST};
 
 use crate::file::{ContentFile, InstanceFile, LuminaireFile, PartFile, SurfaceFile};
 
-/// Parts within parts. Chosen; not tuned.
-const DEEPEST: usize = 32;
-
-/// Most entries of surfaces and luminaires, and most copies of parts: each takes about a kilobyte. Chosen;
-/// not tuned.
+/// Most entries of surfaces and luminaires, and most copies of parts: each takes about a kilobyte.
 const MOST: usize = 1_000_000;
 
 /// An entry of a file where it is put.

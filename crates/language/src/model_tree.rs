@@ -135,8 +135,9 @@ fn is_convex(corners: [DVec3; 4]) -> bool {
     (0..4).all(|k| turn(k).dot(normal) > least)
 }
 
-/// Least area of the triangle at a corner, as a part of the outline's: others stay polygons. Chosen; not
-/// tuned.
+/// Least area of the triangle at a corner, as a part of the outline's: others stay polygons. A corner that is
+/// nearly straight makes a patch whose tangents nearly vanish there; with a larger value sound quads would
+/// stay polygons.
 const LEAST_TURN: f64 = 0.05;
 
 fn points(points: &[DVec3]) -> Tree {

@@ -14,7 +14,6 @@ use crate::{
 };
 
 /// Most texels of a picture that are kept, 2048 × 2048: larger ones are averaged. 32 MB for each band.
-/// Chosen; not tuned.
 const MOST_KEPT: usize = 1 << 22;
 
 /// The pattern of a table for so many bands; its numbers are in no range yet.

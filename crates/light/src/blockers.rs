@@ -3,8 +3,9 @@
 use std::ops::Range;
 
 use radiosity_geom::{Aabb, DVec3, separated};
+use radiosity_visibility::Visibility;
 use radiosity_visibility::shadow_volume::{Coverage, ShadowVolume};
-use radiosity_visibility::{END, OWN_END, Visibility};
+use radiosity_visibility::tolerances::{END, OWN_END};
 use smallvec::{SmallVec, smallvec};
 
 use crate::area_light::AreaLight;

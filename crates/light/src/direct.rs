@@ -26,17 +26,21 @@ use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
 use crate::traversal::Traversal;
 
-/// Accuracy of direct light that is not exact, over all emitters' light without blockers. Chosen; not tuned.
+/// Accuracy of direct light that is not exact, over all emitters' light without blockers: a quarter of the
+/// step between two of 256 levels. A finer one takes more cells, and shows in no picture.
 pub const ACCURACY: f64 = 1e-3;
 
-/// Error that one cell may contribute, over the accuracy of the sum. Chosen; not tuned.
+/// Error that one cell may contribute, over the accuracy of the sum: the errors of some ten cells, of either
+/// sign, then add up to it. With a larger value the sum may miss its accuracy where more cells are divided no
+/// further.
 const PER_CELL: f64 = 0.3;
 
 /// A site whose diagonal is below this part of its distance from an emitter is small: a rule of 2 × 2 points
-/// then has a relative error of about 0.02 · 0.25⁴ = 8e-5. Chosen; not tuned.
+/// then has a relative error of about 0.02 · 0.25⁴ = 8e-5.
 const SMALL: f64 = 0.25;
 
-/// Most obstacles around a site for which testing each against every shaft pays. Chosen; not tuned.
+/// Most obstacles around a site for which testing each against every shaft pays: an estimate of time, which
+/// changes no light.
 const FEW: usize = 40;
 
 /// The emitters of a scene, and the possible occluders between them and each element.

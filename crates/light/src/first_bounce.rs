@@ -29,25 +29,31 @@ use crate::occluders::Site;
 use crate::receiver_point::ReceiverPoint;
 use crate::reflected;
 use crate::reflected::{IrradianceAt, Reflection};
+use crate::tolerances::MOST_QUARTERINGS_AT_LUMINAIRE;
 
-/// Halvings of a patch in each direction for D, and for g unless it is small. Both are chosen, not tuned.
+/// Halvings of a patch in each direction for D: sixteen cells, of which a shadow edge crosses a few. An
+/// arbitrary choice: with fewer d is off by more where edges pass, and each further one takes four times the
+/// points.
 const DIRECT_HALVINGS: usize = 2;
+
+/// Halvings of a patch in each direction for g, unless it is small: g is smooth, and each of its points
+/// gathers.
 const REFLECTED_HALVINGS: usize = 1;
 
-/// The former for the light of the sun, whose patches have sharp borders, and of luminaires beside it: a ray
-/// for each point. Chosen.
+/// Halvings for D in the light of the sun, whose patches have sharp borders, and of luminaires beside it:
+/// 4096 cells, a ray for each point, so that a border is blurred over 1/64 of the patch.
 const SUNNY_HALVINGS: usize = 6;
 
-/// A cell whose radius exceeds this part of its distance from a luminaire is quartered for D, so many times
-/// at most. Two points each way then err by about 0.02 (2 · 0.15)⁴ = 2e-4 of what the cell receives. Chosen;
-/// not tuned.
+/// A cell whose radius exceeds this part of its distance from a luminaire is quartered for D. Two
+/// points each way then err by about 0.02 (2 · 0.15)⁴ = 2e-4 of what the cell receives.
 const PEAKED: f64 = 0.15;
-const DEEPEST: usize = 14;
 
-/// A patch below this part of its element's area is small. Chosen; not tuned.
+/// A patch below this part of its element's area is small: it is not halved for g, since others sample the
+/// element too.
 const SMALL: f64 = 0.25;
 
-/// Loosest relative accuracy of g at a point: errors average out in the coefficients g_k. Chosen; not tuned.
+/// Loosest relative accuracy of g at a point: errors average out in the coefficients g_k, of some tens of
+/// points each. With a larger value single points would show.
 pub(crate) const LOOSEST: f64 = 2e-2;
 
 /// Coefficients of the first bounce in the orthonormal bases, element by element, per band.
@@ -216,7 +222,7 @@ fn of_direct(
     let whole = element.patches.iter().flat_map(|patch| cells(patch, peaks.halvings));
     let mut open: Vec<(Patch, usize)> = whole.map(|cell| (cell, 0)).collect();
     while let Some((cell, depth)) = open.pop() {
-        if depth < DEEPEST && is_peaked(&cell, peaks.lamps) {
+        if depth < MOST_QUARTERINGS_AT_LUMINAIRE && is_peaked(&cell, peaks.lamps) {
             open.extend(cells(&cell, 1).into_iter().map(|quarter| (quarter, depth + 1)));
         } else {
             sums.add(&cell, points, lit);

@@ -15,15 +15,13 @@ use radiosity_elements::sampling::shift::shifted;
 use smallvec::{SmallVec, smallvec};
 
 use crate::receiver_point::ReceiverPoint;
+use crate::tolerances::MOST_QUARTERINGS_OF_LAMP;
 
 /// Radius of a cell over its distance, at most.
 const NEAR: f64 = 0.5;
 
 /// Least part of the kernel face on that counts: a cell whose corners face away may yet be seen. Chosen.
 const HIDDEN: f64 = 0.2;
-
-/// Quarterings, at most. A tube of 60 times its radius wants five where it is a radius away.
-const DEEPEST: u32 = 7;
 
 /// Cells of an emitter as seen from a point.
 #[derive(Debug)]
@@ -63,7 +61,7 @@ impl<'a> LampCells<'a> {
         let (middle, ends) = (at([0.5; 2]), corners.map(at));
         let radius = ends.iter().map(|end| end.position.distance(middle.position)).fold(0.0, f64::max);
         let distance = middle.position.distance(receiver.position);
-        if radius > NEAR * distance && depth < DEEPEST {
+        if radius > NEAR * distance && depth < MOST_QUARTERINGS_OF_LAMP {
             for [s, t] in corners {
                 let corner = [corner[0] + 0.5 * s * width, corner[1] + 0.5 * t * width];
                 self.divide(receiver, corner, depth + 1);

@@ -22,9 +22,7 @@ use crate::emitters::Emitters;
 use crate::lamps::{Lamp, brightness};
 use crate::occluders::Sender;
 use crate::receiver_point::ReceiverPoint;
-
-/// Least distance, in radii, from which the outline of a bent surface is fine enough. Chosen.
-const CLOSE: f64 = 2.0;
+use crate::tolerances::OUTLINE_FROM;
 
 /// Part of a surface's parameters that its elements may leave out by rounding.
 const COVERED: f64 = 1e-9;
@@ -153,7 +151,7 @@ impl<'a> LightSource<'a> {
             }
             Form::Outline(light) => {
                 let eye = receiver.position;
-                if light.center.distance(eye) < CLOSE * light.radius {
+                if light.center.distance(eye) < OUTLINE_FROM * light.radius {
                     return None;
                 }
                 let sides = light.outline(eye);

@@ -19,22 +19,23 @@ use radiosity_visibility::Visibility;
 use smallvec::{SmallVec, smallvec};
 
 use crate::receiver_point::ReceiverPoint;
+use crate::tolerances::MOST_HALVINGS_OF_LINE;
 
-/// Accuracy of the integral, relative to itself. Chosen.
+/// Accuracy of the integral, relative to itself: that of direct light, which is coarser, is left to its
+/// shadows. The integrand is smooth, so that a few more halvings reach it.
 const ACCURACY: f64 = 1e-6;
 
-/// Points of a Gauss rule, and halvings at most. Chosen.
+/// Points of a Gauss rule. Fewer are halved more often, more are more than a smooth part needs.
 const POINTS: usize = 8;
-const DEEPEST: u32 = 16;
 
-/// Rays to a line. Chosen.
+/// Rays to a line, between which a blocker that hides less than 1/32 of it may be missed. More take time in
+/// proportion.
 const RAYS: usize = 32;
 
 /// Halvings of the step between two rays: a border is then right to 1/(32 · 2¹⁴) = 2e-6 of the line's angle.
-/// Chosen.
 const HALVINGS: usize = 14;
 
-/// Distance from a line's axis over half its length below which all angles to it are one. Chosen.
+/// Distance from a line's axis over half its length below which all angles to it are one, to nine digits.
 const ON_AXIS: f64 = 1e-9;
 
 /// A luminaire that is a line, as a point sees it.
@@ -66,7 +67,11 @@ impl<'a> LuminousLine<'a> {
         let parts: SmallVec<[Span; 4]> = seen.into_iter().flat_map(|span| self.cut_at_foot(span)).collect();
         let rough: SmallVec<[f64; 4]> = parts.iter().map(|span| self.by_rule(*span)).collect();
         let tolerance = ACCURACY * rough.iter().sum::<f64>();
-        parts.iter().zip(rough).map(|(span, rough)| self.integral(*span, rough, tolerance, DEEPEST)).sum()
+        parts
+            .iter()
+            .zip(rough)
+            .map(|(span, rough)| self.integral(*span, rough, tolerance, MOST_HALVINGS_OF_LINE))
+            .sum()
     }
 
     fn at(&self, t: f64) -> DVec3 {

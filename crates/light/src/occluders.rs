@@ -135,7 +135,7 @@ fn lowest(points: &[DVec3], direction: DVec3) -> DVec3 {
     points.iter().min_by(lower).copied().expect("a site has points")
 }
 
-/// Whether `x` is above the plane through `point` by more than [`FLAT`] times its distance.
+/// Whether `x` is above the plane through `point` by more than [`COINCIDENT`] times its distance.
 fn is_over(x: DVec3, point: DVec3, normal: DVec3) -> bool {
     let offset = x - point;
     offset.dot(normal) > COINCIDENT * offset.length()

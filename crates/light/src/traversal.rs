@@ -23,28 +23,25 @@ use crate::lines::hidden_spans::HiddenSpans;
 use crate::lines::line_quadrature::LineQuadrature;
 use crate::occluders::Occluders;
 use crate::receiver_point::ReceiverPoint;
+use crate::tolerances::{
+    MOST_QUARTERINGS_OF_CURVED, MOST_QUARTERINGS_OF_FLAT, MOST_QUARTERINGS_OF_OWN, OUTLINE_FROM,
+};
 
-/// Most quarterings of a cell, of a curved one, whose quarters at a pole stay as near as it was
-/// ([`CURVED_DEPTH`]), and of one on the receiver's own surface ([`OWN_DEPTH`]). All are chosen, not tuned.
-const DEPTH: usize = 24;
-const CURVED_DEPTH: usize = 12;
-const OWN_DEPTH: usize = 8;
-
-/// Most cells per sum; further cells are taken undivided, with errors up to all they contribute. Chosen; not
-/// tuned.
+/// Most cells per sum: a bound of the time of a point. Further cells are taken undivided, with errors up to
+/// all they contribute.
 const MOST_CELLS: usize = 20_000;
 
-/// A receiver within this part of the radius of a ball's inside, in position and normal, lies on it. Chosen;
-/// not tuned.
+/// A receiver within this part of the radius of a ball's inside, in position and normal, lies on it: some 10⁷
+/// roundings. Farther from it the constant kernel would be off by as much.
 const ON_DOME: f64 = 1e-9;
 
-/// Irradiance over its bound below which the sum is repeated, and its lower limit. Both are chosen, not
-/// tuned.
+/// Irradiance over its bound below which the sum is repeated: each cell then erred by 1/0.4 of what it may,
+/// or more. With a larger value more sums are made twice.
 const DARK: f64 = 0.4;
-const LEAST: f64 = 0.05;
 
-/// Least distance, in radii, from which an area light is taken as a whole. Chosen; not tuned.
-const CLOSE: f64 = 2.0;
+/// Least irradiance over its bound that the accuracy is relative to: deep shadows would take a cell for each
+/// glimmer.
+const LEAST: f64 = 0.05;
 
 /// The traversal for one receiver point.
 pub(crate) struct Traversal<'a> {
@@ -151,9 +148,9 @@ impl<'a> Traversal<'a> {
         let before = self.shadows.ask(places, &tree.bounds);
         let own = self.receiver.surface == Some(tree.surface);
         let deepest = match (own, tree.plane) {
-            (true, _) => OWN_DEPTH,
-            (false, None) => CURVED_DEPTH,
-            (false, Some(_)) => DEPTH,
+            (true, _) => MOST_QUARTERINGS_OF_OWN,
+            (false, None) => MOST_QUARTERINGS_OF_CURVED,
+            (false, Some(_)) => MOST_QUARTERINGS_OF_FLAT,
         };
         let dome = if own { self.dome(tree.surface) } else { None };
         let mut pass = Pass { tree, tolerance, deepest, own, dome, out };
@@ -173,7 +170,7 @@ impl<'a> Traversal<'a> {
     ) -> Option<f64> {
         let Some(places) = self.occluders.before(index) else { return Some(0.0) };
         let (eye, normal) = (self.receiver.position, self.receiver.normal);
-        if lamp.center.distance(eye) < CLOSE * lamp.radius {
+        if lamp.center.distance(eye) < OUTLINE_FROM * lamp.radius {
             return None;
         }
         let sides = lamp.outline(eye);

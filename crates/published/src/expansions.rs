@@ -28,7 +28,8 @@ pub use expansion::ORDERS;
 /// Steps of this part of the extents of a pair are rounding.
 const ROUNDED: f64 = 1e-13;
 
-/// The loosest tolerance of a block that is small beside others of its row. Chosen.
+/// The loosest tolerance of a block that is small beside others of its row: a series of few orders is cheap,
+/// and with a larger value single blocks would show.
 const LOOSEST: f64 = 0.05;
 
 /// The series of the pairs of a scene that moves.

@@ -1,4 +1,4 @@
-//! What a solution says, and what is told beside it.
+//! Readings of a solution, and what is told beside them.
 //!
 //! In order: numbers as texts ([`digits`]), values on a grid of points ([`field`]), warnings, light at points
 //! and sensors ([`reader`], [`probe`], [`grid`], [`uniformity`], [`plane_figures`]) with its errors
@@ -8,6 +8,7 @@
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `language`, `visibility`, `elements`, `kernel`,
 //! `transport`, `light`, `published` and `solve`.
 
+mod tolerances;
 pub mod digits;
 pub mod field;
 pub mod warning;

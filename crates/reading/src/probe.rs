@@ -14,10 +14,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::reader::{ReadIrradiance, Reader, RecomputedLight};
 
-/// Least cosine between a probe's normal and its surface's for which they count as equal: where only
-/// polynomials are known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not
-/// tuned.
+/// Least cosine between a probe's normal and its surface's for which they count as equal where only
+/// polynomials are known (0.8°): normals of probes are typed with few digits.
 const SAME_NORMAL: f64 = 0.9999;
+/// Least cosine for which they count as equal where light is gathered along any normal: some hundred
+/// roundings.
 const EQUAL_NORMAL: f64 = 1.0 - 1e-14;
 
 /// A point with the direction it receives along.

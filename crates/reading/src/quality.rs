@@ -12,7 +12,8 @@
 //! with exact shadows, and in pictures read from polynomials the error of the basis dominates.
 
 use radiosity_solve::Options;
-use radiosity_solve::gather::gather_method::{GatherMethod, USUAL_EPS};
+use radiosity_solve::gather::gather_method::GatherMethod;
+use radiosity_solve::tolerances::USUAL_EPS;
 use serde::Deserialize;
 
 use crate::grid::Rates;

@@ -7,7 +7,7 @@ use radiosity_geom::DVec3;
 
 use crate::{error::Fault, path::RigidPath, place::Place, pose::Pose, ranges::check_range};
 
-/// Most frames. Chosen; not tuned.
+/// Most frames: eleven hours at 25 a second. A larger number is a slip.
 pub const MOST_FRAMES: usize = 1_000_000;
 
 /// The frames of a scene and its movers.

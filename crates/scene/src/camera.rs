@@ -1,6 +1,6 @@
 //! Cameras: viewpoint, direction and size of a picture.
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, PARALLEL_DIRECTIONS};
 
 use crate::{
     error::Fault,
@@ -55,7 +55,9 @@ impl Camera {
         let problem = match (view, up) {
             (None, _) => "eye and target are the same point",
             (_, None) => "the up vector has no length",
-            (Some(view), Some(up)) if view.cross(up).length() < 1e-9 => "the up vector lies along the view",
+            (Some(view), Some(up)) if view.cross(up).length() < PARALLEL_DIRECTIONS => {
+                "the up vector lies along the view"
+            }
             _ => return Ok(self),
         };
         Err(Fault::BadCamera { problem })

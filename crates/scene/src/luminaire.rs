@@ -10,7 +10,7 @@
 //! (the law of inverse squares and cosines, J. H. Lambert, *Photometria*, 1760), for each piece of its extent
 //! ([`crate::Extent`]).
 
-use radiosity_geom::{DVec3, Motion};
+use radiosity_geom::{DVec3, Motion, PARALLEL_DIRECTIONS};
 
 use crate::{
     distribution::Distribution,
@@ -22,9 +22,6 @@ use crate::{
     place::Place,
     ranges::{check_number, check_range},
 };
-
-/// Sine of the angle below which two directions count as one, as for the camera's up vector.
-const PARALLEL: f64 = 1e-9;
 
 /// Angle (degrees) within which the intensity of an area may not fall from its peak to nothing. Chosen: a
 /// point then sees the edge in some thousand cells of the area, of which 20000 are visited at most.
@@ -211,7 +208,7 @@ impl Luminaire {
 /// The unit vector in the plane of two, at right angles to the second; None if both lie along one line.
 pub fn across(along: DVec3, aim: DVec3) -> Option<DVec3> {
     let across = along.reject_from_normalized(aim);
-    if across.length() > PARALLEL { across.try_normalize() } else { None }
+    if across.length() > PARALLEL_DIRECTIONS { across.try_normalize() } else { None }
 }
 
 impl Strength {

@@ -28,14 +28,15 @@ use std::{fmt, sync::Arc};
 
 use crate::{
     error::Fault,
-    ranges::{check_number, check_range},
+    ranges::{MAX_ORDER, check_number, check_range},
 };
 use extremes::maximum;
 
-/// Highest power of u and of v, as the highest order of a basis. Chosen; not tuned.
-const HIGHEST: u32 = 20;
+/// Highest power of u and of v, as the highest order of a basis.
+const HIGHEST: u32 = MAX_ORDER as u32;
 
-/// Most texels along u or v across a surface, those that repeat counted again. Chosen; not tuned.
+/// Most texels along u or v across a surface, those that repeat counted again: each is 2·10⁻⁶ of the
+/// parameters wide, well above rounding. Finer ones no element tells from their mean.
 const MOST_ACROSS: f64 = 1e6;
 
 /// A number per band that varies over a surface: reflectance, or emission (W m⁻²).

@@ -9,15 +9,12 @@
 //! so that cells are no longer than wanted (EN 12464-1 gives the largest spacing) and fill the plane. Sensors
 //! receive along a × b.
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, PARALLEL_DIRECTIONS};
 
 use crate::{error::Fault, ranges::check_number};
 
 /// Most sensors of a plane: some gigabytes of readings. Chosen.
 const MOST: f64 = 1e7;
-
-/// Sine of the angle below which edges count as parallel, as for the camera's up vector.
-const PARALLEL: f64 = 1e-9;
 
 /// Part of a cell by which an edge may be longer than a whole number of spacings: 3 / 0.1 is not 30 in
 /// floating point.
@@ -104,7 +101,7 @@ fn check_edges(edges: [DVec3; 2]) -> Result<(), Fault> {
     let problem = match edges.map(DVec3::try_normalize) {
         [None, _] => "the first edge has no length",
         [_, None] => "the second edge has no length",
-        [Some(a), Some(b)] if a.cross(b).length() < PARALLEL => "the edges are parallel",
+        [Some(a), Some(b)] if a.cross(b).length() < PARALLEL_DIRECTIONS => "the edges are parallel",
         _ => return Ok(()),
     };
     Err(Fault::BadPlane { problem })

@@ -43,7 +43,8 @@ pub struct Formula {
     pub outcome: Result<f64, At<Fault>>,
 }
 
-/// Deeper nesting is refused; a scene needs six levels. Chosen; not tuned.
+/// Deeper nesting is refused, of values, parentheses, parts and files; a scene needs six levels. More would
+/// only end in an overflow of the stack.
 pub const DEEPEST: usize = 32;
 
 /// Number of places that a point of [`Value::Points`] takes behind that of the list: its own, and those of

@@ -26,10 +26,8 @@ use radiosity_light::reflected::Reflection;
 use radiosity_visibility::Visibility;
 
 use crate::solution::{Solution, SurfacePlace};
+use crate::tolerances::FIRST_OVER_SECOND;
 use mean_radiosity::mean_radiosity;
-
-/// Tolerance of the first gathering over that of the second, which smooths its errors. Chosen; not tuned.
-const BEFORE: f64 = 5.0;
 
 /// A solution prepared for gathering.
 #[derive(Debug)]
@@ -69,7 +67,7 @@ impl<'a> Gather<'a> {
         if solution.is_truncated() {
             return Self::new(solution, visibility, eps);
         }
-        let Self { direct, reflection } = Self::new(solution, visibility, BEFORE * eps);
+        let Self { direct, reflection } = Self::new(solution, visibility, FIRST_OVER_SECOND * eps);
         let (list, coatings) = (solution.elements().list(), solution.coatings());
         let around: Vec<Occluders> =
             list.iter().map(|element| reflection.around(&Site::of(element))).collect();

@@ -1,13 +1,14 @@
 //! Solving: elements and blocks → systems → solutions, and what is asked of them.
 //!
-//! In order: `system` (one per band), `solution` (what it was solved to), `gather` (light at points),
-//! `checks` (of energy), `driver` (scene → solution, timed), `studies` (accuracy that is asked for,
+//! In order: `tolerances`, `system` (one per band), `solution` (what it was solved to), `gather` (light at
+//! points), `checks` (of energy), `driver` (scene → solution, timed), `studies` (accuracy that is asked for,
 //! convergence), `solved` (a scene with its solution), `animation` (light that follows moving things) and
 //! `view_factors`.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `visibility`, `elements`, `kernel`, `transport`,
 //! `light` and `published`.
 
+pub mod tolerances;
 pub mod system;
 pub mod solution;
 pub mod gather;

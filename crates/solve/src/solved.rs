@@ -12,9 +12,7 @@ use crate::driver::{Failure, Options, Outcome, solve};
 use crate::gather::Gather;
 use crate::solution::SurfacePlace;
 use crate::studies::adaptation::{Achieved, Adapted, Goal, adapt};
-
-/// Relative accuracy of light gathered at a point. Chosen; not tuned.
-const AT_A_POINT: f64 = 1e-3;
+use crate::tolerances::AT_A_POINT;
 
 /// Why the groups of a solution could not be dimmed.
 #[derive(Debug, thiserror::Error)]

@@ -7,13 +7,14 @@
 //! Reflectance enters afterwards, per band. G has no scale: it is invariant under similarity. In a
 //! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
 //!
-//! In order: `occlusion` (hiding by blockers), `pair` (one pair of elements), `known` (blocks from
-//! elsewhere), `kept_blocks` (blocks and rays of an earlier scene), `price` (the cost of a block), `schedule`
+//! In order: `tolerances`, `occlusion` (hiding by blockers), `pair` (one pair of elements), `known` (blocks
+//! from elsewhere), `kept_blocks` (blocks and rays of an earlier scene), `price` (the cost of a block), `schedule`
 //! (all pairs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all blocks)
 //! and `carrier` (blocks or links, as checks see them). Quadrature of one pair stands in `radiosity-kernel`.
 //!
 //! Imports `core`, `geom`, `work`, `scene`, `visibility`, `elements` and `kernel`.
 
+pub mod tolerances;
 pub(crate) mod occlusion;
 pub(crate) mod pair;
 pub(crate) mod known;

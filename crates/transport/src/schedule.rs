@@ -49,6 +49,7 @@ use crate::occlusion::outlines::occluded_block;
 use crate::pair::{curved, planar};
 use crate::price;
 use crate::schedule::congruent::Pose;
+use crate::tolerances::{BELOW_ESTIMATE, RULE_OF_THREE};
 use balance::WorkItem;
 use goal::Goal;
 use integrated::{Integrated, IntegratedReport};
@@ -57,25 +58,22 @@ pub(crate) use task::Unreached;
 use task::{Schedule, Task};
 pub use work::{BlockWork, cost, shared, work};
 
-/// Factor that turns a coarse estimate of a curved pair into a lower bound. Chosen; not tuned.
-const ESTIMATE_SHARE: f64 = 0.5;
-
-/// Share of a pair assumed visible, for its lower bound, where blockers may hide some of it. Chosen; not
-/// tuned.
+/// Share of a pair assumed visible, for its lower bound, where blockers may hide some of it. An assumption:
+/// with a larger value rows that are nearly all hidden get too coarse a scale, with a smaller one the blocks
+/// of most rows get more digits than they need.
 const VISIBLE_SHARE: f64 = 0.1;
 
-/// Rule of three: if none of n independent rays passes, less than 3/n of the pair is visible at 95 %, as
-/// 0.05 = e⁻³.
-const UNSEEN: f64 = 3.0;
-/// Fewest rays that count as a probe: they bound the visible part by 3/16. Chosen; not tuned.
+/// Fewest rays that count as a probe: they bound the visible part by 3/16.
 const FEWEST_RAYS: u64 = 16;
-/// Most probing rays for the blockers of a pair; where more were needed the block samples them itself. And
-/// the number that finds whether surfaces hide themselves in that case. Chosen; not tuned.
+/// Most probing rays for the blockers of a pair, some hundredths of a second; where more were needed the
+/// block samples them itself.
 const MOST_RAYS: f64 = 2e4;
+/// Probing rays that find whether surfaces hide themselves in that case: they bound what is missed by 3/4000.
 const MOST_OWN_RAYS: f64 = 4e3;
 
-/// Pairs for each one that is integrated both ways, and the fewest that are. Chosen; not tuned.
+/// Pairs for each one that is integrated both ways, which costs a hundredth more.
 const SAMPLED_SHARE: usize = 100;
+/// Fewest pairs that are integrated both ways, in small scenes.
 const FEWEST_SAMPLED: usize = 4;
 
 /// Decisions of sorting about a pair.
@@ -273,7 +271,7 @@ impl Schedule<'_> {
         }
         let [mut least, most] = self.bounds[row].entries(&self.bounds[column]);
         if receiver.plane.is_none() || emitter.plane.is_none() {
-            least = ESTIMATE_SHARE * estimate;
+            least = BELOW_ESTIMATE * estimate;
         }
         if !blockers.is_empty() {
             return task([VISIBLE_SHARE * least, most], None, blockers);
@@ -550,7 +548,7 @@ impl Schedule<'_> {
     fn curved_block(&self, [row, column]: [usize; 2], task: &Task, blockers: &[usize], goal: Goal) -> Block {
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
         let Goal { accuracy, bent, least, row: largest, unseen, sampled, .. } = goal;
-        let enough = (UNSEEN * task.estimate / unseen).max(FEWEST_RAYS as f64);
+        let enough = (RULE_OF_THREE * task.estimate / unseen).max(FEWEST_RAYS as f64);
         let is_told = enough <= MOST_RAYS;
         let asked = if is_told { blockers } else { &[] };
         let (mut blockers, mut rays) = (Cow::Borrowed(blockers), 0);
@@ -595,7 +593,7 @@ impl Schedule<'_> {
         let sees = |x, y| self.visibility.free(&task.blockers, x, y);
         let rays = self.estimates[receiver].hidden_rays(&self.estimates[emitter], &sees)?;
         let size = self.list[receiver].basis.len() * self.list[emitter].basis.len();
-        let is_told = rays >= FEWEST_RAYS && UNSEEN * task.estimate <= goal.unseen * rays as f64;
+        let is_told = rays >= FEWEST_RAYS && RULE_OF_THREE * task.estimate <= goal.unseen * rays as f64;
         is_told.then(|| Block::hidden(size, rays))
     }
 }

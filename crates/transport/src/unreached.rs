@@ -6,7 +6,7 @@
 //! with the standard deviation s of the batches
 //!
 //! ```text
-//! G = mean ,     error = SURE · max_kl s_kl / √BATCHES + 1 / (D √(A_i A_j)) ,     D = n_i/A_i + n_j/A_j ,
+//! G = mean ,     error = DEVIATIONS · max_kl s_kl / √BATCHES + 1 / (D √(A_i A_j)) ,     D = n_i/A_i + n_j/A_j ,
 //! ```
 //!
 //! the last term for what fewer than one ray meets. View factors of surfaces are sums over their elements,
@@ -15,8 +15,8 @@
 //! largest of its row, or until [`most_rays`]. The rays that tell when to stop are those that tell the error,
 //! so that it is told a little too small.
 //!
-//! A value by rules is kept where rays agree with it and its own error, times [`DOUBT`], is smaller than
-//! theirs.
+//! A value by rules is kept where rays agree with it and its own error, times [`MISSED_BY_RULES`], is smaller
+//! than theirs.
 
 mod ray_block;
 mod wholes;
@@ -34,11 +34,13 @@ use crate::kept_blocks::KeptBlocks;
 use crate::sampled::{Fixed, SampledTransport};
 use crate::schedule::UnreachedPair;
 use crate::schedule::order::Precedence;
-use ray_block::{BATCHES, RayBlock, SURE};
+use crate::tolerances::{AGREED_BY_RAYS, BATCHES, DEVIATIONS, MISSED_BY_RULES};
+use ray_block::RayBlock;
 pub(crate) use wholes::Whole;
 use wholes::Wholes;
 
-/// Rays of each element and batch in the first round. Chosen.
+/// Rays of each element and batch in the first round: 16 384 of an element in all, which tell a factor of ½
+/// to a percent. With fewer the errors of batches tell little.
 const FIRST: u64 = 1 << 11;
 
 /// Rays in all, at an accuracy of 1e-3, and by which power of the accuracy they grow, down to [`FINEST`].
@@ -47,14 +49,10 @@ const MOST: f64 = 8e6;
 const MOST_POWER: f64 = 0.35;
 const MOST_AT: f64 = 1e-3;
 
-/// Elements that share these rays; more of them send more in proportion. Chosen.
+/// Elements that share these rays, 250 000 for each; more of them send more in proportion.
 const FEW: f64 = 32.0;
-/// The accuracy below which no more rays are sent. Chosen.
+/// The accuracy below which no more rays are sent: five times as many as at 1e-3.
 pub const FINEST: f64 = 1e-5;
-
-/// Factor on the error of rules that did not converge. Chosen: tori and balls on floors were off by up to
-/// this from what they told.
-const DOUBT: f64 = 10.0;
 
 /// Relative error that no more rays are sent for, whatever is asked. Chosen: pairs get there whose row sums
 /// are known.
@@ -64,10 +62,8 @@ const ENOUGH: f64 = 1e-6;
 /// cones.
 const REACHED: f64 = 1e-4;
 
-/// Errors by which a value by rules and one by rays may differ. Chosen.
-const AGREED: f64 = 3.0;
-
-/// Relative error of rays that is enough to check a value by rules. Chosen.
+/// Relative error of rays that is enough to check a value by rules: those that failed are off by more. With a
+/// smaller value the check takes as long as the rays would take by themselves.
 const CHECKED: f64 = 1e-3;
 
 /// Adds the blocks that are `left` to `blocks`, and tells their error there; rays that `kept` holds are not
@@ -200,7 +196,7 @@ fn judged(
             column: pair.column,
             values,
             one,
-            error: SURE * largest + one,
+            error: DEVIATIONS * largest + one,
             is_by_rules: false,
             relative: 0.0,
         }
@@ -209,12 +205,13 @@ fn judged(
     let rows = wholes.largest_factors(list, others_firsts, &found);
     for ((found, pair), firsts) in found.iter_mut().zip(left).zip(&mut firsts) {
         if let Some((values, error)) = &pair.found
-            && DOUBT * error < found.error
+            && MISSED_BY_RULES * error < found.error
             && wholes.relative(list, &rows, found) <= CHECKED
             && agree(values, &found.values, found.error)
         {
             found.values.clone_from(values);
-            (found.error, found.one, found.is_by_rules) = (DOUBT * error, DOUBT * error, true);
+            (found.error, found.one, found.is_by_rules) =
+                (MISSED_BY_RULES * error, MISSED_BY_RULES * error, true);
             *firsts = [values[0]; BATCHES];
         }
     }
@@ -225,5 +222,5 @@ fn judged(
 /// Whether values by rules and by rays are as near as they should be: one in two thousand is not, by chance
 /// (Student).
 fn agree(a: &[f64], b: &[f64], error: f64) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= AGREED * error)
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= AGREED_BY_RAYS * error)
 }

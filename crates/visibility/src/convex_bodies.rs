@@ -26,7 +26,8 @@ use crate::shadow_volume::ShadowVolume;
 /// Fewest faces of a body, without the missing one: a tetrahedron has four.
 const FEWEST: usize = 3;
 
-/// Least depth of a body below each of its faces, over its diameter. Chosen; not tuned.
+/// Least depth of a body below each of its faces, over its diameter, far above the [`touching`] within which
+/// corners lie behind a face. A flatter group is a sheet with two sides, which hides by its faces.
 const THINNEST: f64 = 1e-6;
 
 /// A planar surface without holes, as a face.

@@ -13,17 +13,13 @@
 use std::cmp::Ordering;
 
 use radiosity_fit::gap::closed;
-use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, difference, polygon_area, polygon_width, touching};
+use radiosity_fit::tolerances::SHARED_AREA;
+use radiosity_geom::{
+    Aabb, Bvh, DVec3, PARALLEL_PLANES, PlanarRegion, difference, polygon_area, polygon_width, touching,
+};
 use radiosity_scene::Scene;
 
-/// Sine of the angle between planes below which they count as parallel. Chosen; not tuned.
-const PARALLEL: f64 = 1e-6;
-
-/// Least common part of two sheets, over the smaller area, for a covered part. Chosen; not tuned.
-const SHARED: f64 = 1e-6;
-
-/// A piece narrower than this part of the smaller sheet's extent is rounding. Chosen; not tuned.
-const NARROW: f64 = 1e-6;
+use crate::tolerances::NARROW_PIECE;
 
 /// A part of a flat surface on which another surface lies.
 #[derive(Clone, Debug)]
@@ -47,8 +43,8 @@ pub fn covered_parts(scene: &Scene) -> Vec<CoveredPart> {
             if mutual { without(pieces, of_surface(&found, over), region(over).normal()) } else { pieces };
         let extent = region(under).extent().min(region(over).extent());
         let pieces: Vec<Vec<DVec3>> =
-            pieces.into_iter().filter(|piece| polygon_width(piece) > NARROW * extent).collect();
-        if area(&pieces) <= SHARED * region(under).area().min(region(over).area()) {
+            pieces.into_iter().filter(|piece| polygon_width(piece) > NARROW_PIECE * extent).collect();
+        if area(&pieces) <= SHARED_AREA * region(under).area().min(region(over).area()) {
             continue;
         }
         if mutual {
@@ -110,7 +106,7 @@ fn contacts(scene: &Scene) -> Vec<SheetContact> {
     for (own, (under, region)) in sheets.iter().enumerate() {
         tree.overlapping(&boxes[own], |place| {
             let (over, other) = sheets[place];
-            let is_parallel = region.normal().cross(other.normal()).length() < PARALLEL;
+            let is_parallel = region.normal().cross(other.normal()).length() < PARALLEL_PLANES;
             let mutual = region.normal().dot(other.normal()) < 0.0;
             // A contact of two fronts is found once, from the larger surface.
             let is_turned =

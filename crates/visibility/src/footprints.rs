@@ -19,13 +19,11 @@ use radiosity_scene::Scene;
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
+use crate::tolerances::LEFT_BESIDE_FOOTINGS;
 use crate::{Shadows, Visibility};
 pub use footprint::Footprint;
 use seal::SealCandidate;
 use segments::Segments;
-
-/// Least part of a surface's area that has to be left beside footprints. Chosen; not tuned.
-const LEAST: f64 = 1e-6;
 
 /// All footprints of a scene, in the order of their surfaces.
 pub fn footprints(scene: &Scene) -> Vec<Footprint> {
@@ -45,15 +43,14 @@ pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
         let hole = vec![region.outer().to_vec()];
         let cut = Trimmed::new(Box::new(Arc::clone(&shapes[surface])), hole);
         // A footprint stays if it does not fit beside the holes, or if it is the last uncovered part.
-        if let Some(cut) = cut.ok().filter(|cut| cut.area() > LEAST * region.area()) {
+        if let Some(cut) = cut.ok().filter(|cut| cut.area() > LEFT_BESIDE_FOOTINGS * region.area()) {
             shapes[surface] = Arc::new(cut);
         }
     }
     shapes
 }
 
-/// The faces, smaller by 1e-6 than the whole (as `LEAST`), that lines of contact cut off from a planar
-/// surface.
+/// The faces, smaller than the whole, that lines of contact cut off from a planar surface.
 fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<SealCandidate> {
     check_interrupt();
     let Some(region) = scene.surfaces[surface].shape.region() else { return Vec::new() };
@@ -67,7 +64,7 @@ fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<SealCa
     let loops = faces::faces(&drawn, &|x| region.to_plane(x), tolerance);
     let contacts = Segments::new(ends);
     let regions = loops.into_iter().filter_map(|ring| PlanarRegion::new(ring, Vec::new()).ok());
-    let proper = regions.filter(|face| face.area() < (1.0 - 1e-6) * region.area());
+    let proper = regions.filter(|face| face.area() < (1.0 - LEFT_BESIDE_FOOTINGS) * region.area());
     let suspect = |face: PlanarRegion| {
         let standing = lines::around(&lines, &contacts, &face);
         SealCandidate::new(Footprint { surface, region: face, standing }, region)

@@ -6,14 +6,15 @@
 //! two hulls it meets every segment, and the pair is fully hidden. Otherwise segments are tested against the
 //! candidates alone.
 //!
-//! In order: [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`, `convex_bodies`,
-//! [`silhouette_mesh`], [`Shadows`] and `obstacle` (of what obstacles are made), `rays` and `whole` (what
-//! rays meet first, what hides as a whole), [`Visibility`], the noun of the crate; then what a scene says of
-//! itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat surfaces on others) and
+//! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`,
+//! `convex_bodies`, [`silhouette_mesh`], [`Shadows`] and `obstacle` (of what obstacles are made), `rays` and
+//! `whole` (what rays meet first, what hides as a whole), [`Visibility`], the noun of the crate; then what a
+//! scene says of itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat surfaces on others) and
 //! [`inspection`] (contents, contacts, what looks wrong).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `scene`.
 
+pub mod tolerances;
 pub mod blocker_edges;
 pub mod bounding_ball;
 pub mod shadow_volume;
@@ -31,7 +32,7 @@ pub mod inspection;
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, Jet, Ray, RayTree, Rect, Surface, separated, touching};
+use radiosity_geom::{Aabb, Bvh, COINCIDENT, DVec3, Jet, Ray, RayTree, Rect, Surface, separated, touching};
 use radiosity_scene::Scene;
 use radiosity_work::interruption::check_interrupt;
 
@@ -40,13 +41,8 @@ use cloud::Cloud;
 use convex_bodies::{Bodies, Face};
 pub use mode::{Hiding, Shadows};
 use obstacle::{Bend, Obstacle};
-
-pub use obstacle::END;
 use silhouette_mesh::SilhouetteMesh;
-
-/// Part of a segment's length at its end within which it may touch the surface that the end lies on; for
-/// other surfaces see `END`. Chosen; not tuned.
-pub const OWN_END: f64 = 1e-6;
+use tolerances::{END, OWN_END};
 
 /// The surfaces of a scene as obstacles.
 #[derive(Debug)]
@@ -129,7 +125,8 @@ impl Visibility {
         let [first, second] = surfaces;
         let may_hide = |surface: usize, others: &[DVec3]| {
             let Obstacle { bend, looks, ball, .. } = &self.obstacles[surface];
-            let is_outside = |y: &DVec3| looks.iter().any(|(x, n)| (y - x).dot(*n) < -END * ball.radius());
+            let is_outside =
+                |y: &DVec3| looks.iter().any(|(x, n)| (y - x).dot(*n) < -COINCIDENT * ball.radius());
             match bend {
                 Bend::Outward => false,
                 Bend::Inward => first != second && others.iter().any(is_outside),
@@ -171,7 +168,7 @@ impl Visibility {
         let reaches = |index: &usize| {
             let (ball, hull) = part(*index);
             // A plate flush before a surface reaches into the shaft by little, but hides much.
-            let tolerance = if self.obstacles[*index].pieces.is_some() { END } else { tolerance };
+            let tolerance = if self.obstacles[*index].pieces.is_some() { COINCIDENT } else { tolerance };
             !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
         };
         blockers.iter().copied().filter(reaches).take(most).collect()

@@ -2,19 +2,19 @@
 
 use std::sync::{Arc, OnceLock};
 
-use radiosity_geom::{DVec3, Jet, Rect, Surface};
+use radiosity_geom::{COINCIDENT, DVec3, Jet, Rect, Surface};
 
 use crate::bounding_ball::Ball;
 use crate::silhouette_mesh::SilhouetteMesh;
 
-/// A segment may touch surfaces within this part of its length at both ends. Chosen; not tuned.
-pub const END: f64 = 1e-9;
-
-/// Sample points along each parameter of a curved surface. Chosen; not tuned.
+/// Sample points along each parameter of a curved surface, by which it is seen how it bends. All pairs of
+/// them are compared, so that the time grows with their fourth power; a bend between two of them may be
+/// missed.
 const LOOKS: usize = 5;
 
-/// A surface whose normals all have at least this cosine (0.8°) to each other counts as flat. Chosen; not
-/// tuned.
+/// A surface whose normals all have at least this cosine (0.8°) to each other counts as flat: it rises over
+/// its own tangent planes by 0.7 % of its size at the most. With a smaller value shadows that bent surfaces
+/// throw on themselves are lost; with a larger one more surfaces need a mesh.
 const ALIKE: f64 = 0.9999;
 
 /// A surface with its data for visibility tests.
@@ -79,9 +79,9 @@ impl Bend {
         let size = jets.iter().map(|y| y.position.distance(jets[0].position)).fold(0.0, f64::max);
         let all = |holds: &dyn Fn(&Jet, &Jet) -> bool| jets.iter().all(|x| jets.iter().all(|y| holds(x, y)));
         let height = |x: &Jet, y: &Jet| (y.position - x.position).dot(x.normal);
-        if all(&|x, y| height(x, y) <= END * size) || all(&|x, y| y.normal.dot(x.normal) >= ALIKE) {
+        if all(&|x, y| height(x, y) <= COINCIDENT * size) || all(&|x, y| y.normal.dot(x.normal) >= ALIKE) {
             return Bend::Outward;
         }
-        if all(&|x, y| height(x, y) >= -END * size) { Bend::Inward } else { Bend::Mixed }
+        if all(&|x, y| height(x, y) >= -COINCIDENT * size) { Bend::Inward } else { Bend::Mixed }
     }
 }

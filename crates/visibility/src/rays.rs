@@ -4,7 +4,8 @@ use std::iter;
 
 use radiosity_geom::{DVec3, Encounter, Ray, touching};
 
-use super::{OWN_END, Visibility};
+use super::Visibility;
+use crate::tolerances::OWN_END;
 
 impl Visibility {
     /// The first surface that a ray meets. Front and back of a two-sided surface are met at once, and the

@@ -130,14 +130,14 @@ pub struct ShadowVolume {
 
 impl ShadowVolume {
     /// The shadow volume of the convex `polygon` from `x`; None where x lies in its plane and nothing is
-    /// hidden (within 1e-9 of the distance, as `TOUCHING`).
+    /// hidden.
     pub fn over(polygon: &[DVec3], x: DVec3) -> Option<Self> {
         let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
         let normal: DVec3 =
             polygon.windows(2).map(|side| (side[0] - polygon[0]).cross(side[1] - polygon[0])).sum();
         let normal = normal.normalize_or_zero();
         let height = (middle - x).dot(normal);
-        if height.abs() <= 1e-9 * middle.distance(x) {
+        if height.abs() <= COINCIDENT * middle.distance(x) {
             return None;
         }
         let sides = (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]]);

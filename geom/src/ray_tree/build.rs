@@ -7,8 +7,7 @@
 
 use super::fork::{Fork, WIDTH};
 use super::frame::Box32;
-
-const BINS: usize = 16;
+use crate::bvh::BINS;
 
 /// Below this depth splits halve the number of boxes instead, which bounds the depth of the stack.
 const HEURISTIC_DEPTH: usize = 16;

@@ -2,10 +2,8 @@
 //! they should be.
 
 use crate::ShapeError;
+use crate::tolerances::COINCIDENT;
 use glam::{DVec2, DVec3};
-
-/// Lengths below this multiple of the region's extent count as zero. Chosen; not tuned.
-pub(super) const TOUCH: f64 = 1e-9;
 
 /// ½ Σ xᵢ × xᵢ₊₁, positive for counter-clockwise rings.
 pub(super) fn signed_area(ring: &[DVec2]) -> f64 {
@@ -27,7 +25,7 @@ pub(super) fn distance(ring: &[DVec2], at: DVec2) -> f64 {
 
 /// Every ring simple, every hole inside the outline (ring 0) and apart from the others.
 pub(super) fn check(rings: &[Vec<DVec2>], names: &[String], extent: f64) -> Result<(), ShapeError> {
-    let tolerance = TOUCH * extent;
+    let tolerance = COINCIDENT * extent;
     for (ring, name) in rings.iter().zip(names) {
         if signed_area(ring).abs() <= tolerance * extent {
             return Err(ShapeError::NoArea { field: name.clone() });
@@ -64,7 +62,7 @@ pub(super) fn bow_tie(ring: &[DVec3]) -> Option<ShapeError> {
     let flat: Vec<DVec2> =
         ring.iter().map(|x| DVec2::new((*x - origin).dot(first), (*x - origin).dot(second))).collect();
     let extent = flat.iter().map(|x| x.length()).fold(0.0, f64::max);
-    let (first, second) = self_contact(&flat, TOUCH * extent)?;
+    let (first, second) = self_contact(&flat, COINCIDENT * extent)?;
     Some(ShapeError::SelfCrossing { field: "vertices".into(), first, second })
 }
 

@@ -13,9 +13,9 @@
 //! written as a triple product).
 
 use super::check_finite;
-use crate::region::PLANARITY;
 use crate::roots::quadratic;
 use crate::surface::{foot_from_middle, nearest_foot};
+use crate::tolerances::{NO_AREA, PLANARITY, ROUNDING};
 use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
@@ -43,7 +43,9 @@ impl Bilinear {
             check_finite("vertices", x)?;
         }
         let extent = vertices.iter().map(|x| x.distance(p)).fold(0.0, f64::max);
-        if let Some(index) = (0..4).find(|&k| vertices[k].distance(vertices[(k + 1) % 4]) <= 1e-12 * extent) {
+        if let Some(index) =
+            (0..4).find(|&k| vertices[k].distance(vertices[(k + 1) % 4]) <= ROUNDING * extent)
+        {
             return Err(ShapeError::RepeatedVertex { field: "vertices".into(), index });
         }
         let (a, b) = (0.25 * (p + q + r + s), 0.25 * (q + r - p - s));
@@ -52,7 +54,7 @@ impl Bilinear {
             return Err(ShapeError::NoArea { field: "vertices".into() });
         }
         let normal = b.cross(c);
-        if normal.length() <= 1e-12 * extent * extent {
+        if normal.length() <= NO_AREA * extent * extent {
             return Err(ShapeError::Folded { field: "vertices".into() });
         }
         // The corners lie d · n above and below the middle plane, 2 d · n off the plane through the first
@@ -124,7 +126,7 @@ impl Surface for Bilinear {
 /// Whether some of the corners lie off the line through two others.
 fn spans_area(vertices: &[DVec3; 4], extent: f64) -> bool {
     let [e, f, g] = [1, 2, 3].map(|k| vertices[k] - vertices[0]);
-    [e.cross(f), f.cross(g), g.cross(e)].iter().any(|area| area.length() > 1e-12 * extent * extent)
+    [e.cross(f), f.cross(g), g.cross(e)].iter().any(|area| area.length() > NO_AREA * extent * extent)
 }
 
 /// Whether the outline turns the same way at all four corners.

@@ -5,6 +5,7 @@
 use super::Bilinear;
 use super::affine::Affine;
 use super::{check_edge, check_finite};
+use crate::tolerances::PARALLEL_DIRECTIONS;
 use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
@@ -26,7 +27,7 @@ impl Parallelogram {
         check_finite("origin", origin)?;
         check_edge("edge1", edge1)?;
         check_edge("edge2", edge2)?;
-        if edge1.cross(edge2).length() <= 1e-9 * edge1.length() * edge2.length() {
+        if edge1.cross(edge2).length() <= PARALLEL_DIRECTIONS * edge1.length() * edge2.length() {
             return Err(ShapeError::Parallel { field: "edge2".into(), other: "edge1".into() });
         }
         let corners = vec![origin, origin + edge1, origin + edge1 + edge2, origin + edge2];

@@ -17,12 +17,13 @@
 //! Compare Gottschalk, Lin, Manocha, *OBBTree*, 1996, whose boxes are turned but not sheared.
 
 use crate::slabs::inverted;
+use crate::tolerances::OVERHANG;
 use crate::{Aabb, Ray};
 use glam::{DMat3, DVec2, DVec3, Vec3Swizzles};
 
-/// Margin of a box for seams (1e-9) and rounding, as a part of the tile's size.
-const ROOM: f64 = 1e-8;
-/// Mean tangents with a smaller sine between them make no frame. Chosen; not tuned.
+/// Sine of the angle between mean tangents up to which they make no frame, and the axes of space serve
+/// instead: the frame multiplies rounding by one over the sine, to 10⁻¹⁰. Any frame is right; with a larger
+/// value fewer slender tiles get tight boxes.
 const SLENDER: f64 = 1e-6;
 
 /// A box in the frame of a tile.
@@ -98,7 +99,7 @@ impl Sheared {
     fn room(&self, points: &[[DVec3; 4]; 4]) -> DVec3 {
         let size = Aabb::around(points.as_flattened().iter().copied()).diagonal();
         let rows = [0, 1, 2].map(|axis| self.frame.row(axis).length());
-        ROOM * size * DVec3::from_array(rows)
+        OVERHANG * size * DVec3::from_array(rows)
     }
 
     /// A ray in the frame.

@@ -11,7 +11,7 @@ use radiosity_geom::Rect;
 use radiosity_scene::Pattern;
 
 /// Most tiles along each direction of an element. What is lost of texels by taking means is their variation
-/// within a tile times that of two polynomials: below (N/64)² of the contrast. Chosen; not tuned.
+/// within a tile times that of two polynomials: below (N/64)² of the contrast.
 const MOST: usize = 64;
 
 /// A band of a pattern over a rectangle of parameters, with its mean on every tile.

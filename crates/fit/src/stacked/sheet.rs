@@ -5,8 +5,7 @@ use std::sync::Arc;
 
 use radiosity_geom::{DVec3, PlanarRegion, Surface};
 
-/// Areas that differ by less than this part are equal within rounding. Chosen; not tuned.
-pub(super) const SAME_AREA: f64 = 1e-6;
+use crate::tolerances::SAME_AREA;
 
 /// A flat sheet that may lie on others.
 #[derive(Clone, Debug)]

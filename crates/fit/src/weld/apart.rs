@@ -7,14 +7,14 @@
 use std::collections::HashSet;
 
 use super::sheet::Sheets;
+use crate::tolerances::SHARED_AREA;
 use crate::{coincident::common_area, gap};
 
 /// Thickness, in tolerances, of the slab that must contain two parallel sheets. Sheets of one body have
-/// different tolerances, but all or none of them have to be apart. Chosen; not tuned.
+/// different tolerances, but all or none of them have to be apart: a hundred bears that they differ as much.
+/// With a larger value more pairs are looked at; with a smaller one a sheet of a body may be welded to what
+/// the others stay apart from.
 const SLAB: f64 = 100.0;
-
-/// Least common part of two sheets in front of each other, over the smaller area. Chosen; not tuned.
-const SHARED: f64 = 1e-6;
 
 /// Pairs of sheets that are apart, in both orders.
 pub(super) type Apart = HashSet<(usize, usize)>;
@@ -33,7 +33,7 @@ pub(super) fn pairs(sheets: &Sheets) -> Apart {
             let is_near = low.abs().max(high.abs()) <= SLAB * tolerance;
             if is_near
                 && (low > told || high < -told)
-                && common_area(region, over) > SHARED * region.area().min(over.area())
+                && common_area(region, over) > SHARED_AREA * region.area().min(over.area())
             {
                 apart.extend([(own, other), (other, own)]);
             }

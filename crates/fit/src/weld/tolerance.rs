@@ -6,33 +6,31 @@
 //! show it too: all of the scene may be rounded as coarsely. Within this uncertainty it is unknown which of
 //! two sheets is in front. In addition a corner touches a sheet within a millionth of the smaller extent.
 
-use radiosity_geom::{DVec3, LOOSE};
+use radiosity_geom::{DVec3, LOOSE, PLANARITY, ROUNDINGS_OF_PLANE, ROUNDOFF_OF_DOUBLE};
 
-/// Unit roundoff of double precision.
-const DOUBLE: f64 = 1.0 / (1u64 << 53) as f64;
-
-/// Most decimals that are considered, and the least extent of a scene in units of the last one
-/// (`LEAST_UNITS`): shorter numbers may have been typed as meant. Both are chosen, not tuned.
+/// Most decimals that are considered: at an extent of 1 the tenth is below the tolerance of touching.
 const DECIMALS: i32 = 9;
+
+/// Least extent of a scene in units of the last decimal: shorter numbers may have been typed as meant. A room
+/// of 3 with five decimals was rounded, one in whole centimetres was not. An arbitrary choice: with a larger
+/// value fewer rounded scenes are mended; with a smaller one gaps of one unit that were typed are closed.
 const LEAST_UNITS: f64 = 3e5;
 
-/// Roundings by which a corner may miss a plane through other corners: each misses by up to one, and a plane
-/// through three adds up to three more where it is extended; twice that.
-const ROUNDINGS: f64 = 8.0;
-
-/// Distance from other sheets that corners may have, over that from the planes of their own sheets (chosen,
-/// not tuned); and the largest such distance over a sheet's own extent, equal to `PLANARITY` of flat regions
-/// in geom.
+/// Distance from other sheets that corners may have, over that from the planes of their own sheets: as far as
+/// a corner is off its plane another one may be, and the three that its plane goes through.
 const UNEVEN: f64 = 4.0;
-const MOST_UNEVEN: f64 = 2e-5;
 
-/// Largest move of corners over the shortest side, and over the breadth, of their sheet. Both are chosen, not
-/// tuned.
+/// Largest move of corners over the shortest side of their sheet: two corners must not meet. An arbitrary
+/// choice: with a larger value sheets change their shape visibly; with a smaller one slender ones are not
+/// welded.
 const SHORTEST: f64 = 0.1;
+
+/// Largest move of corners over the breadth of their sheet, less than over a side since its plane must not
+/// turn: by two corners that move against each other it turns by a fiftieth.
 const BREADTH: f64 = 0.01;
 
-/// Rounding of heights of turned corners, and over planes through such corners, in units of 2⁻⁵³. Chosen; not
-/// tuned.
+/// Rounding of heights of turned corners, and over planes through such corners, in units of 2⁻⁵³: some eight
+/// roundings of the corner, and of each of the three that the plane goes through.
 const COMPUTED: f64 = 32.0;
 
 /// The tolerances of one sheet (scene length).
@@ -76,8 +74,8 @@ impl Tolerance {
     /// The tolerance of a sheet with these measures in a scene with that evidence.
     pub(super) fn of(measures: &Measures, evidence: Evidence) -> Self {
         Self {
-            rounding: ROUNDINGS * measures.rounding.max(evidence.decimal),
-            noise: UNEVEN * evidence.unevenness.min(MOST_UNEVEN * measures.extent).max(measures.unevenness),
+            rounding: ROUNDINGS_OF_PLANE * measures.rounding.max(evidence.decimal),
+            noise: UNEVEN * evidence.unevenness.min(PLANARITY * measures.extent).max(measures.unevenness),
             touch: LOOSE * measures.extent,
             most: measures.most(),
         }
@@ -135,7 +133,7 @@ pub(super) fn decimal(corners: impl Iterator<Item = DVec3>, extent: f64) -> f64 
 /// Rounding in double precision of heights and distances of corners with coordinates up to `largest` (scene
 /// length).
 pub(super) fn computed(largest: f64) -> f64 {
-    COMPUTED * DOUBLE * largest
+    COMPUTED * ROUNDOFF_OF_DOUBLE * largest
 }
 
 #[cfg(test)]

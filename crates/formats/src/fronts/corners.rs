@@ -7,7 +7,8 @@ use radiosity_geom::Aabb;
 
 use crate::model::{Model, Shape};
 
-/// Corners nearer than this part of the model's extent are one corner. Chosen; not tuned.
+/// Corners nearer than this part of the model's extent are one corner: coordinates of single precision are
+/// rounded to 6·10⁻⁸ of it. With a larger value small things would hang together with what they stand beside.
 const ONE_CORNER: f64 = 1e-7;
 
 /// Corners, of which those nearer than rounding are one.

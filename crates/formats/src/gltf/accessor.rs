@@ -13,9 +13,9 @@ use radiosity_photometry::text::short;
 
 use super::json::Json;
 use super::scheme::{Accessor, BufferView, Root, Sparse, SparsePart};
+use crate::tolerances::MOST_ROWS;
 
-/// Most numbers or points of an accessor, and most replaced ones of all. Chosen; not tuned.
-const MOST: usize = 40_000_000;
+/// Most rows that accessors replace in all: each takes several times the memory of a row that is listed.
 const MOST_REPLACED: usize = 10_000_000;
 
 const CORRECT: &str = "correct it, or export the model again";
@@ -205,8 +205,8 @@ impl<'a, 'b> Accessors<'a, 'b> {
             )
             .into());
         }
-        if accessor.count > MOST {
-            return Err(Fault::new(format!("it has more than {MOST} rows"), "split the model").into());
+        if accessor.count > MOST_ROWS {
+            return Err(Fault::new(format!("it has more than {MOST_ROWS} rows"), "split the model").into());
         }
         if kind == NumberUse::Points && accessor.buffer_view.is_none() && accessor.sparse.is_none() {
             return Err(Fault::new(

@@ -13,9 +13,7 @@ use radiosity_photometry::text::short;
 use super::json::Json;
 use super::scheme::{Buffer, Root};
 use crate::files::Files;
-
-/// Most bytes of all buffers. Chosen; not tuned.
-const MOST: usize = 1 << 30;
+use crate::tolerances::MOST_BYTES_OF_BUFFERS;
 
 /// Base64 with or without padding (RFC 4648, section 4).
 const BASE64: GeneralPurpose = GeneralPurpose::new(
@@ -59,8 +57,11 @@ fn check(bytes: Cow<'_, [u8]>, length: usize, size: usize) -> Result<Cow<'_, [u8
             "copy or export the model again",
         ));
     }
-    if size > MOST {
-        return Err(Fault::new(format!("the buffers have more than {MOST} bytes"), "split the model"));
+    if size > MOST_BYTES_OF_BUFFERS {
+        return Err(Fault::new(
+            format!("the buffers have more than {MOST_BYTES_OF_BUFFERS} bytes"),
+            "split the model",
+        ));
     }
     Ok(bytes)
 }

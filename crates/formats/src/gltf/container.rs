@@ -4,12 +4,11 @@
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::located::Located;
 
+use crate::tolerances::MOST_BYTES_OF_TEXT;
+
 const MAGIC: &[u8] = b"glTF";
 const JSON: u32 = 0x4E4F_534A;
 const BINARY: u32 = 0x004E_4942;
-
-/// Most bytes of the JSON. Chosen; not tuned.
-const MOST: usize = 1 << 28;
 
 /// The parts of a file.
 #[derive(Clone, Copy, Debug)]
@@ -79,10 +78,10 @@ fn word(bytes: &[u8], at: usize) -> Option<u32> {
 }
 
 fn text(bytes: &[u8], start: usize) -> Result<&str, Located> {
-    if bytes.len() > MOST {
+    if bytes.len() > MOST_BYTES_OF_TEXT {
         return Err(Located::new(
             FilePlace::Byte(start),
-            format!("the JSON is longer than {MOST} bytes"),
+            format!("the JSON is longer than {MOST_BYTES_OF_TEXT} bytes"),
             "keep buffers in files beside it",
         ));
     }

@@ -6,9 +6,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use super::container::Parts;
-
-/// Most characters of a message about JSON. Chosen; not tuned.
-const LONGEST: usize = 160;
+use crate::tolerances::LONGEST_CAUSE;
 
 /// A text of JSON.
 #[derive(Debug)]
@@ -58,7 +56,7 @@ impl<'a> Json<'a> {
             let start = (part.as_ptr() as usize).saturating_sub(self.text.as_ptr() as usize);
             let message = error.to_string();
             let message = message.rsplit_once(" at line ").map_or(message.as_str(), |(cause, _)| cause);
-            let message: String = message.chars().take(LONGEST).collect();
+            let message: String = message.chars().take(LONGEST_CAUSE).collect();
             Located::new(
                 self.at(start + inside),
                 format!("{what}: {message}"),

@@ -9,8 +9,9 @@ use serde_json::value::RawValue;
 use super::json::Json;
 use super::scheme;
 use crate::colour::{TEXTURED, TEXTURED_EMISSION, UNKNOWN};
-use crate::model::{GREATEST, Material, Model, Sides};
+use crate::model::{Material, Model, Sides};
 use crate::names::UniqueNames;
+use crate::tolerances::GREATEST;
 
 /// Adds all materials to the model, under their names or numbers. Returns the sides of the surfaces of each.
 pub(super) fn add_all<'a>(

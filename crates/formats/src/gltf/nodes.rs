@@ -17,7 +17,8 @@ use crate::mesh::{Coat, Mesh};
 use crate::model::{Camera, Sides};
 use crate::names::UniqueNames;
 
-/// Most triangles, primitives and nodes that are visited, repetitions counted. Chosen; not tuned.
+/// Most triangles, primitives and nodes that are visited, repetitions counted: a bound of time, since a file
+/// of few bytes may repeat a node without end.
 const MOST: usize = 50_000_000;
 
 /// The nodes of a file, and the mesh that they add to.

@@ -3,18 +3,15 @@
 use std::collections::HashMap;
 
 use glam::{DVec2, DVec3};
+use radiosity_geom::{ROUNDING_OF_AREAS, ROUNDINGS_OF_PLANE};
 
 use super::corners::Corners;
 use super::crossings::cross;
-use super::face::{FLAT, Face};
+use super::face::Face;
+use crate::tolerances::{PLANARITY_OF_FACE, ROUNDINGS_OF_CORNERS};
 
-/// Largest difference of the area from that of the faces, relative. Chosen: rounding is less.
-const AREA: f64 = 1e-9;
-
-/// Roundings within which corners lie in a plane through others. Chosen; not tuned.
-const ROUNDINGS: f64 = 8.0;
-
-/// Width of a slit over its length: less closes. Chosen: more than decimals that are usual leave.
+/// Width of a slit over its length up to which it closes: decimals that are usual leave less. With a larger
+/// value narrow gaps that were meant close.
 const SLIT: f64 = 1e-6;
 
 /// A polygon that faces were merged to.
@@ -41,7 +38,7 @@ impl Merged {
         for ring in loops(&sides, &successors(&sides, &sheet)?) {
             let (own, length) = sheet.area_and_length(&ring);
             // Both banks of a slit: faces meet there along parts of a side.
-            let width = (ROUNDINGS * corners.rounding(&ring)).max(SLIT * length);
+            let width = (ROUNDINGS_OF_CORNERS * corners.rounding(&ring)).max(SLIT * length);
             if own.abs() <= 0.5 * width * length {
                 continue;
             }
@@ -53,8 +50,8 @@ impl Merged {
         let parts: f64 = faces.iter().map(|face| face.area * face.normal.dot(sheet.normal)).sum();
         let loops: Vec<Vec<u32>> = rings.into_iter().map(|(_, ring)| ring).collect();
         let rounding = loops.iter().map(|ring| corners.rounding(ring)).fold(0.0, f64::max);
-        let is_sound = outlines == 1 && (area - parts).abs() <= AREA * parts;
-        if !is_sound || cross(&sheet.flat(&loops), ROUNDINGS * rounding) {
+        let is_sound = outlines == 1 && (area - parts).abs() <= ROUNDING_OF_AREAS * parts;
+        if !is_sound || cross(&sheet.flat(&loops), ROUNDINGS_OF_CORNERS * rounding) {
             return None;
         }
         let mut surfaces: Vec<usize> = faces.iter().map(|face| face.surface).collect();
@@ -84,7 +81,7 @@ fn is_flat(sides: &[[u32; 2]], sheet: &Sheet) -> bool {
     let size = offsets().map(DVec3::length).fold(0.0, f64::max);
     let height = offsets().map(|x| x.dot(sheet.normal).abs()).fold(0.0, f64::max);
     let rounding = sides.iter().map(|side| sheet.corners.rounding(side)).fold(0.0, f64::max);
-    height <= (FLAT * size).max(ROUNDINGS * rounding)
+    height <= (PLANARITY_OF_FACE * size).max(ROUNDINGS_OF_PLANE * rounding)
 }
 
 /// Index of the next side of each side along the boundary: around the corner where the side ends, the first

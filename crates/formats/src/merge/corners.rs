@@ -9,12 +9,10 @@ use glam::DVec3;
 use radiosity_geom::{Aabb, Bvh, sides, unit_roundoff};
 
 use crate::model::{Shape, Surface};
+use crate::tolerances::ROUNDINGS_OF_CORNERS;
 
-/// Roundings by which two corners that are meant to be one may differ: each is computed, by a few operations.
-/// Chosen; not tuned.
-const ROUNDINGS: f64 = 8.0;
-
-/// Part of the shortest side at a corner that its place may be uncertain by. Chosen; not tuned.
+/// Part of the shortest side at a corner that its place may be uncertain by: both ends of a side together
+/// leave half of it, and it does not vanish.
 const OF_SIDE: f64 = 0.25;
 
 /// The corners of polygons and quads by number.
@@ -158,7 +156,7 @@ impl Places {
 
     /// Index of the first point that each point is one with.
     fn welded(&self) -> Vec<u32> {
-        let reach = |at: usize| (ROUNDINGS * self.roundings[at]).min(OF_SIDE * self.shortest[at]);
+        let reach = |at: usize| (ROUNDINGS_OF_CORNERS * self.roundings[at]).min(OF_SIDE * self.shortest[at]);
         let boxes: Vec<Aabb> = self.points.iter().map(|x| Aabb { min: *x, max: *x }).collect();
         let tree = Bvh::build(&boxes);
         let mut firsts: Vec<u32> = (0..self.points.len() as u32).collect();

@@ -2,9 +2,11 @@
 
 use glam::DVec2;
 
-/// Pairs of sides that are compared: at least, and for each side, before loops count as crossing. Chosen; not
-/// tuned: boundaries of real meshes take a few for each side.
+/// Pairs of sides that are compared at least before loops count as crossing: a million take some
+/// milliseconds.
 const LEAST: usize = 1_000_000;
+/// Pairs that are compared for each side before loops count as crossing: boundaries of real meshes take a
+/// few, and the time of others would grow with the square of their sides.
 const FOR_EACH: usize = 100;
 
 /// A side, and the part of it within a strip.

@@ -4,24 +4,15 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 use radiosity_fit::outline::{area_vector, extent, unevenness};
+use radiosity_geom::NO_AREA;
 
 use super::corners::Corners;
 use crate::model::{Shape, Sides, Surface};
+use crate::tolerances::{PLANARITY_OF_FACE, ROUNDINGS_OF_FACE, TILT_OF_FACES};
 
-/// Greatest angle between normals of faces in one plane (radians), before rounding. Chosen; not tuned.
-const TILT: f64 = 1e-4;
-
-/// Largest tilt (radians) that rounding explains: narrow faces are tilted by it. Chosen; not tuned.
+/// Largest tilt (radians) that rounding explains: narrow faces are tilted by it. With a larger value slivers
+/// would join faces at an angle that shows; with a smaller one narrow faces stay by themselves.
 const MOST_ROUNDED: f64 = 1e-2;
-
-/// Roundings by which a corner and its plane differ. Chosen: two of the corner, two of the plane.
-const ROUNDINGS: f64 = 4.0;
-
-/// Distance of corners from their face's plane over the face's extent. Chosen; not tuned.
-pub(super) const FLAT: f64 = 1e-5;
-
-/// Part of the squared extent that is no area. Chosen; not tuned.
-const NO_AREA: f64 = 1e-12;
 
 /// A flat polygon without holes.
 #[derive(Debug)]
@@ -78,17 +69,17 @@ impl Face {
         let points = corners.points(&ring);
         let (extent, area_vector) = (extent(&points), area_vector(&points));
         let (area, rounding) = (area_vector.length(), corners.rounding(&ring));
-        let is_flat = unevenness(&points) <= (FLAT * extent).max(ROUNDINGS * rounding);
+        let is_flat = unevenness(&points) <= (PLANARITY_OF_FACE * extent).max(ROUNDINGS_OF_FACE * rounding);
         if area.is_nan() || area <= NO_AREA * extent * extent || !is_flat {
             return None;
         }
-        let tilt = ROUNDINGS * rounding * extent / area;
+        let tilt = ROUNDINGS_OF_FACE * rounding * extent / area;
         Some(Face { surface, key, ring, normal: area_vector / area, area, extent, rounding, tilt })
     }
 
     /// Whether its plane has the direction of another's plane.
     pub(super) fn is_level_with(&self, other: &Face) -> bool {
         let rounded = (self.tilt + other.tilt).min(MOST_ROUNDED);
-        self.normal.distance(other.normal) <= TILT + rounded
+        self.normal.distance(other.normal) <= TILT_OF_FACES + rounded
     }
 }

@@ -1,13 +1,13 @@
 //! Groups of faces in one plane that hang together by their sides.
 
+use radiosity_geom::ROUNDINGS_OF_PLANE;
+
 use super::corners::Corners;
-use super::face::{FLAT, Face};
+use super::face::Face;
+use crate::tolerances::PLANARITY_OF_FACE;
 
-/// Roundings within which corners lie in a plane through others. Chosen; not tuned.
-const ROUNDINGS: f64 = 8.0;
-
-/// Faces at a side beyond which it joins nothing. Chosen; not tuned: walls and partitions that meet are
-/// fewer.
+/// Faces at a side beyond which it joins nothing: walls and partitions that meet are fewer, and the
+/// pairs grow with their square.
 const MOST_AT_SIDE: usize = 16;
 
 /// A side of a face.
@@ -39,10 +39,11 @@ pub(super) fn groups(faces: &[Face], corners: &Corners) -> Vec<Vec<u32>> {
             next += 1;
             for other in neighbours.of(face) {
                 let joined = &faces[*other as usize];
-                let rounded = ROUNDINGS * first.rounding.max(joined.rounding);
+                let rounded = ROUNDINGS_OF_PLANE * first.rounding.max(joined.rounding);
                 let is_near = |x: &u32| {
                     let way = corners.point(*x) - origin;
-                    way.dot(first.normal).abs() <= (FLAT * first.extent.max(way.length())).max(rounded)
+                    way.dot(first.normal).abs()
+                        <= (PLANARITY_OF_FACE * first.extent.max(way.length())).max(rounded)
                 };
                 if !is_taken[*other as usize]
                     && joined.is_level_with(first)

@@ -2,15 +2,10 @@
 
 use super::boundary::Merged;
 use super::corners::Corners;
+use crate::tolerances::{ROUNDINGS_OF_SIDE, TURN_OF_SIDES};
 
-/// Largest turn of a side that is straight (radians). Chosen; not tuned.
-const TURN: f64 = 1e-4;
-
-/// Roundings within which a dropped corner lies on its side: of it and of both ends. Chosen; not tuned.
-const ROUNDINGS: f64 = 4.0;
-
-/// Rounds of taking corners back into sides that would bend. Chosen; not tuned: one is enough but for gentle
-/// curves.
+/// Rounds of taking corners back into sides that would bend: one is enough but for gentle curves.
+/// After so many all corners stay.
 const ROUNDS: usize = 16;
 
 /// Drops corners at which every surface that has one there goes straight on; so no other surface keeps a
@@ -51,14 +46,14 @@ fn droppable(merged: &[Merged], corners: &Corners, count: usize) -> Vec<bool> {
 fn goes_straight(three: [u32; 3], corners: &Corners) -> bool {
     let [a, b, c] = three.map(|corner| corners.point(corner));
     let turn = (b - a).normalize_or_zero().distance((c - b).normalize_or_zero());
-    turn <= TURN && is_on([three[0], three[2]], three[1], corners)
+    turn <= TURN_OF_SIDES && is_on([three[0], three[2]], three[1], corners)
 }
 
 /// Whether a corner lies on the side between two, to rounding.
 fn is_on([a, c]: [u32; 2], b: u32, corners: &Corners) -> bool {
     let rounding = corners.rounding(&[a, b, c]);
     let [a, b, c] = [a, b, c].map(|corner| corners.point(corner));
-    (b - a).reject_from_normalized((c - a).normalize_or_zero()).length() <= ROUNDINGS * rounding
+    (b - a).reject_from_normalized((c - a).normalize_or_zero()).length() <= ROUNDINGS_OF_SIDE * rounding
 }
 
 /// Takes corners back whose sides would bend without them. Whether there were any.

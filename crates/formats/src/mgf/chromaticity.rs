@@ -6,6 +6,7 @@
 use radiosity_photometry::fault::Fault;
 
 use crate::colour;
+use crate::tolerances::GREY_OF_CHROMATICITIES;
 
 /// First and last wavelength, nm, and the distance of the table's lines.
 const FIRST: f64 = 380.0;
@@ -65,10 +66,6 @@ const COOLEST: f64 = 1000.0;
 
 /// Least y: darker colours are none that an eye sees. Of the spectrum's colours the least is 0.0048.
 const LEAST_Y: f64 = 1e-3;
-
-/// Part of the largest of red, green and blue by which those of a grey may differ: chromaticities are written
-/// with three digits. Chosen; not tuned.
-const GREY: f64 = 4e-3;
 
 /// A colour without its brightness (CIE 1931 x, y).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -189,7 +186,7 @@ impl Chromaticity {
     /// grey.
     pub(super) fn bands(&self) -> [f64; 3] {
         let bands = colour::of_chromaticity(self.x, self.y);
-        if colour::is_grey(&bands, GREY) { [1.0; 3] } else { bands }
+        if colour::is_grey(&bands, GREY_OF_CHROMATICITIES) { [1.0; 3] } else { bands }
     }
 }
 

@@ -14,6 +14,7 @@ use crate::mgf::contexts::Contexts;
 use crate::mgf::lines::Lines;
 use crate::mgf::shapes::{self, Vertex};
 use crate::model::{Model, Shape, Sides};
+use crate::tolerances::LONGEST_NAME;
 use crate::xform::{Similarity, Transforms};
 
 /// The part of a material of MGF that radiosity carries: reflectance and exitance of red, green and blue.
@@ -369,9 +370,6 @@ impl<'a> Reader<'a> {
         self.model.surface(name, self.placed.shape(shape), &coat, line)
     }
 }
-
-/// Most characters of an object's name with those around it. Chosen.
-const LONGEST_NAME: usize = 1000;
 
 /// The transforms that all of `arguments` make.
 fn transforms(arguments: &[&str]) -> Result<Transforms, Fault> {

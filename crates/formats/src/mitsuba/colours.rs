@@ -9,7 +9,7 @@ use super::remarks::Remarks;
 use super::spectra;
 use crate::colour;
 
-/// Most textures in one another. Chosen.
+/// Most textures in one another. Textures that hold themselves end here.
 const DEEPEST: usize = 16;
 
 /// Red, green and blue of the two kinds of squares of a checkerboard, where the scene does not say.

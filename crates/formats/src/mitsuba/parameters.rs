@@ -6,9 +6,11 @@ use std::collections::HashMap;
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::short;
 
-/// Most bytes of a name, of a value, and of a text with its parameters filled in. Chosen; not tuned.
+/// Most bytes of a parameter's name; each length up to it is looked up where a text names one.
 const LONGEST_NAME: usize = 100;
+/// Most bytes of a parameter's value: numbers and names of files are shorter.
 const LONGEST_VALUE: usize = 10_000;
+/// Most bytes of a text with its parameters filled in, which may name one many times.
 const LONGEST_TEXT: usize = 100_000;
 
 /// The parameters that are known so far.

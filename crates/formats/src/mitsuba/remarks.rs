@@ -7,7 +7,8 @@ use radiosity_photometry::note::Note;
 
 use super::element::Element;
 
-/// Most kinds of remarks; further ones are one kind. Chosen; not tuned.
+/// Most kinds of remarks, more than a person reads; further ones are one kind, so that a scene cannot fill
+/// the memory with them.
 const MOST: usize = 100;
 
 /// Remarks of a reader, each kind once with the number of its occurrences.

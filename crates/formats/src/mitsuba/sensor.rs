@@ -13,7 +13,7 @@ use crate::model::Camera;
 /// Pixels along and down, where the scene does not say. Source: Mitsuba's `hdrfilm`.
 const SIZE: [u32; 2] = [768, 576];
 
-/// Most pixels along or down. Chosen.
+/// Most pixels along or down; a larger number is a slip.
 const MOST: f64 = 65536.0;
 
 /// Focal length (mm) where the scene states no angle, and the film it refers to (mm): Mitsuba's own.

@@ -5,7 +5,7 @@ use radiosity_photometry::error::Refusal;
 use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::short;
 
-use super::bsdfs::{Bsdfs, Finish};
+use super::bsdfs::{Bsdfs, Finish, USUAL};
 use super::colours::Colours;
 use super::element::Element;
 use super::emitters;
@@ -18,9 +18,6 @@ use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
 use crate::files::Files;
 use crate::model::{Model, Shape, Sides};
-
-/// Reflectance of shapes without a bsdf: Mitsuba's own. Those that shine are black then.
-const USUAL: f64 = 0.5;
 
 /// The shapes of a scene as a model.
 pub(super) struct Shapes<'a, 'b> {

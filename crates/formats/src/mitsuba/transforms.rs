@@ -7,7 +7,9 @@ use radiosity_photometry::text::short;
 use super::element::Element;
 use crate::xform::sin_cos;
 
-/// Largest part of the last row of a matrix, beside its last number, that is still none. Chosen; not tuned.
+/// Largest part of the last row of a matrix, beside its last number, that is still none: matrices are written
+/// with fewer than nine digits or computed with more. With a larger value a slight perspective would be left
+/// out unsaid.
 const PERSPECTIVE: f64 = 1e-9;
 
 /// The transform that `name` is given in an element; none moves nothing.

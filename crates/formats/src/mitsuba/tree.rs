@@ -13,23 +13,21 @@ use super::parameters::Parameters;
 use crate::budget::Budget;
 use crate::files::Files;
 use crate::includes::Includes;
+use crate::tolerances::{LONGEST_CAUSE, MOST_BYTES_OF_TEXT};
 
-/// Most bytes of a file, most elements and bytes of attributes of a scene with its includes. Chosen; not
-/// tuned: a scene names its meshes, it does not hold them.
+/// Most bytes of a file: a scene names its meshes, it does not hold them.
 const LONGEST: usize = 1 << 26;
+
+/// Most elements of a scene with its includes: two for each surface that a model may have.
 const MOST_ELEMENTS: usize = 2_000_000;
-const MOST_CHARACTERS: usize = 1 << 28;
 
 /// Most elements in one another. Chosen: scenes have six.
 const DEEPEST: usize = 64;
 
-/// Most quotes in an element and most prefixes of namespaces in a file: the time of reading them is
-/// quadratic. Chosen.
+/// Most quotes in an element, since the time of reading them is quadratic: 500 attributes.
 const MOST_QUOTES: usize = 1000;
+/// Most prefixes of namespaces in a file, since the time of reading them is quadratic; scenes have none.
 const MOST_PREFIXES: usize = 100;
-
-/// Most characters of a message about XML. Chosen; not tuned.
-const LONGEST_MESSAGE: usize = 160;
 
 /// The root element of the scene `file`, what it includes in the places of the includes.
 ///
@@ -152,9 +150,9 @@ impl Reader<'_> {
     fn count(&mut self, attributes: &[(String, String)]) -> Result<usize, Fault> {
         self.elements += 1;
         self.characters += attributes.iter().map(|(name, value)| name.len() + value.len()).sum::<usize>();
-        if self.elements > MOST_ELEMENTS || self.characters > MOST_CHARACTERS {
+        if self.elements > MOST_ELEMENTS || self.characters > MOST_BYTES_OF_TEXT {
             return Err(Fault::new(
-                format!("more than {MOST_ELEMENTS} elements or {MOST_CHARACTERS} characters in them"),
+                format!("more than {MOST_ELEMENTS} elements or {MOST_BYTES_OF_TEXT} characters in them"),
                 "join shapes to meshes (type=\"ply\")",
             ));
         }
@@ -255,7 +253,7 @@ fn refusal(file: &str, error: &Error) -> Refusal {
         _ => {
             let message = error.to_string();
             let message = message.rsplit_once(" at ").map_or(message.as_str(), |(message, _)| message);
-            let message: String = message.chars().take(LONGEST_MESSAGE).collect();
+            let message: String = message.chars().take(LONGEST_CAUSE).collect();
             (format!("this is no XML: {message}"), "correct it, or name its format")
         }
     };

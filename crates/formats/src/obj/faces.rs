@@ -11,9 +11,7 @@ use radiosity_photometry::text::{number, short};
 use super::statements::split;
 use crate::mesh::{Coat, Mesh};
 use crate::model::Sides;
-
-/// Most vertices. Chosen; not tuned.
-const MOST: usize = 10_000_000;
+use crate::tolerances::MOST_VERTICES;
 
 /// Names of material files in a statement `mtllib`, and its line.
 #[derive(Debug)]
@@ -97,8 +95,8 @@ impl Faces {
         if more.len() >= 3 {
             self.note("colours of vertices are left out", line);
         }
-        if self.vertices.len() >= MOST {
-            return Err(Fault::new(format!("more than {MOST} vertices"), "split the model"));
+        if self.vertices.len() >= MOST_VERTICES {
+            return Err(Fault::new(format!("more than {MOST_VERTICES} vertices"), "split the model"));
         }
         self.vertices.push(DVec3::new(number(x, "x")?, number(y, "y")?, number(z, "z")?));
         Ok(())

@@ -10,7 +10,7 @@ use radiosity_photometry::text::{number, short};
 
 use super::statements::{split, statements};
 use crate::colour::{TEXTURED, TEXTURED_EMISSION, UNKNOWN};
-use crate::model::GREATEST;
+use crate::tolerances::GREATEST;
 
 const TEXTURES: &str = "textures are left out";
 const SPECULAR: &str = "specular reflection is left out";

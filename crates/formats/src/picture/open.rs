@@ -17,7 +17,6 @@ use super::reduction::{Picture, Reduction, Refused};
 use super::refusals::{check_size, check_texels, damaged};
 
 /// Most bytes of one texel, all of its channels together, so that a block of a file has at most 128 MB.
-/// Chosen; not tuned.
 const WIDEST: usize = 64;
 
 /// Reads an OpenEXR, averaged to at most `most` texels.

@@ -6,10 +6,10 @@ use radiosity_photometry::fault::Fault;
 
 use super::reduction::{Reduction, Refused};
 
-/// Most texels of a file in all: 8192 × 8192. Chosen; not tuned.
+/// Most texels of a file in all, 8192 × 8192: a bound of time and memory.
 pub(super) const MOST_READ: u64 = 1 << 26;
 
-/// Most texels of a file along one side, so that a row has at most half a megabyte. Chosen; not tuned.
+/// Most texels of a file along one side, so that a row has at most half a megabyte.
 pub(super) const LONGEST: u64 = 1 << 16;
 
 /// Refuses more texels than are read, before anything is allocated for them.

@@ -8,12 +8,10 @@ use super::header::{Element, Header, Property};
 use super::numbers::Numbers;
 use crate::mesh::{Coat, Mesh};
 use crate::model::{Model, Sides};
+use crate::tolerances::MOST_ROWS;
 
 /// Names that lists of corners have.
 const LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
-
-/// Most corners of a file's vertices and faces. Chosen; not tuned.
-const MOST: usize = 40_000_000;
 
 /// Vertices, and faces as numbers of vertices.
 #[derive(Debug, Default)]
@@ -39,13 +37,13 @@ impl Elements {
             }
             let bytes = element.properties.iter().map(Property::least).sum();
             let most = numbers.most_rows(bytes, element.properties.len());
-            if element.count > most.min(MOST) {
+            if element.count > most.min(MOST_ROWS) {
                 return Err(Located::new(
                     FilePlace::Line(element.line),
                     format!(
                         "{} elements are announced, {} at the most are there",
                         element.count,
-                        most.min(MOST)
+                        most.min(MOST_ROWS)
                     ),
                     "export the file again, or correct the count",
                 ));
@@ -116,11 +114,11 @@ impl Elements {
                     return Ok(Kept::No);
                 }
                 corners.extend(value);
-                match corners.len() <= MOST {
+                match corners.len() <= MOST_ROWS {
                     true => Ok(Kept::Yes),
                     false => Err(Located::new(
                         place,
-                        format!("the faces have more than {MOST} corners"),
+                        format!("the faces have more than {MOST_ROWS} corners"),
                         "split the model",
                     )),
                 }
@@ -203,7 +201,7 @@ fn row(
 /// The length of a list.
 fn length(count: f64) -> Option<usize> {
     let length = count as usize;
-    (length as f64 == count && length <= MOST).then_some(length)
+    (length as f64 == count && length <= MOST_ROWS).then_some(length)
 }
 
 /// Says what of an element is left out.

@@ -9,6 +9,7 @@ use radiosity_photometry::text::{number, short};
 
 use crate::model::Shape;
 use crate::rad::shapes::genbox;
+use crate::tolerances::LONGEST_NAME;
 use crate::xform::{Similarity, Transforms};
 
 /// A command: its source, and the `xform`s that its output goes through, the first first.
@@ -65,11 +66,8 @@ impl Default for Frame {
     }
 }
 
-/// Most stages of a command, each of which places those before it. Chosen.
+/// Most stages of a command, each of which places those before it, so that their products are bounded.
 const MOST_STAGES: usize = 32;
-
-/// Most characters of a prefix. Chosen.
-const LONGEST_PREFIX: usize = 1000;
 
 impl Pass {
     /// Number of instances that the `xform` makes.
@@ -85,7 +83,7 @@ impl Pass {
             (None, true) => format!("{}a{instance}.", outer.prefix),
             (None, false) => outer.prefix.clone(),
         };
-        if prefix.len() > LONGEST_PREFIX {
+        if prefix.len() > LONGEST_NAME {
             return Err(Fault::new("the names behind -n are too long together", "write shorter ones"));
         }
         Ok(Frame {

@@ -5,14 +5,12 @@
 //! `radiosity` sets them apart by the bodies behind them.
 
 use radiosity_fit::ring::tolerance;
+use radiosity_fit::tolerances::SAME_AREA;
 
 use crate::model::Model;
 use crate::repair::copies::Copies;
 use crate::repair::record::Repairs;
 use crate::repair::sheets::{Sheet, Sheets};
-
-/// Areas that differ by less than this part are equal within rounding. As in `radiosity_scene`.
-const SAME_AREA: f64 = 1e-6;
 
 /// Keeps one of flat faces in the same place.
 pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {

@@ -2,14 +2,11 @@
 
 use glam::DVec3;
 use radiosity_fit::ring;
-use radiosity_geom::{Aabb, Bvh};
+use radiosity_geom::{Aabb, Bvh, COINCIDENT, PARALLEL_PLANES};
 
 use crate::model::{Model, Shape};
 use crate::repair::copies::Copies;
 use crate::repair::record::Repairs;
-
-/// Sine of the angle between axes that are the same. Chosen; not tuned.
-const PARALLEL: f64 = 1e-6;
 
 /// Keeps one of curved surfaces in the same place.
 pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs) {
@@ -61,7 +58,7 @@ fn bounds(shape: &Shape) -> Option<Aabb> {
 /// Whether two shapes are in the same place, and if so, whether their fronts are the same.
 fn same(a: &Shape, b: &Shape, asked: Option<f64>) -> Option<bool> {
     let size = bounds(a)?.diagonal();
-    let near = |points: &[DVec3]| ring::tolerance(points, asked).max(ring::TOUCH * size);
+    let near = |points: &[DVec3]| ring::tolerance(points, asked).max(COINCIDENT * size);
     if let (Shape::Quad(p), Shape::Quad(q)) = (a, b) {
         return same_quad(p, q, near(p));
     }
@@ -99,7 +96,7 @@ fn same(a: &Shape, b: &Shape, asked: Option<f64>) -> Option<bool> {
 }
 
 fn are_parallel(a: DVec3, b: DVec3) -> bool {
-    a.cross(b).length() <= PARALLEL * a.length() * b.length()
+    a.cross(b).length() <= PARALLEL_PLANES * a.length() * b.length()
 }
 
 fn same_quad(p: &[DVec3; 4], q: &[DVec3; 4], near: f64) -> Option<bool> {

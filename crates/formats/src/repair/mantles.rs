@@ -7,14 +7,15 @@ use radiosity_geom::{Aabb, Bvh};
 
 use crate::model::{Model, Shape, Surface};
 use crate::repair::record::{RepairKind, Repairs};
+use crate::tolerances::RAISED;
 
-/// Gap over the radius: a hundred times what is no length. Chosen; not tuned.
-const GAP: f64 = 1e-7;
-
-/// Greatest difference of each measure of mantles in one another. Chosen; not tuned.
+/// Greatest difference of each measure of mantles in one another: a tenth of what they are raised by, so that
+/// what was raised is not found again. Smaller than single precision leaves: such mantles are found where
+/// they were written alike.
 const STEP: f64 = 1e-8;
 
-/// Part of the shorter length that two have to share at the least. Chosen; not tuned.
+/// Part of the shorter length that two have to share at the least: pipes that are joined end to end share a
+/// rounding. With a larger value sleeves that overlap a little would not be raised.
 const SHARED: f64 = 1e-3;
 
 /// Raises cylinders and cones that lie partly in others.
@@ -29,7 +30,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
                 steps.push(0.0);
                 continue;
             };
-            steps.push(steps[under] + GAP);
+            steps.push(steps[under] + RAISED);
             let names = [*index, line[under].0].map(|surface| model.surfaces[surface].name.clone());
             let text = format!("{:?} lies partly in {:?}; it was raised slightly", names[0], names[1]);
             repairs.say(RepairKind::Overlap, names.to_vec(), model.surfaces[*index].place, text);

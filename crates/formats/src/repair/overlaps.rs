@@ -1,13 +1,14 @@
 //! Flat faces that lie partly on one another.
 //!
-//! Of two faces with the same front the smaller lies on the larger, and the covered part of the larger is cut
-//! out; of two that show each other their fronts the covered part of the smaller, which no light reaches.
-//! Emitters are not cut by what does not emit. `radiosity` itself sets apart pictures wholly on their walls,
-//! plates of which both sides count, and faces of bodies that stand on others: these stay.
+//! Of two faces with the same front the smaller lies on the with a larger value the covered part of the
+//! larger is cut out; of two that show each other their fronts the covered part of the smaller, which no
+//! light reaches. Emitters are not cut by what does not emit. `radiosity` itself sets apart pictures wholly
+//! on their walls, plates of which both sides count, and faces of bodies that stand on others: these stay.
 
 use std::collections::BTreeMap;
 
 use radiosity_fit::overlay::{Part, enclosed, without};
+use radiosity_fit::tolerances::SAME_AREA;
 
 use crate::model::{Model, Shape, Sides};
 use crate::repair::copies::{are_sides_of_one, emits};
@@ -15,10 +16,8 @@ use crate::repair::edit::Edit;
 use crate::repair::record::{RepairKind, Repairs, spelt};
 use crate::repair::sheets::{Sheet, Sheets};
 
-/// Areas that differ by less than this part are equal within rounding. As in `radiosity_scene`.
-const SAME_AREA: f64 = 1e-6;
-
-/// Most rounds: what is left of a face that was cut may lie partly on others in turn. Chosen; not tuned.
+/// Most rounds: what is left of a face that was cut may lie partly on others in turn. Stacks of more faces
+/// that cover each other in part keep some overlap.
 const ROUNDS: usize = 8;
 
 /// Cuts what lies on others out of flat faces.

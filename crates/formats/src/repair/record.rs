@@ -2,7 +2,7 @@
 
 use radiosity_photometry::file_place::FilePlace;
 
-/// Most names that a line spells out; the rest are counted. Chosen; not tuned.
+/// Most names that a line spells out; the rest are counted, so that the record of a repair stays a line.
 const SPELT: usize = 4;
 
 /// Kind of the fault that was repaired.

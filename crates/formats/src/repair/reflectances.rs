@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use crate::model::{Model, Surface};
 use crate::repair::record::{RepairKind, Repairs};
 
-/// The largest reflectance: what reflects all light never comes to rest, and no paint does. Chosen; not
-/// tuned.
+/// The largest reflectance: what reflects all light never comes to rest, and no paint does. An arbitrary
+/// choice: nearer to 1, light takes more than a thousand reflections to fall to 1/e.
 const MOST: f64 = 0.999;
 
 /// Brings reflectances into 0 ≤ ρ < 1.

@@ -5,25 +5,16 @@ use std::cell::OnceCell;
 use glam::DVec3;
 use radiosity_fit::outline::{area_vector, extent};
 use radiosity_fit::plane::Plane;
+use radiosity_fit::tolerances::{OVERLAP_OF_BREADTH, OVERLAP_OF_EXTENT};
 use radiosity_geom::{
-    Aabb, Bvh, COINCIDENT, LOOSE, PlanarRegion, coordinate_rounding, distance_to_segment, polygon_area,
-    polygon_width, sides, touching,
+    Aabb, Bvh, COINCIDENT, LOOSE, PARALLEL_PLANES, PlanarRegion, ROUNDINGS_OF_PLANE, coordinate_rounding,
+    distance_to_segment, polygon_area, polygon_width, sides, touching,
 };
 
 use crate::model::{Model, Shape};
 
-/// Sine of the angle between planes that are the same. As in `radiosity_scene`.
-const PARALLEL: f64 = 1e-6;
-
-/// Roundings by which heights over planes through rounded corners may miss. As in `radiosity_geom`.
-const ROUNDINGS: f64 = 8.0;
-
-/// Faces overlap if their common part is wider than this part of the smaller extent and than the part
-/// `OF_BREADTH` of the narrower breadth. As in `radiosity_scene`.
-const WIDTH: f64 = 1e-6;
-const OF_BREADTH: f64 = 1e-3;
-
-/// Corners of the polygon that stands for a circle. Chosen; not tuned.
+/// Corners of the polygon that stands for a circle: it misses 0.16 % of the area and 0.12 % of the radius.
+/// With more corners overlaps take longer to find.
 const CORNERS: usize = 64;
 
 /// A flat face of a surface: a polygon, or the polygon inscribed in a disk or a ring.
@@ -107,14 +98,14 @@ impl Sheet {
     /// Whether both faces lie in one plane, without an intended gap between them.
     fn shares_plane(&self, other: &Sheet) -> bool {
         let (small, large) = if self.extent <= other.extent { (self, other) } else { (other, self) };
-        let rounding = || ROUNDINGS * coordinate_rounding(&small.outline, Some(large.normal()));
+        let rounding = || ROUNDINGS_OF_PLANE * coordinate_rounding(&small.outline, Some(large.normal()));
         let first = large.plane.height(small.outline[0]).abs();
         let near = touching(small.extent, large.extent).max(LOOSE * small.extent);
         if first > near && first > rounding() {
             return false;
         }
         let rounding = rounding();
-        if large.normal().cross(small.normal()).length() > PARALLEL.max(rounding / small.extent) {
+        if large.normal().cross(small.normal()).length() > PARALLEL_PLANES.max(rounding / small.extent) {
             return false;
         }
         let heights = || small.outline.iter().map(|x| large.plane.height(*x));
@@ -129,7 +120,7 @@ impl Sheet {
     /// The area that both have in common; 0 if they only touch.
     pub(super) fn common_area(&self, other: &Sheet) -> f64 {
         let breadth = (self.area / self.extent).min(other.area / other.extent);
-        let least = (WIDTH * self.extent.min(other.extent)).min(OF_BREADTH * breadth);
+        let least = (OVERLAP_OF_EXTENT * self.extent.min(other.extent)).min(OVERLAP_OF_BREADTH * breadth);
         let common = self.bounds.intersection(other.bounds);
         let mut widths = (common.max - common.min).to_array();
         widths.sort_by(f64::total_cmp);

@@ -1,13 +1,15 @@
 //! Faces without area.
 
 use radiosity_fit::outline::area_vector;
-use radiosity_fit::ring::{TOUCH, length_and_width};
+use radiosity_fit::ring::length_and_width;
+use radiosity_geom::COINCIDENT;
 
 use crate::model::{Model, Shape};
 use crate::repair::edit::Edit;
 use crate::repair::record::{RepairKind, Repairs};
 
-/// Width over length of a face without area. Chosen; not tuned.
+/// Width over length of a face without area: rounding of single precision leaves 6·10⁻⁸. With a larger value
+/// narrow faces that were meant, such as gaps between boards, would vanish.
 const NARROW: f64 = 1e-7;
 
 /// Removes faces without area.
@@ -39,6 +41,7 @@ fn is_sliver(shape: &Shape) -> bool {
 /// Whether a ring is a line but for rounding. The net area alone does not tell: that of a bow tie may be 0.
 fn is_narrow(ring: &[glam::DVec3]) -> bool {
     let [length, width] = length_and_width(ring);
-    let is_triangle_of_no_area = ring.len() == 3 && area_vector(ring).length() <= TOUCH * length * length;
+    let is_triangle_of_no_area =
+        ring.len() == 3 && area_vector(ring).length() <= COINCIDENT * length * length;
     width <= NARROW * length || is_triangle_of_no_area
 }

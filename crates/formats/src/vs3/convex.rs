@@ -4,10 +4,7 @@ use std::collections::HashMap;
 
 use earcut::Earcut;
 use glam::{DVec2, DVec3};
-
-/// Parts of the whole area that pieces may miss it by, and that a piece has to exceed: roundings of sums.
-/// Chosen; not tuned.
-const ROUNDING: f64 = 1e-9;
+use radiosity_geom::ROUNDING_OF_AREAS;
 
 /// Convex pieces that together are `outline` without `holes`, each seen from the same side counter-clockwise
 /// as the outline; none where the outlines cross.
@@ -29,11 +26,11 @@ pub(super) fn pieces(outline: &[DVec3], holes: &[Vec<DVec3>]) -> Option<Vec<Vec<
     let triangles: Vec<[usize; 3]> =
         corners.chunks_exact(3).map(|t| turned([t[0], t[1], t[2]], &flat)).collect();
     let areas: Vec<f64> = triangles.iter().map(|t| turn(&flat, *t)).collect();
-    let is_whole = (areas.iter().sum::<f64>() / 2.0 - wanted).abs() <= ROUNDING * wanted;
+    let is_whole = (areas.iter().sum::<f64>() / 2.0 - wanted).abs() <= ROUNDING_OF_AREAS * wanted;
     let sound: Vec<[usize; 3]> = triangles
         .into_iter()
         .zip(&areas)
-        .filter(|(_, area)| **area > ROUNDING * ROUNDING * wanted)
+        .filter(|(_, area)| **area > ROUNDING_OF_AREAS * ROUNDING_OF_AREAS * wanted)
         .map(|(t, _)| t)
         .collect();
     let joined = joined(&sound, &flat);
@@ -77,7 +74,7 @@ fn turned([a, b, c]: [usize; 3], flat: &[DVec2]) -> [usize; 3] {
 
 fn is_convex(ring: &[DVec2]) -> bool {
     let count = ring.len();
-    (0..count).all(|k| turn(ring, [k, (k + 1) % count, (k + 2) % count]) > ROUNDING)
+    (0..count).all(|k| turn(ring, [k, (k + 1) % count, (k + 2) % count]) > ROUNDING_OF_AREAS)
 }
 
 /// Pairs of neighbouring triangles as convex quadrilaterals where they make one, first come first served.

@@ -6,12 +6,10 @@ use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::{number, short};
 
 use super::plane::{self, Form};
+use crate::tolerances::MOST_VERTICES;
 
 /// Name of the material of what only blocks the view.
 pub(super) const OBSTRUCTION: &str = "obstruction";
-
-/// Most vertices and most surfaces.
-const MOST: usize = 10_000_000;
 
 /// Role of a surface: the letter that its line begins with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -181,8 +179,8 @@ fn vertex(words: &[&str], wanted: usize) -> Result<DVec3, Fault> {
 
 /// Refuses a `word` other than the number `wanted`: vertices and surfaces are numbered from 1 without a gap.
 fn in_order(word: &str, wanted: usize, what: &str) -> Result<(), Fault> {
-    if wanted > MOST {
-        return Err(Fault::new(format!("there are more than {MOST} of a kind"), "divide the scene"));
+    if wanted > MOST_VERTICES {
+        return Err(Fault::new(format!("there are more than {MOST_VERTICES} of a kind"), "divide the scene"));
     }
     match word.parse() == Ok(wanted) {
         true => Ok(()),

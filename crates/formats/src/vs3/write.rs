@@ -11,9 +11,7 @@ use super::convex;
 use super::statements::OBSTRUCTION;
 use crate::colour::luminance;
 use crate::model::{Material, Model, Shape, Sides, Surface};
-
-/// Digits that emittances are rounded to, so that 1 − 0.1 is 0.9.
-const DIGITS: f64 = 1e12;
+use crate::tolerances::STEPS_OF_EMITTANCE;
 
 /// The text of a model. View3D has one band and no emission: the emittance is 1 − ρ, with ρ the luminance of
 /// three bands and the mean of others; emission is left out. A surface of two sides becomes two surfaces, the
@@ -53,7 +51,7 @@ fn emittance(material: Option<&Material>) -> f64 {
         Some([r, g, b]) => luminance([*r, *g, *b]),
         Some(values) => values.iter().sum::<f64>() / values.len() as f64,
     };
-    ((1.0 - reflectance).clamp(0.0, 1.0) * DIGITS).round() / DIGITS
+    ((1.0 - reflectance).clamp(0.0, 1.0) * STEPS_OF_EMITTANCE).round() / STEPS_OF_EMITTANCE
 }
 
 /// Lines of vertices and of surfaces.

@@ -26,12 +26,13 @@ use radiosity_work::ranks::Ranks;
 
 use super::pairs::Pairs;
 
-/// Most corrections one after another, each of what rounding left of the one before, and the largest deficit
-/// that is left alone. Chosen.
+/// Most corrections one after another, each of what rounding left of the one before, so that they gain little
+/// soon.
 const TURNS: usize = 4;
+/// Largest deficit that is left alone: some five roundings.
 const SETTLED: f64 = 1e-15;
 
-/// Residual over right side at which conjugate gradients end. Chosen.
+/// Residual over right side at which conjugate gradients end: what is left is taken up by the next turn.
 const SOLVED: f64 = 1e-12;
 
 /// Deficit c − G c of the rows: a number for each coefficient (scene length).

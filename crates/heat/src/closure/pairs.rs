@@ -7,16 +7,14 @@
 //! Rowlinson, S. K. Simić, *Linear Algebra Appl.* 423 (2007) 155-171).
 
 use radiosity_elements::Element;
+use radiosity_geom::ROUNDING;
 use radiosity_kernel::blocks::FirstEntry;
 use radiosity_solve::Model;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::inspection::Regions;
 use radiosity_work::interruption::check_interrupt;
 
-/// Height over a plane, relative to the extents, up to which points lie in it. Chosen.
-const FLAT: f64 = 1e-12;
-
-/// Most elements of which it is looked at what follows: the pairs are looked at one by one. Chosen.
+/// Most elements of which it is looked at what follows, one pair at a time: half a million pairs.
 const MOST: usize = 1000;
 
 /// The pairs of elements whose exchange has to be found by quadrature or rays that err.
@@ -100,7 +98,7 @@ fn exchanges_nothing(
 /// Whether `other` lies behind the plane of `one`, or in it.
 fn lies_behind(one: &Element, other: &Element) -> bool {
     one.plane.is_some_and(|(point, normal)| {
-        let room = FLAT * (one.extent + other.extent);
+        let room = ROUNDING * (one.extent + other.extent);
         other.hull.iter().all(|x| (x - point).dot(normal) <= room)
     })
 }

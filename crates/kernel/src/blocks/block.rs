@@ -24,7 +24,8 @@ impl Accuracy {
 
     /// Number of times that a partly hidden pair is halved: ½ log₂(1/ε), at most 12.
     ///
-    /// Each halving decides part of the pair; the rest is sampled. The half and the 12 are chosen, not tuned.
+    /// Each halving decides part of the pair; the rest is sampled. After half the binary digits of ε about √ε
+    /// of it is undecided, which samples need to tell to √ε; twelve bound the number of parts.
     pub fn shadow_levels(&self) -> u32 {
         (-0.5 * self.shadow_eps.log2()).clamp(0.0, 12.0) as u32
     }

@@ -26,13 +26,18 @@
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_geom::DVec3;
 
-/// Samples per direction on a curved patch: apart, with the margin, and touching, without. Chosen; not tuned.
+use crate::tolerances::LEVEL_OF_SAMPLES;
+
+/// Samples per direction on a curved patch that is apart from the other, with the margin. With fewer the
+/// margin is wider and more pairs count as `Partly`; the time grows with their fourth power.
 const APART: usize = 5;
+/// Samples per direction on a curved patch that touches the other, without a margin: more than apart, since a
+/// change of sign between samples is missed.
 const TOUCHING: usize = 8;
-/// Largest δ² of points behind each other's tangent planes, as a share of ε. Chosen; not tuned.
+/// Largest δ² of points behind each other's tangent planes, as a share of ε: a twentieth of the error that is
+/// allowed. With a larger value that error would be noticed; with a smaller one pairs that are slightly bent
+/// would go by the slower rules for horizons.
 const SLIGHT: f64 = 0.05;
-/// Heights up to this part of the samples' extent count as zero: rounding of positions. Chosen; not tuned.
-const LEVEL: f64 = 1e-11;
 
 /// Mutual orientation of two patches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +59,7 @@ pub fn facing(p: &Patch, q: &Patch, touching: bool, eps: f64) -> Facing {
     let count = if touching { TOUCHING } else { APART };
     let (a, b) = (Samples::of(p, count), Samples::of(q, count));
     let margins = if touching { [0.0; 2] } else { [a.margin(&b), b.margin(&a)] };
-    let level = LEVEL * a.extent().max(b.extent());
+    let level = LEVEL_OF_SAMPLES * a.extent().max(b.extent());
     let verdict = verdict([a.heights(&b), b.heights(&a)], margins, level);
     let least = -(SLIGHT * eps).sqrt();
     let is_slight = || a.rises_above(&b, margins[0], least) && b.rises_above(&a, margins[1], least);
@@ -67,7 +72,7 @@ pub fn own(patch: &Patch) -> Facing {
         return Facing::Away;
     }
     let samples = Samples::of(patch, TOUCHING);
-    verdict([samples.heights(&samples); 2], [0.0; 2], LEVEL * samples.extent())
+    verdict([samples.heights(&samples); 2], [0.0; 2], LEVEL_OF_SAMPLES * samples.extent())
 }
 
 fn verdict(ranges: [[f64; 2]; 2], margins: [f64; 2], level: f64) -> Facing {

@@ -2,10 +2,7 @@
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Node, Patch};
-use radiosity_geom::{DVec3, touching};
-
-/// Unit normals that differ by less are equal: rounding. Chosen; not tuned.
-const PARALLEL: f64 = 1e-12;
+use radiosity_geom::{DVec3, ROUNDING, touching};
 
 /// A point of a plane, and its unit normal.
 pub type Plane = (DVec3, DVec3);
@@ -18,7 +15,7 @@ pub fn plane_of(patches: &[Patch]) -> Option<Plane> {
     let first = all.next()?;
     let is_level = |x: Node| {
         let d = x.position - first.position;
-        x.normal.distance(first.normal) <= PARALLEL && d.dot(first.normal).abs() <= touching(d.length(), 0.0)
+        x.normal.distance(first.normal) <= ROUNDING && d.dot(first.normal).abs() <= touching(d.length(), 0.0)
     };
     all.all(is_level).then_some((first.position, first.normal))
 }

@@ -12,7 +12,7 @@ use radiosity_work::interruption::check_interrupt;
 /// a margin, so that exact quarters, whose turn is estimated from chords, are not cut.
 const LARGEST_TURN: f64 = 1.6;
 /// Most sectors of an element, after which larger turns remain: a crease turns by the same angle however
-/// short the line across it. Chosen; not tuned.
+/// short the line across it. A bound of time, far above the eight sectors of a ball.
 const MOST_SECTORS: usize = 256;
 
 /// The patches of an element, each halved until it turns by `LARGEST_TURN` at most, or `MOST_SECTORS` are

@@ -14,13 +14,16 @@ use radiosity_work::interruption::check_interrupt;
 use crate::contact::sectors::sectors;
 use crate::moments::integrand::{Sees, kernel};
 
-/// Points per direction of a part, for the receiver and the emitter. Chosen; not tuned.
+/// Points per direction of a part, for the receiver and the emitter: few, since those who use the estimate
+/// allow it to be off by a factor of two or three, and the time grows with their fourth power.
 const POINTS: [usize; 2] = [4, 5];
-/// Points per direction of a part, for the receiver and the emitter, on elements of more than four parts,
-/// which have enough points. Chosen; not tuned.
+/// Points per direction of a part, for the receiver and the emitter, on elements of more than [`MANY_PARTS`]
+/// parts, which have enough points together.
 const FEWER_POINTS: [usize; 2] = [2, 3];
+/// Parts of an element above which each gets [`FEWER_POINTS`].
 const MANY_PARTS: usize = 4;
-/// Points per direction of the grids that reach the corners. Chosen; not tuned.
+/// Points per direction of the grids that reach the corners. An arbitrary choice: with fewer a small part
+/// that is seen is missed, the time grows with their fourth power.
 const CORNERED: usize = 6;
 
 /// The nodes of an element.

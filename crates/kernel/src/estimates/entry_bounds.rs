@@ -16,11 +16,15 @@ use core::f64::consts::FRAC_1_PI;
 use radiosity_elements::Element;
 use radiosity_geom::DVec3;
 
-/// A block's error may be ε times this share of the largest entry of its row. Chosen; not tuned.
+/// A block's error may be ε times this share of the largest entry of its row: a hundred such blocks together
+/// may err as much as the largest one alone. With a larger value rows of many blocks would err by more; with
+/// a smaller one small blocks would take more points than they are worth.
 pub const ROW_SHARE: f64 = 1e-2;
-/// Smallest scale of a block with a curved element; entries of G are at most 1. Chosen; not tuned.
+/// Smallest scale of a block with a curved element. Entries of G are at most 1: what is smaller than this is
+/// nothing beside them, and rules would take points to resolve it.
 pub const SMALLEST_ENTRY: f64 = 1e-8;
-/// Largest relative error ever allowed of a block. Chosen; not tuned.
+/// Largest relative error ever allowed of a block. A rule that errs by more than half tells nothing of a
+/// block, and costs as little as one that errs by half.
 const LOOSEST: f64 = 0.5;
 
 /// The ball around an element, and its plane where it has one.
@@ -53,7 +57,8 @@ impl EntryBounds {
     pub fn entries(&self, other: &Self) -> [f64; 2] {
         let d = other.center - self.center;
         let (distance, sum) = (d.length(), self.radius + other.radius);
-        // Balls that (nearly) touch: no upper bound. The 1 % is chosen, not tuned.
+        // Balls that (nearly) touch: no upper bound. Within 1 % of their radii the bound, which grows with
+        // the fourth power of one over the gap, is far above the largest entry.
         if distance <= 1.01 * sum {
             return [0.0, f64::INFINITY];
         }

@@ -14,11 +14,12 @@ use radiosity_work::interruption::check_interrupt_at;
 use crate::moments::integrand::kernel;
 use crate::moments::node_pair::node_pair;
 
-/// Pairs of points, in all and at least in each pair of parts, that estimate the share of points that face
-/// each other. Chosen; not tuned.
+/// Pairs of points in all that estimate the share of points that face each other, which only decides how many
+/// rays are sent: 128 tell a share of a half to 9 %.
 const LOOKS: u64 = 128;
+/// Least pairs of points in each pair of parts for that estimate, so that every pair of parts counts.
 const FEWEST_LOOKS: u64 = 4;
-/// Most points in a pair of parts. Chosen; not tuned.
+/// Most points in a pair of parts: a bound of time where hardly any points face each other.
 const MOST_POINTS: u64 = 1 << 16;
 
 /// The outcome of probing rays.

@@ -18,8 +18,8 @@ use smallvec::SmallVec;
 
 use crate::irradiance::lambert;
 
-/// Most overlapping shadow volumes for which the formula of the header is used: at most 2⁴ polygons. Chosen;
-/// not tuned.
+/// Most overlapping shadow volumes for which the formula of the header is used: at most 2⁴ polygons. With
+/// each further volume their number doubles, while cutting takes one for each plane of a volume.
 const FEW: usize = 4;
 
 /// Irradiance at `x` with the unit normal `n` from a convex planar polygon of exitance 1 without blockers.

@@ -32,7 +32,7 @@ pub const LANES: usize = 8;
 
 /// Floor of squared distances: points that coincide exchange nothing, and 0/0 is avoided. r⁴ is then 1e-300,
 /// still a normal number.
-const COINCIDENT: f64 = 1e-150;
+const LEAST_SQUARE: f64 = 1e-150;
 
 /// Values at the points that are computed together.
 pub type Lanes = [f64; LANES];
@@ -176,12 +176,12 @@ impl Tile {
         }
     }
 
-    /// y − x and its square, not below `COINCIDENT`.
+    /// y − x and its square, not below `LEAST_SQUARE`.
     #[inline(always)]
     pub fn offset(&self, node: &Node, lane: usize) -> [f64; 4] {
         let [x, y, z] = &self.position;
         let (dx, dy, dz) = (node.position.x - x[lane], node.position.y - y[lane], node.position.z - z[lane]);
-        [dx, dy, dz, (dx * dx + dy * dy + dz * dz).max(COINCIDENT)]
+        [dx, dy, dz, (dx * dx + dy * dy + dz * dz).max(LEAST_SQUARE)]
     }
 
     fn point(&self, lane: usize) -> DVec3 {

@@ -45,9 +45,11 @@ use crate::rules::common_edge::parallelograms::ParallelogramPair;
 use crate::rules::common_edge::sum::EdgeSum;
 use crate::rules::common_edge::table::EdgeTable;
 use crate::rules::far;
+use crate::tolerances::SMALLEST_SIGMA_OF_EDGE;
 
 /// Largest ratio among edge and depths for which the rule is used; beyond it the pair is split. At 2.5 a
-/// point gives 2 log₁₀ ϱ = 0.8 digits, on equal extents at a right angle 1.3. Chosen; not tuned.
+/// point gives 2 log₁₀ ϱ = 0.8 digits, on equal extents at a right angle 1.3. With a larger
+/// value more points are needed, with a smaller one more pairs.
 pub const LARGEST_ASPECT: f64 = 2.5;
 
 /// Shape of a pair with a common edge.
@@ -92,7 +94,7 @@ impl EdgePair {
         } else {
             f64::INFINITY
         };
-        let sigma = by_angle.min(by_side).min(by_depth).max(1.0 + 1e-6);
+        let sigma = by_angle.min(by_side).min(by_depth).max(SMALLEST_SIGMA_OF_EDGE);
         sigma + (sigma * sigma - 1.0).sqrt()
     }
 }

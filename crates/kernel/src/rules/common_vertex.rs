@@ -23,11 +23,7 @@ use crate::moments::tensor::Line;
 use crate::moments::{Moments, PatchMoments};
 use crate::rules::far;
 use crate::rules::orders::subdivided_cube::{Multilinear, Part, Parts};
-
-/// Most halvings of a cube, one inside the other, in all three variables together. Chosen; not tuned.
-const DEEPEST: u32 = 60;
-/// Factor of ε for triangles, whose area elements vary over the subdomains. Chosen; not tuned.
-const FAN_SHARE: f64 = 0.5;
+use crate::tolerances::{MOST_HALVINGS_OF_CUBE, SHARE_OF_TRIANGLES};
 
 /// Numbers of points [x, angular] for degrees `[receiver, emitter]`, where visibility is sampled or a chart
 /// is not affine. ϱ ≤ 4.2 was found on perpendicular and tilted squares with one common corner, N = 4 and 8,
@@ -67,8 +63,9 @@ pub fn integrate_flat(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [usi
         let (fan_p, fan_q) = (fan(p), fan(q));
         let pairs = fan_p.iter().flat_map(|p| fan_q.iter().map(move |q| (p, q)));
         let plan = |(p, q)| {
-            [true, false]
-                .map(|receiver| Plan::new(p, q, Subdomain::Fan { receiver }, degrees, FAN_SHARE * eps))
+            [true, false].map(|receiver| {
+                Plan::new(p, q, Subdomain::Fan { receiver }, degrees, SHARE_OF_TRIANGLES * eps)
+            })
         };
         pairs.flat_map(plan).collect()
     };
@@ -132,7 +129,8 @@ impl Plan {
             q.node(u, v).position - p.node(s, t).position
         };
         let degree = degrees[0].max(degrees[1]);
-        let parts = Multilinear { difference: &difference, degree, eps, deepest: DEEPEST }.parts()?;
+        let parts =
+            Multilinear { difference: &difference, degree, eps, deepest: MOST_HALVINGS_OF_CUBE }.parts()?;
         Some(Self { patches: [p.clone(), q.clone()], subdomain, parts })
     }
 }

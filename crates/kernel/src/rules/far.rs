@@ -16,13 +16,11 @@
 
 use radiosity_elements::patch::Patch;
 
+use crate::tolerances::SHARE_OF_ASKEW;
+
 /// Smallest gap/extent for which the rule is used. Measured on parallel unit squares at distance 0.3 for
 /// ε = 1e-4: splitting up to ¼ takes 1.5e4 samples, up to ½ and 1 it takes 3.8e4 and 1.5e5.
 pub const SMALLEST_RATIO: f64 = 0.25;
-
-/// Factor of ε on charts without right angles, where the formula was measured to fall a little short. Chosen;
-/// not tuned.
-const ASKEW: f64 = 0.5;
 
 /// Points for degree `degree` and accuracy `eps` in a direction of convergence rate ϱ (error like ϱ⁻²ⁿ).
 pub fn points(degree: usize, eps: f64, rho: f64) -> usize {
@@ -42,7 +40,7 @@ pub fn exact(degrees: [usize; 2]) -> usize {
 pub fn counts(p: &Patch, q: &Patch, degrees: [usize; 2], gap: f64, eps: f64) -> [usize; 4] {
     let count = |patch: &Patch, degree: usize| {
         let degree = degree + usize::from(!patch.is_parallelogram());
-        let eps = if patch.is_rectangle() { eps } else { ASKEW * eps };
+        let eps = if patch.is_rectangle() { eps } else { SHARE_OF_ASKEW * eps };
         patch.extents().map(|extent| {
             let ratio = gap / extent;
             points(degree, eps, 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt())

@@ -66,41 +66,38 @@ use radiosity_work::interruption::check_interrupt;
 use crate::contact::orientation::{Facing, facing};
 use crate::contact::planes::plane_of;
 use crate::estimates::entry_norm::EntryNorm;
+use crate::tolerances::{ERROR_OF_FINER_RULE, MOST_TRIMS, SHARE_OF_CLIMB};
 use cell::{Cell, DIRECTIONS, Whole};
 pub use front::Front;
 use front::Nodes;
-pub use part::DEEPEST;
 use part::Part;
 use queue::Queue;
 pub use view::Ball;
 use view::View;
 
-/// Points of the rules tried on an outer patch, relative to those that the unclipped kernel needs. Chosen;
-/// not tuned.
+/// Points of the rules tried on an outer patch, relative to those that the unclipped kernel needs. The last
+/// one is as good as the kernel allows; two coarser ones before it end sooner where little is asked. More of
+/// them would be computed in vain where none is taken.
 const RUNGS: [f64; 3] = [0.35, 0.55, 1.0];
-/// Fewest points of these rules, and how many each has at least more than the one before: W, clipped, may
-/// need many points where the kernel needs few, and no rule is compared with itself. Chosen; not tuned.
+/// Fewest points of these rules: W, clipped, may need many points where the kernel needs few.
 const FEWEST: usize = 3;
+/// Points that each of these rules has more than the one before at the least: no rule is compared with
+/// itself.
 const STEP: usize = 2;
-/// Share of the tolerance within which two of these rules have to agree. Chosen; not tuned.
-const CLIMB_SHARE: f64 = 0.5;
-/// Error of the finer of two rules, relative to their difference: r/(1 − r) = 0.28 with r = (3/5)³ at a kink
-/// of second order.
-const FINER_RULE: f64 = 0.3;
 
-/// Share of the tolerance for settled cells, to each its share of the patch. Chosen; not tuned.
+/// Share of the tolerance for settled cells, to each its share of the patch; three quarters are left for the
+/// cells that are worst. With a larger value these are halved more often; with a smaller one small cells stay
+/// open that are of no account.
 const SETTLED: f64 = 0.25;
 /// Most numbers stored for open cells (64 MB), and about how many sets of moments each cell holds.
 const MOST_NUMBERS: usize = 8_000_000;
 const WHOLES: usize = 4;
 
 /// Error of a patch of which only corners see anything, relative to what it would carry if all points saw as
-/// much. Chosen; not tuned.
+/// much: a part of a twentieth of the patch about a corner. An arbitrary choice: with a smaller value light
+/// that no rule sees is missed; with a larger one cells are halved about corners that see next to nothing.
 const CORNER: f64 = 0.05;
 const CORNERS: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
-
-/// Most halvings that remove what sees nothing. Chosen; not tuned.
-const MOST_TRIMS: usize = 16;
 
 /// The result for a pair of patches.
 #[derive(Debug)]
@@ -217,8 +214,8 @@ impl Job<'_> {
             let finer = self.whole(whole.patch.clone(), points);
             let difference = self.norm.difference(&whole.moments, &finer.moments);
             whole = finer;
-            if difference <= CLIMB_SHARE * self.tolerance {
-                self.cut.error += FINER_RULE * difference;
+            if difference <= SHARE_OF_CLIMB * self.tolerance {
+                self.cut.error += ERROR_OF_FINER_RULE * difference;
                 return (whole, true);
             }
         }

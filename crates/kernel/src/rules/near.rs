@@ -24,15 +24,14 @@ use radiosity_elements::space::Space;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::{Moments, Side};
+use crate::tolerances::SHARE_OF_NEAR;
 use plan::{Leaf, Planner, Rule, split_cost};
 use polar::Polar;
 
-/// Factor of ε for the estimates of both rules. Chosen; not tuned.
-const SAFETY: f64 = 0.2;
-
-/// Samples of a split below which no plan is made: planning takes as long. Chosen; not tuned.
+/// Samples of a split below which no plan is made, since planning takes as long: an estimate of its time.
 const CHEAP_SPLIT: f64 = 3e4;
-/// Samples up to which those of a split are counted, to compare it with a plan. Chosen; not tuned.
+/// Samples up to which those of a split are counted, to compare it with a plan: counting takes time too. A
+/// split of more is taken to cost more than any plan.
 const MOST_COUNTED: f64 = 1e6;
 
 /// The rule of one pair.
@@ -82,7 +81,7 @@ impl Plan {
     /// With the outer integral over the side `outer`; the cost is infinite if it exceeds `limit`.
     fn outside(outer: Side, moments: &Moments, p: &Patch, q: &Patch, eps: f64, limit: f64) -> Self {
         let [receiver, emitter] = moments.bases();
-        let eps = SAFETY * eps;
+        let eps = SHARE_OF_NEAR * eps;
         let (mut planner, a, b) = match outer {
             Side::Receiver => (Planner::new(receiver, emitter, eps, limit), p, q),
             Side::Emitter => (Planner::new(emitter, receiver, eps, limit), q, p),

@@ -139,7 +139,8 @@ fn turn(fields: &Fields<'_>, key: &'static str) -> Result<[f64; 2], Located> {
     fields.get(key).map_or(Ok(FULL_TURN), |node| angles(node, key))
 }
 
-/// Angles nearer to a full turn than this are one, radians: what degrees leave. Chosen; not tuned.
+/// Angles nearer to a full turn than this are one, radians: degrees leave some roundings. With a larger value
+/// narrow slits that were meant would close.
 const WHOLE: f64 = 1e-12;
 
 /// Whether all these ranges are full turns.

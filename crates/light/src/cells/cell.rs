@@ -12,27 +12,23 @@ use std::sync::OnceLock;
 
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_geom::DVec3;
+use radiosity_geom::{COINCIDENT, DVec3};
 use radiosity_scene::Radiance;
 use radiosity_visibility::shadow_volume::Quad;
 use smallvec::SmallVec;
 
-/// A curved cell longer than this multiple of its breadth is cut across its length only. Chosen; not tuned.
-const LONG: f64 = 2.0;
+use crate::tolerances::{COSINE_OF_FLAT, LONG_CELL};
 
 /// Number of Gauss points, index 2 a + b for the a-th along s and the b-th along t.
 pub(crate) const POINTS: usize = 4;
 
-/// Levels below the root down to which quarters are kept. Chosen; not tuned.
+/// Levels below the root down to which quarters are kept: at most 4⁵ = 1024 for each patch. Deeper ones serve
+/// few points, and more would fill the memory.
 const KEPT: u8 = 5;
 
 /// Error of the rule over the second difference, at least, where the field bends at once: of |s| over
 /// −1 ≤ s ≤ 1 the two-point rule makes 0.577 for ½, with the second difference 0.577.
 const BENT: f64 = 0.13;
-
-/// A cell with straight sides whose normals have at least this cosine to each other counts as flat. Chosen;
-/// not tuned.
-const LEVEL: f64 = 0.999;
 
 /// A patch with the values of a field at its Gauss points.
 #[derive(Clone, Debug)]
@@ -102,7 +98,7 @@ impl Cell {
         let pairs =
             samples.iter().enumerate().flat_map(|(k, a)| samples[..k].iter().map(move |b| a.1.dot(b.1)));
         let bend = pairs.fold(1.0, f64::min);
-        let is_straight = patch.is_flat() || (bend > LEVEL && hull[..] == patch.corners());
+        let is_straight = patch.is_flat() || (bend > COSINE_OF_FLAT && hull[..] == patch.corners());
         let quad = is_straight.then(|| Quad::new(patch.corners())).map(|quad| (quad, quad.radius()));
         let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
         Self {
@@ -189,10 +185,10 @@ impl Cell {
         self.nodes.iter().map(|node| node.area).sum()
     }
 
-    /// The corners in order, without repetitions (to 1e-9 of the radius).
+    /// The corners in order, without repetitions (to rounding).
     pub(crate) fn outline(&self) -> Vec<DVec3> {
         let mut corners = self.patch.corners().to_vec();
-        let same = |a: &DVec3, b: &DVec3| a.distance(*b) <= 1e-9 * self.radius;
+        let same = |a: &DVec3, b: &DVec3| a.distance(*b) <= COINCIDENT * self.radius;
         corners.dedup_by(|a, b| same(a, b));
         if corners.len() > 1 && same(&corners[0], &corners[corners.len() - 1]) {
             corners.pop();
@@ -275,8 +271,8 @@ impl Cell {
         let apart = |i: usize, j: usize| self.nodes[i].position.distance(self.nodes[j].position);
         let (along, across) = (apart(0, 2).max(apart(1, 3)), apart(0, 1).max(apart(2, 3)));
         match self.is_flat() {
-            false if along > LONG * across => [Direction::Along; 2],
-            false if across > LONG * along => [Direction::Across; 2],
+            false if along > LONG_CELL * across => [Direction::Along; 2],
+            false if across > LONG_CELL * along => [Direction::Across; 2],
             _ => [Direction::Along, Direction::Across],
         }
     }

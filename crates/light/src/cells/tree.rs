@@ -13,8 +13,9 @@
 //! a cell fills much of the view of a receiver on another surface that lies beside it in a corner, or along
 //! an edge, however small it is; the share of such receivers is about w along an edge. Other cells fill about
 //! w² of any view. So shadow edges end at the width that the accuracy asks for; corners of three surfaces, in
-//! which light depends on the direction to the corner alone, have cells down to [`DEEPEST`], few of them;
-//! before a luminaire near a surface cells are as small as its light peaks.
+//! which light depends on the direction to the corner alone, have cells down to
+//! [`MOST_QUARTERINGS_OF_FIELD`], few of them; before a luminaire near a surface cells are as small as its
+//! light peaks.
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
@@ -26,24 +27,28 @@ use smallvec::smallvec;
 use crate::cells::border::Border;
 use crate::cells::cell::{Cell, POINTS};
 use crate::occluders::Sender;
+use crate::tolerances::MOST_QUARTERINGS_OF_FIELD;
 
 /// Levels of quarters below the patches of an element that are all made where the field varies, so that no
-/// small shadow is overlooked. Chosen; not tuned.
+/// small shadow is overlooked: down to a sixteenth of a patch. Each further one takes four times the cells.
 const EVEN: usize = 4;
 
-/// Most levels. Chosen; not tuned.
-const DEEPEST: usize = 12;
-
-/// See the head of this file. Chosen; not tuned. With 10 for the latter, too, 2 % of the power was lost of a
-/// luminaire 5 cm below a ceiling 4 m wide.
+/// Multiple of the accuracy by which the bilinear function of a cell in a corner or at the border of a patch
+/// may miss its quarters: see the head of this file. Few receivers lie beside such a cell. With a smaller
+/// value corners and borders have many more cells.
 const BENT: f64 = 10.0;
+
+/// Multiple of the accuracy for other cells. With 10 here too, 2 % of the power was lost of a luminaire 5 cm
+/// below a ceiling 4 m wide.
 const BEYOND: f64 = 1.0;
 
 /// A field jumps in a cell where its bilinear function misses the quarters by more than this part of its
-/// variation. Chosen; not tuned.
+/// variation, as it does at a step; it misses a bend by less.
 const JUMP: f64 = 0.5;
 
-/// A cell whose field varies by less than this multiple of the accuracy is not divided. Chosen; not tuned.
+/// A cell whose field varies by less than this multiple of the accuracy is not divided for that: its bilinear
+/// function follows most of a variation. With a larger value small shadows are overlooked; with a smaller one
+/// all cells of slowly varying fields are made.
 const FINE: f64 = 30.0;
 
 /// An element as a sender of light.
@@ -140,7 +145,7 @@ impl Growth<'_> {
     /// misses it.
     fn divided(&self, mut cell: Cell, border: Border, level: usize, bends: bool) -> Cell {
         let varies = level < EVEN && cell.spread > self.rough;
-        if level == DEEPEST || !(level < self.least || varies || bends) {
+        if level == MOST_QUARTERINGS_OF_FIELD || !(level < self.least || varies || bends) {
             return cell;
         }
         let quarters = cell.bare_quarters().map(|quarter| with_field(quarter, self.scale, self.field));

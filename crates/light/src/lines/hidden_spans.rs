@@ -15,22 +15,26 @@ use smallvec::{SmallVec, smallvec};
 use crate::lines::projection::ProjectionPlane;
 use crate::lines::silhouette::{Crossing, outline};
 
-/// Two ends nearer than this part of the polygon's side are both corrected; the farther counts. Chosen; not
-/// tuned.
+/// Two ends nearer than this part of the polygon's side are both corrected; the farther counts. An arbitrary
+/// choice: with a smaller value a quad behind the one that ends may pass unseen, with a larger one more ends
+/// are corrected.
 const CLOSE: f64 = 0.02;
 
-/// Ends so far outside a line, over its length, are corrected too: the surface may exceed its mesh. Chosen;
-/// not tuned.
+/// Ends so far outside a line, over its length, are corrected too: the surface may exceed its mesh, by a
+/// fortieth of a quad. With a larger value more ends are corrected that no line meets.
 const OUTSIDE: f64 = 0.1;
 
-/// Factor by which normals may turn farther inside a quad than between its corners. Chosen; not tuned.
+/// Factor by which normals may turn farther inside a quad than between its corners: a margin, since few
+/// normals are known. With a larger value more quads are quartered near the eye.
 const STEEPER: f64 = 1.5;
 
-/// Largest correction that is accepted, over the projected size of the quad. Chosen; not tuned.
+/// Largest correction that is accepted, over the projected size of the quad. The outline lies within a quad
+/// of the mesh, and Newton steps that leave it went astray.
 const BELIEVED: f64 = 1.0;
 
 /// Between two ends in one mesh without an outline a gap up to this part of a quad's projected breadth is a
-/// crack between quads of different sizes. Chosen; not tuned.
+/// crack between quads of different sizes. With a larger value narrow gaps between two parts of one surface
+/// would close, with a smaller one cracks let light through.
 const CRACK: f64 = 0.25;
 
 /// The blockers before a projection plane.

@@ -9,7 +9,7 @@
 //! It is seen at (s, t) = (S, T)/λ and lies before the polygon if 0 < λ < 1. The plane through x and the line
 //! t = const is T − t λ = 0, linear in P.
 
-use radiosity_geom::{Aabb, COINCIDENT, DVec3};
+use radiosity_geom::{Aabb, COINCIDENT, DVec3, ROUNDING};
 
 /// The plane of a convex polygon with at least three corners, seen from a point.
 #[derive(Clone, Debug)]
@@ -33,13 +33,13 @@ pub(crate) struct ProjectionPlane {
 
 impl ProjectionPlane {
     /// For a polygon that stands for a piece of surface inside `hull`; None where the eye lies in the
-    /// polygon's plane, to 1e-12 (chosen, not tuned).
+    /// polygon's plane, to rounding.
     pub(crate) fn new(eye: DVec3, polygon: &[DVec3], hull: &[DVec3]) -> Option<Self> {
         let (origin, along, across) =
             (polygon[0], polygon[1] - polygon[0], polygon[polygon.len() - 1] - polygon[0]);
         let towards = origin - eye;
         let volume = along.cross(across).dot(towards);
-        if volume.abs() <= 1e-12 * along.length() * across.length() * towards.length() {
+        if volume.abs() <= ROUNDING * along.length() * across.length() * towards.length() {
             return None;
         }
         let dual = [across.cross(towards), towards.cross(along), along.cross(across)].map(|d| d / volume);

@@ -22,15 +22,20 @@ use radiosity_visibility::silhouette_mesh::Quad;
 
 use crate::lines::projection::ProjectionPlane;
 
-/// Newton steps towards a border, and most steps towards a silhouette ([`STEPS`]). Both are chosen, not
-/// tuned.
+/// Newton steps towards a border, each of which squares the error: two leave the eighth power of the mesh
+/// width, less than the silhouette has.
 const BORDER_STEPS: usize = 2;
+
+/// Most Newton steps towards a silhouette; one is enough from a good mesh. A crossing that needs more is left
+/// where the mesh has it.
 const STEPS: usize = 5;
 
-/// Sine of the angle between view and surface below which a point is on the silhouette. Chosen; not tuned.
+/// Sine of the angle between view and surface below which a point is on the silhouette: seen, it is off the
+/// outline by half its square, 5·10⁻⁵ of a radius of curvature.
 const GRAZING: f64 = 1e-2;
 
-/// Sine of the angle to the plane of the line below which a point is on the line. Chosen; not tuned.
+/// Sine of the angle to the plane of the line below which a point is on the line. The tangent of the outline
+/// carries it the rest of the way, and the error is of second order.
 const ON_LINE: f64 = 1e-3;
 
 /// The crossing of a scan line with the edge of a quad.

@@ -24,28 +24,29 @@ use crate::blockers::BlockerRange;
 use crate::cells::cell::{Cell, POINTS};
 use crate::lines::line_quadrature::LineQuadrature;
 use crate::receiver_point::ReceiverPoint;
+use crate::tolerances::COSINE_OF_CELL;
 use crate::traversal::Pass;
 use crate::traversal::Traversal;
 
-/// A cell with a smaller cosine between two normals is divided at once. Chosen; not tuned.
-const STRAIGHT: f64 = 0.7;
-
-/// A curved cell of larger width over distance is divided. Chosen; not tuned.
+/// A curved cell of larger width over distance is divided: rules of four points tell nothing of it.
 const NEAR: f64 = 1.5;
 
-/// Relative error assumed for a near cell of the point's own smooth surface, where κ is bounded. Chosen; not
-/// tuned.
+/// Relative error assumed for a near cell of the point's own smooth surface, where κ is bounded. An
+/// assumption: a smaller one lets large parts of a bent surface pass, a larger one divides down to cells that
+/// carry nothing.
 const NEAR_OWN: f64 = 0.1;
 
-/// Factor on the error of a curved cell: the errors of its neighbours have the same sign. Chosen; not tuned.
+/// Factor on the error of a curved cell: the errors of its neighbours have the same sign, and those of some
+/// twenty cells add up. With a smaller value light from curved surfaces may miss its accuracy.
 const CURVED: f64 = 20.0;
 
 /// (1 − cos ϑ)²/AREA_RULE bounds the relative error of two-point rules for the area of a piece of a ball of
 /// width ϑ: for ∫ cos φ dφ it is ϑ⁴/4320 ≈ (1 − cos ϑ)²/1080.
 const AREA_RULE: f64 = 500.0;
 
-/// Lambert's formula is not tried if its error, with Gauss's F, exceeds so many tolerances. Chosen; not
-/// tuned.
+/// Lambert's formula is not tried if its error, with Gauss's F, exceeds so many tolerances: its own F may be
+/// smaller than that of Gauss's rule, though not by more. With a smaller value cells are divided that the
+/// formula would do for.
 const HOPELESS: f64 = 1.5;
 
 /// Contribution, in multiples of the tolerance, of a flat cell behind flat blockers up to which its points
@@ -55,14 +56,17 @@ const HOPELESS: f64 = 1.5;
 const SHADED: f64 = 1.0;
 const AGREED: f64 = 4.0;
 
-/// Error of a curved cell across its silhouette or the horizon, over its largest contribution. Chosen; not
-/// tuned.
+/// Error of a curved cell across its silhouette or the horizon, over its largest contribution, since the part
+/// that is seen may be anything from none to all: an estimate. With a larger value more cells are divided
+/// along silhouettes.
 const RIM: f64 = 0.25;
 
-/// Width over distance above which line quadrature is not trusted. Chosen; not tuned.
+/// Width over distance above which line quadrature is not trusted: a cell as wide as twice its distance is
+/// seen under 90°, and lines are far apart at its far end.
 const WIDE: f64 = 2.0;
 
-/// Part of the variation of a field over a cell that its bilinear interpolant misses. Chosen; not tuned.
+/// Part of the variation of a field over a cell that its bilinear interpolant misses: an estimate for fields
+/// that are smooth in the cell. With a larger value more cells are divided behind blockers.
 const LINEAR: f64 = 0.1;
 
 /// The rule for a cell, with its expected error.
@@ -219,7 +223,7 @@ impl Traversal<'_> {
         if self.most_from(cell, width) <= pass.tolerance {
             return Estimate { weights: self.seen(pass, cell, weights, before), error: pass.tolerance };
         }
-        if cell.bend < STRAIGHT || (width > NEAR && !pass.own) {
+        if cell.bend < COSINE_OF_CELL || (width > NEAR && !pass.own) {
             return Estimate { weights, error: f64::INFINITY };
         }
         let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(cell, width) };

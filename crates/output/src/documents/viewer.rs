@@ -1,10 +1,10 @@
 //! One HTML file to walk through a solved scene in a browser, without a server or a network.
 //!
 //! The page draws the triangles of the surfaces ([`crate::pictures::tessellation`]) by WebGL 2 and colours
-//! them from their textures of light ([`radiosity_reading::pictures::lightmap`]) with the exposure and tone of pictures.
-//! It keeps the light of each group and band apart, so that groups can be dimmed and values read at any
-//! point. Its script and style stand beside this file; `packing` says how the numbers are written, `header`
-//! what they belong to.
+//! them from their textures of light ([`radiosity_reading::pictures::lightmap`]) with the exposure and tone
+//! of pictures. It keeps the light of each group and band apart, so that groups can be dimmed and values read
+//! at any point. Its script and style stand beside this file; `packing` says how the numbers are written,
+//! `header` what they belong to.
 
 mod first_view_settings;
 mod packing;

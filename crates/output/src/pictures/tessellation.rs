@@ -15,16 +15,13 @@ mod curved;
 
 use std::collections::HashMap;
 
-use radiosity_geom::{DVec3, PlanarRegion, Surface};
+use radiosity_geom::{DVec3, NO_AREA, PlanarRegion, Surface};
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_visibility::covered_parts::{self, CoveredPart, covered_parts};
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
 use corner::Corner;
-
-/// A triangle whose area over the square of its longest side is below this is rounding. Chosen.
-const NO_AREA: f64 = 1e-12;
 
 /// The triangles of one surface.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -25,7 +25,8 @@ use super::cosines::Cosines;
 use super::functions::SurfaceFunctions;
 use super::tents::Tents;
 
-/// Error of cosines as polynomials, over the accuracy of the transfers between them. Chosen.
+/// Error of cosines as polynomials, over the accuracy of the transfers between them: so that only the latter
+/// shows.
 const OF_ACCURACY: f64 = 1e-3;
 
 /// Least such error: below it is rounding.

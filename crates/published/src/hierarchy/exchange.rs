@@ -15,7 +15,8 @@ use radiosity_kernel::{kernel, polygon_exchange};
 use super::face::Face;
 
 /// Gauss points per direction on the first and the second face: two numbers, so that no point meets itself
-/// where a face exchanges light with itself. Chosen; not tuned.
+/// where a face exchanges light with itself. An arbitrary choice: links are used where faces are small beside
+/// their distance, and few points are enough.
 const POINTS: [usize; 2] = [4, 5];
 
 /// w of two faces, which may be one and the same.

@@ -7,14 +7,13 @@ use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::UnitRule;
 use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
 use radiosity_geom::{Aabb, DVec3, Rect, Surface};
+use radiosity_light::tolerances::LONG_CELL;
 
 use super::harmonics::{HARMONICS, add, clamped_cosine};
 
-/// Points per direction of the rule for the moments of curved faces. Chosen; not tuned.
+/// Points per direction of the rule for the moments of curved faces, which are smooth, and for their area, to
+/// a few digits.
 const MOMENT_POINTS: usize = 6;
-
-/// A cell longer than this multiple of its breadth is halved, not quartered. Chosen; not tuned.
-const LONG: f64 = 2.0;
 
 /// A piece of one surface.
 #[derive(Debug)]
@@ -82,9 +81,9 @@ impl Face {
         let jet = shape.jet(u, v);
         let [along, across] = self.rect.half_extent();
         let (along, across) = (along * jet.du.length(), across * jet.dv.length());
-        if along > LONG * across {
+        if along > LONG_CELL * across {
             self.rect.split_u().to_vec()
-        } else if across > LONG * along {
+        } else if across > LONG_CELL * along {
             self.rect.split_v().to_vec()
         } else {
             self.rect.quarters().to_vec()

@@ -6,7 +6,8 @@
 
 use radiosity_geom::Aabb;
 
-/// Part of a group's diagonal above which a surface counts as long. Chosen; not tuned.
+/// Part of a group's diagonal above which a surface counts as long. An arbitrary choice: with a smaller value
+/// groups fall into single surfaces, with a larger one walls make groups large.
 const LONG: f64 = 0.5;
 
 /// A group of surfaces.

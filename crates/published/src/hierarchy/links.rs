@@ -22,7 +22,7 @@ use super::pair_refinement::Pair;
 use super::sight::visible_part;
 use super::tree::Tree;
 
-/// Nodes that one thread gathers at a time at least. Chosen; not tuned.
+/// Nodes that one thread gathers at a time at least: a node takes less time than to hand it over.
 const CHUNK: usize = 256;
 
 /// A pair of nodes that exchange light.

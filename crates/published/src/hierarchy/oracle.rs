@@ -13,10 +13,9 @@
 
 use std::f64::consts::PI;
 
-use super::tree::{Node, Tree};
+use radiosity_geom::COINCIDENT;
 
-/// Height over a plane that counts as rounding, in radii of both nodes. Chosen; not tuned.
-const FLUSH: f64 = 1e-9;
+use super::tree::{Node, Tree};
 
 /// Verdict about a pair of different nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +44,7 @@ impl Oracle {
         let nodes = [p, q].map(|node| &tree.nodes()[node]);
         let [first, second] = nodes;
         let heights = [height(first, second), height(second, first)];
-        let flush = FLUSH * (first.radius + second.radius);
+        let flush = COINCIDENT * (first.radius + second.radius);
         if heights.iter().any(|height| *height <= flush) || first.area * second.area == 0.0 {
             return Verdict::FacesAway;
         }

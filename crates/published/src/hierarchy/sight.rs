@@ -12,11 +12,12 @@ use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::{shift, shifted};
 use radiosity_geom::RayTree;
 use radiosity_kernel::kernel;
-use radiosity_visibility::OWN_END;
+use radiosity_visibility::tolerances::OWN_END;
 
 use super::tree::Tree;
 
-/// Pairs of points that are tried for each ray that is wanted. Chosen; not tuned.
+/// Pairs of points that are tried for each ray that is wanted, since some do not face each other. With more,
+/// pairs of nodes that hardly see each other get more rays.
 const TRIES: u64 = 4;
 
 /// The part of the exchange of two nodes that is not hidden, by `rays` rays or fewer; 0 where no pair of

@@ -12,7 +12,8 @@ use super::samples::Samples;
 use super::settings::Settings;
 use super::span::Span;
 
-/// Halvings of the range in which the radius is sought, for 9 digits of it. Chosen; not tuned.
+/// Halvings of the range in which the radius is sought, for 9 digits of it: more than a bound of a remainder
+/// has.
 const BISECTIONS: usize = 30;
 
 /// G(p) ≈ Σ_{n ≤ N} Φ_n (p − centre)ⁿ of two flat elements, without anything between them.

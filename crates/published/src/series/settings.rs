@@ -12,7 +12,9 @@ pub struct Settings {
     pub tolerance: f64,
 }
 
-/// Most of their distance that two elements may approach each other within one expansion. Chosen; not tuned.
+/// Most of their distance that two elements may approach each other within one expansion. The series
+/// converges up to all of it: nearer to that the orders that are left out grow, and the bound of their sum is
+/// useless.
 const MOST_APPROACH: f64 = 0.5;
 
 impl Settings {

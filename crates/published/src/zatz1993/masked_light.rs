@@ -35,8 +35,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::zatz1993::mask::Mask;
 
-/// Rays along each direction of an emitter's patch, at centres of equal parts, in a plain average. Chosen;
-/// not tuned.
+/// Rays along each direction of an emitter's patch, at centres of equal parts, in a plain average: 256 in
+/// all, each of which counts 0.4 %.
 const RAYS: usize = 16;
 
 /// Resolution of masks, and the average that they sample.

@@ -44,12 +44,10 @@ use super::frame_light::forecast::seconds;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::PictureLight;
 use crate::reader::ReadMode;
+use crate::tolerances::GATHERED_FOR_PICTURES;
 use fill::fill;
 use places::Places;
 use sizes::sizes;
-
-/// Relative accuracy of recomputed light: that of pictures.
-const GATHERED: f64 = 3e-3;
 
 /// The irradiance of all surfaces of a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -117,7 +115,7 @@ impl Lightmap {
         };
         let lights: Vec<PictureLight> = solutions
             .into_iter()
-            .map(|solution| PictureLight::new(solution, solved.visibility(), read, GATHERED))
+            .map(|solution| PictureLight::new(solution, solved.visibility(), read, GATHERED_FOR_PICTURES))
             .collect();
         let sizes = sizes(&solved.scene, texels);
         let diagonal = solved.visibility().bounds().diagonal();

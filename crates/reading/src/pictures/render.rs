@@ -27,10 +27,7 @@ use super::pixel_samples::PixelSamples;
 use super::raster::Raster;
 use crate::quantity::Quantity;
 pub use crate::reader::ReadMode;
-
-/// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not
-/// tuned.
-const GATHERED: f64 = 3e-3;
+use crate::tolerances::GATHERED_FOR_PICTURES;
 
 /// Relative difference of the radiosities of two pixels from which both are sampled finely. Chosen: four
 /// steps of eight bits, and twice the error in penumbrae.
@@ -67,7 +64,8 @@ pub fn render(
     shown: Quantity,
     work: &Work<'_>,
 ) -> Raster {
-    let light = PictureLight::new(solution, visibility, read, GATHERED).showing(shown, camera.eye);
+    let light =
+        PictureLight::new(solution, visibility, read, GATHERED_FOR_PICTURES).showing(shown, camera.eye);
     let eye = Eye { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() };
     let [width, height] = [camera.width as usize, camera.height as usize];
     let shot =
@@ -88,7 +86,7 @@ pub fn render(
 /// Source of light of a picture of so many pixels unless told otherwise: gathered, if two threads do that
 /// within some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
 pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> ReadMode {
-    let seconds = seconds_to_gather(solution, visibility, AVERAGED * GATHERED);
+    let seconds = seconds_to_gather(solution, visibility, AVERAGED * GATHERED_FOR_PICTURES);
     let gathered = pixels as f64 / INTERPOLATED / THREADS * seconds;
     if gathered <= PATIENCE { ReadMode::Gather } else { ReadMode::Direct }
 }

@@ -1,5 +1,7 @@
 //! Placements of grids of texels on surfaces.
 
+use radiosity_geom::ROUNDING;
+
 /// Placement of a grid of texels on a surface; see [`Pattern`](crate::Pattern).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
@@ -22,10 +24,6 @@ pub enum Wrap {
     /// The texels of the border, continued.
     Clamp,
 }
-
-/// Borders of texels nearer than this to a border of the surface are on it: rounding brought them there.
-/// Chosen; not tuned.
-const ROUNDED: f64 = 1e-12;
 
 impl Default for Placement {
     /// The grid once over the whole surface.
@@ -66,7 +64,7 @@ impl Placement {
         // A border of the grid mirrors a texel on itself.
         let differs = |k: &i64| self.wrap != Wrap::Mirror || k % count as i64 != 0;
         let at = |k: i64| 2.0 * (k as f64 / all - offset) / scale - 1.0;
-        (low..=high).filter(differs).map(at).filter(|x| x.abs() < 1.0 - ROUNDED).collect()
+        (low..=high).filter(differs).map(at).filter(|x| x.abs() < 1.0 - ROUNDING).collect()
     }
 
     /// The part of the surface along an axis that each of `count` texels takes; all of them together take 1.

@@ -27,7 +27,8 @@ use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
 
-/// Faces up to this part of the area of all surfaces are not cut. Chosen.
+/// Faces up to this part of the area of all surfaces are not cut: a bound of their number, where light is
+/// concentrated.
 const LEAST_AREA: f64 = 1e-6;
 
 /// The greatest power of a link at which clusters are linked from 1½ sums of their radii on, and how this

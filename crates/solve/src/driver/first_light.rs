@@ -15,9 +15,7 @@ use radiosity_work::ranks::Ranks;
 
 use super::emission::Emission;
 use super::options::Options;
-
-/// Tolerance of gathered light at a point over that of shadows in a block, a mean of many. Chosen; not tuned.
-const AT_A_POINT: f64 = 3.0;
+use crate::tolerances::POINT_OVER_BLOCK;
 
 /// The scene, as direct light is computed from it.
 #[derive(Clone, Copy, Debug)]
@@ -118,7 +116,7 @@ impl EmissionLight {
         let direct = match &masked {
             Some(masked) => DirectEntry::Split(through_masks(lit_scene, &sources, masked)),
             None if is_split => {
-                let eps = AT_A_POINT * options.shadow_eps;
+                let eps = POINT_OVER_BLOCK * options.shadow_eps;
                 DirectEntry::Split(CoatedBounce::new(&sources, visibility, eps, ranks))
             }
             None if sources.points.is_empty() => DirectEntry::Carried,

@@ -31,17 +31,18 @@ use crate::driver::outline::Outline;
 /// Bytes of an f64.
 const NUMBER: u64 = 8;
 
-/// Bytes of an element beside its basis: patches, hull, coefficients of all bands. Chosen; not tuned.
+/// Bytes of an element beside its basis: patches, hull, coefficients of all bands. A rough estimate.
 const ELEMENT: u64 = 3000;
 
-/// Vectors of a solver that multiplies by the blocks as they are. Chosen; not tuned.
+/// Vectors of a solver that multiplies by the blocks as they are. A rough estimate: conjugate gradients take
+/// fewer, GMRES before it restarts takes 50.
 const VECTORS: u64 = 40;
 
 /// Vectors of a light group while a band is solved, and those that it keeps of every band.
 const AT_WORK: u64 = 8;
 const KEPT: u64 = 2;
 
-/// Bytes of a pair beside its block. Chosen; not tuned.
+/// Bytes of a pair beside its block: what is known of it while blocks are made. A rough estimate.
 const PAIR: u64 = 300;
 
 /// Bytes per entry of pairs with a curved element, of which rules leave some to rays. Measured: 12 in a room
@@ -54,7 +55,7 @@ const HITS_PER_PAIR: f64 = 3.0;
 /// Bytes of the hits that are counted at a time.
 const CHUNK: u64 = 60_000_000;
 
-/// Bytes of the program itself. Chosen; not tuned.
+/// Bytes of the program itself. A rough estimate, which counts in the smallest scenes alone.
 const PROGRAM: u64 = 10_000_000;
 
 /// Bytes of a solution at each of its stages.

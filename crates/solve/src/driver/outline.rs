@@ -1,10 +1,7 @@
 //! Outlines of surfaces, which tell beforehand whether two of them can see each other.
 
-use radiosity_geom::{DVec3, PlanarRegion, Rect};
+use radiosity_geom::{COINCIDENT, DVec3, PlanarRegion, Rect};
 use radiosity_scene::SceneSurface;
-
-/// Heights below this part of the pair's size count as zero. Chosen; not tuned.
-const FLAT: f64 = 1e-9;
 
 /// The outline of a surface.
 pub(super) struct Outline {
@@ -18,8 +15,9 @@ impl Outline {
     /// The outline of a surface.
     pub(super) fn of(surface: &SceneSurface) -> Self {
         let shape = &surface.shape;
-        let plane =
-            |region: &PlanarRegion| (region.origin(), shape.jet(0.0, 0.0).normal, FLAT * region.extent());
+        let plane = |region: &PlanarRegion| {
+            (region.origin(), shape.jet(0.0, 0.0).normal, COINCIDENT * region.extent())
+        };
         Self { plane: shape.region().map(plane), hull: shape.hull(&Rect::FULL) }
     }
 

@@ -13,7 +13,8 @@ pub const MOST_RAYS: u64 = 4_000_000_000;
 /// Accuracy of shadows for which these are the numbers of rays.
 pub(super) const USUAL_ACCURACY: f64 = 3e-3;
 
-/// Part of the usual rays that is sent even where any accuracy would do. Chosen.
+/// Part of the usual rays that is sent even where any accuracy would do: three times their noise. With fewer
+/// rays many pairs of elements would get none.
 const LEAST_PART: f64 = 0.125;
 
 /// Carriers of pairs of elements.

@@ -22,10 +22,6 @@ const CURVED: f64 = 100e-6;
 /// Chosen.
 const PEAKS: f64 = 30.0;
 
-/// Accuracy that light is gathered to where nothing else is asked for. Chosen: that of the polynomials that
-/// it is gathered from in rooms, about.
-pub const USUAL_EPS: f64 = 1.25e-3;
-
 /// Ways to gather light at points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]

@@ -35,20 +35,19 @@ use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, Weigh
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
-use radiosity_geom::{DVec3, Encounter, Ray};
+use radiosity_geom::{COINCIDENT, DVec3, Encounter, Ray};
 use radiosity_light::emitters::Radiances;
 use radiosity_light::lamps::{Lamps, Shares, Target};
 use radiosity_light::point_lights::PointLights;
 use radiosity_light::receiver_point::ReceiverPoint;
+use radiosity_light::tolerances::DARK;
+use radiosity_transport::tolerances::BATCHES;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt_at;
 use serde::{Deserialize, Serialize};
 
 use crate::gather::mean_radiosity::mean_radiosity;
 use crate::solution::{Solution, SurfacePlace};
-
-/// Independent sequences. Chosen.
-const BATCHES: usize = 8;
 
 /// Cosine-distributed rays of each sequence before the error is first looked at; in pictures, where readings
 /// beside each other are averaged. Half of the former took errors of 2 % for 1 % at bright points of a
@@ -85,13 +84,6 @@ const ROUGHNESS: f64 = 1.5;
 /// chosen.
 const PATIENCE: f64 = 16.0;
 const MOST: f64 = 1.6e7;
-
-/// Distance of surfaces that cover each other, over the diagonal of the scene's box. Chosen.
-const COVERED: f64 = 1e-9;
-
-/// Irradiance over the mean radiosity of the scene below which the error counts relative to the latter.
-/// Chosen.
-const DARK: f64 = 0.02;
 
 /// Where light is read.
 #[derive(Debug)]
@@ -183,7 +175,7 @@ impl<'a> RayGather<'a> {
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
         let scale = mean_radiosity(solution);
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
-        let touching = COVERED * visibility.bounds().diagonal();
+        let touching = COINCIDENT * visibility.bounds().diagonal();
         let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);
         let (twice, solution) = (twice && !solution.is_truncated(), solution.sent());
         Self { solution, visibility, lamps, radiances, points, scale, eps, touching, twice }

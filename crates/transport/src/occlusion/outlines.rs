@@ -41,21 +41,21 @@ use radiosity_visibility::shadow_volume::Corners;
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
+use crate::tolerances::{
+    AGREED_BY_LEVELS, LOOSEST_OF_OUTLINES, MOST_HALVINGS_OF_INNER, MOST_HALVINGS_OF_OUTER,
+};
 use edges::Edges;
 use sides::Sides;
 
-/// Ratio of sides above which a cell is halved across the longer one only. Chosen; not tuned.
+/// Ratio of sides above which a cell is halved across the longer one only. At 1.5 its halves are as slender
+/// the other way as a cell of 1.33; with a larger value slender cells are quartered, and their quarters are
+/// as slender.
 const SLENDER: f64 = 1.5;
-/// Most halvings of a cell, and of a piece of the inner element. Chosen; not tuned.
-const DEPTH: usize = 14;
-const INNER_DEPTH: usize = 40;
-/// Largest relative error of the inner rules. Chosen; not tuned.
-const LOOSEST: f64 = 0.05;
 /// Most cells of one patch of the outer element; what is left then counts as error. The worst patches of the
 /// built-in scenes, and of the rooms with slits in `tests/stress`, take a tenth of it.
 const MOST_CELLS: u64 = 1 << 16;
 
-/// Number of outer patches from which they are summed in parallel. Chosen; not tuned.
+/// Number of outer patches from which they are summed in parallel: fewer are done before threads share them.
 const MANY: usize = 8;
 
 /// Width over length below which a hidden polygon is a rounding error: collinear edges of shadows leave such
@@ -65,15 +65,12 @@ const SLIVER: f64 = 1e-13;
 /// Differences of two levels below this part of the entry are rounding.
 const ROUNDING: f64 = 1e-15;
 
-/// Allowed difference of two levels, as a multiple of the error allowed of the finer one. Chosen; not tuned.
-const AGREED: f64 = 2.5;
-
 /// Halvings before a cell counts as wholly visible or wholly hidden because all its points are: few points
-/// may miss the edge of a shadow. Chosen; not tuned.
+/// may miss the edge of a shadow. Two make it a quarter as long; more take four times the cells each.
 const SURE: usize = 2;
 
-/// Safety factor on a cell's maximal contribution, which is estimated from its corners and middle. Chosen;
-/// not tuned.
+/// Safety factor on a cell's maximal contribution, which is estimated from its corners and middle: the kernel
+/// varies little between them in cells that its rules may be used on.
 const CARRIED: f64 = 1.2;
 
 /// The accuracy asked of an occlusion correction.
@@ -112,7 +109,13 @@ impl Occlusion {
         let whole: f64 = outer.iter().map(area).sum();
         let add = |sums: &mut CorrectionSums, patch: &Patch| {
             sums.left = MOST_CELLS;
-            sums.visit(patch, &bodies, None, limit.error * (area(patch) / whole).sqrt(), DEPTH);
+            sums.visit(
+                patch,
+                &bodies,
+                None,
+                limit.error * (area(patch) / whole).sqrt(),
+                MOST_HALVINGS_OF_OUTER,
+            );
         };
         let mut sums = CorrectionSums::new(&correction);
         if outer.len() < MANY {
@@ -199,7 +202,7 @@ struct Correction<'a> {
     constant: f64,
     constants: f64,
     points: usize,
-    /// Relative accuracy of the inner integrals: 0.3 of the block's. Chosen; not tuned.
+    /// Relative accuracy of the inner integrals: 0.3 of the block's, most of which is left to the outer ones.
     accuracy: f64,
     limit: Limit,
 }
@@ -220,7 +223,7 @@ impl<'a> Correction<'a> {
         let corners: Vec<DVec3> = inner.iter().flat_map(|facet| facet.corners.iter().copied()).collect();
         let normal = other.plane.map_or(DVec3::ZERO, |(_, normal)| normal);
         let unit = pair.iter().map(|element| element.basis.transform()[0]).product();
-        let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, LOOSEST);
+        let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, LOOSEST_OF_OUTLINES);
         Self {
             pair,
             visibility,
@@ -302,10 +305,10 @@ impl<'a> CorrectionSums<'a> {
         let differences = coarse.values.iter().enumerate().map(|(k, value)| (value - fine(k)).abs());
         let difference = differences.fold(0.0, f64::max) * self.correction.unit;
         // The first two levels, of few points, may agree by chance: they have to agree better.
-        let agreed = if depth == DEPTH { limit } else { AGREED * limit };
+        let agreed = if depth == MOST_HALVINGS_OF_OUTER { limit } else { AGREED_BY_LEVELS * limit };
         let agreed = agreed.max(ROUNDING * self.correction.limit.entry);
         let shadow = sums.iter().map(|sum| sum.shadow).fold(coarse.shadow, HiddenShare::and);
-        let is_sure = shadow == HiddenShare::Part || depth + SURE <= DEPTH;
+        let is_sure = shadow == HiddenShare::Part || depth + SURE <= MOST_HALVINGS_OF_OUTER;
         let is_told = difference <= agreed && is_sure;
         self.left = self.left.saturating_sub(parts.len() as u64);
         let is_last = depth == 0 || self.left == 0;
@@ -431,7 +434,7 @@ impl<'a> CorrectionSums<'a> {
             let corners = patch.polygon();
             let length = Aabb::around(corners.iter().copied()).diagonal();
             if polygon_area(&corners) > SLIVER * length * length {
-                self.gauss(x, &patch, out, INNER_DEPTH);
+                self.gauss(x, &patch, out, MOST_HALVINGS_OF_INNER);
             }
         }
     }
@@ -472,7 +475,7 @@ impl<'a> CorrectionSums<'a> {
 }
 
 /// Points per direction of the outer rule, for functions of this degree times the inner integral, which is
-/// smooth except for kinks. One point more per three digits is chosen, not tuned.
+/// smooth except for kinks: one point more per three digits, an estimate. Halving takes up what it misses.
 fn points(degree: usize, accuracy: f64) -> usize {
     (0.5 * degree as f64 + 1.5 - accuracy.log10() / 3.0) as usize
 }

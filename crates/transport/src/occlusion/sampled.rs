@@ -21,22 +21,21 @@ use radiosity_kernel::moments::node_pair::node_pair;
 use radiosity_kernel::{kernel, moments::integrand::Sees};
 use radiosity_work::interruption::check_interrupt_at;
 
-/// Batches of the sequence; an even number, since pairs of them are merged. Chosen; not tuned.
-const BATCHES: usize = 8;
-/// Points that decide which kind is rarer. Chosen; not tuned.
+use crate::tolerances::{BATCHES, DEVIATIONS, RULE_OF_THREE};
+
+/// Points that decide which kind is rarer. If they decide wrongly, more points are needed for the same error,
+/// which is told all the same.
 const PILOT: usize = 32;
-/// Fewest and most points in a batch. Chosen; not tuned.
+/// Fewest points in a batch: smaller ones agree by chance.
 const FEWEST: usize = 16;
+/// Most points in a batch, 131 072 in all: a bound of time. What is left of the error is told.
 const MOST: usize = 1 << 14;
-/// Points that cost about as much as a rule over all where a horizon cuts the patches. Chosen; not tuned.
+/// Points that cost about as much as a rule over all where a horizon cuts the patches: an estimate of time.
+/// Up to so many what is seen is summed without that rule.
 const DEAR: f64 = 3e3;
-/// Counting error of the points that are summed: one point, or three if none was met (rule of three:
-/// 0.05 = e⁻³).
+/// Counting error of the points that are summed, if any was met: one point. If none was, it is
+/// [`RULE_OF_THREE`].
 const OFF: f64 = 1.0;
-const UNMET: f64 = 3.0;
-/// Standard deviations of the mean, as if batches were independent, that count as its error. Half of one is
-/// what is found on the average; a disk that hid part of another was off by three.
-const SURE: f64 = 2.0;
 
 /// The points that are summed: those that see each other, or those hidden from each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,7 +139,7 @@ impl PairSampler<'_> {
         let mut points = FEWEST;
         let mut batches: Vec<Vec<f64>> = (0..BATCHES).map(|_| self.batch(points)).collect();
         loop {
-            let error = (SURE * deviation(&batches)).max(self.least_error());
+            let error = (DEVIATIONS * deviation(&batches)).max(self.least_error());
             // The error falls about like 1/n.
             let is_hopeless = points >= MOST || self.count.samples as f64 * error > most * limit;
             if error <= limit || is_hopeless {
@@ -176,15 +175,15 @@ impl PairSampler<'_> {
         sum
     }
 
-    /// The contribution of [`OFF`] or [`UNMET`] points: batches with few points of the summed kind may agree
-    /// by chance.
+    /// The contribution of [`OFF`] or [`RULE_OF_THREE`] points: batches with few points of the summed kind
+    /// may agree by chance.
     fn least_error(&self) -> f64 {
         let PointCounts { samples, facing, seen, weight } = self.count;
         if facing == 0 {
             return 0.0;
         }
         let met = if self.hidden { facing - seen } else { seen };
-        let off = if met > 0 { OFF } else { UNMET };
+        let off = if met > 0 { OFF } else { RULE_OF_THREE };
         off / facing as f64 * weight / samples as f64 * self.constants
     }
 

@@ -91,17 +91,17 @@ use radiosity_kernel::{Accuracy, PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
+use crate::tolerances::BELOW_ESTIMATE;
 use attempt::DOUBT;
 use constant::constant;
 use job::{Job, Task};
 
-/// Samples, about, for all parts left when the samples are spent, and points per direction for each. Chosen;
-/// not tuned.
+/// Samples, about, for all parts left when the samples are spent: 2 ms at 10 ns each.
 const LEFT_SAMPLES: f64 = 2e5;
+/// Fewest points per direction for each part that is left: one tells its size at least.
 const FEWEST_LEFT: usize = 1;
+/// Most points per direction for each part that is left, however few there are.
 const MOST_LEFT: usize = 4;
-/// Factor that turns the sum so far into a lower bound of the block's first entry. Chosen; not tuned.
-const FOUND_SHARE: f64 = 0.5;
 
 /// The block between two elements. `blockers` are the surfaces that may stand between them, their own
 /// included. Sampled shadows may make a standard deviation of `shadow_error` in an entry. All other errors
@@ -205,7 +205,7 @@ impl Job<'_> {
                 Task::Fan(outer, inner) => self.fan(&outer, inner),
             }
             // As κ ≥ 0, the sum so far bounds the first entry from below, except for its own error.
-            self.budget.scale = self.budget.scale.max(FOUND_SHARE * self.first_entry(&self.moments));
+            self.budget.scale = self.budget.scale.max(BELOW_ESTIMATE * self.first_entry(&self.moments));
         }
     }
 

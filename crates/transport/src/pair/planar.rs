@@ -35,15 +35,11 @@ use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::occlusion::sampled::{SampledVisibility, SummedPoints};
+use crate::tolerances::{MOST_SLIVER_POINTS, NEGLIGIBLE};
 
-/// Smallest extent of patches that may still be halved, relative to the larger element. Chosen; not tuned.
+/// Smallest extent of patches that may still be halved, relative to the larger element: a part of it is
+/// 1/4096 of its area. What is not resolved then counts as error.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
-/// A part whose area is below this times ε √(A_i A_j) is left out; ∫κ dA ≤ 1 bounds what it carries. Chosen;
-/// not tuned.
-const NEGLIGIBLE: f64 = 1e-3;
-/// Most angular points of the corner rule, which takes their third power, and of slender parts at the
-/// smallest size. Chosen; not tuned.
-const MOST_SLIVER_POINTS: usize = 16;
 
 /// The block between two elements. `blockers` are the surfaces that may stand between them; sampling their
 /// shadows may make a standard deviation of `error` in an entry.

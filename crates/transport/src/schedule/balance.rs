@@ -10,10 +10,12 @@ use std::collections::HashMap;
 use radiosity_kernel::blocks::block::BlockReport;
 use radiosity_work::ranks::shares;
 
-/// Blocks for each one that the pilot makes. Chosen.
+/// Blocks for each one that the pilot makes, by which the costs of the others are estimated. With fewer
+/// pilots the estimates are worse; with more less is left to even out.
 const PILOT: usize = 16;
 
-/// Blocks for each one that evens out what ranks have done. Chosen.
+/// Blocks for each one that evens out what ranks have done: a fifth of the work bears estimates that are off
+/// by as much.
 const REST: usize = 5;
 
 /// Kernel samples that take as long as a segment tested for visibility: some 20 ns and .4 µs.

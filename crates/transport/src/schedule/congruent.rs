@@ -22,7 +22,7 @@ use radiosity_geom::DVec3;
 /// rounding errors.
 const EQUAL: f64 = 1e-13;
 /// Grid of the hash: entries are rounded to multiples of this. Far above rounding, far below differences
-/// between distinct pairs in practice. Chosen; not tuned.
+/// between distinct pairs in practice.
 const GRID: f64 = 1e-8;
 /// Offset of the grid, so that frequent entries such as 0 and ½ do not lie where rounding changes. Any odd
 /// fraction serves.

@@ -13,24 +13,16 @@ use radiosity_work::interruption::check_interrupt;
 use crate::kept_blocks::Request;
 use crate::occlusion::outlines::Limit;
 use crate::schedule::task::{Schedule, Task};
-
-/// Error allowed for the shadows of a block, as a factor on ε_shadow times the largest entry of its row:
-/// errors of sampled shadows have either sign and weigh little in the sum over many blocks. Chosen; not
-/// tuned.
-const SHADOWED_ROW_SHARE: f64 = 0.25;
-
-/// Error allowed for shadows by outlines, or sampled between flat elements, as a factor on ε_shadow times the
-/// largest view factor of either element: the errors of the few shadowed blocks of a row may add up. Chosen;
-/// not tuned.
-const FACTOR_SHARE: f64 = 0.25;
+use crate::tolerances::{ABOVE_ESTIMATE, SHADOWS_IN_FACTORS, SHADOWS_IN_ROW};
 
 /// Floor of the shadow tolerance, as a factor on the upper bound of the entry and on ε_shadow; view factors,
-/// and hence the bound, are at most 1. Chosen; not tuned.
+/// and hence the bound, are at most 1. With a larger value small elements lose digits of their shadows; with
+/// a smaller one blocks are sampled that carry nothing.
 const SLIGHT: f64 = 1e-3;
 
-/// Safety factor on the coarse estimate of a near pair, and the largest factor by which such a pair is
-/// loosened for its shadows. Chosen; not tuned.
-const NEAR_ROUGHNESS: f64 = 3.0;
+/// Largest factor by which the accuracy of a near pair is loosened for its shadows, as what it carries is
+/// known to [`ABOVE_ESTIMATE`] only. With a larger value such pairs, which carry much of a row, may err too
+/// much; with a smaller one they take more samples.
 const LARGEST_NEAR_FACTOR: f64 = 8.0;
 
 /// The accuracy that the block of a task has to reach.
@@ -124,12 +116,12 @@ impl Schedule<'_> {
         // zero.
         let floor = SLIGHT * task.entries[1].min(1.0);
         let of_factors = |share: f64| accuracy.shadow_eps * row.min(share * tolerable).max(floor);
-        let shadowed = SHADOWED_ROW_SHARE * row;
+        let shadowed = SHADOWS_IN_ROW * row;
         let is_near = self.bounds[task.row as usize].is_near(&self.bounds[task.column as usize]);
         let [roughness, most] =
-            if is_near { [NEAR_ROUGHNESS, LARGEST_NEAR_FACTOR] } else { [1.0, f64::INFINITY] };
+            if is_near { [ABOVE_ESTIMATE, LARGEST_NEAR_FACTOR] } else { [1.0, f64::INFINITY] };
         let unseen = accuracy.shadow_eps * shadowed.max(task.estimate).max(floor) / roughness;
-        let error = of_factors(FACTOR_SHARE);
+        let error = of_factors(SHADOWS_IN_FACTORS);
         // Sampled shadows err to either side, unlike what all probing rays miss.
         let shaded = Goal { unseen, flat: unseen.min(error), sampled: of_factors(1.0), ..free };
         if self.has_outlines(task) {

@@ -1,12 +1,5 @@
 //! Blocks as rays find them.
 
-/// Independent sequences of rays. Chosen.
-pub(super) const BATCHES: usize = 8;
-
-/// Standard deviations of the mean that count as its error: at 7 degrees of freedom more than three times as
-/// much is met once in a thousand cases (Student).
-pub(super) const SURE: f64 = 2.0;
-
 /// A block by rays, or by rules where rays agree.
 pub(super) struct RayBlock {
     pub row: usize,

@@ -8,7 +8,8 @@ use std::collections::HashMap;
 use radiosity_elements::Element;
 use radiosity_kernel::blocks::FirstEntry;
 
-use super::ray_block::{BATCHES, RayBlock, SURE};
+use super::ray_block::RayBlock;
+use crate::tolerances::{BATCHES, DEVIATIONS};
 
 /// Things between which view factors are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,6 +137,6 @@ impl BatchExchange {
         let n = BATCHES as f64;
         let mean = self.batches.iter().sum::<f64>() / n;
         let square = self.batches.iter().map(|batch| (batch - mean).powi(2)).sum::<f64>();
-        [mean, SURE * (square / (n * (n - 1.0))).sqrt() + self.one]
+        [mean, DEVIATIONS * (square / (n * (n - 1.0))).sqrt() + self.one]
     }
 }

@@ -1,13 +1,10 @@
 //! The lines along which other planar surfaces stand on a planar surface.
 
-use radiosity_geom::{Aabb, DVec3, PlanarRegion, distance_to_segment, sides, touching};
+use radiosity_geom::{Aabb, DVec3, PARALLEL_PLANES, PlanarRegion, distance_to_segment, sides, touching};
 use radiosity_scene::Scene;
 
 use super::segments::Segments;
 use crate::Visibility;
-
-/// Sine of the angle between planes below which they count as parallel. Chosen; not tuned.
-const PARALLEL: f64 = 1e-6;
 
 /// A side of a surface that lies in the plane of another surface.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +22,7 @@ pub(super) fn on(scene: &Scene, obstacles: &Visibility, surface: usize, region: 
     let mut found = Vec::new();
     for other in obstacles.near(&bounds).into_iter().filter(|other| *other != surface) {
         let Some(standing) = scene.surfaces[other].shape.region() else { continue };
-        if standing.normal().cross(region.normal()).length() < PARALLEL {
+        if standing.normal().cross(region.normal()).length() < PARALLEL_PLANES {
             continue;
         }
         let tolerance =

@@ -3,14 +3,15 @@
 //! A ray from a point inside leaves the closed surface once more often than it enters it: the number of
 //! crossings is odd. Rays along edges may miscount, so most of three decide.
 
-use radiosity_geom::{Aabb, Bvh, DVec3, Ray};
+use radiosity_geom::{Aabb, Bvh, COINCIDENT, DVec3, Ray};
 
 use crate::inspection::{
     sheet::{Sheet, Sheets},
     shell::Shell,
 };
 
-/// Directions of rays, along no axis or diagonal. Chosen; not tuned.
+/// Directions of rays, along no axis, diagonal or plane of both, where edges of buildings run. Arbitrary
+/// otherwise.
 const DIRECTIONS: [DVec3; 3] =
     [DVec3::new(0.31, 0.57, 0.76), DVec3::new(-0.69, 0.41, -0.6), DVec3::new(0.17, -0.83, 0.53)];
 
@@ -46,10 +47,9 @@ impl<'a> Enclosure<'a> {
     }
 }
 
-/// Number of crossings of a ray with a sheet; hits nearer than 1e-9 of its extent are one (chosen, not
-/// tuned).
+/// Number of crossings of a ray with a sheet; hits within rounding of each other are one.
 fn crossings(sheet: &Sheet, mut ray: Ray) -> usize {
-    let hair = 1e-9 * sheet.extent / ray.direction.length();
+    let hair = COINCIDENT * sheet.extent / ray.direction.length();
     let mut count = 0;
     while let Some(hit) = sheet.shape.intersect(&ray) {
         count += 1;

@@ -13,7 +13,8 @@ use crate::inspection::{
     warning::Warning,
 };
 
-/// Least sine of the angles at which one front sees another. Chosen; not tuned.
+/// Least sine of the angles at which one front sees another: fronts in one plane, but for rounding in single
+/// precision, do not see each other.
 const GRAZING: f64 = 1e-6;
 
 /// Fronts that disagree with their neighbours'.

@@ -8,9 +8,11 @@ use radiosity_scene::{Distribution, Extent, Luminaire, Scene};
 use serde::Serialize;
 
 use crate::inspection::warning::Warning;
-use crate::{OWN_END, Shadows, Visibility};
+use crate::tolerances::OWN_END;
+use crate::{Shadows, Visibility};
 
-/// Rays that look for a front that a luminaire lights. Chosen.
+/// Rays that look for a front that a luminaire lights: one that takes less than a 256th of all directions may
+/// be missed.
 const RAYS: u32 = 256;
 
 /// Units of illuminance, in which the light of tables comes out.

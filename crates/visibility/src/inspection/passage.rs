@@ -14,7 +14,8 @@ use crate::inspection::{
     warning::Warning,
 };
 
-/// Most frames that are looked at. Chosen; not tuned.
+/// Most frames that are looked at: a bound of time. A passage that is shorter than a fiftieth of the
+/// animation may be missed.
 const LOOKED_AT: usize = 50;
 
 /// A surface that passes through another one, or lies in it, in some frames.

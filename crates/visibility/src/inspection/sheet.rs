@@ -5,7 +5,9 @@ use std::{collections::BTreeMap, sync::Arc};
 use radiosity_geom::{Aabb, Border, Bvh, DVec3, LOOSE, Patch, Surface};
 use radiosity_scene::{Scene, SceneSurface};
 
-/// Borders nearer than this part of the smaller extent, but not touching, leave a gap. Chosen; not tuned.
+/// Borders nearer than this part of the smaller extent, but not touching, leave a gap. An arbitrary choice:
+/// with a larger value warnings are given of gaps that were meant, with a smaller one leaks that were not are
+/// passed over.
 pub(super) const GAP: f64 = 1e-2;
 
 /// A surface as a sheet in space.
@@ -140,8 +142,8 @@ impl Sheet {
         }
     }
 
-    /// Points all over the sheet with the front's normal, some close to its corners (places chosen, not
-    /// tuned).
+    /// Points all over the sheet with the front's normal, some close to its corners, none in its middle,
+    /// where others may begin. Arbitrary otherwise.
     pub(super) fn samples(&self) -> Vec<(DVec3, DVec3)> {
         const STEPS: [f64; 5] = [-0.97, -0.5, 0.03, 0.5, 0.97];
         match self.shape.region() {

@@ -5,7 +5,8 @@ use rayon::prelude::*;
 
 use crate::inspection::sheet::{GAP, Sheet, Sheets};
 
-/// Sample places w ∈ (−1, 1) along a border, off middles and ends, where others may begin. Chosen; not tuned.
+/// Sample places w ∈ (−1, 1) along a border, off middles and ends, where others may begin. Arbitrary
+/// otherwise: a meeting shorter than the steps between them, an eighth of the border, may be missed.
 const PLACES: [f64; 10] = [-0.97, -0.83, -0.61, -0.37, -0.13, 0.09, 0.29, 0.53, 0.77, 0.94];
 
 /// Meeting of a border with other sheets at a place.
@@ -152,8 +153,8 @@ impl BorderPlace<'_> {
     }
 }
 
-/// Whether a sheet of this `normal` would grow along `offset`, at a cosine of at most 0.9 (chosen, not
-/// tuned): close parallel sheets leave no gap.
+/// Whether a sheet of this `normal` would grow along `offset`, at a cosine of at most 0.9, 26° off the
+/// normal: close parallel sheets leave no gap.
 fn is_across(offset: DVec3, normal: DVec3) -> bool {
     offset.dot(normal).abs() <= 0.9 * offset.length()
 }

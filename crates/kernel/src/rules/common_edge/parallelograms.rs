@@ -21,8 +21,8 @@ use radiosity_geom::DVec3;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::legendre_values::polynomials;
-use crate::rules::common_edge::triangles::DEEPEST;
 use crate::rules::orders::subdivided_cube::{Multilinear, Part};
+use crate::tolerances::{MOST_HALVINGS_OF_SQUARE, ROUNDING_OF_DIRECTIONS};
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ParallelogramPair {
@@ -67,7 +67,8 @@ impl ParallelogramPair {
         let edge = p.node(1.0, 0.0).position - origin.position;
         let depths = [p.node(0.0, 1.0).position - origin.position, far.position - q.node(0.0, 0.0).position];
         let strength = origin.normal.dot(depths[1]) * far.normal.dot(depths[0]);
-        let upright = depths.iter().all(|d| edge.dot(*d).abs() <= 1e-15 * edge.length() * d.length());
+        let upright =
+            depths.iter().all(|d| edge.dot(*d).abs() <= ROUNDING_OF_DIRECTIONS * edge.length() * d.length());
         Self { edge, depths, strength: FRAC_1_PI * strength * origin.area * far.area, upright }
     }
 
@@ -112,7 +113,7 @@ impl Subdomain {
     fn add(&self, sign: usize, strength: f64, out: &mut Angular) -> Option<u64> {
         let difference = |[a, b]: [f64; 2]| self.difference(sign, a, b);
         let (degree, eps) = (self.degree, self.eps);
-        let square = Multilinear { difference: &difference, degree, eps, deepest: DEEPEST };
+        let square = Multilinear { difference: &difference, degree, eps, deepest: MOST_HALVINGS_OF_SQUARE };
         let mut samples = 0;
         for (part, points) in square.parts()? {
             check_interrupt();

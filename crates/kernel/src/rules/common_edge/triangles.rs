@@ -32,6 +32,7 @@ use crate::moments::Moments;
 use crate::rules::common_edge::sum::EdgeSum;
 use crate::rules::far;
 use crate::rules::orders::subdivided_cube::{Multilinear, Part};
+use crate::tolerances::{MOST_HALVINGS_OF_SQUARE, SHARE_OF_TRIANGLES};
 
 /// Two triangles, each the half s + t ≤ 1 of a parallelogram with the common edge at t = 0.
 struct TrianglePair {
@@ -95,11 +96,6 @@ impl TrianglePair {
     }
 }
 
-/// Most halvings of a square of angular variables, one inside the other. Chosen; not tuned.
-pub(crate) const DEEPEST: u32 = 48;
-/// Factor of ε for each of the four subdomains, whose errors add up. Chosen; not tuned.
-const SHARE: f64 = 0.5;
-
 /// Adds the halves s + t ≤ 1 of two parallelograms with a common edge at t = 0 that see each other wholly.
 ///
 /// Returns false, and adds nothing, where the kernel is too nearly singular.
@@ -108,7 +104,13 @@ pub(crate) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [u
     let parts = |subdomain: Subdomain| {
         let difference = |[a, b]: [f64; 2]| pair.difference(subdomain, a, b);
         let degree = degrees[0].max(degrees[1]);
-        Multilinear { difference: &difference, degree, eps: SHARE * eps, deepest: DEEPEST }.parts()
+        Multilinear {
+            difference: &difference,
+            degree,
+            eps: SHARE_OF_TRIANGLES * eps,
+            deepest: MOST_HALVINGS_OF_SQUARE,
+        }
+        .parts()
     };
     let Some(plans) = Subdomain::ALL.into_iter().map(parts).collect::<Option<Vec<_>>>() else { return false };
     let mut sum = EdgeSum::new(moments.patches(p, q));

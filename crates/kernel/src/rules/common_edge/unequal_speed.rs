@@ -19,7 +19,8 @@ use crate::contact::curved::sides;
 use crate::moments::Moments;
 use crate::moments::integrand::Sees;
 
-/// Chebyshev points of the interpolant of σ. Chosen; not tuned.
+/// Chebyshev points of the interpolant of σ: 32 reach rounding where it converges like 3.2⁻ⁿ or faster. With
+/// more each node costs more.
 const POINTS: usize = 32;
 
 /// Adds two patches oriented with their common edge at t = 0, `points` as in [`crate::rules::common_edge`].

@@ -22,13 +22,8 @@ use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
 
 use crate::rules::contour::segment::Segment;
+use crate::tolerances::{DIGITS_OF_CONTOUR, MOST_POINTS_OF_CONTOUR, SMALLEST_SIGMA_OF_CONTOUR};
 
-/// ln(1/ε) of the outer rule: ε = 6e-16, rounding.
-const DIGITS: f64 = 35.0;
-/// Most points per panel.
-const MOST: usize = 16;
-/// Smallest σ for which [`MOST`] points give [`DIGITS`]: 2 · 16 · ln(σ + √(σ² − 1)) = 35.
-const SMALLEST_SIGMA: f64 = 1.66;
 /// Shortest panels, relative to the edge: singularities at their ends are integrable.
 const SHORTEST: f64 = 1e-15;
 
@@ -42,7 +37,7 @@ pub(super) fn integral(a: &Segment, b: &Segment) -> (f64, u64) {
     let mut panels = vec![[0.0, outer.length]];
     while let Some([low, high]) = panels.pop() {
         let (sigma, center) = sharpest(&spots, low, high);
-        if sigma < SMALLEST_SIGMA && high - low > SHORTEST * outer.length {
+        if sigma < SMALLEST_SIGMA_OF_CONTOUR && high - low > SHORTEST * outer.length {
             let cut = cut(low, high, center);
             panels.extend([[low, cut], [cut, high]]);
             continue;
@@ -123,12 +118,17 @@ fn sharpest(spots: &[(f64, f64)], low: f64, high: f64) -> (f64, f64) {
 
 fn points(sigma: f64) -> usize {
     let rate = 2.0 * (sigma + (sigma * sigma - 1.0).max(0.0).sqrt()).ln();
-    if rate * MOST as f64 > DIGITS { (DIGITS / rate).ceil().max(1.0) as usize } else { MOST }
+    if rate * MOST_POINTS_OF_CONTOUR as f64 > DIGITS_OF_CONTOUR {
+        (DIGITS_OF_CONTOUR / rate).ceil().max(1.0) as usize
+    } else {
+        MOST_POINTS_OF_CONTOUR
+    }
 }
 
 /// Where to cut a panel that is too long for a singularity with the foot `center`.
 fn cut(low: f64, high: f64, center: f64) -> f64 {
-    // A foot this near to an end does not cut there. Chosen; not tuned.
+    // A foot this near to an end does not cut there: one panel would be a thousandth of the other and the
+    // other as hard as the whole.
     let margin = 1e-3 * (high - low);
     if center > low + margin && center < high - margin {
         return center;

@@ -16,17 +16,14 @@ use radiosity_geom::DVec3;
 
 use crate::rules::contour::pair;
 use crate::rules::contour::segment::Segment;
+use crate::tolerances::{DIGITS_OF_CONTOUR, MOST_POINTS_OF_CONTOUR, SMALLEST_SIGMA_OF_CONTOUR};
 
-/// Least distance, in units of ϱ, of stretches that go by Gauss' rules. Chosen; not tuned.
+/// Least distance, in units of ϱ, of stretches that go by Gauss' rules: there the cone's σ = √8 takes 11
+/// points. With a smaller value rules need more points, with a larger one more stretches go edge by edge.
 const CLEAR: f64 = 3.0;
-/// Largest length, in units of ϱ, of stretches that go edge by edge. Chosen; not tuned.
+/// Largest length, in units of ϱ, of stretches that go edge by edge, by which the digits of its square are
+/// lost: one at 4. With a smaller value there are more stretches.
 const SHORT: f64 = 4.0;
-/// ln(1/ε) of the rules: ε = 6e-16, rounding.
-const DIGITS: f64 = 35.0;
-/// Most points per stretch.
-const MOST: usize = 16;
-/// Smallest σ for which [`MOST`] points give [`DIGITS`]: 2 · 16 · ln(σ + √(σ² − 1)) = 35.
-const SMALLEST_SIGMA: f64 = 1.66;
 
 /// The terms of all edges of a polygon in the ball of `radius` about the origin with one edge of another
 /// polygon, and the number of logarithms.
@@ -37,7 +34,7 @@ pub(super) fn integral(small: &[Segment], radius: f64, edge: &Segment) -> (f64, 
         let foot = (-stretch.start.dot(stretch.direction)).clamp(0.0, stretch.length);
         let distance = (stretch.start + stretch.direction * foot).length();
         let sigma = (stretch.start.length() + stretch.end.length() - 2.0 * radius) / stretch.length;
-        let (value, count) = if distance >= CLEAR * radius && sigma >= SMALLEST_SIGMA {
+        let (value, count) = if distance >= CLEAR * radius && sigma >= SMALLEST_SIGMA_OF_CONTOUR {
             let cone = ((distance - radius) * (distance + radius)).sqrt() / radius;
             product(small, &stretch, [cone, sigma])
         } else if stretch.length <= SHORT * radius {
@@ -81,5 +78,5 @@ fn half_log(x: DVec3, y: DVec3) -> f64 {
 
 fn points(sigma: f64) -> usize {
     let rate = 2.0 * (sigma + (sigma * sigma - 1.0).sqrt()).ln();
-    ((DIGITS / rate).ceil().max(1.0) as usize).min(MOST)
+    ((DIGITS_OF_CONTOUR / rate).ceil().max(1.0) as usize).min(MOST_POINTS_OF_CONTOUR)
 }

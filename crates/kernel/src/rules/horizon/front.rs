@@ -18,15 +18,7 @@ use radiosity_elements::rule::UnitRule;
 
 use crate::contact::planes::Plane;
 use crate::rules::horizon::line::{Lines, seen};
-
-/// Points per direction at which heights over the plane are evaluated. Chosen; not tuned.
-const GRID: usize = 6;
-/// Most times a patch is quartered until its lines cross the plane once at most. Chosen; not tuned.
-const DEEPEST: usize = 5;
-/// Most times a patch is halved until a rule integrates the heights accurately. Chosen; not tuned.
-const MOST_SPLITS: usize = 8;
-/// Steps of the height below this part of the largest height count as zero: rounding.
-const LEVEL: f64 = 1e-13;
+use crate::tolerances::{GRID_OF_HEIGHTS, LEVEL_OF_STEPS, MOST_QUARTERINGS, MOST_SPLITS};
 
 /// The side of the inner patches' plane from which they are seen.
 #[derive(Debug)]
@@ -77,7 +69,7 @@ impl Front {
             return Nodes::of(patch, points);
         }
         let mut nodes = Nodes::default();
-        self.add(patch, points, grid, DEEPEST, &mut nodes);
+        self.add(patch, points, grid, MOST_QUARTERINGS, &mut nodes);
         nodes
     }
 
@@ -122,7 +114,7 @@ impl Front {
 
     /// Adds the rule on the part of a patch before the plane; `grid` holds its heights.
     fn add(&self, patch: &Patch, points: [usize; 2], grid: Grid, depth: usize, out: &mut Nodes) {
-        out.evaluations += (GRID * GRID) as u64;
+        out.evaluations += (GRID_OF_HEIGHTS * GRID_OF_HEIGHTS) as u64;
         if grid.high() <= 0.0 {
             return;
         }
@@ -145,12 +137,12 @@ impl Front {
 
 /// Heights of a patch over the plane on a uniform grid.
 struct Grid {
-    heights: [[f64; GRID]; GRID],
+    heights: [[f64; GRID_OF_HEIGHTS]; GRID_OF_HEIGHTS],
 }
 
 impl Grid {
     fn of(patch: &Patch, front: &Front) -> Self {
-        let place = |k: usize| k as f64 / (GRID - 1) as f64;
+        let place = |k: usize| k as f64 / (GRID_OF_HEIGHTS - 1) as f64;
         let height = |i: usize, j: usize| front.height(&patch.node(place(i), place(j)));
         Self { heights: std::array::from_fn(|i| std::array::from_fn(|j| height(i, j))) }
     }
@@ -175,25 +167,25 @@ impl Grid {
         0.25 * (self.bend(Direction::Along) + self.bend(Direction::Across))
     }
 
-    fn lines(&self, direction: Direction) -> impl Iterator<Item = [f64; GRID]> {
+    fn lines(&self, direction: Direction) -> impl Iterator<Item = [f64; GRID_OF_HEIGHTS]> {
         let line = move |k: usize| match direction {
             Direction::Along => std::array::from_fn(|i| self.heights[i][k]),
             Direction::Across => self.heights[k],
         };
-        (0..GRID).map(line)
+        (0..GRID_OF_HEIGHTS).map(line)
     }
 
     /// The largest second difference along lines of one direction.
     fn bend(&self, direction: Direction) -> f64 {
         let second = |w: &[f64]| (w[0] - 2.0 * w[1] + w[2]).abs();
-        let bend = |line: [f64; GRID]| line.windows(3).map(second).fold(0.0, f64::max);
+        let bend = |line: [f64; GRID_OF_HEIGHTS]| line.windows(3).map(second).fold(0.0, f64::max);
         self.lines(direction).map(bend).fold(0.0, f64::max)
     }
 
     /// The direction with the least bent lines, among those whose lines all cross the plane once at most.
     fn straightest(&self) -> Option<Direction> {
-        let level = LEVEL * self.all().map(f64::abs).fold(0.0, f64::max);
-        let is_monotone = |line: [f64; GRID]| {
+        let level = LEVEL_OF_STEPS * self.all().map(f64::abs).fold(0.0, f64::max);
+        let is_monotone = |line: [f64; GRID_OF_HEIGHTS]| {
             let steps = || line.windows(2).map(|w| w[1] - w[0]);
             steps().all(|step| step >= -level) || steps().all(|step| step <= level)
         };

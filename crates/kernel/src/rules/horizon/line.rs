@@ -20,9 +20,7 @@ use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
 
 use crate::rules::horizon::view::{HEIGHTS, Heights};
-
-/// Points between which roots are bracketed. Chosen; not tuned.
-const PLACES: usize = 6;
+use crate::tolerances::GRID_OF_HEIGHTS;
 
 /// Lines in one direction, by how heights vary along them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,12 +111,12 @@ fn visible(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Option<[f64; 2]
 
 /// Appends the roots of all heights in (0, 1); returns the number of evaluations.
 fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
-    let place = |k: usize| k as f64 / (PLACES - 1) as f64;
-    let values: [Heights; PLACES] = std::array::from_fn(|k| f(place(k)));
-    let mut evaluations = PLACES as u64;
+    let place = |k: usize| k as f64 / (GRID_OF_HEIGHTS - 1) as f64;
+    let values: [Heights; GRID_OF_HEIGHTS] = std::array::from_fn(|k| f(place(k)));
+    let mut evaluations = GRID_OF_HEIGHTS as u64;
     for which in 0..HEIGHTS {
         let mut brackets = Vec::new();
-        for k in 1..PLACES {
+        for k in 1..GRID_OF_HEIGHTS {
             let (low, high) = (values[k - 1][which], values[k][which]);
             if low * high < 0.0 {
                 brackets.push(([place(k - 1), place(k)], [low, high]));
@@ -126,16 +124,16 @@ fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
         }
         let between =
             |k: &usize| values[k - 1][which] * values[k + 1][which] < 0.0 && values[*k][which] == 0.0;
-        out.extend((1..PLACES - 1).filter(between).map(place));
+        out.extend((1..GRID_OF_HEIGHTS - 1).filter(between).map(place));
         // Two roots may lie between neighbours of equal sign: the vertex of the parabola through three values
         // is tried.
-        for k in 1..PLACES - 1 {
+        for k in 1..GRID_OF_HEIGHTS - 1 {
             let [a, b, c] = [k - 1, k, k + 1].map(|k| values[k][which]);
             let bend = a - 2.0 * b + c;
             if !(a * b > 0.0 && b * c > 0.0 && b * bend > 0.0 && (a - c).abs() < 2.0 * bend.abs()) {
                 continue;
             }
-            let w = place(k) + 0.5 * (a - c) / bend / (PLACES - 1) as f64;
+            let w = place(k) + 0.5 * (a - c) / bend / (GRID_OF_HEIGHTS - 1) as f64;
             let value = f(w)[which];
             evaluations += 1;
             if value * b < 0.0 {

@@ -30,11 +30,7 @@ use radiosity_geom::{DVec3, ROUNDING};
 use crate::moments::integrand::kernel;
 use crate::rules::horizon::line::{Lines, seen};
 use crate::rules::horizon::view::{HEIGHTS, Heights, View};
-
-/// Nodes per direction by which a patch and its quarters are judged. Chosen; not tuned.
-const GRID: usize = 6;
-/// Most times an inner patch is quartered. Chosen; not tuned.
-pub const DEEPEST: usize = 5;
+use crate::tolerances::GRID_OF_HEIGHTS;
 
 /// The inner patch or a quarter of it, with the data to be integrated as seen from any point.
 pub(super) struct Part<'a> {
@@ -56,9 +52,10 @@ pub(super) struct Part<'a> {
 
 impl<'a> Part<'a> {
     pub(super) fn new(patch: Patch, basis: &'a AreaBasis, points: Arc<[[usize; 2]]>, depth: usize) -> Self {
-        let place = |k: usize| k as f64 / (GRID - 1) as f64;
-        let grid: Vec<Node> =
-            (0..GRID * GRID).map(|k| patch.node(place(k / GRID), place(k % GRID))).collect();
+        let place = |k: usize| k as f64 / (GRID_OF_HEIGHTS - 1) as f64;
+        let grid: Vec<Node> = (0..GRID_OF_HEIGHTS * GRID_OF_HEIGHTS)
+            .map(|k| patch.node(place(k / GRID_OF_HEIGHTS), place(k % GRID_OF_HEIGHTS)))
+            .collect();
         let center = grid.iter().map(|y| y.position).sum::<DVec3>() / grid.len() as f64;
         let bend = |value: &dyn Fn(&Node) -> DVec3| {
             let at = |place: usize| value(&grid[place]);
@@ -184,24 +181,26 @@ fn bend(grid: &[Heights]) -> f64 {
 
 /// Whether a height is monotone along all lines of a direction.
 fn monotone(grid: &[Heights], which: usize, direction: Direction) -> bool {
-    let (step, first) = if direction == Direction::Along { (GRID, 1) } else { (1, GRID) };
-    let steps = (0..GRID).flat_map(|line| {
-        (1..GRID)
+    let (step, first) =
+        if direction == Direction::Along { (GRID_OF_HEIGHTS, 1) } else { (1, GRID_OF_HEIGHTS) };
+    let steps = (0..GRID_OF_HEIGHTS).flat_map(|line| {
+        (1..GRID_OF_HEIGHTS)
             .map(move |k| grid[line * first + k * step][which] - grid[line * first + (k - 1) * step][which])
     });
     let [low, high] =
         steps.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| [low.min(d), high.max(d)]);
-    // Steps of one sign, none below a tenth of the largest, beside which a turn might lie. The tenth is
-    // chosen, not tuned.
+    // Steps of one sign, none below a tenth of the largest, beside which a turn might lie. With more
+    // than a tenth more patches are quartered, with less more turns are missed.
     (low > 0.0 || high < 0.0) && low.abs().min(high.abs()) > 0.1 * low.abs().max(high.abs())
 }
 
 /// Whether a height is linear along all lines of a direction.
 fn straight(grid: &[Heights], which: usize, direction: Direction) -> bool {
-    let (step, first) = if direction == Direction::Along { (GRID, 1) } else { (1, GRID) };
+    let (step, first) =
+        if direction == Direction::Along { (GRID_OF_HEIGHTS, 1) } else { (1, GRID_OF_HEIGHTS) };
     let size = grid.iter().map(|h| h[which].abs()).fold(0.0, f64::max);
-    let bends = (0..GRID).flat_map(|line| {
-        (1..GRID - 1).map(move |k| {
+    let bends = (0..GRID_OF_HEIGHTS).flat_map(|line| {
+        (1..GRID_OF_HEIGHTS - 1).map(move |k| {
             let at = |k: usize| grid[line * first + k * step][which];
             at(k - 1) - 2.0 * at(k) + at(k + 1)
         })
@@ -211,10 +210,10 @@ fn straight(grid: &[Heights], which: usize, direction: Direction) -> bool {
 
 /// The largest `second` of three consecutive grid points in either direction, summed over both.
 fn second_differences(second: impl Fn(usize, usize, usize) -> f64) -> f64 {
-    let at = |i: usize, j: usize| i * GRID + j;
+    let at = |i: usize, j: usize| i * GRID_OF_HEIGHTS + j;
     let mut largest = [0.0f64; 2];
-    for i in 1..GRID - 1 {
-        for j in 0..GRID {
+    for i in 1..GRID_OF_HEIGHTS - 1 {
+        for j in 0..GRID_OF_HEIGHTS {
             largest[0] = largest[0].max(second(at(i - 1, j), at(i, j), at(i + 1, j)));
             largest[1] = largest[1].max(second(at(j, i - 1), at(j, i), at(j, i + 1)));
         }
@@ -229,6 +228,7 @@ mod tests {
     use radiosity_geom::{DVec2, Flipped, Rect, Surface};
 
     use super::*;
+    use crate::tolerances::MOST_QUARTERINGS;
 
     /// Inside a sphere every point sees nothing but the sphere: ∫κ dA = 1.
     #[test]
@@ -242,8 +242,9 @@ mod tests {
         let quarters =
             halves(&whole, Direction::Along).into_iter().flat_map(|p| halves(&p, Direction::Along));
         let eighths = quarters.flat_map(|p| halves(&p, Direction::Across));
-        let mut parts: Vec<Part> =
-            eighths.map(|patch| Part::new(patch, &basis, [[16; 2]; DEEPEST + 1].into(), 0)).collect();
+        let mut parts: Vec<Part> = eighths
+            .map(|patch| Part::new(patch, &basis, [[16; 2]; MOST_QUARTERINGS + 1].into(), 0))
+            .collect();
         for k in 0..40 {
             let (sin, cos) = (0.7 * f64::from(k)).sin_cos();
             let z = 0.96 - 0.05 * f64::from(k);

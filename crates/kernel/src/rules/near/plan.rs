@@ -17,21 +17,24 @@ use crate::rules::near::emitter::Emitter;
 use crate::rules::near::line::{LineRule, Request};
 use crate::rules::near::polar::{Edge, Polar, edges, fraction};
 use crate::rules::near::stretch::Stretch;
+use crate::tolerances::MOST_CUTS_OF_CELL;
 
 /// Distance, relative to the pair's size, below which nothing is resolved: 500 rounding errors; for touching
-/// patches it changes the result by as little. Chosen; not tuned.
+/// patches it changes the result by as little.
 const SHARPEST: f64 = 1e-13;
-/// Smallest transfer that the accuracy is relative to. Chosen; not tuned.
+/// Smallest transfer that the accuracy is relative to: ε is made finer by √1000 = 32 at the most. What
+/// carries less counts little, and would take more points than pairs that carry much.
 const LEAST_TRANSFER: f64 = 1e-3;
 /// Height of an edge over the receiver, relative to the receiver's size, up to which the receiver is cut
-/// along its projection. Chosen; not tuned.
+/// along its projection. An arbitrary choice: layers along higher edges are broad enough for the maps, and
+/// each cut makes two cells of one.
 const HOT: f64 = 0.1;
-/// Cost of a sample of the polar rule, in samples of a tensor rule. Chosen; not tuned.
+/// Cost of a sample of the polar rule, in samples of a tensor rule: an estimate of its time, which decides
+/// between two rules that are both right.
 const POLAR_COST: f64 = 5.0;
-/// Cells after which a plan is given up. Chosen; not tuned.
+/// Cells after which a plan is given up: a bound of the time of planning. Other rules are left for such
+/// pairs.
 const MOST_CELLS: usize = 2000;
-/// Most cuts of a cell, one inside the other. Chosen; not tuned.
-const DEEPEST: usize = 40;
 
 /// A cell with the rule chosen for it.
 #[derive(Debug)]
@@ -114,7 +117,7 @@ impl<'a> Planner<'a> {
         let rules = emitter.places(cell, self.floor, self.eps).map(|roots| LineRule::of(&roots, &request));
         let worst = usize::from(rules[1].gain() > rules[0].gain());
         if let Some((place, _)) = rules[worst].cut
-            && depth < DEEPEST
+            && depth < MOST_CUTS_OF_CELL
         {
             cut(cell, worst, place).iter().for_each(|part| self.cell(part, emitter, depth + 1));
             return;
@@ -188,7 +191,7 @@ fn cut_along(patch: &Patch, edges: &[Edge]) -> Vec<Patch> {
     for edge in edges {
         let steepness = edge.along.dot(normal);
         let side = edge.along.cross(normal);
-        // An edge steeper than 30° is near in one point only. Chosen; not tuned.
+        // An edge steeper than 30° is near in one point only: a cut along it would part what is smooth.
         if steepness.abs() > 0.5 {
             continue;
         }
@@ -205,7 +208,7 @@ fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) 
     let [h0, h1] = [edge.start, end].map(|x| (x - part[0]).dot(normal).abs());
     let near = h0.min(h1);
     let reaches = |sign: f64| part.iter().map(|x| sign * (*x - edge.start).dot(side)).fold(0.0, f64::max);
-    // No cut nearer to the border than half the edge's height. Chosen; not tuned.
+    // No cut nearer to the border than half the edge's height: the part would be narrower than the layer.
     if near > HOT * size || reaches(1.0).min(reaches(-1.0)) < 0.5 * near.max(1e-9 * size) {
         return vec![part];
     }

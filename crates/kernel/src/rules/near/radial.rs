@@ -31,13 +31,16 @@ use radiosity_elements::rule::UnitRule;
 
 use crate::rules::near::ellipse::ellipse;
 
-/// Accuracy of the recurrences relative to that of the rule. Chosen; not tuned.
+/// Accuracy of the recurrences relative to that of the rule: four digits to spare, since weights sum A_i and
+/// B_i with factors 2i + 1 and of both signs.
 const RECURRENCE_ACCURACY: f64 = 1e-4;
-/// Largest η for forward recurrence: beyond it the moments need Q to full relative accuracy. Chosen; not
-/// tuned.
+/// Largest η for forward recurrence: beyond it the moments need Q to full relative accuracy, and Q falls so
+/// fast that forward recurrence loses it. With a smaller value the backward one runs more often, which takes
+/// longer.
 const FARTHEST_FORWARD: f64 = 1.0;
-/// Loss of accuracy that forward recurrence may always have, as a natural logarithm: a factor 20. Chosen; not
-/// tuned.
+/// Loss of accuracy that forward recurrence may always have, as a natural logarithm: a factor of 20, which
+/// leaves 4e-15, whatever is asked. With a smaller value the backward recurrence runs more often, which takes
+/// longer.
 const LEAST_LOSS: f64 = 3.0;
 
 /// The rule of n points along rays.

@@ -7,8 +7,7 @@ use radiosity_core::{basis::total, legendre};
 use radiosity_elements::basis::HIGHEST_ORDER;
 use radiosity_geom::DVec2;
 
-/// Points in a tile: one AVX-512 register of f64, two of AVX.
-const LANES: usize = 8;
+use crate::moments::tensor::LANES;
 
 /// Points with their values.
 #[derive(Debug, Default)]

@@ -21,10 +21,13 @@ use num_complex::Complex64;
 use radiosity_elements::rule::UnitRule;
 
 use crate::rules::near::ellipse::ellipse;
+use crate::tolerances::SMALLEST_RHO_OF_STRETCH;
 
-/// Largest ϱ used in counts: 2.2 digits per point. Chosen; not tuned.
+/// Largest ϱ used in counts: 2.2 digits per point. Beyond it the nearest singularity is no longer what limits
+/// a rule of few points; with a larger value such rules would have a point less.
 const LARGEST_RHO: f64 = 12.0;
-/// ln ϱ′ / ln ϱ of the ellipses over which the minimum is taken. Chosen; not tuned.
+/// ln ϱ′ / ln ϱ of the ellipses over which the minimum is taken. The bound holds for each of them; more of
+/// them would find numbers that are a little smaller.
 const ELLIPSES: [f64; 3] = [1.0, 0.65, 0.4];
 
 /// A map of [0, 1] onto itself; μ runs from `low` to `high`.
@@ -61,7 +64,7 @@ impl Stretch {
     /// Points for polynomials of degree `degree` on an element of whose frame [0, 1] covers the part
     /// `fraction`.
     pub(super) fn points(&self, rho: f64, fraction: f64, degree: usize, eps: f64) -> usize {
-        let most = rho.clamp(1.0 + 1e-6, LARGEST_RHO).ln();
+        let most = rho.clamp(SMALLEST_RHO_OF_STRETCH, LARGEST_RHO).ln();
         let accuracy = -eps.ln();
         let count = |part: f64| {
             let log = most * part;

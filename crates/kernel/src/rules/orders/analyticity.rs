@@ -21,8 +21,7 @@
 
 use radiosity_geom::DVec3;
 
-/// Smallest ϱ: keeps ln ϱ > 0 where a root lies on the interval. The count then exceeds all rules.
-const CLOSEST: f64 = 1.0 + 1e-9;
+use crate::tolerances::SMALLEST_RHO;
 
 /// Larger half axis of the ellipse of 1/|c + x d|⁴ on [0, 1]; infinite where that is constant. ϱ grows with
 /// it.
@@ -40,7 +39,7 @@ pub(crate) fn half_axis(c: DVec3, d: DVec3) -> f64 {
 
 /// ϱ of an ellipse with foci ±1 from its larger half axis: the sum of both half axes.
 pub(crate) fn rate(greater: f64) -> f64 {
-    (greater + (greater * greater - 1.0).max(0.0).sqrt()).max(CLOSEST)
+    (greater + (greater * greater - 1.0).max(0.0).sqrt()).max(SMALLEST_RHO)
 }
 
 /// Points for degree `degree` and accuracy `eps` at the convergence rate ϱ.

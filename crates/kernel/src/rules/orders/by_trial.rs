@@ -16,17 +16,17 @@ use radiosity_elements::rule::{MOST_POINTS, UnitRule};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::integrand::kernel;
+use crate::tolerances::{ROUNDING_OF_SUMS, SHARE_OF_TRIAL};
 
-/// Factor of ε in a trial (the ½ above). Chosen; not tuned.
-const SHARE: f64 = 0.5;
-/// Smallest relative difference asked of two sums; below it is rounding.
-const ROUNDING: f64 = 1e-14;
-/// Values of fixed variables, away from the ends, where sides may be collapsed. Chosen; not tuned.
+/// Values of fixed variables, away from the ends, where sides may be collapsed. An arbitrary choice: an
+/// integrand that is hardest elsewhere gets too few points, each further value takes as long again.
 const HELD: [f64; 2] = [0.3, 0.85];
-/// Points of the angular variables while another variable is tried. Chosen; not tuned.
+/// Points of the angular variables while another variable is tried: both sums that are compared have the
+/// error of so few, and it cancels.
 const FEW: usize = 4;
-/// Number of subdomains of an edge, and of a corner.
+/// Number of subdomains of an edge.
 const EDGE_PARTS: usize = 6;
+/// Number of subdomains of a corner.
 const CORNER_PARTS: usize = 4;
 
 /// Numbers of points, and what the sums of the largest rules still differ by, relative, if that is too much;
@@ -114,7 +114,7 @@ fn least(
         let fine = sums(n + 2);
         let difference: f64 = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).sum();
         let all: f64 = fine.iter().map(|x| x.abs()).sum();
-        if difference <= (SHARE * eps).max(ROUNDING) * all {
+        if difference <= (SHARE_OF_TRIAL * eps).max(ROUNDING_OF_SUMS) * all {
             return (n, 0.0);
         }
         (n, coarse, missed) = (n + 2, fine, difference / all);

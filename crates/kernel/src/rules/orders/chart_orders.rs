@@ -14,8 +14,11 @@ use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
 
-/// Points of the rule to compare with, and most points returned. Chosen; not tuned.
+use crate::tolerances::ROUNDING_OF_SUMS;
+
+/// Points of the rule to compare with, which counts as exact.
 const FINE: usize = 32;
+/// Most points returned: a rule with as many as [`FINE`] would agree with it whatever its error.
 const MOST: usize = 28;
 
 /// Points along s and along t in addition to those for the polynomials, for relative accuracy `eps`.
@@ -43,7 +46,7 @@ fn line(node: &dyn Fn(f64) -> Node, center: DVec3, eps: f64) -> usize {
     let scales = [exact[0].length(), exact[1].length().max(reach.fold(0.0, f64::max))];
     let right = |n: usize| {
         let found = sums(n);
-        (0..2).all(|k| found[k].distance(exact[k]) <= eps.max(1e-14) * scales[k])
+        (0..2).all(|k| found[k].distance(exact[k]) <= eps.max(ROUNDING_OF_SUMS) * scales[k])
     };
     let mut n = 1;
     while n < MOST && !right(n) {

@@ -13,7 +13,8 @@ use crate::rules::orders::analyticity;
 /// Values of the other variables at which the convergence rate along one is taken. Denser at the ends, where
 /// peaks lie; coarser sets missed some.
 const PLACES: [f64; 9] = [0.0, 0.05, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1.0];
-/// Most parts before subdivision stops. Chosen; not tuned.
+/// Most parts before subdivision stops: a bound of the time of planning, where the kernel is nearly singular.
+/// Such pairs are left to other rules if a part wants more points than there are.
 const MOST_PARTS: usize = 512;
 
 /// Corners of a cube: most corners of a part.

@@ -15,11 +15,9 @@
 use nalgebra::DMatrix;
 use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
+use radiosity_geom::COINCIDENT;
 
 use crate::zatz1993::transfers::charted_element::ChartedElement;
-
-/// Largest distance from ±1 of the frame coordinates of corners. Chosen; not tuned.
-const TOLERANCE: f64 = 1e-9;
 
 /// A surface that is not a single parametric patch: a polygon other than a parallelogram, or one with holes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -56,7 +54,7 @@ impl<'a> Chart<'a> {
         let places = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
             .map(|(s, t)| frame.coordinates(&patch.node(s, t)));
         let corner =
-            |x: f64, y: f64| places.iter().position(|[a, b]| (a - x).abs().max((b - y).abs()) <= TOLERANCE);
+            |x: f64, y: f64| places.iter().position(|[a, b]| (a - x).abs().max((b - y).abs()) <= COINCIDENT);
         let (first, second) = (corner(-1.0, -1.0)?, corner(1.0, -1.0)?);
         Some(patch.oriented(first, second))
     }

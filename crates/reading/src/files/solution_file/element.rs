@@ -13,8 +13,8 @@ use serde::{Deserialize, Serialize};
 use super::error::Mismatch;
 
 /// Difference of the two forms of a polynomial, over the largest coefficient, that counts as rounding:
-/// conversion to products amplifies rounding on elements that fill only a small part of their frame. Chosen;
-/// not tuned.
+/// conversion to products amplifies rounding on elements that fill only a small part of their frame. With a
+/// larger value a file whose forms contradict each other would be read.
 const SAME: f64 = 1e-6;
 
 /// An element with its polynomials.

@@ -41,38 +41,34 @@ use radiosity_work::ranks::{PartName, shares};
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
+use super::goal::Goal;
+use super::sensor::Sensor;
 use crate::driver::Outcome;
 use crate::gather::Gather;
-use crate::gather::gather_method::USUAL_EPS;
 use crate::gather::ray_gather::{RayGather, Receiver};
 use crate::gather::walks::{SendingSide, WalkEnd, Walks};
 use crate::solution::{Band, Solution};
-
-use super::goal::Goal;
-use super::sensor::Sensor;
+use crate::tolerances::{LOOSEST_FOR_GATHERED, OF_ERROR, USUAL_EPS};
 
 /// Numbers of walks, and the fewest per half and sensor. Chosen: with four times the first number of rays
 /// whose ends gather by cells the estimates of boxes changed by 5 %; in small scenes a finer run costs less
 /// than many of these.
 const BY_CELLS: WalkCounts = WalkCounts { first: 1 << 12, noisy: 1 << 14, doubtful: 1 << 12, most: 1 << 16 };
 const BY_RAYS: WalkCounts = WalkCounts { first: 1 << 16, noisy: 1 << 18, doubtful: 1 << 18, most: 1 << 22 };
+/// Fewest walks per half and sensor: of one there is no noise to be seen.
 const FEWEST: u64 = 2;
 
 /// Walks for each ray that carried the pairs where an estimate is doubtful: a finer run would send at least
 /// as many. Chosen.
 const PER_RAY: u64 = 2;
 
-/// Part of the estimate that the noise of walks may be. Chosen.
+/// Part of the estimate that the noise of walks may be: an error is then known to a factor of √1.5. With a
+/// smaller value walks take longer than a run.
 const NOISE: f64 = 0.5;
 
 /// Standard deviations beyond which noise is no reason to refine. Chosen; in a classroom read at 200 points
 /// the noise of the first walks is three times the error.
 const SURELY: f64 = 2.0;
-
-/// Accuracy of gathering by cells: this part of the expected error, or [`LOOSEST`]. With 9e-3 estimates were
-/// a third of the errors.
-const OF_EXPECTED: f64 = 0.3;
-const LOOSEST: f64 = 3e-3;
 
 /// Ends of walks for each one that gathers to an accuracy that is finer by the part of light that the
 /// surfaces absorb, since walks sum up their ends, while the others gather to a coarser one than was asked
@@ -81,7 +77,7 @@ const ONE_IN: f64 = 8.0;
 const COARSER: f64 = 3.0;
 const LEAST_ABSORBED: f64 = 0.05;
 
-/// Accuracy of light that errors are relative to. Chosen.
+/// Accuracy of light that errors are relative to, which need no more digits themselves.
 const OF_SIZE: f64 = 0.1;
 
 /// Numbers of walks in all.
@@ -203,7 +199,8 @@ pub(super) fn error_estimate(
 ) -> ErrorEstimate {
     let solution = &outcome.solution;
     let unknowns = solution.elements().coefficients();
-    let missed_light = MissedLight::of(outcome, visibility, goal, (OF_EXPECTED * expected).min(LOOSEST));
+    let missed_light =
+        MissedLight::of(outcome, visibility, goal, (OF_ERROR * expected).min(LOOSEST_FOR_GATHERED));
     let ranks = work.ranks;
     let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
     let gathered =

@@ -30,20 +30,17 @@ use radiosity_visibility::Visibility;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 
-use crate::driver::{Failure, Options, Outcome};
-use crate::gather::Gather;
-use crate::solution::Solution;
-
 use super::error_estimate::{ErrorEstimate, error_estimate};
 use super::goal::{Aim, Goal};
 use super::points::{Point, points};
 use super::sensor::Sensor;
+use crate::driver::{Failure, Options, Outcome};
+use crate::gather::Gather;
+use crate::solution::Solution;
+use crate::tolerances::{LOOSEST_FOR_POLYNOMIALS, OF_ERROR, SHARPENING_OF_GATHERING};
 
-/// Accuracy of gathering: the first, and the factor by which it falls ([`SHARPER`]) until it is below the
-/// part [`OF_FOUND`] of the estimated error or [`OF_WANTED`] of the wanted one. All are chosen, not tuned.
-const LOOSEST: f64 = 3e-2;
-const SHARPER: f64 = 0.2;
-const OF_FOUND: f64 = 0.3;
+/// Least accuracy of gathering, over the wanted error: below it the polynomials are good enough whatever it
+/// is.
 const OF_WANTED: f64 = 0.1;
 
 /// Part of the transfers' error that reaches the radiosity unseen by E_g: a guess, see the header.
@@ -75,9 +72,12 @@ pub(super) fn estimate(
     }
     let wanted = goal.accuracy;
     let error = options.in_threads(work.ranks, || {
-        let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST, work));
-        while error > 0.0 && eps > OF_FOUND * error && eps > OF_WANTED * wanted {
-            eps = (SHARPER * eps).max(OF_WANTED * wanted);
+        let (mut eps, mut error) = (
+            LOOSEST_FOR_POLYNOMIALS,
+            unresolved(&outcome.solution, &visibility, LOOSEST_FOR_POLYNOMIALS, work),
+        );
+        while error > 0.0 && eps > OF_ERROR * error && eps > OF_WANTED * wanted {
+            eps = (SHARPENING_OF_GATHERING * eps).max(OF_WANTED * wanted);
             error = unresolved(&outcome.solution, &visibility, eps, work);
         }
         error

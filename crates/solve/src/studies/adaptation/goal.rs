@@ -4,10 +4,7 @@ use radiosity_geom::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::gather::gather_method::GatherMethod;
-
-/// Part of the wanted accuracy that light is read to. With .9 the error of reading was as large as that of
-/// what was read. Chosen.
-const OF_ACCURACY: f64 = 0.3;
+use crate::tolerances::OF_ACCURACY;
 
 /// The wanted accuracy, and what is to have it.
 #[derive(Clone, Debug)]

@@ -11,10 +11,12 @@ use super::achieved::{Achieved, Adapted, EndReason};
 use super::goal::Goal;
 use super::run::{estimated, finer};
 
-/// Greatest power of the first links, in parts of the wanted accuracy; factor from run to run; and the least
-/// power. Chosen.
+/// Greatest power of the first links, in parts of the wanted accuracy: the errors of many links add up to
+/// more than that of one.
 const FIRST: f64 = 0.1;
+/// Factor on the power of links from run to run: each takes some four times as long as the one before.
 const WEAKER: f64 = 0.25;
+/// Least power of links, at which their number ends what a memory holds.
 const LEAST: f64 = 1e-8;
 
 /// Elements of a run over those of the run before, and of its time, about. From the Cornell box.

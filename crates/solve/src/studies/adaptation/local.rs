@@ -11,18 +11,20 @@ use radiosity_elements::mesh::{CellRefinement, Mesh};
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
-use crate::driver::{Failure, Options, solve_exactly};
-use crate::solution::Solution;
-
 use super::achieved::{Achieved, Adapted, EndReason};
 use super::goal::Goal;
 use super::run::{FIRST_ORDER, advise, estimated, finer};
 use super::smoothness::refinement;
+use crate::driver::{Failure, Options, solve_exactly};
+use crate::solution::Solution;
+use crate::tolerances::SHARPENING_IN_VAIN;
 
-/// Part of the squared error that the refined elements bear, at the least and at the most. Chosen.
+/// Part of the squared error that the refined elements bear, at the least and at the most: less would take
+/// many runs, of more the last elements err by little.
 const BORNE: [f64; 2] = [0.5, 0.95];
 
-/// Part of the squared error that is wanted which refined elements may leave. Chosen.
+/// Part of the squared error that is wanted which refined elements may leave; the other half is for what the
+/// refined ones will have.
 const LEFT: f64 = 0.5;
 
 /// Accuracy of blocks and of their shadows over the expected error: errors of single blocks balance in what
@@ -31,12 +33,11 @@ const OF_BLOCKS: f64 = 0.5;
 const OF_SHADOWS: f64 = 3.0;
 
 /// After so many runs without a smaller error errors of blocks are taken for the cause, and their accuracies
-/// are multiplied by
-/// [`SHARPENING`]: one run may look worse by chance. Both are chosen.
+/// are multiplied by [`SHARPENING_IN_VAIN`]: one run may look worse by chance. Chosen.
 const VAIN: usize = 2;
-const SHARPENING: f64 = 0.4;
 
-/// Error that the first run is expected to have where less is wanted. Chosen.
+/// Error that the first run is expected to have where less is wanted: the elements of a scene as it is err by
+/// more, and finer transfers would be in vain.
 const FIRST: f64 = 3e-3;
 
 /// The least part of the last error that the next run is expected to have; its transfers are made for that.
@@ -87,7 +88,7 @@ pub(super) fn locally(
         vain = if error < least { 0 } else { vain + 1 };
         least = least.min(error);
         if vain == VAIN {
-            (sharper, vain) = (SHARPENING * sharper, 0);
+            (sharper, vain) = (SHARPENING_IN_VAIN * sharper, 0);
         }
         let next = accurate(expected, sharper);
         let elements = outcome.solution.elements();

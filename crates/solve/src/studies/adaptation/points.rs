@@ -12,7 +12,8 @@ use radiosity_light::receiver_point::ReceiverPoint;
 
 use crate::solution::SurfacePlace;
 
-/// Points in all, at least. Chosen; not tuned.
+/// Points in all, at least: they tell a mean square to some three percent where errors are spread evenly.
+/// With fewer an error in one place may be missed; each takes a gathering.
 const POINTS: usize = 1024;
 
 /// Numbers of the sequence that are left out for each unknown of a discretisation: a prime.

@@ -13,7 +13,8 @@ use super::error_estimate::ErrorEstimate;
 use super::estimate::estimate;
 use super::goal::Goal;
 
-/// Order of the first rungs. Chosen; not tuned.
+/// Order of the first rungs: the lowest whose error a finer one tells, and whose solution takes next to no
+/// time.
 pub(super) const FIRST_ORDER: usize = 2;
 
 /// The estimated error of a run that is expected to have about the error `expected`, timed.

@@ -13,11 +13,11 @@ use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 
-use crate::driver::{Failure, Options, solve_exactly};
-
 use super::achieved::{Achieved, Adapted, EndReason};
 use super::goal::Goal;
 use super::run::{FIRST_ORDER, advise, estimated, finer};
+use crate::driver::{Failure, Options, solve_exactly};
+use crate::tolerances::SHARPENING_OF_RUNGS;
 
 /// A discretisation of the sequence.
 #[derive(Clone, Copy, Debug)]
@@ -28,7 +28,8 @@ struct Rung {
     cuts: Option<usize>,
 }
 
-/// Rungs for scenes without shadows and kinks. Chosen; not tuned.
+/// Rungs for scenes without shadows and kinks: orders and graded layers in turn, since light is smooth but at
+/// edges. An arbitrary choice: coarser steps overshoot what is wanted, finer ones take more runs.
 const GRADED: [Rung; 8] = [
     Rung { order: FIRST_ORDER, layers: 0, cuts: None },
     Rung { order: 4, layers: 0, cuts: None },
@@ -40,7 +41,8 @@ const GRADED: [Rung; 8] = [
     Rung { order: 10, layers: 3, cuts: None },
 ];
 
-/// Rungs for scenes with shadows or kinks. Chosen; not tuned.
+/// Rungs for scenes with shadows or kinks: orders and even cuts in turn, since no polynomial follows a
+/// shadow. An arbitrary choice.
 const EVEN: [Rung; 6] = [
     Rung { order: FIRST_ORDER, layers: 0, cuts: None },
     Rung { order: 3, layers: 0, cuts: Some(2) },
@@ -49,9 +51,6 @@ const EVEN: [Rung; 6] = [
     Rung { order: 6, layers: 0, cuts: Some(8) },
     Rung { order: 8, layers: 0, cuts: Some(8) },
 ];
-
-/// Factor on the accuracies of transfers and shadows from run to run. Chosen; not tuned.
-const SHARPENING: f64 = 0.7;
 
 /// Solves `scene` by exact blocks, for the reason `why`, on the finest rung that the goal needs.
 pub(super) fn by_rungs(
@@ -102,7 +101,7 @@ pub(super) fn by_rungs(
 
 impl Rung {
     fn options(&self, place: usize, least: &Options, accuracy: f64) -> Options {
-        let sharper = SHARPENING.powf(place as f64);
+        let sharper = SHARPENING_OF_RUNGS.powf(place as f64);
         Options {
             order: (least.order.max(FIRST_ORDER) + self.order - FIRST_ORDER).min(HIGHEST_ORDER),
             layers: Layers { count: self.layers + least.layers.count, ..least.layers },

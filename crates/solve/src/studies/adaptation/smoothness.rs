@@ -17,14 +17,15 @@ use radiosity_elements::Element;
 use radiosity_elements::basis::{Frame, HIGHEST_ORDER};
 use radiosity_elements::mesh::{Axis, CellRefinement};
 use radiosity_elements::space::Space;
-use radiosity_geom::{DVec3, Surface};
+use radiosity_geom::{DVec3, PARALLEL_DIRECTIONS, Surface};
 
 use crate::solution::Solution;
 
 /// Decay below which higher orders are better than cuts; see the module.
 const SMOOTH: f64 = 0.5;
 
-/// Rise of the order. Chosen.
+/// Rise of the order: a step of one gains little beside the time of a run, larger ones may be more than an
+/// element needs.
 const STEP: usize = 2;
 
 /// Ratio of the squared variations along the parameters from which one of them is cut alone: more than a cut
@@ -91,7 +92,7 @@ fn one_axis(element: &Element, squares: &[f64], shape: &dyn Surface) -> Option<A
 fn is_along_parameters(element: &Element, shape: &dyn Surface) -> bool {
     let [u, v] = element.rect.center();
     let jet = shape.jet(u, v);
-    let parallel = |a: DVec3, b: DVec3| a.cross(b).length() <= 1e-9 * a.length() * b.length();
+    let parallel = |a: DVec3, b: DVec3| a.cross(b).length() <= PARALLEL_DIRECTIONS * a.length() * b.length();
     match element.basis.frame() {
         Frame::Parameters { .. } => true,
         Frame::Plane { first, second, .. } => parallel(*first, jet.du) && parallel(*second, jet.dv),

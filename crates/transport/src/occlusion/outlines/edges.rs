@@ -20,17 +20,18 @@ use radiosity_kernel::contact::flat::segment_distance;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::blocker_edges::BlockerEdge;
 
-/// Distance of an edge from a cell of size 1, times n², below which its shadow may be missed. Chosen; not
-/// tuned.
+use crate::tolerances::FINE_SHADOWS;
+
+/// Distance of an edge from a cell of size 1, times n², below which its shadow may be missed: some three
+/// times that of a Gauss rule's first point from the border.
 const NEAR: f64 = 4.0;
-/// Width of a penumbra in a cell of size 1, times n, below which it may be missed. Chosen; not tuned.
+/// Width of a penumbra in a cell of size 1, times n, below which it may be missed: twice the mean distance of
+/// points. With a larger value more cells are divided.
 const NARROW: f64 = 2.0;
 /// Most points per direction of rules that may miss penumbras as seen from the middle of the cell. Found
 /// enough in all rooms tried.
 const COARSE: f64 = 2.0;
-/// Relative accuracy below which penumbras as seen from the corners count too, such as those of slits seen
-/// edge on. Chosen; not tuned.
-const TIGHT: f64 = 1e-4;
+
 /// The edges of the blockers of a pair.
 #[derive(Debug)]
 pub(super) struct Edges {
@@ -68,7 +69,7 @@ impl Edges {
         let (corners, hull) = (cell.polygon(), cell.hull());
         let [along, across] = cell.extents();
         let extent = along.max(across);
-        let is_tight = accuracy < TIGHT;
+        let is_tight = accuracy < FINE_SHADOWS;
         let is_narrow = |edge: &BlockerEdge| {
             let breadth = || {
                 let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;

@@ -6,12 +6,12 @@
 //! end at the planes converge by the number of their points; halved cells across a kink only by the power 3/2
 //! of their number. Where three edges cross, the kink is curved; it is left to halving.
 
-use radiosity_geom::{COINCIDENT, DVec3, sides};
+use radiosity_geom::{COINCIDENT, DVec3, PARALLEL_DIRECTIONS, sides};
 use radiosity_kernel::contact::clip::Facet;
 use radiosity_visibility::Visibility;
 
-/// Most lines that an element is cut along: where blockers are many, halving cells is cheaper. Chosen; not
-/// tuned.
+/// Most lines that an element is cut along, into 79 parts at the most: where blockers are many, halving cells
+/// is cheaper.
 const MOST: usize = 12;
 
 /// A line on a plane: a point of it, and the direction across it in the plane.
@@ -67,13 +67,9 @@ fn line([a, b, c]: [DVec3; 3], facet: &Facet, points: &[DVec3]) -> Option<Line> 
     let point = facet.corners[0] + across * ((a - facet.corners[0]).dot(normal) / steepness);
     let line = Line { point, across };
     let (low, high) = line.range(points);
-    let least = LEAST * (high - low);
+    let least = COINCIDENT * (high - low);
     (low < -least && high > least).then_some(line)
 }
-
-/// Parts of an element narrower than this, relative to the whole, are not cut off: rounding. Chosen; not
-/// tuned.
-const LEAST: f64 = 1e-9;
 
 impl Line {
     /// Least and largest distance of points from the line, positive on the side of `across`.
@@ -85,7 +81,7 @@ impl Line {
     /// Whether both are one line where they cross the points.
     fn is(&self, other: &Line, points: &[DVec3]) -> bool {
         let (low, high) = self.range(points);
-        let is_parallel = self.across.cross(other.across).length() < LEAST;
-        is_parallel && (other.point - self.point).dot(self.across).abs() < LEAST * (high - low)
+        let is_parallel = self.across.cross(other.across).length() < PARALLEL_DIRECTIONS;
+        is_parallel && (other.point - self.point).dot(self.across).abs() < COINCIDENT * (high - low)
     }
 }

@@ -14,14 +14,12 @@ use radiosity_kernel::moments::Side;
 use radiosity_visibility::Visibility;
 
 use crate::occlusion::outlines::kinks::{Line, kinks};
+use crate::tolerances::FINE_SHADOWS;
 
 /// Height of a blocker's side over the plane of the outer element, relative to the side's length, up to which
-/// it counts as standing there: its shadow almost jumps. Chosen; not tuned.
+/// it counts as standing there: its shadow almost jumps. With a larger value elements are cut where halving
+/// would do; with a smaller one cells are halved along the side.
 const STANDING: f64 = 1e-2;
-
-/// Relative accuracy below which the outer element is cut along kinks: above, halving cells takes fewer
-/// points (`docs/measured.md`).
-const SHARP: f64 = 1e-4;
 
 /// The two sides of a pair of which at least one is flat.
 pub(super) struct Sides {
@@ -59,7 +57,7 @@ impl Sides {
         };
         let mut parts: Vec<Facet> =
             outer.iter().flat_map(|facet| cut_along(facet, blockers, visibility)).collect();
-        if accuracy < SHARP {
+        if accuracy < FINE_SHADOWS {
             let bodies = visibility.one_of_each_body(blockers);
             for Line { point, across } in kinks(&outer, &inner, &bodies, visibility) {
                 parts = parts.iter().flat_map(|part| halves(part, point, across)).collect();

@@ -10,26 +10,30 @@ use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon::Front;
 use radiosity_kernel::rules::{common_edge, common_vertex};
 
-use crate::pair::curved::job::{Job, ROUGHNESS, State};
+use crate::pair::curved::job::{Job, State};
+use crate::tolerances::{ABOVE_ESTIMATE, MISSED_BY_ATTEMPTS};
 
-/// Points per direction for degree 0. Chosen; not tuned.
+/// Points per direction for degree 0: the least whose difference from two more says something. With more each
+/// attempt costs more, and more of them succeed.
 const FEWEST_POINTS: usize = 4;
-/// Points per direction for degree 0 of sampled shadows once the samples are spent. Chosen; not tuned.
+/// Points per direction for degree 0 of sampled shadows once the samples are spent: each sample takes a ray,
+/// and 3⁴ = 81 of them are a third of 4⁴.
 const POINTS_WHEN_SPENT: usize = 3;
 /// Largest part, relative to the block's first entry, that is attempted: a horizon may pass large ones
-/// unseen. Chosen; not tuned.
+/// unseen. With a larger value errors of large parts may go untold; with a smaller one parts are halved that
+/// a rule would do for.
 const LARGEST_ATTEMPT: f64 = 0.25;
 /// Cosine of the dihedral angle below which an edge counts as smooth (172°). The kernel is bounded there, and
-/// plain rules cost a small part of those for edges. Chosen; not tuned.
+/// plain rules cost a small part of those for edges.
 const SMOOTH: f64 = -0.99;
-/// Share of the block's error for one attempt, and the power of digits/4 by which it falls beyond four
-/// digits: more parts are attempted then. Chosen; not tuned.
+/// Share of the block's error for one attempt: some thirty spend all of it.
 const ATTEMPT_SHARE: f64 = 0.03;
+/// Power of digits/4 by which that share falls beyond four digits, to a 64th at eight: more parts are
+/// attempted then.
 const MORE_ATTEMPTS: i32 = 6;
-/// Ratio of the error to the difference of two rules on near parts, where both miss the kernel's peak:
-/// measured on a ball that lies on a floor.
-const PEAKED: f64 = 2.0;
-/// Least error of an attempt that missed its accuracy, as a share of what it carries. Chosen; not tuned.
+/// Least error of an attempt that missed its accuracy, and of what is summed roughly in the end, as a share
+/// of what it carries: both rules may miss one horizon alike. An arbitrary choice: a larger value leaves more
+/// blocks to rays, with a smaller one errors may be told too small.
 pub(super) const DOUBT: f64 = 0.1;
 
 impl<'a> Job<'a> {
@@ -62,7 +66,7 @@ impl<'a> Job<'a> {
             let doubt = if enough { 0.0 } else { DOUBT * self.first_entry(&fine) };
             let reach = SMALLEST_RATIO * p.longest().1.max(q.longest().1);
             let is_near = matches!(contact, Some(CurvedContact::Apart(gap)) if *gap < reach);
-            self.error += doubt.max(if is_near { PEAKED * error } else { error });
+            self.error += doubt.max(if is_near { MISSED_BY_ATTEMPTS * error } else { error });
             self.unresolved |= !enough;
         }
         kept
@@ -71,7 +75,7 @@ impl<'a> Job<'a> {
     /// Upper bound of what a part carries: its `share`, or a multiple of a coarse estimate.
     fn carried(&self, p: &Patch, q: &Patch, share: f64) -> f64 {
         let rough = scale(std::slice::from_ref(p), std::slice::from_ref(q), self.budget.unit);
-        share.min(ROUGHNESS * rough)
+        share.min(ABOVE_ESTIMATE * rough)
     }
 
     /// Sums a part whose shadows are sampled although the rays are spent.

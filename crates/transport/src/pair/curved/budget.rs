@@ -5,26 +5,27 @@ use radiosity_kernel::Accuracy;
 use radiosity_kernel::moments::Moments;
 
 use crate::pair::curved::size::area;
+use crate::tolerances::{LOOSEST_OF_PARTS, NEGLIGIBLE};
 
-/// Samples of a block after which contacts are refined no more, per squared digit of 1/ε. Chosen; not tuned.
+/// Samples of a block after which contacts are refined no more, per squared digit of 1/ε: 5 ms at 10 ns each.
+/// An arbitrary choice between the time of a block and the number of blocks that are left to rays.
 const CONTACT_SAMPLES: f64 = 5e5;
-/// Samples of a block after which horizons are refined no more, per squared digit of 1/ε; they are cheaper
-/// than those of contacts. Chosen; not tuned.
+/// Samples of a block after which horizons are refined no more, per squared digit of 1/ε. They are cheaper
+/// than those of contacts, and twice as many take about as long.
 const HORIZON_SAMPLES: f64 = 1e6;
-/// Share of its row's largest entry below which a block gets fewer samples in proportion, and the least share
-/// of them. Chosen; not tuned.
+/// Share of its row's largest entry below which a block gets fewer samples in proportion, since its error
+/// weighs less.
 const SMALL_IN_ROW: f64 = 0.25;
+/// Least share of the samples that a small block gets: with fewer no rule converges.
 const LEAST_WORTH: f64 = 0.25;
 /// Rays of a block, times ε_shadow², after which shadows of contacts and small parts are sampled by the
-/// coarsest rule: the error of n rays is about 1/√n. Chosen; not tuned.
+/// coarsest rule: the error of n rays is about 1/√n.
 const RAYS: f64 = 1.0;
 /// Samples, as a multiple of those for contacts and horizons together, after which all that is left is summed
-/// at once. Chosen; not tuned.
+/// at once. Parts that were queued before the samples were spent are still attempted up to there.
 const OVERDRAFT: u64 = 2;
 /// Samples that take as long as to look how two parts lie to each other. Chosen: 10 µs against 10 ns.
 const LOOK: u64 = 1000;
-/// Parts that carry less than this times the allowed error of the block are left out. Chosen; not tuned.
-const NEGLIGIBLE: f64 = 1e-3;
 
 /// The error allowed for a block, and the samples it may take.
 pub(super) struct Budget {
@@ -103,17 +104,18 @@ impl Budget {
     }
 
     /// Samples, given those per squared digit d²: for d < 4 they fall like d⁴/16, for d > 4 they grow like d²
-    /// (d/4)², times [`Budget::worth`]. Both meet d² at d = 4. Chosen; not tuned.
+    /// (d/4)², times [`Budget::worth`]. Both meet d² at d = 4. An arbitrary curve: few digits need few
+    /// samples, and of many digits the last ones cost most.
     fn most(&self, per_digit: f64) -> u64 {
         let digits = -self.accuracy.eps.log10().min(-2.0);
         let squared = (digits * digits).min(digits.powi(4) / 16.0);
         (self.worth() * per_digit * squared * self.beyond().powi(2)) as u64
     }
 
-    /// ε for a part of this `share`: small parts need fewer digits. The factor ¼ and the limit 1e-2 are
-    /// chosen, not tuned.
+    /// ε for a part of this `share`: small parts need fewer digits, and four parts of the scale may err by
+    /// all of ε.
     pub(super) fn eps(&self, share: f64) -> f64 {
-        (self.accuracy.eps * (0.25 * self.scale / share).max(1.0)).min(1e-2)
+        (self.accuracy.eps * (0.25 * self.scale / share).max(1.0)).min(LOOSEST_OF_PARTS)
     }
 
     /// Allowed error of a part, relative to its upper bound `share`: less than ε where the block carries

@@ -15,9 +15,7 @@ use radiosity_kernel::rules::{common_edge, common_vertex};
 
 use crate::pair::curved::constant::constant;
 use crate::pair::curved::job::{Job, SMALL_PART, State};
-
-/// Error over the difference of the last two sums of a trial that did not converge. Chosen; not tuned.
-const MISSED: f64 = 3.0;
+use crate::tolerances::MISSED_BY_TRIALS;
 
 impl Job<'_> {
     pub(super) fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
@@ -98,7 +96,7 @@ impl Job<'_> {
         rule(&mut self.moments);
         if missed > 0.0 {
             let carried = self.first_entry(&self.moments) - before;
-            self.error += MISSED * missed.min(1.0) * carried.abs();
+            self.error += MISSED_BY_TRIALS * missed.min(1.0) * carried.abs();
             self.unresolved = true;
         }
     }

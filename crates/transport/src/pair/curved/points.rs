@@ -7,10 +7,11 @@ use radiosity_elements::rule::MOST_POINTS;
 use radiosity_kernel::rules::common_edge::{EdgePair, unequal_speed};
 use radiosity_kernel::rules::orders::by_trial::Trial;
 use radiosity_kernel::rules::orders::{by_trial, chart_orders};
-use radiosity_kernel::rules::{common_edge, common_vertex, far, horizon};
+use radiosity_kernel::rules::{common_edge, common_vertex, far};
+use radiosity_kernel::tolerances::MOST_QUARTERINGS;
 
-/// Most points per direction of the corner rule, which takes their fourth power. Chosen; not tuned.
-pub(super) const MOST_CORNER_POINTS: usize = 20;
+use crate::tolerances::MOST_CORNER_POINTS;
+
 /// The degrees and the accuracy that decide the numbers of points, with the shapes of the parts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Points {
@@ -64,7 +65,8 @@ impl Points {
 }
 
 /// Points for the charts of two touching patches: half as many again as for patches apart, since between
-/// touching patches the charts alone make the kernel vary. The half is chosen, not tuned.
+/// touching patches the charts alone make the kernel vary. The half is an estimate, and errors of too few are
+/// told by trials.
 pub(super) fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
     let most =
         [chart_orders::points(p, eps), chart_orders::points(q, eps)].concat().into_iter().max().unwrap_or(0);
@@ -72,7 +74,7 @@ pub(super) fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
 }
 
 /// Points of the tensor rule on an inner patch, its quarters, their quarters and so on: extents halve, and
-/// charts take about a quarter less points each time. The 0.75 is chosen, not tuned.
+/// charts take about a quarter less points each time, an estimate.
 pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc<[[usize; 2]]> {
     let charts = chart_orders::points(patch, eps);
     let extents = patch.extents();
@@ -84,6 +86,6 @@ pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc
     };
     // A horizon tangent to a quarter's lines cuts off less of each smaller quarter: one level per two digits,
     // and one.
-    let deepest = (1 + (-0.5 * eps.log10()).ceil() as usize).min(horizon::DEEPEST);
+    let deepest = (1 + (-0.5 * eps.log10()).ceil() as usize).min(MOST_QUARTERINGS);
     (0..=deepest).map(|depth| [0, 1].map(|axis| count(axis, depth))).collect()
 }
