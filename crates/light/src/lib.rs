@@ -31,10 +31,10 @@
 //! listed once per site, which is a point or a small piece of a surface (`occluders`); from cell to cell of a
 //! tree only those that may still hide a part of it are kept.
 //!
-//! In order: [`tolerances`], [`occluders`], `cells` (trees of cells), [`receiver_point`], [`lamps`]
-//! (targets of rays), `lines` (scan lines), `luminous_line`, [`point_lights`] and [`emitters`], `area_light`,
-//! `blockers`, `traversal`, [`direct`], `lamp_cells`, `light_sources` and [`penumbra`] (direct light by rays),
-//! `coats`, [`reflected`] and [`first_bounce`].
+//! In order: [`tolerances`], [`occluders`], `cells` (trees of cells), [`receiver_point`], [`lamps`] (targets
+//! of rays), `lines` (scan lines), `luminous_line`, [`point_lights`] and [`emitters`], `area_light`,
+//! `blockers`, `traversal`, [`direct`], `lamp_cells`, `light_sources` and [`penumbra`] (direct light by
+//! rays), `coats`, [`reflected`] and [`first_bounce`].
 //!
 //! Imports `core`, `geom`, `work`, `scene`, `visibility`, `elements` and `kernel`.
 

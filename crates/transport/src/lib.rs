@@ -8,9 +8,10 @@
 //! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
 //!
 //! In order: `tolerances`, `occlusion` (hiding by blockers), `pair` (one pair of elements), `known` (blocks
-//! from elsewhere), `kept_blocks` (blocks and rays of an earlier scene), `price` (the cost of a block), `schedule`
-//! (all pairs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all blocks)
-//! and `carrier` (blocks or links, as checks see them). Quadrature of one pair stands in `radiosity-kernel`.
+//! from elsewhere), `kept_blocks` (blocks and rays of an earlier scene), `price` (the cost of a block),
+//! `schedule` (all pairs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all
+//! blocks) and `carrier` (blocks or links, as checks see them). Quadrature of one pair stands in
+//! `radiosity-kernel`.
 //!
 //! Imports `core`, `geom`, `work`, `scene`, `visibility`, `elements` and `kernel`.
 

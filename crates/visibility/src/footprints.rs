@@ -19,7 +19,7 @@ use radiosity_scene::Scene;
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
-use crate::tolerances::LEFT_BESIDE_FOOTINGS;
+use crate::tolerances::LEFT_BESIDE_FOOTPRINTS;
 use crate::{Shadows, Visibility};
 pub use footprint::Footprint;
 use seal::SealCandidate;
@@ -43,7 +43,7 @@ pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
         let hole = vec![region.outer().to_vec()];
         let cut = Trimmed::new(Box::new(Arc::clone(&shapes[surface])), hole);
         // A footprint stays if it does not fit beside the holes, or if it is the last uncovered part.
-        if let Some(cut) = cut.ok().filter(|cut| cut.area() > LEFT_BESIDE_FOOTINGS * region.area()) {
+        if let Some(cut) = cut.ok().filter(|cut| cut.area() > LEFT_BESIDE_FOOTPRINTS * region.area()) {
             shapes[surface] = Arc::new(cut);
         }
     }
@@ -64,7 +64,7 @@ fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<SealCa
     let loops = faces::faces(&drawn, &|x| region.to_plane(x), tolerance);
     let contacts = Segments::new(ends);
     let regions = loops.into_iter().filter_map(|ring| PlanarRegion::new(ring, Vec::new()).ok());
-    let proper = regions.filter(|face| face.area() < (1.0 - LEFT_BESIDE_FOOTINGS) * region.area());
+    let proper = regions.filter(|face| face.area() < (1.0 - LEFT_BESIDE_FOOTPRINTS) * region.area());
     let suspect = |face: PlanarRegion| {
         let standing = lines::around(&lines, &contacts, &face);
         SealCandidate::new(Footprint { surface, region: face, standing }, region)

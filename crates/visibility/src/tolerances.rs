@@ -16,6 +16,6 @@ pub const OWN_END: f64 = 1e-6;
 /// reaches would be missing.
 pub const NARROW_PIECE: f64 = 1e-6;
 
-/// Part of a surface's area that has to be left beside footings, and by which a footing has to be smaller
+/// Part of a surface's area that has to be left beside footprints, and by which a footprint has to be smaller
 /// than its surface: less is rounding.
-pub(crate) const LEFT_BESIDE_FOOTINGS: f64 = 1e-6;
+pub(crate) const LEFT_BESIDE_FOOTPRINTS: f64 = 1e-6;

@@ -45,7 +45,7 @@ fn assert_found(quads: &[Quad], expected: &[(&str, f64)]) {
 }
 
 #[test]
-fn a_box_on_the_floor_has_a_footing_and_one_above_it_has_none() {
+fn a_box_on_the_floor_has_a_footprint_and_one_above_it_has_none() {
     let base = rectangle([1.0, 2.0], [0.5, 2.5]);
     let with = |heights| [room([4.0, 4.0, 3.0]), upright("box", base, heights)].concat();
     assert_found(&with([0.0, 1.0]), &[("floor", 2.0)]);
@@ -110,7 +110,7 @@ fn a_box_across_the_joint_of_two_floors_covers_part_of_both() {
 }
 
 #[test]
-fn walls_across_a_room_and_dark_rooms_are_no_footings() {
+fn walls_across_a_room_and_dark_rooms_are_no_footprints() {
     assert_found(&room([4.0, 4.0, 3.0]), &[]);
     let mut divided = room([4.0, 4.0, 3.0]);
     divided.push(quad("wall", [[2., 0., 0.], [2., 4., 0.], [2., 4., 3.], [2., 0., 3.]]));
