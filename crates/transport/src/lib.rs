@@ -32,5 +32,5 @@ pub use known::{Known, KnownBlocks};
 pub use memory::Memory;
 pub use memory::met::RayCounts;
 pub use sampled::{Rays, SampledTransport};
-pub use schedule::{BlockWork, cost, shared, work};
+pub use schedule::{BlockWork, Cost, shared, work};
 pub use unreached::FINEST as FINEST_BY_RAYS;

@@ -282,7 +282,7 @@ impl<'a> SampledTransport<'a> {
             f64::from(sums.hits) * (a + c) / (b + d)
         };
         let pairs = Strong::worth(self.elements, self.visibility, &self.tally, &self.held, &expected);
-        self.strong = Strong::new(pairs, self.elements, self.visibility, (accuracy, memory), work);
+        self.strong = Strong::new(pairs, self.elements, self.visibility, accuracy, memory, work);
         self.tally.settle(list, &expected);
         self.counts = Counts::new(list.len(), self.elements.coefficients());
     }

@@ -23,17 +23,15 @@ mod wholes;
 
 use std::collections::{HashMap, HashSet};
 
-use radiosity_elements::{Element, Elements};
-use radiosity_kernel::Accuracy;
+use radiosity_elements::Element;
 use radiosity_kernel::WorstError;
 use radiosity_kernel::{Blocks, blocks::FirstEntry};
-use radiosity_visibility::Visibility;
 use radiosity_work::{Stage, Work};
 
 use crate::memory::Memory;
 use crate::sampled::{Fixed, SampledTransport};
-use crate::schedule::UnreachedPair;
 use crate::schedule::order::Precedence;
+use crate::schedule::{BlockByRules, Demand, UnreachedPair};
 use found::{BATCHES, Found, SURE};
 pub(crate) use wholes::Whole;
 use wholes::Wholes;
@@ -70,17 +68,17 @@ const AGREED: f64 = 3.0;
 /// Relative error of rays that is enough to check a value by rules. Chosen.
 const CHECKED: f64 = 1e-3;
 
-/// Adds the blocks that are `left` to `blocks`, and tells their error there; rays that `memory` knows are not
-/// traced.
+/// Adds the blocks of a demand that are `left` to `blocks`, and tells their error there; rays that `memory`
+/// knows are not traced.
 pub(crate) fn add(
-    elements: &Elements,
-    visibility: &Visibility,
     blocks: &mut Blocks,
     left: &[UnreachedPair],
-    (whole, accuracy): (Whole, Accuracy),
+    demand: Demand,
+    whole: Whole,
     mut memory: Option<&mut Memory>,
     work: &Work<'_>,
 ) {
+    let Demand { elements, visibility, accuracy, .. } = demand;
     let wholes = Wholes::new(elements.list(), whole);
     let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
     let places = places(elements.list());
@@ -110,7 +108,7 @@ pub(crate) fn add(
         }
         let each = (BATCHES * senders.len()) as u64;
         let fixed = Fixed { sums: &sums, error, blocks };
-        let found = judged(elements.list(), (&wholes, &firsts), &fixed, left, &batches);
+        let found = judged(elements.list(), &wholes, &firsts, &fixed, left, &batches);
         // Rays cannot better a value by rules that is as good as they become.
         let may_fall = |found: &Found| !found.is_by_rules || found.relative > REACHED;
         let is_open = |(pair, found): &(&UnreachedPair, &Found)| {
@@ -163,7 +161,8 @@ fn most_rays(eps: f64, elements: usize) -> u64 {
 /// The block of each pair by the batches, beside `others` with these first entries.
 fn judged(
     list: &[Element],
-    (wholes, others_firsts): (&Wholes, &[FirstEntry]),
+    wholes: &Wholes,
+    others_firsts: &[FirstEntry],
     others: &Fixed,
     left: &[UnreachedPair],
     batches: &[SampledTransport],
@@ -209,7 +208,7 @@ fn judged(
     let mut found: Vec<Found> = found.collect();
     let rows = wholes.largest_factors(list, others_firsts, &found);
     for ((found, pair), firsts) in found.iter_mut().zip(left).zip(&mut firsts) {
-        if let Some((values, error)) = &pair.found
+        if let Some(BlockByRules { values, error }) = &pair.by_rules
             && DOUBT * error < found.error
             && wholes.relative(list, &rows, found) <= CHECKED
             && agree(values, &found.values, found.error)

@@ -35,6 +35,7 @@ use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::occlusion::sampled::{Choice, SampledVisibility};
+use crate::pair::tolerance::Tolerance;
 
 /// Smallest extent of patches that may still be halved, relative to the larger element. Chosen; not tuned.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
@@ -45,20 +46,20 @@ const NEGLIGIBLE: f64 = 1e-3;
 /// smallest size. Chosen; not tuned.
 const MOST_SLIVER_POINTS: usize = 16;
 
-/// The block between two elements. `blockers` are the surfaces that may stand between them; sampling their
-/// shadows may make a standard deviation of `error` in an entry.
+/// The block between two elements. `blockers` are the surfaces that may stand between them.
 pub(crate) fn block(
     receiver: &Element,
     emitter: &Element,
     blockers: &[usize],
     visibility: &Visibility,
-    (accuracy, error): (Accuracy, f64),
+    tolerance: Tolerance,
 ) -> Block {
     if let Some(block) = constant_block(receiver, emitter, blockers) {
         return block;
     }
-    let mut job = Job::new(receiver, emitter, visibility, (accuracy, error));
-    let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
+    let mut job = Job::new(receiver, emitter, visibility, tolerance);
+    let state =
+        State { touching: true, levels: tolerance.accuracy.shadow_levels(), blockers: blockers.to_vec() };
     for p in &receiver.patches {
         for q in &emitter.patches {
             job.whole(p, q, &state);
@@ -128,8 +129,9 @@ impl<'a> Job<'a> {
         receiver: &'a Element,
         emitter: &'a Element,
         visibility: &'a Visibility,
-        (accuracy, shadow_error): (Accuracy, f64),
+        tolerance: Tolerance,
     ) -> Self {
+        let Tolerance { accuracy, shadow_error, .. } = tolerance;
         let [small, size] = [f64::min, f64::max].map(|of| of(receiver.extent, emitter.extent));
         Self {
             visibility,

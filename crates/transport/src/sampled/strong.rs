@@ -18,7 +18,7 @@ use radiosity_work::interruption::check_interrupt;
 use crate::memory::Memory;
 use crate::price::{ElementPair, LEAST, price_up_to};
 use crate::sampled::tally::{Sums, Tally};
-use crate::schedule::{Unreached, by_rules};
+use crate::schedule::{Demand, Unreached, by_rules};
 
 /// Most elements of a scene in which exact pairs are looked for: to sort all pairs takes a second then.
 const MOST_ELEMENTS: usize = 5_000;
@@ -60,7 +60,8 @@ impl Strong {
         mut pairs: HashSet<(u32, u32)>,
         elements: &Elements,
         visibility: &Visibility,
-        (accuracy, memory): (Accuracy, Option<&mut Memory>),
+        accuracy: Accuracy,
+        memory: Option<&mut Memory>,
         work: &Work<'_>,
     ) -> Self {
         if pairs.is_empty() {
@@ -68,8 +69,8 @@ impl Strong {
             return Self::default();
         }
         let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
-        let how = (accuracy, Unreached::Left);
-        let (blocks, left) = by_rules(elements, &wanted, visibility, how, memory, work);
+        let demand = Demand { elements, wanted: &wanted, visibility, accuracy, unreached: Unreached::Left };
+        let (blocks, left) = by_rules(demand, memory, work);
         for pair in left {
             pairs.remove(&(pair.row as u32, pair.column as u32));
         }

@@ -6,6 +6,7 @@
 //! dearest blocks are shared first, each to the rank with the least ([`radiosity_work::ranks::shares`]).
 
 use std::collections::HashMap;
+use std::ops::AddAssign;
 
 use radiosity_kernel::blocks::block::Account;
 use radiosity_work::ranks::shares;
@@ -22,9 +23,31 @@ const SAMPLES_A_RAY: f64 = 20.0;
 /// Cost of an integral beside its samples, in samples.
 const START: f64 = 50.0;
 
-/// Cost of so many kernel samples and segments, in samples.
-pub fn cost([samples, rays]: [u64; 2]) -> f64 {
-    samples as f64 + SAMPLES_A_RAY * rays as f64
+/// Cost of blocks.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cost {
+    /// Kernel samples: terms of quadrature rules.
+    pub samples: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+}
+
+impl Cost {
+    pub(super) fn of(block: &Account) -> Self {
+        Self { samples: block.samples, rays: block.rays }
+    }
+
+    /// Number of kernel samples that take as long.
+    pub fn in_samples(self) -> f64 {
+        self.samples as f64 + SAMPLES_A_RAY * self.rays as f64
+    }
+}
+
+impl AddAssign for Cost {
+    fn add_assign(&mut self, other: Self) {
+        self.samples += other.samples;
+        self.rays += other.rays;
+    }
 }
 
 /// A block before it is made.
@@ -72,7 +95,7 @@ impl Balance {
 
     /// Takes note of what a block cost.
     pub(super) fn take(&mut self, maker: usize, piece: &Piece, block: &Account) {
-        let cost = START + cost([block.samples, block.rays]);
+        let cost = START + Cost::of(block).in_samples();
         self.loads[maker] += cost;
         let [number, sum] = self.classes.entry(piece.class).or_default();
         (*number, *sum) = (*number + 1.0, *sum + cost);
