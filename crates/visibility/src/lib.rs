@@ -31,7 +31,7 @@ pub mod inspection;
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, Jet, Ray, RayTree, Rect, Surface, separated, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, Jet, Plane, Ray, RayTree, Rect, Surface, separated, touching};
 use radiosity_scene::Scene;
 use radiosity_work::interruption::check_interrupt;
 
@@ -129,7 +129,7 @@ impl Visibility {
         let [first, second] = surfaces;
         let may_hide = |surface: usize, others: &[DVec3]| {
             let Obstacle { bend, looks, ball, .. } = &self.obstacles[surface];
-            let is_outside = |y: &DVec3| looks.iter().any(|(x, n)| (y - x).dot(*n) < -END * ball.radius());
+            let is_outside = |y: &DVec3| looks.iter().any(|look| look.height(*y) < -END * ball.radius());
             match bend {
                 Bend::Outward => false,
                 Bend::Inward => first != second && others.iter().any(is_outside),
@@ -330,12 +330,13 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], shadows: Shad
         let Obstacle { shape, hull, .. } = &obstacles[*index];
         let Jet { position, normal, .. } = shape.jet(0.0, 0.0);
         let size = boxes[*index].diagonal();
-        let height = |x: &DVec3| (x - position).dot(normal);
+        let tangent = Plane { point: position, normal };
+        let reversed = Plane { normal: -normal, ..tangent };
         let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
-        let (low, high) = hull.iter().map(height).fold((f64::MAX, f64::MIN), range);
+        let heights = hull.iter().map(|x| tangent.height(*x));
+        let (low, high) = heights.fold((f64::MAX, f64::MIN), range);
         high - low <= touching(size, 0.0).max(tolerance * size)
-            && (cloud.lies_below(-low, [position, -normal], size)
-                || cloud.lies_below(high, [position, normal], size))
+            && (cloud.lies_below(-low, &reversed, size) || cloud.lies_below(high, &tangent, size))
     };
     (0..obstacles.len()).filter(|index| !walls_in(index)).collect()
 }

@@ -10,7 +10,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{DVec3, Rect, Surface, clip_polygon};
+use radiosity_geom::{DVec3, Plane, Rect, Surface, clip_polygon};
 
 use super::varied::orthonormal_rows;
 use crate::columns::transposed;
@@ -89,7 +89,7 @@ impl Pane {
 /// Patches of what two elements, on two sides of one shape, share over these parameters.
 fn shared(own: &Element, other: &Element, shape: &dyn Surface, rect: &Rect) -> Vec<Patch> {
     let patches = own.patches_over(shape, rect);
-    let Some((_, normal)) = own.plane else { return patches };
+    let Some(Plane { normal, .. }) = own.plane else { return patches };
     if own.contact.is_none() && other.contact.is_none() && own.patches.len() == 1 && other.patches.len() == 1
     {
         return patches;

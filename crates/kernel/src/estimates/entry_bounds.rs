@@ -14,7 +14,7 @@
 use core::f64::consts::FRAC_1_PI;
 
 use radiosity_elements::Element;
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, Plane};
 
 /// A block's error may be ε times this share of the largest entry of its row. Chosen; not tuned.
 pub const ROW_SHARE: f64 = 1e-2;
@@ -29,8 +29,7 @@ pub struct EntryBounds {
     center: DVec3,
     radius: f64,
     area: f64,
-    /// A point of its plane, and the normal.
-    plane: Option<(DVec3, DVec3)>,
+    plane: Option<Plane>,
 }
 
 impl EntryBounds {
@@ -59,8 +58,8 @@ impl EntryBounds {
         }
         // Range of heights of a ball over a plane; a curved element may face anywhere.
         let heights = |reach: &Self, ball: &Self| {
-            reach.plane.map_or([0.0, distance + sum], |(point, normal)| {
-                let height = normal.dot(ball.center - point);
+            reach.plane.map_or([0.0, distance + sum], |plane| {
+                let height = plane.height(ball.center);
                 [height - ball.radius, height + ball.radius]
             })
         };

@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, Plane};
 use radiosity_scene::Radiance;
 use radiosity_visibility::shadow_volume::Quad;
 use smallvec::SmallVec;
@@ -51,8 +51,8 @@ pub(crate) struct Cell {
     values: SmallVec<[f64; 12]>,
     /// Mean of each channel over the cell's area, by its finest parts.
     means: SmallVec<[f64; 3]>,
-    /// Positions and normals at the corners and the Gauss points of a curved cell.
-    pub(crate) facets: Vec<(DVec3, DVec3)>,
+    /// Tangent planes at the corners and the Gauss points of a curved cell.
+    pub(crate) facets: Vec<Plane>,
     /// Mean of the points of the hull.
     pub(crate) center: DVec3,
     /// Radius of the ball about the centre that contains the hull.
@@ -95,12 +95,15 @@ impl Cell {
         let lanes = [0, 1, 2].map(|axis| nodes.map(|node| node.position[axis]));
         let mut facets = Vec::new();
         if !patch.is_flat() {
-            facets.extend(nodes.iter().map(|node| (node.position, node.normal)));
+            let tangent = |node: &Node| Plane { point: node.position, normal: node.normal };
+            facets.extend(nodes.iter().map(tangent));
             let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| patch.node(s, t));
-            facets.extend(corners.iter().map(|node| (node.position, node.normal)));
+            facets.extend(corners.iter().map(tangent));
         }
-        let pairs =
-            facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
+        let pairs = facets
+            .iter()
+            .enumerate()
+            .flat_map(|(k, a)| facets[..k].iter().map(move |b| a.normal.dot(b.normal)));
         let bend = pairs.fold(1.0, f64::min);
         let is_straight = patch.is_flat() || (bend > LEVEL && hull[..] == patch.corners());
         let quad = is_straight.then(|| Quad::new(patch.corners())).map(|quad| (quad, quad.radius()));

@@ -53,7 +53,7 @@ impl Face {
         let (patches, normal) = match shape.region() {
             Some(_) => {
                 let (patches, plane) = flat_patches(shape, pieces, area, &rect);
-                (patches, plane.map(|(_, normal)| normal))
+                (patches, Some(plane.normal))
             }
             None => (vec![Patch::curved(Arc::clone(shape), &rect)], None),
         };

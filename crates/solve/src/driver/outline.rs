@@ -1,6 +1,6 @@
 //! Outlines of surfaces, which tell beforehand whether two of them can see each other.
 
-use radiosity_geom::{DVec3, PlanarRegion, Rect};
+use radiosity_geom::{DVec3, PlanarRegion, Plane, Rect};
 use radiosity_scene::SceneSurface;
 
 /// Heights below this part of the pair's size count as zero. Chosen; not tuned.
@@ -8,8 +8,10 @@ const FLAT: f64 = 1e-9;
 
 /// The outline of a surface.
 pub(super) struct Outline {
-    /// A point, the unit normal and the tolerance of its plane, if it is flat.
-    plane: Option<(DVec3, DVec3, f64)>,
+    /// Its plane, if it is flat.
+    plane: Option<Plane>,
+    /// Heights over its plane up to this one count as zero (scene length).
+    tolerance: f64,
     /// Points whose convex hull contains it.
     pub(super) hull: Vec<DVec3>,
 }
@@ -19,8 +21,12 @@ impl Outline {
     pub(super) fn of(surface: &SceneSurface) -> Self {
         let shape = &surface.shape;
         let plane =
-            |region: &PlanarRegion| (region.origin(), shape.jet(0.0, 0.0).normal, FLAT * region.extent());
-        Self { plane: shape.region().map(plane), hull: shape.hull(&Rect::FULL) }
+            |region: &PlanarRegion| Plane { point: region.origin(), normal: shape.jet(0.0, 0.0).normal };
+        Self {
+            plane: shape.region().map(plane),
+            tolerance: shape.region().map_or(0.0, |region| FLAT * region.extent()),
+            hull: shape.hull(&Rect::FULL),
+        }
     }
 
     /// Whether the surface is flat.
@@ -35,8 +41,6 @@ impl Outline {
 
     /// Whether some of `other` lies in front of the plane; true for a curved surface.
     fn reaches_before(&self, other: &Outline) -> bool {
-        self.plane.is_none_or(|(origin, normal, tolerance)| {
-            other.hull.iter().any(|point| (*point - origin).dot(normal) > tolerance)
-        })
+        self.plane.is_none_or(|plane| other.hull.iter().any(|x| plane.height(*x) > self.tolerance))
     }
 }

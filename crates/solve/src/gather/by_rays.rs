@@ -327,7 +327,7 @@ impl<'a> RayGather<'a> {
         let position = x + hit.t * direction;
         let place = Place { surface, parameters: [hit.u, hit.v], position };
         let normal = || {
-            own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |(_, normal)| normal)
+            own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |plane| plane.normal)
         };
         let weight = to_lamps.map_or(0.0, |(shares, ratio)| match ratio * shares.density(element) {
             0.0 => 1.0,

@@ -15,8 +15,8 @@
 
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
+use radiosity_geom::Plane;
 
-use crate::contact::planes::Plane;
 use crate::rules::horizon::line::{Lines, seen};
 
 /// Points per direction at which heights over the plane are evaluated. Chosen; not tuned.
@@ -62,7 +62,7 @@ impl Front {
     }
 
     pub(super) fn height(&self, x: &Node) -> f64 {
-        (x.position - self.plane.0).dot(self.plane.1)
+        self.plane.height(x.position)
     }
 
     /// Whether a part of a patch lies behind the plane.
@@ -229,7 +229,7 @@ mod tests {
             let quarter = quarter();
             let middle = quarter.node(0.5, 0.5).position;
             let normal = DVec3::new(middle.x.signum(), 0.0, 0.0);
-            let front = Front::of((d * normal, normal));
+            let front = Front::of(Plane { point: d * normal, normal });
             let root = (1.0 - d * d).sqrt();
             let area = 0.5 * (d.acos() - d * root);
             let moment = root.powi(3) / 3.0 - d * area;
@@ -246,11 +246,11 @@ mod tests {
     #[test]
     fn what_is_before_the_plane_keeps_its_rule() {
         let quarter = quarter();
-        let far = Front::of((-2.0 * DVec3::X, DVec3::X));
+        let far = Front::of(Plane { point: -2.0 * DVec3::X, normal: DVec3::X });
         assert!(!far.cuts(&quarter));
         let [cut, plain] = [far.nodes(&quarter, [3; 2]), Nodes::of(&quarter, [3; 2])].map(|rule| rule.nodes);
         assert!(cut.iter().zip(&plain).all(|((x, v), (y, w))| x.position == y.position && v == w));
-        let behind = Front::of((2.0 * DVec3::X, DVec3::X));
+        let behind = Front::of(Plane { point: 2.0 * DVec3::X, normal: DVec3::X });
         assert!(behind.cuts(&quarter) && behind.nodes(&quarter, [3; 2]).nodes.is_empty());
     }
 }
