@@ -15,7 +15,7 @@ use radiosity_geom::{DVec3, Plane, Rect, Surface, clip_polygon};
 use super::varied::orthonormal_rows;
 use crate::columns::transposed;
 use crate::element::{Element, overlap};
-use crate::measure::Measure;
+use crate::measure::{Measure, WeightedNode};
 use crate::patch::Patch;
 
 /// Transmission of an element, from all elements of the other side.
@@ -71,7 +71,7 @@ impl Pane {
         let (rows, columns) = (own.basis.len(), other.basis.len());
         let (mut ours, mut theirs) = (vec![0.0; rows], vec![0.0; columns]);
         let mut sums = vec![0.0; rows * columns];
-        for (node, weight) in &measure.points {
+        for WeightedNode { node, weight } in &measure.points {
             own.basis.raw(own.basis.frame().coordinates(node), &mut ours);
             other.basis.raw(other.basis.frame().coordinates(node), &mut theirs);
             for (row, x) in sums.chunks_exact_mut(columns).zip(&ours) {

@@ -22,7 +22,7 @@ use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::legendre_values::polynomials;
 use crate::rules::common_edge::triangles::DEEPEST;
-use crate::rules::orders::subdivided_cube::{Multilinear, Part};
+use crate::rules::orders::subdivided_cube::{Multilinear, Part, RuledPart};
 
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ParallelogramPair {
@@ -114,7 +114,7 @@ impl Region {
         let (degree, eps) = (self.degree, self.eps);
         let square = Multilinear { difference: &difference, degree, eps, deepest: DEEPEST };
         let mut samples = 0;
-        for (part, points) in square.parts()? {
+        for RuledPart { part, points } in square.parts()? {
             check_interrupt();
             self.integrate(sign, strength, &part, points, out);
             samples += (points[0] * points[1]) as u64;

@@ -31,7 +31,7 @@ use radiosity_work::interruption::check_interrupt;
 use crate::moments::Moments;
 use crate::rules::common_edge::sum::EdgeSum;
 use crate::rules::far;
-use crate::rules::orders::subdivided_cube::{Multilinear, Part};
+use crate::rules::orders::subdivided_cube::{Multilinear, Part, RuledPart};
 
 /// Two triangles, each the half s + t ≤ 1 of a parallelogram with the common edge at t = 0.
 struct Wedge {
@@ -114,7 +114,7 @@ pub(crate) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [u
     let mut sum = EdgeSum::new(moments.patches(p, q));
     let rule = UnitRule::of(far::exact(degrees));
     for (region, parts) in Region::ALL.into_iter().zip(plans) {
-        for (part, points) in parts {
+        for RuledPart { part, points } in parts {
             add(&mut sum, &wedge, region, &part, points, rule);
         }
     }

@@ -13,7 +13,7 @@ use radiosity_kernel::contact::flat::gap;
 use radiosity_kernel::contact::orientation::{Facing, facing};
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon;
-use radiosity_kernel::rules::horizon::Side;
+use radiosity_kernel::rules::horizon::{InnerPatch, Side};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::pair::curved::constant::constant;
@@ -140,10 +140,10 @@ impl Job<'_> {
                 Some([_, front]) if front.cuts(part) => front.parts(part, [most[0], most[1]], eps),
                 _ => vec![part.clone()],
             };
-            for piece in pieces {
-                let points = quartered(&piece, self.degrees[1], *gap, eps);
-                sides.push((piece, points));
-            }
+            sides.extend(pieces.into_iter().map(|patch| {
+                let points = quartered(&patch, self.degrees[1], *gap, eps);
+                InnerPatch { patch, points }
+            }));
         }
         if sides.is_empty() {
             return;
