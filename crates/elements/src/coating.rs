@@ -135,7 +135,7 @@ impl Coating {
             let surface = &scene.surfaces[element.surface];
             let factor = factor(element.surface);
             let pattern = surface.material.emission_pattern.as_ref().filter(|_| factor > 0.0)?;
-            Some(Glow::new(element, &surface.shape, pattern, (band, factor)))
+            Some(Glow::new(element, &surface.shape, pattern, band, factor))
         });
         self.glows.iter().for_each(|(index, glow)| self.exitance[*index] = glow.mean(&elements[*index]));
         self
@@ -385,7 +385,7 @@ fn sheets(scene: &Scene, elements: &[Element], band: usize) -> BTreeMap<usize, A
         let start = elements.partition_point(|element| element.surface < other);
         let end = elements.partition_point(|element| element.surface <= other);
         let shape = Arc::clone(&surface.shape);
-        let pane = |behind| Pane::new(element, (behind, &elements[behind]), shape.as_ref(), transmittance);
+        let pane = |behind| Pane::new(element, behind, &elements[behind], shape.as_ref(), transmittance);
         let panes: Vec<Pane> = (start..end).filter_map(pane).collect();
         sheets.insert(index, Arc::new(Sheet { shape, transmittance, panes }));
     }

@@ -118,13 +118,16 @@ pub(super) struct Part<'a> {
     pub contact: Option<usize>,
 }
 
-/// The element of one part of a surface; None where the part is empty (pieces below 1e-14 of the surface
+/// The element of one part of the surface number `index`; None where the part is empty (pieces below 1e-14 of the surface
 /// are).
 pub(super) fn element(
-    (index, surface): (usize, &SceneSurface),
-    Part { shape, pieces, rect, contact }: Part,
-    (space, order): (Space, usize),
+    index: usize,
+    surface: &SceneSurface,
+    part: Part,
+    space: Space,
+    order: usize,
 ) -> Result<Option<Element>, ElementError> {
+    let Part { shape, pieces, rect, contact } = part;
     let thin = || ElementError::Thin { surface: surface.name.clone(), order };
     let (patches, plane) = match shape.region() {
         Some(region) => {

@@ -24,7 +24,8 @@ impl Glow {
         element: &Element,
         shape: &Arc<dyn Surface>,
         pattern: &Arc<Pattern>,
-        (band, factor): (usize, f64),
+        band: usize,
+        factor: f64,
     ) -> Self {
         let varied = Varied::new(element, shape, pattern, band);
         let coefficients = varied.vector(element).iter().map(|e| factor * e).collect();

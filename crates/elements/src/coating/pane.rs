@@ -56,11 +56,12 @@ pub(super) struct Pane {
 }
 
 impl Pane {
-    /// Transmission of `own` from `other`, the element number `behind`, on two sides of `shape`; None where
-    /// they share nothing.
+    /// Transmission of `own` from the element number `behind`, which is `other`, on two sides of `shape`; None
+    /// where they share nothing.
     pub(super) fn new(
         own: &Element,
-        (behind, other): (usize, &Element),
+        behind: usize,
+        other: &Element,
         shape: &dyn Surface,
         transmittance: f64,
     ) -> Option<Self> {
