@@ -182,10 +182,10 @@ fn seam_jump(solution: &Solution) -> f64 {
     let elements = solution.elements();
     let mut largest = 0.0f64;
     for (index, element) in elements.list().iter().enumerate() {
-        for (u, v, du, dv) in seam_points(element) {
-            let Some(other) = elements.across_seam(element.surface, [u, v], [du, dv]) else { continue };
-            let position = elements.shape(element.surface).jet(u, v).position;
-            let place = Place { surface: element.surface, parameters: [u, v], position };
+        for SeamPoint { parameters, across } in seam_points(element) {
+            let Some(other) = elements.across_seam(element.surface, parameters, across) else { continue };
+            let position = elements.shape(element.surface).jet(parameters[0], parameters[1]).position;
+            let place = Place { surface: element.surface, parameters, position };
             largest = largest.max(relative_jump(solution, index, other, &place));
         }
     }
@@ -201,12 +201,23 @@ fn relative_jump(solution: &Solution, a: usize, b: usize, place: &Place) -> f64 
     (0..solution.bands().len()).map(jump).fold(0.0, f64::max)
 }
 
-/// Points on the far sides of an element's rectangle, each with the direction across that side.
-fn seam_points(element: &Element) -> impl Iterator<Item = (f64, f64, f64, f64)> {
+/// A point on a side of an element's rectangle.
+struct SeamPoint {
+    /// (u, v).
+    parameters: [f64; 2],
+    /// Direction across the side, in (u, v).
+    across: [f64; 2],
+}
+
+/// Points on the far sides of an element's rectangle.
+fn seam_points(element: &Element) -> impl Iterator<Item = SeamPoint> {
     let rect = element.rect;
     [0.1, 0.3, 0.5, 0.7, 0.9].into_iter().flat_map(move |x| {
         let (u, v) = (rect.u[0] + x * (rect.u[1] - rect.u[0]), rect.v[0] + x * (rect.v[1] - rect.v[0]));
-        [(rect.u[1], v, 1.0, 0.0), (u, rect.v[1], 0.0, 1.0)]
+        [
+            SeamPoint { parameters: [rect.u[1], v], across: [1.0, 0.0] },
+            SeamPoint { parameters: [u, rect.v[1]], across: [0.0, 1.0] },
+        ]
     })
 }
 

@@ -135,7 +135,8 @@ impl<'a> System<'a> {
     pub(crate) fn entered(
         elements: &'a [Element],
         blocks: &'a Blocks,
-        (band, coating): (usize, &'a Coating),
+        band: usize,
+        coating: &'a Coating,
         entry: &Entry,
     ) -> Self {
         match entry {

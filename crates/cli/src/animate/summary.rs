@@ -1,7 +1,7 @@
 //! Lines of a summary on frames: cost and warnings.
 
 use radiosity_output::readings::missed::missed;
-use radiosity_solve::animation::account::Account;
+use radiosity_solve::animation::account::{Account, WorstTransfer};
 use radiosity_solve::animation::follower::Follower;
 use radiosity_transport::RayCounts;
 
@@ -47,18 +47,19 @@ fn told(RayCounts { traced, recalled }: &RayCounts) -> String {
 
 /// A line for each fault at any moment.
 fn warnings(account: &Account) -> Vec<String> {
-    let Account { moments, unconverged: (unconverged, residual), missing, worst, .. } = account;
+    let Account { moments, unconverged, missing, worst, .. } = account;
     let of_moments = |count: &usize| format!("warning: at {count} of {moments} moments");
     let mut lines = Vec::new();
-    if *unconverged > 0 {
+    if unconverged.moments > 0 {
         lines.push(format!(
-            "{} the solver did not converge, the relative residual is up to {residual:.1e}: the light is incomplete; raise \
+            "{} the solver did not converge, the relative residual is up to {:.1e}: the light is incomplete; raise \
              --max-iterations or take another --solver",
-            of_moments(unconverged)
+            of_moments(&unconverged.moments),
+            unconverged.residual
         ));
     }
-    if let Some((worst, [one, other])) = worst {
-        lines.push(format!("{} {}", of_moments(missing), missed(worst, [one, other])));
+    if let Some(WorstTransfer { error, surfaces: [one, other] }) = worst {
+        lines.push(format!("{} {}", of_moments(missing), missed(error, [one, other])));
     }
     lines
 }

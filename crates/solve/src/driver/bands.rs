@@ -93,8 +93,8 @@ impl Bands<'_> {
     /// The systems of a band, one for each emission.
     fn systems<'a>(&'a self, band: usize, emissions: &'a [Emission], first: &[Reflected]) -> Vec<Ritz<'a>> {
         let system = |(emission, first): (&'a Emission, &Reflected)| {
-            let coating = (band, &emission.coatings[band]);
-            Ritz::new(System::entered(self.elements, self.blocks, coating, &first.entry), self.subspace)
+            let coating = &emission.coatings[band];
+            Ritz::new(System::entered(self.elements, self.blocks, band, coating, &first.entry), self.subspace)
         };
         emissions.iter().zip(first).map(system).collect()
     }

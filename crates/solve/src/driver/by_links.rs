@@ -16,6 +16,7 @@ use radiosity_solvers::method::{Access, Method};
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress, Stage, Work};
 
+use super::band::Effort;
 use super::choice::Choice;
 use super::emission::Emission;
 use super::failure::Failure;
@@ -56,8 +57,9 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
     work.tell(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
     let solution = Solution::of_groups(Arc::clone(&elements), scene, groups);
     let checks = Checks::with_powers(&solution, &links, solution.powers().unwrap_or_default(), work.ranks);
-    let slowest = efforts.into_iter().max_by_key(|(_, iterations)| *iterations);
-    let (solver, iterations) = slowest.unwrap_or((how.solver.name, 0));
+    let slowest = efforts.into_iter().max_by_key(|effort| effort.iterations);
+    let (solver, iterations) =
+        slowest.map_or((how.solver.name, 0), |effort| (effort.method, effort.iterations));
     let counts = found.counts();
     Ok(Outcome {
         residual: solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max),
@@ -108,9 +110,6 @@ struct Run<'a> {
     ranks: &'a Ranks,
 }
 
-/// Name of a solver and its iterations.
-type Effort = (&'static str, usize);
-
 impl Run<'_> {
     /// The light of each group, with the effort of each of its bands.
     fn groups(&self) -> Result<(Vec<GroupLight>, Vec<Effort>), Failure> {
@@ -156,6 +155,7 @@ impl Run<'_> {
         let residual = system.residual(&radiosity);
         let list = self.elements.list();
         let coefficients = Coefficients::of_irradiance(list, coating, irradiance, direct, residual);
-        Ok((coefficients, (report.method, report.iterations)))
+        let (method, iterations) = (report.method, report.iterations);
+        Ok((coefficients, Effort { method, iterations, converged: true }))
     }
 }

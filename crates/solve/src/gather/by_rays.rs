@@ -161,6 +161,15 @@ struct Balance {
     to_lamps: f64,
 }
 
+/// Rays to emitters beside cosine-distributed ones.
+#[derive(Clone, Copy)]
+struct ToLamps<'a> {
+    /// Shares of the emitters in them.
+    shares: &'a Shares<'a>,
+    /// Number of them for each cosine-distributed ray.
+    ratio: f64,
+}
+
 /// Where the rays of a receiver start.
 enum Start {
     Point(ReceiverPoint),
@@ -207,7 +216,8 @@ impl<'a> RayGather<'a> {
     /// that these miss. `chance` chooses the rays.
     pub(crate) fn missed(
         &self,
-        (element, place): (usize, &Place),
+        element: usize,
+        place: &Place,
         there: &ReceiverPoint,
         distance: f64,
         chance: u64,
@@ -291,20 +301,19 @@ impl<'a> RayGather<'a> {
                 None => Far::Direct { chance, small: SMALL_BEHIND_PIXELS },
             };
             let direction = lambert(receiver.normal, direction);
-            let to_lamps = shares.map(|shares| (shares, TO_LAMPS));
+            let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
             self.add_met(&receiver, direction, to_lamps, far, &mut radiosity);
             sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
         }
     }
 
     /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that rays
-    /// `to_lamps` leave, of these shares and as many for each cosine-distributed one; without exitance where
-    /// these are none.
+    /// `to_lamps` leave; without exitance where these are none.
     fn add_met(
         &self,
         receiver: &ReceiverPoint,
         direction: DVec3,
-        to_lamps: Option<(&Shares, f64)>,
+        to_lamps: Option<ToLamps>,
         far: Far,
         radiosity: &mut [f64],
     ) {
@@ -329,7 +338,7 @@ impl<'a> RayGather<'a> {
         let normal = || {
             own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |plane| plane.normal)
         };
-        let weight = to_lamps.map_or(0.0, |(shares, ratio)| match ratio * shares.density(element) {
+        let weight = to_lamps.map_or(0.0, |rays| match rays.ratio * rays.shares.density(element) {
             0.0 => 1.0,
             density => {
                 let kernel = receiver.normal.dot(direction) * -normal().dot(direction) / (PI * hit.t * hit.t);
@@ -337,10 +346,10 @@ impl<'a> RayGather<'a> {
             }
         });
         let there = || ReceiverPoint::on(surface, position, normal());
-        let irradiance = self.arriving((element, &place), &there, hit.t, far);
+        let irradiance = self.arriving(element, &place, &there, hit.t, far);
         let beyond = self.solution.behind(element, &place).map(|(element, place)| {
             let there = || ReceiverPoint::on(place.surface, position, -normal());
-            self.arriving((element, &place), &there, hit.t, far)
+            self.arriving(element, &place, &there, hit.t, far)
         });
         let weight = weight * self.radiances.relative(surface, -direction);
         for (index, (out, band)) in radiosity.iter_mut().zip(self.solution.bands()).enumerate() {
@@ -356,7 +365,8 @@ impl<'a> RayGather<'a> {
     /// An estimate of the irradiance (W m⁻²) per band where a ray ends, so far from where it began.
     fn arriving(
         &self,
-        (element, place): (usize, &Place),
+        element: usize,
+        place: &Place,
         there: &dyn Fn() -> ReceiverPoint,
         distance: f64,
         far: Far,
@@ -417,7 +427,13 @@ impl<'a> RayGather<'a> {
         let [polar, turn, choice, s] = shift(chance);
         let [t] = shift(number_of([f64::from_bits(chance)]));
         let direction = lambert(receiver.normal, [polar, turn]);
-        self.add_met(receiver, direction, Some((&shares, 1.0)), Far::Polynomials, irradiance);
+        self.add_met(
+            receiver,
+            direction,
+            Some(ToLamps { shares: &shares, ratio: 1.0 }),
+            Far::Polynomials,
+            irradiance,
+        );
         if !shares.is_empty() {
             let balance = Balance { cosine: 1.0, to_lamps: 1.0 };
             self.add_lamp(receiver, &shares.target([choice, s, t]), balance, 1.0, irradiance);

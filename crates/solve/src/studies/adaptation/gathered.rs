@@ -198,7 +198,8 @@ pub(super) fn missed(
     outcome: &Outcome,
     visibility: &Visibility,
     sensors: &[Sensor],
-    (goal, expected): (&Goal, f64),
+    goal: &Goal,
+    expected: f64,
     work: &Work<'_>,
 ) -> Estimate {
     let solution = &outcome.solution;
@@ -274,19 +275,14 @@ impl<'a> Missing<'a> {
             for walk in walks.clone() {
                 let direction = shifted(kronecker::point(walk), &offset);
                 let chance = number_of([f64::from_bits(number), walk as f64]);
-                self.walk_once(found.sensor, (&mut light, half as usize), direction, chance);
+                self.walk_once(found.sensor, &mut light, half as usize, direction, chance);
             }
         }
         light
     }
 
-    fn walk_once(
-        &self,
-        sensor: &Sensor,
-        (light, half): (&mut Light, usize),
-        direction: [f64; 2],
-        chance: u64,
-    ) {
+    /// Adds what one walk of this half finds.
+    fn walk_once(&self, sensor: &Sensor, light: &mut Light, half: usize, direction: [f64; 2], chance: u64) {
         self.walks.walk(sensor.point, direction, chance, &mut |end, weights| {
             if end.lit.brightest() == 0.0 {
                 return;
@@ -306,7 +302,7 @@ impl<'a> Missing<'a> {
     fn missed(&self, end: &End) -> Vec<f64> {
         let End { lit: Lit { element, ref place, ref there, .. }, distance, chance, .. } = *end;
         let gather = match &self.ends {
-            Ends::Rays(gather) => return gather.missed((element, place), there, distance, chance),
+            Ends::Rays(gather) => return gather.missed(element, place, there, distance, chance),
             Ends::Cells(ends) => ends,
         };
         let mut held = vec![0.0; self.solution.bands().len()];
