@@ -8,7 +8,7 @@ use radiosity_visibility::{END, OWN_END, Visibility};
 use smallvec::{SmallVec, smallvec};
 
 use crate::area_light::AreaLight;
-use crate::hierarchy::cell::Cell;
+use crate::hierarchy::cell::{Cell, MeasuredQuad};
 use crate::lines::hidden_spans::HiddenSpans;
 use crate::lines::projection::ProjectionPlane;
 use crate::occluders::Occluders;
@@ -182,7 +182,7 @@ impl<'a> Shadows<'a> {
     pub(crate) fn narrow(&mut self, above: BlockerRange, cell: &Cell) -> Option<BlockerRange> {
         self.kept(above, |shadows, blocker| match blocker {
             Blocker::Flat(volume) => match &cell.quad {
-                Some((quad, radius)) => volume.cover_of_quad(quad, *radius),
+                Some(MeasuredQuad { quad, radius }) => volume.cover_of_quad(quad, *radius),
                 None => volume.cover(&cell.hull, cell.center, cell.radius),
             },
             Blocker::Curved(surface) if cell.is_flat() => shadows.cover_of_ball(*surface, &Extent::of(cell)),

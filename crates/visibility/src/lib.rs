@@ -68,6 +68,14 @@ pub struct Visibility {
     shadows: Shadows,
 }
 
+/// Bounds of a blocker.
+#[derive(Clone, Copy)]
+struct Hull<'a> {
+    ball: &'a Ball,
+    /// Points whose convex hull contains it.
+    points: &'a [DVec3],
+}
+
 impl Visibility {
     /// The obstacles of `scene`.
     pub fn new(scene: &Scene, shadows: Shadows) -> Self {
@@ -148,18 +156,17 @@ impl Visibility {
         self.reaching_between(blockers, |index| self.own_hull(index), [a, b], usize::MAX)
     }
 
-    /// A ball around a surface, and points whose convex hull contains it.
-    fn own_hull(&self, surface: usize) -> (&Ball, &[DVec3]) {
+    /// The bounds of a surface alone.
+    fn own_hull(&self, surface: usize) -> Hull<'_> {
         let Obstacle { ball, hull, .. } = &self.obstacles[surface];
-        (ball, hull)
+        Hull { ball, points: hull }
     }
 
-    /// The first of the `blockers`, `most` at the most, whose `part`, given by a ball and hull points,
-    /// reaches between two hulls.
+    /// The first of the `blockers`, `most` at the most, whose `part` reaches between two hulls.
     fn reaching_between<'a>(
         &'a self,
         blockers: &[usize],
-        part: impl Fn(usize) -> (&'a Ball, &'a [DVec3]),
+        part: impl Fn(usize) -> Hull<'a>,
         [a, b]: [&[DVec3]; 2],
         most: usize,
     ) -> Vec<usize> {
@@ -169,10 +176,10 @@ impl Visibility {
         let size = breadth(a).min(breadth(b));
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
         let reaches = |index: &usize| {
-            let (ball, hull) = part(*index);
+            let Hull { ball, points } = part(*index);
             // A plate flush before a surface reaches into the shaft by little, but hides much.
             let tolerance = if self.obstacles[*index].pieces.is_some() { END } else { tolerance };
-            !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
+            !ball.misses_between(&around_a, &around_b) && !separated(a, b, points, tolerance * size)
         };
         blockers.iter().copied().filter(reaches).take(most).collect()
     }

@@ -57,8 +57,8 @@ pub(crate) struct Cell {
     pub(crate) center: DVec3,
     /// Radius of the ball about the centre that contains the hull.
     pub(crate) radius: f64,
-    /// The corners, and the radius about their mean, where the cell counts as a flat quadrilateral.
-    pub(crate) quad: Option<(Quad, f64)>,
+    /// The corners, where the cell counts as a flat quadrilateral.
+    pub(crate) quad: Option<MeasuredQuad>,
     /// Largest mean of a channel over its scale.
     pub(crate) brightness: f64,
     /// Largest difference of a value from the mean, over the channel's scale.
@@ -74,6 +74,20 @@ pub(crate) struct Cell {
     pub(crate) is_straight: bool,
     /// Sagitta over radius: about how far a curved cell lies off the quadrilateral of its corners.
     pub(crate) warp: f64,
+}
+
+/// A quadrilateral with its size.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MeasuredQuad {
+    pub quad: Quad,
+    /// Radius of a ball about the mean of its corners that contains it (scene length).
+    pub radius: f64,
+}
+
+impl MeasuredQuad {
+    fn of(quad: Quad) -> Self {
+        Self { quad, radius: quad.radius() }
+    }
 }
 
 impl Cell {
@@ -106,7 +120,7 @@ impl Cell {
             .flat_map(|(k, a)| facets[..k].iter().map(move |b| a.normal.dot(b.normal)));
         let bend = pairs.fold(1.0, f64::min);
         let is_straight = patch.is_flat() || (bend > LEVEL && hull[..] == patch.corners());
-        let quad = is_straight.then(|| Quad::new(patch.corners())).map(|quad| (quad, quad.radius()));
+        let quad = is_straight.then(|| MeasuredQuad::of(Quad::new(patch.corners())));
         let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
         Self {
             patch,

@@ -11,8 +11,8 @@ const PLACES: [f64; 10] = [-0.97, -0.83, -0.61, -0.37, -0.13, 0.09, 0.29, 0.53, 
 /// Meeting of a border with other sheets at a place.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Meeting {
-    /// Borders, each with its sheet and the cosine between the directions of both, fronts on their left.
-    Rims(Vec<(usize, f64)>),
+    /// Borders.
+    Rims(Vec<MetBorder>),
     /// The inside of a face.
     Face,
     /// A sheet that the border nearly reaches.
@@ -26,13 +26,28 @@ pub(super) enum Meeting {
     Open,
 }
 
+/// A border that another one meets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct MetBorder {
+    /// Index of its sheet among the sheets.
+    pub(super) sheet: usize,
+    /// Cosine between the directions of both, fronts on their left.
+    pub(super) cosine: f64,
+}
+
+/// A sample place of a border.
+#[derive(Debug)]
+pub(super) struct RimPlace {
+    pub(super) point: DVec3,
+    pub(super) meeting: Meeting,
+}
+
 /// The places of one border of a sheet.
 #[derive(Debug)]
 pub(super) struct Rim {
     /// Index among the sheets.
     pub(super) sheet: usize,
-    /// Points, and what the border meets there.
-    pub(super) places: Vec<(DVec3, Meeting)>,
+    pub(super) places: Vec<RimPlace>,
 }
 
 /// A border with the data to compare it.
@@ -51,8 +66,11 @@ pub(super) fn rims(sheets: &Sheets) -> Vec<Rim> {
         let near = sheets.near(own);
         let neighbours: Vec<&Line<'_>> = near.iter().chain([&own]).flat_map(|sheet| &lines[*sheet]).collect();
         let rim = |line: &Line<'_>| {
-            let place = |w: f64| (line.border.point(w), meeting(sheets, line, w, &neighbours, &near));
-            Rim { sheet: own, places: PLACES.map(place).to_vec() }
+            let place = |w: f64| RimPlace {
+                point: line.border.point(w),
+                meeting: meeting(sheets, line, w, &neighbours, &near),
+            };
+            Rim { sheet: own, places: PLACES.map(place).into() }
         };
         lines[own].iter().map(rim).collect()
     };
@@ -100,7 +118,8 @@ fn meeting(sheets: &Sheets, own: &Line<'_>, w: f64, lines: &[&Line<'_>], near: &
     let place = Place { sheets, sheet, point: own.border.point(w), normal, direction: direction(own, w) };
     let others = lines.iter().filter(|line| !std::ptr::eq(**line, own));
     let rims: Vec<Reach> = others.filter_map(|line| place.reach_rim(line)).collect();
-    let touched: Vec<_> = rims.iter().filter(|rim| rim.touches).map(|rim| (rim.sheet, rim.cosine)).collect();
+    let met = |rim: &Reach| MetBorder { sheet: rim.sheet, cosine: rim.cosine };
+    let touched: Vec<MetBorder> = rims.iter().filter(|rim| rim.touches).map(met).collect();
     if !touched.is_empty() {
         return Meeting::Rims(touched);
     }
