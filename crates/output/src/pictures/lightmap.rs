@@ -94,7 +94,8 @@ impl Lightmap {
     pub(crate) fn radiosity(
         &self,
         scene: &Scene,
-        (surface, band): (usize, usize),
+        surface: usize,
+        band: usize,
         parameters: [f64; 2],
         irradiance: f64,
     ) -> f64 {
