@@ -10,7 +10,7 @@ use crate::{
     bands::check_bands,
     camera::Camera,
     covering::Covering,
-    draft::SurfaceDraft,
+    draft::{NamedShape, SurfaceDraft},
     error::{Fault, Located, SceneError, luminaire_title, material_title, plane_title},
     luminaire::Luminaire,
     luminous_surface::luminous_surfaces,
@@ -94,7 +94,7 @@ impl SceneBuilder {
         let name = name.into();
         let draft = SurfaceDraft {
             kind: "surface",
-            shapes: vec![(name.clone(), Arc::new(shape))],
+            shapes: vec![NamedShape { name: name.clone(), shape: Arc::new(shape) }],
             name,
             front: Covering::from(material),
             back: None,
