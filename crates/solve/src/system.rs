@@ -253,7 +253,7 @@ impl<'a> System<'a> {
             blocks.push((i, j, halved.iter().map(|g| -g).collect()));
         }
         let borrowed: Vec<SparseBlock<'_>> =
-            blocks.iter().map(|(i, j, values)| (*i, *j, &values[..])).collect();
+            blocks.iter().map(|(i, j, values)| SparseBlock::new(*i, *j, values)).collect();
         BlockSparse::symmetric(Partition::new(&sizes), &borrowed)
     }
 

@@ -1,7 +1,7 @@
 //! Choice of the method by `auto`, and the methods that follow where the first one fails.
 
 use radiosity_solvers::method::{Method, Methods, NameTaken};
-use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Report, Settings};
+use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Report, Settings, SparseBlock};
 
 use radiosity_test_support::random::Random;
 use radiosity_test_support::systems::{enclosure, matrix};
@@ -56,7 +56,7 @@ fn many_right_hand_sides_share_a_factorisation_only_where_the_entries_are_held()
     let partition = || Partition::new(&[6; LARGE / 6]);
     let held = enclosure(&mut Random(71), partition(), (0.3, 0.8), true);
     let identity: Vec<f64> = (0..36).map(|k| f64::from(u8::from(k % 7 == 0))).collect();
-    let blocks: Vec<(usize, usize, &[f64])> = (0..LARGE / 6).map(|k| (k, k, &identity[..])).collect();
+    let blocks: Vec<SparseBlock<'_>> = (0..LARGE / 6).map(|k| SparseBlock::new(k, k, &identity)).collect();
     let thin = BlockSparse::symmetric(partition(), &blocks).unwrap();
     let operators: [(&dyn Operator, &str); 2] = [(&held, "cholesky"), (&thin, "cg")];
     for (a, method) in operators {
