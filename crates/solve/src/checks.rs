@@ -225,7 +225,7 @@ fn seam_points(element: &Element) -> impl Iterator<Item = SeamPoint> {
 mod tests {
     use radiosity_geom::shapes::Parallelogram;
     use radiosity_geom::{DVec3, Flipped};
-    use radiosity_kernel::Blocks;
+    use radiosity_kernel::{Blocks, PlacedBlock};
     use radiosity_scene::{Material, SceneBuilder};
     use radiosity_transport as transport;
     use radiosity_visibility::{Shadows, Visibility};
@@ -263,7 +263,7 @@ mod tests {
         let visibility = Visibility::new(&scene, Shadows::Off);
         let whole = transport::assemble(elements, &visibility, options.accuracy(), &Work::alone());
         let mut blocks = Blocks::empty(elements.starts(), true, Ranks::alone());
-        for (row, column, values) in whole.iter() {
+        for PlacedBlock { row, column, values } in whole.iter() {
             let scaled: Vec<f64> = values.iter().map(|value| factor(row, column) * value).collect();
             blocks.push(row, column, &scaled);
         }

@@ -24,8 +24,8 @@ mod wholes;
 use std::collections::{HashMap, HashSet};
 
 use radiosity_elements::Element;
-use radiosity_kernel::WorstError;
 use radiosity_kernel::{Blocks, blocks::FirstEntry};
+use radiosity_kernel::{PlacedBlock, WorstError};
 use radiosity_work::{Stage, Work};
 
 use crate::memory::Memory;
@@ -174,7 +174,7 @@ fn judged(
         left.iter().map(|pair| [vec![0.0; sizes(pair)], vec![0.0; sizes(pair)]]).collect();
     let mut firsts = vec![[0.0; BATCHES]; left.len()];
     for (number, batch) in batches.iter().enumerate() {
-        for (row, column, values) in batch.beside(others).iter() {
+        for PlacedBlock { row, column, values } in batch.beside(others).iter() {
             let place = places[&(row, column)];
             let [sum, squares] = &mut sums[place];
             firsts[place][number] = values[0];

@@ -125,7 +125,7 @@ impl<'a> Judged<'a> {
         let seconds = start.elapsed().as_secs_f64();
         let rays = blocks.rays;
         Found {
-            blocks: blocks.iter().map(|(i, j, values)| ((i, j), values.to_vec())).collect(),
+            blocks: blocks.iter().map(|block| ((block.row, block.column), block.values.to_vec())).collect(),
             rays,
             seconds,
         }
