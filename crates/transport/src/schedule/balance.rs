@@ -64,10 +64,18 @@ pub(super) struct Piece {
 pub(super) struct Balance {
     /// Cost of what each rank has made.
     loads: Vec<f64>,
-    /// Number and cost of the blocks of each class.
-    classes: HashMap<u64, [f64; 2]>,
-    /// Prices and costs of all.
-    all: [f64; 2],
+    classes: HashMap<u64, Class>,
+    /// Prices and costs of all blocks.
+    prices: f64,
+    costs: f64,
+}
+
+/// The blocks of a class that were made.
+#[derive(Clone, Copy, Debug, Default)]
+struct Class {
+    number: f64,
+    /// Their cost (samples).
+    cost: f64,
 }
 
 /// The rounds in which so many blocks are made by so many ranks: one where there is nobody to share them
@@ -84,7 +92,7 @@ pub(super) fn rounds(pieces: usize, ranks: usize) -> Vec<Vec<usize>> {
 impl Balance {
     /// The balance of so many ranks before anything is made.
     pub(super) fn new(ranks: usize) -> Self {
-        Self { loads: vec![0.0; ranks], classes: HashMap::new(), all: [0.0; 2] }
+        Self { loads: vec![0.0; ranks], classes: HashMap::new(), prices: 0.0, costs: 0.0 }
     }
 
     /// The ranks that make the blocks of a round.
@@ -97,17 +105,19 @@ impl Balance {
     pub(super) fn take(&mut self, maker: usize, piece: &Piece, block: &Account) {
         let cost = START + Cost::of(block).in_samples();
         self.loads[maker] += cost;
-        let [number, sum] = self.classes.entry(piece.class).or_default();
-        (*number, *sum) = (*number + 1.0, *sum + cost);
-        self.all = [self.all[0] + piece.price, self.all[1] + cost];
+        let class = self.classes.entry(piece.class).or_default();
+        class.number += 1.0;
+        class.cost += cost;
+        self.prices += piece.price;
+        self.costs += cost;
     }
 
     /// Expected cost of a block, in samples: the mean of others of its class, or by its price.
     fn cost(&self, piece: &Piece) -> f64 {
-        match (self.classes.get(&piece.class), self.all) {
-            (Some([number, sum]), _) => sum / number,
-            (None, [prices, costs]) if prices > 0.0 => piece.price * costs / prices,
-            (None, _) => piece.price,
+        match self.classes.get(&piece.class) {
+            Some(class) => class.cost / class.number,
+            None if self.prices > 0.0 => piece.price * self.costs / self.prices,
+            None => piece.price,
         }
     }
 }

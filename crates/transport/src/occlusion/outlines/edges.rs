@@ -34,21 +34,28 @@ const TIGHT: f64 = 1e-4;
 /// The edges of the blockers of a pair.
 #[derive(Debug)]
 pub(super) struct Edges {
-    /// The edges of each blocker.
-    rims: Vec<(usize, Vec<Rim>)>,
+    blockers: Vec<BlockerRims>,
     /// Points whose convex hull holds the inner element.
     inner: Vec<DVec3>,
     /// Mean of the corners of the inner element's parts.
     middle: DVec3,
 }
 
+/// The edges of one blocker.
+#[derive(Debug)]
+struct BlockerRims {
+    /// Index of the blocker.
+    blocker: usize,
+    rims: Vec<Rim>,
+}
+
 impl Edges {
     /// The edges of `blockers`, one for each body, around a flat inner element whose parts have these
     /// `corners`, in a plane with this `normal`.
     pub(super) fn new(blockers: &[usize], visibility: &Visibility, corners: &[DVec3], normal: DVec3) -> Self {
-        let rims = blockers.iter().map(|blocker| (*blocker, visibility.rims(*blocker))).collect();
+        let rims = |blocker: &usize| BlockerRims { blocker: *blocker, rims: visibility.rims(*blocker) };
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
-        Self { rims, inner: extreme_points(corners, normal), middle }
+        Self { blockers: blockers.iter().map(rims).collect(), inner: extreme_points(corners, normal), middle }
     }
 
     /// Points whose convex hull holds the inner element.
@@ -80,8 +87,8 @@ impl Edges {
         };
         let is_near = |rim: &Rim| segment_distance(&corners, rim.ends) * points * points < NEAR * extent;
         let reaches_between = |rim: &Rim| !separated(&hull, &self.inner, &rim.ends, COINCIDENT * extent);
-        let near = self.rims.iter().filter(|(blocker, _)| blockers.contains(blocker));
-        near.flat_map(|(_, rims)| rims).any(|rim| {
+        let near = self.blockers.iter().filter(|own| blockers.contains(&own.blocker));
+        near.flat_map(|own| &own.rims).any(|rim| {
             rim.may_part(&hull, &self.inner) && (is_near(rim) || is_narrow(rim)) && reaches_between(rim)
         })
     }
