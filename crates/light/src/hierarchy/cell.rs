@@ -100,7 +100,7 @@ impl Cell {
         let hull = SmallVec::from_vec(patch.hull());
         let center = hull.iter().sum::<DVec3>() / hull.len() as f64;
         let radius = hull.iter().map(|x| x.distance_squared(center)).fold(0.0, f64::max).sqrt();
-        let (places, weights) = UnitRule::of(2).line();
+        let UnitRule { nodes: places, weights } = UnitRule::of(2);
         let node = |k: usize| {
             let node = patch.node(places[k / 2], places[k % 2]);
             Node { area: node.area * weights[k / 2] * weights[k % 2], ..node }

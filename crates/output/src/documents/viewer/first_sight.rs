@@ -97,7 +97,7 @@ impl Sight<'_> {
         let irradiance = self.lightmap.irradiance(surface, band, parameters);
         match self.shown {
             Shown::Radiosity => {
-                self.lightmap.radiosity(&self.solved.scene, (surface, band), parameters, irradiance)
+                self.lightmap.radiosity(&self.solved.scene, surface, band, parameters, irradiance)
             }
             Shown::Irradiance => irradiance,
         }
