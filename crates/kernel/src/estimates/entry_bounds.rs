@@ -88,7 +88,12 @@ mod tests {
 
     fn square(z: f64, up: f64) -> EntryBounds {
         let center = DVec3::Z * z;
-        EntryBounds { center, radius: 0.5f64.sqrt(), area: 1.0, plane: Some(Plane { point: center, normal: DVec3::Z * up }) }
+        EntryBounds {
+            center,
+            radius: 0.5f64.sqrt(),
+            area: 1.0,
+            plane: Some(Plane { point: center, normal: DVec3::Z * up }),
+        }
     }
 
     /// Parallel unit squares at distance 3: F = 0.0316 by the closed form.
