@@ -118,8 +118,8 @@ pub(super) struct Part<'a> {
     pub contact: Option<usize>,
 }
 
-/// The element of one part of the surface number `index`; None where the part is empty (pieces below 1e-14 of the surface
-/// are).
+/// The element of one part of the surface number `index`; None where the part is empty (pieces below 1e-14 of
+/// the surface are).
 pub(super) fn element(
     index: usize,
     surface: &SceneSurface,

@@ -90,8 +90,8 @@ pub(crate) struct Recurrence {
 }
 
 impl Recurrence {
-    /// The functions that are orthonormal on `points`, by products of levels m and d − m for 1 ≤ m ≤ `depth`. None where the points cannot distinguish the
-    /// polynomials.
+    /// The functions that are orthonormal on `points`, by products of levels m and d − m for 1 ≤ m ≤ `depth`.
+    /// None where the points cannot distinguish the polynomials.
     pub(crate) fn new(points: &[WeightedPoint], levels: &Levels, depth: usize) -> Option<Self> {
         let roots: Vec<f64> = points.iter().map(|point| point.weight.sqrt()).collect();
         let constant = 1.0 / norm(&roots);

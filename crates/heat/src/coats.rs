@@ -27,7 +27,7 @@ pub(super) fn all_emit(scene: &Scene, roles: &Roles) -> Scene {
     scene
 }
 
-/// How a surface reflects and emits in the single band of heat.
+/// Reflectance and emission of a surface in the single band of heat.
 pub(super) struct Coat {
     pub reflectance: f64,
     /// e (W m⁻²).

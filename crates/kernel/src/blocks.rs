@@ -406,8 +406,8 @@ impl Blocks {
         y
     }
 
-    /// The nonzero blocks that this rank holds. Where G is symmetric, receiver ≤ emitter and each block stands
-    /// for its transpose too.
+    /// The nonzero blocks that this rank holds. Where G is symmetric, receiver ≤ emitter and each block
+    /// stands for its transpose too.
     pub fn iter(&self) -> impl Iterator<Item = PlacedBlock<'_>> {
         let cross = |cross: &Stored| PlacedBlock {
             row: cross.row as usize,

@@ -96,8 +96,8 @@ impl Turn {
         Ok(Self { center, kind: Kind::Axis(axis, degrees) })
     }
 
-    /// Rotations about `center`: one of `rotations` at each of the `times`, which ascend, and between them the
-    /// shorter way about one axis at constant speed.
+    /// Rotations about `center`: one of `rotations` at each of the `times`, which ascend, and between them
+    /// the shorter way about one axis at constant speed.
     ///
     /// # Errors
     /// [`Fault::NoDirection`] for degrees about an axis without a length; a number that is not finite or out

@@ -15,8 +15,8 @@ impl Cloud {
         Self { tree: Bvh::build(&boxes), points }
     }
 
-    /// Whether no point rises higher than `h` over `plane`, which is tangent to a surface of this `extent`, by
-    /// more than what touches.
+    /// Whether no point rises higher than `h` over `plane`, which is tangent to a surface of this `extent`,
+    /// by more than what touches.
     pub(super) fn lies_below(&self, h: f64, plane: &Plane, extent: f64) -> bool {
         let may_rise = |bounds: &Aabb| {
             let half = 0.5 * (bounds.max - bounds.min);

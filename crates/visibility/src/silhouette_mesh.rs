@@ -87,8 +87,8 @@ pub trait Region {
 pub struct Ground {
     /// Its unit normal there.
     pub normal: DVec3,
-    /// Sine of the angle to the normal below which the normals of a quad around the eye keep that quad out of a
-    /// region.
+    /// Sine of the angle to the normal below which the normals of a quad around the eye keep that quad out of
+    /// a region.
     pub least: f64,
 }
 

@@ -56,8 +56,8 @@ pub(super) struct Pane {
 }
 
 impl Pane {
-    /// Transmission of `own` from the element number `behind`, which is `other`, on two sides of `shape`; None
-    /// where they share nothing.
+    /// Transmission of `own` from the element number `behind`, which is `other`, on two sides of `shape`;
+    /// None where they share nothing.
     pub(super) fn new(
         own: &Element,
         behind: usize,

@@ -14,7 +14,8 @@ pub(crate) enum Unreached {
 }
 
 impl Unreached {
-    /// The treatment where all pairs are asked of the rules: rays carry the rest, if surfaces hide each other.
+    /// The treatment where all pairs are asked of the rules: rays carry the rest, if surfaces hide each
+    /// other.
     pub(crate) fn of(visibility: &Visibility) -> Self {
         if visibility.casts() { Self::Left } else { Self::Kept }
     }

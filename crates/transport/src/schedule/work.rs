@@ -46,8 +46,8 @@ pub fn work(
     pieces.map(|(place, piece)| BlockWork { piece, account: integrated.told(place).block }).collect()
 }
 
-/// Cost of the blocks of each of so many ranks that share this work, round by round: ranks wait for each other
-/// between rounds.
+/// Cost of the blocks of each of so many ranks that share this work, round by round: ranks wait for each
+/// other between rounds.
 pub fn shared(work: &[BlockWork], ranks: usize) -> Vec<Vec<Cost>> {
     let pieces: Vec<Piece> = work.iter().map(|work| work.piece).collect();
     let mut balance = Balance::new(ranks);

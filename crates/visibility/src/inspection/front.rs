@@ -116,8 +116,8 @@ fn lies_before(plane: &Plane, extent: f64, bounds: &Aabb) -> bool {
     height > GRAZING * (bounds.distance_squared(plane.point).sqrt() - extent).max(0.0)
 }
 
-/// Whether the fronts of two tangent planes face each other between the points where they touch, with a sine of
-/// at least `GRAZING`; the second's back counts too if it is `two_sided`.
+/// Whether the fronts of two tangent planes face each other between the points where they touch, with a sine
+/// of at least `GRAZING`; the second's back counts too if it is `two_sided`.
 fn faces(own: &Plane, other: &Plane, two_sided: bool) -> bool {
     let d = other.point - own.point;
     let (out, into) = (d.dot(own.normal), -d.dot(other.normal));

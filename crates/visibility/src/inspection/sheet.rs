@@ -140,8 +140,8 @@ impl Sheet {
         }
     }
 
-    /// Tangent planes of the front at points all over the sheet, some close to its corners (places chosen, not
-    /// tuned).
+    /// Tangent planes of the front at points all over the sheet, some close to its corners (places chosen,
+    /// not tuned).
     pub(super) fn samples(&self) -> Vec<Plane> {
         const STEPS: [f64; 5] = [-0.97, -0.5, 0.03, 0.5, 0.97];
         match self.shape.region() {
