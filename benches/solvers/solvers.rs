@@ -24,7 +24,7 @@ const SMALL: usize = 1000;
 /// Blocks of ten unknowns, half to nine tenths of what arrives sent on, symmetrised.
 fn system(dim: usize) -> (Dense, Vec<f64>) {
     let random = &mut Random(dim as u64);
-    let a = enclosure(random, Partition::new(&vec![10; dim / 10]), (0.5, 0.9), true);
+    let a = enclosure(random, Partition::new(&vec![10; dim / 10]), [0.5, 0.9], true);
     (a, (0..dim).map(|_| random.unit()).collect())
 }
 

@@ -113,10 +113,10 @@ fn divide(boxes: &[Aabb], order: &mut [u32], nodes: &mut Vec<Node>, node: usize,
 fn split_by_area(boxes: &[Aabb], slots: &mut [u32], bounds: &Aabb) -> Option<usize> {
     let center = |k: &u32| boxes[*k as usize].center();
     let spread = Aabb::around(slots.iter().map(center));
-    let (axis, bin, cost) = (0..3)
+    let BinCut { axis, bin, cost } = (0..3)
         .filter(|axis| spread.max[*axis] > spread.min[*axis])
         .flat_map(|axis| best_plane(boxes, slots, &spread, axis))
-        .min_by(|a, b| a.2.total_cmp(&b.2))?;
+        .min_by(|a, b| a.cost.total_cmp(&b.cost))?;
     // 0.2: a box test is taken to cost a tenth of a surface test. An assumption, which decides how many boxes
     // a leaf holds and not what is found.
     let leaf_cost = bounds.surface() * (slots.len() as f64 - 0.2);
@@ -128,8 +128,17 @@ fn split_by_area(boxes: &[Aabb], slots: &mut [u32], bounds: &Aabb) -> Option<usi
     Some(slots.iter().filter(|k| is_left(k)).count())
 }
 
-/// The bin after which to cut along `axis`, as (axis, bin, area · count of both sides).
-fn best_plane(boxes: &[Aabb], slots: &[u32], spread: &Aabb, axis: usize) -> Option<(usize, usize, f64)> {
+/// A cut between two bins.
+struct BinCut {
+    axis: usize,
+    /// The bin after which to cut.
+    bin: usize,
+    /// Area · count of both sides.
+    cost: f64,
+}
+
+/// The best cut along `axis`.
+fn best_plane(boxes: &[Aabb], slots: &[u32], spread: &Aabb, axis: usize) -> Option<BinCut> {
     let mut bins = [(Aabb::EMPTY, 0usize); BINS];
     for k in slots {
         let bounds = boxes[*k as usize];
@@ -142,8 +151,8 @@ fn best_plane(boxes: &[Aabb], slots: &[u32], spread: &Aabb, axis: usize) -> Opti
     };
     let left: Vec<f64> = bins.iter().scan((Aabb::EMPTY, 0), add).collect();
     let right: Vec<f64> = bins.iter().rev().scan((Aabb::EMPTY, 0), add).collect();
-    let cut = (0..BINS - 1).map(|bin| (axis, bin, left[bin] + right[BINS - 2 - bin]));
-    cut.min_by(|a, b| a.2.total_cmp(&b.2))
+    let cut = |bin: usize| BinCut { axis, bin, cost: left[bin] + right[BINS - 2 - bin] };
+    (0..BINS - 1).map(cut).min_by(|a, b| a.cost.total_cmp(&b.cost))
 }
 
 fn bin_of(center: f64, spread: &Aabb, axis: usize) -> usize {

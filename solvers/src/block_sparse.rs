@@ -11,16 +11,35 @@ use crate::operator::Operator;
 use crate::partition::Partition;
 use crate::vector::{add_scaled, all_finite, dot};
 
-/// One block that may differ from zero: row, column, and its entries line by line.
-pub type SparseBlock<'a> = (usize, usize, &'a [f64]);
+/// One block that may differ from zero.
+#[derive(Clone, Copy, Debug)]
+pub struct SparseBlock<'a> {
+    /// Its row of blocks.
+    pub row: usize,
+    /// Its column of blocks.
+    pub column: usize,
+    /// Its entries, line by line.
+    pub values: &'a [f64],
+}
+
+impl<'a> SparseBlock<'a> {
+    /// The block in this row and column, with its entries line by line.
+    pub fn new(row: usize, column: usize, values: &'a [f64]) -> Self {
+        Self { row, column, values }
+    }
+}
 
 /// A real square matrix, finite, of which only the blocks that differ from zero are held.
 ///
 /// ```
-/// use radiosity_solvers::{BlockSparse, Operator, Partition};
+/// use radiosity_solvers::{BlockSparse, Operator, Partition, SparseBlock};
 ///
 /// // Blocks of 2 and 1 unknowns; of a symmetric matrix one triangle suffices.
-/// let blocks = [(0, 0, &[2.0, 0.5, 0.5, 2.0][..]), (0, 1, &[1.0, 0.0]), (1, 1, &[3.0])];
+/// let blocks = [
+///     SparseBlock::new(0, 0, &[2.0, 0.5, 0.5, 2.0]),
+///     SparseBlock::new(0, 1, &[1.0, 0.0]),
+///     SparseBlock::new(1, 1, &[3.0]),
+/// ];
 /// let a = BlockSparse::symmetric(Partition::new(&[2, 1]), &blocks)?;
 /// let mut y = [0.0; 3];
 /// a.apply(&[1.0, 2.0, 3.0], &mut y);
@@ -62,8 +81,12 @@ impl BlockSparse {
     /// [`DimensionMismatch`](SolveError::DimensionMismatch) if a block has not as many entries as its place,
     /// [`NonFinite`](SolveError::NonFinite) if an entry is infinite or NaN.
     pub fn new<'a>(partition: Partition, blocks: &[SparseBlock<'a>]) -> Result<Self, SolveError> {
-        let arriving =
-            |(row, column, values): SparseBlock<'a>| Arriving { row, column, transposed: false, values };
+        let arriving = |SparseBlock { row, column, values }: SparseBlock<'a>| Arriving {
+            row,
+            column,
+            transposed: false,
+            values,
+        };
         Self::of(partition, blocks.iter().copied().map(arriving).collect(), false)
     }
 
@@ -74,7 +97,7 @@ impl BlockSparse {
     /// Errors of [`BlockSparse::new`].
     pub fn symmetric(partition: Partition, blocks: &[SparseBlock<'_>]) -> Result<Self, SolveError> {
         let mut arriving = Vec::with_capacity(2 * blocks.len());
-        for (row, column, values) in blocks.iter().copied() {
+        for SparseBlock { row, column, values } in blocks.iter().copied() {
             arriving.push(Arriving { row, column, transposed: false, values });
             if row != column {
                 arriving.push(Arriving { row: column, column: row, transposed: true, values });
@@ -228,7 +251,7 @@ mod tests {
     }
 
     fn borrowed(blocks: &[(usize, usize, Vec<f64>)]) -> Vec<SparseBlock<'_>> {
-        blocks.iter().map(|(row, column, values)| (*row, *column, &values[..])).collect()
+        blocks.iter().map(|(row, column, values)| SparseBlock::new(*row, *column, values)).collect()
     }
 
     /// All entries by products with unit vectors, by rows and by columns.
@@ -288,9 +311,9 @@ mod tests {
 
     #[test]
     fn blocks_that_do_not_fit_are_refused() {
-        let wrong = BlockSparse::new(Partition::new(&[2]), &[(0, 0, &[1.0; 3])]);
+        let wrong = BlockSparse::new(Partition::new(&[2]), &[SparseBlock::new(0, 0, &[1.0; 3])]);
         assert!(matches!(wrong, Err(SolveError::DimensionMismatch { expected: 4, found: 3, .. })));
-        let wrong = BlockSparse::new(Partition::new(&[1]), &[(0, 0, &[f64::NAN])]);
+        let wrong = BlockSparse::new(Partition::new(&[1]), &[SparseBlock::new(0, 0, &[f64::NAN])]);
         assert!(matches!(wrong, Err(SolveError::NonFinite { .. })));
     }
 }

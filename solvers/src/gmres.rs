@@ -95,6 +95,15 @@ struct Arnoldi<'p> {
     products: f64,
 }
 
+/// A vector made orthogonal to a basis.
+struct Orthogonalised {
+    remainder: Vec<f64>,
+    /// The column of H_j without its last entry: what was taken off along each vector of the basis.
+    column: Vec<f64>,
+    /// Length before.
+    length: f64,
+}
+
 impl Arnoldi<'_> {
     /// v := M⁻¹ v.
     fn precondition(&self, v: &mut [f64]) {
@@ -129,8 +138,8 @@ impl Arnoldi<'_> {
         self.target = vec![size];
     }
 
-    /// A M⁻¹ v_j made orthogonal to v₁, …, v_j: the remainder, and the column of H_j without its last entry.
-    fn orthogonalise(&mut self) -> Result<(Vec<f64>, Vec<f64>, f64), SolveError> {
+    /// A M⁻¹ v_j made orthogonal to v₁, …, v_j.
+    fn orthogonalise(&mut self) -> Result<Orthogonalised, SolveError> {
         let mut direction = self.basis[self.columns.len()].clone();
         self.precondition(&mut direction);
         let mut w = vec![0.0; direction.len()];
@@ -146,7 +155,7 @@ impl Arnoldi<'_> {
                 *h += along;
             }
         }
-        Ok((w, column, length))
+        Ok(Orthogonalised { remainder: w, column, length })
     }
 
     /// Rotates a new column of H_j, whose last entry is `below`, into the triangle.
@@ -188,7 +197,7 @@ impl Iteration for Arnoldi<'_> {
     }
 
     fn advance(&mut self, x: &mut [f64]) -> Result<f64, SolveError> {
-        let (mut w, column, length) = self.orthogonalise()?;
+        let Orthogonalised { remainder: mut w, column, length } = self.orthogonalise()?;
         self.advances += 1;
         let below = norm(&w);
         let vanished = below <= VANISHED * length;

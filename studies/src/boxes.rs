@@ -15,7 +15,7 @@ pub fn room(grid: [usize; 3]) -> Scene {
     let grey = room.material("grey", Material::new(vec![0.5], vec![0.0]).expect("½ is a reflectance"));
     let glow = room.material("glow", Material::new(vec![0.5], vec![1.0]).expect("½ is a reflectance"));
     let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-    add_box(&mut room, "room", 0.5 * ROOM, axes.map(|axis| -ROOM.dot(axis) * axis), [&glow, &grey]);
+    add_box(&mut room, "room", 0.5 * ROOM, axes.map(|axis| -ROOM.dot(axis) * axis), &glow, &grey);
     let cell = ROOM / DVec3::from_array(grid.map(|count| count.max(1) as f64));
     let mut random = Random(1);
     for k in 0..grid.iter().product() {
@@ -23,19 +23,20 @@ pub fn room(grid: [usize; 3]) -> Scene {
         let (sin, cos) = random.between(0.0, 1.5).sin_cos();
         let turned = [DVec3::new(cos, sin, 0.0), DVec3::new(-sin, cos, 0.0), DVec3::Z];
         let edges = turned.map(|axis| random.between(0.2, 0.6) * cell.min_element() * axis);
-        add_box(&mut room, &format!("box-{k}"), DVec3::from_array(at) * cell, edges, [&grey, &grey]);
+        add_box(&mut room, &format!("box-{k}"), DVec3::from_array(at) * cell, edges, &grey, &grey);
     }
     room.build().expect("the boxes keep apart")
 }
 
 /// The six faces of the box with three `edges` about `center`, fronts outside, or inside where the edges are
-/// left-handed. The face where the third edge starts has the first material.
+/// left-handed. The face where the third edge starts is of the material `first`.
 fn add_box(
     room: &mut SceneBuilder,
     name: &str,
     center: DVec3,
     edges: [DVec3; 3],
-    [first, others]: [&NamedMaterial; 2],
+    first: &NamedMaterial,
+    others: &NamedMaterial,
 ) {
     let corner = center - 0.5 * edges.iter().sum::<DVec3>();
     for k in 0..3 {

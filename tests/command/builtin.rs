@@ -127,7 +127,7 @@ fn factor(name: &str, settings: &[(&str, f64)]) -> f64 {
     let visibility = Visibility::new(&scene, Shadows::Off);
     let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-3 };
     let blocks = blocks_of(&elements, &visibility, accuracy);
-    blocks.iter().find(|(row, column, _)| row != column).map_or(0.0, |(_, _, values)| values[0])
+    blocks.iter().find(|block| block.row != block.column).map_or(0.0, |block| block.values[0])
 }
 
 /// Two unit squares face to face: 2/(πX²) [ln √((1+X²)²/(1+2X²)) + 2X√(1+X²) atan(X/√(1+X²)) − 2X atan X],

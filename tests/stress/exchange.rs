@@ -102,8 +102,9 @@ fn transfer([p, q]: &[[DVec3; 4]; 2], order: usize, eps: f64) -> f64 {
     let elements = elements_of(&scene, order, 1);
     let visibility = Visibility::new(&scene, Shadows::Off);
     let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: eps });
-    let block = blocks.iter().find(|(i, j, _)| (*i, *j) == (0, 1)).expect("they face each other");
-    block.2[0] * (elements.list()[0].area * elements.list()[1].area).sqrt()
+    let block =
+        blocks.iter().find(|block| (block.row, block.column) == (0, 1)).expect("they face each other");
+    block.values[0] * (elements.list()[0].area * elements.list()[1].area).sqrt()
 }
 
 /// Orders above 0 take other rules than contours, whose mean is the same.

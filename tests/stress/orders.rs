@@ -1,6 +1,6 @@
 //! Orders to 20 and thin rooms: the constant must be kept, c = G c, whatever the order.
 
-use radiosity::kernel::Accuracy;
+use radiosity::kernel::{Accuracy, PlacedBlock};
 use radiosity::scene::Scene;
 use radiosity::visibility::{Shadows, Visibility};
 
@@ -26,8 +26,8 @@ fn opening(scene: &Scene, order: usize, eps: f64) -> f64 {
     let row = |i: usize| {
         let allowed: f64 = blocks
             .iter()
-            .filter(|(a, b, _)| *a == i || *b == i)
-            .map(|(a, b, values)| {
+            .filter(|block| block.row == i || block.column == i)
+            .map(|PlacedBlock { row: a, column: b, values }| {
                 let top = values.iter().fold(0.0f64, |top, x| top.max(x.abs()));
                 (eps * top.max(1e-2) + 1e-13) * list[if a == i { b } else { a }].area.sqrt()
             })

@@ -9,9 +9,9 @@ use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{Polygon, Sphere};
-use radiosity::kernel::{Accuracy, Blocks};
+use radiosity::kernel::{Accuracy, Blocks, PlacedBlock};
 use radiosity::published::hierarchy::harmonics::{HARMONICS, clamped_cosine, harmonics};
-use radiosity::published::hierarchy::linked_blocks::LinkedBlocks;
+use radiosity::published::hierarchy::linked_blocks::{LevelElement, LinkedBlocks};
 use radiosity::published::hierarchy::two_scale::TwoScale;
 use radiosity::published::hierarchy::{
     BandSystem, Counts, Fields, Hierarchical, HierarchyError, HierarchyOptions, solve_hierarchically,
@@ -532,8 +532,8 @@ fn blocks_linked_at_the_leaves_are_the_flat_operator() {
         let [whole, halves, quarters] = [1, 2, 4].map(|parts| cut(&scene, order, Space::Total, parts));
         let flat = blocks(&scene, &quarters, 1e-3);
         let mut linked = LinkedBlocks::new(&[&whole, &halves, &quarters]);
-        for (row, column, values) in flat.iter() {
-            linked.link([(2, row), (2, column)], &values);
+        for PlacedBlock { row, column, values } in flat.iter() {
+            linked.link([row, column].map(|index| LevelElement { level: 2, index }), &values);
         }
         let x = scattered(flat.dim(), 3);
         let (ours, theirs) = (linked.apply(&x), flat.apply(&x));
@@ -557,7 +557,9 @@ fn blocks_of_larger_elements_are_pulled_from_those_of_their_parts() {
     assert!(distance(&pulled[..large.dim()], &direct) < 1e-7 * norm(&direct));
     // Links between whole faces send the same polynomials as the blocks of these do.
     let mut linked = LinkedBlocks::new(&[&coarse, &fine]);
-    large.iter().for_each(|(row, column, values)| linked.link([(0, row), (0, column)], &values));
+    for PlacedBlock { row, column, values } in large.iter() {
+        linked.link([row, column].map(|index| LevelElement { level: 0, index }), &values);
+    }
     let received = levels.push(above(direct));
     assert!(distance(&linked.apply(&restricted), &received) < 1e-13 * norm(&received));
 }

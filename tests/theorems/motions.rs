@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use radiosity::scene::{
-    Clock, Curve, MoverDraft, Notation, Pose, RigidPath, Scene, SceneBuilder, SceneError, SceneSurface,
-    Source, TimeFunction, Turn,
+    AxisAngle, Clock, Curve, MoverDraft, Notation, Pose, RigidPath, Scene, SceneBuilder, SceneError,
+    SceneSurface, Source, TimeFunction, Turn,
 };
 use radiosity::visibility::inspection::Inspection;
 use radiosity_geom::DVec3;
@@ -587,7 +587,8 @@ prop_compose! {
         let shift = TimeFunction::new("points", points.clone(), times.clone(), curve).unwrap();
         let axis = |k: usize| axes[k] + DVec3::new(0.0, 0.0, 2.0);
         let turn = if keyed {
-            let keys: Vec<(DVec3, f64)> = (0..4).map(|k| (axis(k), angles[k])).collect();
+            let key = |k: usize| AxisAngle { axis: axis(k), degrees: angles[k] };
+            let keys: Vec<AxisAngle> = (0..4).map(key).collect();
             Turn::by_keys(center, &keys, times.clone())
         } else {
             Turn::about_axis(center, axis(0), TimeFunction::new("angles", angles, times.clone(), curve).unwrap())

@@ -237,11 +237,12 @@ fn tensor_blocks_are_parts_of_the_blocks_of_total_degree() {
         .collect();
     let count = total.list()[0].basis.len();
     assert_eq!(small.iter().count(), 15);
-    for ((i, j, ours), (k, l, theirs)) in small.iter().zip(large.iter()) {
-        assert_eq!((i, j), (k, l));
-        for (row, ours) in places.iter().zip(ours.chunks_exact(places.len())) {
+    for (ours, theirs) in small.iter().zip(large.iter()) {
+        let [i, j] = [ours.row, ours.column];
+        assert_eq!([i, j], [theirs.row, theirs.column]);
+        for (row, ours) in places.iter().zip(ours.values.chunks_exact(places.len())) {
             for (column, value) in places.iter().zip(ours) {
-                let error = value - theirs[row * count + column];
+                let error = value - theirs.values[row * count + column];
                 assert!(error.abs() < 1e-9, "{i} {j}: {error:e}");
             }
         }

@@ -179,7 +179,7 @@ impl<'a, const W: usize> Along<'a, W> {
 ///
 /// const RULE: Collapsed<3> = Collapsed::new();
 /// // ∬ s² ds dt = 2/3.
-/// let moment: f64 = RULE.points().map(|(s, _, w)| w * s * s).sum();
+/// let moment: f64 = RULE.points().map(|point| point.weight * point.s * point.s).sum();
 /// assert!((moment - 2.0 / 3.0).abs() < 1e-15);
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -194,8 +194,8 @@ impl<const N: usize> Collapsed<N> {
         Collapsed { across: Rule::legendre(), along: Rule::jacobi(Weight::integer(1, 0)) }
     }
 
-    /// (s, t, w) of every point.
-    pub fn points(&self) -> impl Iterator<Item = (f64, f64, f64)> {
+    /// Every point.
+    pub fn points(&self) -> impl Iterator<Item = WeightedPoint> {
         let along = self.along.nodes.iter().zip(&self.along.weights);
         along.flat_map(|(&t, &w)| {
             let across = self.across.nodes.iter().zip(&self.across.weights);
@@ -210,8 +210,19 @@ impl<const N: usize> Default for Collapsed<N> {
     }
 }
 
-/// Node and weight of a Legendre rule, node and weight of a Jacobi (1, 0) rule → (s, t, w) on the triangle.
-pub const fn collapse(across: (f64, f64), along: (f64, f64)) -> (f64, f64, f64) {
+/// A point of a rule on the triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeightedPoint {
+    /// First coordinate.
+    pub s: f64,
+    /// Second coordinate.
+    pub t: f64,
+    /// Weight; those of a rule sum to the area 2.
+    pub weight: f64,
+}
+
+/// Node and weight of a Legendre rule, node and weight of a Jacobi (1, 0) rule → their point on the triangle.
+pub const fn collapse(across: (f64, f64), along: (f64, f64)) -> WeightedPoint {
     let (t, c) = (along.0, 0.5 * (1.0 - along.0));
-    ((1.0 + across.0) * c - 1.0, t, 0.5 * across.1 * along.1)
+    WeightedPoint { s: (1.0 + across.0) * c - 1.0, t, weight: 0.5 * across.1 * along.1 }
 }

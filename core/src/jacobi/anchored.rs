@@ -67,22 +67,30 @@ impl Anchor {
     }
 }
 
-/// p_k at an end and the steps from there, for k = 0, 1, …; `turn` is −1 at the end −1 of the mirrored
-/// weight, else 1.
-pub(super) fn anchored(weight: Weight, turn: f64) -> impl Iterator<Item = (f64, Step)> {
+/// p_k at an end, and how it goes on from there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Start {
+    /// Its value at the end.
+    pub(super) value: f64,
+    /// The step to the next polynomial.
+    pub(super) step: Step,
+}
+
+/// The polynomials at an end, for k = 0, 1, …; `turn` is −1 at the end −1 of the mirrored weight, else 1.
+pub(super) fn anchored(weight: Weight, turn: f64) -> impl Iterator<Item = Start> {
     let (mut anchor, mut sign) = (Anchor::new(weight), 1.0);
     core::iter::repeat_with(move || {
         let value = sign * anchor.end();
         sign *= turn;
-        (value, anchor.advance())
+        Start { value, step: anchor.advance() }
     })
 }
 
 /// Writes p_k(x) from the values at the nearer end and the steps from there.
 #[inline(always)]
-pub(super) fn write(x: f64, end: impl Iterator<Item = (f64, Step)>, out: &mut [f64]) {
+pub(super) fn write(x: f64, end: impl Iterator<Item = Start>, out: &mut [f64]) {
     let mut walk = Differences::new(1.0 - x.abs());
-    for (p, (value, step)) in out.iter_mut().zip(end) {
+    for (p, Start { value, step }) in out.iter_mut().zip(end) {
         *p = value * walk.value();
         walk.advance(step);
     }
@@ -92,13 +100,13 @@ pub(super) fn write(x: f64, end: impl Iterator<Item = (f64, Step)>, out: &mut [f
 #[inline(always)]
 pub(super) fn write_with_derivatives(
     x: f64,
-    end: impl Iterator<Item = (f64, Step)>,
+    end: impl Iterator<Item = Start>,
     out: &mut [f64],
     slopes: &mut [f64],
 ) {
     let outward = if x < 0.0 { 1.0 } else { -1.0 };
     let mut walk = Differences::new(1.0 - x.abs());
-    for ((p, d), (value, step)) in out.iter_mut().zip(slopes).zip(end) {
+    for ((p, d), Start { value, step }) in out.iter_mut().zip(slopes).zip(end) {
         *p = value * walk.value();
         *d = outward * value * walk.slope();
         walk.advance_with_slope(step);

@@ -5,7 +5,7 @@
 //! `recurrence`).
 
 use super::Weight;
-use super::anchored::{Anchor, anchored, write, write_with_derivatives};
+use super::anchored::{Anchor, Start, anchored, write, write_with_derivatives};
 use super::monic::Monic;
 use crate::double::Double;
 use crate::recurrence::{Recurrence, Step};
@@ -53,8 +53,8 @@ impl<const N: usize> End<N> {
 
     /// Values at the end, and steps to the next.
     #[inline(always)]
-    fn iter(&self) -> impl Iterator<Item = (f64, Step)> {
-        self.value.iter().copied().zip(self.steps.iter().copied())
+    fn iter(&self) -> impl Iterator<Item = Start> {
+        self.value.iter().zip(&self.steps).map(|(&value, &step)| Start { value, step })
     }
 }
 

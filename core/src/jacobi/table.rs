@@ -4,19 +4,22 @@
 //! known at run time.
 
 use super::Weight;
-use super::anchored::{anchored, write, write_with_derivatives};
+use super::anchored::{Start, anchored, write, write_with_derivatives};
 use crate::recurrence::Step;
 
 /// One polynomial: its values at both ends and the steps to the next; made by [`Table::new`].
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    right: (f64, Step),
-    left: (f64, Step),
+    right: Start,
+    left: Start,
 }
 
 impl Entry {
     /// Placeholder that fills a slice before [`Table::new`] writes it.
-    pub const EMPTY: Entry = Entry { right: (0.0, Step::NONE), left: (0.0, Step::NONE) };
+    pub const EMPTY: Entry = {
+        let nothing = Start { value: 0.0, step: Step::NONE };
+        Entry { right: nothing, left: nothing }
+    };
 }
 
 /// The orthonormal Jacobi polynomials p₀ … p_{m−1} of one weight, m the length of the caller's slice.
@@ -73,7 +76,7 @@ impl<'a> Table<'a> {
     pub fn norm(&self, n: usize) -> f64 {
         let alpha = self.weight.alpha();
         let classical: f64 = (1..=n).map(|k| (k as f64 + alpha) / k as f64).product();
-        classical / self.entries[n].right.0
+        classical / self.entries[n].right.value
     }
 
     fn check(&self, count: usize) {
@@ -84,7 +87,7 @@ impl<'a> Table<'a> {
         );
     }
 
-    fn nearer(&self, x: f64) -> impl Iterator<Item = (f64, Step)> {
+    fn nearer(&self, x: f64) -> impl Iterator<Item = Start> {
         self.entries.iter().map(move |entry| if x < 0.0 { entry.left } else { entry.right })
     }
 }

@@ -1,7 +1,7 @@
 //! Bases of the square and the triangle: orthonormality, order, gradients, tiles, and the collapsed rule.
 
 use proptest::prelude::*;
-use radiosity_core::basis::triangle::Collapsed;
+use radiosity_core::basis::triangle::{Collapsed, WeightedPoint};
 use radiosity_core::basis::{tensor, total, triangle};
 use radiosity_core::gauss::Rule;
 use radiosity_core::jacobi::{self, Weight};
@@ -9,22 +9,25 @@ use radiosity_core::jacobi::{self, Weight};
 use crate::tables::{decimals, integer, tables};
 use radiosity_test_support::oracle::Fixed;
 
-type Points = Vec<(f64, f64, f64)>;
-
-fn square<const N: usize>() -> Points {
+fn square<const N: usize>() -> Vec<WeightedPoint> {
     let rule = Rule::<N>::legendre();
     let pairs = (0..N).flat_map(|i| (0..N).map(move |j| (i, j)));
-    pairs.map(|(i, j)| (rule.nodes[i], rule.nodes[j], rule.weights[i] * rule.weights[j])).collect()
+    let point = |(i, j): (usize, usize)| WeightedPoint {
+        s: rule.nodes[i],
+        t: rule.nodes[j],
+        weight: rule.weights[i] * rule.weights[j],
+    };
+    pairs.map(point).collect()
 }
 
-fn assert_orthonormal(points: &Points, count: usize, values: impl Fn(f64, f64, &mut [f64])) {
+fn assert_orthonormal(points: &[WeightedPoint], count: usize, values: impl Fn(f64, f64, &mut [f64])) {
     let mut gram = vec![0.0; count * count];
     let mut v = vec![0.0; count];
-    for &(s, t, w) in points {
-        values(s, t, &mut v);
+    for point in points {
+        values(point.s, point.t, &mut v);
         for k in 0..count {
             for l in 0..count {
-                gram[k * count + l] += w * v[k] * v[l];
+                gram[k * count + l] += point.weight * v[k] * v[l];
             }
         }
     }
@@ -39,7 +42,7 @@ fn assert_orthonormal(points: &Points, count: usize, values: impl Fn(f64, f64, &
 #[test]
 fn bases_are_orthonormal_on_their_domain() {
     assert_orthonormal(&square::<11>(), total::count(10), |s, t, v| total::values(10, s, t, v));
-    let points = Collapsed::<11>::new().points().collect();
+    let points: Vec<WeightedPoint> = Collapsed::<11>::new().points().collect();
     assert_orthonormal(&points, total::count(10), |s, t, v| triangle::values(10, s, t, v));
 }
 
@@ -93,8 +96,8 @@ fn moment(i: usize, j: usize) -> f64 {
 fn the_collapsed_rule_is_exact_to_2n_minus_1_and_not_to_2n() {
     let rule = Collapsed::<5>::new();
     let error = |i: usize, j: usize| {
-        let sum = |(s, t, w): (f64, f64, f64)| {
-            w * (0.5 * (1.0 + s)).powi(i as i32) * (0.5 * (1.0 + t)).powi(j as i32)
+        let sum = |WeightedPoint { s, t, weight }| {
+            weight * (0.5 * (1.0 + s)).powi(i as i32) * (0.5 * (1.0 + t)).powi(j as i32)
         };
         (rule.points().map(sum).sum::<f64>() - moment(i, j)).abs()
     };
@@ -102,7 +105,10 @@ fn the_collapsed_rule_is_exact_to_2n_minus_1_and_not_to_2n() {
         assert!((0..=degree).all(|j| error(degree - j, j) < 1e-15), "degree {degree}");
     }
     assert!((0..=10).any(|j| error(10 - j, j) > 1e-9));
-    assert!(rule.points().all(|(s, t, w)| s > -1.0 && t > -1.0 && s + t < 0.0 && w > 0.0));
+    assert!(
+        rule.points()
+            .all(|WeightedPoint { s, t, weight }| s > -1.0 && t > -1.0 && s + t < 0.0 && weight > 0.0)
+    );
 }
 
 #[test]

@@ -170,7 +170,7 @@ impl AnimateArgs {
         };
         let rate = loaded.scene.animation.as_ref().map(|animation| animation.rate);
         let of_scene = rate.filter(|rate| *rate != 1.0);
-        let film = FrameFiles::new(&output, (self.fps, of_scene), first, loaded, ranks)?;
+        let film = FrameFiles::new(&output, self.fps, of_scene, first, loaded, ranks)?;
         if film.is_exr() && self.exposure.is_some() {
             return Err(CliError::Refused {
                 message: "--exposure: an .exr holds the values and nothing else".to_owned(),

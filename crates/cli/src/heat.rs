@@ -27,7 +27,7 @@ use crate::{
     destination::Destination,
     error::CliError,
     format,
-    heat::picture::PictureArgs,
+    heat::picture::{OtherFile, PictureArgs},
     options::{SceneArg, solver},
     output_file::OutputFile,
     progress::Progress,
@@ -140,8 +140,10 @@ fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant, ranks: &Ranks) -> Re
     let reserve = |path: &Path| args.scene.kept_apart(OutputFile::reserve(path, ranks)?);
     let destination = Destination::of(args.output.as_deref().map(reserve).transpose()?, ranks);
     let matrix = args.conductances.as_deref().map(reserve).transpose()?;
-    let others =
-        [(args.output.as_deref(), "the figures"), (args.conductances.as_deref(), "the conductances")];
+    let others = [
+        OtherFile { path: args.output.as_deref(), content: "the figures" },
+        OtherFile { path: args.conductances.as_deref(), content: "the conductances" },
+    ];
     let picture = args.picture.wanted(scene, reserve, &others)?;
     let matrix = match (&args.output, matrix) {
         (Some(output), Some(matrix)) => Some(matrix.apart_from(output, "the figures")?),

@@ -24,16 +24,25 @@ use crate::{
 /// curved surfaces fewer texels can be interpolated.
 const PIXELS: u64 = 2;
 
+/// A page that is to be written.
+pub(crate) struct Page<'a> {
+    /// Its file as typed.
+    pub path: &'a Path,
+    pub output: &'a OutputFile,
+    /// Its first view.
+    pub start: &'a FirstViewSettings,
+}
+
 /// Solves the scene and writes the page of its light, read by `read` or as that takes little time.
 pub(crate) fn write(
     loaded: Loaded,
     method: &MethodArgs,
     report: &ReportArgs,
-    (path, output): (&Path, &OutputFile),
-    start: &FirstViewSettings,
+    page: &Page<'_>,
     read: Option<ReadMode>,
     ranks: &Ranks,
 ) -> Result<(), CliError> {
+    let Page { path, output, start } = *page;
     let scene = &loaded.scene;
     let reckoned = Lightmap::sizes(scene, texels(scene.light_groups().len().max(1), scene.bands.len()));
     let reckoned = reckoned.iter().map(|[across, down]| across * down).sum();

@@ -26,7 +26,7 @@ use crate::{
     error::CliError,
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
-    page,
+    page::{self, Page},
     progress::Progress,
     read::ROUGH,
     run::{Loaded, Run},
@@ -91,11 +91,12 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     let camera = camera(args.size(), &loaded.scene)?;
     if kind == PictureFormat::Html {
         let start = args.start(&loaded.scene, camera)?;
-        return page::write(loaded, &args.method, &args.report, (&path, &output), &start, args.read, ranks);
+        let page = Page { path: &path, output: &output, start: &start };
+        return page::write(loaded, &args.method, &args.report, &page, args.read, ranks);
     }
     require_pixels(&camera, &loaded.scene, args.method.memory, ranks)?;
     let [quantity, unit] = args.shown(&loaded.scene);
-    let mut style = args.style.prepare(&loaded.scene, &camera, [quantity, unit], ranks)?;
+    let mut style = args.style.prepare(&loaded.scene, &camera, quantity, unit, ranks)?;
     let wanted = args.wanted(&loaded.scene, ranks)?;
     let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };

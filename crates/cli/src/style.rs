@@ -168,7 +168,8 @@ impl StyleArgs {
         &self,
         scene: &Scene,
         camera: &Camera,
-        [quantity, unit]: [String; 2],
+        quantity: String,
+        unit: String,
         ranks: &Ranks,
     ) -> Result<Style<'_>, CliError> {
         self.check_colours()?;

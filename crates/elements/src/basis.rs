@@ -22,10 +22,10 @@ use radiosity_scene::MAX_ORDER;
 
 use super::columns::add_scaled;
 pub use super::frame::Frame;
-use super::measure::Measure;
+use super::measure::{Measure, WeightedNode};
 use super::patch::Patch;
 use super::products;
-use super::recurrence::Recurrence;
+use super::recurrence::{Recurrence, WeightedPoint};
 use super::rule::UnitRule;
 use super::space::Space;
 
@@ -111,8 +111,11 @@ impl AreaBasis {
         frame: Frame,
         depth: usize,
     ) -> Option<(Self, f64)> {
-        let points: Vec<([f64; 2], f64)> =
-            measure.points.iter().map(|(node, weight)| (frame.coordinates(node), *weight)).collect();
+        let point = |WeightedNode { node, weight }: &WeightedNode| WeightedPoint {
+            coordinates: frame.coordinates(node),
+            weight: *weight,
+        };
+        let points: Vec<WeightedPoint> = measure.points.iter().map(point).collect();
         let recurrence = Recurrence::new(&points, &space.levels(order), depth)?;
         let mut basis = Self { space, order, frame, recurrence: Some(recurrence), transform: Vec::new() };
         let count = basis.len();
@@ -219,7 +222,7 @@ impl AreaBasis {
 
     /// One row per point: √w R_k.
     fn weighted_table(&self, measure: &Measure) -> Vec<Vec<f64>> {
-        let row = |(node, weight): &(_, f64)| {
+        let row = |WeightedNode { node, weight }: &WeightedNode| {
             let mut row = vec![0.0; self.len()];
             self.raw(self.frame.coordinates(node), &mut row);
             row.iter_mut().for_each(|value| *value *= weight.sqrt());

@@ -142,7 +142,7 @@ impl Coating {
             let surface = &scene.surfaces[element.surface];
             let factor = factor(element.surface);
             let pattern = surface.material.emission_pattern.as_ref().filter(|_| factor > 0.0)?;
-            Some(VaryingExitance::new(element, &surface.shape, pattern, (band, factor)))
+            Some(VaryingExitance::new(element, &surface.shape, pattern, band, factor))
         });
         self.varying_exitances
             .iter()
@@ -414,9 +414,8 @@ fn transmissions(scene: &Scene, elements: &[Element], band: usize) -> BTreeMap<u
         let start = elements.partition_point(|element| element.surface < other);
         let end = elements.partition_point(|element| element.surface <= other);
         let shape = Arc::clone(&surface.shape);
-        let part = |behind| {
-            TransmissionPart::new(element, (behind, &elements[behind]), shape.as_ref(), transmittance)
-        };
+        let part =
+            |behind| TransmissionPart::new(element, behind, &elements[behind], shape.as_ref(), transmittance);
         let parts: Vec<TransmissionPart> = (start..end).filter_map(part).collect();
         transmissions.insert(index, Arc::new(Transmission { shape, transmittance, parts }));
     }

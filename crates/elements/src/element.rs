@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use radiosity_core::dot;
 use radiosity_geom::{
-    Aabb, DVec2, DVec3, PARALLEL_DIRECTIONS, Rect, Surface, clip_polygon, overhang, polygon_area,
+    Aabb, DVec2, DVec3, PARALLEL_DIRECTIONS, Plane, Rect, Surface, clip_polygon, overhang, polygon_area,
 };
 use radiosity_scene::SceneSurface;
 use smallvec::{SmallVec, smallvec};
@@ -28,8 +28,8 @@ pub struct Element {
     pub basis: AreaBasis,
     /// Disjoint patches that cover it.
     pub patches: Vec<Patch>,
-    /// A point and the unit normal of its plane, where it is flat.
-    pub plane: Option<(DVec3, DVec3)>,
+    /// Its plane, where it is flat.
+    pub plane: Option<Plane>,
     /// Area (scene length²).
     pub area: f64,
     /// c_k = ∫ φ_k dA, the coefficients of the constant 1.
@@ -79,14 +79,14 @@ impl Element {
     /// Whether a point of the element's plane lies in it, or nearer than `tolerance` (scene length) to one of
     /// its patches; false on curved elements.
     pub fn covers(&self, x: DVec3, tolerance: f64) -> bool {
-        let Some((_, normal)) = self.plane else { return false };
+        let Some(Plane { normal, .. }) = self.plane else { return false };
         self.patches.iter().any(|patch| overhang(&patch.corners(), normal, x) <= tolerance)
     }
 
     /// Disjoint patches that cover the part of it over the parameters `rect`; `shape` is that of its surface.
     pub(crate) fn patches_over(&self, shape: &dyn Surface, rect: &Rect) -> Vec<Patch> {
         let Some(common) = overlap(&self.rect, rect) else { return Vec::new() };
-        let Some((_, normal)) = self.plane else {
+        let Some(Plane { normal, .. }) = self.plane else {
             return self.patches.iter().map(|patch| patch.with_parameters(&common)).collect();
         };
         let pieces: Vec<Vec<DVec3>> = self.patches.iter().map(Patch::polygon).collect();
@@ -120,16 +120,22 @@ pub(super) struct Part<'a> {
     pub contact: Option<usize>,
 }
 
-/// The element of one part of a surface; None where the part is empty (pieces below 1e-14 of the surface
-/// are).
+/// The element of one part of the surface number `index`; None where the part is empty (pieces below 1e-14 of
+/// the surface are).
 pub(super) fn element(
-    (index, surface): (usize, &SceneSurface),
-    Part { shape, pieces, rect, contact }: Part,
-    (space, order): (Space, usize),
+    index: usize,
+    surface: &SceneSurface,
+    part: Part,
+    space: Space,
+    order: usize,
 ) -> Result<Option<Element>, ElementError> {
+    let Part { shape, pieces, rect, contact } = part;
     let thin = || ElementError::Thin { surface: surface.name.clone(), order };
     let (patches, plane) = match shape.region() {
-        Some(region) => flat_patches(shape, pieces, region.area(), &rect),
+        Some(region) => {
+            let (patches, plane) = flat_patches(shape, pieces, region.area(), &rect);
+            (patches, Some(plane))
+        }
         None => (vec![Patch::curved(Arc::clone(shape), &rect)], None),
     };
     if patches.is_empty() {
@@ -158,7 +164,7 @@ pub fn flat_patches(
     pieces: &[Vec<DVec3>],
     area: f64,
     rect: &Rect,
-) -> (Vec<Patch>, Option<(DVec3, DVec3)>) {
+) -> (Vec<Patch>, Plane) {
     let jet = shape.jet(rect.center()[0], rect.center()[1]);
     let parts =
         if *rect == Rect::FULL { pieces.to_vec() } else { clip_to_cell(shape.as_ref(), pieces, rect) };
@@ -167,20 +173,14 @@ pub fn flat_patches(
         .filter(|part| polygon_area(part) > 1e-14 * area)
         .flat_map(|part| Patch::of_polygon(part, jet.normal))
         .collect();
-    (patches, Some((jet.position, jet.normal)))
+    (patches, Plane { point: jet.position, normal: jet.normal })
 }
 
 /// The frame for the patches of a cell; `is_cover`: they are any part of a surface instead of a cell.
-fn frame(
-    shape: &dyn Surface,
-    patches: &[Patch],
-    plane: Option<(DVec3, DVec3)>,
-    rect: &Rect,
-    is_cover: bool,
-) -> Frame {
+fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<Plane>, rect: &Rect, is_cover: bool) -> Frame {
     let [u, v] = rect.center();
     match plane {
-        Some((_, normal)) => {
+        Some(Plane { normal, .. }) => {
             let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
             let jet = shape.jet(u, v);
             let parallel =

@@ -62,8 +62,14 @@ pub struct Elements {
     list: Vec<Element>,
     surfaces: Vec<SurfaceCut>,
     how: Discretization,
+    cells: Cells,
+}
+
+/// The cells of all surfaces.
+#[derive(Clone, Debug)]
+struct Cells {
     mesh: Mesh,
-    /// Whether the mesh is another than follows from `how`.
+    /// Whether the mesh is another than follows from the discretization.
     is_refined: bool,
 }
 
@@ -112,8 +118,7 @@ impl Elements {
     /// # Errors
     /// As for [`Elements::new`].
     pub fn moved(&self, scene: &Scene) -> Result<Self, ElementError> {
-        let mesh = (self.mesh.clone(), self.is_refined);
-        Self::cut(scene, &self.how, mesh, bare_shapes(scene), &covered_parts(scene), Some(self))
+        Self::cut(scene, &self.how, self.cells.clone(), bare_shapes(scene), &covered_parts(scene), Some(self))
     }
 
     fn of_shapes(
@@ -129,15 +134,15 @@ impl Elements {
         let usual = usual_mesh(scene, how);
         let is_refined = mesh.as_ref().is_some_and(|mesh| *mesh != usual);
         let mesh = mesh.unwrap_or(usual);
-        Self::cut(scene, how, (mesh, is_refined), shapes, covered_parts, None)
+        Self::cut(scene, how, Cells { mesh, is_refined }, shapes, covered_parts, None)
     }
 
-    /// Cuts `shapes` into the cells of a mesh; elements of shapes that are those of `before`, and that
+    /// Cuts `shapes` into cells; elements of shapes that are those of `before`, and that
     /// nothing covers, are copied.
     fn cut(
         scene: &Scene,
         how: &Discretization,
-        (mesh, is_refined): (Mesh, bool),
+        cells: Cells,
         shapes: Vec<Arc<dyn Surface>>,
         covered_parts: &[CoveredPart],
         before: Option<&Self>,
@@ -152,20 +157,16 @@ impl Elements {
                 surfaces.push(copy);
                 continue;
             }
-            let cells = &mesh.surfaces()[index];
-            let order = cells.values().into_iter().max().copied().unwrap_or(0);
+            let tree = &cells.mesh.surfaces()[index];
+            let order = tree.values().into_iter().max().copied().unwrap_or(0);
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
             let own: Vec<&CoveredPart> = covered_parts::of_surface(covered_parts, index).collect();
             let pieces = shape.region().map_or_else(Vec::new, |region| open_pieces(region, &own));
-            let mut maker = ElementMaker {
-                surface: (index, surface),
-                space: how.space,
-                covered_parts: &own,
-                list: &mut list,
-            };
-            let cells = cells.map(&Rect::FULL, &mut |rect, order| {
+            let mut maker =
+                ElementMaker { index, surface, space: how.space, covered_parts: &own, list: &mut list };
+            let elements = tree.map(&Rect::FULL, &mut |rect, order| {
                 check_interrupt();
                 maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
             })?;
@@ -174,9 +175,9 @@ impl Elements {
                 let part = Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) };
                 covered.extend(maker.made(part, order)?);
             }
-            surfaces.push(SurfaceCut { shape: Arc::clone(&shape), cells, covered });
+            surfaces.push(SurfaceCut { shape: Arc::clone(&shape), cells: elements, covered });
         }
-        Ok(Self { list, surfaces, how: *how, mesh, is_refined })
+        Ok(Self { list, surfaces, how: *how, cells })
     }
 
     /// The cut of a surface, if it has this shape and nothing covers it; its elements are appended to `list`.
@@ -201,14 +202,14 @@ impl Elements {
 
     /// The mesh, if it is another than follows from the discretization.
     pub fn refined_mesh(&self) -> Option<&Mesh> {
-        self.is_refined.then_some(&self.mesh)
+        self.cells.is_refined.then_some(&self.cells.mesh)
     }
 
     /// The mesh after what `refinement` says of each element; covered parts stay.
     pub fn refined(&self, refinement: &[CellRefinement]) -> Mesh {
         let leaves: Vec<Vec<Option<usize>>> =
             self.surfaces.iter().map(|cut| cut.cells.values().into_iter().copied().collect()).collect();
-        self.mesh.refined(&|surface, leaf| {
+        self.cells.mesh.refined(&|surface, leaf| {
             leaves[surface][leaf].map_or(CellRefinement::Keep, |element| refinement[element])
         })
     }
@@ -296,7 +297,8 @@ impl Elements {
 
 /// Makes the elements of one surface.
 struct ElementMaker<'a> {
-    surface: (usize, &'a SceneSurface),
+    index: usize,
+    surface: &'a SceneSurface,
     space: Space,
     covered_parts: &'a [&'a CoveredPart],
     list: &'a mut Vec<Element>,
@@ -305,10 +307,10 @@ struct ElementMaker<'a> {
 impl ElementMaker<'_> {
     /// Appends the element of a part to the list; its index, or None where the part is empty.
     fn made(&mut self, part: Part, order: usize) -> Result<Option<usize>, ElementError> {
-        let found = match element(self.surface, part, (self.space, order)) {
+        let found = match element(self.index, self.surface, part, self.space, order) {
             // Beside covered parts the rest of a cell may be a sliver, for which a constant is enough.
             Err(ElementError::Thin { .. }) if !self.covered_parts.is_empty() => {
-                element(self.surface, part, (self.space, 0))
+                element(self.index, self.surface, part, self.space, 0)
             }
             found => found,
         };

@@ -24,8 +24,17 @@ const ROUNDING: f64 = 1e-14;
 /// Points of an element with their weights.
 #[derive(Clone, Debug)]
 pub struct Measure {
-    /// Each point with the area it stands for (scene length²).
-    pub points: Vec<(Node, f64)>,
+    /// All points.
+    pub points: Vec<WeightedNode>,
+}
+
+/// A point of a quadrature rule for area.
+#[derive(Clone, Copy, Debug)]
+pub struct WeightedNode {
+    /// The point.
+    pub node: Node,
+    /// The area that it stands for (scene length²).
+    pub weight: f64,
 }
 
 impl Measure {
@@ -45,7 +54,7 @@ impl Measure {
 
     /// Σ w_a, the area (scene length²).
     pub(crate) fn area(&self) -> f64 {
-        self.points.iter().map(|(_, weight)| weight).sum()
+        self.points.iter().map(|point| point.weight).sum()
     }
 
     fn add_curved(&mut self, patch: &Patch, degree: usize) {
@@ -61,7 +70,7 @@ impl Measure {
         for (s, ws) in along.iter() {
             for (t, wt) in across.iter() {
                 let node = patch.node(s, t);
-                self.points.push((node, ws * wt * node.area));
+                self.points.push(WeightedNode { node, weight: ws * wt * node.area });
             }
         }
     }

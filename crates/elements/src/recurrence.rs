@@ -56,11 +56,28 @@ enum Multiplier {
     Function(usize),
 }
 
+/// A product of two functions, the lower one given as such or as a monomial.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Product {
+    multiplier: Multiplier,
+    /// Index of the other function.
+    source: usize,
+}
+
+/// A point with its weight in an inner product.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct WeightedPoint {
+    /// (a, b).
+    pub coordinates: [f64; 2],
+    /// Positive.
+    pub weight: f64,
+}
+
 /// Step of the recurrence from the functions before a level to those of the level.
 #[derive(Clone, Debug, PartialEq)]
 struct Step {
     functions: Range<usize>,
-    products: Vec<(Multiplier, usize)>,
+    products: Vec<Product>,
     /// For each product, then for each function before the level: W_c or −H_l, one entry per new function.
     columns: Vec<f64>,
 }
@@ -73,11 +90,10 @@ pub(crate) struct Recurrence {
 }
 
 impl Recurrence {
-    /// The functions that are orthonormal on `points`, pairs of coordinates (a, b) and weights > 0, by
-    /// products of levels m and d − m for 1 ≤ m ≤ `depth`. None where the points cannot distinguish the
-    /// polynomials.
-    pub(crate) fn new(points: &[([f64; 2], f64)], levels: &Levels, depth: usize) -> Option<Self> {
-        let roots: Vec<f64> = points.iter().map(|(_, weight)| weight.sqrt()).collect();
+    /// The functions that are orthonormal on `points`, by products of levels m and d − m for 1 ≤ m ≤ `depth`.
+    /// None where the points cannot distinguish the polynomials.
+    pub(crate) fn new(points: &[WeightedPoint], levels: &Levels, depth: usize) -> Option<Self> {
+        let roots: Vec<f64> = points.iter().map(|point| point.weight.sqrt()).collect();
         let constant = 1.0 / norm(&roots);
         let first = roots.iter().map(|root| root * constant).collect();
         let mut builder = Builder { points, roots, columns: vec![first] };
@@ -93,7 +109,7 @@ impl Recurrence {
             let (before, rest) = out.split_at_mut(step.functions.start);
             let level = &mut rest[..step.functions.len()];
             level.fill(0.0);
-            let products = step.products.iter().map(|(multiplier, source)| {
+            let products = step.products.iter().map(|Product { multiplier, source }| {
                 before[*source]
                     * match multiplier {
                         Multiplier::Monomial(degrees) => monomial(coordinates, *degrees),
@@ -118,7 +134,7 @@ fn monomial([a, b]: [f64; 2], [i, j]: [i32; 2]) -> f64 {
 
 /// A recurrence under construction.
 struct Builder<'a> {
-    points: &'a [([f64; 2], f64)],
+    points: &'a [WeightedPoint],
     /// √w_a.
     roots: Vec<f64>,
     /// √w_a φ_k(x_a), a column per function, as the recurrence evaluates it.
@@ -128,7 +144,7 @@ struct Builder<'a> {
 impl Builder<'_> {
     fn step(&mut self, levels: &Levels, degree: usize, depth: usize) -> Option<Step> {
         let products = products(levels, degree, depth);
-        let values: Vec<Vec<f64>> = products.iter().map(|product| self.product(*product)).collect();
+        let values: Vec<Vec<f64>> = products.iter().map(|product| self.product(product)).collect();
         let (rests, overlaps) = self.projected_out(&values);
         let functions = levels.functions[degree].clone();
         let mut rows = least_weights(&rests, functions.len())?;
@@ -145,12 +161,12 @@ impl Builder<'_> {
         Some(Step { functions, products, columns })
     }
 
-    fn product(&self, (multiplier, source): (Multiplier, usize)) -> Vec<f64> {
-        let values = self.columns[source].iter();
-        match multiplier {
+    fn product(&self, product: &Product) -> Vec<f64> {
+        let values = self.columns[product.source].iter();
+        match product.multiplier {
             Multiplier::Monomial(degrees) => {
                 let points = values.zip(self.points);
-                points.map(|(value, (coordinates, _))| value * monomial(*coordinates, degrees)).collect()
+                points.map(|(value, point)| value * monomial(point.coordinates, degrees)).collect()
             }
             Multiplier::Function(index) => {
                 let factors = self.columns[index].iter().zip(&self.roots);
@@ -201,7 +217,7 @@ impl Builder<'_> {
 }
 
 /// The products that reach level `degree`.
-fn products(levels: &Levels, degree: usize, depth: usize) -> Vec<(Multiplier, usize)> {
+fn products(levels: &Levels, degree: usize, depth: usize) -> Vec<Product> {
     let coordinates = levels.first.iter().map(|degrees| Multiplier::Monomial(*degrees)).collect();
     let multipliers = |level: usize| -> Vec<Multiplier> {
         levels.functions[level].clone().map(Multiplier::Function).collect()
@@ -213,8 +229,10 @@ fn products(levels: &Levels, degree: usize, depth: usize) -> Vec<(Multiplier, us
     products
 }
 
-fn pairs(multipliers: Vec<Multiplier>, sources: &Range<usize>) -> Vec<(Multiplier, usize)> {
-    multipliers.into_iter().flat_map(|multiplier| sources.clone().map(move |p| (multiplier, p))).collect()
+fn pairs(multipliers: Vec<Multiplier>, sources: &Range<usize>) -> Vec<Product> {
+    let with_each =
+        |multiplier: Multiplier| sources.clone().map(move |source| Product { multiplier, source });
+    multipliers.into_iter().flat_map(with_each).collect()
 }
 
 /// W: for each of `count` functions the weights of the products, of which `rests` is what the levels below

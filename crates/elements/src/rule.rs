@@ -20,6 +20,15 @@ pub struct UnitRule {
     pub weights: Vec<f64>,
 }
 
+/// A rule along one direction of a patch.
+#[derive(Clone, Copy, Debug)]
+pub struct Line<'a> {
+    /// Nodes in [0, 1].
+    pub nodes: &'a [f64],
+    /// Their weights, as many.
+    pub weights: &'a [f64],
+}
+
 impl UnitRule {
     /// The rule of `points` points, limited to 1..=[`MOST_POINTS`].
     pub fn of(points: usize) -> &'static Self {
@@ -39,9 +48,9 @@ impl UnitRule {
         Self { nodes, weights }
     }
 
-    /// Nodes and weights, side by side.
-    pub fn line(&self) -> (&[f64], &[f64]) {
-        (&self.nodes, &self.weights)
+    /// Its nodes and weights.
+    pub fn line(&self) -> Line<'_> {
+        Line { nodes: &self.nodes, weights: &self.weights }
     }
 
     /// Nodes with their weights.

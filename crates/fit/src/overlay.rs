@@ -73,6 +73,14 @@ fn settled(plane: &Plane, given: &[DVec3], parts: Vec<Part>, asked: Option<f64>)
     Drawing::new(plane, given, &rings, &[], asked).parts(OverlayRule::Subject, FillRule::EvenOdd)
 }
 
+/// A corner of a ring.
+#[derive(Clone, Copy)]
+struct RingCorner {
+    point: DVec3,
+    /// Whether it was given, and no crossing of sides made it.
+    is_given: bool,
+}
+
 /// Rings in a plane with common nodes.
 struct Drawing<'a> {
     plane: &'a Plane,
@@ -152,15 +160,13 @@ impl<'a> Drawing<'a> {
 
     /// A ring in space; none if nothing but rounding lies inside.
     fn ring(&self, ring: Vec<IntPoint<i64>>, known: &HashMap<[i64; 2], usize>) -> Option<Vec<DVec3>> {
-        let mut points: Vec<(DVec3, bool)> = ring
-            .into_iter()
-            .map(|at| match known.get(&place(at)) {
-                Some(node) => (self.nodes.points[*node], *node < self.nodes.given),
-                None => (self.crossing(at), false),
-            })
-            .collect();
-        self.straighten(&mut points);
-        let mut points: Vec<DVec3> = points.into_iter().map(|(x, _)| x).collect();
+        let corner = |at: IntPoint<i64>| match known.get(&place(at)) {
+            Some(node) => RingCorner { point: self.nodes.points[*node], is_given: *node < self.nodes.given },
+            None => RingCorner { point: self.crossing(at), is_given: false },
+        };
+        let mut corners: Vec<RingCorner> = ring.into_iter().map(corner).collect();
+        self.straighten(&mut corners);
+        let mut points: Vec<DVec3> = corners.into_iter().map(|corner| corner.point).collect();
         if points.len() < 3 || area_vector(&points).length() <= self.tolerance * perimeter(&points) {
             return None;
         }
@@ -169,15 +175,15 @@ impl<'a> Drawing<'a> {
         Some(points)
     }
 
-    /// Takes out points that were not given, where they have no effect.
-    fn straighten(&self, points: &mut Vec<(DVec3, bool)>) {
+    /// Takes out corners that were not given, where they have no effect.
+    fn straighten(&self, corners: &mut Vec<RingCorner>) {
         let mut at = 0;
-        while at < points.len() && points.len() > 3 {
-            let count = points.len();
-            let [before, (here, is_given), after] =
-                [points[(at + count - 1) % count], points[at], points[(at + 1) % count]];
-            match !is_given && distance_to_segment(here, [before.0, after.0]) <= self.tolerance {
-                true => drop(points.remove(at)),
+        while at < corners.len() && corners.len() > 3 {
+            let count = corners.len();
+            let RingCorner { point, is_given } = corners[at];
+            let ends = [(at + count - 1) % count, (at + 1) % count].map(|next| corners[next].point);
+            match !is_given && distance_to_segment(point, ends) <= self.tolerance {
+                true => drop(corners.remove(at)),
                 false => at += 1,
             }
         }

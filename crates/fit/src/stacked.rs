@@ -40,8 +40,8 @@ pub struct Step {
 /// The moves of all sheets that lie on others, by index; sheets for which nothing decides have none.
 pub fn steps(sheets: &[Sheet]) -> Vec<Step> {
     let mut steps: HashMap<usize, Step> = HashMap::new();
-    for (sheet, lower) in layers(sheets) {
-        for (on, direction) in lower {
+    for Layer { sheet, lower } in layers(sheets) {
+        for Support { sheet: on, direction } in lower {
             // A sheet on another one moves along with it.
             let off = OFF * gap::least(sheets[sheet].extent(), sheets[on].extent());
             let by = off * direction + steps.get(&on).map_or(DVec3::ZERO, |step| step.by);
@@ -67,15 +67,28 @@ pub fn set_apart(sheets: &mut [Sheet]) -> Vec<Step> {
     steps
 }
 
-/// Index of a sheet, with the indices of those that it lies on and the unit vectors away from them.
-type Layer = (usize, Vec<(usize, DVec3)>);
+/// A sheet that lies on others.
+struct Layer {
+    /// Its index.
+    sheet: usize,
+    /// The sheets that it lies on.
+    lower: Vec<Support>,
+}
+
+/// A sheet that another one lies on.
+struct Support {
+    /// Its index.
+    sheet: usize,
+    /// Unit vector from it towards the other one.
+    direction: DVec3,
+}
 
 /// The sheets that lie on others, lower ones first.
 fn layers(sheets: &[Sheet]) -> Vec<Layer> {
     let occupied: Vec<Occupied> = sheets.iter().map(|sheet| Occupied::new(&sheet.shape)).collect();
     let boxes: Vec<Aabb> = occupied.iter().map(|occupied| *occupied.bounds()).collect();
     let tree = Bvh::build(&boxes);
-    let mut lower: HashMap<usize, Vec<(usize, DVec3)>> = HashMap::new();
+    let mut lower: HashMap<usize, Vec<Support>> = HashMap::new();
     // Heights are kept: that of a floor is asked for with each body on it.
     let mut bodies: HashMap<usize, f64> = HashMap::new();
     for own in 0..sheets.len() {
@@ -102,12 +115,12 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
                 // Where the smaller one stays, the larger one goes the other way.
                 let (sheet, on, direction) =
                     if sheets[sheet].stays { (on, sheet, -direction) } else { (sheet, on, direction) };
-                lower.entry(sheet).or_default().push((on, direction));
+                lower.entry(sheet).or_default().push(Support { sheet: on, direction });
             }
         }
     }
-    let mut layers: Vec<Layer> = lower.into_iter().collect();
-    layers.sort_by(|a, b| sheets[a.0].order(&sheets[b.0]).then(a.0.cmp(&b.0)));
+    let mut layers: Vec<Layer> = lower.into_iter().map(|(sheet, lower)| Layer { sheet, lower }).collect();
+    layers.sort_by(|a, b| sheets[a.sheet].order(&sheets[b.sheet]).then(a.sheet.cmp(&b.sheet)));
     layers
 }
 

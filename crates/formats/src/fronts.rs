@@ -53,13 +53,13 @@ pub(crate) fn turned(model: &Model) -> Vec<TurnedFaces> {
     for body in faces.bodies() {
         let (minority, why) = faces.minority(&body);
         let is_whole = body.is_closed && body.members.len() > 3;
-        let beside = body.members[0].0;
+        let beside = body.members[0].face;
         if !minority.is_empty() {
-            let beside = body.members.iter().map(|(face, _)| *face).find(|face| !minority.contains(face));
+            let beside = body.members.iter().map(|own| own.face).find(|face| !minority.contains(face));
             found.push(TurnedFaces {
                 why,
                 surfaces: minority.iter().map(|face| faces.list[*face].surface).collect(),
-                beside: faces.list[beside.unwrap_or(body.members[0].0)].surface,
+                beside: faces.list[beside.unwrap_or(body.members[0].face)].surface,
             });
         }
         if !is_whole || why == TurnReason::Halves {
@@ -67,7 +67,7 @@ pub(crate) fn turned(model: &Model) -> Vec<TurnedFaces> {
         }
         let shell = faces.shell(&body, &minority);
         if let Some(why) = shell.fault(model, &middles) {
-            let surfaces = body.members.iter().map(|(face, _)| faces.list[*face].surface).collect();
+            let surfaces = body.members.iter().map(|own| faces.list[own.face].surface).collect();
             found.push(TurnedFaces { why, surfaces, beside: faces.list[beside].surface });
         }
     }
@@ -125,8 +125,16 @@ impl Face {
 
 struct Faces {
     list: Vec<Face>,
-    /// The faces along each side, from its lower corner to its higher one, and whether they run that way.
-    along: HashMap<[usize; 2], Vec<(usize, bool)>>,
+    /// The faces along each side, given by its lower corner and its higher one.
+    along: HashMap<[usize; 2], Vec<SideFace>>,
+}
+
+/// A face at a side.
+#[derive(Clone, Copy)]
+struct SideFace {
+    face: usize,
+    /// Whether its ring runs from the lower corner of the side to the higher one.
+    is_forward: bool,
 }
 
 impl Faces {
@@ -147,7 +155,8 @@ impl Faces {
             let face = faces.list.len();
             for ring in &rings {
                 for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)).filter(|(a, b)| a != b) {
-                    faces.along.entry([*a.min(b), *a.max(b)]).or_default().push((face, a < b));
+                    let side = SideFace { face, is_forward: a < b };
+                    faces.along.entry([*a.min(b), *a.max(b)]).or_default().push(side);
                 }
             }
             faces.list.push(Face { surface, rings, points });
@@ -170,30 +179,31 @@ impl Faces {
     fn body(&self, first: usize, seen: &mut [bool]) -> Body {
         seen[first] = true;
         let mut way: HashMap<usize, bool> = HashMap::from([(first, true)]);
-        let mut body = Body { members: vec![(first, true)], is_closed: true, is_orientable: true };
+        let members = vec![Member { face: first, is_alike: true }];
+        let mut body = Body { members, is_closed: true, is_orientable: true };
         let mut at = 0;
-        while let Some((face, forwards)) = body.members.get(at).copied() {
+        while let Some(Member { face, is_alike }) = body.members.get(at).copied() {
             at += 1;
             for ring in &self.list[face].rings {
                 for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)).filter(|(a, b)| a != b) {
                     let along = self.along.get(&[*a.min(b), *a.max(b)]).map_or(&[][..], Vec::as_slice);
                     let other = match along {
-                        [one, other] if one.0 == face && other.0 != face => *other,
-                        [other, one] if one.0 == face && other.0 != face => *other,
+                        [one, other] if one.face == face && other.face != face => *other,
+                        [other, one] if one.face == face && other.face != face => *other,
                         _ => {
                             body.is_closed = false;
                             continue;
                         }
                     };
                     // Faces of one orientation run along their common side in opposite directions.
-                    let is_same = other.1 != (a < b);
-                    let wanted = forwards == is_same;
-                    match way.get(&other.0) {
+                    let is_same = other.is_forward != (a < b);
+                    let wanted = is_alike == is_same;
+                    match way.get(&other.face) {
                         Some(known) => body.is_orientable &= *known == wanted,
                         None => {
-                            way.insert(other.0, wanted);
-                            seen[other.0] = true;
-                            body.members.push((other.0, wanted));
+                            way.insert(other.face, wanted);
+                            seen[other.face] = true;
+                            body.members.push(Member { face: other.face, is_alike: wanted });
                         }
                     }
                 }
@@ -207,8 +217,8 @@ impl Faces {
     /// the faces against the first one. Empty if all faces have one orientation, or if the body has none.
     fn minority(&self, body: &Body) -> (BTreeSet<usize>, TurnReason) {
         let [mut along, mut against] = [(BTreeSet::new(), 0.0), (BTreeSet::new(), 0.0)];
-        for (face, way) in &body.members {
-            let part = if *way { &mut along } else { &mut against };
+        for Member { face, is_alike } in &body.members {
+            let part = if *is_alike { &mut along } else { &mut against };
             part.0.insert(*face);
             part.1 += self.list[*face].area();
         }
@@ -225,12 +235,13 @@ impl Faces {
     /// A closed body's faces with the orientation of most of them.
     fn shell(&self, body: &Body, minority: &BTreeSet<usize>) -> ClosedShell {
         let mut rings = Vec::new();
-        for (face, _) in &body.members {
+        for Member { face, .. } in &body.members {
             let is_turned = minority.contains(face);
-            rings.extend(self.list[*face].points.iter().map(|ring| (ring.clone(), is_turned)));
+            let ring = |points: &Vec<DVec3>| ShellRing { points: points.clone(), is_turned };
+            rings.extend(self.list[*face].points.iter().map(ring));
         }
-        let surfaces = body.members.iter().map(|(face, _)| self.list[*face].surface).collect();
-        let bounds = Aabb::around(rings.iter().flat_map(|(ring, _)| ring.iter().copied()));
+        let surfaces = body.members.iter().map(|own| self.list[own.face].surface).collect();
+        let bounds = Aabb::around(rings.iter().flat_map(|ring| ring.points.iter().copied()));
         ClosedShell { rings, surfaces, bounds }
     }
 }
@@ -245,19 +256,33 @@ fn against(outline: &[DVec3], holes: &[Vec<DVec3>]) -> Vec<Vec<DVec3>> {
     std::iter::once(outline.to_vec()).chain(holes.iter().map(hole)).collect()
 }
 
-/// Faces that hang together, each with whether it is oriented as the first.
+/// Faces that hang together.
 struct Body {
-    members: Vec<(usize, bool)>,
+    members: Vec<Member>,
     is_closed: bool,
     is_orientable: bool,
 }
 
+/// A face of a body.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Member {
+    face: usize,
+    /// Whether it is oriented as the first one.
+    is_alike: bool,
+}
+
 /// A closed surface of flat faces.
 struct ClosedShell {
-    /// Rings, each with whether its face has to be turned over first.
-    rings: Vec<(Vec<DVec3>, bool)>,
+    rings: Vec<ShellRing>,
     surfaces: BTreeSet<usize>,
     bounds: Aabb,
+}
+
+/// A ring of a face of a shell.
+struct ShellRing {
+    points: Vec<DVec3>,
+    /// Whether the face has to be turned over first.
+    is_turned: bool,
 }
 
 impl ClosedShell {
@@ -302,7 +327,7 @@ impl ClosedShell {
 
     /// Triangles from the first corner of each ring, seen from a point.
     fn triangles(&self, origin: DVec3) -> impl Iterator<Item = [DVec3; 3]> {
-        self.rings.iter().flat_map(move |(ring, is_turned)| {
+        self.rings.iter().flat_map(move |ShellRing { points: ring, is_turned }| {
             ring.windows(2).skip(1).map(move |side| {
                 let [a, b, c] = [ring[0], side[0], side[1]].map(|x| x - origin);
                 if *is_turned { [a, c, b] } else { [a, b, c] }

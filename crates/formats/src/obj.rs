@@ -32,7 +32,7 @@ use crate::files::Files;
 use crate::mesh::Mesh;
 use crate::model::{Material, Model};
 use crate::tolerances::MOST_BYTES_OF_TEXT;
-use faces::{Faces, Library};
+use faces::{Faces, Library, MaterialUse};
 use mtl::Mtl;
 use statements::statements;
 
@@ -50,7 +50,7 @@ pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusa
     let mut mesh = Mesh::default();
     mesh.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
     let known = libraries(file, &faces.libraries, files, &mut mesh.model)?;
-    for (name, line) in &faces.materials {
+    for MaterialUse { name, line } in &faces.materials {
         add_material(&mut mesh.model, name, known.get(name), *line);
     }
     faces.add_to(&mut mesh).map_err(|located| located.in_file(file))?;

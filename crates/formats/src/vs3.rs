@@ -55,17 +55,22 @@ pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refus
         let fault = Fault::new("there are no surfaces", "add lines that begin with S, or name its format");
         return Err(fault.of_file(file));
     }
-    let located = |(statement, fault): (&Statement, Fault)| fault.in_line(file, statement.line);
+    let located = |Faulty { statement, fault }: Faulty<'_>| fault.in_line(file, statement.line);
     let outlines = outlines(&input).map_err(located)?;
     let holes = holes(&input, &outlines).map_err(located)?;
     Ok(model(&input, outlines, holes))
 }
 
-type Faulty<'a> = (&'a Statement, Fault);
+/// A statement with its fault.
+struct Faulty<'a> {
+    statement: &'a Statement,
+    fault: Fault,
+}
 
 /// The corners of each surface.
 fn outlines(input: &Input) -> Result<Vec<Vec<DVec3>>, Faulty<'_>> {
-    input.surfaces.iter().map(|surface| outline(input, surface).map_err(|fault| (surface, fault))).collect()
+    let corners = |statement| outline(input, statement).map_err(|fault| Faulty { statement, fault });
+    input.surfaces.iter().map(corners).collect()
 }
 
 fn outline(input: &Input, surface: &Statement) -> Result<Vec<DVec3>, Fault> {
@@ -98,12 +103,13 @@ fn holes<'a>(input: &'a Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DV
         if surface.kind == SurfaceRole::Obstruction {
             continue;
         }
-        let base = base(&input.surfaces, index, surface).map_err(|fault| (surface, fault))?;
+        let base =
+            base(&input.surfaces, index, surface).map_err(|fault| Faulty { statement: surface, fault })?;
         let Some(base) = base else { continue };
         if !lies_on(outline, &outlines[base]) {
             let cause = format!("the surface does not lie in the plane of its base {}", base + 1);
             let fault = Fault::new(cause, "correct its vertices, or write base 0");
-            return Err((surface, fault));
+            return Err(Faulty { statement: surface, fault });
         }
         holes[base].push(outline.clone());
     }

@@ -9,9 +9,11 @@ use super::roles::{Role, Roles};
 /// shield is a light group of the level 1.
 pub(super) fn radiant(scene: &Scene, roles: &Roles) -> Scene {
     coated(scene, roles, |role| match *role {
-        Role::Temperature { emissivity, kelvin } => (1.0 - emissivity, emissivity * level(kelvin)),
-        Role::Flux { flux, .. } => (1.0, flux),
-        Role::Shield { emissivity, .. } => (1.0 - emissivity, emissivity),
+        Role::Temperature { emissivity, kelvin } => {
+            Coat { reflectance: 1.0 - emissivity, emission: emissivity * level(kelvin) }
+        }
+        Role::Flux { flux, .. } => Coat { reflectance: 1.0, emission: flux },
+        Role::Shield { emissivity, .. } => Coat { reflectance: 1.0 - emissivity, emission: emissivity },
     })
 }
 
@@ -25,15 +27,21 @@ pub(super) fn all_emit(scene: &Scene, roles: &Roles) -> Scene {
     scene
 }
 
-/// The scene in the single band `heat`, without its luminaires and its sky, with this reflectance and
-/// emission for each role.
-pub(super) fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> (f64, f64)) -> Scene {
+/// Reflectance and emission of a surface in the single band of heat.
+pub(super) struct Coat {
+    pub reflectance: f64,
+    /// e (W m⁻²).
+    pub emission: f64,
+}
+
+/// The scene in the single band `heat`, without its luminaires and its sky, with this coat for each role.
+pub(super) fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> Coat) -> Scene {
     let mut scene = scene.clone();
     scene.luminaires.clear();
     scene.bands = vec!["heat".to_owned()];
     "W/m²".clone_into(&mut scene.unit);
     for (surface, role) in scene.surfaces.iter_mut().zip(&roles.list) {
-        let (reflectance, emission) = coat(role);
+        let Coat { reflectance, emission } = coat(role);
         surface.material = Material::black(1);
         surface.material.reflectance[0] = reflectance;
         surface.material.emission[0] = emission;

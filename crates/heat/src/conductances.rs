@@ -16,7 +16,7 @@ use radiosity_solve::Model;
 use radiosity_work::Work;
 use rayon::prelude::*;
 
-use super::coats::coated;
+use super::coats::{Coat, coated};
 use super::error::HeatError;
 use super::figures::{areas, received};
 use super::roles::{Role, Roles};
@@ -77,7 +77,7 @@ impl Conductances {
 /// The scene in which each surface emits at the level 1, as a light group of its own.
 pub(super) fn each_alone(scene: &Scene, roles: &Roles) -> Result<Scene, HeatError> {
     let grey = emissivities(scene, roles)?;
-    let mut lit = coated(scene, roles, |_| (0.0, 0.0));
+    let mut lit = coated(scene, roles, |_| Coat { reflectance: 0.0, emission: 0.0 });
     for (index, (surface, emissivity)) in lit.surfaces.iter_mut().zip(&grey).enumerate() {
         surface.material.reflectance = vec![1.0 - emissivity];
         surface.material.emission = vec![*emissivity];

@@ -7,6 +7,7 @@
 pub mod block;
 pub mod held_rows;
 pub(crate) mod worst_error;
+pub(crate) mod placed_block;
 pub(crate) mod pair_counts;
 pub(crate) mod reciprocity;
 pub(crate) mod remainder;
@@ -24,6 +25,7 @@ use serde::{Deserialize, Serialize};
 use crate::blocks::pair_counts::PairCounts;
 use block::BlockReport;
 use held_rows::HeldRows;
+use placed_block::PlacedBlock;
 use reciprocity::Reciprocity;
 use remainder::Remainder;
 use worst_error::WorstError;
@@ -396,7 +398,7 @@ impl Blocks {
             return self.apply(x);
         }
         let mut y = vec![0.0; self.dim()];
-        for (row, column, values) in self.gathered().full() {
+        for PlacedBlock { row, column, values } in self.gathered().full() {
             let columns = self.range(column);
             let lines = values.chunks_exact(columns.len()).zip(&x[self.range(row)]);
             lines.for_each(|(line, x)| add_multiple(line, *x, &mut y[columns.clone()]));
@@ -404,16 +406,15 @@ impl Blocks {
         y
     }
 
-    /// The nonzero blocks that this rank holds, as (receiver, emitter, values row-major). Where G is
-    /// symmetric, receiver ≤ emitter and each block stands for its transpose too.
-    pub fn iter(&self) -> impl Iterator<Item = (usize, usize, Cow<'_, [f64]>)> {
-        let full = self.full().map(|(row, column, values)| (row, column, Cow::Borrowed(values)));
-        full.chain(
-            self.crosses
-                .own
-                .iter()
-                .map(|cross| (cross.row as usize, cross.column as usize, Cow::Owned(self.filled(cross)))),
-        )
+    /// The nonzero blocks that this rank holds. Where G is symmetric, receiver ≤ emitter and each block
+    /// stands for its transpose too.
+    pub fn iter(&self) -> impl Iterator<Item = PlacedBlock<'_>> {
+        let cross = |cross: &Stored| PlacedBlock {
+            row: cross.row as usize,
+            column: cross.column as usize,
+            values: Cow::Owned(self.filled(cross)),
+        };
+        self.full().chain(self.crosses.own.iter().map(cross))
     }
 
     /// The entries of a block that is stored as a cross, row-major.
@@ -449,15 +450,18 @@ impl Blocks {
 
     /// The blocks G_ii of all elements that see themselves.
     pub fn diagonal(&self) -> HashMap<usize, Vec<f64>> {
-        let own = self.iter().filter(|(row, column, _)| row == column);
-        let own: Vec<(usize, Vec<f64>)> = own.map(|(row, _, values)| (row, values.into_owned())).collect();
+        let own = self.iter().filter(|block| block.row == block.column);
+        let own: Vec<(usize, Vec<f64>)> = own.map(|block| (block.row, block.values.into_owned())).collect();
         self.held.ranks().all(own).into_iter().flatten().collect()
     }
 
     /// The blocks that are stored whole, as [`Blocks::iter`].
-    fn full(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
-        let own = self.stored.own.iter();
-        own.map(|stored| (stored.row as usize, stored.column as usize, self.entries(stored)))
+    fn full(&self) -> impl Iterator<Item = PlacedBlock<'_>> {
+        self.stored.own.iter().map(|stored| PlacedBlock {
+            row: stored.row as usize,
+            column: stored.column as usize,
+            values: Cow::Borrowed(self.entries(stored)),
+        })
     }
 
     /// The entries of a block that is stored whole.

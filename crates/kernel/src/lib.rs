@@ -19,6 +19,7 @@ pub use blocks::Blocks;
 pub use blocks::block::Accuracy;
 pub use blocks::block::PairKind;
 pub use blocks::pair_counts::PairCounts;
+pub use blocks::placed_block::PlacedBlock;
 pub use blocks::reciprocity::Reciprocity;
 pub use blocks::remainder::Remainder;
 pub use blocks::worst_error::WorstError;

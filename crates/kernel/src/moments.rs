@@ -20,13 +20,13 @@ use radiosity_core::dot;
 use radiosity_elements::basis::AreaBasis;
 use radiosity_elements::columns::transposed;
 use radiosity_elements::patch::{Node, Patch};
-use radiosity_elements::rule::UnitRule;
+use radiosity_elements::rule::{Line, UnitRule};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::change::Change;
 use crate::moments::chart::Chart;
 use crate::moments::integrand::{Sees, visible_kernel};
-use crate::moments::tensor::{Grid, Line, Terms};
+use crate::moments::tensor::{Grid, Terms};
 
 /// Role of an element in a pair: receiver or emitter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

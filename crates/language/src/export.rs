@@ -25,8 +25,15 @@ pub(super) struct Export<'a> {
     /// Indices of the materials in the model, by name and light (as bits).
     materials: HashMap<(&'a str, Vec<u64>), usize>,
     names: UniqueNames,
-    /// Surfaces of shapes that a model cannot hold, with the keys of these.
-    refused: Vec<(String, &'static str)>,
+    /// Surfaces of shapes that a model cannot hold.
+    refused: Vec<ForeignSurface>,
+}
+
+/// A surface of a shape that a model cannot hold.
+struct ForeignSurface {
+    name: String,
+    /// Key of its shape.
+    key: &'static str,
 }
 
 impl<'a> Export<'a> {
@@ -55,7 +62,7 @@ impl<'a> Export<'a> {
             Located::at(&file.shape.span, Fault::Shape(error)).within(|| surface_title(name))
         })?;
         let Some(shapes) = shapes else {
-            self.refused.push((name.clone(), file.shape.kind));
+            self.refused.push(ForeignSurface { name: name.clone(), key: file.shape.kind });
             return Ok(());
         };
         if file.order.is_some() || file.subdivide.is_some() {
@@ -109,7 +116,8 @@ impl<'a> Export<'a> {
         match self.refused.len() {
             0 => Ok(self.model),
             count => {
-                let spelt = self.refused.iter().take(SPELT).map(|(name, key)| format!("{name:?} ({key})"));
+                let spelt = |ForeignSurface { name, key }: &ForeignSurface| format!("{name:?} ({key})");
+                let spelt = self.refused.iter().take(SPELT).map(spelt);
                 let spelt = spelt.collect::<Vec<_>>().join(", ");
                 let more = if count > SPELT { format!(" and {} more", count - SPELT) } else { String::new() };
                 Err(Located::nowhere(Fault::Foreign {

@@ -35,7 +35,7 @@ use thermal::{CONDITION_KEYS, emissivity, read_condition};
 
 pub(super) use luminaire::{DistributionFile, ExtentFile, LuminaireFile, StrengthFile};
 pub(super) use motion::{MOTION, MotionFile, RotateFile, TranslateFile, TurnsFile};
-pub(super) use part::{ContentFile, InstanceFile, PartFile};
+pub(super) use part::{ContentFile, CopyRow, InstanceFile, PartFile};
 pub(super) use pattern::{Amount, EachBand, Encoding, PatternFile, PatternKind};
 pub(super) use per_band::PerBand;
 pub(super) use sky::{GlassFile, SkyFile, SunFile};

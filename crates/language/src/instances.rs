@@ -7,7 +7,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use radiosity_geom::{DVec3, Motion};
 use radiosity_scene::{Fault, Source, error::Located, names::UniqueNames, tree::DEEPEST};
 
-use crate::file::{ContentFile, InstanceFile, LuminaireFile, PartFile, SurfaceFile};
+use crate::file::{ContentFile, CopyRow, InstanceFile, LuminaireFile, PartFile, SurfaceFile};
 
 /// Most entries of surfaces and luminaires, and most copies of parts: each takes about a kilobyte.
 const MOST: usize = 1_000_000;
@@ -124,7 +124,7 @@ fn part_of<'a>(instance: &InstanceFile, parts: &Parts<'a>) -> Result<&'a PartFil
 fn copies(instance: &InstanceFile) -> Result<Vec<(String, Motion)>, Located> {
     let Some(array) = &instance.array else { return Ok(vec![(String::new(), Motion::IDENTITY)]) };
     let mut copies = vec![(Vec::new(), DVec3::ZERO)];
-    for (count, step) in &array.rows {
+    for CopyRow { count, step } in &array.rows {
         let along = |(indices, offset): &(Vec<String>, DVec3)| {
             let next = |k: usize| ([&indices[..], &[k.to_string()]].concat(), *offset + k as f64 * *step);
             (0..*count).map(next).collect::<Vec<_>>()
@@ -197,7 +197,7 @@ fn size_of<'a>(
             return refused(Fault::TooDeep { what: "parts", most: DEEPEST });
         }
         let rows = instance.array.iter().flat_map(|array| &array.rows);
-        let copies = rows.fold(1, |copies: usize, (count, _)| copies.saturating_mul(*count));
+        let copies = rows.fold(1, |copies: usize, row| copies.saturating_mul(row.count));
         all.count = all.count.saturating_add(copies.saturating_mul(own.count.saturating_add(1)));
         if all.count > MOST {
             return refused(Fault::TooManySurfaces { most: MOST });

@@ -55,28 +55,38 @@ fn surface(surface: &Surface, model: &Model) -> Tree {
     let mut entries = vec![("name", Tree::text(&surface.name))];
     entries
         .extend(surface.material.map(|material| ("material", Tree::text(&model.materials[material].name))));
-    let (key, shape, flip) = shape(&surface.shape);
+    let ShapeEntry { key, value, flip } = shape(&surface.shape);
     if flip {
         entries.push(("flip", Tree::flag(true)));
     }
     if surface.sides == Sides::Both {
         entries.push(("two_sided", Tree::flag(true)));
     }
-    entries.push((key, shape));
+    entries.push((key, value));
     Tree::table(entries)
 }
 
-/// The key of a shape, its value, and whether it is to be flipped.
-fn shape(shape: &Shape) -> (&'static str, Tree, bool) {
+/// A shape in the table of its surface.
+struct ShapeEntry {
+    key: &'static str,
+    value: Tree,
+    /// Whether the surface is to be flipped.
+    flip: bool,
+}
+
+fn shape(shape: &Shape) -> ShapeEntry {
     match shape {
         Shape::Polygon { outline, holes } => {
             let mut entries = vec![("vertices", points(outline))];
             if !holes.is_empty() {
                 entries.push(("holes", Tree::list(holes.iter().map(|hole| points(hole)))));
             }
-            (polygon_key(outline, holes), Tree::table(entries), false)
+            ShapeEntry { key: polygon_key(outline, holes), value: Tree::table(entries), flip: false }
         }
-        Shape::Quad(corners) => ("quad", Tree::table(vec![("vertices", points(corners))]), false),
+        Shape::Quad(corners) => {
+            let value = Tree::table(vec![("vertices", points(corners))]);
+            ShapeEntry { key: "quad", value, flip: false }
+        }
         Shape::Disk { center, normal, radius, inner } => {
             let mut entries = vec![
                 ("center", point(*center)),
@@ -86,23 +96,22 @@ fn shape(shape: &Shape) -> (&'static str, Tree, bool) {
             if *inner > 0.0 {
                 entries.push(("inner_radius", Tree::number(*inner)));
             }
-            ("disk", Tree::table(entries), false)
+            ShapeEntry { key: "disk", value: Tree::table(entries), flip: false }
         }
         Shape::Cylinder { base, axis, radius, inward } => {
             let entries =
                 vec![("base", point(*base)), ("axis", point(*axis)), ("radius", Tree::number(*radius))];
-            ("cylinder", Tree::table(entries), *inward)
+            ShapeEntry { key: "cylinder", value: Tree::table(entries), flip: *inward }
         }
         Shape::Cone { base, axis, radii, inward } => {
             let radii = [("radius1", Tree::number(radii[0])), ("radius2", Tree::number(radii[1]))];
             let entries = [("base", point(*base)), ("axis", point(*axis))].into_iter().chain(radii);
-            ("cone", Tree::table(entries), *inward)
+            ShapeEntry { key: "cone", value: Tree::table(entries), flip: *inward }
         }
-        Shape::Sphere { center, radius, inward } => (
-            "sphere",
-            Tree::table(vec![("center", point(*center)), ("radius", Tree::number(*radius))]),
-            *inward,
-        ),
+        Shape::Sphere { center, radius, inward } => {
+            let entries = vec![("center", point(*center)), ("radius", Tree::number(*radius))];
+            ShapeEntry { key: "sphere", value: Tree::table(entries), flip: *inward }
+        }
         Shape::Torus { center, axis, major, minor, inward } => {
             let entries = vec![
                 ("center", point(*center)),
@@ -110,7 +119,7 @@ fn shape(shape: &Shape) -> (&'static str, Tree, bool) {
                 ("major", Tree::number(*major)),
                 ("minor", Tree::number(*minor)),
             ];
-            ("torus", Tree::table(entries), *inward)
+            ShapeEntry { key: "torus", value: Tree::table(entries), flip: *inward }
         }
     }
 }

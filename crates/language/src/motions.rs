@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use radiosity_geom::DVec3;
 use radiosity_scene::{
-    Animation, Clock, Fault, MoverDraft, RigidPath, Source, TimeFunction, Turn,
+    Animation, AxisAngle, Clock, Fault, MoverDraft, RigidPath, Source, TimeFunction, Turn,
     error::{Located, motion_title},
     mover_draft::{MemberNames, MovableThings, MoverPlaces, NamedMember, movers},
     place::{At, Span},
@@ -115,9 +115,11 @@ fn turn(file: &RotateFile, clock: Clock) -> Result<Turn, Located> {
             turn.map_err(|fault| located(fault, &None, &axis.span))
         }
         TurnsFile::Keys(keys) => {
-            let turns = keys.value.iter().map(|[x, y, z, degrees]| (DVec3::new(*x, *y, *z), *degrees));
+            let rotation =
+                |[x, y, z, degrees]: &[f64; 4]| AxisAngle { axis: DVec3::new(*x, *y, *z), degrees: *degrees };
+            let rotations: Vec<AxisAngle> = keys.value.iter().map(rotation).collect();
             let given = given(times, keys.value.len(), clock);
-            let turn = Turn::by_keys(*center, &turns.collect::<Vec<_>>(), given);
+            let turn = Turn::by_keys(*center, &rotations, given);
             turn.map_err(|fault| located(fault, times, if keys.value.is_empty() { span } else { &keys.span }))
         }
     }

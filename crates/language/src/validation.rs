@@ -278,7 +278,10 @@ fn shapes(PlacedSurface { file, name, motion, .. }: &PlacedSurface<'_>) -> Resul
         let span = file.shape.span_of(error.field()).clone();
         Located::at(&span, Fault::Shape(error))
     })?;
-    let named = |(index, shape): (usize, Box<dyn Surface>)| (file.shape.name(name, index), Arc::from(shape));
+    let named = |(index, shape): (usize, Box<dyn Surface>)| NamedShape {
+        name: file.shape.name(name, index),
+        shape: Arc::from(shape),
+    };
     Ok(shapes.into_iter().enumerate().map(named).collect())
 }
 

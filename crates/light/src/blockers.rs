@@ -9,7 +9,7 @@ use radiosity_visibility::tolerances::{END, OWN_END};
 use smallvec::{SmallVec, smallvec};
 
 use crate::area_light::AreaLight;
-use crate::cells::cell::Cell;
+use crate::cells::cell::{Cell, MeasuredQuad};
 use crate::lines::hidden_spans::HiddenSpans;
 use crate::lines::projection::ProjectionPlane;
 use crate::occluders::Occluders;
@@ -183,7 +183,7 @@ impl<'a> Shadows<'a> {
     pub(crate) fn narrow(&mut self, above: BlockerRange, cell: &Cell) -> Option<BlockerRange> {
         self.kept(above, |shadows, blocker| match blocker {
             Blocker::Flat(volume) => match &cell.quad {
-                Some((quad, radius)) => volume.coverage_of_quad(quad, *radius),
+                Some(MeasuredQuad { quad, radius }) => volume.coverage_of_quad(quad, *radius),
                 None => volume.coverage(&cell.hull, cell.center, cell.radius),
             },
             Blocker::Curved(surface) if cell.is_flat() => {

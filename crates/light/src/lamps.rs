@@ -15,7 +15,7 @@ use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
 use radiosity_elements::patch::Patch;
 use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, WeightedNode};
-use radiosity_geom::{Aabb, DVec3};
+use radiosity_geom::{Aabb, DVec3, Plane};
 
 use crate::receiver_point::ReceiverPoint;
 
@@ -40,7 +40,7 @@ pub(crate) struct Lamp {
     pub area_map: AreaPreservingMap,
     center: DVec3,
     radius: f64,
-    plane: Option<(DVec3, DVec3)>,
+    plane: Option<Plane>,
 }
 
 /// Shares of the emitters in the rays from one point.
@@ -120,7 +120,7 @@ impl Lamp {
 
     /// The whole of a surface of which this is an element, with all that emits there, in `plane` if it is
     /// flat.
-    pub(crate) fn whole(self, elements: &[&Element], plane: Option<(DVec3, DVec3)>) -> Self {
+    pub(crate) fn whole(self, elements: &[&Element], plane: Option<Plane>) -> Self {
         let bounds = Aabb::around(elements.iter().flat_map(|element| element.hull.iter().copied()));
         let patches: Vec<Patch> =
             elements.iter().flat_map(|element| element.patches.iter().cloned()).collect();
@@ -139,8 +139,8 @@ impl Lamp {
         self.center.distance(point)
     }
 
-    /// A point of its plane and the unit normal, if it is flat.
-    pub(crate) fn plane(&self) -> Option<(DVec3, DVec3)> {
+    /// Its plane, if it is flat.
+    pub(crate) fn plane(&self) -> Option<Plane> {
         self.plane
     }
 
@@ -155,8 +155,8 @@ impl Lamp {
         let distance = step.length();
         let above = |normal: DVec3| (step.dot(normal) + self.radius) / (distance + self.radius);
         let cosine = above(receiver.normal).min(receiver.ground.map_or(1.0, above));
-        let own = self.plane.map_or(1.0, |(point, normal)| {
-            let height = (receiver.position - point).dot(normal);
+        let own = self.plane.map_or(1.0, |plane| {
+            let height = plane.height(receiver.position);
             if height > 0.0 { (height / distance.max(height)).max(f64::EPSILON) } else { 0.0 }
         });
         if cosine <= 0.0 || own <= 0.0 {

@@ -12,7 +12,7 @@
 //! U.
 
 use radiosity_elements::Element;
-use radiosity_geom::{Aabb, DVec3};
+use radiosity_geom::{Aabb, DVec3, Plane};
 use radiosity_kernel::irradiance::ball::ball;
 use radiosity_visibility::Visibility;
 
@@ -167,10 +167,7 @@ impl<'a> LightSource<'a> {
 
 /// Form of the whole of a curved surface, of which these are all elements, if it can be seen at once; and its
 /// plane, if it is flat.
-fn whole_form<'a>(
-    elements: &[&Element],
-    visibility: &'a Visibility,
-) -> Option<(Form<'a>, Option<(DVec3, DVec3)>)> {
+fn whole_form<'a>(elements: &[&Element], visibility: &'a Visibility) -> Option<(Form<'a>, Option<Plane>)> {
     let surface = elements[0].surface;
     let area = elements.iter().map(|element| element.area).sum();
     if let Some((center, radius)) =
@@ -180,7 +177,7 @@ fn whole_form<'a>(
     }
     match flat_outline(visibility, surface, area) {
         Some((corners, normal)) => {
-            let plane = (corners[0], normal);
+            let plane = Plane { point: corners[0], normal };
             Some((Form::Polygons(vec![corners]), Some(plane)))
         }
         None => Some((Form::Outline(AreaLight::new(visibility, surface)?), None)),

@@ -5,7 +5,7 @@
 //! the site's horizon, or wholly behind the element's plane. What remains is tested cell by cell.
 
 use radiosity_elements::Element;
-use radiosity_geom::{Aabb, COINCIDENT, DVec3};
+use radiosity_geom::{Aabb, COINCIDENT, DVec3, Plane};
 use radiosity_visibility::Visibility;
 
 /// A point or a small piece of surface that receives light.
@@ -22,7 +22,7 @@ pub struct Site<'a> {
 impl<'a> Site<'a> {
     /// An element as a receiver.
     pub fn of(element: &'a Element) -> Self {
-        let horizon = element.plane.map(|(_, normal)| normal);
+        let horizon = element.plane.map(|plane| plane.normal);
         Self { points: &element.hull, horizon, surface: Some(element.surface) }
     }
 }
@@ -32,8 +32,8 @@ impl<'a> Site<'a> {
 pub(crate) struct Sender {
     /// Index of its surface.
     pub surface: usize,
-    /// A point of its plane and the unit normal, if it is flat.
-    pub plane: Option<(DVec3, DVec3)>,
+    /// Its plane, if it is flat.
+    pub plane: Option<Plane>,
     /// Its bounding box.
     pub bounds: Aabb,
 }
@@ -59,13 +59,12 @@ impl Occluders {
         let Site { points: site, horizon, surface } = *site;
         let around = Aabb::around(site.iter().copied());
         let everywhere = senders.clone().fold(around, |bounds, sender| bounds.union(sender.bounds));
-        let ground = horizon.map(|normal| (normal, lowest(site, normal)));
-        let rises = |hull: &[DVec3]| {
-            ground.is_none_or(|(normal, point)| hull.iter().any(|x| is_over(*x, point, normal)))
+        let ground = horizon.map(|normal| Plane { point: lowest(site, normal), normal });
+        let reaches_over = |points: &[DVec3], plane: Option<Plane>| {
+            plane.is_none_or(|plane| points.iter().any(|x| is_over(*x, &plane)))
         };
-        let is_before = |points: &[DVec3], sender: &Sender| {
-            sender.plane.is_none_or(|(point, normal)| points.iter().any(|x| is_over(*x, point, normal)))
-        };
+        let rises = |hull: &[DVec3]| reaches_over(hull, ground);
+        let is_before = |points: &[DVec3], sender: &Sender| reaches_over(points, sender.plane);
         let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
         let own = |other: usize, surface: usize| other == surface && !visibility.hides_itself(surface);
         let within =
@@ -135,8 +134,7 @@ fn lowest(points: &[DVec3], direction: DVec3) -> DVec3 {
     points.iter().min_by(lower).copied().expect("a site has points")
 }
 
-/// Whether `x` is above the plane through `point` by more than [`COINCIDENT`] times its distance.
-fn is_over(x: DVec3, point: DVec3, normal: DVec3) -> bool {
-    let offset = x - point;
-    offset.dot(normal) > COINCIDENT * offset.length()
+/// Whether `x` is above a plane by more than [`COINCIDENT`] times its distance from the point of that.
+fn is_over(x: DVec3, plane: &Plane) -> bool {
+    plane.height(x) > COINCIDENT * x.distance(plane.point)
 }

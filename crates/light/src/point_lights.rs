@@ -42,10 +42,11 @@ struct SunBeam {
 }
 
 impl SunBeam {
-    /// Beams of the sun in a scene, without dark ones, through the surfaces with these factors.
-    fn through<'a>(surfaces: impl Iterator<Item = (usize, &'a SceneSurface, f64)>) -> Vec<Self> {
+    /// Beams of the sun in a scene, without dark ones, through the surfaces at a factor of each.
+    fn through(scene: &Scene, factor: impl Fn(&SceneSurface) -> f64) -> Vec<Self> {
         let mut beams: Vec<Self> = Vec::new();
-        for (index, surface, factor) in surfaces {
+        for (index, surface) in scene.surfaces.iter().enumerate() {
+            let factor = factor(surface);
             let beam = surface
                 .radiance
                 .as_ref()
@@ -107,6 +108,16 @@ impl PartialEq for PointLight {
 }
 
 impl PointLight {
+    /// A luminaire at a factor; None where it is dark, or its light comes out of an area.
+    fn of(luminaire: &Luminaire, factor: f64) -> Option<Self> {
+        let shines = luminaire.emits() && factor > 0.0 && !luminaire.extent.is_area();
+        shines.then(|| Self {
+            luminaire: luminaire.clone(),
+            half: luminaire.half_line(),
+            strength: luminaire.strength.iter().map(|strength| factor * strength).collect(),
+        })
+    }
+
     /// Irradiance at a point over its strength.
     fn irradiance(&self, receiver: &ReceiverPoint, visibility: &Visibility) -> f64 {
         if self.half != DVec3::ZERO {
@@ -154,28 +165,15 @@ impl PointLight {
 impl PointLights {
     /// The luminaires of a scene, and the sun behind its openings, at the factors of their groups.
     pub fn of(scene: &Scene) -> Self {
-        let surfaces = scene.surfaces.iter().enumerate().map(|(index, own)| (index, own, own.factor()));
-        Self::some(scene.luminaires.iter().map(|own| (own, own.factor())), SunBeam::through(surfaces))
+        let list = scene.luminaires.iter().filter_map(|own| PointLight::of(own, own.factor())).collect();
+        Self { list, suns: SunBeam::through(scene, SceneSurface::factor) }
     }
 
     /// The members of a light group, or of no group for None, not dimmed.
     pub fn of_group(scene: &Scene, group: Option<&str>) -> Self {
-        let factor = |own: &SceneSurface| f64::from(own.is_in(group));
-        let suns =
-            SunBeam::through(scene.surfaces.iter().enumerate().map(|(index, own)| (index, own, factor(own))));
-        Self::some(scene.luminaires.iter().filter(|own| own.is_in(group)).map(|own| (own, 1.0)), suns)
-    }
-
-    fn some<'a>(luminaires: impl Iterator<Item = (&'a Luminaire, f64)>, suns: Vec<SunBeam>) -> Self {
-        let light = |(own, factor): (&Luminaire, f64)| PointLight {
-            luminaire: own.clone(),
-            half: own.half_line(),
-            strength: own.strength.iter().map(|strength| factor * strength).collect(),
-        };
-        let shines =
-            |(own, factor): &(&Luminaire, f64)| own.emits() && *factor > 0.0 && !own.extent.is_area();
-        let list = luminaires.filter(shines).map(light).collect();
-        Self { list, suns }
+        let members = scene.luminaires.iter().filter(|own| own.is_in(group));
+        let list = members.filter_map(|own| PointLight::of(own, 1.0)).collect();
+        Self { list, suns: SunBeam::through(scene, |own| f64::from(own.is_in(group))) }
     }
 
     /// Whether there is none.

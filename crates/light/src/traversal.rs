@@ -9,7 +9,7 @@ mod cell_rule;
 
 use std::f64::consts::PI;
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, Plane};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 use smallvec::SmallVec;
@@ -199,7 +199,7 @@ impl<'a> Traversal<'a> {
     }
 
     fn is_out_of_sight(&self, index: usize, tree: &Tree) -> bool {
-        let behind = |(point, normal): (DVec3, DVec3)| (self.receiver.position - point).dot(normal) <= 0.0;
+        let behind = |plane: Plane| plane.height(self.receiver.position) <= 0.0;
         self.occluders.before(index).is_none() || tree.plane.is_some_and(behind)
     }
 

@@ -43,6 +43,14 @@ pub struct Web {
     table: Vec<f64>,
 }
 
+/// The planes of a table on either side of an angle.
+struct Neighbours {
+    /// Indices of the planes.
+    planes: [usize; 2],
+    /// Part of the way from the first one to the other, 0 to 1.
+    part: f64,
+}
+
 impl Web {
     /// The web of a table that states some planes, and repeats them by a `symmetry`. `table` has the
     /// intensities ≥ 0 of one stated plane after another, at each of the `gammas`; all angles increase.
@@ -109,26 +117,27 @@ impl Web {
         }
         let upper = self.gammas.partition_point(|angle| *angle <= gamma).clamp(1, last);
         let along = between(self.gammas[upper - 1], self.gammas[upper], gamma);
-        let (one, other, across) = self.neighbours(c);
+        let Neighbours { planes: [one, other], part } = self.neighbours(c);
         let of = |plane: usize| {
             let values = self.candelas(plane);
             mix(values[upper - 1], values[upper], along)
         };
-        mix(of(one), of(other), across)
+        mix(of(one), of(other), part)
     }
 
-    /// The planes on either side of an angle, and the part of the way between them, 0 to 1.
-    fn neighbours(&self, c: f64) -> (usize, usize, f64) {
+    /// The planes on either side of an angle.
+    fn neighbours(&self, c: f64) -> Neighbours {
         let c = c.rem_euclid(360.0);
         let count = self.planes.len();
         let upper = self.planes.partition_point(|angle| *angle <= c);
         let (one, other) = ((upper + count - 1) % count, upper % count);
         if one == other {
-            return (one, one, 0.0);
+            return Neighbours { planes: [one; 2], part: 0.0 };
         }
         let start = self.planes[one];
         let gap = (self.planes[other] - start).rem_euclid(360.0);
-        (one, other, ((c - start).rem_euclid(360.0) / gap).clamp(0.0, 1.0))
+        let part = ((c - start).rem_euclid(360.0) / gap).clamp(0.0, 1.0);
+        Neighbours { planes: [one, other], part }
     }
 
     /// Half the gaps to both neighbours of a plane, in radians. They add up to 2π.

@@ -215,7 +215,7 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> R
         parameters: node.parameters.to_array(),
         position: node.position,
     };
-    let horizon = owner.plane.map(|(_, normal)| normal);
+    let horizon = owner.plane.map(|plane| plane.normal);
     let polynomials = |node: &Node| reader.polynomials(element, &place(node));
     let indirect = |node: &Node| reader.indirect_polynomials(element, &place(node));
     match reader.light() {

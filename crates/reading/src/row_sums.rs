@@ -19,14 +19,23 @@ const FROM_ONE: f64 = 3.0;
 pub struct RowSums {
     /// Number of surfaces.
     pub surfaces: usize,
-    /// Name and sum of the surface with the least one.
-    pub least: (String, f64),
-    /// Name and sum of the surface with the largest one.
-    pub most: (String, f64),
+    /// The least one.
+    pub least: RowSum,
+    /// The largest one.
+    pub most: RowSum,
     /// Surfaces that lose part of what leaves them.
     pub losing: usize,
     /// Distance from 1 up to which sums count as 1.
     pub tolerance: f64,
+}
+
+/// The row sum of one surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowSum {
+    /// Name of the surface.
+    pub surface: String,
+    /// Σ_j F_ij.
+    pub sum: f64,
 }
 
 impl RowSums {
@@ -34,13 +43,13 @@ impl RowSums {
     pub fn of(factors: &ViewFactors, accuracy: Accuracy) -> Self {
         let sums = factors.row_sums();
         let by_sum = |a: &usize, b: &usize| sums[*a].total_cmp(&sums[*b]);
-        let named = |surface: usize| (factors.names[surface].clone(), sums[surface]);
+        let row = |surface: usize| RowSum { surface: factors.names[surface].clone(), sum: sums[surface] };
         let shadows = if factors.rays > 0 { accuracy.shadow_eps } else { 0.0 };
         let tolerance = FROM_ONE * accuracy.eps.max(shadows).max(factors.accuracy_reached);
         Self {
             surfaces: sums.len(),
-            least: named((0..sums.len()).min_by(by_sum).expect("a scene has surfaces")),
-            most: named((0..sums.len()).max_by(by_sum).expect("a scene has surfaces")),
+            least: row((0..sums.len()).min_by(by_sum).expect("a scene has surfaces")),
+            most: row((0..sums.len()).max_by(by_sum).expect("a scene has surfaces")),
             losing: sums.iter().filter(|sum| **sum < 1.0 - tolerance).count(),
             tolerance,
         }
@@ -53,9 +62,9 @@ impl RowSums {
 
     /// The sums in words, and what they say of the scene.
     pub fn lines(&self) -> [String; 2] {
-        let [(least, lowest), (most, highest)] = [&self.least, &self.most];
-        let [lowest, highest] = [lowest, highest].map(|sum| decimals(*sum, 9));
-        let range = format!("row sums {lowest} (surface '{least}') to {highest} (surface '{most}')");
+        let [least, most] = [&self.least, &self.most]
+            .map(|row| format!("{} (surface '{}')", decimals(row.sum, 9), row.surface));
+        let range = format!("row sums {least} to {most}");
         let closed = match self.is_closed() {
             None => "row sums are known too badly to tell whether the scene is closed".to_owned(),
             Some(true) => "the scene is closed: all that leaves a surface reaches another".to_owned(),
@@ -69,7 +78,7 @@ impl RowSums {
 
     /// A warning where a surface sends more than it has.
     pub fn warning(&self) -> Option<Warning> {
-        let (surface, sum) = &self.most;
+        let RowSum { surface, sum } = &self.most;
         let message = || {
             words(format!("surface '{surface}' sends {:.2} % more than it has: lower ", 100.0 * (sum - 1.0)))
                 + option("eps")

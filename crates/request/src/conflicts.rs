@@ -102,10 +102,10 @@ fn check_rays(method: &MethodRequest) -> Result<(), Refusal> {
         _ => return Ok(()),
     };
     let others = [
-        (method.kernel.rules().is_some(), option("kernel")),
-        (method.shadows == Shadows::Mask, set("shadows", "mask")),
-        (method.shadows == Shadows::Off, set("shadows", "off")),
-        (method.transport == Transport::Exact, set("transport", "exact")),
+        method.kernel.rules().map(|_| option("kernel")),
+        (method.shadows == Shadows::Mask).then(|| set("shadows", "mask")),
+        (method.shadows == Shadows::Off).then(|| set("shadows", "off")),
+        (method.transport == Transport::Exact).then(|| set("transport", "exact")),
     ];
     refuse(rays, others)
 }
@@ -161,8 +161,8 @@ fn check_bounces(method: &MethodRequest) -> Result<(), Refusal> {
         return Ok(());
     }
     let unknown = [
-        (method.method == LightMethod::Hierarchical, set("method", "hierarchical")),
-        (method.wanted_accuracy().is_some(), option("accuracy")),
+        (method.method == LightMethod::Hierarchical).then(|| set("method", "hierarchical")),
+        method.wanted_accuracy().map(|_| option("accuracy")),
     ];
     refuse(option("bounces"), unknown)
 }
@@ -180,8 +180,8 @@ pub fn check_series(method: &MethodRequest, series: &[RunSeries]) -> Result<(), 
             RunSeries::Hierarchical | RunSeries::Hp | RunSeries::Sampled => refuse(
                 name,
                 [
-                    (method.basis != Basis::Legendre, option("basis")),
-                    (method.bounces.is_some() && *series != RunSeries::Sampled, option("bounces")),
+                    (method.basis != Basis::Legendre).then(|| option("basis")),
+                    method.bounces.filter(|_| *series != RunSeries::Sampled).map(|_| option("bounces")),
                 ],
             )?,
         }
@@ -189,24 +189,25 @@ pub fn check_series(method: &MethodRequest, series: &[RunSeries]) -> Result<(), 
     Ok(())
 }
 
-/// Options that know polynomials on elements only, and whether they are typed.
-fn others(method: &MethodRequest) -> [(bool, Wording); 8] {
+/// The typed ones of options that know polynomials on elements only.
+fn others(method: &MethodRequest) -> [Option<Wording>; 8] {
     let has_no_degree = matches!(method.basis, Basis::Constant | Basis::Linear);
     [
-        (method.method == LightMethod::Hierarchical, set("method", "hierarchical")),
-        (method.wanted_accuracy().is_some(), option("accuracy")),
-        (method.aim.is_some(), option("for")),
-        (method.kernel.rules().is_some(), option("kernel")),
-        (method.shadows == Shadows::Mask, set("shadows", "mask")),
-        (method.transport == Transport::Sampled, set("transport", "sampled")),
-        (method.rays.is_some(), option("rays")),
-        (method.tensor && has_no_degree, option("tensor")),
+        (method.method == LightMethod::Hierarchical).then(|| set("method", "hierarchical")),
+        method.wanted_accuracy().map(|_| option("accuracy")),
+        method.aim.as_ref().map(|_| option("for")),
+        method.kernel.rules().map(|_| option("kernel")),
+        (method.shadows == Shadows::Mask).then(|| set("shadows", "mask")),
+        (method.transport == Transport::Sampled).then(|| set("transport", "sampled")),
+        method.rays.as_ref().map(|_| option("rays")),
+        (method.tensor && has_no_degree).then(|| option("tensor")),
     ]
 }
 
-fn refuse(what: Wording, others: impl IntoIterator<Item = (bool, Wording)>) -> Result<(), Refusal> {
-    match others.into_iter().find(|(is_typed, _)| *is_typed) {
-        Some((_, other)) => Err(Refusal::new(what + " does not go with " + other, "leave one of them out")),
+/// Refuses `what` together with the first of the `others` that is typed.
+fn refuse(what: Wording, others: impl IntoIterator<Item = Option<Wording>>) -> Result<(), Refusal> {
+    match others.into_iter().flatten().next() {
+        Some(other) => Err(Refusal::new(what + " does not go with " + other, "leave one of them out")),
         None => Ok(()),
     }
 }

@@ -18,7 +18,7 @@ use crate::{
     named_material::NamedMaterial,
     names::{UniqueNames, check_text},
     sensor_plane::SensorPlane,
-    surface_draft::SurfaceDraft,
+    surface_draft::{NamedShape, SurfaceDraft},
     surfaces::{Surfaces, fitted_surfaces},
     thermal::Thermal,
     unit::{self, check_unit},
@@ -94,7 +94,7 @@ impl SceneBuilder {
         let name = name.into();
         let draft = SurfaceDraft {
             kind: "surface",
-            shapes: vec![(name.clone(), Arc::new(shape))],
+            shapes: vec![NamedShape { name: name.clone(), shape: Arc::new(shape) }],
             name,
             front: Covering::from(material),
             back: None,

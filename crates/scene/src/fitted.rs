@@ -14,7 +14,7 @@ use radiosity_fit::{
 use radiosity_geom::{DVec3, Surface};
 use serde::Serialize;
 
-use crate::surface_draft::SurfaceDraft;
+use crate::surface_draft::{NamedShape, SurfaceDraft};
 
 /// Changes to the shapes of a scene, made to fit them together.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -53,7 +53,7 @@ impl Fitted {
 /// tolerance of the input.
 pub(super) fn fit(drafts: &mut [SurfaceDraft], middle: DVec3, tolerance: Option<f64>) -> Fitted {
     let mut shapes: Vec<&mut Arc<dyn Surface>> =
-        drafts.iter_mut().flat_map(|draft| draft.shapes.iter_mut().map(|(_, shape)| shape)).collect();
+        drafts.iter_mut().flat_map(|draft| draft.shapes.iter_mut().map(|own| &mut own.shape)).collect();
     if middle != DVec3::ZERO {
         shapes.iter_mut().for_each(|shape| **shape = middle::taken_off(shape, middle));
     }
@@ -67,7 +67,7 @@ fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<Lie
     let mut typed = typed.iter();
     let mut sheets = Vec::new();
     for draft in drafts.iter() {
-        for ((name, shape), typed) in draft.shapes.iter().zip(&mut typed) {
+        for (NamedShape { name, shape }, typed) in draft.shapes.iter().zip(&mut typed) {
             sheets.extend(shape.region().is_some().then(|| Sheet {
                 shape: Arc::clone(shape),
                 typed: Arc::clone(typed),
@@ -81,7 +81,7 @@ fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<Lie
     let steps = stacked::set_apart(&mut sheets);
     let name = |index: usize| sheets[index].name.clone();
     let found = steps.iter().map(|step| LiesOn { surface: name(step.sheet), on: name(step.on) }).collect();
-    let shapes = drafts.iter_mut().flat_map(|draft| &mut draft.shapes).map(|(_, shape)| shape);
+    let shapes = drafts.iter_mut().flat_map(|draft| &mut draft.shapes).map(|own| &mut own.shape);
     shapes
         .filter(|shape| shape.region().is_some())
         .zip(sheets)

@@ -32,8 +32,15 @@ use crate::{
 #[derive(Debug)]
 pub struct FrameScenes<'a> {
     scene: &'a Scene,
-    /// Motions and shapes of the surfaces of the still scene that was made last.
-    before: Vec<(Placement, Arc<dyn Surface>)>,
+    /// The surfaces of the still scene that was made last.
+    before: Vec<PlacedShape>,
+}
+
+/// A surface of a still scene.
+#[derive(Debug)]
+struct PlacedShape {
+    placement: Placement,
+    shape: Arc<dyn Surface>,
 }
 
 /// Motions that a surface was moved by from rest, as bits: by its mover, and off another sheet.
@@ -57,13 +64,16 @@ impl<'a> FrameScenes<'a> {
     pub fn at(&mut self, moment: f64) -> Result<Scene, SceneError> {
         let (mut still, placements) = self.scene.placed_at(moment)?;
         let shapes = still.surfaces.iter_mut().map(|surface| &mut surface.shape);
-        for ((shape, placement), (before, known)) in shapes.zip(&placements).zip(&self.before) {
-            if placement == before {
-                *shape = Arc::clone(known);
+        for ((shape, placement), before) in shapes.zip(&placements).zip(&self.before) {
+            if *placement == before.placement {
+                *shape = Arc::clone(&before.shape);
             }
         }
-        let shapes = still.surfaces.iter().map(|surface| Arc::clone(&surface.shape));
-        self.before = placements.into_iter().zip(shapes).collect();
+        let placed = |(placement, surface): (Placement, &SceneSurface)| PlacedShape {
+            placement,
+            shape: Arc::clone(&surface.shape),
+        };
+        self.before = placements.into_iter().zip(&still.surfaces).map(placed).collect();
         Ok(still)
     }
 }

@@ -75,7 +75,7 @@ pub use material::Material;
 pub use mover_draft::MoverDraft;
 pub use named_material::NamedMaterial;
 pub use outlook::{Opening, Outlook};
-pub use path::{RigidPath, Turn};
+pub use path::{AxisAngle, RigidPath, Turn};
 pub use pattern::{Pattern, PictureFile, Placement, Polynomial, Term, Wrap};
 pub use place::{Line, Place};
 pub use pose::Pose;

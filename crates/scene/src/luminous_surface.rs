@@ -13,7 +13,7 @@ use crate::{
     luminous_area::LuminousArea,
     material::Material,
     radiance::Radiance,
-    surface_draft::{DraftPlaces, SurfaceDraft},
+    surface_draft::{DraftPlaces, NamedShape, SurfaceDraft},
     thermal::{Condition, Thermal},
 };
 
@@ -36,9 +36,10 @@ pub fn luminous_surfaces(
     })?;
     let Some(shape) = shape else { return Ok(Vec::new()) };
     let [front, back] = LuminousArea::sides(own);
-    let sides = [(front, own.name.clone(), false), (back, format!("{}:back", own.name), true)];
-    let lit = sides.into_iter().filter_map(|(area, name, flip)| Some((area?, name, flip)));
-    Ok(lit.map(|(area, name, flip)| draft(own, area, (name, Arc::clone(&shape), flip), typed())).collect())
+    let front = front.map(|area| LitSide { area, name: own.name.clone(), flip: false });
+    let back = back.map(|area| LitSide { area, name: format!("{}:back", own.name), flip: true });
+    let lit = front.into_iter().chain(back);
+    Ok(lit.map(|side| draft(own, side, Arc::clone(&shape), typed())).collect())
 }
 
 /// The luminous area of a luminaire, which faces along its aim; none for a point or a line.
@@ -57,17 +58,27 @@ fn shape(own: &Luminaire) -> Result<Option<Arc<dyn Surface>>, ShapeError> {
     })
 }
 
+/// A side of a luminous area that shines.
+struct LitSide {
+    area: LuminousArea,
+    /// Name of the surface that it becomes.
+    name: String,
+    /// Whether it is the back.
+    flip: bool,
+}
+
 fn draft(
     own: &Luminaire,
-    area: LuminousArea,
-    (name, shape, flip): (String, Arc<dyn Surface>, bool),
+    side: LitSide,
+    shape: Arc<dyn Surface>,
     typed: Option<DraftPlaces>,
 ) -> SurfaceDraft {
+    let LitSide { area, name, flip } = side;
     let size = shape.area();
     let emission = area.flux().into_iter().map(|flux| flux / size).collect();
     SurfaceDraft {
         kind: LUMINAIRE,
-        shapes: vec![(name.clone(), shape)],
+        shapes: vec![NamedShape { name: name.clone(), shape }],
         name,
         front: Covering::new(LUMINAIRE, Material { emission, ..Material::black(own.strength.len()) }),
         back: None,

@@ -17,6 +17,15 @@ pub struct RigidPath {
     turn: Option<Turn>,
 }
 
+/// A rotation about an axis, right-handed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AxisAngle {
+    /// Vector along the axis, of any length.
+    pub axis: DVec3,
+    /// Angle (degrees).
+    pub degrees: f64,
+}
+
 /// Rotations about a point by time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turn {
@@ -87,16 +96,16 @@ impl Turn {
         Ok(Self { center, kind: TurnForm::Axis(axis, degrees) })
     }
 
-    /// Rotations about `center`: at each of the `times`, which ascend, by so many degrees about an axis of
-    /// any length, and between them the shorter way about one axis at constant speed.
+    /// Rotations about `center`: one of `rotations` at each of the `times`, which ascend, and between them
+    /// the shorter way about one axis at constant speed.
     ///
     /// # Errors
     /// [`Fault::NoDirection`] for degrees about an axis without a length; a number that is not finite or out
     /// of range; what [`TimeFunction::new`] refuses.
-    pub fn by_keys(center: DVec3, turns: &[(DVec3, f64)], times: Vec<f64>) -> Result<Self, Fault> {
-        let times = Times::new(times, "turns", turns.len())?;
+    pub fn by_keys(center: DVec3, rotations: &[AxisAngle], times: Vec<f64>) -> Result<Self, Fault> {
+        let times = Times::new(times, "turns", rotations.len())?;
         check_point(center)?;
-        let key = |(axis, degrees): &(DVec3, f64)| {
+        let key = |AxisAngle { axis, degrees }: &AxisAngle| {
             check_point(*axis)?;
             check_number(*degrees)?;
             match axis.try_normalize() {
@@ -105,7 +114,7 @@ impl Turn {
                 None => Err(Fault::NoDirection { what: "axis" }),
             }
         };
-        let keys = turns.iter().map(key).collect::<Result<_, _>>()?;
+        let keys = rotations.iter().map(key).collect::<Result<_, _>>()?;
         Ok(Self { center, kind: TurnForm::Keys(times, keys) })
     }
 

@@ -59,7 +59,13 @@ pub struct SurfaceDraft {
 }
 
 /// A shape with the name of the surface it makes.
-pub type NamedShape = (String, Arc<dyn Surface>);
+#[derive(Clone, Debug)]
+pub struct NamedShape {
+    /// Name of the surface.
+    pub name: String,
+    /// The shape.
+    pub shape: Arc<dyn Surface>,
+}
 
 /// The place of a draft in a file or a tree.
 #[derive(Clone, Debug)]
@@ -207,7 +213,7 @@ impl SurfaceDraft {
             return Err(Fault::FluxAndEmission { material: name.clone().unwrap_or_default(), is_patterned });
         }
         let sides = if self.two_sided { 2.0 } else { 1.0 };
-        let area = sides * self.shapes.iter().map(|(_, shape)| shape.area()).sum::<f64>();
+        let area = sides * self.shapes.iter().map(|own| own.shape.area()).sum::<f64>();
         let emission: Vec<f64> = flux.iter().map(|flux| flux / area).collect();
         emission.iter().try_for_each(|exitance| check_number(*exitance))?;
         Ok(emission)
@@ -217,7 +223,7 @@ impl SurfaceDraft {
     fn check_opening(&self) -> Result<(), Located> {
         let Some(opening) = &self.opening else { return Ok(()) };
         let span = self.typed.as_ref().and_then(|typed| typed.opening.clone());
-        let is_flat = self.shapes.iter().all(|(_, shape)| shape.region().is_some());
+        let is_flat = self.shapes.iter().all(|own| own.shape.region().is_some());
         let bands = self.front.material.reflectance.len();
         let fault = match () {
             () if !is_flat => Fault::BadOpening { problem: "it is curved" },
@@ -255,15 +261,16 @@ impl SurfaceDraft {
     /// Refuses sizes outside 1e-30 to 1e30, whose fourth powers leave the range of numbers.
     pub(super) fn check_extents(&self) -> Result<(), Located> {
         let span = self.typed.as_ref().map(|typed| &typed.shape);
-        self.shapes.iter().try_for_each(|(_, shape)| {
-            check_extent(shape)
+        self.shapes.iter().try_for_each(|own| {
+            check_extent(&own.shape)
                 .map_err(|fault| self.located(span, fault).within(|| surface_title(&self.name)))
         })
     }
 
     /// The surface of one of its shapes, and its back if it is two-sided; equal outlooks of openings are
     /// shared with those `known`.
-    pub(super) fn sides(&self, (name, shape): &NamedShape, known: &mut KnownOutlooks) -> Vec<SceneSurface> {
+    pub(super) fn sides(&self, named: &NamedShape, known: &mut KnownOutlooks) -> Vec<SceneSurface> {
+        let NamedShape { name, shape } = named;
         let (radiance, material) = self.radiance(shape, known);
         let front = Covering { material, ..self.front.clone() };
         let side = |name: String, flip: bool, covering: &Covering| SceneSurface {

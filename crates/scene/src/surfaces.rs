@@ -44,7 +44,7 @@ pub fn fitted_surfaces(
     drafts.iter().try_for_each(SurfaceDraft::check_extents)?;
     let mut drafts = drafts.into_iter().map(SurfaceDraft::lit).collect::<Result<Vec<_>, _>>()?;
     tolerance.map_or(Ok(()), check_tolerance)?;
-    let middle = middle::of(drafts.iter().flat_map(|draft| &draft.shapes).map(|(_, shape)| shape));
+    let middle = middle::of(drafts.iter().flat_map(|draft| &draft.shapes).map(|own| &own.shape));
     let fitted = fitted::fit(&mut drafts, middle, tolerance);
     let (list, makers) = named(&drafts)?;
     if list.is_empty() {

@@ -185,10 +185,10 @@ fn seam_jump(solution: &Solution) -> f64 {
     let elements = solution.elements();
     let mut largest = 0.0f64;
     for (index, element) in elements.list().iter().enumerate() {
-        for (u, v, du, dv) in seam_points(element) {
-            let Some(other) = elements.across_seam(element.surface, [u, v], [du, dv]) else { continue };
-            let position = elements.shape(element.surface).jet(u, v).position;
-            let place = SurfacePlace { surface: element.surface, parameters: [u, v], position };
+        for SeamPoint { parameters, across } in seam_points(element) {
+            let Some(other) = elements.across_seam(element.surface, parameters, across) else { continue };
+            let position = elements.shape(element.surface).jet(parameters[0], parameters[1]).position;
+            let place = SurfacePlace { surface: element.surface, parameters, position };
             largest = largest.max(relative_jump(solution, index, other, &place));
         }
     }
@@ -204,12 +204,23 @@ fn relative_jump(solution: &Solution, a: usize, b: usize, place: &SurfacePlace) 
     (0..solution.bands().len()).map(jump).fold(0.0, f64::max)
 }
 
-/// Points on the far sides of an element's rectangle, each with the direction across that side.
-fn seam_points(element: &Element) -> impl Iterator<Item = (f64, f64, f64, f64)> {
+/// A point on a side of an element's rectangle.
+struct SeamPoint {
+    /// (u, v).
+    parameters: [f64; 2],
+    /// Direction across the side, in (u, v).
+    across: [f64; 2],
+}
+
+/// Points on the far sides of an element's rectangle.
+fn seam_points(element: &Element) -> impl Iterator<Item = SeamPoint> {
     let rect = element.rect;
     [0.1, 0.3, 0.5, 0.7, 0.9].into_iter().flat_map(move |x| {
         let (u, v) = (rect.u[0] + x * (rect.u[1] - rect.u[0]), rect.v[0] + x * (rect.v[1] - rect.v[0]));
-        [(rect.u[1], v, 1.0, 0.0), (u, rect.v[1], 0.0, 1.0)]
+        [
+            SeamPoint { parameters: [rect.u[1], v], across: [1.0, 0.0] },
+            SeamPoint { parameters: [u, rect.v[1]], across: [0.0, 1.0] },
+        ]
     })
 }
 
@@ -217,7 +228,7 @@ fn seam_points(element: &Element) -> impl Iterator<Item = (f64, f64, f64, f64)> 
 mod tests {
     use radiosity_geom::shapes::Parallelogram;
     use radiosity_geom::{DVec3, Flipped};
-    use radiosity_kernel::Blocks;
+    use radiosity_kernel::{Blocks, PlacedBlock};
     use radiosity_scene::{Material, SceneBuilder};
     use radiosity_transport as transport;
     use radiosity_visibility::{Shadows, Visibility};
@@ -255,7 +266,7 @@ mod tests {
         let visibility = Visibility::new(&scene, Shadows::Off);
         let whole = transport::assemble(elements, &visibility, options.accuracy(), &Work::alone());
         let mut blocks = Blocks::empty(elements.starts(), true, Ranks::alone());
-        for (row, column, values) in whole.iter() {
+        for PlacedBlock { row, column, values } in whole.iter() {
             let scaled: Vec<f64> = values.iter().map(|value| factor(row, column) * value).collect();
             blocks.push(row, column, &scaled);
         }

@@ -25,7 +25,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::system::Coefficients;
 
-use group_light::{GroupLight, Incident};
+use group_light::{DimmedGroup, GroupLight, Incident};
 use powers::Powers;
 
 /// A place on a surface.
@@ -136,8 +136,9 @@ impl Solution {
         let (elements, groups) = (elements.into(), groups.into());
         let factors = factors(scene, &groups);
         let coating = |band: usize| Coating::of(scene, elements.list(), band);
-        let lit: Vec<(f64, &GroupLight)> = factors.into_iter().zip(groups.iter()).collect();
-        let whole = Self::together(Arc::clone(&elements), scene, &lit, (&coating, PointLights::of(scene)));
+        let lit = factors.into_iter().zip(groups.iter());
+        let lit: Vec<DimmedGroup> = lit.map(|(factor, light)| DimmedGroup { light, factor }).collect();
+        let whole = Self::together(Arc::clone(&elements), scene, &lit, &coating, PointLights::of(scene));
         let is_apart = groups.iter().any(|group| group.group.is_some());
         Self { groups: if is_apart { groups } else { Arc::default() }, ..whole }
     }
@@ -148,20 +149,22 @@ impl Solution {
         let name = group.group.as_deref();
         let coating = |band: usize| Coating::of_group(scene, self.elements.list(), band, name);
         let points = PointLights::of_group(scene, name);
-        Self::together(Arc::clone(&self.elements), scene, &[(1.0, group)], (&coating, points))
+        let lit = [DimmedGroup { light: group, factor: 1.0 }];
+        Self::together(Arc::clone(&self.elements), scene, &lit, &coating, points)
     }
 
     /// The light of groups at these factors, with the coating of each band and the luminaires.
     fn together(
         elements: Arc<Elements>,
         scene: &Scene,
-        lit: &[(f64, &GroupLight)],
-        (coating, points): (&dyn Fn(usize) -> Coating, PointLights),
+        lit: &[DimmedGroup],
+        coating: &dyn Fn(usize) -> Coating,
+        points: PointLights,
     ) -> Self {
-        let factors: Vec<f64> = lit.iter().map(|(factor, _)| *factor).collect();
+        let factors: Vec<f64> = lit.iter().map(|group| group.factor).collect();
         let bands: Vec<Band> = (0..scene.bands.len())
             .map(|band| {
-                let parts = lit.iter().map(|(_, group)| &group.bands[band]);
+                let parts = lit.iter().map(|group| &group.light.bands[band]);
                 let Incident { irradiance, direct, residual } = Incident::together(&factors, parts);
                 let coating = coating(band);
                 let list = elements.list();
@@ -169,9 +172,9 @@ impl Solution {
                 Band::new(scene.bands[band].clone(), &elements, coating, whole)
             })
             .collect();
-        let masks = lit.iter().filter_map(|(factor, group)| Some((*factor, group.masked.as_deref()?)));
+        let masks = lit.iter().filter_map(|group| Some((group.factor, group.light.masked.as_deref()?)));
         let masked = MaskedLight::together(masks);
-        let powers = lit.iter().map(|(factor, group)| *factor * group.powers);
+        let powers = lit.iter().map(|group| group.factor * group.light.powers);
         let powers = powers.reduce(|sum, part| sum + part);
         let radiances = Radiances::of(scene);
         let groups = Arc::default();

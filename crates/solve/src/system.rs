@@ -57,7 +57,7 @@ use radiosity_core::norm;
 use radiosity_elements::coating::{Coating, SquareRoot};
 use radiosity_elements::columns::transposed;
 use radiosity_elements::{Element, starts};
-use radiosity_kernel::Blocks;
+use radiosity_kernel::{Blocks, PlacedBlock};
 use radiosity_light::first_bounce::{Bounce, DirectLightEntry};
 use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::method::Method;
@@ -135,7 +135,8 @@ impl<'a> System<'a> {
     pub(crate) fn entered(
         elements: &'a [Element],
         blocks: &'a Blocks,
-        (band, coating): (usize, &'a Coating),
+        band: usize,
+        coating: &'a Coating,
         entry: &DirectLightEntry,
     ) -> Self {
         match entry {
@@ -193,7 +194,7 @@ impl<'a> System<'a> {
                 }
             }
         };
-        for (row, column, block) in self.blocks.gathered().iter() {
+        for PlacedBlock { row, column, values: block } in self.blocks.gathered().iter() {
             let both = self.blocks.symmetric() && row != column;
             if !self.coating.transmits() {
                 subtract(row, column, &self.halved([row, column], &block), both);
@@ -246,13 +247,13 @@ impl<'a> System<'a> {
             identity.iter_mut().step_by(size + 1).for_each(|diagonal| *diagonal = 1.0);
             blocks.push((block, block, identity));
         }
-        for (row, column, values) in self.blocks.gathered().iter() {
+        for PlacedBlock { row, column, values } in self.blocks.gathered().iter() {
             let (Some(i), Some(j)) = (place(row), place(column)) else { continue };
             let halved = self.halved([row, column], &values);
             blocks.push((i, j, halved.iter().map(|g| -g).collect()));
         }
         let borrowed: Vec<SparseBlock<'_>> =
-            blocks.iter().map(|(i, j, values)| (*i, *j, &values[..])).collect();
+            blocks.iter().map(|(i, j, values)| SparseBlock::new(*i, *j, values)).collect();
         BlockSparse::symmetric(Partition::new(&sizes), &borrowed)
     }
 

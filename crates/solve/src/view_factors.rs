@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
 use radiosity_elements::{Discretization, Elements, Subdivide};
-use radiosity_kernel::{Accuracy, Blocks, PairCounts, Reciprocity, WorstError};
+use radiosity_kernel::{Accuracy, Blocks, PairCounts, PlacedBlock, Reciprocity, WorstError};
 use radiosity_scene::Scene;
 use radiosity_transport as transport;
 use radiosity_visibility::{Hiding, Visibility};
@@ -164,7 +164,7 @@ fn areas(scene: &Scene, elements: &Elements) -> Vec<f64> {
 fn exchanges(elements: &Elements, blocks: &Blocks, surfaces: usize) -> Vec<Vec<(u32, f64)>> {
     let list = elements.list();
     let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); surfaces];
-    for (a, b, values) in blocks.gathered().iter() {
+    for PlacedBlock { row: a, column: b, values } in blocks.gathered().iter() {
         let exchange = values[0] * (list[a].area * list[b].area).sqrt();
         let (i, j) = (list[a].surface, list[b].surface);
         rows[i].push((j as u32, exchange));

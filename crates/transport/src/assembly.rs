@@ -7,7 +7,7 @@ use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 
 use crate::kept_blocks::KeptBlocks;
-use crate::schedule::{Unreached, by_rules};
+use crate::schedule::{Demand, Unreached, by_rules};
 use crate::unreached;
 use crate::unreached::Whole;
 
@@ -35,7 +35,8 @@ pub fn assemble_pairs(
     accuracy: Accuracy,
     work: &Work<'_>,
 ) -> Blocks {
-    assembled(elements, wanted, visibility, (Whole::Element, accuracy), None, work)
+    let unreached = Unreached::of(visibility);
+    assembled(Demand { elements, wanted, visibility, accuracy, unreached }, Whole::Element, None, work)
 }
 
 /// The blocks of [`assemble_senders`], to the bit; those that `kept` holds, which was moved to this scene,
@@ -49,7 +50,9 @@ pub fn assemble_again(
     work: &Work<'_>,
 ) -> Blocks {
     let wanted = |a: usize, b: usize| sends(a) || sends(b);
-    assembled(elements, &wanted, visibility, (Whole::Element, accuracy), Some(kept), work)
+    let unreached = Unreached::of(visibility);
+    let demand = Demand { elements, wanted: &wanted, visibility, accuracy, unreached };
+    assembled(demand, Whole::Element, Some(kept), work)
 }
 
 /// The blocks of elements that carry constants, accurate for the view factors of their surfaces.
@@ -60,22 +63,14 @@ pub fn assemble_factors(
     accuracy: Accuracy,
     work: &Work<'_>,
 ) -> Blocks {
-    assembled(elements, wanted, visibility, (Whole::Surface, accuracy), None, work)
+    let unreached = Unreached::of(visibility);
+    assembled(Demand { elements, wanted, visibility, accuracy, unreached }, Whole::Surface, None, work)
 }
 
-fn assembled(
-    elements: &Elements,
-    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
-    visibility: &Visibility,
-    (whole, accuracy): (Whole, Accuracy),
-    mut kept: Option<&mut KeptBlocks>,
-    work: &Work<'_>,
-) -> Blocks {
-    let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
-    let how = (accuracy, unreached);
-    let (mut blocks, left) = by_rules(elements, wanted, visibility, how, kept.as_deref_mut(), work);
+fn assembled(demand: Demand, whole: Whole, mut kept: Option<&mut KeptBlocks>, work: &Work<'_>) -> Blocks {
+    let (mut blocks, left) = by_rules(demand, kept.as_deref_mut(), work);
     if !left.is_empty() {
-        unreached::add(elements, visibility, &mut blocks, &left, (whole, accuracy), kept, work);
+        unreached::add(&mut blocks, &left, demand, whole, kept, work);
     }
     blocks
 }

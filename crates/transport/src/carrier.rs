@@ -1,11 +1,10 @@
 //! The transfer matrix G as checks use it, whatever carries light between elements: its products, and which
 //! rows are complete.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use radiosity_elements::Element;
-use radiosity_kernel::Blocks;
+use radiosity_kernel::{Blocks, PlacedBlock};
 
 /// A transfer matrix G in any form.
 pub trait Carrier: Sync {
@@ -61,8 +60,8 @@ impl Carrier for Blocks {
         if self.symmetric() {
             return self.reciprocity.largest;
         }
-        let exchanged = |(i, j, block): (usize, usize, Cow<'_, [f64]>)| {
-            ((i, j), list[i].constant[0] * block[0] * list[j].constant[0])
+        let exchanged = |PlacedBlock { row: i, column: j, values }: PlacedBlock<'_>| {
+            ((i, j), list[i].constant[0] * values[0] * list[j].constant[0])
         };
         let exchanged: BTreeMap<(usize, usize), f64> = self.gathered().iter().map(exchanged).collect();
         let difference = |((i, j), there): (&(usize, usize), &f64)| {

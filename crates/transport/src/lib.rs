@@ -34,5 +34,5 @@ pub use kept_blocks::KeptBlocks;
 pub use kept_blocks::kept_rays::RayCounts;
 pub use known::{Known, KnownBlocks};
 pub use sampled::{Rays, SampledTransport};
-pub use schedule::{BlockWork, cost, shared, work};
+pub use schedule::{BlockWork, Cost, shared, work};
 pub use unreached::FINEST as FINEST_BY_RAYS;

@@ -282,7 +282,7 @@ impl<'a> SampledTransport<'a> {
             f64::from(sums.hits) * (a + c) / (b + d)
         };
         let pairs = ExactPairs::worth(self.elements, self.visibility, &self.tally, &self.held, &expected);
-        self.exact_pairs = ExactPairs::new(pairs, self.elements, self.visibility, (accuracy, kept), work);
+        self.exact_pairs = ExactPairs::new(pairs, self.elements, self.visibility, accuracy, kept, work);
         self.tally.settle(list, &expected);
         self.counts = Counts::new(list.len(), self.elements.coefficients());
     }

@@ -9,6 +9,7 @@
 
 pub(crate) mod order;
 mod congruent;
+mod demand;
 mod task;
 mod balance;
 mod source;
@@ -22,7 +23,6 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use radiosity_elements::Elements;
 use radiosity_kernel::Blocks;
 use radiosity_kernel::PairCounts;
 use radiosity_kernel::Reciprocity;
@@ -35,10 +35,9 @@ use radiosity_kernel::estimates::entry_bounds::{ROW_SHARE, SMALLEST_ENTRY};
 use radiosity_kernel::estimates::probing_rays::{Hidden, ProbingRays};
 use radiosity_kernel::rules::covering;
 use radiosity_kernel::{
-    Accuracy, PairKind,
+    PairKind,
     blocks::block::{Block, BlockReport},
 };
-use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 use radiosity_work::ranks::{PartName, Ranks};
 use radiosity_work::{Stage, Work};
@@ -51,12 +50,12 @@ use crate::price;
 use crate::schedule::congruent::Pose;
 use crate::tolerances::{BELOW_ESTIMATE, RULE_OF_THREE};
 use balance::WorkItem;
+pub(crate) use demand::{Demand, Unreached};
 use goal::Goal;
 use integrated::{Integrated, IntegratedReport};
 use source::Source;
-pub(crate) use task::Unreached;
 use task::{Schedule, Task};
-pub use work::{BlockWork, cost, shared, work};
+pub use work::{BlockWork, Cost, shared, work};
 
 /// Share of a pair assumed visible, for its lower bound, where blockers may hide some of it. An assumption:
 /// with a larger value rows that are nearly all hidden get too coarse a scale, with a smaller one the blocks
@@ -90,24 +89,31 @@ enum Sorted {
 pub(crate) struct UnreachedPair {
     pub row: usize,
     pub column: usize,
-    /// The values by rules and their error, where there are any.
-    pub found: Option<(Vec<f64>, f64)>,
+    /// The block by rules, where they made one.
+    pub by_rules: Option<BlockByRules>,
     /// Whether shadows are a part of it.
     pub partly_hidden: bool,
 }
 
-/// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave; what `kept` holds,
-/// which was moved to this scene, is not integrated again.
+/// A block as the rules find it.
+#[derive(Debug)]
+pub(crate) struct BlockByRules {
+    /// Row-major, receiver functions by emitter functions.
+    pub values: Vec<f64>,
+    /// Largest error of an entry, as far as the rules know it.
+    pub error: f64,
+}
+
+/// The blocks of a demand, by rules, and the pairs that these leave; what `kept` holds, which was moved to
+/// this scene, is not integrated again.
 pub(crate) fn by_rules(
-    elements: &Elements,
-    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
-    visibility: &Visibility,
-    (accuracy, unreached): (Accuracy, Unreached),
+    demand: Demand,
     kept: Option<&mut KeptBlocks>,
     work: &Work<'_>,
 ) -> (Blocks, Vec<UnreachedPair>) {
+    let Demand { elements, visibility, accuracy, .. } = demand;
     let list = elements.list();
-    let schedule = Schedule::new(elements, visibility, wanted, accuracy, unreached);
+    let schedule = Schedule::new(demand);
     let mut blocks = Blocks::empty(elements.starts(), true, work.ranks);
     let (tasks, counts) = schedule.sort(work.ranks);
     blocks.pairs = counts;
@@ -116,7 +122,7 @@ pub(crate) fn by_rules(
     }
     let goals = schedule.goals(&tasks);
     let sources = schedule.share(&tasks, &goals);
-    let mut integrated = schedule.integrate(&tasks, &goals, &sources, (kept.as_deref(), blocks.held()), work);
+    let mut integrated = schedule.integrate(&tasks, &goals, &sources, kept.as_deref(), blocks.held(), work);
     let scales = Scales::new(list.len(), &tasks, &sources, &integrated);
     let is_left = |task: &Task, block: &BlockReport| {
         block.untried || (scales.relative(task, block) > accuracy.eps && schedule.is_left(task))
@@ -131,9 +137,9 @@ pub(crate) fn by_rules(
         if is_left(task, block) {
             debug_assert!(matches!(source, Source::Own(_)), "only flat pairs that nothing hides are copies");
             let values = (!block.untried).then(|| integrated.values(place).to_vec());
-            let found = values.map(|values| (values, block.error));
+            let by_rules = values.map(|values| BlockByRules { values, error: block.error });
             let (row, column) = (task.row as usize, task.column as usize);
-            left.push(UnreachedPair { row, column, found, partly_hidden: block.partly_hidden });
+            left.push(UnreachedPair { row, column, by_rules, partly_hidden: block.partly_hidden });
             blocks.pairs.take(block);
             blocks.pairs.unresolved -= usize::from(block.unresolved);
             blocks.take_costs(block);
@@ -338,7 +344,7 @@ impl Schedule<'_> {
         }
         match source {
             Source::Own(_) => blocks.take_costs(block),
-            Source::Copy(..) => {
+            Source::Copy { .. } => {
                 blocks.pairs.repeated += 1;
                 blocks.samples += block.samples;
             }
@@ -347,7 +353,7 @@ impl Schedule<'_> {
             _ if block.largest == 0.0 => {}
             _ if !blocks.holds(row, column) => blocks.pass(row, column),
             Source::Own(_) => blocks.push(row, column, integrated.values(place)),
-            Source::Copy(first, _) => {
+            Source::Copy { first, .. } => {
                 let values = self.copied(task, &tasks[*first], integrated.values(place));
                 blocks.push(row, column, &values);
             }
@@ -388,7 +394,7 @@ impl Schedule<'_> {
         let mut own = 0;
         let mut source = |(index, copied): (usize, Option<usize>)| {
             if let Some(first) = copied {
-                return Source::Copy(first, places[first]);
+                return Source::Copy { first, place: places[first] };
             }
             places[index] = own;
             own += 1;
@@ -407,7 +413,8 @@ impl Schedule<'_> {
         tasks: &[Task],
         goals: &[Goal],
         sources: &[Source],
-        (kept, held): (Option<&KeptBlocks>, &HeldRows),
+        kept: Option<&KeptBlocks>,
+        held: &HeldRows,
         work: &Work<'_>,
     ) -> Integrated {
         let own: Vec<usize> =
@@ -523,7 +530,7 @@ impl Schedule<'_> {
         }
         let is_flat = pair.iter().all(|element| element.plane.is_some());
         let block = |blockers: &[usize]| match is_flat {
-            true => planar::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.flat)),
+            true => planar::block(receiver, emitter, blockers, self.visibility, goal.tolerance()),
             false => self.curved_block(places, task, blockers, goal),
         };
         match goal.outlined {
@@ -547,8 +554,7 @@ impl Schedule<'_> {
     /// probing ray count as blockers.
     fn curved_block(&self, [row, column]: [usize; 2], task: &Task, blockers: &[usize], goal: Goal) -> Block {
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
-        let Goal { accuracy, bent, least, row: largest, unseen, sampled, .. } = goal;
-        let enough = (RULE_OF_THREE * task.estimate / unseen).max(FEWEST_RAYS as f64);
+        let enough = (RULE_OF_THREE * task.estimate / goal.unseen).max(FEWEST_RAYS as f64);
         let is_told = enough <= MOST_RAYS;
         let asked = if is_told { blockers } else { &[] };
         let (mut blockers, mut rays) = (Cow::Borrowed(blockers), 0);
@@ -556,7 +562,7 @@ impl Schedule<'_> {
             let parts = [&self.parts[row][..], &self.parts[column][..]];
             let surfaces = [receiver.surface, emitter.surface];
             let most = if is_told { enough } else { MOST_OWN_RAYS };
-            let met = ProbingRays::between(parts, surfaces, [asked, &task.own], self.visibility, most);
+            let met = ProbingRays::between(parts, surfaces, asked, &task.own, self.visibility, most);
             rays = met.rays;
             match (is_told && rays as f64 >= enough, met.hidden) {
                 (true, Hidden::All) => {
@@ -573,12 +579,11 @@ impl Schedule<'_> {
             let kind = if row == column { PairKind::Same } else { PairKind::Separated };
             return Block::untried(receiver.basis.len() * emitter.basis.len(), kind, rays);
         }
-        let accuracy = if blockers.is_empty() { accuracy } else { bent };
-        let how = (accuracy, sampled);
+        let tolerance = goal.tolerance_of_curved(&blockers);
         let mut block = if row == column {
-            curved::self_block(receiver, &blockers, self.visibility, how, [least, largest])
+            curved::self_block(receiver, &blockers, self.visibility, tolerance)
         } else {
-            curved::block(receiver, emitter, &blockers, self.visibility, how, [least, largest])
+            curved::block(receiver, emitter, &blockers, self.visibility, tolerance)
         };
         block.rays += rays;
         block

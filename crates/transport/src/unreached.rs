@@ -23,17 +23,15 @@ mod wholes;
 
 use std::collections::{HashMap, HashSet};
 
-use radiosity_elements::{Element, Elements};
-use radiosity_kernel::Accuracy;
-use radiosity_kernel::WorstError;
+use radiosity_elements::Element;
 use radiosity_kernel::{Blocks, blocks::FirstEntry};
-use radiosity_visibility::Visibility;
+use radiosity_kernel::{PlacedBlock, WorstError};
 use radiosity_work::{Stage, Work};
 
 use crate::kept_blocks::KeptBlocks;
 use crate::sampled::{Fixed, SampledTransport};
-use crate::schedule::UnreachedPair;
 use crate::schedule::order::Precedence;
+use crate::schedule::{BlockByRules, Demand, UnreachedPair};
 use crate::tolerances::{AGREED_BY_RAYS, BATCHES, DEVIATIONS, MISSED_BY_RULES};
 use ray_block::RayBlock;
 pub(crate) use wholes::Whole;
@@ -66,17 +64,17 @@ const REACHED: f64 = 1e-4;
 /// smaller value the check takes as long as the rays would take by themselves.
 const CHECKED: f64 = 1e-3;
 
-/// Adds the blocks that are `left` to `blocks`, and tells their error there; rays that `kept` holds are not
-/// traced.
+/// Adds the blocks of a demand that are `left` to `blocks`, and tells their error there; rays that `kept`
+/// holds are not traced.
 pub(crate) fn add(
-    elements: &Elements,
-    visibility: &Visibility,
     blocks: &mut Blocks,
     left: &[UnreachedPair],
-    (whole, accuracy): (Whole, Accuracy),
+    demand: Demand,
+    whole: Whole,
     mut kept: Option<&mut KeptBlocks>,
     work: &Work<'_>,
 ) {
+    let Demand { elements, visibility, accuracy, .. } = demand;
     let wholes = Wholes::new(elements.list(), whole);
     let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
     let places = places(elements.list());
@@ -106,7 +104,7 @@ pub(crate) fn add(
         }
         let each = (BATCHES * senders.len()) as u64;
         let fixed = Fixed { sums: &sums, error, blocks };
-        let found = judged(elements.list(), (&wholes, &firsts), &fixed, left, &batches);
+        let found = judged(elements.list(), &wholes, &firsts, &fixed, left, &batches);
         // Rays cannot better a value by rules that is as good as they become.
         let may_fall = |found: &RayBlock| !found.is_by_rules || found.relative > REACHED;
         let is_open = |(pair, found): &(&UnreachedPair, &RayBlock)| {
@@ -158,7 +156,8 @@ fn most_rays(eps: f64, elements: usize) -> u64 {
 /// The block of each pair by the batches, beside `others` with these first entries.
 fn judged(
     list: &[Element],
-    (wholes, others_firsts): (&Wholes, &[FirstEntry]),
+    wholes: &Wholes,
+    others_firsts: &[FirstEntry],
     others: &Fixed,
     left: &[UnreachedPair],
     batches: &[SampledTransport],
@@ -170,7 +169,7 @@ fn judged(
         left.iter().map(|pair| [vec![0.0; sizes(pair)], vec![0.0; sizes(pair)]]).collect();
     let mut firsts = vec![[0.0; BATCHES]; left.len()];
     for (number, batch) in batches.iter().enumerate() {
-        for (row, column, values) in batch.beside(others).iter() {
+        for PlacedBlock { row, column, values } in batch.beside(others).iter() {
             let place = places[&(row, column)];
             let [sum, squares] = &mut sums[place];
             firsts[place][number] = values[0];
@@ -204,7 +203,7 @@ fn judged(
     let mut found: Vec<RayBlock> = found.collect();
     let rows = wholes.largest_factors(list, others_firsts, &found);
     for ((found, pair), firsts) in found.iter_mut().zip(left).zip(&mut firsts) {
-        if let Some((values, error)) = &pair.found
+        if let Some(BlockByRules { values, error }) = &pair.by_rules
             && MISSED_BY_RULES * error < found.error
             && wholes.relative(list, &rows, found) <= CHECKED
             && agree(values, &found.values, found.error)

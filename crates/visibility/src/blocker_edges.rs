@@ -4,7 +4,7 @@
 //! edges between a face that x lies in front of and one that x lies behind count. If all points of a convex
 //! set lie in front of both faces, or behind both, the edge bounds no shadow for any of them.
 
-use radiosity_geom::{COINCIDENT, DVec3, sides};
+use radiosity_geom::{COINCIDENT, DVec3, Plane, sides};
 use smallvec::SmallVec;
 
 /// An edge of a blocker.
@@ -12,9 +12,8 @@ use smallvec::SmallVec;
 pub struct BlockerEdge {
     /// Its ends.
     pub ends: [DVec3; 2],
-    /// A point and the outward unit normal of each of the two faces that meet there; empty for a single
-    /// polygon.
-    pub(super) faces: SmallVec<[(DVec3, DVec3); 2]>,
+    /// The planes of the two faces that meet there, with outward normals; empty for a single polygon.
+    pub(super) faces: SmallVec<[Plane; 2]>,
 }
 
 /// The side of a plane on which points lie.
@@ -34,7 +33,7 @@ impl BlockerEdge {
     /// Whether the edge may bound what some point in the hull of `cell` does not see of the hull of
     /// `polygon`.
     pub fn may_part(&self, cell: &[DVec3], polygon: &[DVec3]) -> bool {
-        let sides = self.faces.iter().map(|(point, outward)| side(cell, *point, *outward));
+        let sides = self.faces.iter().map(|face| side(cell, face));
         let is_outline = match sides.collect::<SmallVec<[Side; 2]>>()[..] {
             [first, second] => first != second || first == Side::Both,
             _ => true,
@@ -61,8 +60,8 @@ impl BlockerEdge {
 }
 
 /// The side of a plane on which points lie, within rounding.
-fn side(points: &[DVec3], point: DVec3, outward: DVec3) -> Side {
-    let height = |x: &DVec3| (x - point).dot(outward) / (x - point).length().max(f64::MIN_POSITIVE);
+fn side(points: &[DVec3], plane: &Plane) -> Side {
+    let height = |x: &DVec3| plane.height(*x) / x.distance(plane.point).max(f64::MIN_POSITIVE);
     if points.iter().all(|x| height(x) >= -COINCIDENT) {
         Side::Before
     } else if points.iter().all(|x| height(x) <= COINCIDENT) {

@@ -1,6 +1,6 @@
 //! The corners of a scene's convex hulls: whether all of them lie on one side of a plane.
 
-use radiosity_geom::{Aabb, Bvh, DVec3, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, Plane, touching};
 
 /// The points in whose convex hull a scene lies.
 #[derive(Debug)]
@@ -15,14 +15,14 @@ impl Cloud {
         Self { tree: Bvh::build(&boxes), points }
     }
 
-    /// Whether no point rises above the plane (x − p) · n = h by more than what touches it, for the point `p`
-    /// and unit normal `n` of a surface of this `extent`.
-    pub(super) fn lies_below(&self, h: f64, [p, n]: [DVec3; 2], extent: f64) -> bool {
+    /// Whether no point rises higher than `h` over `plane`, which is tangent to a surface of this `extent`,
+    /// by more than what touches.
+    pub(super) fn lies_below(&self, h: f64, plane: &Plane, extent: f64) -> bool {
         let may_rise = |bounds: &Aabb| {
             let half = 0.5 * (bounds.max - bounds.min);
-            (bounds.center() - p).dot(n) + half.dot(n.abs()) > h + touching(extent, 0.0)
+            plane.height(bounds.center()) + half.dot(plane.normal.abs()) > h + touching(extent, 0.0)
         };
-        let rises = |x: DVec3| (x - p).dot(n) > h + touching(extent, x.distance(p));
+        let rises = |x: DVec3| plane.height(x) > h + touching(extent, x.distance(plane.point));
         !self.tree.search(may_rise).any(|index| rises(self.points[index]))
     }
 }
@@ -39,12 +39,12 @@ mod tests {
     proptest! {
         #[test]
         fn the_highest_point_decides(points in prop::collection::vec(place(), 1..200), p in place(), n in place()) {
-            let n = n.normalize_or(DVec3::Z);
-            let top = points.iter().map(|x| (*x - p).dot(n)).fold(f64::MIN, f64::max);
+            let plane = Plane { point: p, normal: n.normalize_or(DVec3::Z) };
+            let top = points.iter().map(|x| plane.height(*x)).fold(f64::MIN, f64::max);
             let cloud = Cloud::new(points);
-            prop_assert!(cloud.lies_below(top, [p, n], 1.0));
-            prop_assert!(cloud.lies_below(top - 0.9e-9, [p, n], 1.0));
-            prop_assert!(!cloud.lies_below(top - 1.1e-9, [p, n], 1.0));
+            prop_assert!(cloud.lies_below(top, &plane, 1.0));
+            prop_assert!(cloud.lies_below(top - 0.9e-9, &plane, 1.0));
+            prop_assert!(!cloud.lies_below(top - 1.1e-9, &plane, 1.0));
         }
     }
 }

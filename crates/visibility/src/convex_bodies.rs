@@ -15,13 +15,13 @@
 
 use std::collections::HashMap;
 
-use radiosity_geom::{Aabb, COINCIDENT, DVec3, sides, touching};
+use radiosity_geom::{Aabb, COINCIDENT, DVec3, Plane, sides, touching};
 use smallvec::SmallVec;
 
 use crate::blocker_edges::BlockerEdge;
 use crate::bounding_ball::Ball;
 use crate::cloud::Cloud;
-use crate::shadow_volume::ShadowVolume;
+use crate::shadow_volume::{HalfSpace, ShadowVolume};
 
 /// Fewest faces of a body, without the missing one: a tetrahedron has four.
 const FEWEST: usize = 3;
@@ -60,24 +60,10 @@ pub(super) struct Body {
     pub(super) bounds: Aabb,
     /// Mean of its corners.
     middle: DVec3,
-    /// The planes of its faces; the last one may be the missing face.
+    /// The planes of its faces, with outward normals; the last one may be the missing face.
     planes: Vec<Plane>,
     is_open: bool,
     edges: Vec<Edge>,
-}
-
-/// The plane of a face.
-#[derive(Clone, Copy, Debug)]
-struct Plane {
-    point: DVec3,
-    /// Unit normal out of the body.
-    outward: DVec3,
-}
-
-impl Plane {
-    fn height(&self, x: DVec3) -> f64 {
-        (x - self.point).dot(self.outward)
-    }
 }
 
 /// An edge between two faces, given by their indices.
@@ -161,7 +147,7 @@ impl Body {
         let middle = hull.iter().sum::<DVec3>() / hull.len() as f64;
         let ball = Ball::around(&hull);
         let size = 2.0 * ball.radius();
-        let plane = |face: &usize| Plane { point: faces[*face].outline[0], outward: faces[*face].normal };
+        let plane = |face: &usize| Plane { point: faces[*face].outline[0], normal: faces[*face].normal };
         let mut planes: Vec<Plane> = group.iter().map(plane).collect();
         let places: HashMap<usize, usize> =
             group.iter().enumerate().map(|(own, face)| (*face, own)).collect();
@@ -192,10 +178,8 @@ impl Body {
 
     /// Its edges.
     pub(super) fn blocker_edges(&self) -> impl Iterator<Item = BlockerEdge> {
-        let face = |face: usize| (self.planes[face].point, self.planes[face].outward);
-        self.edges
-            .iter()
-            .map(move |edge| BlockerEdge { ends: edge.ends, faces: edge.between.map(face).into() })
+        let faces = |edge: &Edge| edge.between.map(|face| self.planes[face]);
+        self.edges.iter().map(move |edge| BlockerEdge { ends: edge.ends, faces: faces(edge).into() })
     }
 
     /// The shadow volume of the body from `x`; None where x is not outside, and each face hides by itself.
@@ -208,7 +192,7 @@ impl Body {
         }
         let outline = self.edges.iter().filter(|edge| is_front(edge.between[0]) != is_front(edge.between[1]));
         let fronts = (0..heights.len()).filter(|face| is_front(*face));
-        let fronts = fronts.map(|face| (-self.planes[face].outward, heights[face]));
+        let fronts = fronts.map(|face| HalfSpace { inward: -self.planes[face].normal, depth: heights[face] });
         Some(ShadowVolume::bounded(x, self.middle, outline.map(|edge| edge.ends), fronts))
     }
 }
@@ -218,9 +202,9 @@ impl Body {
 fn missing_face(border: &[[DVec3; 2]], cloud: &Cloud, size: f64) -> Option<Plane> {
     let point = border[0][0];
     let area: DVec3 = border.iter().map(|[a, b]| (b - point).cross(a - point)).sum();
-    let plane = Plane { point, outward: area.try_normalize()? };
+    let plane = Plane { point, normal: area.try_normalize()? };
     let is_flat = border.iter().all(|[a, _]| plane.height(*a).abs() <= touching(size, 0.0));
-    (is_flat && cloud.lies_below(0.0, [point, plane.outward], size)).then_some(plane)
+    (is_flat && cloud.lies_below(0.0, &plane, size)).then_some(plane)
 }
 
 #[cfg(test)]

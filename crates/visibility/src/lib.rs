@@ -32,7 +32,9 @@ pub mod inspection;
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, COINCIDENT, DVec3, Jet, Ray, RayTree, Rect, Surface, separated, touching};
+use radiosity_geom::{
+    Aabb, Bvh, COINCIDENT, DVec3, Jet, Plane, Ray, RayTree, Rect, Surface, separated, touching,
+};
 use radiosity_scene::Scene;
 use radiosity_work::interruption::check_interrupt;
 
@@ -62,6 +64,14 @@ pub struct Visibility {
     /// Rank of each surface by the coordinates of its hull.
     places: Vec<usize>,
     shadows: Shadows,
+}
+
+/// Bounds of a blocker.
+#[derive(Clone, Copy)]
+struct Hull<'a> {
+    ball: &'a Ball,
+    /// Points whose convex hull contains it.
+    points: &'a [DVec3],
 }
 
 impl Visibility {
@@ -126,7 +136,7 @@ impl Visibility {
         let may_hide = |surface: usize, others: &[DVec3]| {
             let Obstacle { bend, looks, ball, .. } = &self.obstacles[surface];
             let is_outside =
-                |y: &DVec3| looks.iter().any(|(x, n)| (y - x).dot(*n) < -COINCIDENT * ball.radius());
+                |y: &DVec3| looks.iter().any(|look| look.height(*y) < -COINCIDENT * ball.radius());
             match bend {
                 Bend::Outward => false,
                 Bend::Inward => first != second && others.iter().any(is_outside),
@@ -145,18 +155,17 @@ impl Visibility {
         self.reaching_between(blockers, |index| self.own_hull(index), [a, b], usize::MAX)
     }
 
-    /// A ball around a surface, and points whose convex hull contains it.
-    fn own_hull(&self, surface: usize) -> (&Ball, &[DVec3]) {
+    /// The bounds of a surface alone.
+    fn own_hull(&self, surface: usize) -> Hull<'_> {
         let Obstacle { ball, hull, .. } = &self.obstacles[surface];
-        (ball, hull)
+        Hull { ball, points: hull }
     }
 
-    /// The first of the `blockers`, `most` at the most, whose `part`, given by a ball and hull points,
-    /// reaches between two hulls.
+    /// The first of the `blockers`, `most` at the most, whose `part` reaches between two hulls.
     fn reaching_between<'a>(
         &'a self,
         blockers: &[usize],
-        part: impl Fn(usize) -> (&'a Ball, &'a [DVec3]),
+        part: impl Fn(usize) -> Hull<'a>,
         [a, b]: [&[DVec3]; 2],
         most: usize,
     ) -> Vec<usize> {
@@ -166,10 +175,10 @@ impl Visibility {
         let size = breadth(a).min(breadth(b));
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
         let reaches = |index: &usize| {
-            let (ball, hull) = part(*index);
+            let Hull { ball, points } = part(*index);
             // A plate flush before a surface reaches into the shaft by little, but hides much.
             let tolerance = if self.obstacles[*index].pieces.is_some() { COINCIDENT } else { tolerance };
-            !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
+            !ball.misses_between(&around_a, &around_b) && !separated(a, b, points, tolerance * size)
         };
         blockers.iter().copied().filter(reaches).take(most).collect()
     }
@@ -327,12 +336,13 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], shadows: Shad
         let Obstacle { shape, hull, .. } = &obstacles[*index];
         let Jet { position, normal, .. } = shape.jet(0.0, 0.0);
         let size = boxes[*index].diagonal();
-        let height = |x: &DVec3| (x - position).dot(normal);
+        let tangent = Plane { point: position, normal };
+        let reversed = Plane { normal: -normal, ..tangent };
         let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
-        let (low, high) = hull.iter().map(height).fold((f64::MAX, f64::MIN), range);
+        let heights = hull.iter().map(|x| tangent.height(*x));
+        let (low, high) = heights.fold((f64::MAX, f64::MIN), range);
         high - low <= touching(size, 0.0).max(tolerance * size)
-            && (cloud.lies_below(-low, [position, -normal], size)
-                || cloud.lies_below(high, [position, normal], size))
+            && (cloud.lies_below(-low, &reversed, size) || cloud.lies_below(high, &tangent, size))
     };
     (0..obstacles.len()).filter(|index| !walls_in(index)).collect()
 }

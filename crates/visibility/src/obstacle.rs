@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use radiosity_geom::{COINCIDENT, DVec3, Jet, Rect, Surface};
+use radiosity_geom::{COINCIDENT, DVec3, Jet, Plane, Rect, Surface};
 
 use crate::bounding_ball::Ball;
 use crate::silhouette_mesh::SilhouetteMesh;
@@ -28,8 +28,8 @@ pub(super) struct Obstacle {
     pub(super) pieces: Option<Vec<Vec<DVec3>>>,
     /// Position relative to its own tangent planes.
     pub(super) bend: Bend,
-    /// Sampled points and normals of a curved obstacle.
-    pub(super) looks: Vec<(DVec3, DVec3)>,
+    /// Tangent planes at sampled points of a curved obstacle.
+    pub(super) looks: Vec<Plane>,
     /// Silhouette mesh, made when first needed.
     pub(super) mesh: OnceLock<SilhouetteMesh>,
 }
@@ -40,7 +40,7 @@ impl Obstacle {
         let pieces = shape.region().map(|region| region.convex_pieces().to_vec());
         let jets = if pieces.is_some() { Vec::new() } else { looks(shape.as_ref()) };
         let bend = Bend::of(&jets);
-        let looks = jets.iter().map(|jet| (jet.position, jet.normal)).collect();
+        let looks = jets.iter().map(|jet| Plane { point: jet.position, normal: jet.normal }).collect();
         let (shape, ball) = (Arc::clone(shape), Ball::around(&hull));
         Self { shape, ball, hull, pieces, bend, looks, mesh: OnceLock::new() }
     }
@@ -52,7 +52,7 @@ impl Obstacle {
 
     /// Whether its sampled normals differ noticeably.
     pub(super) fn is_bent(&self) -> bool {
-        self.looks.iter().any(|(_, normal)| normal.dot(self.looks[0].1) < ALIKE)
+        self.looks.iter().any(|look| look.normal.dot(self.looks[0].normal) < ALIKE)
     }
 }
 

@@ -27,13 +27,14 @@ type Heights = SmallVec<[f64; 8]>;
 
 /// The half-space a·inward > depth, a relative to a point.
 #[derive(Clone, Copy, Debug)]
-struct Plane {
+pub(crate) struct HalfSpace {
     /// Unit normal.
-    inward: DVec3,
-    depth: f64,
+    pub inward: DVec3,
+    /// Distance of its plane from the point (scene length).
+    pub depth: f64,
 }
 
-impl Plane {
+impl HalfSpace {
     fn height(&self, a: DVec3) -> f64 {
         a.dot(self.inward) - self.depth
     }
@@ -61,7 +62,7 @@ impl Plane {
 /// Cuts a convex polygon at the horizon of unit normal `n`; empties a polygon that only touches it.
 pub fn cut_at_horizon(n: DVec3, polygon: &mut Corners) {
     let reach = reach(polygon);
-    Plane { inward: n, depth: 0.0 }.cut(polygon, reach);
+    HalfSpace { inward: n, depth: 0.0 }.cut(polygon, reach);
 }
 
 /// Largest distance of a corner from the point.
@@ -125,7 +126,7 @@ impl Quad {
 #[derive(Clone, Debug)]
 pub struct ShadowVolume {
     eye: DVec3,
-    planes: SmallVec<[Plane; PLANES]>,
+    planes: SmallVec<[HalfSpace; PLANES]>,
 }
 
 impl ShadowVolume {
@@ -141,24 +142,25 @@ impl ShadowVolume {
             return None;
         }
         let sides = (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]]);
-        Some(Self::bounded(x, middle, sides, iter::once((normal * height.signum(), height.abs()))))
+        let front = HalfSpace { inward: normal * height.signum(), depth: height.abs() };
+        Some(Self::bounded(x, middle, sides, iter::once(front)))
     }
 
-    /// The region inside the planes through `x` and each of `sides`, on the side of `middle`, and beyond the
-    /// planes `beyond`, given by unit normals away from x and distances from x.
+    /// The region inside the planes through `x` and each of `sides`, on the side of `middle`, and in the
+    /// half-spaces `beyond`, relative to x.
     pub(crate) fn bounded(
         x: DVec3,
         middle: DVec3,
         sides: impl Iterator<Item = [DVec3; 2]>,
-        beyond: impl Iterator<Item = (DVec3, f64)>,
+        beyond: impl Iterator<Item = HalfSpace>,
     ) -> Self {
         let side = |[a, b]: [DVec3; 2]| {
             let inward = (a - x).cross(b - x).normalize_or_zero();
-            Plane { inward: if inward.dot(middle - x) < 0.0 { -inward } else { inward }, depth: 0.0 }
+            HalfSpace { inward: if inward.dot(middle - x) < 0.0 { -inward } else { inward }, depth: 0.0 }
         };
         let sides = sides.map(side).filter(|plane| plane.inward != DVec3::ZERO);
-        let mut planes: SmallVec<[Plane; PLANES]> = sides.collect();
-        planes.extend(beyond.map(|(inward, depth)| Plane { inward, depth }));
+        let mut planes: SmallVec<[HalfSpace; PLANES]> = sides.collect();
+        planes.extend(beyond);
         Self { eye: x, planes }
     }
 
@@ -173,7 +175,7 @@ impl ShadowVolume {
     pub fn coverage(&self, points: &[DVec3], center: DVec3, radius: f64) -> Coverage {
         let middle = center - self.eye;
         // Planes that cross the ball; the one most likely to have all points outside comes first.
-        let mut open: SmallVec<[&Plane; PLANES]> = SmallVec::new();
+        let mut open: SmallVec<[&HalfSpace; PLANES]> = SmallVec::new();
         let mut lowest = f64::INFINITY;
         for plane in &self.planes {
             let height = plane.height(middle);
@@ -290,7 +292,7 @@ impl ShadowVolume {
 
 /// Position of the hull of `points`, no farther from the tip than `reach`, relative to the intersection of
 /// planes.
-fn coverage_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3], reach: f64) -> Coverage {
+fn coverage_by<'a>(planes: impl Iterator<Item = &'a HalfSpace>, points: &[DVec3], reach: f64) -> Coverage {
     let tolerance = COINCIDENT * reach;
     let mut coverage = Coverage::Hidden;
     for plane in planes {

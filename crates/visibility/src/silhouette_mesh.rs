@@ -84,9 +84,18 @@ pub trait Region {
     fn eye(&self) -> DVec3;
     /// Whether a box may reach into the region.
     fn reaches(&self, bounds: &Aabb) -> bool;
-    /// If the eye lies on the surface: its unit normal there, and the sine of the angle to it below which the
-    /// normals of a quad around the eye keep that quad out of the region.
-    fn ground(&self) -> Option<(DVec3, f64)>;
+    /// The surface at the eye, if the eye lies on it.
+    fn ground(&self) -> Option<Ground>;
+}
+
+/// The surface at an eye that lies on it.
+#[derive(Clone, Copy, Debug)]
+pub struct Ground {
+    /// Its unit normal there.
+    pub normal: DVec3,
+    /// Sine of the angle to the normal below which the normals of a quad around the eye keep that quad out of
+    /// a region.
+    pub least: f64,
 }
 
 impl SilhouetteMesh {
@@ -187,7 +196,7 @@ impl SilhouetteMesh {
         if gap > (NEAR * quad.bent_size()).powi(2) {
             return take(quad);
         }
-        let is_under = |(normal, least)| rest == 0 || (gap == 0.0 && quad.leans_less(normal, least));
+        let is_under = |ground: Ground| rest == 0 || (gap == 0.0 && quad.leans_less(&ground));
         if region.ground().is_some_and(is_under) {
             return;
         }
@@ -225,7 +234,8 @@ impl Quad {
     }
 
     /// Whether all normals lean from `normal` by a smaller sine than `least`.
-    fn leans_less(&self, normal: DVec3, least: f64) -> bool {
+    fn leans_less(&self, ground: &Ground) -> bool {
+        let Ground { normal, least } = *ground;
         let lean = |knot: &Knot| knot.normal.cross(normal).length();
         self.knots.iter().all(|knot| knot.normal.dot(normal) > 0.0 && lean(knot) < least)
     }

@@ -2,7 +2,7 @@
 
 use radiosity_geom::{Aabb, DVec3, separated};
 
-use super::Visibility;
+use super::{Hull, Visibility};
 use crate::blocker_edges::BlockerEdge;
 use crate::bounding_ball::Ball;
 use crate::shadow_volume::ShadowVolume;
@@ -10,7 +10,8 @@ use crate::shadow_volume::ShadowVolume;
 impl Visibility {
     /// The `blockers`, one face per body, that may stand between the hulls of `a` and `b`, bodies as a whole.
     pub fn narrow_bodies(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
-        self.reaching_between(blockers, |index| (self.ball_of(index), self.hull(index)), [a, b], usize::MAX)
+        let whole = |index: usize| Hull { ball: self.ball_of(index), points: self.hull(index) };
+        self.reaching_between(blockers, whole, [a, b], usize::MAX)
     }
 
     /// Bounding box of a surface, or of the convex body it belongs to.

@@ -73,7 +73,7 @@ impl Ranks {
     /// # Errors
     /// A folder that cannot be written, or that holds what `begin` does not say.
     pub fn recording(&self, folder: &Path, fingerprint: u64, begin: Begin) -> Result<Self, JournalError> {
-        let journal = Journal::open(folder, fingerprint, begin, (self.number(), &|own| self.any(own)))?;
+        let journal = Journal::open(folder, fingerprint, begin, self.number(), &|own| self.any(own))?;
         Ok(Self { journal: Some(Arc::new(journal)), ..self.clone() })
     }
 

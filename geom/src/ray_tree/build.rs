@@ -153,10 +153,10 @@ impl Bin {
 /// agree.
 fn split_by_area(items: &mut [Item]) -> Option<usize> {
     let (low, high) = spread(items);
-    let (_, axis, bin) = (0..3)
+    let BinCut { axis, bin, .. } = (0..3)
         .filter(|axis| high[*axis] > low[*axis])
         .map(|axis| best_plane(items, axis, low[axis], high[axis]))
-        .min_by(|a, b| a.0.total_cmp(&b.0))?;
+        .min_by(|a, b| a.cost.total_cmp(&b.cost))?;
     let is_left = |item: &Item| bin_of(item.bounds.middle()[axis], low[axis], high[axis]) <= bin;
     Some(partition(items, is_left))
 }
@@ -174,8 +174,17 @@ fn spread(items: &[Item]) -> ([f32; 3], [f32; 3]) {
     })
 }
 
-/// Cost of the best cut along `axis`, the axis, and the bin after which to cut.
-fn best_plane(items: &[Item], axis: usize, low: f32, high: f32) -> (f32, usize, usize) {
+/// A cut between two bins.
+struct BinCut {
+    axis: usize,
+    /// The bin after which to cut.
+    bin: usize,
+    /// Cost of both sides.
+    cost: f32,
+}
+
+/// The best cut along `axis`.
+fn best_plane(items: &[Item], axis: usize, low: f32, high: f32) -> BinCut {
     let mut bins = [Bin::EMPTY; BINS];
     for item in items {
         let (flats, curved) = (u32::from(item.is_flat), u32::from(!item.is_flat));
@@ -190,9 +199,9 @@ fn best_plane(items: &[Item], axis: usize, low: f32, high: f32) -> (f32, usize, 
     let mut side = Bin::EMPTY;
     let cuts = (0..BINS - 1).map(|bin| {
         side.add(&bins[bin]);
-        (side.cost() + right[bin + 1], axis, bin)
+        BinCut { axis, bin, cost: side.cost() + right[bin + 1] }
     });
-    cuts.min_by(|a, b| a.0.total_cmp(&b.0)).expect("some bins")
+    cuts.min_by(|a, b| a.cost.total_cmp(&b.cost)).expect("some bins")
 }
 
 fn bin_of(middle: f32, low: f32, high: f32) -> usize {

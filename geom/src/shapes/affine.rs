@@ -3,7 +3,7 @@
 //! With n = a × b the dual vectors a* = b × n / n², b* = n × a / n² read the parameters off a point: u = (x −
 //! m) · a*, v = (x − m) · b*. The area element is |n|, a constant.
 
-use crate::{Aabb, Foot, Jet, Ray, Rect};
+use crate::{Aabb, Foot, Hit, Jet, Ray, Rect};
 use glam::DVec3;
 
 /// X(u, v) = center + u · du + v · dv.
@@ -43,11 +43,11 @@ impl Affine {
         self.dual.map(|dual| (point - self.center).dot(dual))
     }
 
-    /// Where the ray's line meets the plane: t and the parameters; `None` for parallel rays.
-    pub(super) fn meet(&self, ray: &Ray) -> Option<(f64, f64, f64)> {
+    /// Where the ray's line meets the plane; `None` for parallel rays.
+    pub(super) fn meet(&self, ray: &Ray) -> Option<Hit> {
         let t = (self.center - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
         let [u, v] = self.parameters(ray.at(t));
-        t.is_finite().then_some((t, u, v))
+        t.is_finite().then_some(Hit { t, u, v })
     }
 
     /// The nearest point over [−1, 1]²: the foot on the plane, or the best on the four sides of a skew

@@ -51,7 +51,7 @@ impl Surface for Parallelogram {
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        let (t, u, v) = self.map.meet(ray)?;
+        let Hit { t, u, v } = self.map.meet(ray)?;
         Hit::accept(ray, t, u, v)
     }
 

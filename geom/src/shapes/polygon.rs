@@ -45,7 +45,7 @@ impl Surface for Polygon {
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        let (t, u, v) = self.map.meet(ray)?;
+        let Hit { t, u, v } = self.map.meet(ray)?;
         let hit = Hit::accept(ray, t, u, v)?;
         self.region.covers(self.region.to_plane(ray.at(t))).then_some(hit)
     }
@@ -75,18 +75,25 @@ fn smallest_rectangle(region: &PlanarRegion) -> Affine {
     let hull = convex_hull(region.flat_outline());
     let edges = hull.iter().zip(hull.iter().cycle().skip(1));
     let boxes = edges.map(|(p, q)| rectangle_along(&hull, (*q - *p).normalize()));
-    let area = |r: &(DVec2, DVec2, DVec2)| r.1.length() * r.2.length();
-    let first = |best: (DVec2, DVec2, DVec2), next| {
+    let area = |own: &Rectangle| own.du.length() * own.dv.length();
+    let first = |best: Rectangle, next: Rectangle| {
         if area(&next) < (1.0 - 1e-12) * area(&best) { next } else { best }
     };
-    let (center, du, dv) = boxes.reduce(first).expect("a hull has edges");
+    let Rectangle { center, du, dv } = boxes.reduce(first).expect("a hull has edges");
     let [x, y] = region.axes();
     let vector = |w: DVec2| w.x * x + w.y * y;
     Affine::new(region.origin() + vector(center), vector(du), vector(dv))
 }
 
-/// Centre and half axes of the rectangle around `hull` with a side along the unit vector `along`.
-fn rectangle_along(hull: &[DVec2], along: DVec2) -> (DVec2, DVec2, DVec2) {
+/// A rectangle in a plane, given by its centre and its half axes.
+struct Rectangle {
+    center: DVec2,
+    du: DVec2,
+    dv: DVec2,
+}
+
+/// The rectangle around `hull` with a side along the unit vector `along`.
+fn rectangle_along(hull: &[DVec2], along: DVec2) -> Rectangle {
     let across = along.perp();
     let range = |axis: DVec2| {
         let reach = hull.iter().map(|p| p.dot(axis));
@@ -94,7 +101,7 @@ fn rectangle_along(hull: &[DVec2], along: DVec2) -> (DVec2, DVec2, DVec2) {
     };
     let ((u0, u1), (v0, v1)) = (range(along), range(across));
     let center = 0.5 * ((u0 + u1) * along + (v0 + v1) * across);
-    (center, 0.5 * (u1 - u0) * along, 0.5 * (v1 - v0) * across)
+    Rectangle { center, du: 0.5 * (u1 - u0) * along, dv: 0.5 * (v1 - v0) * across }
 }
 
 #[cfg(test)]

@@ -43,7 +43,7 @@ impl Surface for Triangle {
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        let (t, u, v) = self.map.meet(ray)?;
+        let Hit { t, u, v } = self.map.meet(ray)?;
         if u + v > Hit::SEAM { None } else { Hit::accept(ray, t, u, v) }
     }
 

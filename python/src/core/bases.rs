@@ -67,8 +67,8 @@ pub(super) fn triangle_rule(
     let along = nodes_along.as_slice()?.iter().zip(weights_along.as_slice()?);
     let points =
         along.flat_map(|(&t, &w)| across.clone().map(move |(&a, &v)| triangle::collapse((a, v), (t, w))));
-    for (row, (s, t, w)) in out.as_slice_mut()?.chunks_exact_mut(3).zip(points) {
-        row.copy_from_slice(&[s, t, w]);
+    for (row, point) in out.as_slice_mut()?.chunks_exact_mut(3).zip(points) {
+        row.copy_from_slice(&[point.s, point.t, point.weight]);
     }
     Ok(())
 }

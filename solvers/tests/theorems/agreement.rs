@@ -90,7 +90,7 @@ proptest! {
     fn on_enclosures(seed: u64, dim in 2..24usize, largest in 1..9usize, loss in -3.0..0f64, symmetric: bool) {
         let random = &mut Random(seed);
         let partition = partition(random, dim, largest);
-        let a = enclosure(random, partition, (0.2, 1.0 - 10f64.powf(loss)), symmetric);
+        let a = enclosure(random, partition, [0.2, 1.0 - 10f64.powf(loss)], symmetric);
         let system = System { symmetric, dominant: !symmetric, near_identity: true };
         let truth: Vec<f64> = (0..dim).map(|_| random.unit()).collect();
         for settings in variants(1e-13) {
@@ -106,7 +106,7 @@ fn on_an_enclosure_that_loses_a_thousandth() {
     let random = &mut Random(1);
     for symmetric in [false, true] {
         let partition = partition(random, 12, 4);
-        let a = enclosure(random, partition, (0.999, 0.999), symmetric);
+        let a = enclosure(random, partition, [0.999, 0.999], symmetric);
         let system = System { symmetric, dominant: true, near_identity: true };
         let truth: Vec<f64> = (0..12).map(|_| random.unit()).collect();
         for settings in variants(1e-13) {

@@ -1,7 +1,7 @@
 //! Choice of the method by `auto`, and the methods that follow where the first one fails.
 
 use radiosity_solvers::method::{Method, Methods, NameTaken};
-use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Report, Settings};
+use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Report, Settings, SparseBlock};
 
 use radiosity_test_support::random::Random;
 use radiosity_test_support::systems::{enclosure, matrix};
@@ -19,7 +19,7 @@ const LARGE: usize = 600;
 #[test]
 fn large_systems_are_iterated_unless_rounding_decides() {
     for (symmetric, iterative, direct) in [(true, "cg", "cholesky"), (false, "gmres", "lu")] {
-        let a = enclosure(&mut Random(61), Partition::new(&[6; LARGE / 6]), (0.3, 0.8), symmetric);
+        let a = enclosure(&mut Random(61), Partition::new(&[6; LARGE / 6]), [0.3, 0.8], symmetric);
         assert_eq!(auto(&a, &Settings::default()).method, iterative);
         assert_eq!(auto(&a, &Settings::default().with_tolerance(5e-14)).method, direct);
     }
@@ -42,7 +42,7 @@ fn almost_nothing_lost_is_no_hindrance() {
     for loss in [1e-2, 1e-5, 1e-8] {
         for dim in [60, LARGE] {
             let a =
-                enclosure(&mut Random(67), Partition::new(&vec![6; dim / 6]), (1.0 - loss, 1.0 - loss), true);
+                enclosure(&mut Random(67), Partition::new(&vec![6; dim / 6]), [1.0 - loss, 1.0 - loss], true);
             // Rounding of x, which is 1/loss times as large as b, leaves about ε / loss.
             let settings = Settings::default().with_tolerance(1e-8f64.max(1e-14 / loss));
             auto(&a, &settings);
@@ -54,9 +54,9 @@ fn almost_nothing_lost_is_no_hindrance() {
 fn many_right_hand_sides_share_a_factorisation_only_where_the_entries_are_held() {
     let columns = 2;
     let partition = || Partition::new(&[6; LARGE / 6]);
-    let held = enclosure(&mut Random(71), partition(), (0.3, 0.8), true);
+    let held = enclosure(&mut Random(71), partition(), [0.3, 0.8], true);
     let identity: Vec<f64> = (0..36).map(|k| f64::from(u8::from(k % 7 == 0))).collect();
-    let blocks: Vec<(usize, usize, &[f64])> = (0..LARGE / 6).map(|k| (k, k, &identity[..])).collect();
+    let blocks: Vec<SparseBlock<'_>> = (0..LARGE / 6).map(|k| SparseBlock::new(k, k, &identity)).collect();
     let thin = BlockSparse::symmetric(partition(), &blocks).unwrap();
     let operators: [(&dyn Operator, &str); 2] = [(&held, "cholesky"), (&thin, "cg")];
     for (a, method) in operators {

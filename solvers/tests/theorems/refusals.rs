@@ -96,7 +96,7 @@ fn liar(lie: Lie) -> Liar {
     let random = &mut Random(3);
     let partition = Partition::new(&[2, 3, 1, 4]);
     let symmetric = lie != Lie::Symmetry;
-    Liar { truth: enclosure(random, partition, (0.5, 0.9), symmetric), lie }
+    Liar { truth: enclosure(random, partition, [0.5, 0.9], symmetric), lie }
 }
 
 #[test]
@@ -229,7 +229,7 @@ fn an_exhausted_krylov_space_is_a_breakdown() {
 #[test]
 fn cancellation_and_time_are_looked_at() {
     let random = &mut Random(5);
-    let a = enclosure(random, Partition::new(&[4; 10]), (0.9, 0.999), true);
+    let a = enclosure(random, Partition::new(&[4; 10]), [0.9, 0.999], true);
     let cancel = AtomicBool::new(true);
     let cancelled = Settings::default().with_cancel(&cancel);
     let hurried = Settings::default().with_time_budget(Duration::ZERO).with_tolerance(0.0);

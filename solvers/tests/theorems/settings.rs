@@ -83,7 +83,7 @@ fn the_condition_number_is_a_close_lower_bound() {
 #[test]
 fn iterations_start_from_the_given_guess() {
     let random = &mut Random(29);
-    let a = enclosure(random, Partition::new(&[3; 10]), (0.5, 0.95), true);
+    let a = enclosure(random, Partition::new(&[3; 10]), [0.5, 0.95], true);
     let truth: Vec<f64> = (0..30).map(|_| random.unit()).collect();
     let mut b = vec![0.0; 30];
     a.apply(&truth, &mut b);
@@ -123,7 +123,7 @@ fn nothing_has_no_condition() {
 #[test]
 fn empty_blocks_are_passed_over() {
     let random = &mut Random(71);
-    let a = enclosure(random, Partition::new(&[0, 2, 0, 0, 3, 1, 0]), (0.3, 0.8), true);
+    let a = enclosure(random, Partition::new(&[0, 2, 0, 0, 3, 1, 0]), [0.3, 0.8], true);
     let b = random.numbers(6);
     for granularity in [Granularity::Block, Granularity::Coefficient] {
         for method in Method::ALL {
@@ -173,7 +173,7 @@ fn what_rises_first_and_falls_slowly_is_not_stuck() {
 
 #[test]
 fn several_right_hand_sides_share_one_time_budget() {
-    let a = enclosure(&mut Random(73), Partition::points(20), (0.3, 0.8), true);
+    let a = enclosure(&mut Random(73), Partition::points(20), [0.3, 0.8], true);
     let pause = Duration::from_millis(40);
     let settings = Settings::default().with_time_budget(pause);
     for name in ["jacobi", "gauss-seidel", "gmres", "southwell", "cg"] {
@@ -198,7 +198,7 @@ fn several_right_hand_sides_share_one_time_budget() {
 #[test]
 fn observers_see_what_the_report_keeps() {
     let random = &mut Random(31);
-    let a = enclosure(random, Partition::new(&[2; 9]), (0.5, 0.9), true);
+    let a = enclosure(random, Partition::new(&[2; 9]), [0.5, 0.9], true);
     let b = random.numbers(18);
     for method in Method::ALL {
         let (mut x, mut seen) = (vec![0.0; 18], Vec::new());

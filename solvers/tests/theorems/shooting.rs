@@ -111,7 +111,7 @@ fn each_shot_is_the_largest_by_definition() {
     let random = &mut Random(11);
     for case in 0..100 {
         let partition = partition(random, 20, 6);
-        let a = Counting::new(enclosure(random, partition.clone(), (0.1, 0.9), false));
+        let a = Counting::new(enclosure(random, partition.clone(), [0.1, 0.9], false));
         let b = random.numbers(20);
         let weights: Vec<f64> = (0..20).map(|_| 0.1 + random.unit()).collect();
         let granularity = if case % 2 == 0 { Granularity::Block } else { Granularity::Coefficient };

@@ -24,13 +24,13 @@ fn hard(random: &mut Random, kind: usize, dim: usize) -> Dense {
         // ρ up to 1 − 10⁻⁸.
         0 => {
             let loss = 10f64.powf(-8.0 * random.unit());
-            enclosure(random, partition, (0.0, 1.0 - loss), symmetric)
+            enclosure(random, partition, [0.0, 1.0 - loss], symmetric)
         }
         // ρ = 1 − 10⁻⁸ everywhere.
-        1 => enclosure(random, partition, (1.0 - 1e-8, 1.0 - 1e-8), symmetric),
+        1 => enclosure(random, partition, [1.0 - 1e-8, 1.0 - 1e-8], symmetric),
         // Entries over 16 orders of magnitude.
         2 => {
-            let a = enclosure(random, partition, (0.3, 0.9), symmetric);
+            let a = enclosure(random, partition, [0.3, 0.9], symmetric);
             let mut scales = || (0..dim).map(|_| 10f64.powf(8.0 * random.signed())).collect::<Vec<_>>();
             let rows = scales();
             let columns = if symmetric { rows.clone() } else { scales() };

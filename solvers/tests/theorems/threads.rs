@@ -10,7 +10,7 @@ use radiosity_test_support::systems::{enclosure, matrix, partition};
 fn of_products_and_iterations() {
     let random = &mut Random(13);
     let partition = partition(random, 301, 20);
-    let alone = enclosure(random, partition, (0.3, 0.9), true);
+    let alone = enclosure(random, partition, [0.3, 0.9], true);
     let b = random.numbers(301);
     for threads in [2, 3, 7] {
         let shared = alone.clone().with_threads(threads);

@@ -58,7 +58,7 @@ proptest! {
     fn richardson_adds_the_terms_of_neumanns_series(seed: u64, dim in 2..20usize, terms in 1..8usize) {
         let random = &mut Random(seed);
         let partition = partition(random, dim, 4);
-        let a = enclosure(random, partition, (0.3, 0.9), false);
+        let a = enclosure(random, partition, [0.3, 0.9], false);
         let b: Vec<f64> = (0..dim).map(|_| random.unit()).collect();
         // b + K b + … with K = I − A, by powers.
         let (mut term, mut sum) = (b.clone(), b.clone());
@@ -98,7 +98,7 @@ proptest! {
         }
         let random = &mut Random(seed);
         let partition = partition(random, dim, 5);
-        let a = Undisclosed(enclosure(random, partition, (0.2, 0.9), symmetric));
+        let a = Undisclosed(enclosure(random, partition, [0.2, 0.9], symmetric));
         let truth = random.numbers(dim);
         let mut b = vec![0.0; dim];
         a.apply(&truth, &mut b);

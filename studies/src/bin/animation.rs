@@ -68,15 +68,29 @@ surfaces = ["lamp", "shade"]
 translate = { points = [[0, 0, 0.05], [0.4, 0, 0], [0.8, 0, 0.05]] }
 "#;
 
-/// A table of the source: its title, seconds of set-up, of a frame and of a frame solved anew, and how many
-/// frames there are.
-type Printed = (&'static str, f64, f64, f64, usize);
+/// A table of the source.
+struct Printed {
+    title: &'static str,
+    /// Time of the set-up (s).
+    set_up: f64,
+    /// Time of a frame (s).
+    each: f64,
+    /// Time of a frame that is solved anew (s).
+    alone: f64,
+    frames: usize,
+}
 
 /// Table 2 counts the shadows, which are drawn afterwards, in both columns. The source prints 185 s for the
 /// sum of its numbers.
 const SOURCE: [Printed; 2] = [
-    ("table 1, room with a sliding light", 18.59, 1.41, 4.02, 100),
-    ("table 2, billiard", 18.59, 1.13, 2.93, 160),
+    Printed {
+        title: "table 1, room with a sliding light",
+        set_up: 18.59,
+        each: 1.41,
+        alone: 4.02,
+        frames: 100,
+    },
+    Printed { title: "table 2, billiard", set_up: 18.59, each: 1.13, alone: 2.93, frames: 160 },
 ];
 
 struct Asked {
@@ -137,7 +151,7 @@ fn asked() -> Asked {
 }
 
 /// A row from what the source prints: seconds on its machine, so that only ratios compare.
-fn print_source(&(title, set_up, each, alone, frames): &Printed) {
+fn print_source(&Printed { title, set_up, each, alone, frames }: &Printed) {
     let count = frames as f64;
     let (total, fresh) = (set_up + count * each, count * alone);
     println!("| {title} | fresh | {frames} | | {fresh:.0} | {alone} | {:.2} | | | | | 1 | | |", 1.0 / alone);

@@ -86,13 +86,24 @@ fn kernel(x: DVec3, from: &Square, y: DVec3, to: &Square) -> f64 {
     if cosines == 0.0 { 0.0 } else { cosines / (std::f64::consts::PI * r.length_squared().powi(2)) }
 }
 
-/// Points of n × n cells of the unit square with their weights.
-fn points(cells: usize, count: usize) -> Vec<(f64, f64, f64)> {
+/// A point of the unit square with its weight.
+struct WeightedPoint {
+    u: f64,
+    v: f64,
+    weight: f64,
+}
+
+/// Points of n × n cells of the unit square.
+fn points(cells: usize, count: usize) -> Vec<WeightedPoint> {
     let rule = UnitRule::of(count);
     let line: Vec<(f64, f64)> = (0..cells)
         .flat_map(|cell| rule.iter().map(move |(x, w)| ((cell as f64 + x) / cells as f64, w / cells as f64)))
         .collect();
-    line.iter().flat_map(|(u, a)| line.iter().map(move |(v, b)| (*u, *v, a * b))).collect()
+    let along = |(u, a): &(f64, f64)| {
+        let (u, a) = (*u, *a);
+        line.iter().map(move |(v, b)| WeightedPoint { u, v: *v, weight: a * b })
+    };
+    line.iter().flat_map(along).collect()
 }
 
 /// The matrix of the vertex-patch form factors, I − ρ P, column by column, and its solution.
@@ -108,7 +119,7 @@ fn collocated(squares: &[Square; 2], cells: usize) -> Result<(Vec<f64>, Tents), 
             let (i, j) = (corner / (cells + 1), corner % (cells + 1));
             let row = tents.place(square, i, j);
             let x = squares[square].at(i as f64 / cells as f64, j as f64 / cells as f64);
-            for (u, v, weight) in &points {
+            for WeightedPoint { u, v, weight } in &points {
                 let k = kernel(x, &squares[square], squares[other].at(*u, *v), &squares[other]);
                 for (column, hat) in tents.hats(other, *u, *v) {
                     values[column * dim + row] -= REFLECTANCE * weight * k * hat;
@@ -136,7 +147,7 @@ fn radiosity(solution: &Solution, squares: &[Square; 2], square: usize, u: f64, 
 fn error(found: impl Fn(usize, f64, f64) -> f64, exact: impl Fn(usize, f64, f64) -> f64) -> f64 {
     let (mut difference, mut size) = (0.0, 0.0);
     for square in [0, 1] {
-        for (u, v, weight) in points(16, 4) {
+        for WeightedPoint { u, v, weight } in points(16, 4) {
             let truth = exact(square, u, v);
             difference += weight * (found(square, u, v) - truth).powi(2);
             size += weight * (truth - if square == 0 { 1.0 } else { 0.0 }).powi(2);

@@ -13,7 +13,7 @@
 
 use radiosity::elements::Discretization;
 use radiosity::elements::Subdivide;
-use radiosity::transport::{BlockWork, cost, shared, work};
+use radiosity::transport::{BlockWork, Cost, shared, work};
 use radiosity::visibility::Visibility;
 use radiosity::{Options, Scene};
 
@@ -28,14 +28,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for name in names {
         let scene = radiosity::load(&name)?;
         let costs = costs(&scene)?;
-        let total = |of: fn(&BlockWork) -> u64| costs.iter().map(of).sum::<u64>();
-        let (samples, rays) = (total(BlockWork::samples), total(BlockWork::rays));
+        let Cost { samples, rays } = total(costs.iter().map(BlockWork::cost));
         println!("{name}: {} blocks, {samples} kernel samples, {rays} rays", costs.len());
         println!("{:>7} {:>10} {:>16} {:>13}", "ranks", "efficiency", "samples max/mean", "rays max/mean");
         for ranks in RANKS.into_iter().filter(|ranks| *ranks <= costs.len()) {
             row(ranks, &shared(&costs, ranks));
         }
-        let mut dearest: Vec<f64> = costs.iter().map(|own| cost([own.samples(), own.rays()])).collect();
+        let mut dearest: Vec<f64> = costs.iter().map(|own| own.cost().in_samples()).collect();
         dearest.sort_by(|a, b| b.total_cmp(a));
         let all: f64 = dearest.iter().sum();
         let share = |count: usize| 100.0 * dearest.iter().take(count).sum::<f64>() / all;
@@ -59,20 +58,25 @@ fn costs(scene: &Scene) -> Result<Vec<BlockWork>, Box<dyn std::error::Error>> {
     Ok(work(&elements, &sends, &visibility, options.accuracy()))
 }
 
+/// The sum of costs.
+fn total(costs: impl Iterator<Item = Cost>) -> Cost {
+    let mut sum = Cost::default();
+    costs.for_each(|cost| sum += cost);
+    sum
+}
+
 /// The row of so many ranks, of which each has done so much in each round.
-fn row(ranks: usize, rounds: &[Vec<[u64; 2]>]) {
-    let most = |of: &dyn Fn(&[u64; 2]) -> f64, done: &[[u64; 2]]| done.iter().map(of).fold(0.0, f64::max);
-    let done: Vec<[u64; 2]> = (0..ranks)
-        .map(|rank| rounds.iter().fold([0; 2], |[a, b], round| [a + round[rank][0], b + round[rank][1]]))
-        .collect();
-    let mean = |of: &dyn Fn(&[u64; 2]) -> f64| done.iter().map(of).sum::<f64>() / ranks as f64;
-    let excess = |of: &dyn Fn(&[u64; 2]) -> f64| most(of, &done) / mean(of).max(f64::MIN_POSITIVE);
-    let cost = |own: &[u64; 2]| cost(*own);
+fn row(ranks: usize, rounds: &[Vec<Cost>]) {
+    let most = |of: &dyn Fn(&Cost) -> f64, done: &[Cost]| done.iter().map(of).fold(0.0, f64::max);
+    let done: Vec<Cost> = (0..ranks).map(|rank| total(rounds.iter().map(|round| round[rank]))).collect();
+    let mean = |of: &dyn Fn(&Cost) -> f64| done.iter().map(of).sum::<f64>() / ranks as f64;
+    let excess = |of: &dyn Fn(&Cost) -> f64| most(of, &done) / mean(of).max(f64::MIN_POSITIVE);
+    let cost = |own: &Cost| own.in_samples();
     let time: f64 = rounds.iter().map(|round| most(&cost, round)).sum();
     println!(
         "{ranks:>7} {:>10.3} {:>16.3} {:>13.3}",
         mean(&cost) / time,
-        excess(&|own| own[0] as f64),
-        excess(&|own| own[1] as f64)
+        excess(&|own| own.samples as f64),
+        excess(&|own| own.rays as f64)
     );
 }

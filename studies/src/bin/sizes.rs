@@ -154,7 +154,7 @@ fn measure(grid: [usize; 3], order: usize) {
     let seconds = [integrated - start, processor() - integrated].map(|time| time.as_secs_f64());
     let pairs = &blocks.pairs;
     let skipped = pairs.skipped_behind + pairs.skipped_coplanar + pairs.skipped_hidden;
-    let stored: usize = blocks.iter().map(|(_, _, values)| 8 * values.len()).sum();
+    let stored: usize = blocks.iter().map(|block| 8 * block.values.len()).sum();
     println!(
         "| {order} | {} | {} | {} | {skipped} | {} | {:.1} | {:.1} | {:.0} | {:.2} | {:.2} |",
         scene.surfaces.len(),

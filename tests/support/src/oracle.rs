@@ -117,6 +117,16 @@ pub struct Oracle {
     gamma: Vec<Fixed>,
 }
 
+/// The last polynomials at a point x.
+struct Evaluated {
+    /// 2ᵏ π_k(x), k the degree.
+    value: Fixed,
+    /// 2ᵏ π_k(x), k one less.
+    before: Fixed,
+    /// Derivative of the first.
+    slope: Fixed,
+}
+
 impl Oracle {
     /// The rule of n nodes for the weight (1 − x)^α (1 + x)^β.
     pub fn new(alpha: f64, beta: f64, n: usize) -> Oracle {
@@ -130,8 +140,7 @@ impl Oracle {
         self.delta.len() - 1
     }
 
-    /// 2ᵏ π_k at x for k = degree and degree − 1, and the derivative of the first.
-    fn evaluate(&self, x: &Fixed) -> (Fixed, Fixed, Fixed) {
+    fn evaluate(&self, x: &Fixed) -> Evaluated {
         let two = Fixed::new(2);
         let (mut before, mut last) = (Fixed::new(0), Fixed::new(1));
         let (mut slope_before, mut slope) = (Fixed::new(0), Fixed::new(0));
@@ -143,20 +152,20 @@ impl Oracle {
             (before, last) = (last, next);
             (slope_before, slope) = (slope, slope_next);
         }
-        (last, before, slope)
+        Evaluated { value: last, before, slope }
     }
 
     /// The root of π_n next to a float and its weight, as a share of μ₀.
     pub fn root(&self, near: f64) -> (Fixed, Fixed) {
         let mut x = Fixed::float(near);
         for _ in 0..4 {
-            let (value, _, slope) = self.evaluate(&x);
+            let Evaluated { value, slope, .. } = self.evaluate(&x);
             if value.is_zero() {
                 break;
             }
             x = x - &value / &slope;
         }
-        let (_, before, slope) = self.evaluate(&x);
+        let Evaluated { before, slope, .. } = self.evaluate(&x);
         let norm = self.gamma[1..self.degree()]
             .iter()
             .fold(Fixed::new(2), |norm, gamma| &(&norm * gamma) * &Fixed::new(4));
@@ -165,7 +174,7 @@ impl Oracle {
 
     /// 2ᵏ π_k(x) for the highest k.
     pub fn value(&self, x: &Fixed) -> Fixed {
-        self.evaluate(x).0
+        self.evaluate(x).value
     }
 
     /// ‖2ᵏ π_k‖²/μ₀ for the highest k.

@@ -71,7 +71,7 @@ pub fn exchange(random: &mut Random, dim: usize) -> Vec<f64> {
 pub fn enclosure(
     random: &mut Random,
     partition: Partition,
-    (lowest, highest): (f64, f64),
+    [lowest, highest]: [f64; 2],
     symmetric: bool,
 ) -> Dense {
     let dim = partition.dim();

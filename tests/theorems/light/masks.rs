@@ -79,7 +79,7 @@ fn nodes_carry_the_share_that_is_seen() {
     let [seen, free] = [&visibility, &open].map(|v| DirectLight::new(&solution.emitters(), v));
     let floor = scene.surface_named("floor").expect("there is a floor");
     let element = solution.elements().of_surface(floor).start;
-    let (_, normal) = list[element].plane.expect("it is flat");
+    let normal = list[element].plane.expect("it is flat").normal;
     let bounds = list[element].bounds();
     let masked = solution.masked().expect("masks");
     let mut half_shadows = 0;

@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use proptest::prelude::*;
 use radiosity::Work;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::kernel::{Accuracy, polygon_exchange};
+use radiosity::kernel::{Accuracy, PlacedBlock, polygon_exchange};
 use radiosity::scene::Scene;
 use radiosity::solve::view_factors::{Options, ViewFactors};
 use radiosity::transport;
@@ -247,15 +247,17 @@ fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
     let usual = blocks(Accuracy { eps: 1e-3, shadow_eps: 3e-3 });
     let exact = blocks(Accuracy { eps: finest, shadow_eps: finest });
     let usual: HashMap<(usize, usize), std::borrow::Cow<'_, [f64]>> =
-        usual.iter().map(|(i, j, block)| ((i, j), block)).collect();
+        usual.iter().map(|block| ((block.row, block.column), block.values)).collect();
     let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
     let mut rows = vec![0.0f64; elements.list().len()];
-    for (i, j, block) in exact.iter() {
-        [i, j].iter().for_each(|k| rows[*k] = rows[*k].max(largest(&mut block.iter().copied())));
+    for PlacedBlock { row, column, values } in exact.iter() {
+        for k in [row, column] {
+            rows[k] = rows[k].max(largest(&mut values.iter().copied()));
+        }
     }
-    let error = |(i, j, block): (usize, usize, std::borrow::Cow<'_, [f64]>)| {
+    let error = |PlacedBlock { row: i, column: j, values }: PlacedBlock<'_>| {
         let found = &usual[&(i, j)];
-        largest(&mut block.iter().zip(found.iter()).map(|(a, b)| a - b)) / rows[i].min(rows[j])
+        largest(&mut values.iter().zip(found.iter()).map(|(a, b)| a - b)) / rows[i].min(rows[j])
     };
     exact.iter().map(error).fold(0.0, f64::max)
 }

@@ -9,7 +9,7 @@ use radiosity::elements::patch::{Direction, Patch};
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::{Discretization, Element, Elements};
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
-use radiosity::kernel::{Accuracy, Blocks};
+use radiosity::kernel::{Accuracy, Blocks, PlacedBlock};
 use radiosity::scene::Scene;
 use radiosity::solve::system::System;
 use radiosity::visibility::{Shadows, Visibility};
@@ -56,8 +56,8 @@ impl Transport {
     fn factor(&self, i: usize, j: usize) -> f64 {
         let list = self.elements.list();
         let (row, column) = (i.min(j), i.max(j));
-        let found = self.blocks.iter().find(|(r, c, _)| (*r, *c) == (row, column));
-        found.map_or(0.0, |(_, _, values)| values[0] * (list[j].area / list[i].area).sqrt())
+        let found = self.blocks.iter().find(|block| (block.row, block.column) == (row, column));
+        found.map_or(0.0, |block| block.values[0] * (list[j].area / list[i].area).sqrt())
     }
 }
 
@@ -96,7 +96,8 @@ fn plate_and_quarter_tube_to_the_accuracy_asked() {
     };
     for eps in [1e-2, 1e-4, 1e-8, 1e-12] {
         let transport = Transport::unoccluded(vec![plate(), quarter()], 4, eps);
-        let (_, _, values) = transport.blocks.iter().find(|(i, j, _)| (*i, *j) == (0, 1)).expect("they meet");
+        let found = transport.blocks.iter().find(|block| (block.row, block.column) == (0, 1));
+        let PlacedBlock { values, .. } = found.expect("they meet");
         let largest = values.iter().map(|value| value.abs()).fold(0.0, f64::max);
         for (index, value) in values.iter().enumerate() {
             let error = (value - expected(index / 15, index % 15)).abs();
@@ -292,8 +293,8 @@ fn a_ball_under_a_wide_lamp_is_lit_to_the_accuracy_asked() {
         for eps in [1e-3, 1e-5] {
             let accuracy = Accuracy { eps, shadow_eps: 1e-3 };
             let blocks = blocks_of(&elements, &visibility, accuracy);
-            let found = blocks.iter().filter(|(i, j, _)| *i < 4 && *j == receivers.len());
-            for (i, _, values) in found {
+            let found = blocks.iter().filter(|block| block.row < 4 && block.column == receivers.len());
+            for PlacedBlock { row: i, values, .. } in found {
                 let exact = exact[i].iter().map(|moment| moment / lamp.area.sqrt());
                 let errors = values.iter().zip(exact).map(|(value, exact)| (value - exact).abs());
                 let error = errors.fold(0.0, f64::max) / largest;
@@ -374,7 +375,7 @@ proptest! {
         let there = Transport::unoccluded(vec![first.clone(), second.clone()], 1, eps);
         let back = Transport::unoccluded(vec![second, first], 1, eps);
         for transport in [&there, &back] {
-            prop_assert!(transport.blocks.iter().all(|(_, _, values)| values.iter().all(|g| g.is_finite())));
+            prop_assert!(transport.blocks.iter().all(|block| block.values.iter().all(|g| g.is_finite())));
             for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
                 let factor = transport.factor(i, j);
                 prop_assert!((-eps..=1.0 + eps).contains(&factor), "{} {}: {}", i, j, factor);

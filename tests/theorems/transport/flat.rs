@@ -125,7 +125,10 @@ pub(crate) fn blocks(scene: &Scene, elements: &Elements, eps: f64) -> Blocks {
 
 /// G from element `row` to element `column`, row-major; None where it is left out as zero.
 pub(crate) fn block(blocks: &Blocks, row: usize, column: usize) -> Option<Vec<f64>> {
-    let stored = |i, j| blocks.iter().find(|(a, b, _)| (*a, *b) == (i, j)).map(|(_, _, values)| values);
+    let stored = |i, j| {
+        let found = blocks.iter().find(|block| (block.row, block.column) == (i, j));
+        found.map(|block| block.values)
+    };
     if row <= column {
         return stored(row, column).map(|values| values.into_owned());
     }

@@ -204,9 +204,9 @@ impl Case {
         let visibility = Visibility::new(&self.scene, Shadows::Off);
         let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: 1e-3 });
         let error = |([i, j], exact, row): &([usize; 2], Vec<f64>, f64)| {
-            let found = blocks.iter().find(|(row, column, _)| [row, column] == [i, j]);
+            let found = blocks.iter().find(|block| [block.row, block.column] == [*i, *j]);
             let nothing = vec![0.0; exact.len()];
-            let values = found.map_or_else(|| nothing.to_vec(), |(_, _, values)| values.into_owned());
+            let values = found.map_or_else(|| nothing.to_vec(), |block| block.values.into_owned());
             let error = values.iter().zip(exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             let scale = largest(exact).max(1e-2 * row).max(SMALLEST);
             println!(

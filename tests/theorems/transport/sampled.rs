@@ -210,7 +210,7 @@ fn threads_and_rounds_change_no_bit() {
     let values = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
         let blocks = pool.install(|| sampled(&scene, 1, 10_000));
-        blocks.iter().flat_map(|(_, _, values)| values.to_vec()).collect::<Vec<f64>>()
+        blocks.iter().flat_map(|block| block.values.to_vec()).collect::<Vec<f64>>()
     };
     let alone = values(1);
     assert_eq!(alone, values(2));

@@ -49,10 +49,11 @@ pub(super) struct Pattern {
 
 impl FrameFiles {
     /// The files of a name as typed; finds out whether they can be written. Pictures a second are those that
-    /// were typed, or those of the scene.
+    /// were `typed`, or those `of_scene`.
     pub(super) fn new(
         name: &Path,
-        (typed, of_scene): (Option<f64>, Option<f64>),
+        typed: Option<f64>,
+        of_scene: Option<f64>,
         first: usize,
         loaded: &Loaded,
         ranks: &Ranks,

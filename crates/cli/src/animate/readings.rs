@@ -20,7 +20,15 @@ use crate::sensors::Sensors;
 pub(super) struct Readings {
     sensors: Sensors,
     how: quality::ReadSettings,
-    frames: Vec<(usize, Vec<ProbeReading>)>,
+    frames: Vec<FrameReadings>,
+}
+
+/// The readings of a frame.
+#[derive(Debug)]
+struct FrameReadings {
+    /// Number of the frame.
+    frame: usize,
+    readings: Vec<ProbeReading>,
 }
 
 impl Readings {
@@ -35,13 +43,13 @@ impl Readings {
         let reader = Reader::by(how.by, &frame.solution, &frame.visibility, how.read, how.eps);
         let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, &Work::among(ranks));
         let read = read.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
-        self.frames.push((number, read));
+        self.frames.push(FrameReadings { frame: number, readings: read });
         Ok(())
     }
 
     /// The error of readings by rays, of all frames.
     pub(super) fn error(&self) -> Option<ReadError> {
-        let readings = self.frames.iter().flat_map(|(_, readings)| readings);
+        let readings = self.frames.iter().flat_map(|own| &own.readings);
         ReadError::of(readings.map(|reading| reading.deviation))
     }
 
@@ -51,7 +59,7 @@ impl Readings {
         let names = ["frame", "point"].into_iter().chain(COLUMNS).map(str::to_owned);
         let light = bands.iter().map(|band| format!("E_{band}"));
         writer.write_record(names.chain(light)).map_err(io::Error::from)?;
-        for (frame, readings) in &self.frames {
+        for FrameReadings { frame, readings } in &self.frames {
             for (point, ProbeReading { probe, irradiance, .. }) in readings.iter().enumerate() {
                 let place = probe.position.to_array().into_iter().chain(probe.normal.to_array());
                 let numbers = place.chain(irradiance.iter().copied()).map(|x| x.to_string());

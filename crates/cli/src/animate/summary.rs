@@ -2,7 +2,7 @@
 
 use radiosity_reading::accuracy_warning::missed;
 use radiosity_solve::animation::follower::Follower;
-use radiosity_solve::animation::sequence_report::SequenceReport;
+use radiosity_solve::animation::sequence_report::{SequenceReport, WorstTransfer};
 use radiosity_transport::RayCounts;
 
 /// Lines on so many frames that were made in so many seconds: one on their cost, and one for each warning.
@@ -47,18 +47,19 @@ fn ray_counts(RayCounts { traced, recalled }: &RayCounts) -> String {
 
 /// A line for each fault at any moment.
 fn warnings(report: &SequenceReport) -> Vec<String> {
-    let SequenceReport { moments, unconverged: (unconverged, residual), missing, worst, .. } = report;
+    let SequenceReport { moments, unconverged, missing, worst, .. } = report;
     let of_moments = |count: &usize| format!("warning: at {count} of {moments} moments");
     let mut lines = Vec::new();
-    if *unconverged > 0 {
+    if unconverged.moments > 0 {
         lines.push(format!(
-            "{} the solver did not converge, the relative residual is up to {residual:.1e}: the light is incomplete; raise \
+            "{} the solver did not converge, the relative residual is up to {:.1e}: the light is incomplete; raise \
              --max-iterations or take another --solver",
-            of_moments(unconverged)
+            of_moments(&unconverged.moments),
+            unconverged.residual
         ));
     }
-    if let Some((worst, [one, other])) = worst {
-        lines.push(format!("{} {}", of_moments(missing), missed(worst, [one, other])));
+    if let Some(WorstTransfer { error, surfaces: [one, other] }) = worst {
+        lines.push(format!("{} {}", of_moments(missing), missed(error, [one, other])));
     }
     lines
 }

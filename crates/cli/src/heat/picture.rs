@@ -56,6 +56,14 @@ enum PictureFormat {
     Png,
 }
 
+/// A file that the command writes beside the picture.
+pub(crate) struct OtherFile<'a> {
+    /// Its path, if it is wanted.
+    pub(crate) path: Option<&'a Path>,
+    /// Its content in a word.
+    pub(crate) content: &'static str,
+}
+
 /// A picture about to be taken.
 pub(crate) struct HeatPicture<'a> {
     args: &'a PictureArgs,
@@ -64,13 +72,12 @@ pub(crate) struct HeatPicture<'a> {
 }
 
 impl PictureArgs {
-    /// The picture, if one is wanted; `reserve` opens its file, which has to be none of the `others`, named
-    /// by what they hold.
+    /// The picture, if one is wanted; `reserve` opens its file, which has to be none of the `others`.
     pub(crate) fn wanted(
         &self,
         scene: &Scene,
         reserve: impl FnOnce(&Path) -> Result<OutputFile, CliError>,
-        others: &[(Option<&Path>, &str)],
+        others: &[OtherFile<'_>],
     ) -> Result<Option<HeatPicture<'_>>, CliError> {
         let refuse = |message: &str, cure: &str| {
             Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
@@ -91,9 +98,11 @@ impl PictureArgs {
         self.colours.check()?;
         format::of_file::<PictureFormat>(path)?;
         let camera = camera(self.size.map(|Counts(size)| size), scene)?;
-        let mut known = others.iter().filter_map(|(path, what)| Some(((*path)?, *what)));
-        let file = reserve(path)?;
-        let file = known.try_fold(file, |file, (path, what)| file.apart_from(path, what))?;
+        let mut known = others.iter().filter(|other| other.path.is_some());
+        let file = known.try_fold(reserve(path)?, |file, other| match other.path {
+            Some(path) => file.apart_from(path, other.content),
+            None => Ok(file),
+        })?;
         Ok(Some(HeatPicture { args: self, camera, file }))
     }
 }

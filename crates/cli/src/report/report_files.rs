@@ -19,11 +19,19 @@ pub(super) struct ReportFiles {
 #[derive(Debug)]
 enum ReportFormat {
     Html,
-    /// The name of the text without its ending, and the file of each figure.
     Markdown {
+        /// The name of the text without its ending.
         stem: String,
-        figures: Vec<(String, OutputFile)>,
+        figures: Vec<FigureFile>,
     },
+}
+
+/// The file of a figure.
+#[derive(Debug)]
+struct FigureFile {
+    /// Name of the figure.
+    figure: String,
+    file: OutputFile,
 }
 
 impl ReportFiles {
@@ -41,7 +49,7 @@ impl ReportFiles {
                 let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
                 let file = |figure: &String| {
                     let path = path.with_file_name(markdown::picture_name(&stem, figure));
-                    Ok((figure.clone(), reserve(&path)?))
+                    Ok(FigureFile { figure: figure.clone(), file: reserve(&path)? })
                 };
                 let figures = figures.iter().map(file).collect::<Result<_, CliError>>()?;
                 ReportFormat::Markdown { stem, figures }
@@ -65,8 +73,8 @@ impl ReportFiles {
             ReportFormat::Markdown { stem, figures } => {
                 for block in &document.blocks {
                     let Block::Figure(figure) = block else { continue };
-                    let (_, file) =
-                        figures.iter().find(|(name, _)| *name == figure.name).expect("its file was reserved");
+                    let own = figures.iter().find(|own| own.figure == figure.name);
+                    let FigureFile { file, .. } = own.expect("its file was reserved");
                     file.write(|writer| figure.picture.write_png(writer))?;
                 }
                 self.page.write(|writer| markdown::write(document, stem, writer))

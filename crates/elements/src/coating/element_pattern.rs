@@ -17,7 +17,7 @@ use radiosity_scene::Pattern;
 use super::tiles::Tiles;
 use crate::columns::transposed;
 use crate::element::Element;
-use crate::measure::Measure;
+use crate::measure::{Measure, WeightedNode};
 use crate::parameters::of_node;
 
 /// A band of a pattern on an element.
@@ -97,7 +97,7 @@ impl ElementPattern {
             let patches = element.patches_over(self.shape.as_ref(), &rect);
             let own = basis.space().chart_degree(basis.order(), &patches);
             let measure = Measure::new(&patches, (functions * own + degree).div_ceil(2));
-            for (node, weight) in &measure.points {
+            for WeightedNode { node, weight } in &measure.points {
                 let value = mean
                     .unwrap_or_else(|| self.at(of_node(self.shape.as_ref(), node, element.plane.is_some())));
                 basis.raw(basis.frame().coordinates(node), &mut raw);

@@ -10,12 +10,12 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{DVec3, Rect, Surface, clip_polygon};
+use radiosity_geom::{DVec3, Plane, Rect, Surface, clip_polygon};
 
 use super::element_pattern::orthonormal_rows;
 use crate::columns::transposed;
 use crate::element::{Element, overlap};
-use crate::measure::Measure;
+use crate::measure::{Measure, WeightedNode};
 use crate::patch::Patch;
 
 /// Transmission of an element, from all elements of the other side.
@@ -56,11 +56,12 @@ pub(super) struct TransmissionPart {
 }
 
 impl TransmissionPart {
-    /// Transmission of `own` from `other`, the element number `behind`, on two sides of `shape`; None where
-    /// they share nothing.
+    /// Transmission of `own` from the element number `behind`, which is `other`, on two sides of `shape`;
+    /// None where they share nothing.
     pub(super) fn new(
         own: &Element,
-        (behind, other): (usize, &Element),
+        behind: usize,
+        other: &Element,
         shape: &dyn Surface,
         transmittance: f64,
     ) -> Option<Self> {
@@ -71,7 +72,7 @@ impl TransmissionPart {
         let (rows, columns) = (own.basis.len(), other.basis.len());
         let (mut ours, mut theirs) = (vec![0.0; rows], vec![0.0; columns]);
         let mut sums = vec![0.0; rows * columns];
-        for (node, weight) in &measure.points {
+        for WeightedNode { node, weight } in &measure.points {
             own.basis.raw(own.basis.frame().coordinates(node), &mut ours);
             other.basis.raw(other.basis.frame().coordinates(node), &mut theirs);
             for (row, x) in sums.chunks_exact_mut(columns).zip(&ours) {
@@ -89,7 +90,7 @@ impl TransmissionPart {
 /// Patches of what two elements, on two sides of one shape, share over these parameters.
 fn shared(own: &Element, other: &Element, shape: &dyn Surface, rect: &Rect) -> Vec<Patch> {
     let patches = own.patches_over(shape, rect);
-    let Some((_, normal)) = own.plane else { return patches };
+    let Some(Plane { normal, .. }) = own.plane else { return patches };
     if own.contact.is_none() && other.contact.is_none() && own.patches.len() == 1 && other.patches.len() == 1
     {
         return patches;

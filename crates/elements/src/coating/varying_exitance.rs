@@ -24,7 +24,8 @@ impl VaryingExitance {
         element: &Element,
         shape: &Arc<dyn Surface>,
         pattern: &Arc<Pattern>,
-        (band, factor): (usize, f64),
+        band: usize,
+        factor: f64,
     ) -> Self {
         let element_pattern = ElementPattern::new(element, shape, pattern, band);
         let coefficients = element_pattern.vector(element).iter().map(|e| factor * e).collect();

@@ -102,8 +102,29 @@ pub(super) struct Data<'b> {
     pub(super) count: usize,
     /// Rows of numbers; none where all numbers are 0.
     rows: Option<Rows<'b>>,
-    /// Rows of a sparse accessor: number of the row → row among those that take its place.
-    replaced: Option<(HashMap<usize, usize>, Rows<'b>)>,
+    /// Rows that a sparse accessor replaces.
+    replaced: Option<Replaced<'b>>,
+}
+
+/// The rows that a sparse accessor replaces.
+#[derive(Clone, Debug)]
+struct Replaced<'b> {
+    /// Number of the row → row among `values`.
+    places: HashMap<usize, usize>,
+    values: Rows<'b>,
+}
+
+/// Rows of numbers in a view.
+#[derive(Clone, Copy)]
+struct Span {
+    /// Index of the view.
+    view: usize,
+    /// Byte of the view at which they begin.
+    offset: usize,
+    /// Number of rows.
+    count: usize,
+    /// Numbers in a row.
+    width: usize,
 }
 
 impl Data<'_> {
@@ -111,8 +132,8 @@ impl Data<'_> {
         if row >= self.count {
             return None;
         }
-        if let Some((rows, values)) = &self.replaced
-            && let Some(row) = rows.get(&row)
+        if let Some(Replaced { places, values }) = &self.replaced
+            && let Some(row) = places.get(&row)
         {
             return values.number(*row, column);
         }
@@ -219,34 +240,38 @@ impl<'a, 'b> Accessors<'a, 'b> {
         let rows = Rows { bytes: &[], stride: 0, component, scale };
         let own = accessor
             .buffer_view
-            .map(|view| self.rows(&rows, [view, accessor.byte_offset, accessor.count], kind.width(), place))
+            .map(|view| {
+                let (offset, count) = (accessor.byte_offset, accessor.count);
+                self.rows(&rows, Span { view, offset, count, width: kind.width() }, place)
+            })
             .transpose()?;
         let replaced = match &accessor.sparse {
-            Some(sparse) => Some(self.sparse(sparse, &rows, [accessor.count, kind.width()], place)?),
+            Some(sparse) => Some(self.sparse(sparse, &rows, accessor.count, kind.width(), place)?),
             None => None,
         };
         Ok(Data { count: accessor.count, rows: own, replaced })
     }
 
-    /// The rows that a sparse accessor replaces.
+    /// The rows that a sparse accessor of `count` rows replaces.
     fn sparse(
         &mut self,
         sparse: &Sparse,
         rows: &Rows<'b>,
-        [count, width]: [usize; 2],
+        count: usize,
+        width: usize,
         place: FilePlace,
-    ) -> Result<(HashMap<usize, usize>, Rows<'b>), Wrong> {
+    ) -> Result<Replaced<'b>, Wrong> {
         self.replaced = self.replaced.saturating_add(sparse.count);
         if sparse.count > count || self.replaced > MOST_REPLACED {
             return Err(Fault::new(format!("it replaces {} of {count} rows", sparse.count), CORRECT).into());
         }
-        let SparsePart { buffer_view, byte_offset, component_type } = sparse.indices;
+        let SparsePart { buffer_view: view, byte_offset: offset, component_type } = sparse.indices;
         let component = Component::of(component_type.unwrap_or(0))?;
         let plain = Rows { bytes: &[], stride: 0, component, scale: 1.0 };
-        let indices = self.rows(&plain, [buffer_view, byte_offset, sparse.count], 1, place)?;
-        let SparsePart { buffer_view, byte_offset, .. } = sparse.values;
-        let values = self.rows(rows, [buffer_view, byte_offset, sparse.count], width, place)?;
-        let mut replaced = HashMap::new();
+        let indices = self.rows(&plain, Span { view, offset, count: sparse.count, width: 1 }, place)?;
+        let SparsePart { buffer_view: view, byte_offset: offset, .. } = sparse.values;
+        let values = self.rows(rows, Span { view, offset, count: sparse.count, width }, place)?;
+        let mut places = HashMap::new();
         for row in 0..sparse.count {
             let index = indices.number(row, 0).map_or(usize::MAX, |index| index as usize);
             if index >= count {
@@ -256,19 +281,14 @@ impl<'a, 'b> Accessors<'a, 'b> {
                 )
                 .into());
             }
-            replaced.insert(index, row);
+            places.insert(index, row);
         }
-        Ok((replaced, values))
+        Ok(Replaced { places, values })
     }
 
-    /// The `count` rows of `width` numbers in a view, from a byte offset on, if the view has them.
-    fn rows(
-        &self,
-        like: &Rows<'b>,
-        [view, offset, count]: [usize; 3],
-        width: usize,
-        place: FilePlace,
-    ) -> Result<Rows<'b>, Wrong> {
+    /// The rows of a span, if its view has them.
+    fn rows(&self, like: &Rows<'b>, span: Span, place: FilePlace) -> Result<Rows<'b>, Wrong> {
+        let Span { view, offset, count, width } = span;
         let (view, at): (BufferView, FilePlace) =
             self.json.item(&self.root.buffer_views, view, "buffer view", place)?;
         let Some(buffer) = self.buffers.get(view.buffer) else {

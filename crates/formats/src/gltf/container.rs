@@ -42,8 +42,8 @@ pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, Located> {
             "copy or export it again",
         ));
     }
-    let (kind, json, next) = chunk(bytes, 12)?;
-    if kind != JSON {
+    let first = Chunk::at(bytes, 12)?;
+    if first.kind != JSON {
         return Err(Located::new(
             FilePlace::Byte(16),
             "the first chunk is not JSON",
@@ -51,24 +51,34 @@ pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, Located> {
         ));
     }
     let mut binary = None;
-    if next < length {
-        let (kind, part, _) = chunk(bytes, next)?;
-        binary = (kind == BINARY).then_some(part);
+    if first.next < length {
+        let second = Chunk::at(bytes, first.next)?;
+        binary = (second.kind == BINARY).then_some(second.bytes);
     }
-    Ok(Parts { text: text(json, 20)?, start: Some(20), binary })
+    Ok(Parts { text: text(first.bytes, 20)?, start: Some(20), binary })
 }
 
-/// The kind of a chunk, its bytes, and where the next one begins.
-fn chunk(bytes: &[u8], at: usize) -> Result<(u32, &[u8], usize), Located> {
-    let header = word(bytes, at).zip(word(bytes, at + 4));
-    let part = header.and_then(|(length, kind)| {
-        let (start, length) = (at + 8, length as usize);
-        let part = bytes.get(start..)?.get(..length)?;
-        Some((kind, part, start + length.next_multiple_of(4)))
-    });
-    part.ok_or_else(|| {
-        Located::new(FilePlace::Byte(at), "the file ends within a chunk", "copy or export it again")
-    })
+/// A chunk of a GLB.
+struct Chunk<'a> {
+    kind: u32,
+    bytes: &'a [u8],
+    /// Byte of the file at which the next one begins.
+    next: usize,
+}
+
+impl<'a> Chunk<'a> {
+    /// The chunk that begins at a byte.
+    fn at(bytes: &'a [u8], at: usize) -> Result<Self, Located> {
+        let header = word(bytes, at).zip(word(bytes, at + 4));
+        let chunk = header.and_then(|(length, kind)| {
+            let (start, length) = (at + 8, length as usize);
+            let part = bytes.get(start..)?.get(..length)?;
+            Some(Chunk { kind, bytes: part, next: start + length.next_multiple_of(4) })
+        });
+        chunk.ok_or_else(|| {
+            Located::new(FilePlace::Byte(at), "the file ends within a chunk", "copy or export it again")
+        })
+    }
 }
 
 /// The little-endian word at a byte.

@@ -12,11 +12,19 @@ const MOST_AT_SIDE: usize = 16;
 
 /// A side of a face.
 struct Side {
-    /// Key of the face and ends of the side, the lower number first: faces of one joint may be joined along
-    /// it.
-    joint: (usize, u32, u32),
+    /// Faces of one joint may be joined along it.
+    joint: Joint,
     face: u32,
     is_forward: bool,
+}
+
+/// A side at which faces of one key meet.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Joint {
+    /// Key of the faces.
+    key: usize,
+    /// Corners at the ends of the side, ascending.
+    ends: [u32; 2],
 }
 
 /// Groups of two or more faces, each a list of faces.
@@ -102,7 +110,7 @@ fn sides(faces: &[Face]) -> Vec<Side> {
     for (index, face) in faces.iter().enumerate() {
         for (a, b) in face.ring.iter().zip(face.ring.iter().cycle().skip(1)) {
             sides.push(Side {
-                joint: (face.key, *a.min(b), *a.max(b)),
+                joint: Joint { key: face.key, ends: [*a.min(b), *a.max(b)] },
                 face: index as u32,
                 is_forward: a < b,
             });

@@ -81,6 +81,14 @@ impl Default for Chromaticity {
     }
 }
 
+/// A colour of a mixture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MixturePart {
+    /// Its part of the brightness, relative to the others.
+    pub(super) weight: f64,
+    pub(super) colour: Chromaticity,
+}
+
 impl Chromaticity {
     /// Entity `cxy`.
     ///
@@ -140,16 +148,16 @@ impl Chromaticity {
     ///
     /// # Errors
     /// Parts below 0, or none above.
-    pub(super) fn of_mixture(parts: &[(f64, Chromaticity)]) -> Result<Self, Fault> {
-        let most = parts.iter().map(|(weight, _)| *weight).fold(0.0, f64::max);
-        if most == 0.0 || parts.iter().any(|(weight, _)| *weight < 0.0) {
+    pub(super) fn of_mixture(parts: &[MixturePart]) -> Result<Self, Fault> {
+        let most = parts.iter().map(|part| part.weight).fold(0.0, f64::max);
+        if most == 0.0 || parts.iter().any(|part| part.weight < 0.0) {
             return Err(Fault::new(
                 "the weights of a mixture are not right",
                 "write weights from 0, one above",
             ));
         }
         let mut sum = [0.0; 3];
-        for (weight, Chromaticity { x, y }) in parts {
+        for MixturePart { weight, colour: Chromaticity { x, y } } in parts {
             for (total, own) in sum.iter_mut().zip([x / y, 1.0, (1.0 - x - y) / y]) {
                 *total += weight / most * own;
             }
@@ -203,6 +211,10 @@ fn interpolated(values: &[f64], at: f64) -> f64 {
 mod tests {
     use super::*;
 
+    fn part(weight: f64, colour: Chromaticity) -> MixturePart {
+        MixturePart { weight, colour }
+    }
+
     fn near(found: Result<Chromaticity, Fault>, x: f64, y: f64, tolerance: f64) {
         let found = found.expect("this is a colour");
         assert!((found.x - x).abs() < tolerance && (found.y - y).abs() < tolerance, "{found:?}");
@@ -223,7 +235,8 @@ mod tests {
     fn a_mixture_of_primaries_is_white() {
         let [r, g, b] = [(0.64, 0.33), (0.3, 0.6), (0.15, 0.06)]
             .map(|(x, y)| Chromaticity::of_xy(x, y).expect("a colour"));
-        near(Chromaticity::of_mixture(&[(21.26, r), (71.52, g), (7.22, b)]), 0.3127, 0.3290, 1e-4);
+        let white = [part(21.26, r), part(71.52, g), part(7.22, b)];
+        near(Chromaticity::of_mixture(&white), 0.3127, 0.3290, 1e-4);
     }
 
     #[test]
@@ -239,7 +252,7 @@ mod tests {
             Chromaticity::of_spectrum(1000.0, 2000.0, &[1.0, 1.0]),
             Chromaticity::of_black_body(300.0),
             Chromaticity::of_mixture(&[]),
-            Chromaticity::of_mixture(&[(1.0, grey), (-1.0, grey)]),
+            Chromaticity::of_mixture(&[part(1.0, grey), part(-1.0, grey)]),
         ];
         for found in refused {
             assert!(found.is_err_and(|fault| !fault.cure.is_empty()));

@@ -9,7 +9,7 @@ use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
 use crate::files::Files;
 use crate::includes::Includes;
-use crate::mgf::chromaticity::Chromaticity;
+use crate::mgf::chromaticity::{Chromaticity, MixturePart};
 use crate::mgf::contexts::Contexts;
 use crate::mgf::lines::Lines;
 use crate::mgf::shapes::{self, Vertex};
@@ -245,7 +245,8 @@ impl<'a> Reader<'a> {
             let [weight, colour] = *pair else {
                 return Err(Fault::new("a mixture lacks a colour", "write a weight before each colour"));
             };
-            parts.push((number(weight, "a weight")?, *self.colours.get(colour)?));
+            let weight = number(weight, "a weight")?;
+            parts.push(MixturePart { weight, colour: *self.colours.get(colour)? });
         }
         Chromaticity::of_mixture(&parts)
     }

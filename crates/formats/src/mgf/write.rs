@@ -80,8 +80,14 @@ fn write_material(text: &mut String, material: &Material, name: &str) {
     }
 }
 
-/// Index of the current material, and whether its front alone counts.
-type Choice = (Option<usize>, bool);
+/// The material that is current.
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct Choice {
+    /// Its index; None for the unnamed one.
+    material: Option<usize>,
+    /// Whether its front alone counts.
+    is_single: bool,
+}
 
 /// Makes the material of a surface the current one, with the sides of this surface.
 fn choose(
@@ -92,7 +98,7 @@ fn choose(
     current: &mut Option<Choice>,
 ) {
     let is_single = surface.sides == Sides::Front;
-    let choice = (surface.material, is_single);
+    let choice = Choice { material: surface.material, is_single };
     if *current == Some(choice) {
         return;
     }

@@ -40,12 +40,26 @@ pub(super) struct Faces {
     /// Names of objects, none for faces before the first; the current one.
     objects: Names,
     object: String,
-    /// Names of materials that faces have, each with the line of its first use; the current one.
-    pub(super) materials: Vec<(String, usize)>,
+    /// Materials that faces have, by their first uses; the current one.
+    pub(super) materials: Vec<MaterialUse>,
     material_numbers: Names,
-    material: Option<(String, usize)>,
+    material: Option<MaterialUse>,
     pub(super) libraries: Vec<Library>,
-    notes: Vec<(&'static str, usize)>,
+    notes: Vec<LineNote>,
+}
+
+/// A material that a line names.
+#[derive(Clone, Debug)]
+pub(super) struct MaterialUse {
+    pub(super) name: String,
+    pub(super) line: usize,
+}
+
+/// A note on a line.
+#[derive(Clone, Copy, Debug)]
+struct LineNote {
+    text: &'static str,
+    line: usize,
 }
 
 /// Numbers of names, in the order of their first use.
@@ -59,7 +73,9 @@ impl Faces {
             "v" => self.vertex(rest, line)?,
             "f" | "fo" => self.face(rest, line)?,
             "o" | "g" => self.object = rest.to_owned(),
-            "usemtl" => self.material = (!rest.is_empty()).then(|| (rest.to_owned(), line)),
+            "usemtl" => {
+                self.material = (!rest.is_empty()).then(|| MaterialUse { name: rest.to_owned(), line });
+            }
             "mtllib" => self.libraries.push(Library { names: rest.to_owned(), line }),
             "p" => self.note("points are left out", line),
             "l" => self.note("lines are left out", line),
@@ -80,8 +96,8 @@ impl Faces {
         Ok(())
     }
 
-    fn note(&mut self, what: &'static str, line: usize) {
-        self.notes.push((what, line));
+    fn note(&mut self, text: &'static str, line: usize) {
+        self.notes.push(LineNote { text, line });
     }
 
     fn vertex(&mut self, rest: &str, line: usize) -> Result<(), Fault> {
@@ -141,20 +157,20 @@ impl Faces {
 
     /// The number of the current material.
     fn material_number(&mut self) -> Option<usize> {
-        let (name, line) = self.material.as_ref()?;
-        if let Some(number) = self.material_numbers.get(name) {
+        let material = self.material.as_ref()?;
+        if let Some(number) = self.material_numbers.get(&material.name) {
             return Some(*number);
         }
         let next = self.materials.len();
-        self.materials.push((name.clone(), *line));
-        self.material_numbers.insert(name.clone(), next);
+        self.materials.push(material.clone());
+        self.material_numbers.insert(material.name.clone(), next);
         Some(next)
     }
 
     /// Adds all faces to a mesh that has the materials.
     pub(super) fn add_to(&self, mesh: &mut Mesh) -> Result<(), Located> {
-        for (what, line) in &self.notes {
-            mesh.model.note(*what, Some(FilePlace::Line(*line)));
+        for LineNote { text, line } in &self.notes {
+            mesh.model.note(*text, Some(FilePlace::Line(*line)));
         }
         let mut names: Vec<(&String, &usize)> = self.objects.iter().collect();
         names.sort_by_key(|(_, number)| **number);

@@ -18,8 +18,15 @@ const LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 pub(super) struct Elements {
     vertices: Vec<DVec3>,
     corners: Vec<f64>,
-    /// Index in `corners` at which each face begins, and place of the face in the file.
-    faces: Vec<(usize, FilePlace)>,
+    faces: Vec<Face>,
+}
+
+/// A face of the file.
+#[derive(Debug)]
+struct Face {
+    /// Index among all corners of its first one.
+    start: usize,
+    place: FilePlace,
 }
 
 impl Elements {
@@ -107,7 +114,7 @@ impl Elements {
         };
         for _ in 0..element.count {
             let place = numbers.place();
-            self.faces.push((self.corners.len(), place));
+            self.faces.push(Face { start: self.corners.len(), place });
             let corners = &mut self.corners;
             row(&element.properties, numbers, &mut |property, value| {
                 if property != list {
@@ -130,8 +137,8 @@ impl Elements {
     /// Adds the faces to a mesh.
     pub(super) fn add_faces(&self, mesh: &mut Mesh) -> Result<(), Located> {
         let object = mesh.object(None);
-        let ends = self.faces.iter().skip(1).map(|face| face.0).chain([self.corners.len()]);
-        for ((start, place), end) in self.faces.iter().zip(ends) {
+        let ends = self.faces.iter().skip(1).map(|face| face.start).chain([self.corners.len()]);
+        for (Face { start, place }, end) in self.faces.iter().zip(ends) {
             let corners: Result<Vec<DVec3>, Located> =
                 self.corners[*start..end].iter().map(|number| self.vertex(*number, *place)).collect();
             let coat = Coat { object, material: None, sides: Sides::Open };

@@ -175,10 +175,9 @@ fn statement(
             Ok(())
         }
         ["property", "list", count, item, name] => {
-            let property = (Some(Scalar::named(count)?), Scalar::named(item)?);
-            add(elements, name, property)
+            add(elements, name, Some(Scalar::named(count)?), Scalar::named(item)?)
         }
-        ["property", item, name] => add(elements, name, (None, Scalar::named(item)?)),
+        ["property", item, name] => add(elements, name, None, Scalar::named(item)?),
         [first, ..] => Err(Fault::new(
             format!("'{}' is no statement of a header", short(first)),
             "write 'element NAME COUNT', 'property TYPE NAME', 'property list TYPE TYPE NAME' or 'comment'",
@@ -186,11 +185,12 @@ fn statement(
     }
 }
 
-fn add(elements: &mut [Element], name: &str, kinds: (Option<Scalar>, Scalar)) -> Result<(), Fault> {
+/// Adds a property to the last element; a list has a `count` before its items.
+fn add(elements: &mut [Element], name: &str, count: Option<Scalar>, item: Scalar) -> Result<(), Fault> {
     let Some(element) = elements.last_mut() else {
         return Err(Fault::new("a property stands before all elements", "put it behind its 'element'"));
     };
-    element.properties.push(Property { name: name.to_owned(), count: kinds.0, item: kinds.1 });
+    element.properties.push(Property { name: name.to_owned(), count, item });
     Ok(())
 }
 

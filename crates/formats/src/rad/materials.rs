@@ -97,7 +97,7 @@ fn coat(primitive: &Primitive) -> Result<Option<(Coat, Vec<&'static str>)>, Faul
         }
         "plastic" | "metal" | "plastic2" | "metal2" | "plasfunc" | "metfunc" | "plasdata" | "metdata" => {
             let [.., part] = leading::<4>(primitive)?;
-            reflecting(primitive, 1.0 - part, vec![(part != 0.0, specular)])?
+            reflecting(primitive, 1.0 - part, [(part != 0.0).then_some(specular)])?
         }
         "trans" => translucent(primitive, leading::<6>(primitive)?)?,
         "trans2" => {
@@ -108,7 +108,7 @@ fn coat(primitive: &Primitive) -> Result<Option<(Coat, Vec<&'static str>)>, Faul
             let [r, g, b, part, transmitted, _] = leading::<6>(primitive)?;
             translucent(primitive, [r, g, b, part, 0.0, transmitted])?
         }
-        "BRTDfunc" | "ashik2" => reflecting(primitive, 1.0, vec![(true, specular)])?,
+        "BRTDfunc" | "ashik2" => reflecting(primitive, 1.0, [Some(specular)])?,
         "glass" | "dielectric" | "interface" => {
             black(primitive, "transmission through glass is left out: glass is black")
         }
@@ -138,11 +138,11 @@ fn leading<const N: usize>(primitive: &Primitive) -> Result<[f64; N], Fault> {
     }
 }
 
-/// A material that reflects `part` of its colour diffusely.
+/// A material that reflects `part` of its colour diffusely, and the notes that there are.
 fn reflecting(
     primitive: &Primitive,
     part: f64,
-    notes: Vec<(bool, &'static str)>,
+    notes: impl IntoIterator<Item = Option<&'static str>>,
 ) -> Result<(Coat, Vec<&'static str>), Fault> {
     let coat = Coat {
         name: primitive.name.clone(),
@@ -150,7 +150,7 @@ fn reflecting(
         emission: [0.0; 3],
         sides: Sides::Both,
     };
-    Ok((coat, notes.into_iter().filter(|(is_told, _)| *is_told).map(|(_, note)| note).collect()))
+    Ok((coat, notes.into_iter().flatten().collect()))
 }
 
 /// A material whose numbers are colour, specular part, roughness, transmitted part.
@@ -158,9 +158,9 @@ fn translucent(
     primitive: &Primitive,
     [_, _, _, specular, _, transmitted]: [f64; 6],
 ) -> Result<(Coat, Vec<&'static str>), Fault> {
-    let notes = vec![
-        (specular != 0.0, "specular reflection is left out"),
-        (transmitted != 0.0, "transmission of trans materials is left out"),
+    let notes = [
+        (specular != 0.0).then_some("specular reflection is left out"),
+        (transmitted != 0.0).then_some("transmission of trans materials is left out"),
     ];
     reflecting(primitive, (1.0 - specular) * (1.0 - transmitted), notes)
 }

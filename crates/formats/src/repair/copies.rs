@@ -15,9 +15,9 @@ pub(super) struct Copies<'a> {
     model: &'a Model,
     gone: Vec<bool>,
     both: Vec<bool>,
-    /// Surfaces that become the backs of others, and their new names.
+    /// Whether each surface becomes the back of another one.
     is_back: Vec<bool>,
-    backs: Vec<(usize, String)>,
+    backs: Vec<NewBack>,
     names: HashSet<String>,
     repairs: Repairs,
 }
@@ -26,7 +26,14 @@ pub(super) struct Copies<'a> {
 pub(super) struct Changes {
     gone: Vec<bool>,
     both: Vec<bool>,
-    backs: Vec<(usize, String)>,
+    backs: Vec<NewBack>,
+}
+
+/// A surface that becomes the back of another one.
+struct NewBack {
+    surface: usize,
+    /// Its new name.
+    name: String,
 }
 
 impl<'a> Copies<'a> {
@@ -66,7 +73,7 @@ impl<'a> Copies<'a> {
         } else if is_sheet && self.names.insert(back.clone()) {
             let text = format!("{pair} are the sides of one sheet; {:?} is now {back:?}", names[1]);
             self.is_back[second] = true;
-            self.backs.push((second, back));
+            self.backs.push(NewBack { surface: second, name: back });
             text
         } else {
             let is_second = emits(self.model, second) && !emits(self.model, first);
@@ -88,8 +95,8 @@ impl Changes {
         for (surface, both) in model.surfaces.iter_mut().zip(&self.both) {
             surface.sides = if *both { Sides::Both } else { surface.sides };
         }
-        for (back, name) in self.backs {
-            model.surfaces[back].name = name;
+        for NewBack { surface, name } in self.backs {
+            model.surfaces[surface].name = name;
         }
         let mut edit = Edit::default();
         let gone = self.gone.iter().enumerate().filter(|(_, gone)| **gone);

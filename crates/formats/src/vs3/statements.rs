@@ -58,8 +58,12 @@ pub(super) struct Input {
     pub(super) transformation: Option<usize>,
 }
 
-/// The words of a line and its number, counted from 1.
-type Words<'a> = (usize, Vec<&'a str>);
+/// A line in words.
+struct Words<'a> {
+    /// Its number, counted from 1.
+    line: usize,
+    words: Vec<&'a str>,
+}
 
 /// Lines up to the end of the data.
 struct Lines<'a> {
@@ -112,7 +116,13 @@ impl Input {
                 }
                 Some(letter @ ('S' | 'M' | 'N' | 'O')) => {
                     let wanted = input.surfaces.len() + 1;
-                    let surface = surface(file, kind(letter), (at, rest.to_vec()), wanted, &mut lines)?;
+                    let surface = surface(
+                        file,
+                        kind(letter),
+                        Words { line: at, words: rest.to_vec() },
+                        wanted,
+                        &mut lines,
+                    )?;
                     input.surfaces.push(surface);
                 }
                 Some('X') => input.transformation = input.transformation.or(Some(at)),
@@ -195,7 +205,7 @@ fn in_order(word: &str, wanted: usize, what: &str) -> Result<(), Fault> {
 fn surface(
     file: &str,
     kind: SurfaceRole,
-    (line, words): Words,
+    Words { line, words }: Words,
     wanted: usize,
     lines: &mut Lines,
 ) -> Result<Statement, Refusal> {

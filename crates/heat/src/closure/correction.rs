@@ -18,7 +18,7 @@
 //! across c_i is r_i A_i / Σ_j W_ij there.
 
 use radiosity_elements::Elements;
-use radiosity_kernel::Blocks;
+use radiosity_kernel::{Blocks, PlacedBlock};
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Partition, Settings};
 use radiosity_work::interruption::check_interrupt;
@@ -110,7 +110,9 @@ fn turn(elements: &Elements, blocks: &Blocks, pairs: &Pairs, Deficit(deficit): &
 /// Blocks with other values, held by every rank, their accounts kept.
 fn copied(elements: &Elements, blocks: &Blocks, values: impl Fn(usize, usize, &[f64]) -> Vec<f64>) -> Blocks {
     let mut copy = Blocks::empty(elements.starts(), true, Ranks::alone());
-    blocks.iter().for_each(|(row, column, own)| copy.push(row, column, &values(row, column, &own)));
+    for PlacedBlock { row, column, values: own } in blocks.iter() {
+        copy.push(row, column, &values(row, column, &own));
+    }
     let open = (0..elements.list().len()).filter(|element| !blocks.is_complete(*element));
     open.for_each(|element| copy.leave_open(element));
     (copy.pairs, copy.reciprocity, copy.worst_error) = (blocks.pairs, blocks.reciprocity, blocks.worst_error);
@@ -135,7 +137,8 @@ impl Weights {
         let list = elements.list();
         let mut rows = vec![Vec::new(); list.len()];
         let (mut sums, mut diagonal) = (vec![0.0; list.len()], vec![0.0; list.len()]);
-        for (i, j, values) in blocks.iter().filter(|(i, j, _)| !pairs.is_exact(*i, *j)) {
+        let open = blocks.iter().filter(|block| !pairs.is_exact(block.row, block.column));
+        for PlacedBlock { row: i, column: j, values } in open {
             let weight = list[i].area * values[0] * values[0] * list[j].area;
             for (own, other) in [(i, j), (j, i)] {
                 diagonal[own] += weight;

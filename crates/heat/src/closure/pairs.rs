@@ -97,9 +97,9 @@ fn exchanges_nothing(
 
 /// Whether `other` lies behind the plane of `one`, or in it.
 fn lies_behind(one: &Element, other: &Element) -> bool {
-    one.plane.is_some_and(|(point, normal)| {
+    one.plane.is_some_and(|plane| {
         let room = ROUNDING * (one.extent + other.extent);
-        other.hull.iter().all(|x| (x - point).dot(normal) <= room)
+        other.hull.iter().all(|x| plane.height(*x) <= room)
     })
 }
 

@@ -34,8 +34,14 @@ pub enum CurvedContact {
     Apart(f64),
 }
 
-/// Where to cut a patch: the direction, and a parameter strictly between 0 and 1.
-pub(crate) type CutPlace = (Direction, f64);
+/// Where to cut a patch.
+#[derive(Clone, Copy, Debug)]
+pub struct CutPlace {
+    /// The direction of the chart that is cut.
+    pub direction: Direction,
+    /// Parameter of the cut, strictly between 0 and 1.
+    pub at: f64,
+}
 
 /// Contact of two patches; points closer than `tolerance` coincide.
 pub fn classify(p: &Patch, q: &Patch, tolerance: f64) -> CurvedContact {
@@ -66,7 +72,7 @@ pub fn classify(p: &Patch, q: &Patch, tolerance: f64) -> CurvedContact {
 }
 
 /// The two parts of a patch, cut at a place.
-pub fn cut(patch: &Patch, (direction, at): CutPlace) -> [Patch; 2] {
+pub fn cut(patch: &Patch, CutPlace { direction, at }: CutPlace) -> [Patch; 2] {
     match (patch, direction) {
         (Patch::Flat { corners: [a, b, c, d], normal }, Direction::Along) => {
             let (low, high) = (a.lerp(*b, at), d.lerp(*c, at));
@@ -151,13 +157,13 @@ fn place_on(patch: &Patch, corners: &[DVec3], tolerance: f64) -> Option<CutPlace
             }
             let at = 0.5 * (1.0 + w);
             // Side 2 of a triangle is side 3 of its chart.
-            let place = match if triangle && k == 2 { 3 } else { k } {
+            let (direction, at) = match if triangle && k == 2 { 3 } else { k } {
                 0 => (Direction::Along, at),
                 1 => (Direction::Across, at),
                 2 => (Direction::Along, 1.0 - at),
                 _ => (Direction::Across, 1.0 - at),
             };
-            (1e-6..1.0 - 1e-6).contains(&place.1).then_some(place)
+            (1e-6..1.0 - 1e-6).contains(&at).then_some(CutPlace { direction, at })
         })
     };
     sides(patch).iter().enumerate().find_map(on)

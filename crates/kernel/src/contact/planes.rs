@@ -2,10 +2,7 @@
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Node, Patch};
-use radiosity_geom::{DVec3, ROUNDING, touching};
-
-/// A point of a plane, and its unit normal.
-pub type Plane = (DVec3, DVec3);
+use radiosity_geom::{DVec3, Plane, ROUNDING, touching};
 
 /// The common plane of patches that all lie in one and face the same way.
 pub fn plane_of(patches: &[Patch]) -> Option<Plane> {
@@ -17,7 +14,7 @@ pub fn plane_of(patches: &[Patch]) -> Option<Plane> {
         let d = x.position - first.position;
         x.normal.distance(first.normal) <= ROUNDING && d.dot(first.normal).abs() <= touching(d.length(), 0.0)
     };
-    all.all(is_level).then_some((first.position, first.normal))
+    all.all(is_level).then_some(Plane { point: first.position, normal: first.normal })
 }
 
 /// Exchange of light between two elements, as far as their planes tell.
@@ -39,7 +36,7 @@ pub fn of(receiver: &Element, emitter: &Element) -> Planes {
     let extent = receiver.extent.min(emitter.extent);
     for (plane, other) in [(&receiver.plane, emitter), (&emitter.plane, receiver)] {
         let Some(plane) = plane else { continue };
-        let [low, high] = heights(*plane, other, extent);
+        let [low, high] = heights(plane, other, extent);
         if high <= 0.0 {
             return if low >= 0.0 { Planes::Coplanar } else { Planes::Behind };
         }
@@ -49,11 +46,10 @@ pub fn of(receiver: &Element, emitter: &Element) -> Planes {
 
 /// Least and largest height of an element over a plane (scene length). Heights within rounding are 0, for
 /// elements of which the smaller is `extent` wide.
-fn heights((point, normal): (DVec3, DVec3), element: &Element, extent: f64) -> [f64; 2] {
+fn heights(plane: &Plane, element: &Element, extent: f64) -> [f64; 2] {
     let height = |x: &DVec3| {
-        let offset = x - point;
-        let height = offset.dot(normal);
-        if height.abs() <= touching(extent, offset.length()) { 0.0 } else { height }
+        let height = plane.height(*x);
+        if height.abs() <= touching(extent, x.distance(plane.point)) { 0.0 } else { height }
     };
     let range = |[low, high]: [f64; 2], h: f64| [low.min(h), high.max(h)];
     element.hull.iter().map(height).fold([f64::INFINITY, f64::NEG_INFINITY], range)

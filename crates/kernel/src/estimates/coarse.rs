@@ -8,6 +8,7 @@
 //! nodes, so that nodes at a contact do not coincide.
 
 use radiosity_elements::Element;
+use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_work::interruption::check_interrupt;
 
@@ -29,8 +30,8 @@ const CORNERED: usize = 6;
 /// The nodes of an element.
 #[derive(Debug)]
 pub struct CoarseEstimate {
-    /// Nodes with weights, in the role of the receiver and of the emitter.
-    nodes: [Vec<(Node, f64)>; 2],
+    /// Nodes in the role of the receiver and of the emitter.
+    nodes: [Vec<WeightedNode>; 2],
     area: f64,
 }
 
@@ -54,8 +55,8 @@ impl CoarseEstimate {
     /// The number of pairs of nodes that face each other, if all of them are hidden.
     pub fn hidden_rays(&self, emitter: &Self, sees: Sees) -> Option<u64> {
         let mut rays = 0;
-        for (x, _) in &self.nodes[0] {
-            for (y, _) in emitter.nodes[1].iter().filter(|(y, _)| kernel(x, y) > 0.0) {
+        for x in self.nodes[0].iter().map(|x| &x.node) {
+            for y in emitter.nodes[1].iter().map(|y| &y.node).filter(|y| kernel(x, y) > 0.0) {
                 rays += 1;
                 if sees(x.position, y.position) {
                     return None;
@@ -84,16 +85,13 @@ pub fn largest_kernel(receivers: &[Patch], emitters: &[Patch]) -> f64 {
     receivers.flat_map(|x| emitters.iter().map(move |y| kernel(&x, y))).fold(0.0, f64::max)
 }
 
-fn sum(receivers: &[(Node, f64)], emitters: &[(Node, f64)]) -> f64 {
-    let row = |x: &Node| emitters.iter().map(|(y, wy)| wy * kernel(x, y)).sum::<f64>();
-    receivers.iter().map(|(x, wx)| wx * row(x)).sum()
+fn sum(receivers: &[WeightedNode], emitters: &[WeightedNode]) -> f64 {
+    let row = |x: &Node| emitters.iter().map(|y| y.weight * kernel(x, &y.node)).sum::<f64>();
+    receivers.iter().map(|x| x.weight * row(&x.node)).sum()
 }
 
 /// The n × n nodes of each patch, each with the area of its cell.
-fn weighted(patches: &[Patch], n: usize) -> Vec<(Node, f64)> {
-    let cell = |x: Node| {
-        let area = x.area / (n * n) as f64;
-        (x, area)
-    };
+fn weighted(patches: &[Patch], n: usize) -> Vec<WeightedNode> {
+    let cell = |node: Node| WeightedNode { node, weight: node.area / (n * n) as f64 };
     patches.iter().flat_map(|patch| patch.cell_nodes(n).into_iter().map(cell)).collect()
 }

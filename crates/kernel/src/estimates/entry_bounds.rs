@@ -14,7 +14,7 @@
 use core::f64::consts::FRAC_1_PI;
 
 use radiosity_elements::Element;
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, Plane};
 
 /// A block's error may be ε times this share of the largest entry of its row: a hundred such blocks together
 /// may err as much as the largest one alone. With a larger value rows of many blocks would err by more; with
@@ -33,8 +33,7 @@ pub struct EntryBounds {
     center: DVec3,
     radius: f64,
     area: f64,
-    /// A point of its plane, and the normal.
-    plane: Option<(DVec3, DVec3)>,
+    plane: Option<Plane>,
 }
 
 impl EntryBounds {
@@ -64,8 +63,8 @@ impl EntryBounds {
         }
         // Range of heights of a ball over a plane; a curved element may face anywhere.
         let heights = |reach: &Self, ball: &Self| {
-            reach.plane.map_or([0.0, distance + sum], |(point, normal)| {
-                let height = normal.dot(ball.center - point);
+            reach.plane.map_or([0.0, distance + sum], |plane| {
+                let height = plane.height(ball.center);
                 [height - ball.radius, height + ball.radius]
             })
         };
@@ -94,7 +93,12 @@ mod tests {
 
     fn square(z: f64, up: f64) -> EntryBounds {
         let center = DVec3::Z * z;
-        EntryBounds { center, radius: 0.5f64.sqrt(), area: 1.0, plane: Some((center, DVec3::Z * up)) }
+        EntryBounds {
+            center,
+            radius: 0.5f64.sqrt(),
+            area: 1.0,
+            plane: Some(Plane { point: center, normal: DVec3::Z * up }),
+        }
     }
 
     /// Parallel unit squares at distance 3: F = 0.0316 by the closed form.

@@ -51,7 +51,8 @@ impl ProbingRays {
     pub fn between(
         [receivers, emitters]: [&[Patch]; 2],
         surfaces: [usize; 2],
-        [blockers, own]: [&[usize]; 2],
+        blockers: &[usize],
+        own: &[usize],
         visibility: &Visibility,
         enough: f64,
     ) -> Self {

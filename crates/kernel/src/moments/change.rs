@@ -17,13 +17,22 @@ use crate::moments::legendre_values::polynomials;
 #[derive(Debug)]
 pub(crate) enum Change {
     /// L_k = sign_k T_{place_k}.
-    Signed(Vec<(usize, f64)>),
+    Signed(Vec<SignedPlace>),
     /// Row-major, element's functions by patch's.
     Dense {
         matrix: Vec<f64>,
         /// Number of the patch's functions.
         own: usize,
     },
+}
+
+/// A function of a patch that is one of its element but for its sign.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SignedPlace {
+    /// Its place among the patch's functions.
+    place: usize,
+    /// 1 or −1.
+    sign: f64,
 }
 
 impl Change {
@@ -69,7 +78,7 @@ impl Change {
         match self {
             Self::Signed(places) => places
                 .iter()
-                .flat_map(|(place, sign)| {
+                .flat_map(|SignedPlace { place, sign }| {
                     rows[place * width..(place + 1) * width].iter().map(move |x| sign * x)
                 })
                 .collect(),
@@ -112,7 +121,7 @@ impl Change {
         let place = |k: usize| {
             let (i, j) = total::degrees(k);
             let sign = a.powi(i as i32) * b.powi(j as i32);
-            (if first == 0 { k } else { total::index(j, i) }, sign)
+            SignedPlace { place: if first == 0 { k } else { total::index(j, i) }, sign }
         };
         Some(Self::Signed((0..basis.len()).map(place).collect()))
     }

@@ -21,6 +21,7 @@
 use core::f64::consts::FRAC_1_PI;
 
 use radiosity_elements::patch::{Node, Patch};
+use radiosity_elements::rule::Line;
 use radiosity_geom::DVec3;
 use radiosity_work::interruption::check_interrupt;
 
@@ -46,9 +47,6 @@ pub trait Terms {
     fn write(&mut self, tile: &Tile, node: &Node, out: &mut [Lanes]);
 }
 
-/// Nodes and weights along one direction.
-pub(crate) type Line<'a> = (&'a [f64], &'a [f64]);
-
 /// One side of a tensor rule: its points on a patch, and the polynomials in either direction.
 pub(crate) struct Grid<'a> {
     chart: &'a Chart,
@@ -65,11 +63,11 @@ pub(crate) struct Grid<'a> {
 impl<'a> Grid<'a> {
     /// The grid of the nodes `along` × `across` on `patch`, whose functions are those of `chart`.
     pub(crate) fn new(patch: &Patch, chart: &'a Chart, along: Line, across: Line) -> Self {
-        let counts = [along.0.len(), across.0.len()];
+        let counts = [along.nodes.len(), across.nodes.len()];
         let mut nodes = Vec::with_capacity(counts[0] * counts[1]);
         let mut weights = Vec::with_capacity(counts[0] * counts[1]);
-        for (s, ws) in along.0.iter().zip(along.1) {
-            for (t, wt) in across.0.iter().zip(across.1) {
+        for (s, ws) in along.nodes.iter().zip(along.weights) {
+            for (t, wt) in across.nodes.iter().zip(across.weights) {
                 let node = patch.node(*s, *t);
                 weights.push(ws * wt * node.area);
                 nodes.push(node);
@@ -82,7 +80,7 @@ impl<'a> Grid<'a> {
             }
             table
         };
-        let tables = [table(0, along.0), table(1, across.0)];
+        let tables = [table(0, along.nodes), table(1, across.nodes)];
         Self { chart, counts, nodes, weights, tables, flat: patch.is_flat() }
     }
 

@@ -16,13 +16,12 @@
 //! Reference: Sauter and Schwab, *Boundary Element Methods*, chapter 5.
 
 use radiosity_elements::patch::Patch;
-use radiosity_elements::rule::UnitRule;
+use radiosity_elements::rule::{Line, UnitRule};
 
 use crate::moments::integrand::Sees;
-use crate::moments::tensor::Line;
 use crate::moments::{Moments, PatchMoments};
 use crate::rules::far;
-use crate::rules::orders::subdivided_cube::{Multilinear, Part, Parts};
+use crate::rules::orders::subdivided_cube::{Multilinear, Part, RuledPart};
 use crate::tolerances::{MOST_HALVINGS_OF_CUBE, SHARE_OF_TRIANGLES};
 
 /// Numbers of points [x, angular] for degrees `[receiver, emitter]`, where visibility is sampled or a chart
@@ -72,7 +71,7 @@ pub fn integrate_flat(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [usi
     let Some(plans) = plans else { return false };
     for plan in plans {
         let mut pair = moments.patches(&plan.patches[0], &plan.patches[1]);
-        for (part, points) in plan.parts {
+        for RuledPart { part, points } in plan.parts {
             add(&mut pair, plan.subdomain, &part, far::exact(degrees), points, None);
         }
         moments.add(pair);
@@ -118,7 +117,7 @@ impl Subdomain {
 struct Plan {
     patches: [Patch; 2],
     subdomain: Subdomain,
-    parts: Parts<3>,
+    parts: Vec<RuledPart<3>>,
 }
 
 impl Plan {
@@ -151,20 +150,21 @@ fn add(
             rules[k].nodes.iter().map(|node| scale * part.at(k, *node)).collect()
         };
         let (fixed, weight) = ([x], wx * x.powi(subdomain.power()) * size);
-        let at_x: Line = (&fixed, &[1.0]);
+        let at_x = Line { nodes: &fixed, weights: &[1.0] };
         match subdomain {
             Subdomain::Box(place) => {
                 let nodes = [0, 1, 2].map(|k| running(k, x));
+                let line = |k: usize| Line { nodes: &nodes[k], weights: &rules[k].weights };
                 let lines = std::array::from_fn(|side| match side.cmp(&place) {
                     std::cmp::Ordering::Equal => at_x,
-                    std::cmp::Ordering::Less => (&nodes[side][..], &rules[side].weights[..]),
-                    std::cmp::Ordering::Greater => (&nodes[side - 1][..], &rules[side - 1].weights[..]),
+                    std::cmp::Ordering::Less => line(side),
+                    std::cmp::Ordering::Greater => line(side - 1),
                 });
                 pair.product(lines, weight, sees);
             }
             Subdomain::Fan { receiver } => {
                 let nodes = [running(0, x), running(1, 1.0), running(2, 1.0)];
-                let [a, b, c] = [0, 1, 2].map(|k| (&nodes[k][..], &rules[k].weights[..]));
+                let [a, b, c] = [0, 1, 2].map(|k| Line { nodes: &nodes[k], weights: &rules[k].weights });
                 pair.product(if receiver { [at_x, b, a, c] } else { [a, b, at_x, c] }, weight, sees);
             }
         }

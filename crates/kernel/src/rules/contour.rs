@@ -31,9 +31,9 @@ use core::f64::consts::FRAC_1_PI;
 use std::borrow::Cow;
 
 use radiosity_elements::patch::Patch;
-use radiosity_geom::{DVec3, ROUNDING, clip_polygon};
+use radiosity_geom::{DVec3, Plane, ROUNDING, clip_polygon};
 
-use distant::{Ball, Plan};
+use distant::{Ball, Plan, Shape};
 use segment::{Segment, segments};
 
 /// Largest ratio of the polygons' radii for the sum edge by edge, which loses the digits of its square, one
@@ -57,7 +57,9 @@ const LARGEST_RATIO: f64 = 4.0;
 /// ```
 pub fn polygon_exchange(receiver: &[DVec3], emitter: &[DVec3]) -> f64 {
     match (normal(receiver), normal(emitter)) {
-        (Some(n), Some(m)) => clipped((receiver, n), (emitter, m)).0,
+        (Some(n), Some(m)) => {
+            clipped(Face { corners: receiver, normal: n }, Face { corners: emitter, normal: m }).0
+        }
         _ => 0.0,
     }
 }
@@ -68,10 +70,23 @@ fn normal(polygon: &[DVec3]) -> Option<DVec3> {
     fan.sum::<DVec3>().try_normalize()
 }
 
-/// The exchange (length²) of two convex polygons with the unit normals of their fronts, and the number of
-/// logarithms.
-fn clipped((p, n): (&[DVec3], DVec3), (q, m): (&[DVec3], DVec3)) -> (f64, u64) {
-    match (in_front(p, q[0], m), in_front(q, p[0], n)) {
+/// A convex polygon with its front.
+#[derive(Clone, Copy)]
+struct Face<'a> {
+    corners: &'a [DVec3],
+    /// Unit normal of the front.
+    normal: DVec3,
+}
+
+impl Face<'_> {
+    fn plane(&self) -> Plane {
+        Plane { point: self.corners[0], normal: self.normal }
+    }
+}
+
+/// The exchange (length²) of two convex polygons, and the number of logarithms.
+fn clipped(p: Face, q: Face) -> (f64, u64) {
+    match (in_front(p.corners, &q.plane()), in_front(q.corners, &p.plane())) {
         (Some(p), Some(q)) => exchange(&p, &q),
         _ => (0.0, 0),
     }
@@ -82,7 +97,10 @@ pub fn patches(p: &Patch, q: &Patch) -> (f64, u64) {
     let (Patch::Flat { corners: c, normal: n }, Patch::Flat { corners: d, normal: m }) = (p, q) else {
         return (0.0, 0);
     };
-    clipped((&c[..corner_count(p)], *n), (&d[..corner_count(q)], *m))
+    clipped(
+        Face { corners: &c[..corner_count(p)], normal: *n },
+        Face { corners: &d[..corner_count(q)], normal: *m },
+    )
 }
 
 fn corner_count(patch: &Patch) -> usize {
@@ -90,7 +108,8 @@ fn corner_count(patch: &Patch) -> usize {
 }
 
 /// The part of a convex polygon in front of a plane; None if there is none.
-fn in_front(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Option<Cow<'_, [DVec3]>> {
+fn in_front<'a>(polygon: &'a [DVec3], plane: &Plane) -> Option<Cow<'a, [DVec3]>> {
+    let Plane { point, normal } = *plane;
     let (mut low, mut high, mut reach2) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
     for x in polygon {
         let offset = *x - point;
@@ -119,7 +138,7 @@ pub(crate) fn exchange(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
 fn contours(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
     let (ball_p, ball_q) = (Ball::about(p), Ball::about(q));
     if let Some(plan) = Plan::of(&ball_p, &ball_q) {
-        return plan.integral((p, ball_p), (q, ball_q));
+        return plan.integral(Shape { corners: p, ball: ball_p }, Shape { corners: q, ball: ball_q });
     }
     if !(ball_p.radius.is_normal() && ball_q.radius.is_normal()) {
         return (0.0, 0);

@@ -59,6 +59,7 @@ mod part;
 use std::sync::Arc;
 
 use radiosity_elements::basis::AreaBasis;
+use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_elements::rule::MOST_POINTS;
 use radiosity_work::interruption::check_interrupt;
@@ -122,19 +123,28 @@ pub struct Side<'a> {
     pub ball: Option<Ball>,
 }
 
+/// An inner patch.
+pub struct InnerPatch {
+    /// The patch.
+    pub patch: Patch,
+    /// Points along and across by depth: of itself, of its quarters, and so on as deep as points are given.
+    pub points: Arc<[[usize; 2]]>,
+}
+
 /// The moments of an outer patch with inner ones apart from it, to `tolerance` in the block's entries, with
-/// about `budget` evaluations. Each inner patch comes with its points along and across by depth: of itself,
-/// of its quarters, and so on as deep as points are given.
+/// about `budget` evaluations.
 pub fn integrate(
     outer: &Side,
     basis: &AreaBasis,
-    inner: &[(Patch, Arc<[[usize; 2]]>)],
+    inner: &[InnerPatch],
     norm: &EntryNorm,
     tolerance: f64,
     budget: u64,
 ) -> Cut {
-    let parts = inner.iter().map(|(patch, points)| Part::new(patch.clone(), basis, Arc::clone(points), 0));
-    let patches: Vec<Patch> = inner.iter().map(|(patch, _)| patch.clone()).collect();
+    let parts = inner
+        .iter()
+        .map(|InnerPatch { patch, points }| Part::new(patch.clone(), basis, Arc::clone(points), 0));
+    let patches: Vec<Patch> = inner.iter().map(|inner| inner.patch.clone()).collect();
     let mut job = Job {
         outer,
         front: plane_of(&patches).map(Front::of),
@@ -300,8 +310,8 @@ impl Job<'_> {
     fn at_corners(&mut self, patch: &Patch) -> f64 {
         let zeros = vec![0.0; self.outer.basis.len() * self.columns];
         let corner = |(s, t)| {
-            let x: Node = patch.node(s, t);
-            let moments = self.moments_of([(x, x.area)]).0;
+            let node: Node = patch.node(s, t);
+            let moments = self.moments_of([WeightedNode { node, weight: node.area }]).0;
             self.norm.difference(&moments, &zeros)
         };
         CORNERS.map(corner).into_iter().fold(0.0, f64::max)
@@ -313,20 +323,19 @@ impl Job<'_> {
         Whole { patch, points, moments, is_dark }
     }
 
-    /// Moments by a rule, given by points with weights in area; and whether no point sees anything.
-    fn moments_of(&mut self, nodes: impl IntoIterator<Item = (Node, f64)>) -> (Vec<f64>, bool) {
+    /// Moments by a rule; and whether no point sees anything.
+    fn moments_of(&mut self, nodes: impl IntoIterator<Item = WeightedNode>) -> (Vec<f64>, bool) {
         let mut is_dark = true;
         let (rows, columns) = (self.outer.basis.len(), self.columns);
         let mut moments = vec![0.0; rows * columns];
         let (mut left, mut right) = (vec![0.0; rows], vec![0.0; columns]);
-        for (x, weight) in nodes {
+        for WeightedNode { node, weight } in nodes {
             check_interrupt();
             right.fill(0.0);
-            let x = View { node: x, ball: self.outer.ball };
+            let x = View { node, ball: self.outer.ball };
             self.cut.samples += self.inner.iter_mut().map(|part| part.seen_from(&x, &mut right)).sum::<u64>();
             is_dark &= right.iter().all(|w| *w == 0.0);
-            let x = x.node;
-            self.outer.basis.raw(self.outer.basis.frame().coordinates(&x), &mut left);
+            self.outer.basis.raw(self.outer.basis.frame().coordinates(&node), &mut left);
             for (row, l) in moments.chunks_exact_mut(columns).zip(&left) {
                 row.iter_mut().zip(&right).for_each(|(m, r)| *m += weight * l * r);
             }
@@ -334,9 +343,9 @@ impl Job<'_> {
         (moments, is_dark)
     }
 
-    /// Points with weights in area of a rule on a part of the outer patch: a tensor rule, or a rule on what
+    /// Points of a rule on a part of the outer patch: a tensor rule, or a rule on what
     /// lies before the plane of the inner patches.
-    fn nodes(&mut self, part: &Patch, points: [usize; 2]) -> Vec<(Node, f64)> {
+    fn nodes(&mut self, part: &Patch, points: [usize; 2]) -> Vec<WeightedNode> {
         let Nodes { nodes, evaluations } = match &self.front {
             Some(front) => front.nodes(part, points),
             None => Nodes::of(part, points),

@@ -99,10 +99,10 @@ impl Plan {
         };
         for leaf in &self.leaves {
             match leaf.rule {
-                Rule::Polar(points) => {
+                Rule::Polar([along, across]) => {
                     let mut polar = Polar::new(&leaf.emitter, inner, self.eps);
-                    for (s, ws) in points[0].0.nodes(points[0].1) {
-                        for (t, wt) in points[1].0.nodes(points[1].1) {
+                    for (s, ws) in along.nodes() {
+                        for (t, wt) in across.nodes() {
                             check_interrupt();
                             let x = leaf.cell.node(s, t);
                             let (column, samples) = polar.column(&x, self.eps);

@@ -42,11 +42,20 @@ pub(crate) struct InstanceFile {
     pub array: Option<ArrayFile>,
 }
 
-/// Copies in rows: for each row the number of copies, and the step from one copy to the next (length).
+/// Copies in rows.
 #[derive(Debug)]
 pub(crate) struct ArrayFile {
     pub span: Span,
-    pub rows: Vec<(usize, DVec3)>,
+    pub rows: Vec<CopyRow>,
+}
+
+/// A row of copies.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CopyRow {
+    /// Number of copies.
+    pub count: usize,
+    /// The step from one copy to the next (length).
+    pub step: DVec3,
 }
 
 /// The table of parts.
@@ -117,7 +126,8 @@ fn read_array(node: &Node) -> Result<ArrayFile, Located> {
             Fault::WrongCount { what: "step", expected, found: steps.len() },
         ));
     }
-    Ok(ArrayFile { span: node.span.clone(), rows: counts.into_iter().zip(steps).collect() })
+    let rows = counts.into_iter().zip(steps).map(|(count, step)| CopyRow { count, step }).collect();
+    Ok(ArrayFile { span: node.span.clone(), rows })
 }
 
 fn copies(node: &Node) -> Result<usize, Located> {

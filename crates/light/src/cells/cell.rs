@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_geom::{COINCIDENT, DVec3};
+use radiosity_geom::{COINCIDENT, DVec3, Plane};
 use radiosity_scene::Radiance;
 use radiosity_visibility::shadow_volume::Quad;
 use smallvec::SmallVec;
@@ -47,14 +47,14 @@ pub(crate) struct Cell {
     values: SmallVec<[f64; 12]>,
     /// Mean of each channel over the cell's area, by its finest parts.
     means: SmallVec<[f64; 3]>,
-    /// Positions and normals at the corners and the Gauss points of a curved cell.
-    pub(crate) samples: Vec<(DVec3, DVec3)>,
+    /// Tangent planes at the corners and the Gauss points of a curved cell.
+    pub(crate) samples: Vec<Plane>,
     /// Mean of the points of the hull.
     pub(crate) center: DVec3,
     /// Radius of the ball about the centre that contains the hull.
     pub(crate) radius: f64,
-    /// The corners, and the radius about their mean, where the cell counts as a flat quadrilateral.
-    pub(crate) quad: Option<(Quad, f64)>,
+    /// The corners, where the cell counts as a flat quadrilateral.
+    pub(crate) quad: Option<MeasuredQuad>,
     /// Largest mean of a channel over its scale.
     pub(crate) brightness: f64,
     /// Largest difference of a value from the mean, over the channel's scale.
@@ -72,6 +72,20 @@ pub(crate) struct Cell {
     pub(crate) warp: f64,
 }
 
+/// A quadrilateral with its size.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MeasuredQuad {
+    pub quad: Quad,
+    /// Radius of a ball about the mean of its corners that contains it (scene length).
+    pub radius: f64,
+}
+
+impl MeasuredQuad {
+    fn of(quad: Quad) -> Self {
+        Self { quad, radius: quad.radius() }
+    }
+}
+
 impl Cell {
     /// A cell without a field.
     pub(crate) fn bare(patch: Patch) -> Self {
@@ -82,7 +96,7 @@ impl Cell {
         let hull = SmallVec::from_vec(patch.hull());
         let center = hull.iter().sum::<DVec3>() / hull.len() as f64;
         let radius = hull.iter().map(|x| x.distance_squared(center)).fold(0.0, f64::max).sqrt();
-        let (places, weights) = UnitRule::of(2).line();
+        let UnitRule { nodes: places, weights } = UnitRule::of(2);
         let node = |k: usize| {
             let node = patch.node(places[k / 2], places[k % 2]);
             Node { area: node.area * weights[k / 2] * weights[k % 2], ..node }
@@ -91,15 +105,18 @@ impl Cell {
         let lanes = [0, 1, 2].map(|axis| nodes.map(|node| node.position[axis]));
         let mut samples = Vec::new();
         if !patch.is_flat() {
-            samples.extend(nodes.iter().map(|node| (node.position, node.normal)));
+            let tangent = |node: &Node| Plane { point: node.position, normal: node.normal };
+            samples.extend(nodes.iter().map(tangent));
             let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| patch.node(s, t));
-            samples.extend(corners.iter().map(|node| (node.position, node.normal)));
+            samples.extend(corners.iter().map(tangent));
         }
-        let pairs =
-            samples.iter().enumerate().flat_map(|(k, a)| samples[..k].iter().map(move |b| a.1.dot(b.1)));
+        let pairs = samples
+            .iter()
+            .enumerate()
+            .flat_map(|(k, a)| samples[..k].iter().map(move |b| a.normal.dot(b.normal)));
         let bend = pairs.fold(1.0, f64::min);
         let is_straight = patch.is_flat() || (bend > COSINE_OF_FLAT && hull[..] == patch.corners());
-        let quad = is_straight.then(|| Quad::new(patch.corners())).map(|quad| (quad, quad.radius()));
+        let quad = is_straight.then(|| MeasuredQuad::of(Quad::new(patch.corners())));
         let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
         Self {
             patch,

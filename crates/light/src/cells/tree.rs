@@ -19,7 +19,7 @@
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
-use radiosity_geom::{Aabb, DVec3};
+use radiosity_geom::{Aabb, Plane};
 use radiosity_scene::Radiance;
 use radiosity_work::interruption::check_interrupt;
 use smallvec::smallvec;
@@ -59,8 +59,8 @@ pub(crate) struct Tree {
     scale: Vec<f64>,
     /// Index of its surface.
     pub(crate) surface: usize,
-    /// A point of the element's plane and the unit normal, if it is flat.
-    pub(crate) plane: Option<(DVec3, DVec3)>,
+    /// The element's plane, if it is flat.
+    pub(crate) plane: Option<Plane>,
     /// Bounding box of the element.
     pub(crate) bounds: Aabb,
     /// Angular distribution of its light, if it is no diffuse emitter: the field is then multiplied by the

@@ -9,7 +9,7 @@ use std::borrow::Cow;
 
 use radiosity_geom::{Aabb, COINCIDENT, DVec3};
 use radiosity_visibility::shadow_volume::ShadowVolume;
-use radiosity_visibility::silhouette_mesh::{Quad, Region, SilhouetteMesh};
+use radiosity_visibility::silhouette_mesh::{Ground, Quad, Region, SilhouetteMesh};
 use smallvec::{SmallVec, smallvec};
 
 use crate::lines::projection::ProjectionPlane;
@@ -69,22 +69,45 @@ struct Hidden {
 #[derive(Clone, Copy, Debug)]
 struct End {
     s: f64,
-    causes: [Option<(usize, Crossing)>; 2],
+    causes: [Option<Cause>; 2],
+}
+
+/// An edge of a quad at which a hidden interval ends.
+#[derive(Clone, Copy, Debug)]
+struct Cause {
+    /// Index of the quad.
+    facet: usize,
+    crossing: Crossing,
+}
+
+/// Where a line crosses an edge of a quad.
+#[derive(Clone, Copy)]
+struct CrossedEdge {
+    /// (S, T, λ).
+    point: DVec3,
+    crossing: Crossing,
+}
+
+/// A mesh at an end of a hidden interval.
+#[derive(Clone, Copy)]
+struct Within<'a> {
+    mesh: &'a SilhouetteMesh,
+    /// Projected breadth of its quad there.
+    breadth: f64,
 }
 
 /// An end of a hidden interval, corrected to the surface.
 #[derive(Clone, Copy)]
 struct CorrectedEnd<'a> {
     s: f64,
-    /// The mesh that contains the end, with the projected breadth of its quad, where no outline was found.
-    within: Option<(&'a SilhouetteMesh, f64)>,
+    /// The mesh that contains the end, where no outline was found.
+    within: Option<Within<'a>>,
 }
 
 /// The region before the polygon of a projection plane, for a surface that the eye may lie on.
 struct Ahead<'a> {
     plane: &'a ProjectionPlane,
-    /// If the eye lies on the surface: its unit normal there and the least sine of the polygon's elevation.
-    ground: Option<(DVec3, f64)>,
+    ground: Option<Ground>,
 }
 
 impl Region for Ahead<'_> {
@@ -96,8 +119,8 @@ impl Region for Ahead<'_> {
         self.plane.reaches(bounds)
     }
 
-    fn ground(&self) -> Option<(DVec3, f64)> {
-        self.ground.map(|(normal, rise)| (normal, rise / STEEPER))
+    fn ground(&self) -> Option<Ground> {
+        self.ground
     }
 }
 
@@ -121,7 +144,7 @@ impl<'a> HiddenSpans<'a> {
     /// plane stands for a piece of the blocker itself, and only quads well before it count.
     pub(crate) fn add_curved(&mut self, mesh: &'a SilhouetteMesh, ground: Option<DVec3>, is_own: bool) {
         let far = if is_own { 1.0 - self.plane.width() } else { f64::INFINITY };
-        let ground = ground.map(|normal| (normal, self.plane.rise(normal)));
+        let ground = ground.map(|normal| Ground { normal, least: self.plane.rise(normal) / STEEPER });
         let ahead = Ahead { plane: &self.plane, ground };
         let (quads, heights) = (&mut self.quads, &mut self.heights);
         mesh.visit(&ahead, &mut |quad| {
@@ -212,9 +235,9 @@ impl<'a> HiddenSpans<'a> {
     /// one.
     fn corrected(&self, t: f64, end: End, side: f64) -> CorrectedEnd<'_> {
         let size = |seen: &[DVec3; 4]| seen.iter().map(|p| (p.x / p.z - end.s).abs()).fold(0.0, f64::max);
-        let found = end.causes.iter().flatten().filter_map(|(index, crossing)| {
-            let Facet { mesh, quad, seen } = &self.quads[*index];
-            let s = outline(&self.plane, t, mesh.shape(), quad, *crossing, side)?;
+        let found = end.causes.iter().flatten().filter_map(|cause| {
+            let Facet { mesh, quad, seen } = &self.quads[cause.facet];
+            let s = outline(&self.plane, t, mesh.shape(), quad, cause.crossing, side)?;
             let is_believed = seen.iter().all(|p| p.z > 0.0) && (s - end.s).abs() <= BELIEVED * size(seen);
             is_believed.then_some(s)
         });
@@ -222,9 +245,11 @@ impl<'a> HiddenSpans<'a> {
         if let Some(s) = found.reduce(farther) {
             return CorrectedEnd { s, within: None };
         }
-        let inner =
-            end.causes[0].filter(|(index, crossing)| !self.quads[*index].quad.is_border(crossing.edge));
-        let within = inner.map(|(index, _)| (self.quads[index].mesh, size(&self.quads[index].seen)));
+        let is_inner = |cause: &Cause| !self.quads[cause.facet].quad.is_border(cause.crossing.edge);
+        let within = end.causes[0].filter(is_inner).map(|cause| {
+            let Facet { mesh, seen, .. } = &self.quads[cause.facet];
+            Within { mesh, breadth: size(seen) }
+        });
         CorrectedEnd { s: end.s, within }
     }
 }
@@ -233,8 +258,9 @@ impl CorrectedEnd<'_> {
     /// Whether the gap between two ends is a crack between quads of different sizes.
     fn is_crack(&self, next: &Self) -> bool {
         match (self.within, next.within) {
-            (Some((mesh, size)), Some((other, width))) => {
-                std::ptr::eq(mesh, other) && next.s - self.s <= CRACK * size.max(width)
+            (Some(own), Some(other)) => {
+                std::ptr::eq(own.mesh, other.mesh)
+                    && next.s - self.s <= CRACK * own.breadth.max(other.breadth)
             }
             _ => false,
         }
@@ -253,7 +279,7 @@ impl Facet<'_> {
         if above == [above[0]; 4] {
             return;
         }
-        let mut last: Option<(DVec3, Crossing)> = None;
+        let mut last: Option<CrossedEdge> = None;
         for edge in 0..4 {
             let next = (edge + 1) % 4;
             if above[edge] == above[next] {
@@ -261,10 +287,10 @@ impl Facet<'_> {
             }
             let place = height[edge] / (height[edge] - height[next]);
             let point = self.seen[edge].lerp(self.seen[next], place);
-            let crossing = Crossing { edge, place };
+            let crossed = CrossedEdge { point, crossing: Crossing { edge, place } };
             match last.take() {
-                None => last = Some((point, crossing)),
-                Some((start, other)) => out.extend(between((start, other), (point, crossing), index)),
+                None => last = Some(crossed),
+                Some(start) => out.extend(between(start, crossed, index)),
             }
         }
     }
@@ -280,21 +306,21 @@ fn height(seen: &[DVec3; 4]) -> [f64; 2] {
 }
 
 /// The interval of its line that a segment before the plane hides.
-fn between(a: (DVec3, Crossing), b: (DVec3, Crossing), index: usize) -> Option<Hidden> {
+fn between(a: CrossedEdge, b: CrossedEdge, facet: usize) -> Option<Hidden> {
     let (near, far) = (COINCIDENT, 1.0 - COINCIDENT);
-    let (low, high) = (a.0.z.min(b.0.z), a.0.z.max(b.0.z));
+    let (low, high) = (a.point.z.min(b.point.z), a.point.z.max(b.point.z));
     if high <= near || low >= far {
         return None;
     }
-    let end = |(point, crossing): (DVec3, Crossing), other: DVec3| {
+    let end = |CrossedEdge { point, crossing }: CrossedEdge, other: DVec3| {
         let depth = point.z.clamp(near, far);
         if depth == point.z {
-            return End { s: point.x / depth, causes: [Some((index, crossing)), None] };
+            return End { s: point.x / depth, causes: [Some(Cause { facet, crossing }), None] };
         }
         let x = point.x + (other.x - point.x) * (depth - point.z) / (other.z - point.z);
         End { s: x / depth, causes: [None; 2] }
     };
-    Some(Hidden::between([end(a, b.0), end(b, a.0)]))
+    Some(Hidden::between([end(a, b.point), end(b, a.point)]))
 }
 
 impl Hidden {

@@ -25,10 +25,19 @@ pub(crate) struct ProjectionPlane {
     dual: [DVec3; 3],
     /// The polygon in (s, t).
     pub outline: Vec<[f64; 2]>,
-    /// Inward normals of the planes through the eye and the sides, each with the least height of the hull.
-    sides: Vec<(DVec3, f64)>,
+    /// The planes through the eye and the sides.
+    sides: Vec<SidePlane>,
     /// Largest λ of the hull, at least 1.
     depth: f64,
+}
+
+/// A plane through the eye and a side of the polygon.
+#[derive(Clone, Copy, Debug)]
+struct SidePlane {
+    /// Inward normal, of any length.
+    inward: DVec3,
+    /// Least product of it with points of the hull relative to the eye, at most 0.
+    lowest: f64,
 }
 
 impl ProjectionPlane {
@@ -48,7 +57,8 @@ impl ProjectionPlane {
         let side = |k: usize| {
             let inward = (polygon[k] - eye).cross(polygon[(k + 1) % polygon.len()] - eye);
             let inward = if inward.dot(middle - eye) < 0.0 { -inward } else { inward };
-            (inward, hull.iter().map(|y| inward.dot(y - eye)).fold(0.0, f64::min))
+            let lowest = hull.iter().map(|y| inward.dot(y - eye)).fold(0.0, f64::min);
+            SidePlane { inward, lowest }
         };
         let depth = hull.iter().map(|y| dual[2].dot(y - eye)).fold(1.0, f64::max);
         let sides = (0..polygon.len()).map(side).collect();
@@ -95,7 +105,7 @@ impl ProjectionPlane {
         let bottom = |n: DVec3| (low * n).min(high * n).element_sum();
         bottom(self.dual[2]) < self.depth - COINCIDENT
             && top(self.dual[2]) > 0.0
-            && self.sides.iter().all(|(side, low)| top(*side) > *low)
+            && self.sides.iter().all(|side| top(side.inward) > side.lowest)
     }
 
     /// Largest distance of a corner of the polygon from the first one, over the first one's distance from the

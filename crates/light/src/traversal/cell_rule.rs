@@ -17,7 +17,7 @@ use std::f64::consts::{FRAC_1_PI, PI};
 use std::iter;
 
 use radiosity_elements::patch::Node;
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, Plane};
 use radiosity_kernel::kernel;
 
 use crate::blockers::BlockerRange;
@@ -99,7 +99,7 @@ impl Traversal<'_> {
 
     /// Whether Lambert's formula holds for a cell: it is flat, or straight and its front is seen everywhere.
     pub(super) fn is_like_flat(&self, cell: &Cell) -> bool {
-        let faces = |(point, normal): &(DVec3, DVec3)| (self.receiver.position - point).dot(*normal) > 0.0;
+        let faces = |tangent: &Plane| tangent.height(self.receiver.position) > 0.0;
         cell.is_straight && cell.samples.iter().all(faces)
     }
 
@@ -271,8 +271,9 @@ impl Traversal<'_> {
 
     /// Error of a curved cell that is seen in part, at its silhouette or the horizon.
     fn border(&self, cell: &Cell) -> f64 {
-        let facing =
-            |place: &(DVec3, DVec3)| (self.receiver.position - place.0).normalize_or_zero().dot(place.1);
+        let facing = |tangent: &Plane| {
+            (self.receiver.position - tangent.point).normalize_or_zero().dot(tangent.normal)
+        };
         let cosines = || cell.samples.iter().map(facing);
         let (low, high) = cosines().fold((f64::MAX, f64::MIN), |(low, high), c| (low.min(c), high.max(c)));
         if high <= 0.0 || (low >= 0.0 && self.receiver.overlooks(&cell.hull)) {

@@ -165,7 +165,7 @@ fn raster(scene: &Scene, lightmap: &Lightmap, atlas: &Atlas, shown: Quantity) ->
         let [across, down] = texture.size();
         let [left, top] = atlas.corner(index);
         let light: Vec<Vec<f64>> =
-            (0..bands).map(|band| light(scene, lightmap, (index, band), shown)).collect();
+            (0..bands).map(|band| light(scene, lightmap, index, band, shown)).collect();
         let inner = |place: usize, count: usize| place.saturating_sub(MARGIN).min(count - 1);
         for (row, column) in
             (0..down + 2 * MARGIN).flat_map(|j| (0..across + 2 * MARGIN).map(move |i| (j, i)))
@@ -182,7 +182,7 @@ fn raster(scene: &Scene, lightmap: &Lightmap, atlas: &Atlas, shown: Quantity) ->
 }
 
 /// The `shown` quantity of one band of a surface (unit of exitance), by texel in row order.
-fn light(scene: &Scene, lightmap: &Lightmap, (surface, band): (usize, usize), shown: Quantity) -> Vec<f64> {
+fn light(scene: &Scene, lightmap: &Lightmap, surface: usize, band: usize, shown: Quantity) -> Vec<f64> {
     let texture = &lightmap.surfaces()[surface];
     let [across, down] = texture.size();
     let mut irradiance = vec![0.0; across * down];
@@ -195,7 +195,7 @@ fn light(scene: &Scene, lightmap: &Lightmap, (surface, band): (usize, usize), sh
         Quantity::Radiosity => {
             let radiosity = |(texel, irradiance): (usize, f64)| {
                 let parameters = texture.parameters([texel % across, texel / across]);
-                lightmap.radiosity(scene, (surface, band), parameters, irradiance)
+                lightmap.radiosity(scene, surface, band, parameters, irradiance)
             };
             irradiance.into_iter().enumerate().map(radiosity).collect()
         }

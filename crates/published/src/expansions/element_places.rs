@@ -80,9 +80,7 @@ fn translation(from: &Element, to: &Element) -> Option<DVec3> {
         own.len() == other.len()
             && own.iter().zip(&other).all(|(x, y)| (x - y).abs() <= ROUNDED_VALUES * most)
     };
-    let (_, before) = from.plane?;
-    let (_, now) = to.plane?;
-    let is_turned = (before - now).length() > ROUNDED;
+    let is_turned = (from.plane?.normal - to.plane?.normal).length() > ROUNDED;
     let all = || own.iter().zip(&other);
     let is_same = own.len() == other.len() && !is_turned && all().all(is_moved) && all().all(is_alike);
     is_same.then_some(shift)

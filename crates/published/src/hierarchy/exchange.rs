@@ -23,8 +23,8 @@ const POINTS: [usize; 2] = [4, 5];
 pub(crate) fn exchange(p: &Face, q: &Face) -> f64 {
     match (p.normal, q.normal) {
         (Some(_), Some(_)) => flat(p, q),
-        (Some(normal), None) => mixed((p, normal), q),
-        (None, Some(normal)) => mixed((q, normal), p),
+        (Some(normal), None) => mixed(p, normal, q),
+        (None, Some(normal)) => mixed(q, normal, p),
         (None, None) => curved(p, q),
     }
 }
@@ -34,11 +34,11 @@ fn flat(p: &Face, q: &Face) -> f64 {
     pairs.map(|(a, b)| polygon_exchange(&a.polygon(), &b.polygon())).sum()
 }
 
-/// Of a flat face with its normal and a curved one.
-fn mixed((p, normal): (&Face, DVec3), q: &Face) -> f64 {
-    let polygons: Vec<Vec<DVec3>> = p.patches.iter().map(Patch::polygon).collect();
+/// w of a flat face of this normal and a curved one.
+fn mixed(flat: &Face, normal: DVec3, curved: &Face) -> f64 {
+    let polygons: Vec<Vec<DVec3>> = flat.patches.iter().map(Patch::polygon).collect();
     let seen = |node: &Node| polygons.iter().map(|polygon| irradiance(node, polygon, normal)).sum::<f64>();
-    q.nodes(POINTS[0]).iter().map(|node| node.area * seen(node)).sum()
+    curved.nodes(POINTS[0]).iter().map(|node| node.area * seen(node)).sum()
 }
 
 /// Irradiance at a point from a polygon of exitance 1 with this normal.

@@ -38,13 +38,14 @@ impl Face {
     /// The whole of surface number `surface`; None if it has no area.
     pub(crate) fn whole(surface: usize, shape: &Arc<dyn Surface>) -> Option<Self> {
         let pieces = shape.region().map_or_else(Vec::new, |region| region.convex_pieces().to_vec());
-        Self::over((surface, shape), &pieces, Rect::FULL, shape.area())
+        Self::over(surface, shape, &pieces, Rect::FULL, shape.area())
     }
 
     /// The part over `rect`, where its convex `pieces` reach if it is flat; `area` (scene length²) is that of
     /// the surface.
     fn over(
-        (surface, shape): (usize, &Arc<dyn Surface>),
+        surface: usize,
+        shape: &Arc<dyn Surface>,
         pieces: &[Vec<DVec3>],
         rect: Rect,
         area: f64,
@@ -52,7 +53,7 @@ impl Face {
         let (patches, normal) = match shape.region() {
             Some(_) => {
                 let (patches, plane) = flat_patches(shape, pieces, area, &rect);
-                (patches, plane.map(|(_, normal)| normal))
+                (patches, Some(plane.normal))
             }
             None => (vec![Patch::curved(Arc::clone(shape), &rect)], None),
         };
@@ -72,7 +73,7 @@ impl Face {
         };
         let rects = self.parts(shape.as_ref());
         let area = shape.area();
-        rects.into_iter().filter_map(|rect| Self::over((self.surface, shape), &pieces, rect, area)).collect()
+        rects.into_iter().filter_map(|rect| Self::over(self.surface, shape, &pieces, rect, area)).collect()
     }
 
     /// Quarters of the parameters, or halves of a long cell.

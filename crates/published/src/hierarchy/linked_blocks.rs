@@ -16,8 +16,14 @@ use radiosity_work::interruption::check_interrupt;
 
 use super::two_scale::TwoScale;
 
-/// An element by its level, 0 for the largest elements, and its index there.
-pub type LevelElement = (usize, usize);
+/// An element of one level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LevelElement {
+    /// Its level, 0 for the largest elements.
+    pub level: usize,
+    /// Its index there.
+    pub index: usize,
+}
 
 /// Levels of nested elements, the last of them the leaves, with blocks between elements of any level.
 #[derive(Debug, Default)]
@@ -32,7 +38,15 @@ pub struct LinkedBlocks {
 struct Node {
     /// Its coefficients among those of all levels.
     coefficients: Range<usize>,
-    parent: Option<(usize, TwoScale)>,
+    parent: Option<Parent>,
+}
+
+/// The element of the level before of which an element is a part.
+#[derive(Debug)]
+struct Parent {
+    /// Its index among the nodes.
+    node: usize,
+    scale: TwoScale,
 }
 
 /// G of two nodes, row by row.
@@ -53,7 +67,8 @@ impl LinkedBlocks {
                 let coarse = level.checked_sub(1).map(|above| (levels[above], all.starts[above]));
                 let parent = coarse.and_then(|(coarse, start)| {
                     let index = coarse.at(element.surface, element.rect.center())?;
-                    Some((start + index, TwoScale::new(&coarse.list()[index], element)))
+                    let scale = TwoScale::new(&coarse.list()[index], element);
+                    Some(Parent { node: start + index, scale })
                 });
                 let first = all.nodes.last().map_or(0, |node| node.coefficients.end);
                 all.nodes.push(Node { coefficients: first..first + element.basis.len(), parent });
@@ -68,8 +83,8 @@ impl LinkedBlocks {
     ///
     /// # Panics
     /// If there is no such element, or `values` has another size than the block.
-    pub fn link(&mut self, places: [LevelElement; 2], values: &[f64]) {
-        let pair = places.map(|(level, index)| self.starts[level] + index);
+    pub fn link(&mut self, elements: [LevelElement; 2], values: &[f64]) {
+        let pair = elements.map(|element| self.starts[element.level] + element.index);
         let [rows, columns] = pair.map(|node| self.nodes[node].coefficients.len());
         assert_eq!(values.len(), rows * columns, "the block has a number for each pair of functions");
         self.links.push(Link { pair, values: values.to_vec() });
@@ -80,9 +95,9 @@ impl LinkedBlocks {
         let mut all = vec![0.0; self.dim()];
         all[self.leaves()].copy_from_slice(leaves);
         for Node { coefficients, parent } in self.nodes.iter().rev() {
-            let Some((parent, scale)) = parent else { continue };
+            let Some(Parent { node, scale }) = parent else { continue };
             let (above, own) = all.split_at_mut(coefficients.start);
-            scale.pull(&own[..coefficients.len()], &mut above[self.nodes[*parent].coefficients.clone()]);
+            scale.pull(&own[..coefficients.len()], &mut above[self.nodes[*node].coefficients.clone()]);
         }
         all
     }
@@ -91,9 +106,9 @@ impl LinkedBlocks {
     /// [`LinkedBlocks::pull`].
     pub fn push(&self, mut all: Vec<f64>) -> Vec<f64> {
         for Node { coefficients, parent } in &self.nodes {
-            let Some((parent, scale)) = parent else { continue };
+            let Some(Parent { node, scale }) = parent else { continue };
             let (above, own) = all.split_at_mut(coefficients.start);
-            scale.push(&above[self.nodes[*parent].coefficients.clone()], &mut own[..coefficients.len()]);
+            scale.push(&above[self.nodes[*node].coefficients.clone()], &mut own[..coefficients.len()]);
         }
         all.split_off(self.leaves().start)
     }

@@ -68,8 +68,17 @@ fn shown(face: &Face, direction: DVec3) -> f64 {
 pub(crate) struct Links {
     /// Where the ends of each node start, and their number.
     starts: Vec<usize>,
-    /// The other node and the weight of each end.
-    ends: Vec<(u32, f64)>,
+    /// The ends of all nodes.
+    ends: Vec<End>,
+}
+
+/// An end of a link at a node.
+#[derive(Clone, Copy, Debug, Default)]
+struct End {
+    /// The other node.
+    other: u32,
+    /// w.
+    weight: f64,
 }
 
 impl Links {
@@ -80,7 +89,7 @@ impl Links {
         directed().for_each(|(node, _)| starts[node as usize + 1] += 1);
         (0..nodes).for_each(|node| starts[node + 1] += starts[node]);
         let mut free = starts.clone();
-        let mut sorted = vec![(0, 0.0); starts[nodes]];
+        let mut sorted = vec![End::default(); starts[nodes]];
         for (node, end) in directed() {
             sorted[free[node as usize]] = end;
             free[node as usize] += 1;
@@ -100,14 +109,14 @@ impl Links {
         }
     }
 
-    fn of(&self, node: usize) -> &[(u32, f64)] {
+    fn of(&self, node: usize) -> &[End] {
         &self.ends[self.starts[node]..self.starts[node + 1]]
     }
 
     /// Φ of a face (W).
     fn power(&self, tree: &Tree, sent: &Fields, node: usize) -> f64 {
         check_interrupt();
-        let from = |(other, weight): &(u32, f64)| {
+        let from = |End { other, weight }: &End| {
             let other = *other as usize;
             weight * source(tree, sent, other, direction(tree, other, node))
         };
@@ -118,7 +127,7 @@ impl Links {
     fn field(&self, tree: &Tree, sent: &Fields, node: usize) -> [f64; HARMONICS] {
         check_interrupt();
         let mut field = [0.0; HARMONICS];
-        for (other, weight) in self.of(node) {
+        for End { other, weight } in self.of(node) {
             let other = *other as usize;
             let toward = direction(tree, node, other);
             add(&mut field, weight * source(tree, sent, other, -toward), &harmonics(toward));
@@ -128,15 +137,15 @@ impl Links {
 
     /// w of the link of a face with itself, 0 without one.
     pub(crate) fn own(&self, node: usize) -> f64 {
-        self.of(node).iter().filter(|(other, _)| *other as usize == node).map(|(_, weight)| weight).sum()
+        self.of(node).iter().filter(|end| end.other as usize == node).map(|end| end.weight).sum()
     }
 }
 
-/// The ends of a link: each node with the other one; one end of a link to itself.
-fn ends(link: &Link) -> impl Iterator<Item = (u32, (u32, f64))> + use<> {
+/// The ends of a link, each with its node; one end of a link to itself.
+fn ends(link: &Link) -> impl Iterator<Item = (u32, End)> + use<> {
     let Link { pair: [p, q], weight } = *link;
-    let back = (p != q).then_some((q, (p, weight)));
-    std::iter::once((p, (q, weight))).chain(back)
+    let back = (p != q).then_some((q, End { other: p, weight }));
+    std::iter::once((p, End { other: q, weight })).chain(back)
 }
 
 fn direction(tree: &Tree, from: usize, to: usize) -> DVec3 {

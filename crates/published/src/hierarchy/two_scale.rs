@@ -15,7 +15,7 @@
 
 use radiosity_core::dot;
 use radiosity_elements::Element;
-use radiosity_elements::measure::Measure;
+use radiosity_elements::measure::{Measure, WeightedNode};
 use radiosity_elements::patch::Node;
 
 /// H of one child.
@@ -33,7 +33,7 @@ impl TwoScale {
         let measure = Measure::new(&child.patches, child.basis.space().chart_degree(order, &child.patches));
         let count = parent.basis.len();
         let mut values = vec![0.0; child.basis.len() * count];
-        for (node, weight) in &measure.points {
+        for WeightedNode { node, weight } in &measure.points {
             let [coarse, fine] = [parent, child].map(|element| functions(element, node));
             for (row, fine) in values.chunks_exact_mut(count).zip(fine) {
                 row.iter_mut().zip(&coarse).for_each(|(value, coarse)| *value += weight * fine * coarse);

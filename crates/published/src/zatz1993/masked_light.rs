@@ -317,11 +317,11 @@ impl<'a> Receiver<'a> {
     fn point(&self, [a, b]: [f64; 2]) -> Option<(DVec3, DVec3)> {
         let element = self.element();
         match (element.basis.frame(), element.plane) {
-            (Frame::Plane { origin, first, second }, Some((_, normal))) => {
+            (Frame::Plane { origin, first, second }, Some(plane)) => {
                 let [along, across] = duals([*first, *second]);
                 let position = origin + a * along + b * across;
                 let extent = along.length().max(across.length());
-                element.covers(position, COINCIDENT * extent).then_some((position, normal))
+                element.covers(position, COINCIDENT * extent).then_some((position, plane.normal))
             }
             (Frame::Parameters { center, half }, _) => {
                 let parameters = *center + *half * DVec2::new(a, b);

@@ -46,10 +46,20 @@ const HIGHEST_DEGREE: usize = 20;
 pub struct Grid<'a> {
     scene: &'a Scene,
     solution: &'a Solution,
-    /// Of each cell the index of its element, VTK's type and the end of its points.
-    cells: Vec<(usize, u8, usize)>,
+    cells: Vec<GridCell>,
     points: Points,
     deviation: f64,
+}
+
+/// A cell of the grid.
+#[derive(Clone, Copy, Debug)]
+struct GridCell {
+    /// Index of its element.
+    element: usize,
+    /// VTK's type.
+    kind: u8,
+    /// End of its points among those of all cells.
+    end: usize,
 }
 
 /// Numbers at points, one after the other.
@@ -111,7 +121,7 @@ impl<'a> Grid<'a> {
         for corner in cell.nodes() {
             self.add_point(element, owner, &corner);
         }
-        self.cells.push((element, cell.kind(), self.points()));
+        self.cells.push(GridCell { element, kind: cell.kind(), end: self.points() });
     }
 
     fn add_point(&mut self, index: usize, element: &Element, node: &Corner) {
@@ -189,7 +199,7 @@ impl<'a> Grid<'a> {
 
     fn write_cell_data(&self, document: &mut Document<impl Write>) -> io::Result<()> {
         let list = self.solution.elements().list();
-        let elements = || self.cells.iter().map(|(element, ..)| *element);
+        let elements = || self.cells.iter().map(|cell| cell.element);
         let surfaces: Vec<i64> = elements().map(|element| list[element].surface as i64).collect();
         let areas: Vec<f64> = elements().map(|element| list[element].area).collect();
         let elements: Vec<i64> = elements().map(|element| element as i64).collect();
@@ -202,8 +212,8 @@ impl<'a> Grid<'a> {
 
     fn write_cells(&self, document: &mut Document<impl Write>) -> io::Result<()> {
         let connectivity: Vec<i64> = (0..self.points() as i64).collect();
-        let ends: Vec<i64> = self.cells.iter().map(|(.., end)| *end as i64).collect();
-        let types: Vec<u8> = self.cells.iter().map(|(_, kind, _)| *kind).collect();
+        let ends: Vec<i64> = self.cells.iter().map(|cell| cell.end as i64).collect();
+        let types: Vec<u8> = self.cells.iter().map(|cell| cell.kind).collect();
         document.open("Cells")?;
         document.array("connectivity", 1, Numbers::Int64(&connectivity))?;
         document.array("offsets", 1, Numbers::Int64(&ends))?;

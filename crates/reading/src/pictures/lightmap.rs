@@ -92,7 +92,8 @@ impl Lightmap {
     pub fn radiosity(
         &self,
         scene: &Scene,
-        (surface, band): (usize, usize),
+        surface: usize,
+        band: usize,
         parameters: [f64; 2],
         irradiance: f64,
     ) -> f64 {

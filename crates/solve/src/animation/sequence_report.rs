@@ -13,14 +13,32 @@ pub struct SequenceReport {
     pub moments: usize,
     /// Rays that were sent between elements.
     pub rays: RayCounts,
-    /// Moments at which the solver did not converge, and their largest relative residual.
-    pub unconverged: (usize, f64),
+    /// Moments at which the solver did not converge.
+    pub unconverged: Unconverged,
     /// Moments at which transfers miss what was asked of them.
     pub missing: usize,
-    /// The worst of these transfers, with the names of its surfaces.
-    pub worst: Option<(WorstError, [String; 2])>,
+    /// The worst of these transfers.
+    pub worst: Option<WorstTransfer>,
     /// Estimated relative error that rays left, the largest; 0 where none carried the pairs.
     pub noise: f64,
+}
+
+/// Moments at which the solver did not converge.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unconverged {
+    /// Their number.
+    pub moments: usize,
+    /// Their largest relative residual.
+    pub residual: f64,
+}
+
+/// A transfer that misses what was asked of it.
+#[derive(Clone, Debug)]
+pub struct WorstTransfer {
+    /// Its error.
+    pub error: WorstError,
+    /// Names of its surfaces.
+    pub surfaces: [String; 2],
 }
 
 impl SequenceReport {
@@ -30,21 +48,19 @@ impl SequenceReport {
         self.rays.traced += rays.traced;
         self.rays.recalled += rays.recalled;
         if !outcome.converged {
-            self.unconverged = (self.unconverged.0 + 1, self.unconverged.1.max(outcome.residual));
+            self.unconverged.moments += 1;
+            self.unconverged.residual = self.unconverged.residual.max(outcome.residual);
         }
         self.noise = self.noise.max(outcome.noise());
         // What exact pairs miss beside rays is a part of their error.
         let miss = outcome.worst_error.filter(|miss| miss.is_real() && outcome.sampling.is_none());
         if let Some(miss) = miss {
             self.missing += 1;
-            if self
-                .worst
-                .as_ref()
-                .is_none_or(|(worst, _)| miss.error / miss.asked > worst.error / worst.asked)
-            {
+            let excess = |error: &WorstError| error.error / error.asked;
+            if self.worst.as_ref().is_none_or(|worst| excess(&miss) > excess(&worst.error)) {
                 let list = outcome.solution.elements().list();
                 let name = |element: usize| scene.surfaces[list[element].surface].name.clone();
-                self.worst = Some((miss, miss.pair.map(name)));
+                self.worst = Some(WorstTransfer { error: miss, surfaces: miss.pair.map(name) });
             }
         }
     }

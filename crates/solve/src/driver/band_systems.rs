@@ -103,8 +103,8 @@ impl BandSystems<'_> {
         first: &[EnteringLight],
     ) -> Vec<Ritz<'a>> {
         let system = |(emission, first): (&'a Emission, &EnteringLight)| {
-            let coating = (band, &emission.coatings[band]);
-            Ritz::new(System::entered(self.elements, self.blocks, coating, &first.entry), self.subspace)
+            let coating = &emission.coatings[band];
+            Ritz::new(System::entered(self.elements, self.blocks, band, coating, &first.entry), self.subspace)
         };
         emissions.iter().zip(first).map(system).collect()
     }

@@ -20,6 +20,7 @@ use super::emission::Emission;
 use super::failure::Failure;
 use super::options::Options;
 use super::outcome::{Outcome, Stages};
+use super::solve_band::SolveCost;
 use super::timed::timed;
 use super::transport_choice::TransportChoice;
 use crate::checks::{Balance, BandLight, Checks};
@@ -57,8 +58,9 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
     work.report(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
     let solution = Solution::of_groups(Arc::clone(&elements), scene, groups);
     let checks = Checks::with_powers(&solution, &links, solution.powers().unwrap_or_default(), work.ranks);
-    let slowest = costs.into_iter().max_by_key(|(_, iterations)| *iterations);
-    let (solver, iterations) = slowest.unwrap_or((how.solver.name, 0));
+    let slowest = costs.into_iter().max_by_key(|effort| effort.iterations);
+    let (solver, iterations) =
+        slowest.map_or((how.solver.name, 0), |effort| (effort.solver, effort.iterations));
     let counts = found.counts();
     Ok(Outcome {
         residual: solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max),
@@ -109,12 +111,9 @@ struct Run<'a> {
     ranks: &'a Ranks,
 }
 
-/// Name of a solver and its iterations.
-type SolverIterations = (&'static str, usize);
-
 impl Run<'_> {
     /// The light of each group, with the cost of each of its bands.
-    fn groups(&self) -> Result<(Vec<GroupLight>, Vec<SolverIterations>), Failure> {
+    fn groups(&self) -> Result<(Vec<GroupLight>, Vec<SolveCost>), Failure> {
         let balance = Balance::of(self.elements, self.links);
         let (mut groups, mut costs) = (Vec::new(), Vec::new());
         for Emission { group, coatings, .. } in Emission::all(self.scene, self.elements.list()) {
@@ -137,7 +136,7 @@ impl Run<'_> {
     }
 
     /// The light of one band.
-    fn band(&self, band: usize, coating: &Coating) -> Result<(Coefficients, SolverIterations), Failure> {
+    fn band(&self, band: usize, coating: &Coating) -> Result<(Coefficients, SolveCost), Failure> {
         let surfaces = self.scene.surfaces.len();
         let (mut reflectance, mut exitance) = (vec![0.0; surfaces], vec![0.0; surfaces]);
         for (index, element) in self.elements.list().iter().enumerate() {
@@ -157,6 +156,7 @@ impl Run<'_> {
         let residual = system.residual(&radiosity);
         let list = self.elements.list();
         let coefficients = Coefficients::of_irradiance(list, coating, irradiance, direct, residual);
-        Ok((coefficients, (report.method, report.iterations)))
+        let (solver, iterations) = (report.method, report.iterations);
+        Ok((coefficients, SolveCost { solver, iterations, converged: true }))
     }
 }

@@ -250,7 +250,7 @@ impl Subject<'_> {
         for (band, coatings) in self.bands.iter().enumerate() {
             let groups = coatings.iter().zip(self.entries);
             let systems: Vec<Ritz<'_>> = groups
-                .map(|(coating, entry)| System::entered(list, blocks, (band, coating), entry))
+                .map(|(coating, entry)| System::entered(list, blocks, band, coating, entry))
                 .map(|system| Ritz::new(system, None))
                 .collect();
             let (found, _) = solve_band(&systems, &rough, self.work, &mut |_| ())?;

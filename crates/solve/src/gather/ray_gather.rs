@@ -153,6 +153,15 @@ struct RayMix {
     to_lamps: f64,
 }
 
+/// Rays to emitters beside cosine-distributed ones.
+#[derive(Clone, Copy)]
+struct ToLamps<'a> {
+    /// Shares of the emitters in them.
+    shares: &'a Shares<'a>,
+    /// Number of them for each cosine-distributed ray.
+    ratio: f64,
+}
+
 /// Where the rays of a receiver start.
 enum RayOrigin {
     Point(ReceiverPoint),
@@ -199,7 +208,8 @@ impl<'a> RayGather<'a> {
     /// that these miss. `chance` chooses the rays.
     pub(crate) fn missed(
         &self,
-        (element, place): (usize, &SurfacePlace),
+        element: usize,
+        place: &SurfacePlace,
         there: &ReceiverPoint,
         distance: f64,
         chance: u64,
@@ -289,20 +299,19 @@ impl<'a> RayGather<'a> {
                 None => EndLight::Direct { chance, small: SMALL_BEHIND_PIXELS },
             };
             let direction = lambert(receiver.normal, direction);
-            let to_lamps = shares.map(|shares| (shares, TO_LAMPS));
+            let to_lamps = shares.map(|shares| ToLamps { shares, ratio: TO_LAMPS });
             self.add_met(&receiver, direction, to_lamps, end_light, &mut radiosity);
             sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
         }
     }
 
     /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that rays
-    /// `to_lamps` leave, of these shares and as many for each cosine-distributed one; without exitance where
-    /// these are none.
+    /// `to_lamps` leave; without exitance where these are none.
     fn add_met(
         &self,
         receiver: &ReceiverPoint,
         direction: DVec3,
-        to_lamps: Option<(&Shares, f64)>,
+        to_lamps: Option<ToLamps>,
         end_light: EndLight,
         radiosity: &mut [f64],
     ) {
@@ -325,9 +334,9 @@ impl<'a> RayGather<'a> {
         let position = x + hit.t * direction;
         let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position };
         let normal = || {
-            own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |(_, normal)| normal)
+            own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |plane| plane.normal)
         };
-        let weight = to_lamps.map_or(0.0, |(shares, ratio)| match ratio * shares.density(element) {
+        let weight = to_lamps.map_or(0.0, |rays| match rays.ratio * rays.shares.density(element) {
             0.0 => 1.0,
             density => {
                 let kernel = receiver.normal.dot(direction) * -normal().dot(direction) / (PI * hit.t * hit.t);
@@ -335,10 +344,10 @@ impl<'a> RayGather<'a> {
             }
         });
         let there = || ReceiverPoint::on(surface, position, normal());
-        let irradiance = self.arriving((element, &place), &there, hit.t, end_light);
+        let irradiance = self.arriving(element, &place, &there, hit.t, end_light);
         let beyond = self.solution.behind(element, &place).map(|(element, place)| {
             let there = || ReceiverPoint::on(place.surface, position, -normal());
-            self.arriving((element, &place), &there, hit.t, end_light)
+            self.arriving(element, &place, &there, hit.t, end_light)
         });
         let weight = weight * self.radiances.relative(surface, -direction);
         for (index, (out, band)) in radiosity.iter_mut().zip(self.solution.bands()).enumerate() {
@@ -354,7 +363,8 @@ impl<'a> RayGather<'a> {
     /// An estimate of the irradiance (W m⁻²) per band where a ray ends, so far from where it began.
     fn arriving(
         &self,
-        (element, place): (usize, &SurfacePlace),
+        element: usize,
+        place: &SurfacePlace,
         there: &dyn Fn() -> ReceiverPoint,
         distance: f64,
         end_light: EndLight,
@@ -415,7 +425,13 @@ impl<'a> RayGather<'a> {
         let [polar, turn, choice, s] = shift(chance);
         let [t] = shift(number_of([f64::from_bits(chance)]));
         let direction = lambert(receiver.normal, [polar, turn]);
-        self.add_met(receiver, direction, Some((&shares, 1.0)), EndLight::Polynomials, irradiance);
+        self.add_met(
+            receiver,
+            direction,
+            Some(ToLamps { shares: &shares, ratio: 1.0 }),
+            EndLight::Polynomials,
+            irradiance,
+        );
         if !shares.is_empty() {
             let mix = RayMix { cosine: 1.0, to_lamps: 1.0 };
             self.add_lamp(receiver, &shares.target([choice, s, t]), mix, 1.0, irradiance);

@@ -25,6 +25,13 @@ pub struct GroupLight {
     pub masked: Option<Arc<MaskedLight>>,
 }
 
+/// The light of a group at a factor.
+#[derive(Clone, Copy)]
+pub(super) struct DimmedGroup<'a> {
+    pub light: &'a GroupLight,
+    pub factor: f64,
+}
+
 impl GroupLight {
     /// Σ f x over the `parts` x with their `factors` f, all of one group and over the same functions, without
     /// masks.

@@ -62,6 +62,19 @@ struct Squares {
     size: f64,
 }
 
+/// An element with the solution whose light it sends.
+#[derive(Clone, Copy)]
+struct SolvedElement<'a> {
+    solution: &'a Solution,
+    element: usize,
+}
+
+impl SolvedElement<'_> {
+    fn radiosity(&self, band: usize, place: &SurfacePlace) -> f64 {
+        self.solution.radiosity(band, self.element, place)
+    }
+}
+
 impl Squares {
     fn over(element: usize, solution: &Solution, reference: &Solution) -> Self {
         check_interrupt();
@@ -76,18 +89,23 @@ impl Squares {
             for patch in reference.elements().patches_over(element, &coarse.rect) {
                 for_each_point(&patch, degree, |node, weight| {
                     let place = place(reference, fine, node);
-                    sum.add(weight, &place, (other, solution), (element, reference));
+                    let [own, exact] = [
+                        SolvedElement { solution, element: other },
+                        SolvedElement { solution: reference, element },
+                    ];
+                    sum.add(weight, &place, own, exact);
                 });
             }
         }
         sum
     }
 
-    fn add(&mut self, weight: f64, place: &SurfacePlace, of: (usize, &Solution), from: (usize, &Solution)) {
-        for band in 0..from.1.bands().len() {
-            let exact = from.1.radiosity(band, from.0, place);
-            let emitted = from.1.bands()[band].coating.exitance_at(from.0, place.parameters);
-            self.difference += weight * (of.1.radiosity(band, of.0, place) - exact).powi(2);
+    /// Adds a point of this weight, where the light of `own` misses that of `reference`.
+    fn add(&mut self, weight: f64, place: &SurfacePlace, own: SolvedElement, reference: SolvedElement) {
+        for (band, light) in reference.solution.bands().iter().enumerate() {
+            let exact = reference.radiosity(band, place);
+            let emitted = light.coating.exitance_at(reference.element, place.parameters);
+            self.difference += weight * (own.radiosity(band, place) - exact).powi(2);
             self.size += weight * (exact - emitted).powi(2);
         }
     }

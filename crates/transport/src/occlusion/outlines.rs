@@ -221,7 +221,7 @@ impl<'a> Correction<'a> {
             Side::Emitter => [pair[1], pair[0]],
         };
         let corners: Vec<DVec3> = inner.iter().flat_map(|facet| facet.corners.iter().copied()).collect();
-        let normal = other.plane.map_or(DVec3::ZERO, |(_, normal)| normal);
+        let normal = other.plane.map_or(DVec3::ZERO, |plane| plane.normal);
         let unit = pair.iter().map(|element| element.basis.transform()[0]).product();
         let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, LOOSEST_OF_OUTLINES);
         Self {

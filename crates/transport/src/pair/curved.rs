@@ -87,10 +87,11 @@ use radiosity_kernel::contact::planes::plane_of;
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::estimates::coarse::scale;
 use radiosity_kernel::rules::horizon::Front;
-use radiosity_kernel::{Accuracy, PairKind, blocks::block::Block};
+use radiosity_kernel::{PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
+use crate::pair::tolerance::Tolerance;
 use crate::tolerances::BELOW_ESTIMATE;
 use attempt::DOUBT;
 use constant::constant;
@@ -104,18 +105,15 @@ const FEWEST_LEFT: usize = 1;
 const MOST_LEFT: usize = 4;
 
 /// The block between two elements. `blockers` are the surfaces that may stand between them, their own
-/// included. Sampled shadows may make a standard deviation of `shadow_error` in an entry. All other errors
-/// are measured against the block's first entry or `least`, whichever is larger. The smaller the block
-/// compared with the largest entry of its `row`, the less contacts and horizons are refined.
+/// included.
 pub(crate) fn block(
     receiver: &Element,
     emitter: &Element,
     blockers: &[usize],
     visibility: &Visibility,
-    (accuracy, shadow_error): (Accuracy, f64),
-    [least, row]: [f64; 2],
+    tolerance: Tolerance,
 ) -> Block {
-    let mut job = Job::new(receiver, emitter, visibility, (accuracy, shadow_error));
+    let mut job = Job::new(receiver, emitter, visibility, tolerance);
     let parts = [sectors(receiver), sectors(emitter)];
     let planes = [plane_of(&parts[0]), plane_of(&parts[1])];
     let [receivers, emitters] = plane_clip::clipped(parts, planes, COINCIDENT * job.size);
@@ -123,8 +121,8 @@ pub(crate) fn block(
         job.fronts = Some([Front::of(second), Front::of(first)]);
     }
     let rough = scale(&receivers, &emitters, job.budget.unit);
-    job.budget.scale = rough.max(least).max(job.smallest_scale());
-    job.budget.row = row;
+    job.budget.scale = rough.max(tolerance.least).max(job.smallest_scale());
+    job.budget.row = tolerance.row;
     if job.carries_nothing(rough, [&receivers, &emitters]) {
         return job.finish();
     }
@@ -138,20 +136,18 @@ pub(crate) fn block(
     job.finish()
 }
 
-/// The block of a curved element with itself. `blockers` are the surfaces within its hull; `least` and `row`
-/// as for [`block`].
+/// The block of a curved element with itself. `blockers` are the surfaces within its hull.
 pub(crate) fn self_block(
     element: &Element,
     blockers: &[usize],
     visibility: &Visibility,
-    (accuracy, shadow_error): (Accuracy, f64),
-    [least, row]: [f64; 2],
+    tolerance: Tolerance,
 ) -> Block {
-    let mut job = Job::new(element, element, visibility, (accuracy, shadow_error));
+    let mut job = Job::new(element, element, visibility, tolerance);
     let parts = sectors(element);
     let rough = scale(&parts, &parts, job.budget.unit);
-    job.budget.scale = rough.max(least).max(job.smallest_scale());
-    job.budget.row = row;
+    job.budget.scale = rough.max(tolerance.least).max(job.smallest_scale());
+    job.budget.row = tolerance.row;
     job.kind = PairKind::Same;
     if job.carries_nothing(rough, [&parts; 2]) {
         return job.finish();

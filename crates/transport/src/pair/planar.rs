@@ -35,26 +35,27 @@ use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::occlusion::sampled::{SampledVisibility, SummedPoints};
+use crate::pair::tolerance::Tolerance;
 use crate::tolerances::{MOST_SLIVER_POINTS, NEGLIGIBLE};
 
 /// Smallest extent of patches that may still be halved, relative to the larger element: a part of it is
 /// 1/4096 of its area. What is not resolved then counts as error.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
 
-/// The block between two elements. `blockers` are the surfaces that may stand between them; sampling their
-/// shadows may make a standard deviation of `error` in an entry.
+/// The block between two elements. `blockers` are the surfaces that may stand between them.
 pub(crate) fn block(
     receiver: &Element,
     emitter: &Element,
     blockers: &[usize],
     visibility: &Visibility,
-    (accuracy, error): (Accuracy, f64),
+    tolerance: Tolerance,
 ) -> Block {
     if let Some(block) = constant_block(receiver, emitter, blockers) {
         return block;
     }
-    let mut job = Job::new(receiver, emitter, visibility, (accuracy, error));
-    let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
+    let mut job = Job::new(receiver, emitter, visibility, tolerance);
+    let state =
+        State { touching: true, levels: tolerance.accuracy.shadow_levels(), blockers: blockers.to_vec() };
     for p in &receiver.patches {
         for q in &emitter.patches {
             job.whole(p, q, &state);
@@ -124,8 +125,9 @@ impl<'a> Job<'a> {
         receiver: &'a Element,
         emitter: &'a Element,
         visibility: &'a Visibility,
-        (accuracy, shadow_error): (Accuracy, f64),
+        tolerance: Tolerance,
     ) -> Self {
+        let Tolerance { accuracy, shadow_error, .. } = tolerance;
         let [small, size] = [f64::min, f64::max].map(|of| of(receiver.extent, emitter.extent));
         Self {
             visibility,

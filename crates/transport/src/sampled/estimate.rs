@@ -124,17 +124,17 @@ impl<'a> Estimate<'a> {
         let mut estimate = Self { list, starts, counted, weights, variances: Vec::new(), known: Vec::new() };
         for index in 0..list.len() {
             let range = starts[index]..starts[index + 1];
-            let error = if fixed.blocks.is_complete(index) { fixed.error } else { f64::INFINITY };
-            let own = (&fixed.sums[range.clone()], error);
-            estimate.take(index, &missed[range.clone()], &exact[range], own);
+            estimate.take(index, &missed[range.clone()], &exact[range], fixed);
         }
         estimate
     }
 
     /// Takes what own rays tell of the next element, from what they missed, what landed on pairs on which
-    /// none counts, and Σ_j G_ij c_j over these with its relative error.
-    fn take(&mut self, index: usize, missed: &[f64], exact: &[f64], (fixed, error): (&[f64], f64)) {
+    /// none counts, and the blocks of these.
+    fn take(&mut self, index: usize, missed: &[f64], exact: &[f64], fixed: &Fixed) {
         check_interrupt();
+        let error = if fixed.blocks.is_complete(index) { fixed.error } else { f64::INFINITY };
+        let fixed = &fixed.sums[self.starts[index]..self.starts[index + 1]];
         let (element, weight) = (&self.list[index], self.weights[index]);
         if weight == 0.0 {
             self.variances.push(f64::INFINITY);

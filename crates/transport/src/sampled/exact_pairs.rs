@@ -18,7 +18,7 @@ use radiosity_work::interruption::check_interrupt;
 use crate::kept_blocks::KeptBlocks;
 use crate::price::{ElementPair, LEAST, price_up_to};
 use crate::sampled::tally::{Sums, Tally};
-use crate::schedule::{Unreached, by_rules};
+use crate::schedule::{Demand, Unreached, by_rules};
 
 /// Most elements of a scene in which exact pairs are looked for: to sort all pairs takes a second then.
 const MOST_ELEMENTS: usize = 5_000;
@@ -61,7 +61,8 @@ impl ExactPairs {
         mut pairs: HashSet<(u32, u32)>,
         elements: &Elements,
         visibility: &Visibility,
-        (accuracy, kept): (Accuracy, Option<&mut KeptBlocks>),
+        accuracy: Accuracy,
+        kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) -> Self {
         if pairs.is_empty() {
@@ -69,8 +70,8 @@ impl ExactPairs {
             return Self::default();
         }
         let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
-        let how = (accuracy, Unreached::Left);
-        let (blocks, left) = by_rules(elements, &wanted, visibility, how, kept, work);
+        let demand = Demand { elements, wanted: &wanted, visibility, accuracy, unreached: Unreached::Left };
+        let (blocks, left) = by_rules(demand, kept, work);
         for pair in left {
             pairs.remove(&(pair.row as u32, pair.column as u32));
         }

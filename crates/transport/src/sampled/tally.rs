@@ -84,16 +84,16 @@ impl Tally {
 
     /// Adds `hits`; the sums are the same however they are spread over calls, but for rounding.
     pub(super) fn take(&mut self, list: &[Element], hits: &[Hit]) {
-        let mut order: Vec<(u64, u32)> =
-            hits.par_iter().enumerate().map(|(place, hit)| (key(hit), place as u32)).collect();
+        let sorted = |(place, hit): (usize, &Hit)| SortedHit { pair: key(hit), place: place as u32 };
+        let mut order: Vec<SortedHit> = hits.par_iter().enumerate().map(sorted).collect();
         order.par_sort_unstable();
-        let of_rows: Vec<&[(u64, u32)]> = order.chunk_by(|(a, _), (b, _)| a >> 32 == b >> 32).collect();
+        let of_rows: Vec<&[SortedHit]> = order.chunk_by(|a, b| a.row() == b.row()).collect();
         let mut fresh: Vec<Option<Row>> = vec![None; self.rows.len()];
         let made: Vec<(usize, Row)> = of_rows
             .par_iter()
             .map(|own| {
                 check_interrupt();
-                let row = (own[0].0 >> 32) as usize;
+                let row = own[0].row();
                 (row, Row::of(list, row, own, hits, &|column| self.is_cross(list, row, column)))
             })
             .collect();
@@ -140,6 +140,27 @@ impl Tally {
     }
 }
 
+/// A hit, in the order of pairs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct SortedHit {
+    /// The pair ([`key`]).
+    pair: u64,
+    /// Where the hit stands among those that were sorted.
+    place: u32,
+}
+
+impl SortedHit {
+    /// The element of its pair that comes first.
+    fn row(&self) -> usize {
+        (self.pair >> 32) as usize
+    }
+
+    /// The other element of its pair.
+    fn column(&self) -> u32 {
+        self.pair as u32
+    }
+}
+
 /// The pair of a hit: the element that comes first in the upper half.
 fn key(hit: &Hit) -> u64 {
     let (row, column) = (hit.source.min(hit.target), hit.source.max(hit.target));
@@ -151,14 +172,14 @@ impl Row {
     fn of(
         list: &[Element],
         row: usize,
-        order: &[(u64, u32)],
+        order: &[SortedHit],
         hits: &[Hit],
         is_cross: &dyn Fn(usize) -> bool,
     ) -> Self {
         let mut made = Self::default();
         let mut sums = Vec::new();
-        for own in order.chunk_by(|(a, _), (b, _)| a == b) {
-            let column = own[0].0 as u32;
+        for own in order.chunk_by(|a, b| a.pair == b.pair) {
+            let column = own[0].column();
             let is_cross = is_cross(column as usize);
             let [rows, columns] = [row, column as usize].map(|index| list[index].basis.len());
             let size = if is_cross { rows + columns - 1 } else { rows * columns };
@@ -166,8 +187,8 @@ impl Row {
             sums.clear();
             sums.resize(2 * size, 0.0);
             made.pairs.push(Pair { column, hits: own.len() as u32, is_cross, start });
-            for (_, place) in own {
-                let hit = &hits[*place as usize];
+            for sorted in own {
+                let hit = &hits[sorted.place as usize];
                 let sums = &mut sums[hit.half as usize * size..][..size];
                 add(list, [row, column as usize], hit, is_cross, sums);
             }

@@ -6,6 +6,7 @@
 //! dearest blocks are shared first, each to the rank with the least ([`radiosity_work::ranks::shares`]).
 
 use std::collections::HashMap;
+use std::ops::AddAssign;
 
 use radiosity_kernel::blocks::block::BlockReport;
 use radiosity_work::ranks::shares;
@@ -24,9 +25,31 @@ const SAMPLES_A_RAY: f64 = 20.0;
 /// Cost of an integral beside its samples, in samples.
 const START: f64 = 50.0;
 
-/// Cost of so many kernel samples and segments, in samples.
-pub fn cost([samples, rays]: [u64; 2]) -> f64 {
-    samples as f64 + SAMPLES_A_RAY * rays as f64
+/// Cost of blocks.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Cost {
+    /// Kernel samples: terms of quadrature rules.
+    pub samples: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+}
+
+impl Cost {
+    pub(super) fn of(block: &BlockReport) -> Self {
+        Self { samples: block.samples, rays: block.rays }
+    }
+
+    /// Number of kernel samples that take as long.
+    pub fn in_samples(self) -> f64 {
+        self.samples as f64 + SAMPLES_A_RAY * self.rays as f64
+    }
+}
+
+impl AddAssign for Cost {
+    fn add_assign(&mut self, other: Self) {
+        self.samples += other.samples;
+        self.rays += other.rays;
+    }
 }
 
 /// A block before it is made.
@@ -43,10 +66,18 @@ pub(super) struct WorkItem {
 pub(super) struct Balance {
     /// Cost of what each rank has made.
     loads: Vec<f64>,
-    /// Number and cost of the blocks of each class.
-    classes: HashMap<u64, [f64; 2]>,
-    /// Prices and costs of all.
-    all: [f64; 2],
+    classes: HashMap<u64, Class>,
+    /// Prices and costs of all blocks.
+    prices: f64,
+    costs: f64,
+}
+
+/// The blocks of a class that were made.
+#[derive(Clone, Copy, Debug, Default)]
+struct Class {
+    number: f64,
+    /// Their cost (samples).
+    cost: f64,
 }
 
 /// The rounds in which so many blocks are made by so many ranks: one where there is nobody to share them
@@ -63,7 +94,7 @@ pub(super) fn rounds(items: usize, ranks: usize) -> Vec<Vec<usize>> {
 impl Balance {
     /// The balance of so many ranks before anything is made.
     pub(super) fn new(ranks: usize) -> Self {
-        Self { loads: vec![0.0; ranks], classes: HashMap::new(), all: [0.0; 2] }
+        Self { loads: vec![0.0; ranks], classes: HashMap::new(), prices: 0.0, costs: 0.0 }
     }
 
     /// The ranks that make the blocks of a round.
@@ -74,19 +105,21 @@ impl Balance {
 
     /// Takes note of what a block cost.
     pub(super) fn take(&mut self, maker: usize, item: &WorkItem, block: &BlockReport) {
-        let cost = START + cost([block.samples, block.rays]);
+        let cost = START + Cost::of(block).in_samples();
         self.loads[maker] += cost;
-        let [number, sum] = self.classes.entry(item.class).or_default();
-        (*number, *sum) = (*number + 1.0, *sum + cost);
-        self.all = [self.all[0] + item.price, self.all[1] + cost];
+        let class = self.classes.entry(item.class).or_default();
+        class.number += 1.0;
+        class.cost += cost;
+        self.prices += item.price;
+        self.costs += cost;
     }
 
     /// Expected cost of a block, in samples: the mean of others of its class, or by its price.
     fn cost(&self, item: &WorkItem) -> f64 {
-        match (self.classes.get(&item.class), self.all) {
-            (Some([number, sum]), _) => sum / number,
-            (None, [prices, costs]) if prices > 0.0 => item.price * costs / prices,
-            (None, _) => item.price,
+        match self.classes.get(&item.class) {
+            Some(class) => class.cost / class.number,
+            None if self.prices > 0.0 => item.price * self.costs / self.prices,
+            None => item.price,
         }
     }
 }

@@ -41,7 +41,7 @@ impl Panel {
     /// The element as a panel, if it is a parallelogram that fills its frame and carries product polynomials
     /// of total degree.
     pub(crate) fn of(element: &Element) -> Option<Self> {
-        let (Some((_, normal)), [patch]) = (element.plane, &element.patches[..]) else { return None };
+        let (Some(plane), [patch]) = (element.plane, &element.patches[..]) else { return None };
         let Frame::Plane { origin, first, second } = element.basis.frame() else { return None };
         let plain = element.basis.is_product() && element.basis.space() == Space::Total;
         if !plain || !patch.is_parallelogram() {
@@ -50,7 +50,8 @@ impl Panel {
         let axis = first.cross(*second);
         let sides = [second.cross(axis), axis.cross(*first)].map(|side| side / axis.length_squared());
         let filled = (4.0 * sides[0].cross(sides[1]).length() - element.area).abs() <= EQUAL * element.area;
-        filled.then_some(Self { center: *origin, sides, normal, order: element.basis.order() })
+        let order = element.basis.order();
+        filled.then_some(Self { center: *origin, sides, normal: plane.normal, order })
     }
 }
 

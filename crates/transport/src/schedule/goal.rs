@@ -12,6 +12,7 @@ use radiosity_work::interruption::check_interrupt;
 
 use crate::kept_blocks::Request;
 use crate::occlusion::outlines::Limit;
+use crate::pair::tolerance::Tolerance;
 use crate::schedule::task::{Schedule, Task};
 use crate::tolerances::{ABOVE_ESTIMATE, SHADOWS_IN_FACTORS, SHADOWS_IN_ROW};
 
@@ -50,6 +51,17 @@ pub(super) struct Goal {
 }
 
 impl Goal {
+    /// The tolerance of the block of two flat elements.
+    pub(super) fn tolerance(&self) -> Tolerance {
+        Tolerance { accuracy: self.accuracy, shadow_error: self.flat, least: self.least, row: self.row }
+    }
+
+    /// The tolerance of the block of a pair with a curved element that has these blockers.
+    pub(super) fn tolerance_of_curved(&self, blockers: &[usize]) -> Tolerance {
+        let accuracy = if blockers.is_empty() { self.accuracy } else { self.bent };
+        Tolerance { accuracy, shadow_error: self.sampled, ..self.tolerance() }
+    }
+
     /// The request for the block of a task with this goal, as a memory compares it.
     pub(super) fn request(&self, task: &Task, visibility: &Visibility) -> Request {
         let faces = |surface| visibility.faces(surface).iter().copied();

@@ -5,14 +5,14 @@
 pub(super) enum Source {
     /// Integrated for this task, at this place among all integrated blocks.
     Own(usize),
-    /// Equal to the block of an earlier task: the task, and the place of its block.
-    Copy(usize, usize),
+    /// Equal to the block of the earlier task `first`, which is at this `place`.
+    Copy { first: usize, place: usize },
 }
 
 impl Source {
     /// The place of its block among all integrated blocks.
     pub(super) fn place(&self) -> usize {
-        let (Source::Own(place) | Source::Copy(_, place)) = self;
+        let (Source::Own(place) | Source::Copy { place, .. }) = self;
         *place
     }
 }

@@ -1,7 +1,7 @@
 //! The elements with the data that sorting needs, and the pairs that are left to integrate.
 
+use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
-use radiosity_elements::{Element, Elements};
 use radiosity_kernel::Accuracy;
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::estimates::coarse::CoarseEstimate;
@@ -11,16 +11,8 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::congruent::Panel;
+use super::demand::{Demand, Unreached};
 use super::order::Precedence;
-
-/// Treatment of pairs whose accuracy the rules do not reach.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Unreached {
-    /// The pairs are stored, and their error is told.
-    Kept,
-    /// The pairs are left to rays; so are shadows of curved things, without a try.
-    Left,
-}
 
 /// The elements with the data that sorting needs.
 pub(super) struct Schedule<'a> {
@@ -39,14 +31,9 @@ pub(super) struct Schedule<'a> {
 }
 
 impl<'a> Schedule<'a> {
-    /// The elements between which blocks of the pairs that are `wanted` are to be found.
-    pub(super) fn new(
-        elements: &'a Elements,
-        visibility: &'a Visibility,
-        wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
-        accuracy: Accuracy,
-        unreached: Unreached,
-    ) -> Self {
+    /// The elements between which the blocks of a demand are to be found.
+    pub(super) fn new(demand: Demand<'a>) -> Self {
+        let Demand { elements, wanted, visibility, accuracy, unreached } = demand;
         let list = elements.list();
         Self {
             list,

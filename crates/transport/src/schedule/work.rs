@@ -7,9 +7,10 @@ use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
-pub use crate::schedule::balance::cost;
+pub use crate::schedule::balance::Cost;
 use crate::schedule::balance::{Balance, WorkItem, rounds};
-use crate::schedule::task::{Schedule, Unreached};
+use crate::schedule::demand::{Demand, Unreached};
+use crate::schedule::task::Schedule;
 
 /// The work that a block was.
 #[derive(Clone, Copy, Debug)]
@@ -19,14 +20,9 @@ pub struct BlockWork {
 }
 
 impl BlockWork {
-    /// Terms of its rules.
-    pub fn samples(&self) -> u64 {
-        self.report.samples
-    }
-
-    /// Segments tested for visibility.
-    pub fn rays(&self) -> u64 {
-        self.report.rays
+    /// The cost of the block.
+    pub fn cost(&self) -> Cost {
+        Cost::of(&self.report)
     }
 }
 
@@ -39,29 +35,28 @@ pub fn work(
     accuracy: Accuracy,
 ) -> Vec<BlockWork> {
     let wanted = |a: usize, b: usize| sends(a) || sends(b);
-    let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
-    let schedule = Schedule::new(elements, visibility, &wanted, accuracy, unreached);
+    let unreached = Unreached::of(visibility);
+    let schedule = Schedule::new(Demand { elements, wanted: &wanted, visibility, accuracy, unreached });
     let (tasks, _) = schedule.sort(Ranks::alone());
     let goals = schedule.goals(&tasks);
     let sources = schedule.share(&tasks, &goals);
     let held = HeldRows::of(Ranks::alone(), &elements.starts());
-    let integrated = schedule.integrate(&tasks, &goals, &sources, (None, &held), &Work::alone());
+    let integrated = schedule.integrate(&tasks, &goals, &sources, None, &held, &Work::alone());
     let items = schedule.items(&tasks, &sources).into_iter().enumerate();
     items.map(|(place, item)| BlockWork { item, report: integrated.report(place).block }).collect()
 }
 
-/// Kernel samples and rays of each of so many ranks that share this work, round by round: ranks wait for each
+/// Cost of the blocks of each of so many ranks that share this work, round by round: ranks wait for each
 /// other between rounds.
-pub fn shared(work: &[BlockWork], ranks: usize) -> Vec<Vec<[u64; 2]>> {
+pub fn shared(work: &[BlockWork], ranks: usize) -> Vec<Vec<Cost>> {
     let items: Vec<WorkItem> = work.iter().map(|work| work.item).collect();
     let mut balance = Balance::new(ranks);
     let round = |round: Vec<usize>| {
-        let mut done = vec![[0; 2]; ranks];
+        let mut done = vec![Cost::default(); ranks];
         let makers = balance.share(&round, &items);
         for (place, maker) in round.into_iter().zip(makers) {
             balance.take(maker, &items[place], &work[place].report);
-            done[maker][0] += work[place].samples();
-            done[maker][1] += work[place].rays();
+            done[maker] += work[place].cost();
         }
         done
     };

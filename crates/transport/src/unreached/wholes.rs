@@ -96,7 +96,7 @@ impl Wholes {
         }
         for found in found {
             let pair = self.wholes([found.row, found.column]);
-            let [mean, error] = sums[&pair].mean_and_error();
+            let Estimate { mean, error } = sums[&pair].estimate();
             found.relative = self.relative_to(rows, pair, error, mean.abs() + error);
         }
     }
@@ -127,16 +127,22 @@ struct BatchExchange {
     one: f64,
 }
 
+/// The exchange of two wholes, as the batches estimate it (length²).
+struct Estimate {
+    mean: f64,
+    error: f64,
+}
+
 impl BatchExchange {
     fn take(&mut self, firsts: &[f64; BATCHES], one: f64, unit: f64) {
         self.batches.iter_mut().zip(firsts).for_each(|(sum, first)| *sum += unit * first);
         self.one = self.one.max(unit * one);
     }
 
-    fn mean_and_error(&self) -> [f64; 2] {
+    fn estimate(&self) -> Estimate {
         let n = BATCHES as f64;
         let mean = self.batches.iter().sum::<f64>() / n;
         let square = self.batches.iter().map(|batch| (batch - mean).powi(2)).sum::<f64>();
-        [mean, DEVIATIONS * (square / (n * (n - 1.0))).sqrt() + self.one]
+        Estimate { mean, error: DEVIATIONS * (square / (n * (n - 1.0))).sqrt() + self.one }
     }
 }

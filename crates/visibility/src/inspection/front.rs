@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use radiosity_geom::{Aabb, Bvh, DVec3};
+use radiosity_geom::{Aabb, Bvh, Plane};
 use radiosity_scene::Camera;
 use rayon::prelude::*;
 
@@ -64,7 +64,7 @@ pub(super) fn inside_out(sheets: &Sheets, shells: &[Shell], camera: Option<&Came
 fn holds_something(sheets: &Sheets, shell: &Shell, camera: Option<&Camera>) -> bool {
     let enclosure = Enclosure::new(sheets, shell);
     let is_inside = |k: usize| {
-        shell.sheets.binary_search(&k).is_err() && enclosure.contains(sheets.list[k].samples()[0].0)
+        shell.sheets.binary_search(&k).is_err() && enclosure.contains(sheets.list[k].samples()[0].point)
     };
     camera.is_some_and(|camera| enclosure.contains(camera.eye))
         || sheets.around(&enclosure.bounds).any(is_inside)
@@ -110,18 +110,18 @@ pub(super) fn blind(sheets: &Sheets, lying: &HashSet<&str>) -> Vec<Warning> {
 }
 
 /// Whether a point of a box may be seen, at a sine of at least `GRAZING`, from a planar sheet of this
-/// `extent` that passes through the point x with the normal n.
-fn lies_before((x, n): &(DVec3, DVec3), extent: f64, bounds: &Aabb) -> bool {
+/// `extent` that lies in `plane` about the point of that.
+fn lies_before(plane: &Plane, extent: f64, bounds: &Aabb) -> bool {
     let half = 0.5 * (bounds.max - bounds.min);
-    let height = (bounds.center() - *x).dot(*n) + half.dot(n.abs());
-    height > GRAZING * (bounds.distance_squared(*x).sqrt() - extent).max(0.0)
+    let height = plane.height(bounds.center()) + half.dot(plane.normal.abs());
+    height > GRAZING * (bounds.distance_squared(plane.point).sqrt() - extent).max(0.0)
 }
 
-/// Whether the fronts at two points face each other, with a sine of at least `GRAZING`; the second's back
-/// counts too if it is `two_sided`.
-fn faces((x, n): &(DVec3, DVec3), (y, m): &(DVec3, DVec3), two_sided: bool) -> bool {
-    let d = *y - *x;
-    let (out, into) = (d.dot(*n), -d.dot(*m));
+/// Whether the fronts of two tangent planes face each other between the points where they touch, with a sine
+/// of at least `GRAZING`; the second's back counts too if it is `two_sided`.
+fn faces(own: &Plane, other: &Plane, two_sided: bool) -> bool {
+    let d = other.point - own.point;
+    let (out, into) = (d.dot(own.normal), -d.dot(other.normal));
     let least = GRAZING * d.length();
     out > least && (into > least || two_sided && -into > least)
 }

@@ -8,7 +8,7 @@ use radiosity_scene::Scene;
 use crate::inspection::{
     contact::SurfaceContact,
     sheet::Sheets,
-    sheet_border::{Meeting, SheetBorder},
+    sheet_border::{BorderSample, Meeting, SheetBorder},
     warning::{Warning, place},
 };
 
@@ -22,17 +22,17 @@ pub(super) fn gaps(
     let crossing = contacts.iter().filter(|contact| matches!(contact.touch, Adjacency::Crossing { .. }));
     let crossing: BTreeSet<[usize; 2]> = crossing.map(|contact| contact.surfaces).collect();
     let cross = |pair: [usize; 2]| crossing.contains(&pair.map(|k| sheets.list[k].surface));
-    let mut widest: Vec<([usize; 2], f64, DVec3)> = Vec::new();
+    let mut widest: Vec<Gap> = Vec::new();
     let mut known = BTreeMap::new();
-    for (pair, distance, point) in borders.iter().filter_map(widest_gap).filter(|(pair, ..)| !cross(*pair)) {
-        let index = *known.entry(pair).or_insert(widest.len());
+    for gap in borders.iter().filter_map(widest_gap).filter(|gap| !cross(gap.sheets)) {
+        let index = *known.entry(gap.sheets).or_insert(widest.len());
         match widest.get_mut(index) {
-            Some(found) if found.1 < distance => *found = (pair, distance, point),
+            Some(found) if found.distance < gap.distance => *found = gap,
             Some(_) => {}
-            None => widest.push((pair, distance, point)),
+            None => widest.push(gap),
         }
     }
-    let warning = |([own, other], distance, point): ([usize; 2], f64, DVec3)| {
+    let warning = |Gap { sheets: [own, other], distance, point }: Gap| {
         let [own, other] = [own, other].map(|k| &sheets.list[k].name);
         let place = place(point + scene.middle);
         let message =
@@ -42,11 +42,23 @@ pub(super) fn gaps(
     widest.into_iter().map(warning).collect()
 }
 
-/// The widest gap of a border if it has one along at least half of it, with its two sheets and place.
-fn widest_gap(border: &SheetBorder) -> Option<([usize; 2], f64, DVec3)> {
-    let gap = |(point, meeting): &(DVec3, Meeting)| match *meeting {
+/// A gap between two sheets.
+#[derive(Clone, Copy)]
+struct Gap {
+    /// Indices of the sheets, ascending.
+    sheets: [usize; 2],
+    /// Its width (scene length).
+    distance: f64,
+    /// Where it is so wide.
+    point: DVec3,
+}
+
+/// The widest gap of a border if it has one along at least half of it.
+fn widest_gap(border: &SheetBorder) -> Option<Gap> {
+    let gap = |BorderSample { point, meeting }: &BorderSample| match *meeting {
         Meeting::Gap { sheet, distance } => {
-            Some(([border.sheet.min(sheet), border.sheet.max(sheet)], distance, *point))
+            let sheets = [border.sheet.min(sheet), border.sheet.max(sheet)];
+            Some(Gap { sheets, distance, point: *point })
         }
         _ => None,
     };
@@ -54,5 +66,5 @@ fn widest_gap(border: &SheetBorder) -> Option<([usize; 2], f64, DVec3)> {
     if 2 * found.len() < border.places.len() {
         return None;
     }
-    found.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))
+    found.into_iter().max_by(|a, b| a.distance.total_cmp(&b.distance))
 }

@@ -93,7 +93,7 @@ impl Regions {
 fn around(sheets: &Sheets, shells: &[Shell]) -> Vec<BTreeSet<usize>> {
     let enclosures: Vec<Enclosure<'_>> = shells.iter().map(|shell| Enclosure::new(sheets, shell)).collect();
     let of = |own: usize| {
-        let point = sheets.list[shells[own].sheets[0]].samples()[0].0;
+        let point = sheets.list[shells[own].sheets[0]].samples()[0].point;
         let others = enclosures.iter().enumerate().filter(|(other, _)| *other != own);
         others.filter(|(_, enclosure)| enclosure.contains(point)).map(|(other, _)| other).collect()
     };

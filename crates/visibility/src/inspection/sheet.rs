@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use radiosity_geom::{Aabb, Border, Bvh, DVec3, LOOSE, Patch, Surface};
+use radiosity_geom::{Aabb, Border, Bvh, DVec3, LOOSE, Patch, Plane, Surface};
 use radiosity_scene::{Scene, SceneSurface};
 
 /// Borders nearer than this part of the smaller extent, but not touching, leave a gap. An arbitrary choice:
@@ -74,7 +74,7 @@ fn covers(front: &SceneSurface, back: &SceneSurface) -> bool {
     let room = LOOSE * front.extent;
     let lies_on = |point: DVec3| front.drop(point).is_some_and(|foot| foot.distance(point) <= room);
     let [own, other] = [&front, &back].map(|sheet| sheet.shape.area());
-    (own - other).abs() <= LOOSE * own && back.samples().iter().all(|(point, _)| lies_on(*point))
+    (own - other).abs() <= LOOSE * own && back.samples().iter().all(|sample| lies_on(sample.point))
 }
 
 impl Sheet {
@@ -142,9 +142,9 @@ impl Sheet {
         }
     }
 
-    /// Points all over the sheet with the front's normal, some close to its corners, none in its middle,
+    /// Tangent planes of the front at points all over the sheet, some close to its corners, none in its middle,
     /// where others may begin. Arbitrary otherwise.
-    pub(super) fn samples(&self) -> Vec<(DVec3, DVec3)> {
+    pub(super) fn samples(&self) -> Vec<Plane> {
         const STEPS: [f64; 5] = [-0.97, -0.5, 0.03, 0.5, 0.97];
         match self.shape.region() {
             Some(region) => {
@@ -154,12 +154,12 @@ impl Sheet {
                     std::iter::once(middle).chain(corners).collect::<Vec<_>>()
                 };
                 let points = region.convex_pieces().iter().flat_map(inward).collect::<Vec<_>>();
-                points.into_iter().map(|point| (point, region.normal())).collect()
+                points.into_iter().map(|point| Plane { point, normal: region.normal() }).collect()
             }
             None => {
                 let places = STEPS.into_iter().flat_map(|u| STEPS.map(|v| [u, v]));
                 let jets = places.map(|[u, v]| self.shape.jet(u, v));
-                jets.map(|jet| (jet.position, jet.normal)).collect()
+                jets.map(|jet| Plane { point: jet.position, normal: jet.normal }).collect()
             }
         }
     }

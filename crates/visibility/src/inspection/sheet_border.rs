@@ -12,8 +12,8 @@ const PLACES: [f64; 10] = [-0.97, -0.83, -0.61, -0.37, -0.13, 0.09, 0.29, 0.53, 
 /// Meeting of a border with other sheets at a place.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Meeting {
-    /// Borders, each with its sheet and the cosine between the directions of both, fronts on their left.
-    Borders(Vec<(usize, f64)>),
+    /// Borders.
+    Borders(Vec<MetBorder>),
     /// The inside of a face.
     Face,
     /// A sheet that the border nearly reaches.
@@ -27,13 +27,28 @@ pub(super) enum Meeting {
     Open,
 }
 
+/// A border that another one meets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct MetBorder {
+    /// Index of its sheet among the sheets.
+    pub(super) sheet: usize,
+    /// Cosine between the directions of both, fronts on their left.
+    pub(super) cosine: f64,
+}
+
+/// A sample place of a border.
+#[derive(Debug)]
+pub(super) struct BorderSample {
+    pub(super) point: DVec3,
+    pub(super) meeting: Meeting,
+}
+
 /// The places of one border of a sheet.
 #[derive(Debug)]
 pub(super) struct SheetBorder {
     /// Index among the sheets.
     pub(super) sheet: usize,
-    /// Points, and what the border meets there.
-    pub(super) places: Vec<(DVec3, Meeting)>,
+    pub(super) places: Vec<BorderSample>,
 }
 
 /// A border with the data to compare it.
@@ -52,8 +67,11 @@ pub(super) fn borders(sheets: &Sheets) -> Vec<SheetBorder> {
         let near = sheets.near(own);
         let neighbours: Vec<&Line<'_>> = near.iter().chain([&own]).flat_map(|sheet| &lines[*sheet]).collect();
         let sheet_border = |line: &Line<'_>| {
-            let place = |w: f64| (line.border.point(w), meeting(sheets, line, w, &neighbours, &near));
-            SheetBorder { sheet: own, places: PLACES.map(place).to_vec() }
+            let place = |w: f64| BorderSample {
+                point: line.border.point(w),
+                meeting: meeting(sheets, line, w, &neighbours, &near),
+            };
+            SheetBorder { sheet: own, places: PLACES.map(place).into() }
         };
         lines[own].iter().map(sheet_border).collect()
     };
@@ -102,8 +120,8 @@ fn meeting(sheets: &Sheets, own: &Line<'_>, w: f64, lines: &[&Line<'_>], near: &
         BorderPlace { sheets, sheet, point: own.border.point(w), normal, direction: direction(own, w) };
     let others = lines.iter().filter(|line| !std::ptr::eq(**line, own));
     let borders: Vec<Reach> = others.filter_map(|line| place.reach_border(line)).collect();
-    let touched: Vec<_> =
-        borders.iter().filter(|reach| reach.touches).map(|reach| (reach.sheet, reach.cosine)).collect();
+    let met = |rim: &Reach| MetBorder { sheet: rim.sheet, cosine: rim.cosine };
+    let touched: Vec<MetBorder> = borders.iter().filter(|reach| reach.touches).map(met).collect();
     if !touched.is_empty() {
         return Meeting::Borders(touched);
     }

@@ -11,7 +11,7 @@ use radiosity_geom::{Aabb, DVec3, Rect};
 
 use crate::inspection::{
     sheet::{Sheet, Sheets},
-    sheet_border::{Meeting, SheetBorder},
+    sheet_border::{Meeting, MetBorder, SheetBorder},
 };
 
 /// A closed surface made of one or more surfaces.
@@ -55,7 +55,7 @@ pub(super) fn groups(sheets: &Sheets, borders: &[SheetBorder]) -> Vec<Group> {
     let mut is_open = vec![false; sheets.list.len()];
     for border in borders {
         let single = |meeting: &Meeting| matches!(meeting, Meeting::Borders(others) if others.len() == 1);
-        is_open[border.sheet] |= !border.places.iter().all(|(_, meeting)| single(meeting));
+        is_open[border.sheet] |= !border.places.iter().all(|place| single(&place.meeting));
     }
     let mut sign = vec![0.0; sheets.list.len()];
     let mut groups = Vec::new();
@@ -67,21 +67,31 @@ pub(super) fn groups(sheets: &Sheets, borders: &[SheetBorder]) -> Vec<Group> {
     groups
 }
 
-/// For each sheet its neighbours across a border: 1 if the fronts agree, −1 if they disagree, 0 if neither is
-/// defined.
-fn joints(sheets: &Sheets, borders: &[SheetBorder]) -> Vec<Vec<(usize, f64)>> {
+/// A sheet and its neighbour across a border.
+#[derive(Clone, Copy)]
+struct Joint {
+    /// Index of the neighbour.
+    other: usize,
+    /// 1 if the fronts agree, −1 if they disagree, 0 if neither is defined.
+    agree: f64,
+}
+
+/// For each sheet the joints with its neighbours.
+fn joints(sheets: &Sheets, borders: &[SheetBorder]) -> Vec<Vec<Joint>> {
     let mut joints = vec![Vec::new(); sheets.list.len()];
     let mut known = HashSet::new();
     for border in borders {
-        for (_, meeting) in &border.places {
-            let Meeting::Borders(others) = meeting else { continue };
-            for (other, cosine) in others.iter().filter(|(other, _)| *other != border.sheet) {
+        for place in &border.places {
+            let Meeting::Borders(others) = &place.meeting else { continue };
+            for MetBorder { sheet: other, cosine } in
+                others.iter().filter(|other| other.sheet != border.sheet)
+            {
                 let is_clear = others.len() == 1
                     && !sheets.list[border.sheet].two_sided
                     && !sheets.list[*other].two_sided;
                 let agree = if is_clear { -cosine.signum() } else { 0.0 };
                 if known.insert((border.sheet, *other, agree.to_bits())) {
-                    joints[border.sheet].push((*other, agree));
+                    joints[border.sheet].push(Joint { other: *other, agree });
                 }
             }
         }
@@ -90,19 +100,13 @@ fn joints(sheets: &Sheets, borders: &[SheetBorder]) -> Vec<Vec<(usize, f64)>> {
 }
 
 /// The group of the sheet `first`, with signs spread from neighbour to neighbour.
-fn spread(
-    sheets: &Sheets,
-    first: usize,
-    joints: &[Vec<(usize, f64)>],
-    sign: &mut [f64],
-    is_open: &[bool],
-) -> Group {
+fn spread(sheets: &Sheets, first: usize, joints: &[Vec<Joint>], sign: &mut [f64], is_open: &[bool]) -> Group {
     sign[first] = 1.0;
     let mut members = vec![first];
     let mut next = 0;
     while next < members.len() {
         let own = members[next];
-        for (other, agree) in &joints[own] {
+        for Joint { other, agree } in &joints[own] {
             if sign[*other] == 0.0 {
                 sign[*other] = if *agree == 0.0 { sign[own] } else { agree * sign[own] };
                 members.push(*other);
@@ -116,8 +120,8 @@ fn spread(
     };
     let minority = if area(-1.0) <= area(1.0) { -1.0 } else { 1.0 };
     let against = |own: &usize| {
-        let other = joints[*own].iter().find(|(_, agree)| *agree == -1.0);
-        other.filter(|_| sign[*own] == minority).map(|(other, _)| (*own, *other))
+        let joint = joints[*own].iter().find(|joint| joint.agree == -1.0);
+        joint.filter(|_| sign[*own] == minority).map(|joint| (*own, joint.other))
     };
     Group {
         turned: members.iter().filter_map(against).collect(),

@@ -77,7 +77,8 @@ impl Journal {
         folder: &Path,
         fingerprint: u64,
         begin: Begin,
-        (rank, any): (usize, &dyn Fn(bool) -> bool),
+        rank: usize,
+        any: &dyn Fn(bool) -> bool,
     ) -> Result<Self, JournalError> {
         let mut folder = Folder::open(folder, begin)?;
         let old = folder.files(begin)?;

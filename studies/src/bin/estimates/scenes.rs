@@ -57,7 +57,7 @@ impl Case {
         })
     }
 
-    fn flat(name: &str, scene: Scene, [order, cuts]: [usize; 2]) -> Self {
+    fn flat(name: &str, scene: Scene, order: usize, cuts: usize) -> Self {
         Self { name: name.to_owned(), scene, fine: Fine::Exact { order, cuts }, by_rays: false }
     }
 
@@ -70,18 +70,18 @@ impl Case {
 pub(crate) fn all() -> Vec<Case> {
     let builtin = |name: &str| radiosity::builtin(name).expect("it is built in");
     vec![
-        Case::flat("empty-box", builtin("empty-box"), [8, 3]),
-        Case::flat("long box", scene(&long_box()), [8, 3]),
-        Case::flat("dark box", scene(&dark_box()), [8, 3]),
-        Case::flat("flush lamp", scene(&flush_lamp()), [7, 3]),
-        Case::flat("plates", scene(&plates(1.0)), [8, 2]),
-        Case::flat("near plates", scene(&plates(0.1)), [8, 3]),
-        Case::flat("plates, a third between", scene(&shaded()), [4, 8]),
-        Case::flat("hinge-squares", builtin("hinge-squares"), [8, 3]),
-        Case::flat("occluder-box", builtin("occluder-box"), [4, 8]),
-        Case::flat("two-boxes", builtin("two-boxes"), [4, 6]),
-        Case::flat("cornell-box", builtin("cornell-box"), [4, 6]),
-        Case::flat("gap under a box", scene(&gap()), [3, 9]),
+        Case::flat("empty-box", builtin("empty-box"), 8, 3),
+        Case::flat("long box", scene(&long_box()), 8, 3),
+        Case::flat("dark box", scene(&dark_box()), 8, 3),
+        Case::flat("flush lamp", scene(&flush_lamp()), 7, 3),
+        Case::flat("plates", scene(&plates(1.0)), 8, 2),
+        Case::flat("near plates", scene(&plates(0.1)), 8, 3),
+        Case::flat("plates, a third between", scene(&shaded()), 4, 8),
+        Case::flat("hinge-squares", builtin("hinge-squares"), 8, 3),
+        Case::flat("occluder-box", builtin("occluder-box"), 4, 8),
+        Case::flat("two-boxes", builtin("two-boxes"), 4, 6),
+        Case::flat("cornell-box", builtin("cornell-box"), 4, 6),
+        Case::flat("gap under a box", scene(&gap()), 3, 9),
         Case::round("disks", scene(&disks()), Some(8)),
         Case::round("can", scene(&can()), Some(8)),
         Case::round("ball in a room", scene(&ball("[0.5, 0.5, 0.4]", 0.25)), Some(8)),

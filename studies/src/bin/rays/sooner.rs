@@ -66,8 +66,17 @@ impl Way {
 #[derive(Clone, Copy, Debug)]
 struct Run {
     way: Way,
+    /// Number of pairs that were carried exactly beside rays.
+    exact_pairs: usize,
     seconds: f64,
     error: f64,
+}
+
+/// All pairs, carried.
+struct Carried {
+    blocks: Blocks,
+    /// Number of pairs that were carried exactly beside rays.
+    exact_pairs: usize,
 }
 
 /// A scene cut into elements.
@@ -87,7 +96,8 @@ pub(crate) fn sooner(file: &Path) -> Result<(), Box<dyn Error>> {
         let subject = Subject::new(&radiosity::builtin(name)?)?;
         let mut runs = Vec::new();
         for accuracy in ACCURACIES {
-            let run = subject.run(Way::Exact, || (subject.exact(accuracy), 0))?;
+            let run =
+                subject.run(Way::Exact, || Carried { blocks: subject.exact(accuracy), exact_pairs: 0 })?;
             runs.push(tell(name, &format!("{accuracy:.0e}"), run));
         }
         for (way, rays) in [Way::Rays, Way::Both].iter().flat_map(|way| RAYS.map(|rays| (*way, rays))) {
@@ -108,8 +118,8 @@ fn panel(name: &str, runs: &[Run]) -> Panel {
     Panel { title: name.to_owned(), lines: Way::ALL.map(line).into() }
 }
 
-fn tell(name: &str, what: &str, (run, exact_pairs): (Run, usize)) -> Run {
-    let Run { way, seconds, error } = run;
+fn tell(name: &str, what: &str, run: Run) -> Run {
+    let Run { way, exact_pairs, seconds, error } = run;
     println!("| {name} | {} | {what} | {exact_pairs} | {seconds:.3} | {:.3} % |", way.label(), 100.0 * error);
     run
 }
@@ -125,15 +135,15 @@ impl Subject {
         Ok(Self { elements, coating, visibility, truth })
     }
 
-    /// A run with the blocks that `carry` gives, and the number of its exact pairs.
-    fn run(&self, way: Way, carry: impl FnOnce() -> (Blocks, usize)) -> Result<(Run, usize), Box<dyn Error>> {
+    /// A run with the blocks that `carry` gives.
+    fn run(&self, way: Way, carry: impl FnOnce() -> Carried) -> Result<Run, Box<dyn Error>> {
         let start = Instant::now();
-        let (blocks, exact_pairs) = carry();
+        let Carried { blocks, exact_pairs } = carry();
         let found = solved(&self.elements, &self.coating, &blocks)?;
         let seconds = start.elapsed().as_secs_f64();
         let list = self.elements.list();
         let [found, truth] = [&found, &self.truth].map(|of| means(list, &of.irradiance));
-        Ok((Run { way, seconds, error: apart(list, &found, &truth) }, exact_pairs))
+        Ok(Run { way, exact_pairs, seconds, error: apart(list, &found, &truth) })
     }
 
     fn exact(&self, accuracy: f64) -> Blocks {
@@ -141,7 +151,7 @@ impl Subject {
         assemble(&self.elements, &self.visibility, accuracy, &Work::alone())
     }
 
-    fn sampled(&self, way: Way, rays: u64) -> (Blocks, usize) {
+    fn sampled(&self, way: Way, rays: u64) -> Carried {
         let list = self.elements.list();
         let bright = means(list, &self.truth.radiosity);
         let area: f64 = list.iter().map(|element| element.area).sum();
@@ -163,7 +173,7 @@ impl Subject {
             transport.settle(&planned, accuracy, &Work::alone());
         }
         transport.send(&planned, &mut |_| true);
-        (transport.blocks(Rays::All), transport.exact_pairs())
+        Carried { blocks: transport.blocks(Rays::All), exact_pairs: transport.exact_pairs() }
     }
 }
 

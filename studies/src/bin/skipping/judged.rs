@@ -76,7 +76,7 @@ impl<'a> Judged<'a> {
             shades: Table::new(),
             scale: 0.0,
         };
-        judged.open = judged.assemble(Hiding::Off, [exact; 2]).blocks;
+        judged.open = judged.assemble(Hiding::Off, Accuracy { eps: exact, shadow_eps: exact }).blocks;
         let least = if all { 10.0 * exact } else { SHADED };
         judged.shades = if all { judged.differences(exact) } else { judged.sums() };
         // What differs by more than the rules may: something is hidden.
@@ -92,7 +92,7 @@ impl<'a> Judged<'a> {
 
     /// The shadows of all pairs, by what the library leaves of them.
     fn differences(&self, exact: f64) -> Table {
-        let found = self.assemble(Hiding::Auto, [exact; 2]).blocks;
+        let found = self.assemble(Hiding::Auto, Accuracy { eps: exact, shadow_eps: exact }).blocks;
         self.open.keys().map(|pair| (*pair, shade(&self.open[pair], found.get(pair)))).collect()
     }
 
@@ -104,8 +104,8 @@ impl<'a> Judged<'a> {
         self.open.keys().map(|pair| (*pair, shade(pair))).collect()
     }
 
-    /// The blocks of all pairs that are judged, as the library makes them to `eps` and `shadow_eps`.
-    pub(crate) fn blocks(&self, hiding: Hiding, accuracy: [f64; 2]) -> Found {
+    /// The blocks of all pairs that are judged, as the library makes them to this accuracy.
+    pub(crate) fn blocks(&self, hiding: Hiding, accuracy: Accuracy) -> Found {
         let mut found = self.assemble(hiding, accuracy);
         for _ in 1..if found.seconds < SHORT { REPEATS } else { 1 } {
             found.seconds = found.seconds.min(self.assemble(hiding, accuracy).seconds);
@@ -113,9 +113,8 @@ impl<'a> Judged<'a> {
         found
     }
 
-    fn assemble(&self, hiding: Hiding, [eps, shadow_eps]: [f64; 2]) -> Found {
+    fn assemble(&self, hiding: Hiding, accuracy: Accuracy) -> Found {
         let Subject { scene, elements, .. } = self.subject;
-        let accuracy = Accuracy { eps, shadow_eps };
         let visibility = Visibility::new(scene, hiding.shadows(accuracy.shadow_eps));
         let list = elements.list();
         let is_apart = |i: usize, j: usize| !list[i].bounds().overlaps(&list[j].bounds());
@@ -126,7 +125,7 @@ impl<'a> Judged<'a> {
         let seconds = start.elapsed().as_secs_f64();
         let rays = blocks.rays;
         Found {
-            blocks: blocks.iter().map(|(i, j, values)| ((i, j), values.to_vec())).collect(),
+            blocks: blocks.iter().map(|block| ((block.row, block.column), block.values.to_vec())).collect(),
             rays,
             seconds,
         }

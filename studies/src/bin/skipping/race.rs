@@ -1,6 +1,7 @@
 //! Visibility at equal error: the library's and the naive program's.
 
 use cpu_time::ProcessTime;
+use radiosity::kernel::Accuracy;
 use radiosity::solve::Options;
 use radiosity::visibility::{Hiding, Shadows, Visibility};
 
@@ -75,11 +76,11 @@ fn library(judged: &Judged) -> Option<Run> {
     let Options { eps, shadow_eps, .. } = Options::default();
     let [mostly_planar, _] = judged.subject.is_planar();
     let (eps, looser) = if judged.all { (eps, &LOOSER[..]) } else { (EPS_SOME, &LOOSER_SOME[..]) };
-    let open = judged.blocks(Hiding::Off, [eps, shadow_eps]);
+    let open = judged.blocks(Hiding::Off, Accuracy { eps, shadow_eps });
     let plain = open.seconds;
     let run = |(way, hiding): (&str, Hiding), looser: f64| {
         let asked = looser * shadow_eps;
-        let found = judged.blocks(hiding, [eps, asked]);
+        let found = judged.blocks(hiding, Accuracy { eps, shadow_eps: asked });
         let [more, noise] = [found.seconds - plain, NOISE * plain];
         told(
             judged.subject,

@@ -21,7 +21,7 @@ use radiosity_geom::DVec3;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::moments::legendre_values::polynomials;
-use crate::rules::orders::subdivided_cube::{Multilinear, Part};
+use crate::rules::orders::subdivided_cube::{Multilinear, Part, RuledPart};
 use crate::tolerances::{MOST_HALVINGS_OF_SQUARE, ROUNDING_OF_DIRECTIONS};
 
 #[derive(Clone, Copy, Debug)]
@@ -115,7 +115,7 @@ impl Subdomain {
         let (degree, eps) = (self.degree, self.eps);
         let square = Multilinear { difference: &difference, degree, eps, deepest: MOST_HALVINGS_OF_SQUARE };
         let mut samples = 0;
-        for (part, points) in square.parts()? {
+        for RuledPart { part, points } in square.parts()? {
             check_interrupt();
             self.integrate(sign, strength, &part, points, out);
             samples += (points[0] * points[1]) as u64;

@@ -31,7 +31,7 @@ use radiosity_work::interruption::check_interrupt;
 use crate::moments::Moments;
 use crate::rules::common_edge::sum::EdgeSum;
 use crate::rules::far;
-use crate::rules::orders::subdivided_cube::{Multilinear, Part};
+use crate::rules::orders::subdivided_cube::{Multilinear, Part, RuledPart};
 use crate::tolerances::{MOST_HALVINGS_OF_SQUARE, SHARE_OF_TRIANGLES};
 
 /// Two triangles, each the half s + t ≤ 1 of a parallelogram with the common edge at t = 0.
@@ -116,7 +116,7 @@ pub(crate) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [u
     let mut sum = EdgeSum::new(moments.patches(p, q));
     let rule = UnitRule::of(far::exact(degrees));
     for (subdomain, parts) in Subdomain::ALL.into_iter().zip(plans) {
-        for (part, points) in parts {
+        for RuledPart { part, points } in parts {
             add(&mut sum, &pair, subdomain, &part, points, rule);
         }
     }

@@ -58,7 +58,11 @@ impl Ball {
 }
 
 /// A polygon with its ball.
-type Shape<'a> = (&'a [DVec3], Ball);
+#[derive(Clone, Copy)]
+pub(super) struct Shape<'a> {
+    pub corners: &'a [DVec3],
+    pub ball: Ball,
+}
 
 /// Points per edge of either polygon, and k.
 #[derive(Clone, Copy, Debug)]
@@ -89,29 +93,29 @@ impl Plan {
         }
     }
 
-    fn sum<const TERMS: usize>(&self, (p, ball_p): Shape, (q, ball_q): Shape) -> (f64, u64) {
-        let between = ball_p.center - ball_q.center;
+    fn sum<const TERMS: usize>(&self, p: Shape, q: Shape) -> (f64, u64) {
+        let between = p.ball.center - q.ball.center;
         let scale = between.length().recip();
-        let side_p = Side { center: ball_p.center, scale, towards: between * scale };
-        let side_q = Side { center: ball_q.center, scale, towards: -between * scale };
+        let side_p = Side { center: p.ball.center, scale, towards: between * scale };
+        let side_q = Side { center: q.ball.center, scale, towards: -between * scale };
         let [rule_p, rule_q] = self.points.map(UnitRule::of);
         let chunk = rule_q.nodes.len().div_ceil(LANES);
-        let mut inner = Vec::with_capacity(chunk * q.len());
-        for edge in edges(q) {
+        let mut inner = Vec::with_capacity(chunk * q.corners.len());
+        for edge in edges(q.corners) {
             side_q.push_lanes(edge, rule_q, &mut inner);
         }
         let (mut sum, mut pairs) = (0.0, 0);
-        for (start, end) in edges(p) {
+        for [start, end] in edges(p.corners) {
             let step = end - start;
             let mut outer: Option<[Node; MOST_POINTS_OF_DISTANT]> = None;
-            for ((other, other_end), lanes) in edges(q).zip(inner.chunks_exact(chunk)) {
+            for ([other, other_end], lanes) in edges(q.corners).zip(inner.chunks_exact(chunk)) {
                 let other_step = other_end - other;
                 let cosine = step.dot(other_step);
                 let lengths2 = step.length_squared() * other_step.length_squared();
                 if cosine * cosine <= ROUNDING_OF_DIRECTIONS * ROUNDING_OF_DIRECTIONS * lengths2 {
                     continue;
                 }
-                let nodes = outer.get_or_insert_with(|| side_p.nodes((start, end), rule_p));
+                let nodes = outer.get_or_insert_with(|| side_p.nodes([start, end], rule_p));
                 let rows = nodes.iter().zip(&rule_p.weights).map(|(node, w)| w * row::<TERMS>(node, lanes));
                 sum += cosine * rows.sum::<f64>();
                 pairs += 1;
@@ -163,7 +167,7 @@ struct Lanes {
 impl Side {
     /// Start and step of an edge relative to the middle, so that its points are not rounded at the distance
     /// of the origin.
-    fn seen(&self, (start, end): (DVec3, DVec3)) -> (DVec3, DVec3) {
+    fn seen(&self, [start, end]: [DVec3; 2]) -> (DVec3, DVec3) {
         ((start - self.center) * self.scale, (end - start) * self.scale)
     }
 
@@ -174,7 +178,7 @@ impl Side {
     }
 
     /// The points of a rule on an edge.
-    fn nodes(&self, edge: (DVec3, DVec3), rule: &UnitRule) -> [Node; MOST_POINTS_OF_DISTANT] {
+    fn nodes(&self, edge: [DVec3; 2], rule: &UnitRule) -> [Node; MOST_POINTS_OF_DISTANT] {
         let (start, step) = self.seen(edge);
         let mut nodes = [Node::default(); MOST_POINTS_OF_DISTANT];
         for (node, s) in nodes.iter_mut().zip(&rule.nodes) {
@@ -184,7 +188,7 @@ impl Side {
     }
 
     /// Appends the points of a rule on an edge, in lanes for the inner loop.
-    fn push_lanes(&self, edge: (DVec3, DVec3), rule: &UnitRule, all: &mut Vec<Lanes>) {
+    fn push_lanes(&self, edge: [DVec3; 2], rule: &UnitRule, all: &mut Vec<Lanes>) {
         let (start, step) = self.seen(edge);
         for (nodes, weights) in rule.nodes.chunks(LANES).zip(rule.weights.chunks(LANES)) {
             let mut lanes = Lanes::default();

@@ -26,15 +26,15 @@ impl Segment {
 }
 
 /// Start and end of each edge of a polygon.
-pub(super) fn edges(polygon: &[DVec3]) -> impl Iterator<Item = (DVec3, DVec3)> + Clone + '_ {
+pub(super) fn edges(polygon: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + Clone + '_ {
     let last = polygon.len() - 1;
-    (0..=last).map(move |k| (polygon[k], polygon[if k == last { 0 } else { k + 1 }]))
+    (0..=last).map(move |k| [polygon[k], polygon[if k == last { 0 } else { k + 1 }]])
 }
 
 /// The edges of a polygon that have length.
 pub(super) fn segments(polygon: &[DVec3]) -> Vec<Segment> {
     edges(polygon)
-        .filter(|(start, end)| start != end)
-        .map(|(start, end)| Segment::between(start, end))
+        .filter(|[start, end]| start != end)
+        .map(|[start, end]| Segment::between(start, end))
         .collect()
 }

@@ -31,12 +31,12 @@ const SHORTEST: f64 = 1e-15;
 pub(super) fn integral(a: &Segment, b: &Segment) -> (f64, u64) {
     let (outer, inner) = if a.length <= b.length { (a, b) } else { (b, a) };
     let field = Field::new(outer, inner);
-    let spots = spots(outer, inner);
+    let singularities = singularities(outer, inner);
     let mut sum = 0.0;
     let mut terms = 0;
     let mut panels = vec![[0.0, outer.length]];
     while let Some([low, high]) = panels.pop() {
-        let (sigma, center) = sharpest(&spots, low, high);
+        let (sigma, center) = sharpest(&singularities, low, high);
         if sigma < SMALLEST_SIGMA_OF_CONTOUR && high - low > SHORTEST * outer.length {
             let cut = cut(low, high, center);
             panels.extend([[low, cut], [cut, high]]);
@@ -85,11 +85,19 @@ fn end(u: f64, w2: f64) -> f64 {
     if r2 > 0.0 { 0.5 * u * r2.ln() } else { 0.0 }
 }
 
-/// The singularities c ± iδ as (c, δ).
-fn spots(outer: &Segment, inner: &Segment) -> [(f64, f64); 3] {
+/// The singularities c ± iδ of the integrand as a function of the outer arc length.
+#[derive(Clone, Copy)]
+struct Singularity {
+    /// c.
+    foot: f64,
+    /// δ.
+    distance: f64,
+}
+
+fn singularities(outer: &Segment, inner: &Segment) -> [Singularity; 3] {
     let seen = |point: DVec3| {
         let offset = point - outer.start;
-        (offset.dot(outer.direction), offset.cross(outer.direction).length())
+        Singularity { foot: offset.dot(outer.direction), distance: offset.cross(outer.direction).length() }
     };
     let ends = [seen(inner.start), seen(inner.end)];
     let normal = outer.direction.cross(inner.direction);
@@ -97,7 +105,10 @@ fn spots(outer: &Segment, inner: &Segment) -> [(f64, f64); 3] {
     let sine2 = normal.length_squared();
     let foot = offset.cross(outer.direction).dot(normal) / sine2;
     let passing = if (0.0..=inner.length).contains(&foot) {
-        (offset.cross(inner.direction).dot(normal) / sine2, offset.dot(normal).abs() / sine2)
+        Singularity {
+            foot: offset.cross(inner.direction).dot(normal) / sine2,
+            distance: offset.dot(normal).abs() / sine2,
+        }
     } else {
         ends[0]
     };
@@ -105,15 +116,15 @@ fn spots(outer: &Segment, inner: &Segment) -> [(f64, f64); 3] {
 }
 
 /// Smallest σ on a panel, and the foot c of its singularity.
-fn sharpest(spots: &[(f64, f64)], low: f64, high: f64) -> (f64, f64) {
-    let sigma = |(center, distance): (f64, f64)| {
-        ((center - low).hypot(distance) + (center - high).hypot(distance)) / (high - low)
+fn sharpest(singularities: &[Singularity], low: f64, high: f64) -> (f64, f64) {
+    let sigma = |Singularity { foot, distance }: &Singularity| {
+        ((foot - low).hypot(*distance) + (foot - high).hypot(*distance)) / (high - low)
     };
-    let worst = |least: (f64, f64), spot: &(f64, f64)| {
-        let sigma = sigma(*spot);
-        if sigma < least.0 { (sigma, spot.0) } else { least }
+    let worst = |least: (f64, f64), singularity: &Singularity| {
+        let sigma = sigma(singularity);
+        if sigma < least.0 { (sigma, singularity.foot) } else { least }
     };
-    spots.iter().fold((f64::INFINITY, 0.0), worst)
+    singularities.iter().fold((f64::INFINITY, 0.0), worst)
 }
 
 fn points(sigma: f64) -> usize {

@@ -13,10 +13,11 @@
 //! bent lines among those that cross the plane once at most, on quarters of the patch where neither direction
 //! has only such lines, and after 5 quarterings on lines with any number of roots.
 
+use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
+use radiosity_geom::Plane;
 
-use crate::contact::planes::Plane;
 use crate::rules::horizon::line::{Lines, seen};
 use crate::tolerances::{GRID_OF_HEIGHTS, LEVEL_OF_STEPS, MOST_QUARTERINGS, MOST_SPLITS};
 
@@ -26,10 +27,10 @@ pub struct Front {
     plane: Plane,
 }
 
-/// Points with weights in area, and the evaluations that found them.
+/// Points of a rule, and the evaluations that found them.
 #[derive(Debug, Default)]
 pub struct Nodes {
-    pub nodes: Vec<(Node, f64)>,
+    pub nodes: Vec<WeightedNode>,
     /// Evaluations of heights and points besides `nodes`.
     pub evaluations: u64,
 }
@@ -40,8 +41,8 @@ impl Nodes {
         let [along, across] = points.map(UnitRule::of);
         let places = along.iter().flat_map(|s| across.iter().map(move |t| (s, t)));
         let node = |((s, ws), (t, wt))| {
-            let x: Node = patch.node(s, t);
-            (x, ws * wt * x.area)
+            let node = patch.node(s, t);
+            WeightedNode { node, weight: ws * wt * node.area }
         };
         Self { nodes: places.map(node).collect(), evaluations: 0 }
     }
@@ -54,7 +55,7 @@ impl Front {
     }
 
     pub(super) fn height(&self, x: &Node) -> f64 {
-        (x.position - self.plane.0).dot(self.plane.1)
+        self.plane.height(x.position)
     }
 
     /// Whether a part of a patch lies behind the plane.
@@ -106,8 +107,8 @@ impl Front {
     /// ∫ h dA and ∫ h² dA over the part of a patch before the plane.
     fn moments(&self, patch: &Patch, points: [usize; 2]) -> [f64; 2] {
         let nodes = self.nodes(patch, points).nodes;
-        nodes.iter().fold([0.0; 2], |[first, second], (x, weight)| {
-            let h = self.height(x);
+        nodes.iter().fold([0.0; 2], |[first, second], WeightedNode { node, weight }| {
+            let h = self.height(node);
             [first + weight * h, second + weight * h * h]
         })
     }
@@ -130,7 +131,7 @@ impl Front {
         let heights = |x: &Node| [self.height(x), 1.0, 1.0];
         let Nodes { nodes, evaluations } = out;
         *evaluations += seen(patch, lines, points, &heights, |x, factors| {
-            nodes.push((*x, factors.iter().product()));
+            nodes.push(WeightedNode { node: *x, weight: factors.iter().product() });
         });
     }
 }
@@ -221,14 +222,15 @@ mod tests {
             let quarter = quarter();
             let middle = quarter.node(0.5, 0.5).position;
             let normal = DVec3::new(middle.x.signum(), 0.0, 0.0);
-            let front = Front::of((d * normal, normal));
+            let front = Front::of(Plane { point: d * normal, normal });
             let root = (1.0 - d * d).sqrt();
             let area = 0.5 * (d.acos() - d * root);
             let moment = root.powi(3) / 3.0 - d * area;
             let parts = front.parts(&quarter, [10; 2], 1e-9);
-            let nodes: Vec<(Node, f64)> =
+            let nodes: Vec<WeightedNode> =
                 parts.iter().flat_map(|part| front.nodes(part, [10; 2]).nodes).collect();
-            let sum = |value: &dyn Fn(&Node) -> f64| nodes.iter().map(|(x, w)| w * value(x)).sum::<f64>();
+            let sum =
+                |value: &dyn Fn(&Node) -> f64| nodes.iter().map(|x| x.weight * value(&x.node)).sum::<f64>();
             let found = [sum(&|_| 1.0), sum(&|x| front.height(x))];
             assert!((found[0] / area - 1.0).abs() < 1e-7, "{d}: {} for {area}", found[0]);
             assert!((found[1] / moment - 1.0).abs() < 1e-8, "{d}: {} for {moment}", found[1]);
@@ -238,11 +240,13 @@ mod tests {
     #[test]
     fn what_is_before_the_plane_keeps_its_rule() {
         let quarter = quarter();
-        let far = Front::of((-2.0 * DVec3::X, DVec3::X));
+        let far = Front::of(Plane { point: -2.0 * DVec3::X, normal: DVec3::X });
         assert!(!far.cuts(&quarter));
         let [cut, plain] = [far.nodes(&quarter, [3; 2]), Nodes::of(&quarter, [3; 2])].map(|rule| rule.nodes);
-        assert!(cut.iter().zip(&plain).all(|((x, v), (y, w))| x.position == y.position && v == w));
-        let behind = Front::of((2.0 * DVec3::X, DVec3::X));
+        assert!(
+            cut.iter().zip(&plain).all(|(x, y)| x.node.position == y.node.position && x.weight == y.weight)
+        );
+        let behind = Front::of(Plane { point: 2.0 * DVec3::X, normal: DVec3::X });
         assert!(behind.cuts(&quarter) && behind.nodes(&quarter, [3; 2]).nodes.is_empty());
     }
 }

@@ -14,9 +14,8 @@ use crate::contact::flat::gap;
 use crate::rules::far;
 use crate::rules::far::SMALLEST_RATIO;
 use crate::rules::near::emitter::Emitter;
-use crate::rules::near::line::{LineRule, Request};
+use crate::rules::near::line::{LineRule, Request, StretchedRule};
 use crate::rules::near::polar::{Edge, Polar, edges, fraction};
-use crate::rules::near::stretch::Stretch;
 use crate::tolerances::MOST_CUTS_OF_CELL;
 
 /// Distance, relative to the pair's size, below which nothing is resolved: 500 rounding errors; for touching
@@ -44,10 +43,18 @@ pub(super) struct Leaf {
     pub rule: Rule,
 }
 
+/// A rule for a cell with its cost.
+#[derive(Clone, Copy, Debug)]
+struct PricedRule {
+    rule: Rule,
+    /// In samples of a tensor rule.
+    cost: f64,
+}
+
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rule {
-    /// Points along and across, each with a polar integral over the emitter.
-    Polar([(Stretch, usize); 2]),
+    /// Rules along and across, each point with a polar integral over the emitter.
+    Polar([StretchedRule; 2]),
     /// Far enough apart: a tensor rule, points of the cell, then of the emitter.
     Tensor([usize; 4]),
 }
@@ -116,33 +123,33 @@ impl<'a> Planner<'a> {
         };
         let rules = emitter.places(cell, self.floor, self.eps).map(|roots| LineRule::of(&roots, &request));
         let worst = usize::from(rules[1].gain() > rules[0].gain());
-        if let Some((place, _)) = rules[worst].cut
+        if let Some(at) = rules[worst].cut
             && depth < MOST_CUTS_OF_CELL
         {
-            cut(cell, worst, place).iter().for_each(|part| self.cell(part, emitter, depth + 1));
+            cut(cell, worst, at.place).iter().for_each(|part| self.cell(part, emitter, depth + 1));
             return;
         }
-        let polar = self.polar(cell, emitter, rules.map(|rule| (rule.stretch, rule.points)));
+        let polar = self.polar(cell, emitter, rules.map(|line| line.rule));
         match tensor {
-            Some(tensor) if tensor.0 < polar.0 => self.leaf(cell, emitter, tensor),
+            Some(tensor) if tensor.cost < polar.cost => self.leaf(cell, emitter, tensor),
             _ => self.leaf(cell, emitter, polar),
         }
     }
 
-    fn leaf(&mut self, cell: &Patch, emitter: &Emitter, (cost, rule): (f64, Rule)) {
-        self.cost += cost;
-        self.leaves.push(Leaf { cell: cell.clone(), emitter: emitter.patch.clone(), rule });
+    fn leaf(&mut self, cell: &Patch, emitter: &Emitter, priced: PricedRule) {
+        self.cost += priced.cost;
+        self.leaves.push(Leaf { cell: cell.clone(), emitter: emitter.patch.clone(), rule: priced.rule });
     }
 
-    fn polar(&self, cell: &Patch, emitter: &Emitter, points: [(Stretch, usize); 2]) -> (f64, Rule) {
+    fn polar(&self, cell: &Patch, emitter: &Emitter, rules: [StretchedRule; 2]) -> PricedRule {
         let places = [(0.1, 0.1), (0.9, 0.1), (0.9, 0.9), (0.1, 0.9), (0.5, 0.5)];
         let inner: usize =
             places.iter().map(|(s, t)| emitter.polar.count(&cell.node(*s, *t), self.eps)).sum();
-        let count = (points[0].1 * points[1].1 * inner) as f64 / places.len() as f64;
-        (POLAR_COST * count, Rule::Polar(points))
+        let count = (rules[0].points * rules[1].points * inner) as f64 / places.len() as f64;
+        PricedRule { rule: Rule::Polar(rules), cost: POLAR_COST * count }
     }
 
-    fn tensor(&self, cell: &Patch, emitter: &Emitter) -> Option<(f64, Rule)> {
+    fn tensor(&self, cell: &Patch, emitter: &Emitter) -> Option<PricedRule> {
         let longest = [cell.extents(), emitter.patch.extents()].concat().into_iter().fold(0.0, f64::max);
         let gap = gap(cell, &emitter.patch);
         if gap < SMALLEST_RATIO * longest {
@@ -150,7 +157,8 @@ impl<'a> Planner<'a> {
         }
         let degrees = [self.outer.order(), self.inner.order()];
         let counts = far::counts(cell, &emitter.patch, degrees, gap, self.eps);
-        Some((counts.iter().map(|n| *n as f64).product(), Rule::Tensor(counts)))
+        let cost = counts.iter().map(|n| *n as f64).product();
+        Some(PricedRule { rule: Rule::Tensor(counts), cost })
     }
 }
 

@@ -55,10 +55,18 @@ pub(super) fn edges(patch: &Patch) -> Vec<Edge> {
         .collect()
 }
 
+/// An edge of a flat emitter.
+#[derive(Clone, Copy, Debug)]
+struct BorderEdge {
+    edge: Edge,
+    /// Unit vector in the plane of the emitter, normal to the edge, out of the emitter.
+    outward: DVec3,
+}
+
 /// The polar rule over one flat emitter.
 #[derive(Debug)]
 pub(super) struct Polar<'a> {
-    edges: Vec<(Edge, DVec3)>,
+    edges: Vec<BorderEdge>,
     normal: DVec3,
     basis: &'a AreaBasis,
     /// Largest extent of the emitter relative to the element's frame.
@@ -78,7 +86,8 @@ impl<'a> Polar<'a> {
             let side = edge.along.cross(normal);
             if side.dot(edge.start - middle) < 0.0 { -side } else { side }
         };
-        let edges: Vec<_> = edges(emitter).into_iter().map(|edge| (edge, outward(&edge))).collect();
+        let border = |edge: Edge| BorderEdge { edge, outward: outward(&edge) };
+        let edges = edges(emitter).into_iter().map(border).collect();
         Self {
             fraction: fraction(emitter, basis),
             edges,
@@ -93,11 +102,10 @@ impl<'a> Polar<'a> {
     /// I_l(x) for all l, to about `eps` relative to the largest irradiance, and the number of samples.
     pub(super) fn column(&mut self, x: &Node, eps: f64) -> (&[f64], u64) {
         self.samples.clear();
-        let height = (x.position - self.edges[0].0.start).dot(self.normal);
+        let height = (x.position - self.edges[0].edge.start).dot(self.normal);
         if height > 0.0 {
             for k in 0..self.edges.len() {
-                let (edge, outward) = self.edges[k];
-                let ray = Rays::new(x, height, self.normal, &edge, outward);
+                let ray = Rays::new(x, height, self.normal, &self.edges[k]);
                 for (piece, n) in ray.pieces(self.fraction, self.basis.order() + 1, eps) {
                     self.edge(&ray, &piece, n);
                 }
@@ -110,9 +118,9 @@ impl<'a> Polar<'a> {
 
     /// The number of samples that [`Polar::column`] takes.
     pub(super) fn count(&self, x: &Node, eps: f64) -> usize {
-        let height = (x.position - self.edges[0].0.start).dot(self.normal);
-        let points = |(edge, outward): &(Edge, DVec3)| {
-            let ray = Rays::new(x, height, self.normal, edge, *outward);
+        let height = (x.position - self.edges[0].edge.start).dot(self.normal);
+        let points = |edge: &BorderEdge| {
+            let ray = Rays::new(x, height, self.normal, edge);
             ray.pieces(self.fraction, self.basis.order() + 1, eps).map(|(_, n)| n).sum::<usize>()
         };
         self.edges.iter().map(points).sum::<usize>() * self.radial.len()
@@ -121,8 +129,8 @@ impl<'a> Polar<'a> {
     /// Where the line `start` + s `step` meets the plane inside the polygon, h = 0 and I_l has a term of
     /// order h² ln h; None if that stays below `eps` for all s ∈ [0, 1].
     pub(super) fn crossing(&self, start: DVec3, step: DVec3, eps: f64) -> Option<Complex64> {
-        let (height, slope) = ((start - self.edges[0].0.start).dot(self.normal), step.dot(self.normal));
-        let size = self.edges.iter().map(|(edge, _)| edge.length).fold(0.0, f64::max);
+        let (height, slope) = ((start - self.edges[0].edge.start).dot(self.normal), step.dot(self.normal));
+        let size = self.edges.iter().map(|border| border.edge.length).fold(0.0, f64::max);
         let most = height.abs().max((height + slope).abs()) / size;
         // A parallel line does not meet the plane; a term below a tenth of the error allowed counts as none.
         if slope.abs() < 1e-14 * step.length() || most * most < 0.1 * eps {
@@ -130,14 +138,14 @@ impl<'a> Polar<'a> {
         }
         let place = -height / slope;
         let foot = start + step * place;
-        let inside = self.edges.iter().all(|(edge, outward)| (foot - edge.start).dot(*outward) <= 0.0);
+        let inside = self.edges.iter().all(|border| (foot - border.edge.start).dot(border.outward) <= 0.0);
         inside.then_some(Complex64::from(place))
     }
 
     /// Irradiance at x from the emitter with radiosity 1, by Lambert's formula (1760): E = 1/(2π) |Σ_edges θ
     /// n_x·(a × b)/|a × b||, a and b the vectors from x to an edge's ends and θ the angle between them.
     pub(super) fn irradiance(&self, x: &Node) -> f64 {
-        let edge = |(edge, outward): &(Edge, DVec3)| {
+        let edge = |BorderEdge { edge, outward }: &BorderEdge| {
             let (a, moment) = (edge.start - x.position, edge.along * edge.length);
             let (cross, turn) = (a.cross(moment), edge.along.cross(self.normal).dot(*outward));
             let angle = cross.length().atan2(a.dot(a + moment));
@@ -198,7 +206,8 @@ struct Piece {
 }
 
 impl Rays {
-    fn new(x: &Node, height: f64, normal: DVec3, edge: &Edge, outward: DVec3) -> Self {
+    fn new(x: &Node, height: f64, normal: DVec3, border: &BorderEdge) -> Self {
+        let BorderEdge { edge, outward } = *border;
         let to_start = edge.start - x.position;
         let start = to_start.dot(edge.along);
         Self {

@@ -92,20 +92,16 @@ pub fn vertex(p: &Patch, q: &Patch, most: usize, eps: f64) -> Trial<2> {
 }
 
 impl<const N: usize> Trial<N> {
-    fn of(each: [(usize, f64); N]) -> Self {
-        Self { points: each.map(|(points, _)| points), missed: each.map(|(_, missed)| missed).iter().sum() }
+    fn of(each: [Trial<1>; N]) -> Self {
+        Self {
+            points: each.map(|trial| trial.points[0]),
+            missed: each.map(|trial| trial.missed).iter().sum(),
+        }
     }
 }
 
-/// The least n ≥ `first` whose sums S_r(n) agree with S_r(n + 2), and 0; `most` if none does, and what they
-/// differ by, relative.
-fn least(
-    first: usize,
-    most: usize,
-    eps: f64,
-    parts: usize,
-    sum: impl Fn(usize, usize) -> f64,
-) -> (usize, f64) {
+/// The least n ≥ `first` whose sums S_r(n) agree with S_r(n + 2); `most` if none does.
+fn least(first: usize, most: usize, eps: f64, parts: usize, sum: impl Fn(usize, usize) -> f64) -> Trial<1> {
     let sums = |n: usize| (0..parts).map(|part| sum(part, n)).collect::<Vec<f64>>();
     let mut coarse = sums(first);
     let (mut n, mut missed) = (first, f64::INFINITY);
@@ -115,9 +111,9 @@ fn least(
         let difference: f64 = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).sum();
         let all: f64 = fine.iter().map(|x| x.abs()).sum();
         if difference <= (SHARE_OF_TRIAL * eps).max(ROUNDING_OF_SUMS) * all {
-            return (n, 0.0);
+            return Trial { points: [n], missed: 0.0 };
         }
         (n, coarse, missed) = (n + 2, fine, difference / all);
     }
-    (most, missed)
+    Trial { points: [most], missed }
 }

@@ -23,9 +23,6 @@ const CORNERS: usize = 8;
 /// Lines, given by their ends.
 type Lines = SmallVec<[[DVec3; 2]; CORNERS / 2]>;
 
-/// Parts, each with its numbers of points along all variables.
-pub(crate) type Parts<const D: usize> = Vec<(Part<D>, [usize; D])>;
-
 /// A part of [0, 1]^D.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part<const D: usize> {
@@ -33,6 +30,13 @@ pub(crate) struct Part<const D: usize> {
     pub low: [f64; D],
     /// The lengths of its sides.
     pub size: [f64; D],
+}
+
+/// A part with the numbers of points of its tensor rule, along each variable.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RuledPart<const D: usize> {
+    pub part: Part<D>,
+    pub points: [usize; D],
 }
 
 impl<const D: usize> Part<D> {
@@ -67,33 +71,33 @@ impl<const D: usize> Multilinear<'_, D> {
     /// The parts with their numbers of points.
     ///
     /// None where a part needs more points than any rule has: r is zero, or nearly zero, somewhere.
-    pub(crate) fn parts(&self) -> Option<Parts<D>> {
+    pub(crate) fn parts(&self) -> Option<Vec<RuledPart<D>>> {
         let mut parts = Vec::new();
-        self.plan(Part::WHOLE, self.points(&Part::WHOLE), 0, &mut parts);
-        parts.iter().all(|(_, points)| points.iter().all(|n| *n <= MOST_POINTS)).then_some(parts)
+        self.plan(self.ruled(Part::WHOLE), 0, &mut parts);
+        parts.iter().all(|ruled| ruled.points.iter().all(|n| *n <= MOST_POINTS)).then_some(parts)
     }
 
-    fn plan(&self, part: Part<D>, points: [usize; D], depth: u32, parts: &mut Parts<D>) {
+    fn plan(&self, whole: RuledPart<D>, depth: u32, parts: &mut Vec<RuledPart<D>>) {
         check_interrupt();
+        let RuledPart { part, points } = whole;
         let cost = |points: &[usize; D]| points.iter().product::<usize>();
         if depth < self.deepest && parts.len() < MOST_PARTS {
             let direction = (0..D).fold(0, |most, k| if points[k] > points[most] { k } else { most });
-            let halves = part.halves(direction).map(|half| (half, self.points(&half)));
+            let halves = part.halves(direction).map(|half| self.ruled(half));
             let too_many = points.iter().any(|n| *n > MOST_POINTS);
-            if too_many || halves.iter().map(|(_, points)| cost(points)).sum::<usize>() < cost(&points) {
-                return halves
-                    .into_iter()
-                    .for_each(|(half, points)| self.plan(half, points, depth + 1, parts));
+            if too_many || halves.iter().map(|half| cost(&half.points)).sum::<usize>() < cost(&points) {
+                return halves.into_iter().for_each(|half| self.plan(half, depth + 1, parts));
             }
         }
-        parts.push((part, points));
+        parts.push(whole);
     }
 
-    fn points(&self, part: &Part<D>) -> [usize; D] {
-        let corners = self.corners(part);
-        std::array::from_fn(|direction| {
+    fn ruled(&self, part: Part<D>) -> RuledPart<D> {
+        let corners = self.corners(&part);
+        let points = std::array::from_fn(|direction| {
             analyticity::points(self.degree, self.eps, Self::rate(&corners, direction))
-        })
+        });
+        RuledPart { part, points }
     }
 
     /// r at the corners of a part; bit k of a corner's index is its coordinate k.

@@ -97,7 +97,7 @@ impl FirstView<'_> {
         let irradiance = self.lightmap.irradiance(surface, band, parameters);
         match self.shown {
             Quantity::Radiosity => {
-                self.lightmap.radiosity(&self.solved.scene, (surface, band), parameters, irradiance)
+                self.lightmap.radiosity(&self.solved.scene, surface, band, parameters, irradiance)
             }
             Quantity::Irradiance => irradiance,
         }

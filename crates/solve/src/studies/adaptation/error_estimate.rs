@@ -194,7 +194,8 @@ pub(super) fn error_estimate(
     outcome: &Outcome,
     visibility: &Visibility,
     sensors: &[Sensor],
-    (goal, expected): (&Goal, f64),
+    goal: &Goal,
+    expected: f64,
     work: &Work<'_>,
 ) -> ErrorEstimate {
     let solution = &outcome.solution;
@@ -272,16 +273,18 @@ impl<'a> MissedLight<'a> {
             for walk in walks.clone() {
                 let direction = shifted(kronecker::point(walk), &offset);
                 let chance = number_of([f64::from_bits(number), walk as f64]);
-                self.walk_once(found.sensor, (&mut light, half as usize), direction, chance);
+                self.walk_once(found.sensor, &mut light, half as usize, direction, chance);
             }
         }
         light
     }
 
+    /// Adds what one walk of this half finds.
     fn walk_once(
         &self,
         sensor: &Sensor,
-        (light, half): (&mut SensorLight, usize),
+        light: &mut SensorLight,
+        half: usize,
         direction: [f64; 2],
         chance: u64,
     ) {
@@ -304,7 +307,7 @@ impl<'a> MissedLight<'a> {
     fn missed(&self, end: &WalkEnd) -> Vec<f64> {
         let WalkEnd { lit: SendingSide { element, ref place, ref there, .. }, distance, chance, .. } = *end;
         let gather = match &self.ends {
-            EndGather::Rays(gather) => return gather.missed((element, place), there, distance, chance),
+            EndGather::Rays(gather) => return gather.missed(element, place, there, distance, chance),
             EndGather::Cells(ends) => ends,
         };
         let mut held = vec![0.0; self.solution.bands().len()];

@@ -56,12 +56,13 @@ pub(super) fn estimate(
     scene: &Scene,
     outcome: &Outcome,
     options: &Options,
-    (goal, expected): (&Goal, f64),
+    goal: &Goal,
+    expected: f64,
     work: &Work<'_>,
 ) -> Result<ErrorEstimate, Failure> {
     let visibility = Visibility::new(scene, options.into());
     let solution = &outcome.solution;
-    let at = |sensors: &[Sensor]| error_estimate(outcome, &visibility, sensors, (goal, expected), work);
+    let at = |sensors: &[Sensor]| error_estimate(outcome, &visibility, sensors, goal, expected, work);
     match goal.of {
         Aim::Gathered => return options.in_threads(work.ranks, || at(&Sensor::of_surfaces(solution))),
         Aim::Points | Aim::Seen => {

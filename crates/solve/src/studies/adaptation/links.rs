@@ -33,7 +33,7 @@ pub(super) fn by_links(
     let mut begun = Instant::now();
     let mut outcome = solve(scene, &chosen, work)?;
     loop {
-        let error = estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), work)?.error;
+        let error = estimated(scene, &mut outcome, &chosen, goal, goal.accuracy, work)?.error;
         let weaker = Options { eps: WEAKER * chosen.eps, ..chosen };
         let end = match () {
             () if error <= goal.accuracy => Some(EndReason::Reached),

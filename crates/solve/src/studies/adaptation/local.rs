@@ -70,7 +70,7 @@ pub(super) fn locally(
     let mut error;
     let (mut least, mut vain) = (f64::INFINITY, 0);
     let end = loop {
-        let estimate = estimated(scene, &mut outcome, &chosen, (goal, expected), work)?;
+        let estimate = estimated(scene, &mut outcome, &chosen, goal, expected, work)?;
         error = estimate.error;
         if error <= goal.accuracy && expected > goal.accuracy {
             // Light gathered for a larger error may hide as much as is wanted.

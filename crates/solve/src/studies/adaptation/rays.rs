@@ -37,7 +37,7 @@ pub(super) fn by_rays(
         let error = match goal.of {
             Aim::Solution => of_rays,
             Aim::Gathered | Aim::Points | Aim::Seen if outcome.converged => {
-                Some(estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), work)?.error)
+                Some(estimated(scene, &mut outcome, &chosen, goal, goal.accuracy, work)?.error)
             }
             Aim::Gathered | Aim::Points | Aim::Seen => None,
         };

@@ -22,11 +22,12 @@ pub(super) fn estimated(
     scene: &Scene,
     outcome: &mut Outcome,
     options: &Options,
-    (goal, expected): (&Goal, f64),
+    goal: &Goal,
+    expected: f64,
     work: &Work<'_>,
 ) -> Result<ErrorEstimate, Failure> {
     let mut taken = Duration::ZERO;
-    let estimate = timed(&mut taken, || estimate(scene, outcome, options, (goal, expected), work))?;
+    let estimate = timed(&mut taken, || estimate(scene, outcome, options, goal, expected, work))?;
     outcome.seconds.estimate = taken;
     work.report(Progress::Finished { stage: Stage::Estimate, took: taken });
     Ok(estimate)

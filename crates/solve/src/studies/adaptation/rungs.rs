@@ -77,7 +77,7 @@ pub(super) fn by_rungs(
     }
     let mut error;
     let end = loop {
-        error = estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), work)?.error;
+        error = estimated(scene, &mut outcome, &chosen, goal, goal.accuracy, work)?.error;
         if error <= goal.accuracy {
             break EndReason::Reached;
         }

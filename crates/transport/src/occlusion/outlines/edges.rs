@@ -35,21 +35,33 @@ const COARSE: f64 = 2.0;
 /// The edges of the blockers of a pair.
 #[derive(Debug)]
 pub(super) struct Edges {
-    /// The edges of each blocker.
-    edges: Vec<(usize, Vec<BlockerEdge>)>,
+    blockers: Vec<EdgesOfBlocker>,
     /// Points whose convex hull holds the inner element.
     inner: Vec<DVec3>,
     /// Mean of the corners of the inner element's parts.
     middle: DVec3,
 }
 
+/// The edges of one blocker.
+#[derive(Debug)]
+struct EdgesOfBlocker {
+    /// Index of the blocker.
+    blocker: usize,
+    edges: Vec<BlockerEdge>,
+}
+
 impl Edges {
     /// The edges of `blockers`, one for each body, around a flat inner element whose parts have these
     /// `corners`, in a plane with this `normal`.
     pub(super) fn new(blockers: &[usize], visibility: &Visibility, corners: &[DVec3], normal: DVec3) -> Self {
-        let edges = blockers.iter().map(|blocker| (*blocker, visibility.blocker_edges(*blocker))).collect();
+        let edges =
+            |blocker: &usize| EdgesOfBlocker { blocker: *blocker, edges: visibility.blocker_edges(*blocker) };
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
-        Self { edges, inner: extreme_points(corners, normal), middle }
+        Self {
+            blockers: blockers.iter().map(edges).collect(),
+            inner: extreme_points(corners, normal),
+            middle,
+        }
     }
 
     /// Points whose convex hull holds the inner element.
@@ -83,8 +95,8 @@ impl Edges {
             |edge: &BlockerEdge| segment_distance(&corners, edge.ends) * points * points < NEAR * extent;
         let reaches_between =
             |edge: &BlockerEdge| !separated(&hull, &self.inner, &edge.ends, COINCIDENT * extent);
-        let near = self.edges.iter().filter(|(blocker, _)| blockers.contains(blocker));
-        near.flat_map(|(_, edges)| edges).any(|edge| {
+        let near = self.blockers.iter().filter(|own| blockers.contains(&own.blocker));
+        near.flat_map(|own| &own.edges).any(|edge| {
             edge.may_part(&hull, &self.inner) && (is_near(edge) || is_narrow(edge)) && reaches_between(edge)
         })
     }

@@ -6,7 +6,7 @@
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
-use radiosity_geom::{DVec3, clip_polygon, touching};
+use radiosity_geom::{DVec3, Plane, clip_polygon, touching};
 use radiosity_kernel::contact::clip::Facet;
 use radiosity_kernel::contact::flat::{polygon_distance, segment_distance};
 use radiosity_kernel::contact::sectors::sectors;
@@ -71,7 +71,7 @@ impl Sides {
 
 /// The patches of a flat element as facets.
 fn facets(element: &Element) -> Vec<Facet> {
-    let normal = element.plane.map_or(DVec3::ZERO, |(_, normal)| normal);
+    let normal = element.plane.map_or(DVec3::ZERO, |plane| plane.normal);
     element.patches.iter().map(|patch| Facet { corners: patch.polygon(), normal }).collect()
 }
 
@@ -80,8 +80,8 @@ fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
     let distance = pair[0].bounds().union(pair[1].bounds()).diagonal();
     let tolerance = touching(pair[0].extent.min(pair[1].extent), distance);
     [[pair[0], pair[1]], [pair[1], pair[0]]].map(|[own, other]| {
-        let Some((point, up)) = other.plane else { return Vec::new() };
-        let plane = Facet { corners: vec![point], normal: up };
+        let Some(Plane { point, normal }) = other.plane else { return Vec::new() };
+        let plane = Facet { corners: vec![point], normal };
         facets(own).iter().filter_map(|facet| facet.in_front_of(&plane, tolerance)).collect()
     })
 }

@@ -1,5 +1,6 @@
 //! Parts that no rule covers: the best-suited rule with two numbers of points, whose difference is the error.
 
+use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::{Node, Patch};
 use radiosity_kernel::contact::curved::CurvedContact;
 use radiosity_kernel::estimates::coarse::scale;
@@ -134,15 +135,15 @@ fn before_planes(
     sees: Option<Sees>,
 ) {
     let basis = moments.bases()[1];
-    let row = |(y, weight): (Node, f64)| {
+    let row = |WeightedNode { node, weight }| {
         let mut row = vec![0.0; basis.len()];
-        basis.raw(basis.frame().coordinates(&y), &mut row);
+        basis.raw(basis.frame().coordinates(&node), &mut row);
         row.iter_mut().for_each(|value| *value *= weight);
-        (y, row)
+        (node, row)
     };
     let emitters: Vec<(Node, Vec<f64>)> = second.nodes(q, [n + 1; 2]).nodes.into_iter().map(row).collect();
     let mut column = vec![0.0; basis.len()];
-    for (x, weight) in first.nodes(p, [n; 2]).nodes {
+    for WeightedNode { node: x, weight } in first.nodes(p, [n; 2]).nodes {
         column.fill(0.0);
         for (y, row) in &emitters {
             let value = visible_kernel(&x, y, sees, &mut moments.rays);

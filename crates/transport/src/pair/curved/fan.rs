@@ -13,7 +13,7 @@ use radiosity_kernel::contact::flat::gap;
 use radiosity_kernel::contact::orientation::{Facing, facing};
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon;
-use radiosity_kernel::rules::horizon::Side;
+use radiosity_kernel::rules::horizon::{InnerPatch, Side};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::pair::curved::constant::constant;
@@ -23,6 +23,14 @@ use crate::pair::curved::points::quartered;
 /// Share of the block's error for the horizons of one outer part: three spend all of it. With a larger value
 /// blocks of many outer parts may miss their accuracy, with a smaller one each takes more samples.
 const HORIZON_SHARE: f64 = 0.3;
+
+/// A part of the inner element of a fan.
+pub(super) struct InnerPart {
+    pub part: Patch,
+    /// Its distance from the outer part (scene length); where the kernel is constant, at least a quarter of
+    /// the extent of that.
+    pub gap: f64,
+}
 
 impl Job<'_> {
     /// Sorts the inner parts of a fan. Touching and negligible parts become pairs; parts all wholly visible
@@ -36,7 +44,7 @@ impl Job<'_> {
             check_interrupt();
             self.budget.looks += 1;
             if self.budget.overdrawn(&self.moments) {
-                let seen = clipped.into_iter().chain(whole).map(|(part, _): (Patch, f64)| part);
+                let seen = clipped.into_iter().chain(whole).map(|seen: InnerPart| seen.part);
                 let rest = near.into_iter().chain(seen).chain(open).chain([part]).collect();
                 return self.tasks.push_front(Task::Fan(outer.clone(), rest));
             }
@@ -53,7 +61,7 @@ impl Job<'_> {
             self.partly_hidden |= !blockers.is_empty();
             if !blockers.is_empty() && constant(p, q).is_some() {
                 // The kernel is constant: no contact makes it singular.
-                clipped.push((part, gap.max(SMALLEST_RATIO * reach)));
+                clipped.push(InnerPart { part, gap: gap.max(SMALLEST_RATIO * reach) });
                 continue;
             }
             if touching || self.budget.neglects(share) {
@@ -79,13 +87,13 @@ impl Job<'_> {
                     open.extend(part.halves(part.longest().0));
                 }
             } else if facing == Facing::Wholly && blockers.is_empty() {
-                whole.push((part, gap));
+                whole.push(InnerPart { part, gap });
             } else {
-                clipped.push((part, gap));
+                clipped.push(InnerPart { part, gap });
             }
         }
         if near.is_empty() && clipped.is_empty() {
-            return whole.iter().for_each(|(part, gap)| self.apart(outer, part, *gap));
+            return whole.iter().for_each(|seen| self.apart(outer, seen));
         }
         self.cut_or_halve(outer, near, clipped, whole);
     }
@@ -96,8 +104,8 @@ impl Job<'_> {
         &mut self,
         outer: &Patch,
         mut near: Vec<Patch>,
-        mut clipped: Vec<(Patch, f64)>,
-        whole: Vec<(Patch, f64)>,
+        mut clipped: Vec<InnerPart>,
+        whole: Vec<InnerPart>,
     ) {
         // Beside parts cut by horizons, wholly visible ones are treated the same way: the sum of all is
         // smoother than any of them.
@@ -105,23 +113,24 @@ impl Job<'_> {
         if near.is_empty() {
             return self.horizon(outer, &clipped);
         }
-        near.extend(clipped.into_iter().map(|(part, _)| part));
+        near.extend(clipped.into_iter().map(|clipped| clipped.part));
         let halves = outer.halves(outer.longest().0);
         self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
     }
 
     /// An inner part that the outer part sees wholly, by a tensor rule.
-    fn apart(&mut self, outer: &Patch, inner: &Patch, gap: f64) {
-        let points = self.points(outer, inner).apart(outer, inner, gap);
-        self.moments.tensor(outer, inner, points, None);
+    fn apart(&mut self, outer: &Patch, inner: &InnerPart) {
+        let InnerPart { part, gap } = inner;
+        let points = self.points(outer, part).apart(outer, part, *gap);
+        self.moments.tensor(outer, part, points, None);
     }
 
     /// Inner parts apart from an outer part, cut at their horizons together: where a horizon passes from one
     /// to the next, their sum stays smooth.
-    pub(super) fn horizon(&mut self, outer: &Patch, inner: &[(Patch, f64)]) {
+    pub(super) fn horizon(&mut self, outer: &Patch, inner: &[InnerPart]) {
         let mut points = [1; 2];
         let mut sides = Vec::new();
-        for (part, gap) in inner {
+        for InnerPart { part, gap } in inner {
             let counts = self.points(outer, part).apart(outer, part, *gap);
             for (most, count) in points.iter_mut().zip(&counts) {
                 *most = *count.max(most);
@@ -132,15 +141,15 @@ impl Job<'_> {
                 Some([_, front]) if front.cuts(part) => front.parts(part, [most[0], most[1]], eps),
                 _ => vec![part.clone()],
             };
-            for piece in pieces {
-                let points = quartered(&piece, self.degrees[1], *gap, eps);
-                sides.push((piece, points));
-            }
+            sides.extend(pieces.into_iter().map(|patch| {
+                let points = quartered(&patch, self.degrees[1], *gap, eps);
+                InnerPatch { patch, points }
+            }));
         }
         if sides.is_empty() {
             return;
         }
-        let ball = self.ball.map(|(_, ball)| ball);
+        let ball = self.ball.map(|between| between.ball);
         let outer = Side { patch: outer, basis: &self.elements[0].basis, points, ball };
         let may_err = self.budget.may_err();
         let budget = self.budget.left_for_horizons();

@@ -13,12 +13,13 @@ use radiosity_kernel::estimates::entry_norm::EntryNorm;
 use radiosity_kernel::moments::Moments;
 use radiosity_kernel::rules::common_edge::EdgePair;
 use radiosity_kernel::rules::horizon::{Ball, Front};
-use radiosity_kernel::{Accuracy, PairKind, blocks::block::Block};
+use radiosity_kernel::{PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 
 use crate::pair::curved::budget::Budget;
 use crate::pair::curved::points::Points;
 use crate::pair::curved::size::area;
+use crate::pair::tolerance::Tolerance;
 use crate::tolerances::ABOVE_ESTIMATE;
 
 /// Largest share, relative to the block's scale, of parts that are attempted before they are halved or cut at
@@ -50,6 +51,13 @@ pub(super) struct State {
     pub blockers: Vec<usize>,
 }
 
+/// A ball that stands between two elements.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BallBlocker {
+    pub surface: usize,
+    pub ball: Ball,
+}
+
 pub(super) struct Job<'a> {
     pub visibility: &'a Visibility,
     pub budget: Budget,
@@ -58,8 +66,8 @@ pub(super) struct Job<'a> {
     pub size: f64,
     /// The fronts of both planes, the one that cuts the first element first, if both elements are planar.
     pub fronts: Option<[Front; 2]>,
-    /// The ball that stands between in fans, with its surface.
-    pub ball: Option<(usize, Ball)>,
+    /// The ball that stands between in fans.
+    pub ball: Option<BallBlocker>,
     pub moments: Moments<'a>,
     pub norm: EntryNorm,
     pub tasks: VecDeque<Task>,
@@ -74,8 +82,9 @@ impl<'a> Job<'a> {
         receiver: &'a Element,
         emitter: &'a Element,
         visibility: &'a Visibility,
-        (accuracy, shadow_error): (Accuracy, f64),
+        tolerance: Tolerance,
     ) -> Self {
+        let Tolerance { accuracy, shadow_error, .. } = tolerance;
         let unit = (receiver.area * emitter.area).sqrt();
         Self {
             visibility,
@@ -125,7 +134,7 @@ impl<'a> Job<'a> {
     }
 
     /// The only blocker, if it is a ball and both elements lie outside it.
-    pub(super) fn ball_between(&self, blockers: &[usize]) -> Option<(usize, Ball)> {
+    pub(super) fn ball_between(&self, blockers: &[usize]) -> Option<BallBlocker> {
         let (center, radius) = self.visibility.only_ball(blockers)?;
         let outside = |patch: &Patch| {
             let corners = patch.corners();
@@ -134,13 +143,13 @@ impl<'a> Job<'a> {
             points.into_iter().all(|x| x.distance(center) >= radius * (1.0 - COINCIDENT))
         };
         let all = self.elements.iter().flat_map(|element| sectors(element)).all(|patch| outside(&patch));
-        all.then_some((blockers[0], Ball { center, radius }))
+        all.then_some(BallBlocker { surface: blockers[0], ball: Ball { center, radius } })
     }
 
     /// The ball of fans, if it may stand between these two patches.
     pub(super) fn between(&self, p: &Patch, q: &Patch) -> Vec<usize> {
         let between = |surface: &usize| self.visibility.reaches(*surface, &p.hull(), &q.hull());
-        self.ball.map(|(surface, _)| surface).filter(between).into_iter().collect()
+        self.ball.map(|ball| ball.surface).filter(between).into_iter().collect()
     }
 
     /// The data for the numbers of points of a pair of parts.

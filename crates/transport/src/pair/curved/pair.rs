@@ -14,6 +14,7 @@ use radiosity_kernel::rules::orders::by_trial::Trial;
 use radiosity_kernel::rules::{common_edge, common_vertex};
 
 use crate::pair::curved::constant::constant;
+use crate::pair::curved::fan::InnerPart;
 use crate::pair::curved::job::{Job, SMALL_PART, State};
 use crate::tolerances::MISSED_BY_TRIALS;
 
@@ -82,7 +83,7 @@ impl Job<'_> {
             if self.budget.horizons_spent() && self.attempt(p, q, Some(contact), state) {
                 return;
             }
-            return self.horizon(p, &[(q.clone(), gap)]);
+            return self.horizon(p, &[InnerPart { part: q.clone(), gap }]);
         }
         self.kind = self.kind.max(if gap > 0.0 { PairKind::Split } else { PairKind::Contact });
         if !self.attempt(p, q, Some(contact), state) {

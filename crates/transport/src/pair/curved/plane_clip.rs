@@ -10,8 +10,8 @@
 //! line once keeps all rules away from it.
 
 use radiosity_elements::patch::Patch;
+use radiosity_geom::Plane;
 use radiosity_kernel::contact::clip::Facet;
-use radiosity_kernel::contact::planes::Plane;
 
 /// The parts of two elements, flat ones without what lies behind the other's plane, if it has one in
 /// `planes`. Points closer to a plane than `tolerance` lie on it.
@@ -24,7 +24,7 @@ pub(super) fn clipped(
 }
 
 fn in_front(patches: Vec<Patch>, plane: Option<Plane>, tolerance: f64) -> Vec<Patch> {
-    let Some((point, normal)) = plane else { return patches };
+    let Some(Plane { point, normal }) = plane else { return patches };
     let horizon = Facet { corners: vec![point], normal };
     let seen = |patch: Patch| {
         let Patch::Flat { normal, .. } = patch else { return vec![patch] };
@@ -49,7 +49,8 @@ mod tests {
         let corners = [[0., 0., 0.], [4., 0., 0.], [4., 3., 0.], [0., 3., 0.]].map(DVec3::from_array);
         let floor = Patch::Flat { corners, normal: DVec3::Z };
         let seen = |x: f64, normal: DVec3| -> f64 {
-            let parts = in_front(vec![floor.clone()], Some((DVec3::new(x, 1.0, 1.0), normal)), 1e-9);
+            let parts =
+                in_front(vec![floor.clone()], Some(Plane { point: DVec3::new(x, 1.0, 1.0), normal }), 1e-9);
             parts.iter().map(|part| polygon_area(&part.polygon())).sum()
         };
         assert!((seen(1.0, DVec3::X) - 9.0).abs() < 1e-12);
