@@ -177,7 +177,7 @@ impl KnownBlocks for Expansions {
     }
 }
 
-/// A shared reference, as [`radiosity_transport::Memory`] asks for.
+/// A shared reference, as [`radiosity_transport::KeptBlocks`] asks for.
 pub fn known(expansions: &Arc<Expansions>) -> Arc<dyn KnownBlocks> {
     Arc::<Expansions>::clone(expansions)
 }
