@@ -8,8 +8,8 @@
 //! grows like k² ulp towards the ends and like k ulp inside. Near ±1 the forms anchored at the ends are more
 //! accurate (`legendre::orthonormal`, `jacobi::Polynomials::values`).
 //!
-//! Sums Σ f_k p_k follow Clenshaw: b_k = f_k + (a_k x + b_k) b_{k+1} − c_{k+1} b_{k+2},
-//! downwards, Σ = first · b₀.
+//! Sums Σ f_k p_k follow Clenshaw: s_k = f_k + (a_k x + b_k) s_{k+1} − c_{k+1} s_{k+2},
+//! downwards, Σ = first · s₀.
 //!
 //! A tile is a block of W points treated side by side, W = 8 or 16: `out[k][l] = p_k(x[l])`. Its loops run
 //! over lanes innermost and vectorise on every target; a tile of 16 fills from the first-level cache, so

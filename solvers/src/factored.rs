@@ -133,7 +133,7 @@ impl<'a> Factored<'a> {
         self.cost + 2.0 * steps as f64
     }
 
-    /// The account of a success.
+    /// The report of a success.
     fn report(&self, history: Vec<f64>) -> Report {
         Report {
             method: self.method,

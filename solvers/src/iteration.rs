@@ -75,7 +75,7 @@ impl From<Stop> for End {
     }
 }
 
-/// The loop's memory.
+/// The state of the loop.
 struct Run<'r> {
     watch: &'r Watch,
     settings: &'r Settings<'r>,
@@ -245,7 +245,7 @@ impl Run<'_> {
         last.min(kept)
     }
 
-    /// The account of a success.
+    /// The report of a success.
     fn report(self, iteration: &dyn Iteration, residual: f64) -> Report {
         Report {
             method: self.watch.method,

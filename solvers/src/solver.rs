@@ -52,7 +52,7 @@ impl<'a> Step<'a> {
 }
 
 impl Report {
-    /// The account of `method`, for a solver of one's own, from the residuals before the first iteration and
+    /// The report of `method`, for a solver of one's own, from the residuals before the first iteration and
     /// after each; the residual is the last of them, the rest 0 or absent.
     pub fn new(method: &'static str, history: Vec<f64>) -> Self {
         let (iterations, residual) =

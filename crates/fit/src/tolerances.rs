@@ -1,5 +1,5 @@
-//! Tolerances of sheets that were meant to be one, or to lie on each other. What is no length, and which
-//! planes are one, is told by [`radiosity_geom`].
+//! Tolerances of sheets that were meant to be one, or to lie on each other. Lengths that count as none, and which
+//! planes are one, are set by [`radiosity_geom`].
 
 /// Part by which areas that are equal within rounding may differ: copies of a sheet, and a part against the
 /// whole. Rounding in single precision leaves some 10⁻⁷. With a larger value a sheet would count as within

@@ -5,7 +5,7 @@
 //! are equal by [`radiosity_fit::tolerances`].
 
 /// Roundings by which two corners that are meant to be one may differ: each is computed, by a few operations.
-/// Banks of a slit and sides that touch are told by it too. A mesh whose corners were computed in several
+/// Banks of a slit and sides that touch are found by it too. A mesh whose corners were computed in several
 /// ways would not hang together with the two roundings that rings allow.
 pub(crate) const ROUNDINGS_OF_CORNERS: f64 = 8.0;
 

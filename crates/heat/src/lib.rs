@@ -175,7 +175,7 @@ impl Heat {
     }
 }
 
-/// How far a solution is that tells the error of another one.
+/// Progress of a solution that is made to estimate the error of another.
 fn of_comparison(progress: Progress) -> Progress {
     let stage = Stage::Comparison;
     match progress {

@@ -68,7 +68,7 @@ pub struct Blocks {
     pub accuracy_reached: f64,
     /// The block whose error is the largest multiple of what was asked of it.
     pub worst_error: Option<WorstError>,
-    /// Of blocks that are known otherwise than by integrals.
+    /// Remainders of the blocks that were not integrated.
     pub remainders: Vec<Remainder>,
 }
 

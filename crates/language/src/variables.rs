@@ -102,7 +102,7 @@ impl Variables {
             match definitions.typed.contains_key(other) && !self.values.contains_key(other) {
                 true => {
                     needed.borrow_mut().push(other.to_owned());
-                    // No number stops no formula: what it needs behind this name is found, too.
+                    // NaN lets the formula run on, so that the names behind this one are found too.
                     Ok(f64::NAN)
                 }
                 false => self.value(other),

@@ -10,7 +10,8 @@
 //! silhouette crosses the edges of quads. An arc between two crossings is replaced by two chords that meet at
 //!
 //! ```text
-//! M + ⁴⁄₃ f ,     f from the chord's middle M to the arc's middle; |f| = |a − b| ∠(n_a, n_b)/8 on a silhouette
+//! M + ⁴⁄₃ f ,     f from the chord's middle M to the arc's middle; |f| = |a − b| ∠(n_a, n_b)/8 on a
+//! silhouette
 //! ```
 //!
 //! The two chords enclose the same area as a parabola with that middle, so the error falls like h⁴, h the
@@ -225,8 +226,8 @@ pub(crate) fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
     sum.abs() / TAU
 }
 
-/// The corners, in order, of the convex polygon that a flat curved-edged surface of the area `area` is but
-/// for its chords, and that normal; None of other surfaces.
+/// The corners, in order, of the convex polygon that replaces a flat surface with curved edges of this `area`
+/// by its chords, and its normal; None of other surfaces.
 pub(crate) fn flat_outline(
     visibility: &Visibility,
     surface: usize,

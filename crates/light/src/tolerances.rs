@@ -1,5 +1,5 @@
 //! Tolerances of light at a point that several rules share, and those that bound one quantity in several
-//! rules, side by side. What is no length is told by [`radiosity_geom`].
+//! rules, side by side. Lengths that count as none are set by [`radiosity_geom`].
 
 /// Least distance from a bent area light, in its radii, from which its outline is taken for the whole of it:
 /// nearer, chords of its silhouette mesh are seen at too large an angle. With a larger value more of it goes

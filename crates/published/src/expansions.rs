@@ -62,7 +62,7 @@ struct Pair {
     turns: [u32; 2],
     /// Displacement of the second element relative to the first, since both were seen anew (scene length).
     displacement: DVec3,
-    /// Whether the block that memory holds was integrated, at this displacement.
+    /// Whether the kept block was integrated, at this displacement.
     is_integrated: bool,
     expansion: Option<Expansion>,
 }

@@ -1,4 +1,4 @@
-//! Methods of four papers, beside the Galerkin method of the house.
+//! Methods of four papers, beside the Galerkin method of this library.
 //!
 //! In order: `zatz1993` (Zatz 1993: Legendre transfers and shadow masks), `hierarchy` (hierarchical radiosity
 //! with links), `bases` (Szirmay-Kalos 1996: variational forms in any functions), `series` and `expansions`

@@ -1,4 +1,4 @@
-//! Readings of a solution, and what is told beside them.
+//! Light read from a solution, with its errors, warnings and report.
 //!
 //! In order: numbers as texts ([`digits`]), values on a grid of points ([`field`]), warnings, light at points
 //! and sensors ([`reader`], [`probe`], [`grid`], [`uniformity`], [`plane_figures`]) with its errors

@@ -1,5 +1,5 @@
 //! Accuracies to which light is gathered at points, and those of runs that follow each other, side by side.
-//! What is no length is told by [`radiosity_geom`].
+//! Lengths that count as none are set by [`radiosity_geom`].
 
 /// Relative accuracy of light gathered at a point that is asked for in code: as that of direct light
 /// ([`radiosity_light::direct::ACCURACY`]), which is a part of it.

@@ -79,7 +79,7 @@ pub struct SampledTransport<'a> {
     held: HeldRows,
     tally: Tally,
     exact_pairs: ExactPairs,
-    /// The pairs on which rays count, if not on all but the strong ones.
+    /// The pairs on which rays count, if not on all but the exact pairs.
     only: Option<HashSet<(u32, u32)>>,
     /// Hits of these rays in the scene before, if those were kept.
     kept: Option<KeptRays>,
@@ -219,8 +219,8 @@ impl<'a> SampledTransport<'a> {
         list.map(share).collect()
     }
 
-    /// Sends so many more rays from each element; covered ones send none. `goes_on` is told how many are
-    /// done, and ends the sending where it says no.
+    /// Sends so many more rays from each element; covered elements send none. `goes_on` gets the number done;
+    /// false ends the sending.
     pub fn send(&mut self, rays: &[u64], goes_on: &mut dyn FnMut(u64) -> bool) {
         let list = self.elements.list();
         let tasks = rays.iter().enumerate().filter(|(element, _)| list[*element].contact.is_none());

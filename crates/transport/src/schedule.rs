@@ -406,8 +406,8 @@ impl Schedule<'_> {
     /// Integrates the tasks that are not copies, as far as `kept` does not hold their blocks; each rank
     /// some of them.
     ///
-    /// With a memory that is the rank that holds the row of a block, scene after scene: it knows what the
-    /// block was before.
+    /// Where blocks are kept, the rank that holds the row of a block integrates it in every scene: it has the
+    /// block of the scene before.
     fn integrate(
         &self,
         tasks: &[Task],

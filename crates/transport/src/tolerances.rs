@@ -1,5 +1,5 @@
 //! Tolerances that several ways to a block share, and those that bound one quantity in several ways, side by
-//! side. What is no length is told by [`radiosity_geom`].
+//! side. Lengths that count as none are set by [`radiosity_geom`].
 //!
 //! In order: what counts, what a coarse or an unfinished sum tells, shadows, rays, halvings and points.
 

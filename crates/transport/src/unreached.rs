@@ -6,7 +6,8 @@
 //! with the standard deviation s of the batches
 //!
 //! ```text
-//! G = mean ,     error = DEVIATIONS · max_kl s_kl / √BATCHES + 1 / (D √(A_i A_j)) ,     D = n_i/A_i + n_j/A_j ,
+//! G = mean ,     error = DEVIATIONS · max_kl s_kl / √BATCHES + 1 / (D √(A_i A_j)) ,     D = n_i/A_i +
+//! n_j/A_j ,
 //! ```
 //!
 //! the last term for what fewer than one ray meets. View factors of surfaces are sums over their elements,
@@ -153,7 +154,7 @@ fn most_rays(eps: f64, elements: usize) -> u64 {
     (MOST * share * (MOST_AT / eps.max(FINEST)).powf(MOST_POWER)) as u64
 }
 
-/// The block of each pair by the batches, beside `others` with these first entries.
+/// The block of each pair as the batches estimate it, given the first entries of the other blocks.
 fn judged(
     list: &[Element],
     wholes: &Wholes,

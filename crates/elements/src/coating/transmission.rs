@@ -30,8 +30,8 @@ pub(super) struct Transmission {
 }
 
 impl Transmission {
-    /// The element of the other side at these parameters: what something covers there, else the cell, or at a
-    /// rounding beside all of them the first.
+    /// The element of the other side at these parameters: its covered part there, else its cell; where
+    /// rounding leaves the point outside all of them, the first.
     pub(super) fn behind(&self, [u, v]: [f64; 2]) -> Option<usize> {
         let [part, ..] = &self.parts[..] else { return None };
         let covered = self.parts.iter().filter_map(|part| Some((part.behind, part.cover.as_deref()?)));

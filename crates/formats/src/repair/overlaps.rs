@@ -1,7 +1,7 @@
 //! Flat faces that lie partly on one another.
 //!
-//! Of two faces with the same front the smaller lies on the with a larger value the covered part of the
-//! larger is cut out; of two that show each other their fronts the covered part of the smaller, which no
+//! Of two faces with the same front the smaller lies on the larger, and the covered part of the larger is cut
+//! out; of two that show each other their fronts the covered part of the smaller, which no
 //! light reaches. Emitters are not cut by what does not emit. `radiosity` itself sets apart pictures wholly
 //! on their walls, plates of which both sides count, and faces of bodies that stand on others: these stay.
 

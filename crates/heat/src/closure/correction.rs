@@ -107,7 +107,7 @@ fn turn(elements: &Elements, blocks: &Blocks, pairs: &Pairs, Deficit(deficit): &
     })
 }
 
-/// Blocks with other values, held by every rank, their accounts kept.
+/// Blocks with other values, held by every rank, their counts and errors kept.
 fn copied(elements: &Elements, blocks: &Blocks, values: impl Fn(usize, usize, &[f64]) -> Vec<f64>) -> Blocks {
     let mut copy = Blocks::empty(elements.starts(), true, Ranks::alone());
     for PlacedBlock { row, column, values: own } in blocks.iter() {

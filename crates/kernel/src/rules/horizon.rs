@@ -87,8 +87,8 @@ const FEWEST: usize = 3;
 const STEP: usize = 2;
 
 /// Share of the tolerance for settled cells, to each its share of the patch; three quarters are left for the
-/// cells that are worst. With a larger value these are halved more often; with a smaller one small cells stay
-/// open that are of no account.
+/// cells that are worst. With a larger value these are halved more often; with a smaller one small cells that
+/// do not matter stay open.
 const SETTLED: f64 = 0.25;
 /// Most numbers stored for open cells (64 MB), and about how many sets of moments each cell holds.
 const MOST_NUMBERS: usize = 8_000_000;

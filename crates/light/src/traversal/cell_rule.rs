@@ -59,7 +59,7 @@ const AGREED: f64 = 4.0;
 /// Error of a curved cell across its silhouette or the horizon, over its largest contribution, since the part
 /// that is seen may be anything from none to all: an estimate. With a larger value more cells are divided
 /// along silhouettes.
-const RIM: f64 = 0.25;
+const SILHOUETTE_ERROR: f64 = 0.25;
 
 /// Width over distance above which line quadrature is not trusted: a cell as wide as twice its distance is
 /// seen under 90°, and lines are far apart at its far end.
@@ -280,7 +280,7 @@ impl Traversal<'_> {
             return 0.0;
         }
         let distance = self.distance(cell);
-        RIM * cell.brightness * high * cell.area() / (PI * distance * distance)
+        SILHOUETTE_ERROR * cell.brightness * high * cell.area() / (PI * distance * distance)
     }
 
     /// Weights of the Gauss rule with the kernel, without blockers.

@@ -1,7 +1,7 @@
 //! Frames solved one after the other, each as it would be alone.
 //!
 //! Nothing is known of the path: any frame may follow any other. What has not moved keeps its blocks, and
-//! rays that nothing has come into the way of meet what they met (`crates/transport/src/kept_blocks.rs`);
+//! rays into whose way nothing has come keep their hits (`crates/transport/src/kept_blocks.rs`);
 //! what has is integrated and traced again, and so are the pairs between which it came or went. The solution
 //! of a frame does not depend on the frames before it, not in a bit, so nothing can drift. Whether rays or
 //! exact blocks carry the pairs, and how surfaces are cut, is decided once, for the scene at rest.

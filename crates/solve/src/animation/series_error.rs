@@ -1,12 +1,14 @@
 //! Errors of light that follow from errors of blocks.
 //!
 //! ```text
-//! h = G b + … ,  b = e + S h :     δh = (I − G S)⁻¹ δG b ,     ‖δh‖ ≤ ‖r‖/(1 − max (ρ + τ)) ,     r_i = Σ_j ε_ij ‖b_j‖
+//! h = G b + … ,  b = e + S h :     δh = (I − G S)⁻¹ δG b ,     ‖δh‖ ≤ ‖r‖/(1 − max (ρ + τ)) ,     r_i = Σ_j
+//! ε_ij ‖b_j‖
 //! ```
 //!
 //! as ‖G‖ ≤ 1. The remainder ε_ij of a series bounds the norm of δG_ij, by Bessel's inequality: Σ_kl
 //! δG_kl² ≤ ∫∫ δκ² dA dA. What the rules miss is an estimate and counts like it, that of the series and what
-//! a fresh block is allowed: the difference from a fresh frame is told. Without shadows ‖G‖ may exceed 1 by
+//! a fresh block is allowed: the error reported is the difference from a fresh frame. Without shadows ‖G‖ may
+//! exceed 1 by
 //! what bodies hide from each other.
 
 use radiosity_core::norm;

@@ -2,8 +2,8 @@
 //!
 //! G is geometry only. Reflectance and emission enter the system that is made of it, so that a change of
 //! materials needs no new blocks. Light that was reflected once is linear in the reflectance of what
-//! reflected it: where direct light is split off, a change of reflectance does not gather it anew. What
-//! depends on the materials of the scene from which a model was assembled are choices: which pairs are left
+//! reflected it: where direct light is split off, a change of reflectance does not gather it anew. Only two
+//! choices depend on the materials of the scene from which a model was assembled: which pairs are left
 //! out because neither side ever sends light, and where rays were sent from.
 
 use std::sync::Arc;
@@ -87,8 +87,8 @@ impl Model {
         })?
     }
 
-    /// A model of this layout; what `kept` holds of earlier scenes, which differ in the places of some
-    /// surfaces, is not found again.
+    /// A model of this layout; blocks and rays that `kept` holds of earlier scenes, in which some surfaces
+    /// stood elsewhere, are not computed again.
     ///
     /// # Errors
     /// As [`Model::assemble`].
@@ -137,7 +137,7 @@ impl Model {
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
-        // What is solved next may hang on time or memory.
+        // The choice may depend on time or memory, which no fingerprint holds.
         work.ranks.note_choice(&(options.neutral(), choice.sampled));
         let mut seconds = Stages::default();
         let rays = choice.sampled.then(|| options.ray_budget(scene));
@@ -309,8 +309,8 @@ impl Model {
         self.subspace.as_ref().map_or_else(|| self.elements.coefficients(), Subspace::dim)
     }
 
-    /// The first light of each emission: that of the scene it was assembled from, if it emits as much. In a
-    /// subspace what enters apart lies in it.
+    /// The first light of each emission: that of the scene it was assembled from, if it emits as much. With a
+    /// subspace, light that enters apart is projected on it.
     fn first_light(&self, scene: &Scene, emissions: &[Emission], ranks: &Ranks) -> Vec<EnteringLight> {
         let first = self.first.reflected(emissions).unwrap_or_else(|| {
             let lit_scene = LitScene {

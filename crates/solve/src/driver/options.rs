@@ -28,7 +28,8 @@ pub struct Options {
     /// threads.
     #[serde(default)]
     pub method: LightMethod,
-    /// The functions that are summed: polynomials, or one of the bases of the variational source.
+    /// The functions that are summed: polynomials, or one of the bases of the variational form (Szirmay-Kalos
+    /// 1996).
     #[serde(default)]
     pub basis: Basis,
     /// Order of the basis where a surface does not state its own.

@@ -305,8 +305,8 @@ impl<'a> RayGather<'a> {
         }
     }
 
-    /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that rays
-    /// `to_lamps` leave; without exitance where these are none.
+    /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that the balance
+    /// heuristic leaves beside the rays `to_lamps`; where there are none, without exitance.
     fn add_met(
         &self,
         receiver: &ReceiverPoint,

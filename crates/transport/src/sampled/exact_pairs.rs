@@ -55,7 +55,7 @@ impl ExactPairs {
         held.ranks().all(own).into_iter().flatten().collect()
     }
 
-    /// The strong pairs with their exact blocks, from `kept` as far as it holds them, without those whose
+    /// The exact pairs with their exact blocks, from `kept` as far as it holds them, without those whose
     /// accuracy rules do not reach.
     pub(super) fn new(
         mut pairs: HashSet<(u32, u32)>,

@@ -62,7 +62,7 @@ impl Goal {
         Tolerance { accuracy, shadow_error: self.sampled, ..self.tolerance() }
     }
 
-    /// The request for the block of a task with this goal, as a memory compares it.
+    /// The request for the block of a task with this goal, as kept blocks are compared by.
     pub(super) fn request(&self, task: &Task, visibility: &Visibility) -> Request {
         let faces = |surface| visibility.faces(surface).iter().copied();
         let surfaces = task.blockers.iter().chain(&task.own).flat_map(faces).collect();

@@ -16,7 +16,7 @@ use super::run::{estimated, finer};
 const FIRST: f64 = 0.1;
 /// Factor on the power of links from run to run: each takes some four times as long as the one before.
 const WEAKER: f64 = 0.25;
-/// Least power of links, at which their number ends what a memory holds.
+/// Least power of links, below which there are more links than memory holds.
 const LEAST: f64 = 1e-8;
 
 /// Elements of a run over those of the run before, and of its time, about. From the Cornell box.

@@ -29,8 +29,8 @@ pub(super) const SMALL_PART: f64 = 0.02;
 /// Ratio of areas below which a coarse estimate is trusted to find a block negligible: on an element that is
 /// much larger few of its nodes are near the other one.
 const LARGEST_AREA_RATIO: f64 = 100.0;
-/// Smallest scale of the block of a surface with itself: what it sends to others is with a larger value
-/// errors of less show nowhere.
+/// Smallest scale of the block of a surface with itself: what it sends to others is larger, and errors of
+/// less show nowhere.
 const SMALLEST_OWN_SCALE: f64 = 5e-3;
 
 /// A part of the block to do.
