@@ -1,7 +1,7 @@
 //! Tolerances that several readers and repairs share, those that bound one quantity differently in several
 //! places, and what readers take at the most.
 //!
-//! What is no length and which planes are one is told by [`radiosity_geom`], what overlaps and which areas
+//! Lengths that count as none and planes that are one are set by [`radiosity_geom`], what overlaps and which areas
 //! are equal by [`radiosity_fit::tolerances`].
 
 /// Roundings by which two corners that are meant to be one may differ: each is computed, by a few operations.

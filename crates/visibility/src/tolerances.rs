@@ -1,5 +1,5 @@
-//! Tolerances of segments at their ends, and of parts of surfaces that are none. Lengths that count as none, and which
-//! planes are parallel, are set by [`radiosity_geom`].
+//! Tolerances of segments at their ends, and of parts of surfaces that are none. Lengths that count as none,
+//! and which planes are parallel, are set by [`radiosity_geom`].
 
 /// Part of a segment's length at both ends within which it may touch surfaces: rounding of where it starts
 /// and ends. With a smaller value segments would be stopped where they start; with a larger one what stands
