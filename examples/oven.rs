@@ -11,6 +11,7 @@ use std::error::Error;
 use radiosity::Work;
 use radiosity::heat::{Heat, HeatOptions};
 use radiosity::language;
+use radiosity::scene::Source;
 
 /// A plate at 1200 K over a ball at 400 K in a box of bricks, which send back what they receive. Metres.
 const OVEN: &str = r#"
@@ -32,7 +33,7 @@ sphere = { center = [0.5, 0.5, 0.4], radius = 0.2 }
 "#;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let scene = language::from_toml(OVEN, "oven.toml")?;
+    let scene = language::read(&Source::new("oven.toml", OVEN))?;
     let heat = Heat::of(&scene, &HeatOptions::default(), &Work::alone())?;
     for own in &heat.surfaces {
         let (kelvin, watts) = (own.temperature, own.flow);

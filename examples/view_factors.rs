@@ -10,6 +10,7 @@ use std::error::Error;
 
 use radiosity::Work;
 use radiosity::kernel::Accuracy;
+use radiosity::scene::Source;
 use radiosity::visibility::Hiding;
 use radiosity::{ViewFactors, language, solve::view_factors::Options};
 
@@ -27,7 +28,7 @@ sphere = { center = [0, 0, 1], radius = 0.5 }
 "#;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let scene = language::from_toml(SCENE, "plates.toml")?;
+    let scene = language::read(&Source::new("plates.toml", SCENE))?;
     let options = Options {
         // None: as many elements as the shadows need.
         subdivide: None,

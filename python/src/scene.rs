@@ -56,7 +56,7 @@ pub(crate) fn load(
 #[pyfunction]
 pub(crate) fn parse(text: &str, name: &str) -> Result<Scene, Trouble> {
     let source = scene::Source::new(name, text).with_files();
-    Ok(Scene { scene: radiosity::language::parse(&source)? })
+    Ok(Scene { scene: radiosity::language::read(&source)? })
 }
 
 /// The scene of these parts by the keys of scene files; `name` stands before messages. Files that they name
@@ -64,7 +64,7 @@ pub(crate) fn parse(text: &str, name: &str) -> Result<Scene, Trouble> {
 #[pyfunction]
 pub(crate) fn made(py: Python<'_>, parts: &Bound<'_, PyDict>, name: &str) -> Result<Scene, Trouble> {
     let tree = tree::tree(parts);
-    let scene = py.detach(|| radiosity::language::parse(&scene::Source::of_tree(name, tree)?.with_files()));
+    let scene = py.detach(|| radiosity::language::read(&scene::Source::of_tree(name, tree)?.with_files()));
     Ok(Scene { scene: scene? })
 }
 

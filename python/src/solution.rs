@@ -76,7 +76,7 @@ pub(crate) fn load_solution(
 }
 
 fn read_file(path: &str, factors: &BTreeMap<String, f64>) -> Result<ReportedSolution, Trouble> {
-    let text = radiosity::language::text_of(path, &[])?;
+    let text = radiosity::language::source(path, &[])?;
     if !is_solution(&text.text()) {
         let cure = "solve it first: load(…).solve()";
         return Err(Trouble::new(format!("{}: this is no solution", text.origin), cure));

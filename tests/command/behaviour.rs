@@ -147,7 +147,7 @@ fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
 fn outputs_take_the_place_of_nothing_else_asked_for_or_read() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
-    let text = radiosity::language::text_of("furnace-cube", &[]).unwrap().text().into_owned();
+    let text = radiosity::language::source("furnace-cube", &[]).unwrap().text().into_owned();
     fs::write(here.join("room.toml"), text.as_bytes()).unwrap();
     refused(
         here,

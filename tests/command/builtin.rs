@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 use radiosity::kernel::Accuracy;
+use radiosity::language::read;
 use radiosity::scene::Fault;
 use radiosity::solve::Options;
 use radiosity::solve::solution::SurfacePlace;
@@ -47,9 +48,9 @@ fn scenes_hold_what_they_are_said_to() {
 #[test]
 fn settings_are_refused_with_a_reason() {
     let fault = |name: &str, settings: &[(&str, f64)]| {
-        radiosity::language::load_with(name, settings).unwrap_err().fault
+        radiosity::language::source(name, settings).and_then(|source| read(&source)).unwrap_err().fault
     };
-    let unknown = radiosity::language::builtin_with("parallel-squares", &[("distanse", 1.0)]).unwrap_err();
+    let unknown = radiosity::language::source("parallel-squares", &[("distanse", 1.0)]).unwrap_err();
     assert!(unknown.cure().expect("there is a cure").contains("\"distance\""));
     assert!(matches!(fault("cornell-box", &[("distance", 1.0)]), Fault::UnknownParameter { .. }));
     assert!(matches!(fault("furnace-cube", &[("reflectance", 1.0)]), Fault::ParameterRange { .. }));

@@ -1,14 +1,14 @@
 //! The shape `box`: six rectangles whose fronts face out, or into a room; faces that are left out; refused
 //! ones.
 
-use radiosity::scene::{Scene, SceneError};
+use radiosity::scene::{Scene, SceneError, Source};
 use radiosity::visibility::inspection::{Fronts, Inspection};
 use radiosity_geom::DVec3;
 
 fn read(surface: &str) -> Result<Scene, SceneError> {
     let text =
         format!("materials.grey = {{ reflectance = 0.5 }}\n[[surfaces]]\nmaterial = \"grey\"\n{surface}\n");
-    radiosity::language::from_toml(&text, "box.toml")
+    radiosity::language::read(&Source::new("box.toml", &text))
 }
 
 fn scene(surface: &str) -> Scene {

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use radiosity::scene::{Fault, Scene, SceneBuilder, SceneError};
+use radiosity::scene::{Fault, Scene, SceneBuilder, SceneError, Source};
 use radiosity::solve::Options;
 use radiosity_geom::DVec3;
 use radiosity_test_support::scenes::{material, typed};
@@ -15,7 +15,7 @@ const MATERIALS: &str =
 
 fn read(surface: &str) -> Result<Scene, SceneError> {
     let text = format!("{MATERIALS}[[surfaces]]\nname = \"lamp\"\nmaterial = \"white\"\n{surface}\n");
-    radiosity::language::from_toml(&text, "lamp.toml")
+    radiosity::language::read(&Source::new("lamp.toml", &text))
 }
 
 fn scene(surface: &str) -> Scene {
@@ -118,7 +118,7 @@ fn fluxes_that_cannot_be_are_refused_where_they_stand() {
         assert!(error.cure().unwrap_or_default().contains(cure), "{line}: {:?}", error.cure());
     }
     let text = format!("{MATERIALS}[[surfaces]]\nmaterial = \"lamp\"\nflux = 2\n{square}");
-    let error = radiosity::language::from_toml(&text, "lamp.toml").unwrap_err();
+    let error = radiosity::language::read(&Source::new("lamp.toml", &text)).unwrap_err();
     let told =
         "lamp.toml:5:8: surface \"surface-1\": a flux is given, yet the material \"lamp\" emits as well";
     assert_eq!(error.to_string(), told);
@@ -142,6 +142,6 @@ fn scenes_of_single_numbers_have_one_band() {
         let named = format!("bands = [\"u\", \"v\", \"w\"]\n{text}");
         assert_eq!(typed(&named).bands, ["u", "v", "w"]);
     }
-    let list = radiosity::language::from_json("[[[0,0,0],[1,0,0],[0,1,0]]]", "one.json").unwrap();
+    let list = radiosity::language::read(&Source::new("one.json", "[[[0,0,0],[1,0,0],[0,1,0]]]")).unwrap();
     assert_eq!(list.bands, ["grey"]);
 }

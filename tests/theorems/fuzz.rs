@@ -160,7 +160,7 @@ fn texts() -> Vec<(String, bool)> {
         let tree: toml::Value = toml::from_str(text).unwrap();
         serde_json::to_string_pretty(&tree).unwrap()
     };
-    let built_in = BUILT_IN.map(|name| radiosity::language::text_of(name, &[]).unwrap().text().to_string());
+    let built_in = BUILT_IN.map(|name| radiosity::language::source(name, &[]).unwrap().text().to_string());
     let texts = built_in.into_iter().chain([EVERY_SHAPE.to_owned()]);
     let texts: Vec<String> = texts.collect();
     texts.iter().flat_map(|text| [(text.clone(), false), (json(text), true)]).collect()
@@ -175,13 +175,13 @@ fn is_small(scene: &Scene) -> bool {
 /// Reads, cuts and inspects a text; whether it was read.
 fn survives(text: &str, is_json: bool) -> bool {
     let scene = if is_json {
-        radiosity::language::from_json(text, "x.json")
+        radiosity::language::read(&Source::new("x.json", text))
     } else {
-        radiosity::language::from_toml(text, "x.toml")
+        radiosity::language::read(&Source::new("x.toml", text))
     };
     if text.len().is_multiple_of(8) {
         let whole = Source::new("room.toml", "title = \"room\"\ninclude = \"x\"").including("x", text);
-        let included = radiosity::language::parse(&whole);
+        let included = radiosity::language::read(&whole);
         assert!(included.is_ok() || scene.is_err(), "what is right alone is right included");
     }
     match scene {

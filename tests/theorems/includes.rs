@@ -85,7 +85,8 @@ fn a_scene_is_made_of_all_its_files() {
     let place = scene.surfaces[0].place.as_ref().unwrap();
     assert!(place.origin.ends_with("parts/lamps.toml") && (place.line, place.column) == (10, 1), "{place}");
     let set =
-        radiosity::language::load_with(&folder.path().join("room.toml").to_string_lossy(), &[("width", 1.0)])
+        radiosity::language::source(&folder.path().join("room.toml").to_string_lossy(), &[("width", 1.0)])
+            .and_then(|source| radiosity::language::read(&source))
             .unwrap();
     assert!((set.surfaces[1].shape.area() - 2.0).abs() < 1e-12);
 }
@@ -123,12 +124,12 @@ fn a_text_includes_what_it_is_given_and_no_file() {
     let broken = Source::new("a/room.toml", ROOM)
         .including("a/white.toml", WHITE)
         .including("a/parts/lamps.toml", &LAMPS.replace("\n", "\r\n").replace("radius = 0.1", "radius = -1"));
-    let error = radiosity::language::parse(&broken).unwrap_err();
+    let error = radiosity::language::read(&broken).unwrap_err();
     let told =
         "a/parts/lamps.toml:9:41: surface \"lamp-1.bulb\": `radius` is -1; it must be greater than zero";
     assert_eq!(error.to_string(), told);
     assert_eq!(error.place.unwrap().text, "sphere = { center = [0, 0, 0], radius = -1 }");
-    let error = radiosity::language::from_toml(ROOM, "a/room.toml").unwrap_err();
+    let error = radiosity::language::read(&Source::new("a/room.toml", ROOM)).unwrap_err();
     let told = "a/room.toml:2:12: include: \"a/parts/lamps.toml\" cannot be included: the text is not that of a file";
     assert_eq!(error.to_string(), told);
 }
@@ -258,7 +259,7 @@ fn bands_and_units_are_those_of_all_files() {
         let source = Source::new("room.toml", &format!("bands = [\"lm\"]\nunit = \"lx\"\n{ROOM}"))
             .including("parts/lamps.toml", &format!("bands = {bands}\nunit = {unit}\n{LAMPS}"))
             .including("white.toml", WHITE);
-        match (radiosity::language::parse(&source), told) {
+        match (radiosity::language::read(&source), told) {
             (Ok(scene), None) => {
                 assert_eq!((scene.bands, scene.unit.as_str()), (vec!["lm".to_owned()], "lx"))
             }
@@ -277,7 +278,7 @@ fn files_are_nested_to_a_depth() {
         let text = |k: usize| format!("include = \"{}.toml\"\n", k + 1);
         let first = Source::new("0.toml", &text(0));
         let all = (1..length).fold(first, |source, k| source.including(&format!("{k}.toml"), &text(k)));
-        radiosity::language::parse(&all.including(&format!("{length}.toml"), WHITE)).unwrap_err().to_string()
+        radiosity::language::read(&all.including(&format!("{length}.toml"), WHITE)).unwrap_err().to_string()
     };
     assert!(chain(32).contains("the scene has no surface"), "{}", chain(32));
     assert!(

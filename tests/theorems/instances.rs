@@ -1,6 +1,6 @@
 //! Parts and their instances: names, places, arrays, parts within parts, and what is refused.
 
-use radiosity::scene::{Scene, SceneError};
+use radiosity::scene::{Scene, SceneError, Source};
 use radiosity_geom::DVec3;
 use radiosity_test_support::scenes::typed;
 
@@ -28,7 +28,7 @@ transform = { translate = [0.5, 0, 0], scale = 0.5 }
 "#;
 
 fn read(rest: &str) -> Result<Scene, SceneError> {
-    radiosity::language::from_toml(&format!("{TABLE}{rest}\n"), "room.toml")
+    radiosity::language::read(&Source::new("room.toml", &format!("{TABLE}{rest}\n")))
 }
 
 fn scene(rest: &str) -> Scene {
@@ -91,9 +91,11 @@ fn json_says_the_same_and_variables_count_copies() {
         1,
     );
     let json = serde_json::to_string(&toml::from_str::<toml::Value>(&text).unwrap()).unwrap();
-    let [one, other] =
-        [radiosity::language::from_toml(&text, "room"), radiosity::language::from_json(&json, "room")]
-            .map(Result::unwrap);
+    let [one, other] = [
+        radiosity::language::read(&Source::new("room", &text)),
+        radiosity::language::read(&Source::new("room", &json)),
+    ]
+    .map(Result::unwrap);
     assert_eq!(names(&one), names(&other));
     assert!(
         (middle(&one, "leg-1[3].post") - middle(&one, "leg-1[0].post")).distance(12.0 * DVec3::X) < 1e-12

@@ -47,7 +47,7 @@ transform = { translate = [1, 3, 0] }
 "#;
 
 fn read(motion: &str) -> Result<Scene, SceneError> {
-    radiosity::language::from_toml(&format!("frames = 11\n{ROOM}{motion}\n"), "room.toml")
+    radiosity::language::read(&Source::new("room.toml", &format!("frames = 11\n{ROOM}{motion}\n")))
 }
 
 fn scene(motion: &str) -> Scene {
@@ -391,7 +391,7 @@ fn frames_that_are_not_there_are_refused() {
         assert_eq!(error.to_string(), message);
         assert_eq!(error.cure().as_deref(), Some("choose one from 0 to 10"));
     }
-    let refused = |text: String| radiosity::language::from_toml(&text, "room.toml").unwrap_err();
+    let refused = |text: String| radiosity::language::read(&Source::new("room.toml", &text)).unwrap_err();
     let error = refused(format!("{ROOM}{motion}"));
     assert!(error.to_string().ends_with("motion \"motion-1\": the key \"frames\" is missing"), "{error}");
     assert!(error.cure().unwrap().contains("frames = …"));
@@ -530,16 +530,20 @@ fn motions_of_an_included_file_belong_to_the_scene_and_json_says_the_same() {
         movers.map(|mover| (mover.surfaces.len(), mover.luminaires.len())).collect();
     assert_eq!(told, [(2, 0), (0, 1)]);
     let typed = read(&format!("[[motion]]\nsurfaces = [\"lamp\"]\n{path}\n")).unwrap();
-    let json =
-        radiosity::language::from_json(&radiosity::language::text(&typed, Notation::Json).unwrap(), "room")
-            .unwrap();
+    let json = radiosity::language::read(&Source::new(
+        "room",
+        &radiosity::language::text(&typed, Notation::Json).unwrap(),
+    ))
+    .unwrap();
     let [typed, json] = [&typed, &json].map(|scene| bits(&scene.at_frame(5).unwrap().surfaces[6]));
     assert_eq!(typed, json);
 }
 
 #[test]
 fn built_in_scenes_that_move_look_right_in_every_frame() {
-    let moving: Vec<Scene> = radiosity::language::builtin_names()
+    let moving: Vec<Scene> = radiosity::language::builtins()
+        .iter()
+        .map(|scene| scene.name)
         .map(|name| builtin(name))
         .filter(|scene| scene.frames() > 0)
         .collect();

@@ -204,7 +204,7 @@ proptest! {
             bytes[index] = byte;
         }
         let source = Source::new("room.toml", &room("reflectance = { image = \"wood.png\" }")).with_picture("wood.png", bytes);
-        if let Ok(scene) = radiosity::language::parse(&source) {
+        if let Ok(scene) = radiosity::language::read(&source) {
             prop_assert!(reflectance(&scene).range(0).iter().all(|rho| (0.0..1.0).contains(rho)));
         }
     }

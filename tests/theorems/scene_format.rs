@@ -4,18 +4,12 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use radiosity::scene::{Fault, Scene, SceneError};
+use radiosity::language::read;
+use radiosity::scene::{Fault, Scene, Source};
 use radiosity_test_support::data;
 
-/// Reads a text that messages call by a name.
-type Reader = fn(&str, &str) -> Result<Scene, SceneError>;
-
 /// The languages that scenes are written in.
-const LANGUAGES: [(&str, Reader); 3] = [
-    ("toml", radiosity::language::from_toml),
-    ("json", radiosity::language::from_json),
-    ("csv", radiosity::language::from_csv),
-];
+const LANGUAGES: [&str; 3] = ["toml", "json", "csv"];
 
 /// Tables of keys, each under a heading, and a text with the key `none` in such a table.
 const TABLES: [(&str, &str); 15] = [
@@ -50,8 +44,11 @@ fn blocks<'a>(text: &'a str, language: &'a str) -> impl Iterator<Item = &'a str>
 }
 
 /// The scenes that the document shows in a language.
-fn scenes(text: &str, language: &str, read: Reader) -> Vec<Scene> {
-    let scene = |block: &str| read(block, language).unwrap_or_else(|error| panic!("{error}\n{block}"));
+fn scenes(text: &str, language: &str) -> Vec<Scene> {
+    let scene = |block: &str| {
+        read(&Source::new(&format!("document.{language}"), block))
+            .unwrap_or_else(|error| panic!("{error}\n{block}"))
+    };
     blocks(text, language).map(scene).collect()
 }
 
@@ -64,7 +61,7 @@ fn section<'a>(text: &'a str, heading: &str) -> &'a str {
 
 /// The keys that may stand in place of `none`; nothing where the text is refused for another reason.
 fn known(text: &str) -> Option<Vec<&'static str>> {
-    match radiosity::language::from_toml(text, "none").expect_err("no key is called none").fault {
+    match read(&Source::new("none", text)).expect_err("no key is called none").fault {
         Fault::UnknownKey { key, known } if key == "none" => Some(known),
         _ => None,
     }
@@ -85,8 +82,8 @@ fn scenes_of_the_document_are_read() {
     assert_eq!(text.split("```").count() % 2, 1, "a block is not closed");
     let mut count = 0;
     let mut shown = BTreeSet::new();
-    for (language, read) in LANGUAGES {
-        let scenes = scenes(&text, language, read);
+    for language in LANGUAGES {
+        let scenes = scenes(&text, language);
         assert!(!scenes.is_empty(), "there is no example in {language}");
         count += scenes.len();
         shown.extend(scenes.iter().flat_map(|scene| scene.surfaces.iter().map(|surface| surface.kind)));
@@ -121,7 +118,7 @@ fn the_scene_of_several_files_is_read() {
 #[test]
 fn scenes_in_toml_have_light() {
     let text = document();
-    for (block, scene) in blocks(&text, "toml").zip(scenes(&text, "toml", radiosity::language::from_toml)) {
+    for (block, scene) in blocks(&text, "toml").zip(scenes(&text, "toml")) {
         scene.require_light().unwrap_or_else(|error| panic!("{error}\n{block}"));
         assert!(scene.camera.is_some(), "no camera in\n{block}");
     }

@@ -3,12 +3,13 @@
 
 use std::collections::BTreeSet;
 
+use radiosity::scene::Source;
 use radiosity::{language::schema, scene::Fault};
 use serde_json::Value;
 
 /// The keys that may stand in place of `none`.
 fn known(text: &str) -> Vec<&'static str> {
-    match radiosity::language::from_toml(text, "none").expect_err("no key is called none").fault {
+    match radiosity::language::read(&Source::new("none", text)).expect_err("no key is called none").fault {
         Fault::UnknownKey { key, known } if key == "none" => known,
         fault => panic!("{text}: {fault}"),
     }

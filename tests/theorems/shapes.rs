@@ -4,7 +4,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, PI};
 
-use radiosity::scene::{Fault, Line, SceneError, SceneSurface};
+use radiosity::scene::{Fault, Line, SceneError, SceneSurface, Source};
 use radiosity_geom::DVec3;
 use radiosity_test_support::scenes::typed;
 
@@ -219,7 +219,7 @@ fn json_says_the_same() {
         let text = toml("", case.shape);
         let tree: toml::Value = toml::from_str(&text).unwrap();
         let json = serde_json::to_string(&tree).unwrap();
-        let (a, b) = (typed(&text), radiosity::language::from_json(&json, "").unwrap());
+        let (a, b) = (typed(&text), radiosity::language::read(&Source::new("", &json)).unwrap());
         let [a, b] = [a, b].map(|scene| scene.surfaces[0].shape.jet(0.3, -0.6));
         assert_eq!(a, b, "{}", case.shape);
     }
@@ -246,7 +246,7 @@ fn patches_become_numbered_surfaces() {
 fn numbered_names_are_unique_too() {
     let text =
         format!("{}\n[[surfaces]]\nname = \"pot-1\"\n{}", toml("name = \"pot\"", PATCHES), flat()[0].shape);
-    let error = radiosity::language::from_toml(&text, "case").unwrap_err();
+    let error = radiosity::language::read(&Source::new("case", &text)).unwrap_err();
     assert_eq!(
         error.fault,
         Fault::DuplicateName { name: "pot-1".to_owned(), first: Some(Line { number: 2, file: None }) }
@@ -256,7 +256,7 @@ fn numbered_names_are_unique_too() {
 /// The error of a surface whose shape is wrong, and the text its place underlines.
 #[track_caller]
 fn refused(shape: &str) -> (SceneError, String) {
-    let error = radiosity::language::from_toml(&toml("", shape), "case").map(|_| shape).unwrap_err();
+    let error = radiosity::language::read(&Source::new("case", &toml("", shape))).map(|_| shape).unwrap_err();
     let place = error.place.as_ref().expect("shapes have a place");
     assert_eq!(error.owner.as_deref(), Some("surface \"surface-1\""));
     let meant = place.text.chars().skip(place.column - 1).take(place.width).collect();

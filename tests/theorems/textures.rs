@@ -162,7 +162,7 @@ fn ranges_of_polynomials_are_those_of_their_extremes() {
 /// The message and the cure of a wrong material.
 fn refused(material: &str) -> (String, String) {
     let source = Source::new("room.toml", &room(material)).with_picture("any.png", *b"no picture");
-    let error = radiosity::language::parse(&source).expect_err(material);
+    let error = radiosity::language::read(&source).expect_err(material);
     (error.to_string(), error.cure().unwrap_or_default())
 }
 
@@ -266,7 +266,7 @@ fn wrong_patterns_are_refused_with_a_cure() {
 fn a_flux_and_a_pattern_of_emission_are_refused() {
     let text = room("reflectance = 0.1\nemission = { cells = [[1, 2]] }");
     let text = text.replace("name = \"floor\"", "name = \"floor\"\nflux = 10");
-    let error = radiosity::language::from_toml(&text, "room").expect_err("both are given");
+    let error = radiosity::language::read(&Source::new("room", &text)).expect_err("both are given");
     assert!(error.to_string().contains("a flux is given"), "{error}");
     assert!(error.cure().is_some_and(|cure| cure.contains("`factor`")));
 }

@@ -41,10 +41,17 @@ fn points(items: &[Value]) -> Option<Vec<DVec3>> {
 
 /// The built-in scenes and one of every shape, as values of JSON.
 fn rooms() -> Vec<Value> {
-    let built_in = radiosity::language::builtin_names()
-        .map(|name| radiosity::language::text_of(name, &[]).unwrap().text().into_owned());
+    let built_in = radiosity::language::builtins()
+        .iter()
+        .map(|scene| scene.name)
+        .map(|name| radiosity::language::source(name, &[]).unwrap().text().into_owned());
     let texts = built_in.chain([EVERY_SHAPE.to_owned()]);
     texts.map(|text| serde_json::to_value(toml::from_str::<toml::Value>(&text).unwrap()).unwrap()).collect()
+}
+
+/// The scene of a tree that messages call `room`.
+fn read_tree(tree: Tree) -> Result<Scene, SceneError> {
+    radiosity::language::read(&Source::of_tree("room", tree)?)
 }
 
 /// All that a scene holds, but where it stands in a text.
@@ -66,8 +73,8 @@ const SOLVED: usize = 50;
 fn a_tree_makes_the_scene_of_its_text_to_the_last_bit() {
     let mut solved = 0;
     for room in rooms() {
-        let of_text = radiosity::language::from_json(&room.to_string(), "room").unwrap();
-        let of_tree = radiosity::language::of_tree("room", tree(&room)).unwrap();
+        let of_text = radiosity::language::read(&Source::new("room", &room.to_string())).unwrap();
+        let of_tree = read_tree(tree(&room)).unwrap();
         assert_eq!(held(&of_tree), held(&of_text));
         if of_text.surfaces.len() <= SOLVED && of_text.emits() {
             let options = Options { order: 0, subdivide: Some(1), eps: 0.1, ..Options::default() };
@@ -85,7 +92,7 @@ fn a_tree_makes_the_scene_of_its_text_to_the_last_bit() {
 #[test]
 fn the_text_of_a_tree_makes_the_same_scene() {
     for room in rooms() {
-        let scene = radiosity::language::of_tree("room", tree(&room)).unwrap();
+        let scene = read_tree(tree(&room)).unwrap();
         for notation in [Notation::Json, Notation::Toml] {
             let text = radiosity::language::text(&scene, notation).unwrap();
             assert_eq!(held(&parsed(&Source::new("room", &text))), held(&scene));
@@ -134,7 +141,7 @@ fn faults_are_found_by_names() {
     let told = |pointer: &str, value: Value| {
         let mut room = desk();
         *room.pointer_mut(pointer).unwrap() = value;
-        radiosity::language::of_tree("room", tree(&room)).unwrap_err().to_string()
+        read_tree(tree(&room)).unwrap_err().to_string()
     };
     for (pointer, value, expected) in [
         ("/bands/0", json!(1), "bands[0]: expected a text in quotes, found a number"),
@@ -206,7 +213,7 @@ fn faults_are_found_by_names() {
         let message = told(pointer, value);
         assert!(message.starts_with(&format!("room: {expected}")), "{message}\ninstead of {expected}");
     }
-    assert!(radiosity::language::of_tree("room", tree(&desk())).is_ok());
+    assert!(read_tree(tree(&desk())).is_ok());
 }
 
 #[test]
@@ -214,7 +221,7 @@ fn points_are_read_as_lists_of_lists() {
     let outline = vec![DVec3::ZERO, DVec3::X, DVec3::new(1.0, f64::NAN, 0.0)];
     let surface = |key, value| Tree::table([("name", Tree::text("a")), (key, value)]);
     let room = |surface| Tree::table([("surfaces", Tree::list([surface]))]);
-    let told = |surface| radiosity::language::of_tree("room", room(surface)).unwrap_err().to_string();
+    let told = |surface| read_tree(room(surface)).unwrap_err().to_string();
     let polygon = Tree::table([("vertices", Tree::points(outline.clone()))]);
     let expected = "room: surface \"a\", polygon.vertices[2][1]: NaN is not a finite number";
     assert_eq!(told(surface("polygon", polygon)), expected);
@@ -224,7 +231,7 @@ fn points_are_read_as_lists_of_lists() {
     let expected = "room: surfaces[0].disk: the key \"radius\" stands twice";
     assert_eq!(told(surface("disk", twice)), expected);
     let deep = (0..100).fold(Tree::number(1.0), |inner, _| Tree::list([inner]));
-    assert!(matches!(radiosity::language::of_tree("room", deep).unwrap_err().fault, Fault::TooDeep { .. }));
+    assert!(matches!(read_tree(deep).unwrap_err().fault, Fault::TooDeep { .. }));
 }
 
 /// Values that are put in place of another one.
@@ -317,8 +324,12 @@ fn run(cases: u32) {
     TestRunner::new(config)
         .run(&(0..rooms.len(), prop::collection::vec(damage(), 1..3)), |(k, damages)| {
             let room = damages.iter().fold(rooms[k].clone(), damaged);
-            let texts = radiosity::language::parse(&Source::new("room.json", &room.to_string()));
-            match (texts, radiosity::language::of_tree("room.json", tree(&room))) {
+            let texts = radiosity::language::read(&Source::new("room.json", &room.to_string()));
+            match (
+                texts,
+                Source::of_tree("room.json", tree(&room))
+                    .and_then(|source| radiosity::language::read(&source)),
+            ) {
                 (Ok(of_text), Ok(of_tree)) => prop_assert_eq!(held(&of_text), held(&of_tree)),
                 (Err(of_text), Err(of_tree)) => {
                     refused.set(refused.get() + 1);

@@ -1,7 +1,7 @@
 //! Surfaces of two sides: materials of backs, what sheets let through, and that the other side stays known
 //! whatever is done to a scene.
 
-use radiosity::scene::{Fault, Material, Scene, SceneBuilder, SceneError};
+use radiosity::scene::{Fault, Material, Scene, SceneBuilder, SceneError, Source};
 use radiosity_geom::{DVec3, shapes::Parallelogram};
 use radiosity_test_support::scenes::{material, typed};
 use radiosity_test_support::shapes::plate;
@@ -114,8 +114,8 @@ fn a_flux_is_that_of_both_sides_whatever_their_materials() {
         assert_eq!(side.flux, Some(vec![3.0]));
     }
     let text = text.replace("back_material = \"paper\"", "back_material = \"lamp\"");
-    let error =
-        radiosity::language::from_toml(&text, "shade").expect_err("the back emits, and lets nothing through");
+    let error = radiosity::language::read(&Source::new("shade", &text))
+        .expect_err("the back emits, and lets nothing through");
     assert!(matches!(error.fault, Fault::OtherTransmittance { .. }));
 }
 
@@ -152,7 +152,7 @@ fn sheets_that_lie_on_others_keep_their_other_side() {
 
 fn refused(from: &str, to: &str) -> SceneError {
     assert!(SHADE.contains(from), "{from}");
-    radiosity::language::from_toml(&SHADE.replace(from, to), "shade").expect_err(to)
+    radiosity::language::read(&Source::new("shade", &SHADE.replace(from, to))).expect_err(to)
 }
 
 #[test]

@@ -37,7 +37,7 @@ fn area(scene: &Scene) -> f64 {
 #[test]
 fn formulas_stand_for_numbers() {
     let json = serde_json::to_string(&toml::from_str::<toml::Value>(ROOM).unwrap()).unwrap();
-    for scene in [typed(ROOM), radiosity::language::from_json(&json, "room").unwrap()] {
+    for scene in [typed(ROOM), radiosity::language::read(&Source::new("room", &json)).unwrap()] {
         assert_eq!(scene.title.as_deref(), Some("= a room ="), "a text stays one");
         assert_eq!(scene.surfaces[0].name, "=floor");
         assert_eq!(scene.surfaces[0].order, Some(2));
@@ -75,10 +75,10 @@ fn variables_are_set_from_outside() {
     assert!((area(&scene) - 6.0 * 3.5).abs() < 1e-12, "what is made of it changes with it");
     let scene = parsed(&source().set([("half", 1.0), ("half", 7.0)]));
     assert!((area(&scene) - 4.0 * 7.5).abs() < 1e-12, "the last one counts");
-    let scene = radiosity::language::parse_with(&source(), &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
+    let scene = radiosity::language::read_with(&source(), &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
     assert!((area(&scene) - 6.0 * 3.5).abs() < 1e-12);
     assert_eq!(scene.surfaces[1].factor(), 0.5);
-    let fault = |settings: &[(&str, f64)]| radiosity::language::parse_with(&source(), settings).unwrap_err();
+    let fault = |settings: &[(&str, f64)]| radiosity::language::read_with(&source(), settings).unwrap_err();
     let error = fault(&[("widht", 1.0)]);
     assert!(
         error.to_string().starts_with("room.toml: there is no variable or light group \"widht\""),
@@ -89,17 +89,17 @@ fn variables_are_set_from_outside() {
     assert!(matches!(fault(&[("width", f64::NAN)]).fault, Fault::NotFinite { .. }));
     assert!(matches!(fault(&[("ceiling", -1.0)]).fault, Fault::OutOfRange { .. }));
     let both = Source::new("room.toml", &ROOM.replace("\"ceiling\"", "\"lamps\""));
-    let error = radiosity::language::parse_with(&both, &[("lamps", 1.0)]).unwrap_err();
+    let error = radiosity::language::read_with(&both, &[("lamps", 1.0)]).unwrap_err();
     assert!(error.to_string().contains("a variable and a light group are both called \"lamps\""), "{error}");
-    assert!(radiosity::language::parse(&both).is_ok(), "only a setting could mean either");
-    let error = radiosity::language::parse(&source().set([("ceiling", 1.0)])).unwrap_err();
+    assert!(radiosity::language::read(&both).is_ok(), "only a setting could mean either");
+    let error = radiosity::language::read(&source().set([("ceiling", 1.0)])).unwrap_err();
     assert!(matches!(&error.fault, Fault::UnknownVariable { known, .. } if known.len() == 3), "{error}");
 }
 
 #[test]
 fn a_solution_keeps_what_was_set() {
     let source = Source::new("room.toml", ROOM);
-    let scene = radiosity::language::parse_with(&source, &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
+    let scene = radiosity::language::read_with(&source, &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
     let solved = solved_of(scene, Options { eps: 0.3, ..Options::default() });
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
     let again = read(&Source::new("a.json", &text), Ranks::alone()).unwrap();
@@ -128,7 +128,7 @@ fn long_chains_of_variables_are_followed() {
 
 fn refused(old: &str, new: &str) -> SceneError {
     assert!(ROOM.contains(old), "{old}");
-    radiosity::language::from_toml(&ROOM.replacen(old, new, 1), "room.toml").expect_err(new)
+    radiosity::language::read(&Source::new("room.toml", &ROOM.replacen(old, new, 1))).expect_err(new)
 }
 
 #[test]
@@ -201,6 +201,7 @@ fn faults_of_formulas_are_placed_within_them() {
         error.to_string().starts_with("room.toml:4:8: variable \"half\": there is no variable"),
         "{error}"
     );
-    let bare = radiosity::language::from_toml("camera = { eye = [\"=n\", 0, 0] }", "a.toml").unwrap_err();
+    let bare =
+        radiosity::language::read(&Source::new("a.toml", "camera = { eye = [\"=n\", 0, 0] }")).unwrap_err();
     assert_eq!(bare.cure().as_deref(), Some("define it: [variables] with n = 2.5"));
 }

@@ -97,7 +97,7 @@ impl Loaded {
     /// Reads a solution file, with its light groups at the factors that were set.
     pub(crate) fn solved(path: &str, settings: &[(String, f64)], ranks: &Ranks) -> Result<Self, CliError> {
         let started = Instant::now();
-        let text = radiosity_language::text_by(path, &[], &Import::default(), ranks)?;
+        let text = radiosity_language::source_by(path, &[], &Import::default(), ranks)?;
         if !is_solution(&text.text()) {
             return Err(CliError::NotSolved { origin: text.origin.to_string() });
         }

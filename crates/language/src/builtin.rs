@@ -7,7 +7,6 @@
 mod teapot;
 mod arcs;
 mod temple;
-mod cathedral;
 
 use radiosity_scene::Fault;
 
@@ -238,7 +237,7 @@ pub(super) static ALL: [Builtin; 15] = [
             whole: true,
             meaning: "bays of the nave; one column less stands on either side",
         }],
-        text: Text::Written(|values| cathedral::text(values[0] as usize)),
+        text: Text::File(include_str!("../scenes/cathedral.toml")),
     },
 ];
 

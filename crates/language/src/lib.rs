@@ -37,8 +37,5 @@ mod schema;
 pub use builtin::Builtin;
 pub use builtin::Parameter;
 pub use import::Import;
-pub use reading::{
-    builtin, builtin_names, builtin_with, builtins, from_csv, from_json, from_toml, load, load_with, model,
-    of_tree, parse, parse_with, text, text_by, text_of,
-};
+pub use reading::{builtin, builtins, load, model, read, read_with, source, source_by, text};
 pub use schema::schema;

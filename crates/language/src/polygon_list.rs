@@ -114,14 +114,14 @@ fn unreadable(row: Unreadable) -> Located {
 
 #[cfg(test)]
 mod tests {
-    use radiosity_scene::Fault;
+    use radiosity_scene::{Fault, Source};
 
     const TRIANGLES: &str = "# two of them\nname,x,y,z\na,0,0,0\na, 1,0,0\na,0,1,0\n\"b, too\",0,0,1\n\"b, too\",0,1,1\n\"b, too\",1,0,1\n";
 
     #[test]
     fn rows_of_one_name_make_a_polygon() {
         for text in [TRIANGLES, &TRIANGLES.replace("name,x,y,z\n", "")] {
-            let scene = crate::from_csv(text, "two.csv").unwrap();
+            let scene = crate::read(&Source::new("two.csv", text)).unwrap();
             let names: Vec<&str> = scene.surfaces.iter().map(|surface| surface.name.as_str()).collect();
             assert_eq!(names, ["a", "b, too"]);
             assert!(scene.surfaces.iter().all(|surface| (surface.shape.area() - 0.5).abs() < 1e-15));
@@ -130,20 +130,23 @@ mod tests {
 
     #[test]
     fn a_json_list_is_a_list_of_polygons() {
-        let scene = crate::from_json("[[[0,0,0],[1,0,0],[0,1,0]]]", "one.json").unwrap();
+        let scene = crate::read(&Source::new("one.json", "[[[0,0,0],[1,0,0],[0,1,0]]]")).unwrap();
         assert_eq!(scene.surfaces[0].name, "surface-1");
-        let error = crate::from_json("[[[0,0,0],[1,0,0],\n [0,1]]]", "one.json").unwrap_err();
+        let error = crate::read(&Source::new("one.json", "[[[0,0,0],[1,0,0],\n [0,1]]]")).unwrap_err();
         assert!(error.to_string().starts_with("one.json:2:2: surface \"surface-1\": "), "{error}");
     }
 
     #[test]
     fn faults_of_rows_are_placed() {
-        let error = |old, new| crate::from_csv(&TRIANGLES.replace(old, new), "t.csv").unwrap_err();
+        let error = |old, new| crate::read(&Source::new("t.csv", &TRIANGLES.replace(old, new))).unwrap_err();
         assert!(error("a, 1,0,0", "a, 1,O,0").to_string().starts_with("t.csv:4:6: expected a number"));
         assert!(error("a, 1,0,0", "a, 1,0").to_string().starts_with("t.csv:4:1: a row takes four fields"));
         let spaced = "a,0,0,0\n\n# three\n\na, 1,O,0";
         assert!(error("a,0,0,0\na, 1,0,0", spaced).to_string().starts_with("t.csv:7:6: expected a number"));
         assert!(matches!(error("a, 1,0,0", "a, NaN,0,0").fault, Fault::NotFinite { .. }));
-        assert!(matches!(crate::from_csv("name,x,y,z\n", "t.csv").unwrap_err().fault, Fault::EmptyScene));
+        assert!(matches!(
+            crate::read(&Source::new("t.csv", "name,x,y,z\n")).unwrap_err().fault,
+            Fault::EmptyScene
+        ));
     }
 }

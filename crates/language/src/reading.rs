@@ -4,7 +4,7 @@ use std::{collections::BTreeSet, io, path::Path, sync::Arc};
 
 use radiosity_formats::model::Model;
 use radiosity_scene::{
-    Fault, Notation, Scene, SceneError, SceneSurface, Source, Tree,
+    Fault, Notation, Scene, SceneError, SceneSurface, Source,
     error::Located,
     surfaces::{Surfaces, fitted_surfaces},
     tree::{Node, Value, entry},
@@ -21,76 +21,108 @@ use crate::merging::merged;
 use crate::variables::{self, VARIABLES, Variables};
 use crate::{input, instances, luminaires, motions, validation};
 
-/// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
+/// Reads the scene of a [`source`], without settings.
+///
+/// # Errors
+/// As [`source`] and [`read`].
+pub fn load(name: &str) -> Result<Scene, SceneError> {
+    read(&source(name, &[])?)
+}
+
+/// Reads the built-in scene `name`, its parameters at their defaults.
+///
+/// # Errors
+/// [`Fault::UnknownScene`], which lists the names there are.
+pub fn builtin(name: &str) -> Result<Scene, SceneError> {
+    match builtin::named(name) {
+        Some(_) => load(name),
+        None => Err(whole_file(name, unknown_scene(name))),
+    }
+}
+
+/// The source of a built-in scene by its name, of standard input for `-`, or else of the file at the path
+/// `name`, with parameters of a built-in scene, or variables of any other, set by name: of two settings of
+/// one name the last counts. Files that a text includes are read with the scene.
 ///
 /// A file whose ending names a format of another program ([`Format`](radiosity_formats::format::Format)) is
-/// read in that and repaired. A file named `.json`, and any text that starts with `{`, is JSON; one named
-/// `.csv` is a list of polygons. Text of unknown name may also start as a list of polygons in JSON, `[[[`, or
-/// in CSV, `name,x,y,z`; everything else is TOML.
+/// read in that and repaired.
 ///
 /// # Errors
-/// A file that cannot be read, an unknown name, or anything wrong in the text.
-pub fn load(source: &str) -> Result<Scene, SceneError> {
-    load_with(source, &[])
+/// A file that cannot be read, an unknown name of a scene; [`Fault::UnknownParameter`],
+/// [`Fault::ParameterRange`].
+pub fn source(name: &str, settings: &[(&str, f64)]) -> Result<Source, SceneError> {
+    source_by(name, settings, &Import::default(), Ranks::alone())
 }
 
-/// Loads a scene as [`load`] does, with parameters of a built-in one, or variables of any other, set by name.
+/// The [`source`] called `name`; `import` are the options for a file of another program, and the first of
+/// these ranks shares its standard input.
 ///
 /// # Errors
-/// As for [`load`] and [`builtin_with`]; [`Fault::NoVariables`], [`Fault::UnknownVariable`].
-pub fn load_with(source: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
-    parse(&text_of(source, settings)?)
-}
-
-/// The text that [`load_with`] reads; files that it includes are read with the scene.
-///
-/// # Errors
-/// A file that cannot be read, an unknown name of a scene or a parameter.
-pub fn text_of(source: &str, settings: &[(&str, f64)]) -> Result<Source, SceneError> {
-    text_by(source, settings, &Import::default(), Ranks::alone())
-}
-
-/// The text that [`load_with`] reads; `import` are the options for a file of another program, and the first
-/// of these ranks shares its standard input.
-///
-/// # Errors
-/// As [`text_of`], and what is against the rules of the format; with [`Import::strict`] what needs repairs.
-pub fn text_by(
-    source: &str,
+/// As [`source`], and what is against the rules of the format; with [`Import::strict`] what needs repairs.
+pub fn source_by(
+    name: &str,
     settings: &[(&str, f64)],
     import: &Import,
     ranks: &Ranks,
 ) -> Result<Source, SceneError> {
-    if let Some(scene) = builtin::named(source) {
-        let text = scene.text(settings).map_err(|fault| whole_file(source, fault))?;
-        return Ok(Source::new(source, &text));
+    if let Some(scene) = builtin::named(name) {
+        let text = scene.text(settings).map_err(|fault| whole_file(name, fault))?;
+        return Ok(Source::new(name, &text));
     }
-    if let Some(format) = import.format_of(source) {
-        return Ok(import.source(source, format, ranks)?.set(settings.iter().copied()));
+    if let Some(format) = import.format_of(name) {
+        return Ok(import.source(name, format, ranks)?.set(settings.iter().copied()));
     }
-    let (origin, text) = match source {
-        "-" => ("<stdin>", input::text(source, ranks)),
-        path => (path, input::text(path, ranks)),
-    };
-    let text = text.map_err(|error| unreadable(source, origin, &error))?;
+    let origin = if name == "-" { "<stdin>" } else { name };
+    let text = input::text(name, ranks).map_err(|error| unreadable(name, origin, &error))?;
     Ok(Source::new(origin, &text).with_files().set(settings.iter().copied()))
 }
 
-/// Reads a scene in the language given by the ending of its origin, or else by its beginning; see [`load`].
+/// Reads a scene, of a text or made in code.
+///
+/// A text called `.json`, and any that starts with `{`, is JSON: the same tree as TOML, or a list of polygons
+/// without materials, each a list of vertices. One called `.csv` is a list of polygons in CSV, a row
+/// `name,x,y,z` for each vertex. A text of unknown name may also start as a list of polygons in JSON, `[[[`,
+/// or in CSV; everything else is TOML.
+///
+/// A scene made in code is one as from a text; messages lead to what they mean by names: `desk: surface
+/// "lamp", disk.radius: …`.
+///
+/// ```
+/// use radiosity_geom::DVec3;
+/// use radiosity_scene::{Source, Tree};
+///
+/// let desk = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+/// let surface = Tree::table([
+///     ("name", Tree::text("desk")),
+///     ("material", Tree::text("wood")),
+///     ("polygon", Tree::table([("vertices", Tree::points(desk))])),
+/// ]);
+/// let wood = Tree::table([("reflectance", Tree::number(0.4))]);
+/// let materials = Tree::table([("wood", wood)]);
+/// let room = Tree::table([("materials", materials), ("surfaces", Tree::list([surface]))]);
+/// let room = radiosity_language::read(&Source::of_tree("room", room)?)?;
+/// assert_eq!(room.surfaces[0].name, "desk");
+/// # Ok::<(), radiosity_scene::SceneError>(())
+/// ```
 ///
 /// # Errors
-/// The first fault in the text.
-pub fn parse(source: &Source) -> Result<Scene, SceneError> {
-    read(source, Language::of(source))
+/// The first fault in the source.
+pub fn read(source: &Source) -> Result<Scene, SceneError> {
+    let mut source = source.clone();
+    let language = Language::of(&source);
+    let trees = include::trees(&mut source, language);
+    let scene =
+        trees.and_then(|trees| built(trees, &source)).map_err(|located| located.in_source(&source))?;
+    scene.at_moment_of(&source)
 }
 
-/// Reads a scene as [`parse`] does, with settings of its variables and of its light groups by name; see
+/// Reads a scene as [`read`] does, with settings of its variables and of its light groups by name; see
 /// [`Scene::dimmed`].
 ///
 /// # Errors
 /// The first fault in the text; [`Fault::UnknownSetting`], [`Fault::VariableAndGroup`] and what
 /// [`Scene::dimmed`] refuses.
-pub fn parse_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
+pub fn read_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
     let mut source = source.clone();
     let language = Language::of(&source);
     let files = include::trees(&mut source, language);
@@ -113,58 +145,6 @@ pub fn parse_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, Sc
         }
         _ => scene.dimmed(&groups),
     }
-}
-
-/// Reads TOML; `origin` is its name in messages.
-///
-/// # Errors
-/// The first fault in the text.
-pub fn from_toml(text: &str, origin: &str) -> Result<Scene, SceneError> {
-    read(&Source::new(origin, text), Language::Toml)
-}
-
-/// Reads JSON: the same tree as the TOML, or a list of polygons without materials, each a list of vertices;
-/// `origin` is its name in messages.
-///
-/// # Errors
-/// The first fault in the text.
-pub fn from_json(text: &str, origin: &str) -> Result<Scene, SceneError> {
-    read(&Source::new(origin, text), Language::Json)
-}
-
-/// Reads polygons without materials from CSV, a row `name,x,y,z` for each vertex; `origin` is its name in
-/// messages.
-///
-/// # Errors
-/// The first fault in the text.
-pub fn from_csv(text: &str, origin: &str) -> Result<Scene, SceneError> {
-    read(&Source::new(origin, text), Language::Csv)
-}
-
-/// Reads a scene made in code, as one from a text; `name` stands before messages, which lead to what they
-/// mean by names: `desk: surface "lamp", disk.radius: …`.
-///
-/// ```
-/// use radiosity_geom::DVec3;
-/// use radiosity_scene::Tree;
-///
-/// let desk = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
-/// let surface = Tree::table([
-///     ("name", Tree::text("desk")),
-///     ("material", Tree::text("wood")),
-///     ("polygon", Tree::table([("vertices", Tree::points(desk))])),
-/// ]);
-/// let wood = Tree::table([("reflectance", Tree::number(0.4))]);
-/// let materials = Tree::table([("wood", wood)]);
-/// let room = Tree::table([("materials", materials), ("surfaces", Tree::list([surface]))]);
-/// assert_eq!(radiosity_language::of_tree("room", room)?.surfaces[0].name, "desk");
-/// # Ok::<(), radiosity_scene::SceneError>(())
-/// ```
-///
-/// # Errors
-/// The first fault in the tree.
-pub fn of_tree(name: &str, tree: Tree) -> Result<Scene, SceneError> {
-    parse(&Source::of_tree(name, tree)?)
 }
 
 /// The scene in this language, with variables, parts, instances and formulas as they are, and without
@@ -242,42 +222,9 @@ fn exported(scene: &Scene, files: Vec<FileTree>, source: &Source) -> Result<Mode
     Ok(model)
 }
 
-/// The built-in scene `name`, its parameters at their defaults.
-///
-/// # Errors
-/// [`Fault::UnknownScene`], which lists the names there are.
-pub fn builtin(name: &str) -> Result<Scene, SceneError> {
-    builtin_with(name, &[])
-}
-
-/// The built-in scene `name` with parameters set by name; of two settings of one parameter the last counts.
-///
-/// # Errors
-/// [`Fault::UnknownScene`], [`Fault::UnknownParameter`], [`Fault::ParameterRange`].
-pub fn builtin_with(name: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
-    if builtin::named(name).is_none() {
-        return Err(whole_file(name, unknown_scene(name)));
-    }
-    load_with(name, settings)
-}
-
 /// The built-in scenes with their parameters.
 pub fn builtins() -> &'static [Builtin] {
     &builtin::ALL
-}
-
-/// The names of the built-in scenes.
-pub fn builtin_names() -> impl Iterator<Item = &'static str> {
-    builtin::ALL.iter().map(|scene| scene.name)
-}
-
-/// Text → trees → scene.
-fn read(source: &Source, language: Language) -> Result<Scene, SceneError> {
-    let mut source = source.clone();
-    let trees = include::trees(&mut source, language);
-    let scene =
-        trees.and_then(|trees| built(trees, &source)).map_err(|located| located.in_source(&source))?;
-    scene.at_moment_of(&source)
 }
 
 /// The tables of variables in all files.
@@ -368,7 +315,7 @@ fn unreadable(source: &str, origin: &str, error: &io::Error) -> SceneError {
 
 /// A scene that is not built in.
 fn unknown_scene(name: &str) -> Fault {
-    Fault::UnknownScene { name: name.to_owned(), known: builtin_names().collect() }
+    Fault::UnknownScene { name: name.to_owned(), known: builtins().iter().map(|scene| scene.name).collect() }
 }
 
 fn whole_file(origin: &str, fault: Fault) -> SceneError {
@@ -467,7 +414,7 @@ mod tests {
 
     #[test]
     fn cameras_of_the_built_in_scenes_see_a_front() {
-        for name in builtin_names() {
+        for name in builtins().iter().map(|scene| scene.name) {
             let scene = builtin(name).unwrap();
             let camera = scene.camera.as_ref().unwrap();
             let ray = Ray::new(camera.eye, camera.target - camera.eye);
@@ -505,7 +452,9 @@ mod tests {
 
     #[test]
     fn toml_and_json_say_the_same() {
-        for scene in [from_toml(TOML, "a/room.toml").unwrap(), from_json(JSON, "room").unwrap()] {
+        for scene in [("a/room.toml", TOML), ("room", JSON)]
+            .map(|(name, text)| read(&Source::new(name, text)).unwrap())
+        {
             assert_eq!(scene.name, "room");
             assert_eq!(scene.bands, ["grey"]);
             let [front, back] = &scene.surfaces[..] else { panic!("a two-sided surface is two") };

@@ -104,13 +104,13 @@ impl SceneRequest {
     /// # Errors
     /// Faults of the scene; ranks that have read different ones.
     pub fn parse(&self, text: &Source, ranks: &Ranks) -> Result<Scene, LoadError> {
-        self.agreed(radiosity_language::parse_with(text, &self.later())?, ranks)
+        self.agreed(radiosity_language::read_with(text, &self.later())?, ranks)
     }
 
     /// The scene with its parameters or variables as they were set.
     fn parameterised(&self, strict: bool, ranks: &Ranks) -> Result<Scene, LoadError> {
         let text = unsolved(self.text_with(&self.settings, strict, ranks)?)?;
-        self.agreed(radiosity_language::parse(&text)?, ranks)
+        self.agreed(radiosity_language::read(&text)?, ranks)
     }
 
     /// The scene, if all ranks have read the same one: they would do different things, and wait for each
@@ -145,7 +145,7 @@ impl SceneRequest {
         ranks: &Ranks,
     ) -> Result<Source, LoadError> {
         let import = self.import(strict, ranks)?;
-        let text = radiosity_language::text_by(&self.source, &borrowed(settings), &import, ranks)?;
+        let text = radiosity_language::source_by(&self.source, &borrowed(settings), &import, ranks)?;
         let text = text.within(self.tolerance);
         Ok(match self.frame {
             Some(frame) => text.at(frame),

@@ -2,9 +2,6 @@
 //!
 //! The lists and tables of a scene stand on lines of their own, each surface on one.
 
-use radiosity_geom::DVec3;
-use toml::Value as TomlValue;
-
 use crate::{
     place::At,
     tree::{Node, Value},
@@ -34,6 +31,51 @@ impl Notation {
             Notation::Json => json(tree),
         }
     }
+
+    /// Writes a value on one line.
+    fn inline(self, node: &Node, text: &mut String) {
+        let number = |number: &f64, text: &mut String| text.push_str(&number_text(*number));
+        match &node.value {
+            Value::List(items) => bracketed(items, text, |own, text| self.inline(own, text)),
+            Value::Points(points) => {
+                bracketed(points, text, |point, text| bracketed(&point.to_array(), text, number));
+            }
+            Value::Table(entries) => {
+                let [open, close] = if self == Notation::Toml { ["{ ", " }"] } else { ["{", "}"] };
+                text.push_str(open);
+                separated(entries, text, |(key, own), text| self.entry(key, own, text));
+                text.push_str(close);
+            }
+            Value::Text(own) => text.push_str(&self.quoted(own)),
+            Value::Formula(formula) => text.push_str(&Notation::Json.quoted(&formula.text)),
+            Value::Number(own) => number(own, text),
+            Value::Truth(truth) => text.push_str(&truth.to_string()),
+            Value::Other(_) => text.push_str("null"),
+        }
+    }
+
+    /// Writes a key and its value on one line.
+    fn entry(self, key: &At<String>, node: &Node, text: &mut String) {
+        text.push_str(&self.key(&key.value));
+        text.push_str(if self == Notation::Toml { " = " } else { ": " });
+        self.inline(node, text);
+    }
+
+    /// A key, in TOML in quotes only where it needs them.
+    fn key(self, key: &str) -> String {
+        let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+        match self == Notation::Toml && !key.is_empty() && key.chars().all(is_bare) {
+            true => key.to_owned(),
+            false => self.quoted(key),
+        }
+    }
+
+    fn quoted(self, text: &str) -> String {
+        match self {
+            Notation::Toml => toml::Value::String(text.to_owned()).to_string(),
+            Notation::Json => serde_json::Value::String(text.to_owned()).to_string(),
+        }
+    }
 }
 
 /// A tree in JSON.
@@ -52,7 +94,7 @@ fn toml(tree: &Node) -> String {
         line(&mut text, key, node);
     }
     for (key, node) in entries.iter().filter(|(_, node)| is_section(node)) {
-        section(&toml_key(&key.value), node, &mut text);
+        section(&Notation::Toml.key(&key.value), node, &mut text);
     }
     text
 }
@@ -81,7 +123,7 @@ fn section(path: &str, node: &Node, text: &mut String) {
         }
         Value::Table(entries) if !entries.is_empty() && entries.iter().all(|(_, own)| is_table(own)) => {
             for (key, own) in entries {
-                header(&format!("[{path}.{}]", toml_key(&key.value)), text);
+                header(&format!("[{path}.{}]", Notation::Toml.key(&key.value)), text);
                 lines(own, text);
             }
         }
@@ -107,49 +149,16 @@ fn lines(node: &Node, text: &mut String) {
 }
 
 fn line(text: &mut String, key: &At<String>, node: &Node) {
-    text.push_str(&toml_key(&key.value));
-    text.push_str(" = ");
-    toml_inline(node, text);
+    Notation::Toml.entry(key, node, text);
     text.push('\n');
-}
-
-fn toml_inline(node: &Node, text: &mut String) {
-    match &node.value {
-        Value::List(items) => {
-            text.push('[');
-            separated(items, text, toml_inline);
-            text.push(']');
-        }
-        Value::Points(points) => points_text(points, text),
-        Value::Table(entries) => {
-            text.push_str("{ ");
-            separated(entries, text, |(key, own), text| {
-                text.push_str(&toml_key(&key.value));
-                text.push_str(" = ");
-                toml_inline(own, text);
-            });
-            text.push_str(" }");
-        }
-        Value::Text(own) => text.push_str(&TomlValue::String(own.clone()).to_string()),
-        plain => text.push_str(&plainly(plain)),
-    }
-}
-
-/// A key, in quotes where TOML needs them.
-fn toml_key(key: &str) -> String {
-    let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
-    match !key.is_empty() && key.chars().all(is_bare) {
-        true => key.to_owned(),
-        false => TomlValue::String(key.to_owned()).to_string(),
-    }
 }
 
 /// A table of the whole scene, or a list or table in it, over several lines; all that is deeper on one.
 fn json_outer(node: &Node, depth: usize, text: &mut String) {
     let indent = "  ".repeat(depth + 1);
-    let next = |node: &Node, text: &mut String| match depth == 0 && (is_section(node)) {
+    let next = |node: &Node, text: &mut String| match depth == 0 && is_section(node) {
         true => json_outer(node, depth + 1, text),
-        false => json_inline(node, text),
+        false => Notation::Json.inline(node, text),
     };
     let mut first = true;
     let mut begin = |text: &mut String| {
@@ -162,7 +171,7 @@ fn json_outer(node: &Node, depth: usize, text: &mut String) {
             text.push('{');
             for (key, own) in entries {
                 begin(text);
-                text.push_str(&json_text(&key.value));
+                text.push_str(&Notation::Json.key(&key.value));
                 text.push_str(": ");
                 next(own, text);
             }
@@ -176,33 +185,11 @@ fn json_outer(node: &Node, depth: usize, text: &mut String) {
             }
             ']'
         }
-        _ => return json_inline(node, text),
+        _ => return Notation::Json.inline(node, text),
     };
     text.push('\n');
     text.push_str(&"  ".repeat(depth));
     text.push(ends);
-}
-
-fn json_inline(node: &Node, text: &mut String) {
-    match &node.value {
-        Value::List(items) => {
-            text.push('[');
-            separated(items, text, json_inline);
-            text.push(']');
-        }
-        Value::Points(points) => points_text(points, text),
-        Value::Table(entries) => {
-            text.push('{');
-            separated(entries, text, |(key, own), text| {
-                text.push_str(&json_text(&key.value));
-                text.push_str(": ");
-                json_inline(own, text);
-            });
-            text.push('}');
-        }
-        Value::Text(own) => text.push_str(&json_text(own)),
-        plain => text.push_str(&plainly(plain)),
-    }
 }
 
 fn separated<T>(items: &[T], text: &mut String, write: impl Fn(&T, &mut String)) {
@@ -214,31 +201,10 @@ fn separated<T>(items: &[T], text: &mut String, write: impl Fn(&T, &mut String))
     }
 }
 
-/// A list of points, which TOML and JSON write alike.
-fn points_text(points: &[DVec3], text: &mut String) {
+fn bracketed<T>(items: &[T], text: &mut String, write: impl Fn(&T, &mut String)) {
     text.push('[');
-    separated(points, text, |point, text| {
-        text.push('[');
-        separated(&point.to_array(), text, |number, text| text.push_str(&number_text(*number)));
-        text.push(']');
-    });
+    separated(items, text, write);
     text.push(']');
-}
-
-fn json_text(text: &str) -> String {
-    serde_json::Value::String(text.to_owned()).to_string()
-}
-
-/// Text of a number, a truth value or a formula, which TOML and JSON write alike.
-fn plainly(value: &Value) -> String {
-    match value {
-        Value::Number(number) => number_text(*number),
-        Value::Truth(truth) => truth.to_string(),
-        Value::Formula(formula) => json_text(&formula.text),
-        Value::Other(_) | Value::Text(_) | Value::List(_) | Value::Points(_) | Value::Table(_) => {
-            "null".to_owned()
-        }
-    }
 }
 
 fn number_text(number: f64) -> String {

@@ -126,7 +126,7 @@ pub fn entry<'a>(entries: &'a [(At<String>, Node)], key: &str) -> Option<&'a Nod
 }
 
 /// A scene, or a value in it, that is made in code by the keys of scene files (docs/scene.md);
-/// `radiosity_language::of_tree` makes a scene of it.
+/// `radiosity_language::read` makes a scene of its [`Source`](crate::Source).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tree(pub(crate) Node);
 

@@ -86,7 +86,7 @@ impl Solved {
     ///         { material = "floor", disk = { center = [0, 0, 0], normal = [0, 0, 1], radius = 2 } },
     ///         { material = "lamp", disk = { center = [0, 0, 1], normal = [0, 0, -1], radius = 0.2 } },
     ///     ]"#;
-    /// let room = radiosity_language::from_toml(room, "room")?;
+    /// let room = radiosity_language::read(&radiosity_scene::Source::new("room", room))?;
     /// let solved = Solved::new(room, Options::default(), &Work::alone())?;
     /// let evening = solved.relight(&[("lamps", 0.25)])?;
     /// let [day, dim] = [&solved, &evening].map(|light| light.outcome.solution.mean_irradiance(0, 0));

@@ -22,7 +22,7 @@
 use cpu_time::ProcessTime;
 
 use radiosity::Work;
-use radiosity::scene::Scene;
+use radiosity::scene::{Scene, Source};
 use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::{Direct, Options, Transport};
@@ -114,7 +114,7 @@ fn main() {
     }
     if scenes.is_empty() {
         let sliding = radiosity::builtin("sliding-light").expect("it is built in");
-        let swinging = radiosity::language::from_toml(SWING, "swinging.toml").expect("it is valid");
+        let swinging = radiosity::language::read(&Source::new("swinging.toml", SWING)).expect("it is valid");
         for (name, scene) in [("sliding light", &sliding), ("swinging lamp", &swinging)] {
             let without = Options { shadows: Hiding::Off, ..options };
             compared(&format!("{name}, no shadows"), scene, &without);

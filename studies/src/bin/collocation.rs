@@ -12,6 +12,7 @@ use std::error::Error;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::rule::UnitRule;
 use radiosity::geom::DVec3;
+use radiosity::scene::Source;
 use radiosity::solve::solution::SurfacePlace;
 use radiosity::solve::{Direct, Options, Outcome, solve};
 use radiosity::{Basis, Solution, Work};
@@ -177,7 +178,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             squares[0].toml("lamp"),
             squares[1].toml("wall")
         );
-        let scene = radiosity::language::from_toml(&text, name)?;
+        let scene = radiosity::language::read(&Source::new(name, &text))?;
         let solved = |options: Options| -> Result<Outcome, Box<dyn Error>> {
             let options = Options { direct: Direct::Projected, eps: 1e-7, ..options };
             Ok(solve(&scene, &options, &Work::alone())?)

@@ -9,6 +9,7 @@ use std::time::Instant;
 use radiosity::Work;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::Accuracy;
+use radiosity::scene::Source;
 use radiosity::solve::in_threads;
 use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
@@ -59,7 +60,7 @@ fn plain(order: usize, eps: f64) {
 quad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }
 [[surfaces]]
 quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }";
-    let scene = radiosity::language::from_toml(squares, "squares").expect("the scene is valid");
+    let scene = radiosity::language::read(&Source::new("squares", squares)).expect("the scene is valid");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("squares have area");
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };

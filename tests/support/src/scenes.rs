@@ -15,19 +15,21 @@ pub fn builtin(name: &str) -> Scene {
 /// A scene that is built in, some of its parameters set.
 #[track_caller]
 pub fn builtin_with(name: &str, settings: &[(&str, f64)]) -> Scene {
-    language::builtin_with(name, settings).unwrap_or_else(|error| panic!("{error}"))
+    language::source(name, settings)
+        .and_then(|source| language::read(&source))
+        .unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The scene of a text in TOML that is right; messages call it `scene`.
 #[track_caller]
 pub fn typed(text: &str) -> Scene {
-    language::from_toml(text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"))
+    language::read(&Source::new("scene", text)).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
 
 /// The scene of a source that is right, with the files that it includes.
 #[track_caller]
 pub fn parsed(source: &Source) -> Scene {
-    language::parse(source).unwrap_or_else(|error| panic!("{error}\n{}", source.text()))
+    language::read(source).unwrap_or_else(|error| panic!("{error}\n{}", source.text()))
 }
 
 /// A scene with one surface of each shape that scene files can name.

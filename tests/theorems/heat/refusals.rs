@@ -26,9 +26,10 @@ fn what_has_no_balance_is_told_with_names_and_cure() {
 
 /// The message of a scene that cannot be read.
 fn unread(old: &str, new: &str) -> String {
-    let error = radiosity::language::from_toml(&CUBE.replace(old, new), "heat.toml")
-        .err()
-        .unwrap_or_else(|| panic!("{new} is read"));
+    let error =
+        radiosity::language::read(&radiosity::scene::Source::new("heat.toml", &CUBE.replace(old, new)))
+            .err()
+            .unwrap_or_else(|| panic!("{new} is read"));
     format!("{error}: {}", error.cure().unwrap_or_default())
 }
 

@@ -7,7 +7,7 @@ use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::reading::probe::{Probe, probe};
 use radiosity::reading::reader::{ReadMode, Reader};
-use radiosity::scene::Scene;
+use radiosity::scene::{Scene, Source};
 use radiosity::solve::view_factors::{self, ViewFactors};
 use radiosity::solve::{Options, solve};
 use radiosity::visibility::{Hiding, Visibility};
@@ -88,7 +88,8 @@ fn look(random: &mut Random, case: usize, curved: bool) -> Result<Found, String>
     let text = Interior::text(&surfaces);
     let kept = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("interior-{case}.toml"));
     fs::write(&kept, &text).expect("the scene is kept");
-    let scene = radiosity::language::from_toml(&text, "interior").map_err(|error| error.to_string())?;
+    let scene =
+        radiosity::language::read(&Source::new("interior", &text)).map_err(|error| error.to_string())?;
     let count = if curved { 8 } else { 30 };
     let sensors = sensors(random, &interior, count, writing.least());
     let (furnace, at) = furnace(&scene, &writing, &sensors)?;

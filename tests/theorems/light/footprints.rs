@@ -129,7 +129,7 @@ fn walls_across_a_room_and_dark_rooms_are_no_footprints() {
 
 /// The text of the Cornell box; without the holes in its floor if `cut` is not set.
 fn cornell(cut: bool) -> Scene {
-    let text = radiosity::language::text_of("cornell-box", &[]).expect("it is built in").text().to_string();
+    let text = radiosity::language::source("cornell-box", &[]).expect("it is built in").text().to_string();
     let start = text.find("holes = [\n").expect("the floor has holes");
     let end = start + text[start..].find("]\n\n").expect("they end") + 2;
     let text = if cut { text } else { text[..start].to_owned() + &text[end..] };

@@ -260,7 +260,7 @@ fn areas_move_with_their_luminaires() {
             let text = format!(
                 "frames = 3\n{still}[[motion]]\n{named} = [\"panel\"]\n{turn}translate = {{ points = [[0, 0, 0], [1, 0, 0]] }}\n"
             );
-            let scene = radiosity::language::from_toml(&text, "moving")
+            let scene = radiosity::language::read(&Source::new("moving", &text))
                 .and_then(|own| own.at_frame(2))
                 .expect("a frame");
             assert_close(in_the_open(&scene, &Options::default(), &point, 1e-5)[0], exact, 1e-6);

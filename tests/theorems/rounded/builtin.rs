@@ -26,7 +26,7 @@ fn round(value: &mut toml::Value) {
 
 /// Relative L2 distance of the mean radiosities of the surfaces.
 fn distance(name: &str) -> f64 {
-    let source = radiosity::language::text_of(name, &[]).expect("it is built in");
+    let source = radiosity::language::source(name, &[]).expect("it is built in");
     let rounded = Source::new(&source.origin, &single(&source.text()));
     let [clean, found] = [&source, &rounded].map(mean_radiosities);
     let sum = |of: &dyn Fn(&[f64; 2], &[f64; 2]) -> f64| {

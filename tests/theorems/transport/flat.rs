@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use radiosity::elements::{Discretization, ElementError, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
-use radiosity::scene::{Scene, SceneError};
+use radiosity::scene::{Scene, SceneError, Source};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 use radiosity_test_support::solved::blocks_of;
@@ -109,7 +109,7 @@ pub(crate) fn scene(surfaces: &[Flat]) -> Result<Scene, SceneError> {
         writeln!(text, "[[surfaces]]\nflip = {flip}\nsubdivide = {cells:?}\n{}", outline.text())
             .expect("a string takes all");
     }
-    radiosity::language::from_toml(&text, "test")
+    radiosity::language::read(&Source::new("test", &text))
 }
 
 /// The elements of a scene at one order.

@@ -9,12 +9,6 @@ pub(super) type Point = [f64; 3];
 /// Weight w of the inner control points of a quarter circle.
 pub(super) const WEIGHT: f64 = (1.0 + std::f64::consts::SQRT_2) / 3.0;
 
-/// Cosines and sines of the control points from 0° to 90°.
-pub(super) fn quarter() -> [[f64; 2]; 4] {
-    let middle = 2.0 - std::f64::consts::SQRT_2;
-    [[1.0, 0.0], [1.0, middle], [middle, 1.0], [0.0, 1.0]]
-}
-
 /// The quarter from −45° to 45° of a circle at height z.
 pub(super) fn circle(radius: f64, z: f64) -> [Point; 4] {
     section(radius * 0.5f64.sqrt(), radius * 2f64.sqrt(), z)

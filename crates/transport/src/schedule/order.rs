@@ -72,7 +72,9 @@ mod tests {
     /// Names of surfaces in the order of their elements.
     fn sorted(surfaces: &[(&str, &str)]) -> Vec<String> {
         let text = surfaces.iter().map(|(name, shape)| format!("[[surfaces]]\nname = {name:?}\n{shape}\n"));
-        let scene = radiosity_language::from_toml(&text.collect::<String>(), "scene").expect("it is valid");
+        let scene =
+            radiosity_language::read(&radiosity_scene::Source::new("scene", &text.collect::<String>()))
+                .expect("it is valid");
         let elements = Elements::new(&scene, &Discretization::uniform(0, 1)).expect("all have area");
         let mut ordered: Vec<(Precedence, String)> = elements
             .list()

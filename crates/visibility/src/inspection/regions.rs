@@ -107,7 +107,10 @@ mod tests {
     /// The regions of these surfaces, without materials.
     fn regions(surfaces: &[&str]) -> Option<Regions> {
         let list: Vec<String> = surfaces.iter().map(|own| format!("[[surfaces]]\n{own}\n")).collect();
-        Regions::of(&radiosity_language::from_toml(&list.concat(), "regions.toml").expect("a scene"))
+        Regions::of(
+            &radiosity_language::read(&radiosity_scene::Source::new("regions.toml", &list.concat()))
+                .expect("a scene"),
+        )
     }
 
     fn ball(center: [f64; 3], radius: f64) -> String {

@@ -1,6 +1,6 @@
 //! Scenes, and runs of them that are much finer.
 
-use radiosity::scene::Scene;
+use radiosity::scene::{Scene, Source};
 use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity_test_support::walls::walls;
@@ -94,7 +94,8 @@ pub(crate) fn all() -> Vec<Case> {
 }
 
 fn scene(text: &str) -> Scene {
-    radiosity::language::from_toml(&format!("{MATERIALS}{text}"), "case").expect("the scene is valid")
+    radiosity::language::read(&Source::new("case", &format!("{MATERIALS}{text}")))
+        .expect("the scene is valid")
 }
 
 fn surface(material: &str, rest: &str) -> String {

@@ -42,7 +42,7 @@ pub(crate) fn print(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     let scenes = [scenes[0], scenes[1], ("hinge-squares", "angle", 90.0)];
     let mut columns = Vec::new();
     for ((name, parameter, value), exact) in scenes.into_iter().zip(EXACT) {
-        let scene = radiosity::language::builtin_with(name, &[(parameter, value)])?;
+        let scene = radiosity::language::read(&radiosity::language::source(name, &[(parameter, value)])?)?;
         columns.push(of_scene(&scene, exact)?);
     }
     writeln!(out, "| this, `ViewFactors` of a scene | {} | here |", columns.join(" | "))?;

@@ -41,7 +41,7 @@ pub(crate) fn told(folder: Option<&Path>) -> Result<(), Box<dyn Error>> {
     println!("| scene | rays | told | true | told / true |");
     println!("| --- | --- | --- | --- | --- |");
     for Study { name, settings, cuts } in BUILT_IN {
-        let scene = radiosity::language::parse(&radiosity::language::text_of(name, settings)?)?;
+        let scene = radiosity::language::read(&radiosity::language::source(name, settings)?)?;
         let settings: String = settings.iter().map(|(name, value)| format!(", {name} {value}")).collect();
         judge(&format!("{name}{settings}"), &scene, cuts)?;
     }

@@ -20,7 +20,7 @@ impl Subject {
         let (source, setting) =
             name.split_once(':').map_or((name, None), |(source, setting)| (source, Some(setting)));
         let setting = setting.map(parsed).transpose()?;
-        let scene = radiosity::language::load_with(source, setting.as_slice())?;
+        let scene = radiosity::language::read(&radiosity::language::source(source, setting.as_slice())?)?;
         let Options { order, space, layers, .. } = Options::default();
         let occluded = Visibility::new(&scene, (&Options::default()).into()).any_shadow();
         let how = Discretization { order, space, subdivide: Subdivide::Auto { occluded }, layers };

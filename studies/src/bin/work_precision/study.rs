@@ -2,7 +2,7 @@
 
 use radiosity::elements::cells::Layers;
 use radiosity::published::zatz1993::transfers::{HybridReading, PaperRules};
-use radiosity::scene::Scene;
+use radiosity::scene::{Scene, Source};
 use radiosity::solve::{Direct, Options};
 
 /// A unit sphere under a square lamp that reflects nothing: the irradiance of the sphere is Lambert's form.
@@ -114,9 +114,10 @@ pub(crate) struct Study {
 pub(crate) fn studies() -> Vec<Study> {
     let study = |name, title, scene, judge, trials| Study { name, title, scene, judge, trials };
     let builtin = |name| radiosity::builtin(name).expect("it is built in");
-    let bright =
-        radiosity::language::builtin_with("empty-box", &[("reflectance", 0.8)]).expect("it is built in");
-    let sphere = radiosity::language::from_toml(LIT_SPHERE, "lit-sphere").expect("it is valid");
+    let bright = radiosity::language::source("empty-box", &[("reflectance", 0.8)])
+        .and_then(|source| radiosity::language::read(&source))
+        .expect("it is built in");
+    let sphere = radiosity::language::read(&Source::new("lit-sphere", LIT_SPHERE)).expect("it is valid");
     let closed = Judge::Finest(Trial { layers: 2, ..run(8, 1, 1e-7) });
     // Sharper than the runs it judges, as far as minutes go.
     let shadowed = |order, cells, eps| Judge::Finest(run(order, cells, eps));

@@ -13,6 +13,7 @@ use radiosity::kernel::irradiance::visible_polygon::irradiance;
 use radiosity::published::zatz1993::transfers::{
     ChartedElement, EXTRA_POINTS, HybridReading, PaperRules, transfer,
 };
+use radiosity::scene::Source;
 use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_core::basis::total;
@@ -88,7 +89,8 @@ fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
          [[surfaces]]\nname = \"emitter\"\nmaterial = \"white\"\nquad = {{ vertices = {:?} }}\n",
         emitter.0
     );
-    let scene = radiosity::language::from_toml(&scene, "section 6.1").expect("two squares are a scene");
+    let scene =
+        radiosity::language::read(&Source::new("section 6.1", &scene)).expect("two squares are a scene");
     let how = Discretization::uniform(order, 1);
     let elements = Elements::new(&scene, &how).expect("squares have area");
     let visibility = Visibility::new(&scene, Shadows::Off);

@@ -92,7 +92,8 @@ mod tests {
             [[surfaces]]\nname = 'ball'\nsphere = { center = [0, 0, 9], radius = 1 }
             [[surfaces]]\nname = 'disk'\ndisk = { center = [5, 0, 0], normal = [0, 0, 1], radius = 0.5 }
             [[surfaces]]\nname = 'quad'\nquad = { vertices = [[0, 0, 5], [2, 0, 5], [3, 2, 5], [1, 2, 5]] }";
-        let scene = radiosity_language::from_toml(surfaces, "scene").expect("it is valid");
+        let scene =
+            radiosity_language::read(&radiosity_scene::Source::new("scene", surfaces)).expect("it is valid");
         let elements = Elements::new(&scene, &Discretization::uniform(3, 1)).expect("all have area");
         let charts: Vec<Chart> =
             elements.list().iter().map(|element| Chart::of(element).expect("one patch")).collect();

@@ -200,7 +200,7 @@ impl SavedScene {
             None => source,
         };
         let scene =
-            radiosity_language::parse(&source).map_err(|error| SolutionFault::Scene(Box::new(error)))?;
+            radiosity_language::read(&source).map_err(|error| SolutionFault::Scene(Box::new(error)))?;
         if scene.name != self.name {
             return Err(SolutionFault::Whole(Mismatch("the scene's name")));
         }
