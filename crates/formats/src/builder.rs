@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 use radiosity_fit::outline::WARPED;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::short;
 
@@ -57,32 +57,32 @@ impl ModelBuilder {
         shape: Shape,
         coat: &Coat,
         line: usize,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), Refusal> {
         if matches!(shape, Shape::Quad(_)) {
             self.note(WARPED, line);
         }
         let (points, numbers) = parts(&shape);
         self.vertices += points.len();
         if self.model.surfaces.len() >= MOST_SURFACES || self.vertices > MOST_VERTICES {
-            return Err(Fault::new(
+            return refuse(
                 format!("more than {MOST_SURFACES} surfaces or {MOST_VERTICES} vertices"),
                 "split the scene",
-            ));
+            );
         }
         let mut numbers = points.iter().flat_map(|point| point.to_array()).chain(numbers);
         // Not a number is not within either.
         if !numbers.all(|number| number.abs() <= GREATEST) {
-            return Err(Fault::new(
+            return refuse(
                 format!("a coordinate or a radius is beyond {GREATEST:e} after transforms"),
                 "scale the scene down",
-            ));
+            );
         }
         check_size(&shape)?;
         if !coat.reflectance.iter().chain(&coat.emission).all(|value| *value <= GREATEST) {
-            return Err(Fault::new(
+            return refuse(
                 format!("the material '{}' has a value beyond {GREATEST:e}", short(&coat.name)),
                 "correct its reflectance or its emission",
-            ));
+            );
         }
         let wanted = match name {
             Some(name) => name.to_owned(),
@@ -139,7 +139,7 @@ fn parts(shape: &Shape) -> (Vec<DVec3>, Vec<f64>) {
 }
 
 /// Refuses curved shapes without a radius or an axis. Flat shapes without an area are left to repair.
-fn check_size(shape: &Shape) -> Result<(), Fault> {
+fn check_size(shape: &Shape) -> Result<(), Refusal> {
     let (directions, radius) = match *shape {
         Shape::Polygon { .. } | Shape::Quad(_) => return Ok(()),
         Shape::Disk { normal, radius, inner, .. } => (Some(normal), radius - inner),
@@ -150,10 +150,10 @@ fn check_size(shape: &Shape) -> Result<(), Fault> {
     };
     let kind = kind(shape);
     if radius <= 0.0 {
-        return Err(Fault::new(format!("a {kind} has no radius"), "give it one, or take it out"));
+        return refuse(format!("a {kind} has no radius"), "give it one, or take it out");
     }
     if directions == Some(DVec3::ZERO) {
-        return Err(Fault::new(format!("a {kind} has no axis"), "part its ends, or take it out"));
+        return refuse(format!("a {kind} has no axis"), "part its ends, or take it out");
     }
     Ok(())
 }

@@ -19,8 +19,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use serde::de::{Error, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 use strsim::damerau_levenshtein;
@@ -73,7 +72,7 @@ struct Values(Vec<f64>);
 pub fn apply(side: &SideFile, model: &mut Model) -> Result<Vec<String>, Refusal> {
     let sheet: Sheet = toml::from_str(&side.text).map_err(|error| {
         let fault =
-            Fault::new(error.message().trim(), "write such as [materials.white] with reflectance = 0.8");
+            Refusal::new(error.message().trim(), "write such as [materials.white] with reflectance = 0.8");
         side.refusal(fault, error.span().unwrap_or(0..0))
     })?;
     for (name, entry) in &sheet.materials {
@@ -129,7 +128,7 @@ impl Entry {
 
 impl SideFile {
     /// The refusal for a fault at these bytes.
-    fn refusal(&self, fault: Fault, span: Range<usize>) -> Refusal {
+    fn refusal(&self, fault: Refusal, span: Range<usize>) -> Refusal {
         let before = self.text.get(..span.start).unwrap_or(&self.text);
         fault.in_line(&self.name, 1 + before.matches('\n').count())
     }
@@ -137,21 +136,20 @@ impl SideFile {
 
 /// Refuses numbers that are no reflectance or exitance, and lists of other lengths than 1, 3 and that of the
 /// bands.
-fn check(values: &Values, model: &Model) -> Result<(), Fault> {
+fn check(values: &Values, model: &Model) -> Result<(), Refusal> {
     let (count, bands) = (values.0.len(), model.bands.len());
     let fits = [1, bands].contains(&count) || bands == 1 && count == 3;
     if !fits {
         let bands = model.bands.join(", ");
-        return Err(Fault::new(
+        return refuse(
             format!("there are {count} numbers, the bands are {bands}"),
             "give one number, or one per band",
-        ));
+        );
     }
     match values.0.iter().find(|value| !(0.0..=GREATEST).contains(*value)) {
-        Some(value) => Err(Fault::new(
-            format!("{value} is no reflectance or exitance"),
-            "give a finite number, 0 or above",
-        )),
+        Some(value) => {
+            refuse(format!("{value} is no reflectance or exitance"), "give a finite number, 0 or above")
+        }
         None => Ok(()),
     }
 }
@@ -188,7 +186,7 @@ fn put(name: &str, entry: &Entry, model: &mut Model) {
 }
 
 /// Gives surfaces a material; returns how many. An error says whether it is one of the material.
-fn assign(pattern: &str, material: &Spanned<String>, model: &mut Model) -> Result<usize, (Fault, bool)> {
+fn assign(pattern: &str, material: &Spanned<String>, model: &mut Model) -> Result<usize, (Refusal, bool)> {
     let name = material.get_ref();
     let Some(index) = model.materials.iter().position(|own| own.name == *name) else {
         return Err((unknown_material(name, model), true));
@@ -202,7 +200,7 @@ fn assign(pattern: &str, material: &Spanned<String>, model: &mut Model) -> Resul
         0 => {
             let names = model.surfaces.iter().map(|own| own.name.as_str());
             Err((
-                Fault::new(format!("no surface is called {pattern:?}"), meant(pattern, names, "surfaces")),
+                Refusal::new(format!("no surface is called {pattern:?}"), meant(pattern, names, "surfaces")),
                 false,
             ))
         }
@@ -223,9 +221,9 @@ fn is_match(pattern: &str, name: &str) -> bool {
     }
 }
 
-fn unknown_material(name: &str, model: &Model) -> Fault {
+fn unknown_material(name: &str, model: &Model) -> Refusal {
     let names = model.materials.iter().map(|own| own.name.as_str());
-    Fault::new(format!("the scene has no material {name:?}"), meant(name, names, "materials"))
+    Refusal::new(format!("the scene has no material {name:?}"), meant(name, names, "materials"))
 }
 
 /// The nearest of the names there are, or a few of them.

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use radiosity_fit::outline::{WARPED, is_warped};
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 
 use crate::colour;
@@ -44,25 +44,25 @@ impl Mesh {
     ///
     /// # Errors
     /// Fewer than three corners, coordinates beyond measure, too many faces.
-    pub fn face(&mut self, corners: Vec<DVec3>, coat: Coat, place: FilePlace) -> Result<(), Fault> {
+    pub fn face(&mut self, corners: Vec<DVec3>, coat: Coat, place: FilePlace) -> Result<(), Refusal> {
         if corners.len() < 3 {
-            return Err(Fault::new(
+            return refuse(
                 format!("a face has {} corners, 3 are the least", corners.len()),
                 "take the face out, or give it three corners",
-            ));
+            );
         }
         if !corners.iter().all(|corner| corner.is_finite() && corner.abs().max_element() <= GREATEST) {
-            return Err(Fault::new(
+            return refuse(
                 format!("a coordinate is beyond {GREATEST:e}"),
                 "correct it, or scale the model down",
-            ));
+            );
         }
         self.corners += corners.len();
         if self.objects.len() >= MOST_SURFACES || self.corners > MOST_VERTICES {
-            return Err(Fault::new(
+            return refuse(
                 format!("more than {MOST_SURFACES} faces or {MOST_VERTICES} corners"),
                 "split the model",
-            ));
+            );
         }
         let shape = match <[DVec3; 4]>::try_from(corners.as_slice()) {
             Ok(four) if is_warped(&four) => Shape::Quad(four),
@@ -81,12 +81,12 @@ impl Mesh {
     ///
     /// # Errors
     /// No faces; `what` names what the file lacks: "faces (f)".
-    pub fn finish(mut self, what: &str) -> Result<Model, Fault> {
+    pub fn finish(mut self, what: &str) -> Result<Model, Refusal> {
         if self.model.surfaces.is_empty() {
-            return Err(Fault::new(
+            return refuse(
                 format!("the file holds no {what}"),
                 "save the model with polygons, or name its format",
-            ));
+            );
         }
         merge::within(&mut self.model, &mut self.objects);
         self.name();

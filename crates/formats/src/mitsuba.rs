@@ -35,7 +35,7 @@ mod leftovers;
 mod scene;
 
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::located::decoded;
+use radiosity_photometry::text::decoded;
 
 use crate::files::Files;
 use crate::model::Model;

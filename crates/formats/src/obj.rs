@@ -22,9 +22,8 @@ use std::f64::consts::PI;
 use std::io;
 
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::decoded;
+use radiosity_photometry::text::decoded;
 use radiosity_photometry::text::short;
 
 use crate::colour::UNKNOWN;
@@ -54,7 +53,7 @@ pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusa
         add_material(&mut mesh.model, name, known.get(name), *line);
     }
     faces.add_to(&mut mesh).map_err(|located| located.in_file(file))?;
-    mesh.finish("faces (f)").map_err(|fault| fault.of_file(file))
+    mesh.finish("faces (f)").map_err(|fault| fault.in_file(file))
 }
 
 /// The materials of all material files by name; of several of one name the first. Files that cannot be read
@@ -80,7 +79,7 @@ fn libraries(
             };
             size += bytes.len();
             if size > MOST_BYTES_OF_TEXT {
-                let fault = Fault::new(
+                let fault = Refusal::new(
                     format!("the material files are longer than {MOST_BYTES_OF_TEXT} bytes"),
                     "name only those that the model needs",
                 );

@@ -10,15 +10,13 @@ mod header;
 mod numbers;
 mod elements;
 
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::located::Located;
-
 use crate::files::Files;
 use crate::mesh::Mesh;
 use crate::model::Model;
 use elements::Elements;
 use header::{Encoding, Header};
 use numbers::{Bits, Words};
+use radiosity_photometry::error::Refusal;
 
 /// Reads a PLY of the name `file`. It names no other files.
 ///
@@ -27,10 +25,10 @@ use numbers::{Bits, Words};
 /// faces.
 pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refusal> {
     let mesh = mesh(bytes).map_err(|located| located.in_file(file))?;
-    mesh.finish("faces with a list vertex_indices").map_err(|fault| fault.of_file(file))
+    mesh.finish("faces with a list vertex_indices").map_err(|fault| fault.in_file(file))
 }
 
-fn mesh(bytes: &[u8]) -> Result<Mesh, Located> {
+fn mesh(bytes: &[u8]) -> Result<Mesh, Refusal> {
     let header = Header::of(bytes)?;
     let mut mesh = Mesh::default();
     mesh.model.bands = vec!["grey".to_owned()];

@@ -21,10 +21,10 @@ mod mantles;
 mod reflectances;
 
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
 
 use crate::model::{Model, Shape, Sides};
 use crate::tolerances::GREATEST_OF_REPAIR;
+use radiosity_photometry::error::Refusal;
 pub use record::{Repair, RepairKind, Repairs};
 
 /// Options of the repair, as the user sets them.

@@ -21,7 +21,6 @@
 //! * `O number v1 v2 v3 v4 name`: an obstruction: it only blocks the view. It is black.
 //! * `E` or `*` ends the data.
 
-mod convex;
 mod plane;
 mod statements;
 pub mod write;
@@ -29,8 +28,7 @@ pub mod write;
 use std::collections::HashMap;
 
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::decode;
 
@@ -49,31 +47,26 @@ const OFF_PLANE: f64 = 1e-5;
 /// # Errors
 /// A statement that View3D does not have, numbers out of order or out of range, a base that cannot be one.
 pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refusal> {
-    let text = decode(bytes).map_err(|fault| fault.of_file(file))?;
-    let input = Input::of(file, &text)?;
+    let text = decode(bytes).map_err(|fault| fault.in_file(file))?;
+    let input = Input::of(&text).map_err(|refusal| refusal.in_file(file))?;
     if input.surfaces.is_empty() {
-        let fault = Fault::new("there are no surfaces", "add lines that begin with S, or name its format");
-        return Err(fault.of_file(file));
+        let cure = "add lines that begin with S, or name its format";
+        return Err(Refusal::new("there are no surfaces", cure).in_file(file));
     }
-    let located = |Faulty { statement, fault }: Faulty<'_>| fault.in_line(file, statement.line);
-    let outlines = outlines(&input).map_err(located)?;
-    let holes = holes(&input, &outlines).map_err(located)?;
+    let outlines = outlines(&input).map_err(|refusal| refusal.in_file(file))?;
+    let holes = holes(&input, &outlines).map_err(|refusal| refusal.in_file(file))?;
     Ok(model(&input, outlines, holes))
 }
 
-/// A statement with its fault.
-struct Faulty<'a> {
-    statement: &'a Statement,
-    fault: Fault,
-}
-
 /// The corners of each surface.
-fn outlines(input: &Input) -> Result<Vec<Vec<DVec3>>, Faulty<'_>> {
-    let corners = |statement| outline(input, statement).map_err(|fault| Faulty { statement, fault });
+fn outlines(input: &Input) -> Result<Vec<Vec<DVec3>>, Refusal> {
+    let corners = |statement: &Statement| {
+        outline(input, statement).map_err(|refusal| refusal.at(FilePlace::Line(statement.line)))
+    };
     input.surfaces.iter().map(corners).collect()
 }
 
-fn outline(input: &Input, surface: &Statement) -> Result<Vec<DVec3>, Fault> {
+fn outline(input: &Input, surface: &Statement) -> Result<Vec<DVec3>, Refusal> {
     let points = match &surface.corners {
         Corners::Points(points) => points.clone(),
         Corners::Numbers(numbers) => {
@@ -82,14 +75,14 @@ fn outline(input: &Input, surface: &Statement) -> Result<Vec<DVec3>, Fault> {
     };
     match points.iter().all(|point| point.is_finite() && point.abs().max_element() <= GREATEST) {
         true => Ok(points),
-        false => Err(Fault::new(format!("a coordinate is beyond {GREATEST:e}"), "write smaller coordinates")),
+        false => refuse(format!("a coordinate is beyond {GREATEST:e}"), "write smaller coordinates"),
     }
 }
 
-fn vertex(vertices: &[DVec3], number: usize) -> Result<DVec3, Fault> {
+fn vertex(vertices: &[DVec3], number: usize) -> Result<DVec3, Refusal> {
     let found = number.checked_sub(1).and_then(|index| vertices.get(index));
     found.copied().ok_or_else(|| {
-        Fault::new(
+        Refusal::new(
             format!("there is no vertex {number}"),
             format!("name one from 1 to {}; only the fourth may be 0, in a triangle", vertices.len()),
         )
@@ -97,19 +90,18 @@ fn vertex(vertices: &[DVec3], number: usize) -> Result<DVec3, Fault> {
 }
 
 /// The surfaces that lie on each surface, as outlines of holes.
-fn holes<'a>(input: &'a Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DVec3>>>, Faulty<'a>> {
+fn holes(input: &Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DVec3>>>, Refusal> {
     let mut holes = vec![Vec::new(); outlines.len()];
     for (index, (surface, outline)) in input.surfaces.iter().zip(outlines).enumerate() {
         if surface.kind == SurfaceRole::Obstruction {
             continue;
         }
-        let base =
-            base(&input.surfaces, index, surface).map_err(|fault| Faulty { statement: surface, fault })?;
+        let place = FilePlace::Line(surface.line);
+        let base = base(&input.surfaces, index, surface).map_err(|refusal| refusal.at(place))?;
         let Some(base) = base else { continue };
         if !lies_on(outline, &outlines[base]) {
             let cause = format!("the surface does not lie in the plane of its base {}", base + 1);
-            let fault = Fault::new(cause, "correct its vertices, or write base 0");
-            return Err(Faulty { statement: surface, fault });
+            return refuse_at(place, cause, "correct its vertices, or write base 0");
         }
         holes[base].push(outline.clone());
     }
@@ -117,13 +109,12 @@ fn holes<'a>(input: &'a Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DV
 }
 
 /// Index of the base of a surface, if it has one. A surface lies on one before it, or on an obstruction.
-fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Option<usize>, Fault> {
+fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Option<usize>, Refusal> {
     let Some(base) = surface.base.checked_sub(1) else {
         return match surface.kind {
-            SurfaceRole::Masking | SurfaceRole::Null => Err(Fault::new(
-                "a masking or null surface has no base",
-                "write the number of the surface it lies on",
-            )),
+            SurfaceRole::Masking | SurfaceRole::Null => {
+                refuse("a masking or null surface has no base", "write the number of the surface it lies on")
+            }
             _ => Ok(None),
         };
     };
@@ -131,10 +122,10 @@ fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Opt
         Some(found) if base < index || (base > index && found.kind == SurfaceRole::Obstruction) => {
             Ok(Some(base))
         }
-        _ => Err(Fault::new(
+        _ => refuse(
             format!("the base {} is neither a surface before this one nor an obstruction", surface.base),
             "write the surface behind its base, or write base 0",
-        )),
+        ),
     }
 }
 

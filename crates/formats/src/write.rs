@@ -1,10 +1,9 @@
 //! Writes a model in any of the formats that are written.
 
-use radiosity_photometry::error::Refusal;
-
 use crate::format::Format;
 use crate::model::Model;
 use crate::{mgf, obj, vs3};
+use radiosity_photometry::error::Refusal;
 
 /// The formats that are written.
 pub const WRITTEN: [Format; 3] = [Format::Mgf, Format::Vs3, Format::Obj];

@@ -5,7 +5,7 @@
 //! `-a n` (what follows 0, 1, …, n − 1 times, for n instances). What is written first is done first.
 
 use glam::{DMat3, DVec3};
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::{number, short};
 
 use crate::model::Shape;
@@ -187,7 +187,7 @@ impl Transforms {
     ///
     /// # Errors
     /// A flag without its numbers, a scale of 0, an array of no or of too many instances.
-    pub(crate) fn parse(words: &[&str]) -> Result<(Self, usize), Fault> {
+    pub(crate) fn parse(words: &[&str]) -> Result<(Self, usize), Refusal> {
         let mut blocks = vec![Block { once: Similarity::IDENTITY, times: Times::Always(1) }];
         let (mut count, mut read) = (1_usize, 0);
         while let Some(flag) = words.get(read) {
@@ -238,38 +238,33 @@ impl Transforms {
 }
 
 /// The number behind `-i` or `-a`.
-fn repetitions(flag: &str, rest: &[&str]) -> Result<Times, Fault> {
+fn repetitions(flag: &str, rest: &[&str]) -> Result<Times, Refusal> {
     let word = rest.first().copied().unwrap_or("");
     match (flag, word.parse::<u32>()) {
         ("-i", Ok(times)) => Ok(Times::Always(times)),
         ("-a", Ok(count)) if count > 0 => Ok(Times::Array(count)),
-        ("-a", _) => {
-            Err(Fault::new(format!("-a {} makes no array", short(word)), "write a whole number from 1"))
-        }
-        _ => Err(Fault::new(
-            format!("-i {} is no number of repetitions", short(word)),
-            "write a whole number from 0",
-        )),
+        ("-a", _) => refuse(format!("-a {} makes no array", short(word)), "write a whole number from 1"),
+        _ => refuse(format!("-i {} is no number of repetitions", short(word)), "write a whole number from 0"),
     }
 }
 
 /// The number of instances after a further array.
-fn instances(count: usize, times: Times) -> Result<usize, Fault> {
+fn instances(count: usize, times: Times) -> Result<usize, Refusal> {
     let own = match times {
         Times::Array(own) => own as usize,
         Times::Always(_) => 1,
     };
     count.checked_mul(own).filter(|count| *count <= MOST_INSTANCES).ok_or_else(|| {
-        Fault::new(format!("an array has more than {MOST_INSTANCES} instances"), "make it smaller")
+        Refusal::new(format!("an array has more than {MOST_INSTANCES} instances"), "make it smaller")
     })
 }
 
 /// Transform of a flag, and the number of words behind it that are its arguments; none if it is no flag of a
 /// transform.
-fn step(flag: &str, rest: &[&str]) -> Result<Option<(Similarity, usize)>, Fault> {
+fn step(flag: &str, rest: &[&str]) -> Result<Option<(Similarity, usize)>, Refusal> {
     let value = |index: usize| {
         let word = rest.get(index).ok_or_else(|| {
-            Fault::new(format!("{flag} lacks a number"), "write its numbers behind it, parted by blanks")
+            Refusal::new(format!("{flag} lacks a number"), "write its numbers behind it, parted by blanks")
         })?;
         number(word, &format!("a number of {flag}"))
     };
@@ -279,7 +274,7 @@ fn step(flag: &str, rest: &[&str]) -> Result<Option<(Similarity, usize)>, Fault>
         "-ry" => (Similarity::rotation(1, value(0)?), 1),
         "-rz" => (Similarity::rotation(2, value(0)?), 1),
         "-s" => match value(0)? {
-            0.0 => return Err(Fault::new("a scale is 0", "write another factor behind -s")),
+            0.0 => return refuse("a scale is 0", "write another factor behind -s"),
             factor => (Similarity::scale(factor), 1),
         },
         "-mx" => (Similarity::mirror(0), 0),
@@ -301,7 +296,7 @@ mod tests {
         transforms
     }
 
-    fn refused(text: &str) -> Fault {
+    fn refused(text: &str) -> Refusal {
         let words: Vec<&str> = text.split_whitespace().collect();
         Transforms::parse(&words).expect_err("these words are refused")
     }

@@ -4,11 +4,11 @@ use std::collections::HashMap;
 use std::fmt::Write;
 
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
 
 use crate::colour::{chromaticity, luminance};
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
+use radiosity_photometry::error::Refusal;
 
 /// The text of a model; reading it gives the model back but for rounding, the title, the unit, the camera,
 /// the names of bands other than red, green and blue, and blanks in names. MGF's materials have two sides

@@ -4,7 +4,6 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::{number, short};
 
 /// An element and those inside it.
@@ -147,11 +146,11 @@ impl Element {
 
     /// The refusal of what is here.
     pub(super) fn refusal(&self, cause: impl Into<String>, cure: impl Into<String>) -> Refusal {
-        self.at(Fault::new(cause, cure))
+        self.at(Refusal::new(cause, cure))
     }
 
     /// The refusal for a fault that is here.
-    pub(super) fn at(&self, fault: Fault) -> Refusal {
+    pub(super) fn at(&self, fault: Refusal) -> Refusal {
         fault.in_line(&self.file, self.line)
     }
 }

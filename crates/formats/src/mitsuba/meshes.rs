@@ -4,7 +4,6 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::short;
 
 use super::element::Element;
@@ -48,7 +47,7 @@ impl<'a> Meshes<'a> {
             return Ok(known.clone());
         }
         let bytes = self.files.bytes(path).map_err(|error| {
-            shape.at(Fault::new(
+            shape.at(Refusal::new(
                 format!("the mesh '{}' cannot be read: {error}", short(path)),
                 "put it beside the scene, or take the shape out",
             ))

@@ -1,7 +1,6 @@
 //! Scenes: shapes, a camera, and what else is at the top.
 
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::short;
 
 use super::colours::Colours;
@@ -45,8 +44,9 @@ pub(super) fn model(root: &Element, files: &dyn Files) -> Result<Model, Refusal>
     leftovers::remark(root, &mut remarks);
     let mut model = shapes.finish();
     if model.surfaces.is_empty() {
-        let fault = Fault::new("the scene holds no shapes that are known", "add shapes, or name its format");
-        return Err(fault.of_file(&root.file));
+        let fault =
+            Refusal::new("the scene holds no shapes that are known", "add shapes, or name its format");
+        return Err(fault.in_file(&root.file));
     }
     model.camera = camera;
     model.notes.extend(remarks.notes());

@@ -2,7 +2,6 @@
 
 use glam::{DAffine3, DVec3};
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::short;
 
 use super::bsdfs::{Bsdfs, Finish, USUAL};
@@ -131,7 +130,7 @@ impl<'a, 'b> Shapes<'a, 'b> {
         remarks: &mut Remarks,
     ) -> Result<Vec<Shape>, Refusal> {
         let is_flipped = shape.boolean("flip_normals")?;
-        let at = |fault: Fault| shape.at(fault);
+        let at = |fault: Refusal| shape.at(fault);
         let one = |shape: Shape| vec![shape];
         match shape.kind() {
             "rectangle" => Ok(one(placed::rectangle(placed, is_flipped))),

@@ -5,11 +5,11 @@ use std::f64::consts::PI;
 use std::fmt::Write;
 
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
 
 use super::bridge::bridged;
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
+use radiosity_photometry::error::Refusal;
 
 /// A model as text.
 #[derive(Clone, Debug, PartialEq)]

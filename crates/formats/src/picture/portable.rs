@@ -7,7 +7,7 @@
 use std::io::Cursor;
 
 use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Reader, Transformations};
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::Refusal;
 
 use super::coding::{Coding, Curve};
 use super::reduction::{Picture, Reduction, Refused};
@@ -31,7 +31,7 @@ const INTERLACED: [Pass; 7] = [
 const PLAIN: [Pass; 1] = [([1, 1], [0, 0])];
 
 /// Reads a PNG, averaged to at most `most` texels; without `coding`, the file itself tells its coding.
-pub(super) fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<Picture, Fault> {
+pub(super) fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<Picture, Refusal> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     // Palettes become colours, grey of few bits becomes 8 bits, a transparent colour an alpha channel.
     decoder.set_transformations(Transformations::EXPAND);
@@ -76,7 +76,7 @@ fn curve(info: &Info<'_>) -> Curve {
     }
 }
 
-fn fault(error: DecodingError) -> Fault {
+fn fault(error: DecodingError) -> Refusal {
     damaged(error)
 }
 

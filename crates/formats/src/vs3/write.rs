@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use std::fmt::Write;
 
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
+use radiosity_geom::PlanarRegion;
 
-use super::convex;
 use super::statements::OBSTRUCTION;
 use crate::colour::luminance;
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::tolerances::STEPS_OF_EMITTANCE;
+use radiosity_photometry::error::Refusal;
 
 /// The text of a model. View3D has one band and no emission: the emittance is 1 − ρ, with ρ the luminance of
 /// three bands and the mean of others; emission is left out. A surface of two sides becomes two surfaces, the
@@ -77,12 +77,13 @@ impl Sheet {
                 "write it in another format, or put polygons in its place",
             ));
         };
-        let mut pieces = convex::pieces(outline, holes).ok_or_else(|| {
+        let region = PlanarRegion::new(outline.clone(), holes.clone()).map_err(|_| {
             refusal(
                 format!("the outline of surface \"{}\" crosses itself or has no area", surface.name),
                 "repair the scene before it is written",
             )
         })?;
+        let mut pieces = region.convex_pieces().to_vec();
         self.add_pieces(&surface.name, &pieces, letter, emittance);
         if surface.sides == Sides::Both {
             pieces.iter_mut().for_each(|piece| piece.reverse());
