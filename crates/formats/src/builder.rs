@@ -9,7 +9,7 @@ use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::short;
 
 use crate::colour::settle;
-use crate::model::{Material, Model, Shape, Sides, Surface};
+use crate::model::{Mantle, Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 use crate::tolerances::{GREATEST, MOST_SURFACES, MOST_VERTICES};
 
@@ -61,7 +61,7 @@ impl ModelBuilder {
         if matches!(shape, Shape::Quad(_)) {
             self.note(WARPED, line);
         }
-        let (points, numbers) = parts(&shape);
+        let (points, numbers) = shape.numbers();
         self.vertices += points.len();
         if self.model.surfaces.len() >= MOST_SURFACES || self.vertices > MOST_VERTICES {
             return refuse(
@@ -86,7 +86,7 @@ impl ModelBuilder {
         }
         let wanted = match name {
             Some(name) => name.to_owned(),
-            None => format!("{}-{}", kind(&shape), self.model.surfaces.len() + 1),
+            None => format!("{}-{}", shape.kind(), self.model.surfaces.len() + 1),
         };
         let (name, material) = (self.names.take(&wanted), self.material(coat));
         self.model.surfaces.push(Surface {
@@ -123,50 +123,23 @@ impl ModelBuilder {
     }
 }
 
-/// The points and the other numbers of a shape.
-fn parts(shape: &Shape) -> (Vec<DVec3>, Vec<f64>) {
-    match shape {
-        Shape::Polygon { outline, holes } => {
-            (outline.iter().chain(holes.iter().flatten()).copied().collect(), Vec::new())
-        }
-        Shape::Quad(corners) => (corners.to_vec(), Vec::new()),
-        Shape::Disk { center, normal, radius, inner } => (vec![*center, *normal], vec![*radius, *inner]),
-        Shape::Cylinder { base, axis, radius, .. } => (vec![*base, *axis], vec![*radius]),
-        Shape::Cone { base, axis, radii, .. } => (vec![*base, *axis], radii.to_vec()),
-        Shape::Sphere { center, radius, .. } => (vec![*center], vec![*radius]),
-        Shape::Torus { center, axis, major, minor, .. } => (vec![*center, *axis], vec![*major, *minor]),
-    }
-}
-
 /// Refuses curved shapes without a radius or an axis. Flat shapes without an area are left to repair.
 fn check_size(shape: &Shape) -> Result<(), Refusal> {
-    let (directions, radius) = match *shape {
-        Shape::Polygon { .. } | Shape::Quad(_) => return Ok(()),
-        Shape::Disk { normal, radius, inner, .. } => (Some(normal), radius - inner),
-        Shape::Cylinder { axis, radius, .. } => (Some(axis), radius),
-        Shape::Cone { axis, radii, .. } => (Some(axis), radii[0].max(radii[1])),
-        Shape::Sphere { radius, .. } => (None, radius),
-        Shape::Torus { axis, major, minor, .. } => (Some(axis), major.min(minor)),
+    let (axis, radius) = match *shape {
+        Shape::Disk { normal, radius, inner, .. } => (normal, radius - inner),
+        Shape::Sphere { radius, .. } => (DVec3::ONE, radius),
+        Shape::Torus { axis, major, minor, .. } => (axis, major.min(minor)),
+        _ => match shape.mantle() {
+            Some(Mantle { axis, radii, .. }) => (axis, radii[0].max(radii[1])),
+            None => return Ok(()),
+        },
     };
-    let kind = kind(shape);
+    let kind = shape.kind();
     if radius <= 0.0 {
         return refuse(format!("a {kind} has no radius"), "give it one, or take it out");
     }
-    if directions == Some(DVec3::ZERO) {
+    if axis == DVec3::ZERO {
         return refuse(format!("a {kind} has no axis"), "part its ends, or take it out");
     }
     Ok(())
-}
-
-/// The kind of a shape, as scenes call it.
-fn kind(shape: &Shape) -> &'static str {
-    match shape {
-        Shape::Polygon { .. } => "polygon",
-        Shape::Quad(_) => "quad",
-        Shape::Disk { .. } => "disk",
-        Shape::Cylinder { .. } => "cylinder",
-        Shape::Cone { .. } => "cone",
-        Shape::Sphere { .. } => "sphere",
-        Shape::Torus { .. } => "torus",
-    }
 }

@@ -107,17 +107,9 @@ impl Mesh {
             let wanted = match &self.names[*object] {
                 Some(name) if counts[*object] == 1 => name.clone(),
                 Some(name) => format!("{name}-{}", numbers[*object]),
-                None => format!("{}-{}", kind(&surface.shape), index + 1),
+                None => format!("{}-{}", surface.shape.kind(), index + 1),
             };
             surface.name = names.take(&wanted);
         }
-    }
-}
-
-/// The kind of a face, as scenes call it.
-fn kind(shape: &Shape) -> &'static str {
-    match shape {
-        Shape::Quad(_) => "quad",
-        _ => "polygon",
     }
 }

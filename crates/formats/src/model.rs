@@ -148,7 +148,101 @@ pub struct Camera {
     pub size: Option<[u32; 2]>,
 }
 
+/// The mantle of a cylinder or of a cone.
+#[derive(Clone, Copy)]
+pub(crate) struct Mantle {
+    /// Middle of one end.
+    pub base: DVec3,
+    /// Vector from `base` to the middle of the other end.
+    pub axis: DVec3,
+    /// Radii at `base` and at the other end.
+    pub radii: [f64; 2],
+    /// Whether the front is the inside.
+    pub inward: bool,
+}
+
 impl Shape {
+    /// The kind, as scenes call it.
+    pub(crate) fn kind(&self) -> &'static str {
+        match self {
+            Shape::Polygon { .. } => "polygon",
+            Shape::Quad(_) => "quad",
+            Shape::Disk { .. } => "disk",
+            Shape::Cylinder { .. } => "cylinder",
+            Shape::Cone { .. } => "cone",
+            Shape::Sphere { .. } => "sphere",
+            Shape::Torus { .. } => "torus",
+        }
+    }
+
+    /// The outline and the holes of a flat or bilinear shape; curved ones have none.
+    pub(crate) fn rings(&self) -> Vec<&[DVec3]> {
+        match self {
+            Shape::Polygon { outline, holes } => {
+                std::iter::once(outline).chain(holes).map(Vec::as_slice).collect()
+            }
+            Shape::Quad(corners) => vec![corners],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The mantle, if the shape is a cylinder or a cone.
+    pub(crate) fn mantle(&self) -> Option<Mantle> {
+        match *self {
+            Shape::Cylinder { base, axis, radius, inward } => {
+                Some(Mantle { base, axis, radii: [radius; 2], inward })
+            }
+            Shape::Cone { base, axis, radii, inward } => Some(Mantle { base, axis, radii, inward }),
+            _ => None,
+        }
+    }
+
+    /// All points and directions, and all radii.
+    pub(crate) fn numbers(&self) -> (Vec<DVec3>, Vec<f64>) {
+        match *self {
+            Shape::Polygon { .. } | Shape::Quad(_) => (self.rings().concat(), Vec::new()),
+            Shape::Disk { center, normal, radius, inner } => (vec![center, normal], vec![radius, inner]),
+            Shape::Cylinder { base, axis, radius, .. } => (vec![base, axis], vec![radius]),
+            Shape::Cone { base, axis, radii, .. } => (vec![base, axis], radii.to_vec()),
+            Shape::Sphere { center, radius, .. } => (vec![center], vec![radius]),
+            Shape::Torus { center, axis, major, minor, .. } => (vec![center, axis], vec![major, minor]),
+        }
+    }
+
+    /// The shape with its points, the vectors between points, its directions of any length and its lengths
+    /// changed.
+    pub(crate) fn map(
+        &self,
+        point: impl Fn(DVec3) -> DVec3,
+        vector: impl Fn(DVec3) -> DVec3,
+        direction: impl Fn(DVec3) -> DVec3,
+        length: impl Fn(f64) -> f64,
+    ) -> Shape {
+        let mut shape = self.clone();
+        match &mut shape {
+            Shape::Polygon { outline, holes } => {
+                outline.iter_mut().chain(holes.iter_mut().flatten()).for_each(|x| *x = point(*x));
+            }
+            Shape::Quad(corners) => *corners = corners.map(&point),
+            Shape::Disk { center, normal, radius, inner } => {
+                (*center, *normal) = (point(*center), direction(*normal));
+                (*radius, *inner) = (length(*radius), length(*inner));
+            }
+            Shape::Cylinder { base, axis, radius, .. } => {
+                (*base, *axis, *radius) = (point(*base), vector(*axis), length(*radius));
+            }
+            Shape::Cone { base, axis, radii, .. } => {
+                (*base, *axis, *radii) = (point(*base), vector(*axis), radii.map(length));
+            }
+            Shape::Sphere { center, radius, .. } => (*center, *radius) = (point(*center), length(*radius)),
+            Shape::Torus { center, axis, major, minor, .. } => {
+                (*center, *axis) = (point(*center), direction(*axis));
+                (*major, *minor) = (length(*major), length(*minor));
+            }
+        }
+        shape
+    }
+
     /// Turns the shape over: its front becomes its back. The first corner stays the first.
     pub fn turn_over(&mut self) {
         match self {
@@ -162,6 +256,18 @@ impl Shape {
             | Shape::Cone { inward, .. }
             | Shape::Sphere { inward, .. }
             | Shape::Torus { inward, .. } => *inward = !*inward,
+        }
+    }
+
+    /// Lets the rings of a flat or bilinear shape run the other way round.
+    pub(crate) fn reverse_rings(&mut self) {
+        match self {
+            Shape::Polygon { outline, holes } => {
+                outline.reverse();
+                holes.iter_mut().for_each(|hole| hole.reverse());
+            }
+            Shape::Quad(corners) => corners.swap(1, 3),
+            _ => {}
         }
     }
 }

@@ -107,56 +107,14 @@ impl Similarity {
         self.linear * direction
     }
 
-    /// Image of a length.
-    fn length(&self, length: f64) -> f64 {
-        self.scale * length
-    }
-
     /// Image of a shape. A mirror image keeps the front: the side that faced outwards still does.
     pub(crate) fn shape(&self, shape: &Shape) -> Shape {
-        match *shape {
-            Shape::Polygon { ref outline, ref holes } => Shape::Polygon {
-                outline: self.loop_of(outline),
-                holes: holes.iter().map(|hole| self.loop_of(hole)).collect(),
-            },
-            Shape::Quad(corners) => {
-                let [a, b, c, d] = corners.map(|corner| self.point(corner));
-                Shape::Quad(if self.is_mirror { [a, d, c, b] } else { [a, b, c, d] })
-            }
-            Shape::Disk { center, normal, radius, inner } => Shape::Disk {
-                center: self.point(center),
-                normal: self.direction(normal),
-                radius: self.length(radius),
-                inner: self.length(inner),
-            },
-            Shape::Cylinder { base, axis, radius, inward } => Shape::Cylinder {
-                base: self.point(base),
-                axis: self.direction(axis),
-                radius: self.length(radius),
-                inward,
-            },
-            Shape::Cone { base, axis, radii, inward } => Shape::Cone {
-                base: self.point(base),
-                axis: self.direction(axis),
-                radii: radii.map(|radius| self.length(radius)),
-                inward,
-            },
-            Shape::Sphere { center, radius, inward } => {
-                Shape::Sphere { center: self.point(center), radius: self.length(radius), inward }
-            }
-            Shape::Torus { center, axis, major, minor, inward } => Shape::Torus {
-                center: self.point(center),
-                axis: self.direction(axis),
-                major: self.length(major),
-                minor: self.length(minor),
-                inward,
-            },
+        let direction = |x| self.direction(x);
+        let mut moved = shape.map(|x| self.point(x), direction, direction, |length| self.scale * length);
+        if self.is_mirror {
+            moved.reverse_rings();
         }
-    }
-
-    fn loop_of(&self, points: &[DVec3]) -> Vec<DVec3> {
-        let moved = points.iter().map(|point| self.point(*point));
-        if self.is_mirror { moved.rev().collect() } else { moved.collect() }
+        moved
     }
 }
 
@@ -306,7 +264,7 @@ mod tests {
         let moved = parsed("-t 1 0 0 -rz 90 -s 2").instance(0);
         assert_eq!(moved.point(DVec3::ZERO), DVec3::new(0.0, 2.0, 0.0));
         assert_eq!(moved.direction(DVec3::X), DVec3::new(0.0, 2.0, 0.0));
-        assert_eq!(moved.length(3.0), 6.0);
+        assert_eq!(moved.scale, 2.0);
         let turned = parsed("-rx 90").instance(0).point(DVec3::Y);
         assert_eq!(turned, DVec3::Z);
         assert_eq!(parsed("-ry -270").instance(0).point(DVec3::Z), DVec3::X);

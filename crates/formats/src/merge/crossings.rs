@@ -1,6 +1,7 @@
 //! Whether the sides of loops in a plane cross or touch other than at common corners.
 
 use glam::DVec2;
+use radiosity_geom::sides;
 
 /// Pairs of sides that are compared at least before loops count as crossing: a million take some
 /// milliseconds.
@@ -20,10 +21,7 @@ struct Part {
 /// Whether two sides of `loops` without a common corner come as near to each other as `near`. True too where
 /// the answer would take too long.
 pub(super) fn cross(loops: &[Vec<DVec2>], near: f64) -> bool {
-    let sides: Vec<[DVec2; 2]> = loops
-        .iter()
-        .flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]))
-        .collect();
+    let sides: Vec<[DVec2; 2]> = loops.iter().flat_map(|ring| sides(ring)).collect();
     let mut budget = LEAST.max(FOR_EACH * sides.len());
     for mut strip in strips(&sides, near) {
         strip.sort_by(|a, b| a.low.total_cmp(&b.low));

@@ -141,18 +141,12 @@ pub(super) fn is_mirror(placed: &DAffine3) -> bool {
 
 /// A flat shape of a mesh, its corners run through the other way round if it is turned.
 pub(super) fn face(placed: &DAffine3, shape: &Shape, is_turned: bool) -> Shape {
-    let moved = |points: &[DVec3]| points.iter().map(|point| placed.transform_point3(*point)).collect();
-    match shape {
-        Shape::Polygon { outline, holes } => Shape::Polygon {
-            outline: turned(moved(outline), is_turned),
-            holes: holes.iter().map(|hole| moved(hole)).collect(),
-        },
-        Shape::Quad(corners) => {
-            let [a, b, c, d] = corners.map(|corner| placed.transform_point3(corner));
-            Shape::Quad(if is_turned { [a, d, c, b] } else { [a, b, c, d] })
-        }
-        curved => curved.clone(),
+    let point = |x| placed.transform_point3(x);
+    let mut moved = shape.map(point, |vector| vector, |direction| direction, |length| length);
+    if is_turned {
+        moved.reverse_rings();
     }
+    moved
 }
 
 /// The outline, the other way round if it is turned.

@@ -95,11 +95,7 @@ fn corners(surface: &Surface) -> Result<Vec<DVec3>, Refusal> {
     let kind = match &surface.shape {
         Shape::Polygon { outline, holes } => return Ok(bridged(outline, holes)),
         Shape::Quad(corners) => return Ok(corners.to_vec()),
-        Shape::Disk { .. } => "disk",
-        Shape::Cylinder { .. } => "cylinder",
-        Shape::Cone { .. } => "cone",
-        Shape::Sphere { .. } => "sphere",
-        Shape::Torus { .. } => "torus",
+        curved => curved.kind(),
     };
     Err(refusal(
         format!("the surface '{}' is a {kind}, which OBJ does not have", surface.name),

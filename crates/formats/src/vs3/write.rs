@@ -68,12 +68,9 @@ impl Sheet {
     /// Lines of a surface, and of its back if it has two sides.
     fn add(&mut self, surface: &Surface, letter: char, emittance: &str) -> Result<(), Refusal> {
         let Shape::Polygon { outline, holes } = &surface.shape else {
+            let kind = if let Shape::Quad(_) = surface.shape { "curved patch" } else { surface.shape.kind() };
             return Err(refusal(
-                format!(
-                    "surface \"{}\" is {}, View3D has flat surfaces only",
-                    surface.name,
-                    kind(&surface.shape)
-                ),
+                format!("surface \"{}\" is a {kind}, View3D has flat surfaces only", surface.name),
                 "write it in another format, or put polygons in its place",
             ));
         };
@@ -129,18 +126,6 @@ impl Sheet {
 fn line(text: &mut String, words: std::fmt::Arguments<'_>) {
     // Writing to a string cannot fail.
     let _ = writeln!(text, "{words}");
-}
-
-fn kind(shape: &Shape) -> &'static str {
-    match shape {
-        Shape::Polygon { .. } => "a polygon",
-        Shape::Quad(_) => "a curved patch",
-        Shape::Disk { .. } => "a disk",
-        Shape::Cylinder { .. } => "a cylinder",
-        Shape::Cone { .. } => "a cone",
-        Shape::Sphere { .. } => "a sphere",
-        Shape::Torus { .. } => "a torus",
-    }
 }
 
 /// A name of one word that neither begins a comment nor ends the data.
