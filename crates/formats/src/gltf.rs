@@ -46,8 +46,8 @@ const HARMLESS: [&str; 6] = [
 /// Text that is not JSON, members that are missing or of the wrong kind, indices and ranges beyond what is
 /// there, buffers that cannot be read, required extensions that are not known, no triangles.
 pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
-    let mesh = mesh(bytes, files).map_err(|located| located.in_file(file))?;
-    mesh.finish("triangles in its scene").map_err(|fault| fault.in_file(file))
+    let read = mesh(bytes, files).and_then(|mesh| mesh.finish("triangles in its scene"));
+    read.map_err(|refusal| refusal.in_file(file))
 }
 
 fn mesh(bytes: &[u8], files: &dyn Files) -> Result<Mesh, Refusal> {

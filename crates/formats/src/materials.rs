@@ -16,12 +16,10 @@
 //! ```
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::ops::Range;
 
 use radiosity_photometry::error::{Refusal, refuse};
-use serde::de::{Error, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use serde::Deserialize;
 use strsim::damerau_levenshtein;
 use toml::Spanned;
 
@@ -61,8 +59,21 @@ struct Entry {
 }
 
 /// One number for all bands, or one for each.
-#[derive(Clone, Debug)]
-struct Values(Vec<f64>);
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged, expecting = "expected a number or a list of numbers")]
+enum Values {
+    One(f64),
+    Each(Vec<f64>),
+}
+
+impl Values {
+    fn all(&self) -> &[f64] {
+        match self {
+            Values::One(value) => std::slice::from_ref(value),
+            Values::Each(values) => values,
+        }
+    }
+}
 
 /// Puts the materials of `side` in place of those of the model. Returns what was done, in lines.
 ///
@@ -83,7 +94,7 @@ pub fn apply(side: &SideFile, model: &mut Model) -> Result<Vec<String>, Refusal>
             check(values.get_ref(), model).map_err(|fault| side.refusal(fault, values.span()))?;
         }
     }
-    if sheet.materials.values().flat_map(Entry::values).any(|values| values.get_ref().0.len() == 3) {
+    if sheet.materials.values().flat_map(Entry::values).any(|values| values.get_ref().all().len() == 3) {
         widen(model);
     }
     sheet.materials.iter().for_each(|(name, entry)| put(name.get_ref(), entry, model));
@@ -137,7 +148,7 @@ impl SideFile {
 /// Refuses numbers that are no reflectance or exitance, and lists of other lengths than 1, 3 and that of the
 /// bands.
 fn check(values: &Values, model: &Model) -> Result<(), Refusal> {
-    let (count, bands) = (values.0.len(), model.bands.len());
+    let (count, bands) = (values.all().len(), model.bands.len());
     let fits = [1, bands].contains(&count) || bands == 1 && count == 3;
     if !fits {
         let bands = model.bands.join(", ");
@@ -146,7 +157,7 @@ fn check(values: &Values, model: &Model) -> Result<(), Refusal> {
             "give one number, or one per band",
         );
     }
-    match values.0.iter().find(|value| !(0.0..=GREATEST).contains(*value)) {
+    match values.all().iter().find(|value| !(0.0..=GREATEST).contains(*value)) {
         Some(value) => {
             refuse(format!("{value} is no reflectance or exitance"), "give a finite number, 0 or above")
         }
@@ -179,8 +190,10 @@ fn put(name: &str, entry: &Entry, model: &mut Model) {
     let own = [&mut material.reflectance, &mut material.emission];
     for (own, given) in own.into_iter().zip([&entry.reflectance, &entry.emission]) {
         if let Some(given) = given {
-            let values = &given.get_ref().0;
-            *own = if values.len() == 1 { vec![values[0]; bands] } else { values.clone() };
+            *own = match given.get_ref().all() {
+                [value] => vec![*value; bands],
+                values => values.to_vec(),
+            };
         }
     }
 }
@@ -239,38 +252,6 @@ fn meant<'a>(name: &str, known: impl Iterator<Item = &'a str>, what: &str) -> St
             let more = if known.len() > SPELT { ", …" } else { "" };
             format!("{what} of the scene: {}{more}", known[..known.len().min(SPELT)].join(", "))
         }
-    }
-}
-
-impl<'de> Deserialize<'de> for Values {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(OneOrMore)
-    }
-}
-
-struct OneOrMore;
-
-impl<'de> Visitor<'de> for OneOrMore {
-    type Value = Values;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number or a list of numbers")
-    }
-
-    fn visit_i64<E: Error>(self, value: i64) -> Result<Values, E> {
-        Ok(Values(vec![value as f64]))
-    }
-
-    fn visit_f64<E: Error>(self, value: f64) -> Result<Values, E> {
-        Ok(Values(vec![value]))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Values, A::Error> {
-        let mut values = Vec::new();
-        while let Some(value) = items.next_element()? {
-            values.push(value);
-        }
-        Ok(Values(values))
     }
 }
 

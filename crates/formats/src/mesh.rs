@@ -27,6 +27,8 @@ pub struct Coat {
 pub struct Mesh {
     /// The model: materials, notes and the camera are added to it directly.
     pub(crate) model: Model,
+    /// Whether the file states normals at vertices.
+    pub(crate) has_normals: bool,
     names: Vec<Option<String>>,
     objects: Vec<usize>,
     corners: usize,

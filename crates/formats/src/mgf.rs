@@ -6,7 +6,6 @@
 
 mod chromaticity;
 mod contexts;
-mod lines;
 mod shapes;
 mod reader;
 pub mod write;

@@ -22,7 +22,6 @@ mod parameters;
 mod tree;
 mod transforms;
 mod placed;
-mod remarks;
 mod ids;
 mod spectra;
 mod colours;

@@ -26,6 +26,5 @@ pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refus
         true => bits::read(bytes, &mut mesh),
         false => text::read(bytes, &mut mesh),
     };
-    read.map_err(|located| located.in_file(file))?;
-    mesh.finish("facets").map_err(|fault: Refusal| fault.in_file(file))
+    read.and_then(|()| mesh.finish("facets")).map_err(|refusal| refusal.in_file(file))
 }

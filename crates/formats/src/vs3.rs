@@ -25,17 +25,15 @@ mod plane;
 mod statements;
 pub mod write;
 
-use std::collections::HashMap;
-
 use glam::DVec3;
 use radiosity_photometry::error::{Refusal, refuse, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::decode;
 
 use self::statements::{Corners, Input, OBSTRUCTION, Statement, SurfaceRole};
+use crate::builder::{Coat, ModelBuilder};
 use crate::files::Files;
-use crate::model::{Material, Model, Shape, Sides, Surface};
-use crate::names::UniqueNames;
+use crate::model::{Model, Shape, Sides};
 use crate::tolerances::{GREATEST, STEPS_OF_EMITTANCE};
 
 /// Greatest distance of a surface from the plane of its base, in multiples of the base's size, as View3D
@@ -55,7 +53,7 @@ pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refus
     }
     let outlines = outlines(&input).map_err(|refusal| refusal.in_file(file))?;
     let holes = holes(&input, &outlines).map_err(|refusal| refusal.in_file(file))?;
-    Ok(model(&input, outlines, holes))
+    model(&input, outlines, holes).map_err(|refusal| refusal.in_file(file))
 }
 
 /// The corners of each surface.
@@ -139,36 +137,29 @@ fn lies_on(outline: &[DVec3], base: &[DVec3]) -> bool {
     outline.iter().all(|point| (*point - *first).dot(normal).abs() <= OFF_PLANE * size)
 }
 
-fn model(input: &Input, outlines: Vec<Vec<DVec3>>, holes: Vec<Vec<Vec<DVec3>>>) -> Model {
-    let mut model = Model { title: input.title.clone(), bands: vec!["grey".to_owned()], ..Model::default() };
-    let (mut names, mut materials) = (UniqueNames::default(), HashMap::new());
+fn model(input: &Input, outlines: Vec<Vec<DVec3>>, holes: Vec<Vec<Vec<DVec3>>>) -> Result<Model, Refusal> {
+    let mut model = ModelBuilder::default();
     for (index, (surface, (outline, holes))) in
         input.surfaces.iter().zip(outlines.into_iter().zip(holes)).enumerate()
     {
-        let wanted = surface.name.clone().unwrap_or_else(|| format!("{}-{}", word(surface.kind), index + 1));
-        let place = Some(FilePlace::Line(surface.line));
+        let name = surface.name.clone().unwrap_or_else(|| format!("{}-{}", word(surface.kind), index + 1));
         if surface.combined > 0 {
-            model.note("the combining of surfaces in the output is left out", place);
+            model.note("the combining of surfaces in the output is left out", surface.line);
         }
         if matches!(surface.kind, SurfaceRole::Masking | SurfaceRole::Null) {
-            model.note("a black surface takes the place of a masking or null surface", place);
+            model.note("a black surface takes the place of a masking or null surface", surface.line);
         }
-        let material = material(surface);
-        let next = materials.len();
-        let known = *materials.entry(material.name.clone()).or_insert(next);
-        if known == next {
-            model.materials.push(material);
-        }
-        model.surfaces.push(Surface {
-            name: names.take(&wanted),
-            material: Some(known),
-            shape: Shape::Polygon { outline, holes },
-            sides: Sides::Front,
-            place,
-        });
+        let added =
+            model.surface(Some(&name), Shape::Polygon { outline, holes }, &coat(surface), surface.line);
+        added.map_err(|refusal| refusal.at(FilePlace::Line(surface.line)))?;
     }
-    note_the_rest(&mut model, input);
-    model
+    if let Some(line) = input.enclosure {
+        model.note("encl=1, which adjusts view factors to an enclosure, is left out", line);
+    }
+    if let Some(line) = input.transformation {
+        model.note("coordinate transformations (X) are left out", line);
+    }
+    Ok(Model { title: input.title.clone(), ..model.finish() })
 }
 
 fn word(kind: SurfaceRole) -> &'static str {
@@ -181,7 +172,7 @@ fn word(kind: SurfaceRole) -> &'static str {
 }
 
 /// A material by its emittance; all that does not radiate is one black material.
-fn material(surface: &Statement) -> Material {
+fn coat(surface: &Statement) -> Coat {
     let (name, reflectance) = match surface.kind {
         SurfaceRole::Radiating => (
             format!("emit-{}", surface.emittance),
@@ -189,15 +180,5 @@ fn material(surface: &Statement) -> Material {
         ),
         _ => (OBSTRUCTION.to_owned(), 0.0),
     };
-    Material { name, reflectance: vec![reflectance], emission: vec![0.0] }
-}
-
-fn note_the_rest(model: &mut Model, input: &Input) {
-    if let Some(line) = input.enclosure {
-        let text = "encl=1, which adjusts view factors to an enclosure, is left out";
-        model.note(text, Some(FilePlace::Line(line)));
-    }
-    if let Some(line) = input.transformation {
-        model.note("coordinate transformations (X) are left out", Some(FilePlace::Line(line)));
-    }
+    Coat { name, reflectance: [reflectance; 3], emission: [0.0; 3], sides: Sides::Front }
 }

@@ -8,9 +8,9 @@ use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
 use crate::files::Files;
 use crate::includes::Includes;
+use crate::lines::Lines;
 use crate::mgf::chromaticity::{Chromaticity, MixturePart};
 use crate::mgf::contexts::Contexts;
-use crate::mgf::lines::Lines;
 use crate::mgf::shapes::{self, Vertex};
 use crate::model::{Model, Shape, Sides};
 use crate::tolerances::LONGEST_NAME;
@@ -82,7 +82,7 @@ impl<'a> Reader<'a> {
     /// The first line that cannot be followed.
     pub(super) fn read(&mut self, text: &str) -> Result<(), Refusal> {
         let outer = self.placed;
-        let (mut lines, mut open) = (Lines::new(text), Vec::new());
+        let (mut lines, mut open) = (Lines::new(text, |line| line), Vec::new());
         while let Some(line) = lines.next() {
             let words: Vec<&str> = line.text.split_ascii_whitespace().collect();
             let done = self.budget.spend(line.text.len()).and_then(|()| match words[..] {

@@ -6,9 +6,8 @@ use radiosity_photometry::error::Refusal;
 use radiosity_photometry::text::short;
 
 use super::colours::{Colour, Colours};
-use super::element::Element;
+use super::element::{Element, Remarks};
 use super::ids::Ids;
-use super::remarks::Remarks;
 use crate::colour::UNKNOWN;
 use crate::model::Sides;
 

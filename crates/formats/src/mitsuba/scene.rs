@@ -4,11 +4,10 @@ use radiosity_photometry::error::Refusal;
 use radiosity_photometry::text::short;
 
 use super::colours::Colours;
-use super::element::Element;
+use super::element::{Element, Remarks};
 use super::emitters;
 use super::ids::Ids;
 use super::leftovers;
-use super::remarks::Remarks;
 use super::sensor;
 use super::shapes::Shapes;
 use crate::files::Files;
@@ -49,6 +48,6 @@ pub(super) fn model(root: &Element, files: &dyn Files) -> Result<Model, Refusal>
         return Err(fault.in_file(&root.file));
     }
     model.camera = camera;
-    model.notes.extend(remarks.notes());
+    model.notes.extend(remarks.0);
     Ok(model)
 }

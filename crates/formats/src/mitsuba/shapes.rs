@@ -6,12 +6,11 @@ use radiosity_photometry::text::short;
 
 use super::bsdfs::{Bsdfs, Finish, USUAL};
 use super::colours::Colours;
-use super::element::Element;
+use super::element::{Element, Remarks};
 use super::emitters;
 use super::ids::Ids;
 use super::meshes::{Meshes, stem};
 use super::placed;
-use super::remarks::Remarks;
 use super::transforms;
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};

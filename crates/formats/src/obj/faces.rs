@@ -44,6 +44,8 @@ pub(super) struct Faces {
     material_numbers: Names,
     material: Option<MaterialUse>,
     pub(super) libraries: Vec<Library>,
+    /// Whether there are normals.
+    has_normals: bool,
     notes: Vec<LineNote>,
 }
 
@@ -82,9 +84,10 @@ impl Faces {
                 self.note("free-form curves and surfaces are left out", line);
             }
             "call" | "csh" => self.note("calls of other files and commands are left out", line),
-            "vt" | "vn" | "vp" | "s" | "lod" | "mg" | "bevel" | "c_interp" | "d_interp" | "usemap"
-            | "maplib" | "shadow_obj" | "trace_obj" | "cstype" | "deg" | "bmat" | "step" | "parm"
-            | "trim" | "hole" | "scrv" | "sp" | "end" | "con" | "ctech" | "stech" => {}
+            "vn" => self.has_normals = true,
+            "vt" | "vp" | "s" | "lod" | "mg" | "bevel" | "c_interp" | "d_interp" | "usemap" | "maplib"
+            | "shadow_obj" | "trace_obj" | "cstype" | "deg" | "bmat" | "step" | "parm" | "trim" | "hole"
+            | "scrv" | "sp" | "end" | "con" | "ctech" | "stech" => {}
             _ => {
                 return refuse(
                     format!("'{}' is no statement of OBJ", short(keyword)),
@@ -166,8 +169,15 @@ impl Faces {
         Some(next)
     }
 
+    /// The faces without their materials.
+    pub(super) fn without_materials(mut self) -> Self {
+        self.faces.iter_mut().for_each(|face| face.material = None);
+        self
+    }
+
     /// Adds all faces to a mesh that has the materials.
     pub(super) fn add_to(&self, mesh: &mut Mesh) -> Result<(), Refusal> {
+        mesh.has_normals = self.has_normals;
         for LineNote { text, line } in &self.notes {
             mesh.model.note(*text, Some(FilePlace::Line(*line)));
         }

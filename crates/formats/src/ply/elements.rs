@@ -61,7 +61,7 @@ impl Elements {
                 "face" => self.read_faces(element, numbers)?,
                 _ => {
                     for _ in 0..element.count {
-                        row(&element.properties, numbers, &mut |_, _| Ok(Kept::No))?;
+                        row(&element.properties, numbers, &[], &mut |_, _| Ok(()))?;
                     }
                 }
             }
@@ -81,12 +81,10 @@ impl Elements {
         for _ in 0..element.count {
             let place = numbers.place();
             let mut point = DVec3::ZERO;
-            row(&element.properties, numbers, &mut |property, value| {
-                let Some(axis) = axes.iter().position(|axis| *axis == property) else { return Ok(Kept::No) };
-                if let Some(value) = value {
-                    point[axis] = value;
-                }
-                Ok(Kept::Yes)
+            row(&element.properties, numbers, &axes, &mut |property, value| {
+                let axis = axes.iter().position(|axis| *axis == property);
+                axis.into_iter().for_each(|axis| point[axis] = value);
+                Ok(())
             })?;
             if !point.is_finite() {
                 return refuse_at(
@@ -114,13 +112,10 @@ impl Elements {
             let place = numbers.place();
             self.faces.push(Face { start: self.corners.len(), place });
             let corners = &mut self.corners;
-            row(&element.properties, numbers, &mut |property, value| {
-                if property != list {
-                    return Ok(Kept::No);
-                }
-                corners.extend(value);
+            row(&element.properties, numbers, &[list], &mut |_, corner| {
+                corners.push(corner);
                 match corners.len() <= MOST_ROWS {
-                    true => Ok(Kept::Yes),
+                    true => Ok(()),
                     false => refuse_at(
                         place,
                         format!("the faces have more than {MOST_ROWS} corners"),
@@ -159,19 +154,12 @@ impl Elements {
     }
 }
 
-/// Answer about a property of an element: whether its values are wanted.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kept {
-    Yes,
-    No,
-}
-
-/// Reads one element. `take` is asked about each property by its index, without a value, and then given the
-/// values of those that it wants.
+/// Reads one element. `take` is given the index and each value of the properties that are `wanted`.
 fn row(
     properties: &[Property],
     numbers: &mut dyn Numbers,
-    take: &mut dyn FnMut(usize, Option<f64>) -> Result<Kept, Refusal>,
+    wanted: &[usize],
+    take: &mut dyn FnMut(usize, f64) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     for (index, property) in properties.iter().enumerate() {
         let count = match property.count {
@@ -185,13 +173,9 @@ fn row(
             }
             None => 1,
         };
-        if take(index, None)? == Kept::No {
-            numbers.skip(property.item, count)?;
-            continue;
-        }
-        for _ in 0..count {
-            let value = numbers.number(property.item)?;
-            take(index, Some(value))?;
+        match wanted.contains(&index) {
+            true => (0..count).try_for_each(|_| take(index, numbers.number(property.item)?))?,
+            false => numbers.skip(property.item, count)?,
         }
     }
     Ok(())
