@@ -15,9 +15,8 @@ use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::i_float::int::point::IntPoint;
 use radiosity_geom::{COINCIDENT, distance_to_segment, sides};
 
-use crate::outline::area_vector;
+use crate::outline::{area_vector, perimeter, tolerance};
 use crate::plane::Plane;
-use crate::ring::{perimeter, tolerance};
 use nodes::{Near, Nodes, bits, through_nodes};
 
 /// Steps of the integers over the extent: some four thousand to the tolerance of 1e-9, so that crossings stay

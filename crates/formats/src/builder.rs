@@ -26,6 +26,13 @@ pub(crate) struct Coat {
     pub sides: Sides,
 }
 
+impl Default for Coat {
+    /// Black on both sides, without a name.
+    fn default() -> Self {
+        Coat { name: String::new(), reflectance: [0.0; 3], emission: [0.0; 3], sides: Sides::Both }
+    }
+}
+
 /// A model of red, green and blue that grows.
 #[derive(Debug, Default)]
 pub(crate) struct ModelBuilder {

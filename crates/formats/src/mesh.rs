@@ -1,7 +1,7 @@
 //! Meshes: faces of objects, as OBJ, STL, PLY and glTF list them, become a model of named surfaces.
 
 use glam::DVec3;
-use radiosity_fit::outline::{WARPED, is_warped};
+use radiosity_fit::outline::WARPED;
 use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 
@@ -66,10 +66,7 @@ impl Mesh {
                 "split the model",
             );
         }
-        let shape = match <[DVec3; 4]>::try_from(corners.as_slice()) {
-            Ok(four) if is_warped(&four) => Shape::Quad(four),
-            _ => Shape::Polygon { outline: corners, holes: Vec::new() },
-        };
+        let shape = Shape::face(corners);
         if matches!(shape, Shape::Quad(_)) {
             self.model.note(WARPED, Some(place));
         }

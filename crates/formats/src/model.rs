@@ -5,6 +5,9 @@
 //! to that.
 
 use glam::DVec3;
+use radiosity_fit::outline::is_warped;
+use radiosity_geom::PlanarRegion;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::note::Note;
 
@@ -162,6 +165,22 @@ pub(crate) struct Mantle {
 }
 
 impl Shape {
+    /// A face between corners: a bilinear patch if four lie in no plane.
+    pub(crate) fn face(corners: Vec<DVec3>) -> Shape {
+        match <[DVec3; 4]>::try_from(corners.as_slice()) {
+            Ok(four) if is_warped(&four) => Shape::Quad(four),
+            _ => Shape::Polygon { outline: corners, holes: Vec::new() },
+        }
+    }
+
+    /// A cone, or a cylinder if its radii are equal; both ≥ 0.
+    pub(crate) fn cone(base: DVec3, axis: DVec3, radii: [f64; 2], inward: bool) -> Shape {
+        match radii[0] == radii[1] {
+            true => Shape::Cylinder { base, axis, radius: radii[0], inward },
+            false => Shape::Cone { base, axis, radii, inward },
+        }
+    }
+
     /// The kind, as scenes call it.
     pub(crate) fn kind(&self) -> &'static str {
         match self {
@@ -268,6 +287,22 @@ impl Shape {
             }
             Shape::Quad(corners) => corners.swap(1, 3),
             _ => {}
+        }
+    }
+}
+
+impl Surface {
+    /// Convex pieces of three or four corners that together are a polygon of this surface.
+    ///
+    /// # Errors
+    /// Outlines that cross, or without an area.
+    pub(crate) fn pieces(&self, outline: &[DVec3], holes: &[Vec<DVec3>]) -> Result<Vec<Vec<DVec3>>, Refusal> {
+        match PlanarRegion::new(outline.to_vec(), holes.to_vec()) {
+            Ok(region) => Ok(region.convex_pieces().to_vec()),
+            Err(_) => refuse(
+                format!("the outline of surface {:?} crosses itself or has no area", self.name),
+                "repair the scene before it is written",
+            ),
         }
     }
 }

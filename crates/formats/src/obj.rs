@@ -14,7 +14,6 @@
 mod statements;
 mod mtl;
 mod faces;
-mod bridge;
 pub mod write;
 
 use std::collections::{HashMap, HashSet};

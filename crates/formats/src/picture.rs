@@ -9,8 +9,8 @@
 use radiosity_photometry::error::{Refusal, refuse};
 
 mod coding;
-mod reduction;
 mod refusals;
+mod reduction;
 mod portable;
 mod open;
 

@@ -16,21 +16,6 @@ use crate::model::{Model, Shape, Sides};
 use crate::tolerances::LONGEST_NAME;
 use crate::xform::{Similarity, Transforms};
 
-/// The part of a material of MGF that radiosity carries: reflectance and exitance of red, green and blue.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Finish {
-    reflectance: [f64; 3],
-    emission: [f64; 3],
-    sides: Sides,
-}
-
-impl Default for Finish {
-    /// Black on both sides.
-    fn default() -> Self {
-        Self { reflectance: [0.0; 3], emission: [0.0; 3], sides: Sides::Both }
-    }
-}
-
 /// A transform that was begun and not yet ended.
 struct Open<'a> {
     transforms: Transforms,
@@ -48,7 +33,8 @@ pub(super) struct Reader<'a> {
     model: ModelBuilder,
     vertices: Contexts<Vertex>,
     colours: Contexts<Chromaticity>,
-    materials: Contexts<Finish>,
+    /// Reflectance, exitance and sides.
+    materials: Contexts<Coat>,
     objects: Vec<String>,
     placed: Similarity,
     budget: Budget,
@@ -342,13 +328,8 @@ impl<'a> Reader<'a> {
 
     /// Adds a shape where the transform puts it.
     fn add(&mut self, shape: &Shape, line: usize) -> Result<(), Refusal> {
-        let (name, finish) = self.materials.current();
-        let coat = Coat {
-            name: name.unwrap_or("unnamed").to_owned(),
-            reflectance: finish.reflectance,
-            emission: finish.emission,
-            sides: finish.sides,
-        };
+        let (name, coat) = self.materials.current();
+        let coat = Coat { name: name.unwrap_or("unnamed").to_owned(), ..coat.clone() };
         let name = self.objects.last().map(String::as_str);
         self.model.surface(name, self.placed.shape(shape), &coat, line)
     }

@@ -3,7 +3,7 @@
 //! Source: MGF 2.0, entities `f`, `fh`, `sph`, `cyl`, `cone`, `ring`, `torus`, `prism`.
 
 use glam::DVec3;
-use radiosity_fit::outline::{area_vector, is_warped};
+use radiosity_fit::outline::area_vector;
 
 use crate::model::Shape;
 use radiosity_photometry::error::{Refusal, refuse};
@@ -22,17 +22,12 @@ pub(super) struct Vertex {
 /// # Errors
 /// Fewer than three points.
 pub(super) fn face(outline: Vec<DVec3>) -> Result<Shape, Refusal> {
-    if let [a, b, c, d] = outline[..]
-        && is_warped(&[a, b, c, d])
-    {
-        return Ok(Shape::Quad([a, b, c, d]));
-    }
     match outline.len() {
         0..3 => refuse(
             format!("a face has {} vertices, 3 are the least", outline.len()),
             "add some, or take it out",
         ),
-        _ => Ok(Shape::Polygon { outline, holes: Vec::new() }),
+        _ => Ok(Shape::face(outline)),
     }
 }
 
@@ -71,11 +66,7 @@ pub(super) fn cone([base, end]: [DVec3; 2], radii: [f64; 2]) -> Result<Shape, Re
             "write both above 0, or both below for a cone seen from inside",
         );
     }
-    let radii = radii.map(f64::abs);
-    Ok(match radii[0] == radii[1] {
-        true => Shape::Cylinder { base, axis, radius: radii[0], inward },
-        false => Shape::Cone { base, axis, radii, inward },
-    })
+    Ok(Shape::cone(base, axis, radii.map(f64::abs), inward))
 }
 
 /// Entity `ring`: a ring, or a disk if the inner radius is 0.

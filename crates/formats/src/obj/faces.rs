@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::note::Note;
 use radiosity_photometry::text::{number, short};
 
 use super::statements::split;
@@ -46,7 +47,7 @@ pub(super) struct Faces {
     pub(super) libraries: Vec<Library>,
     /// Whether there are normals.
     has_normals: bool,
-    notes: Vec<LineNote>,
+    notes: Vec<Note>,
 }
 
 /// A material that a line names.
@@ -54,13 +55,6 @@ pub(super) struct Faces {
 pub(super) struct MaterialUse {
     pub(super) name: String,
     pub(super) line: usize,
-}
-
-/// A note on a line.
-#[derive(Clone, Copy, Debug)]
-struct LineNote {
-    text: &'static str,
-    line: usize,
 }
 
 /// Numbers of names, in the order of their first use.
@@ -99,7 +93,7 @@ impl Faces {
     }
 
     fn note(&mut self, text: &'static str, line: usize) {
-        self.notes.push(LineNote { text, line });
+        Note::add(&mut self.notes, text, Some(FilePlace::Line(line)));
     }
 
     fn vertex(&mut self, rest: &str, line: usize) -> Result<(), Refusal> {
@@ -178,9 +172,7 @@ impl Faces {
     /// Adds all faces to a mesh that has the materials.
     pub(super) fn add_to(&self, mesh: &mut Mesh) -> Result<(), Refusal> {
         mesh.has_normals = self.has_normals;
-        for LineNote { text, line } in &self.notes {
-            mesh.model.note(*text, Some(FilePlace::Line(*line)));
-        }
+        mesh.model.notes.extend_from_slice(&self.notes);
         let mut names: Vec<(&String, &usize)> = self.objects.iter().collect();
         names.sort_by_key(|(_, number)| **number);
         let objects: Vec<usize> = names.iter().map(|(name, _)| mesh.object(Some(name))).collect();

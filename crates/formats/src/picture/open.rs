@@ -12,8 +12,8 @@ use exr::meta::attribute::SampleType;
 use exr::meta::header::Header;
 use exr::prelude::{ReadChannels, ReadLayers, ReadSpecificChannel, read as reading};
 
-use super::reduction::{Picture, Reduction, Refused};
-use super::refusals::{check_size, check_texels, damaged};
+use super::reduction::{Picture, Reduction};
+use super::refusals::{check_size, damaged, transparent};
 use radiosity_photometry::error::{Refusal, refuse};
 
 /// Most bytes of one texel, all of its channels together, so that a block of a file has at most 128 MB.
@@ -29,8 +29,7 @@ pub(super) fn read(bytes: &[u8], most: usize) -> Result<Picture, Refusal> {
         names => grey(bytes, &names[0], most),
     };
     let reduction = reduction.map_err(damaged)?;
-    check_texels(&reduction)?;
-    Ok(reduction.finish(vec!["floating point, linear".to_owned()]))
+    reduction.finish(vec!["floating point, linear".to_owned()])
 }
 
 fn check_header(header: &Header) -> Result<(), Refusal> {
@@ -106,7 +105,7 @@ fn take(reduction: &mut Reduction, Vec2(column, row): Vec2<usize>, values: &[f32
     let mut wide = [0.0; 3];
     wide.iter_mut().zip(values).for_each(|(wide, value)| *wide = f64::from(*value));
     if alpha != 1.0 {
-        reduction.refuse(Refused::Transparent([column, row]));
+        reduction.refuse(|| transparent([column, row]));
     }
     reduction.add([column, row], &wide[..values.len()]);
 }

@@ -10,8 +10,8 @@ use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Reader, Transformat
 use radiosity_photometry::error::Refusal;
 
 use super::coding::{Coding, Curve};
-use super::reduction::{Picture, Reduction, Refused};
-use super::refusals::{check_size, check_texels, damaged};
+use super::reduction::{Picture, Reduction};
+use super::refusals::{check_size, damaged, transparent};
 
 /// A pass over the texels: columns and rows from one of its texels to the next, and the first of them.
 type Pass = ([usize; 2], [usize; 2]);
@@ -60,8 +60,7 @@ pub(super) fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<
     }
     // What follows the texels tells whether the file is whole.
     reader.finish().map_err(fault)?;
-    check_texels(&reduction)?;
-    Ok(reduction.finish(remarks))
+    reduction.finish(remarks)
 }
 
 /// The curve that the file states, or that of pictures that state none.
@@ -116,7 +115,7 @@ impl Texels {
                 false => usize::from(texel[sample]),
             };
             if self.has_alpha && number(self.colours) != opaque {
-                to.refuse(Refused::Transparent([column, row]));
+                to.refuse(|| transparent([column, row]));
             }
             for (colour, value) in values[..self.colours].iter_mut().enumerate() {
                 *value = self.light[number(colour)];

@@ -2,7 +2,6 @@
 
 use std::fmt::Display;
 
-use super::reduction::{Reduction, Refused};
 use radiosity_photometry::error::{Refusal, refuse};
 
 /// Most texels of a file in all, 8192 × 8192: a bound of time and memory.
@@ -30,20 +29,18 @@ pub(super) fn damaged(problem: impl Display) -> Refusal {
     Refusal::new(format!("it is damaged or cut off: {problem}"), "write it again")
 }
 
-/// Refuses a picture with a texel that none may have, or one that lacks some.
-pub(super) fn check_texels(reduction: &Reduction) -> Result<(), Refusal> {
-    match reduction.refused() {
-        Some(Refused::Transparent(place)) => refuse(
-            format!("{} is transparent", title(place)),
-            "lay it on a colour, e.g. with ImageMagick: magick wood.png -background white -flatten flat.png",
-        ),
-        Some(Refused::NotFinite(place, value)) => refuse(
-            format!("{} is {value}, no finite number", title(place)),
-            "write the picture with finite numbers",
-        ),
-        None if !reduction.is_full() => Err(damaged("texels are missing")),
-        None => Ok(()),
-    }
+/// Refusal of a transparent texel.
+pub(super) fn transparent(place: [usize; 2]) -> Refusal {
+    Refusal::new(
+        format!("{} is transparent", title(place)),
+        "lay it on a colour, e.g. with ImageMagick: magick wood.png -background white -flatten flat.png",
+    )
+}
+
+/// Refusal of a texel that is not finite.
+pub(super) fn not_finite(place: [usize; 2], value: f64) -> Refusal {
+    let cause = format!("{} is {value}, no finite number", title(place));
+    Refusal::new(cause, "write the picture with finite numbers")
 }
 
 fn title([column, row]: [usize; 2]) -> String {

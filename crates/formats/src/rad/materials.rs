@@ -144,12 +144,8 @@ fn reflecting(
     part: f64,
     notes: impl IntoIterator<Item = Option<&'static str>>,
 ) -> Result<(Coat, Vec<&'static str>), Refusal> {
-    let coat = Coat {
-        name: primitive.name.clone(),
-        reflectance: leading::<3>(primitive)?.map(|band| band * part.max(0.0)),
-        emission: [0.0; 3],
-        sides: Sides::Both,
-    };
+    let reflectance = leading::<3>(primitive)?.map(|band| band * part.max(0.0));
+    let coat = Coat { name: primitive.name.clone(), reflectance, ..Coat::default() };
     Ok((coat, notes.into_iter().flatten().collect()))
 }
 
@@ -166,17 +162,11 @@ fn translucent(
 }
 
 fn black(primitive: &Primitive, note: &'static str) -> (Coat, Vec<&'static str>) {
-    let coat =
-        Coat { name: primitive.name.clone(), reflectance: [0.0; 3], emission: [0.0; 3], sides: Sides::Both };
-    (coat, vec![note])
+    (Coat { name: primitive.name.clone(), ..Coat::default() }, vec![note])
 }
 
 /// A lamp: its exitance is π times its radiance, and its front alone emits.
 fn lamp(primitive: &Primitive) -> Result<Coat, Refusal> {
-    Ok(Coat {
-        name: primitive.name.clone(),
-        reflectance: [0.0; 3],
-        emission: leading::<3>(primitive)?.map(|radiance| PI * radiance),
-        sides: Sides::Front,
-    })
+    let emission = leading::<3>(primitive)?.map(|radiance| PI * radiance);
+    Ok(Coat { name: primitive.name.clone(), emission, sides: Sides::Front, ..Coat::default() })
 }

@@ -71,12 +71,7 @@ fn cone(primitive: &Primitive) -> Result<Shape, Refusal> {
     let base = DVec3::new(x, y, z);
     // With radii below 0 one kind is the other.
     let inward = (primitive.kind == "cup") != (first.min(second) < 0.0);
-    let axis = DVec3::new(end_x, end_y, end_z) - base;
-    let [first, second] = [first.abs(), second.abs()];
-    Ok(match first == second {
-        true => Shape::Cylinder { base, axis, radius: first, inward },
-        false => Shape::Cone { base, axis, radii: [first, second], inward },
-    })
+    Ok(Shape::cone(base, DVec3::new(end_x, end_y, end_z) - base, [first.abs(), second.abs()], inward))
 }
 
 /// Radii of a ring come in any order.

@@ -4,7 +4,7 @@
 //! Two bodies that touch have faces in the same place too, their fronts opposite: these are sound,
 //! `radiosity` sets them apart by the bodies behind them.
 
-use radiosity_fit::ring::tolerance;
+use radiosity_fit::outline::tolerance;
 use radiosity_fit::tolerances::SAME_AREA;
 
 use crate::model::Model;

@@ -1,7 +1,7 @@
 //! Curved surfaces in the same place.
 
 use glam::DVec3;
-use radiosity_fit::ring;
+use radiosity_fit::outline;
 use radiosity_geom::{Aabb, Bvh, COINCIDENT, PARALLEL_PLANES};
 
 use crate::model::{Mantle, Model, Shape};
@@ -56,41 +56,26 @@ fn bounds(shape: &Shape) -> Option<Aabb> {
 /// Whether two shapes are in the same place, and if so, whether their fronts are the same.
 fn same(a: &Shape, b: &Shape, asked: Option<f64>) -> Option<bool> {
     let size = bounds(a)?.diagonal();
-    let near = |points: &[DVec3]| ring::tolerance(points, asked).max(COINCIDENT * size);
+    let near = |points: &[DVec3]| outline::tolerance(points, asked).max(COINCIDENT * size);
     if let (Shape::Quad(p), Shape::Quad(q)) = (a, b) {
         return same_quad(p, q, near(p));
     }
     if let (Some(p), Some(q)) = (a.mantle(), b.mantle()) {
         return same_mantle(&p, &q, near(&[p.base, p.base + p.axis]));
     }
-    match (a, b) {
-        (
-            Shape::Disk { center: p, normal: m, radius: r, inner: i },
-            Shape::Disk { center: q, normal: n, radius: s, inner: j },
-        ) => {
-            let near = near(&[*p]);
-            let is_same =
-                p.distance(*q) <= near && (r - s).abs().max((i - j).abs()) <= near && are_parallel(*m, *n);
-            is_same.then(|| m.dot(*n) > 0.0)
-        }
-        (
-            Shape::Sphere { center: p, radius: r, inward: own },
-            Shape::Sphere { center: q, radius: s, inward: other },
-        ) => {
-            let near = near(&[*p]);
-            (p.distance(*q) <= near && (r - s).abs() <= near).then_some(own == other)
-        }
-        (
-            Shape::Torus { center: p, axis: m, major: r, minor: i, inward: own },
-            Shape::Torus { center: q, axis: n, major: s, minor: j, inward: other },
-        ) => {
-            let near = near(&[*p]);
-            let is_same =
-                p.distance(*q) <= near && (r - s).abs().max((i - j).abs()) <= near && are_parallel(*m, *n);
-            is_same.then_some(own == other)
-        }
-        _ => None,
-    }
+    let is_alike = match (a, b) {
+        (Shape::Disk { normal: m, .. }, Shape::Disk { normal: n, .. }) => m.dot(*n) > 0.0,
+        (Shape::Sphere { inward: own, .. }, Shape::Sphere { inward: other, .. })
+        | (Shape::Torus { inward: own, .. }, Shape::Torus { inward: other, .. }) => own == other,
+        _ => return None,
+    };
+    // The middle, the axis if there is one, and the radii.
+    let ((p, r), (q, s)) = (a.numbers(), b.numbers());
+    let near = near(&p[..1]);
+    let is_same = p[0].distance(q[0]) <= near
+        && r.iter().zip(&s).all(|(r, s)| (r - s).abs() <= near)
+        && p[1..].iter().zip(&q[1..]).all(|(m, n)| are_parallel(*m, *n));
+    is_same.then_some(is_alike)
 }
 
 fn are_parallel(a: DVec3, b: DVec3) -> bool {

@@ -1,7 +1,7 @@
 //! Faces without area.
 
 use radiosity_fit::outline::area_vector;
-use radiosity_fit::ring::length_and_width;
+use radiosity_fit::outline::length_and_width;
 use radiosity_geom::COINCIDENT;
 
 use crate::model::{Mantle, Model, Shape};

@@ -5,13 +5,12 @@ use std::collections::HashMap;
 use std::fmt::Write;
 
 use glam::DVec3;
-use radiosity_geom::PlanarRegion;
 
 use super::statements::OBSTRUCTION;
 use crate::colour::luminance;
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::tolerances::STEPS_OF_EMITTANCE;
-use radiosity_photometry::error::Refusal;
+use radiosity_photometry::error::{Refusal, refuse};
 
 /// The text of a model. View3D has one band and no emission: the emittance is 1 − ρ, with ρ the luminance of
 /// three bands and the mean of others; emission is left out. A surface of two sides becomes two surfaces, the
@@ -69,18 +68,12 @@ impl Sheet {
     fn add(&mut self, surface: &Surface, letter: char, emittance: &str) -> Result<(), Refusal> {
         let Shape::Polygon { outline, holes } = &surface.shape else {
             let kind = if let Shape::Quad(_) = surface.shape { "curved patch" } else { surface.shape.kind() };
-            return Err(refusal(
+            return refuse(
                 format!("surface \"{}\" is a {kind}, View3D has flat surfaces only", surface.name),
                 "write it in another format, or put polygons in its place",
-            ));
+            );
         };
-        let region = PlanarRegion::new(outline.clone(), holes.clone()).map_err(|_| {
-            refusal(
-                format!("the outline of surface \"{}\" crosses itself or has no area", surface.name),
-                "repair the scene before it is written",
-            )
-        })?;
-        let mut pieces = region.convex_pieces().to_vec();
+        let mut pieces = surface.pieces(outline, holes)?;
         self.add_pieces(&surface.name, &pieces, letter, emittance);
         if surface.sides == Sides::Both {
             pieces.iter_mut().for_each(|piece| piece.reverse());
@@ -136,8 +129,4 @@ fn printable(name: &str) -> String {
         Some(rest) => format!("_{rest}"),
         None => word,
     }
-}
-
-fn refusal(cause: String, cure: &str) -> Refusal {
-    Refusal { file: "the View3D text".to_owned(), place: None, cause, cure: cure.to_owned() }
 }
