@@ -8,7 +8,7 @@ use std::str::FromStr;
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyFloat};
 use serde::Deserializer;
 use serde::de::{self, DeserializeOwned, DeserializeSeed, Error as _, IntoDeserializer, MapAccess, Visitor};
 use serde::forward_to_deserialize_any;
@@ -45,7 +45,7 @@ impl<'py> Arguments<'py> {
     /// The value of an argument that a text says, or the written form of a number.
     pub(crate) fn parsed<T: FromStr<Err: Display>>(&mut self, name: &str) -> PyResult<Option<T>> {
         let Some(value) = self.given.remove(name) else { return Ok(None) };
-        let parsed = value.str()?.to_string().parse();
+        let parsed = text(&value)?.parse();
         parsed.map(Some).map_err(|expected: T::Err| Fault::custom(expected).told(name, &shown(&value)))
     }
 
@@ -143,7 +143,7 @@ impl<'de> Deserializer<'de> for Value<'_, '_> {
     type Error = Fault;
 
     fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
-        visitor.visit_string(self.0.str()?.to_string())
+        visitor.visit_string(text(self.0)?)
     }
 
     fn deserialize_bool<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
@@ -174,7 +174,7 @@ impl<'de> Deserializer<'de> for Value<'_, '_> {
         _: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        visitor.visit_enum(self.0.str()?.to_string().into_deserializer())
+        visitor.visit_enum(text(self.0)?.into_deserializer())
     }
 
     forward_to_deserialize_any! {
@@ -226,6 +226,14 @@ impl de::Error for Fault {
 impl From<PyErr> for Fault {
     fn from(error: PyErr) -> Self {
         Self::Told(error)
+    }
+}
+
+/// The text of a value, or the written form of a number: 8e9 without a fraction.
+fn text(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    match whole(value).filter(|_| value.is_instance_of::<PyFloat>()) {
+        Some(number) => Ok(number.to_string()),
+        None => Ok(value.str()?.to_string()),
     }
 }
 
