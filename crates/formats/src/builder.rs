@@ -68,6 +68,24 @@ impl ModelBuilder {
         if matches!(shape, Shape::Quad(_)) {
             self.note(WARPED, line);
         }
+        self.check(&shape, coat)?;
+        let wanted = match name {
+            Some(name) => name.to_owned(),
+            None => format!("{}-{}", shape.kind(), self.model.surfaces.len() + 1),
+        };
+        let (name, material) = (self.names.take(&wanted), self.material(coat));
+        self.model.surfaces.push(Surface {
+            name,
+            material: Some(material),
+            shape,
+            sides: coat.sides,
+            place: Some(FilePlace::Line(line)),
+        });
+        Ok(())
+    }
+
+    /// Refuses too many surfaces, numbers beyond measure and shapes without extent.
+    fn check(&mut self, shape: &Shape, coat: &Coat) -> Result<(), Refusal> {
         let (points, numbers) = shape.numbers();
         self.vertices += points.len();
         if self.model.surfaces.len() >= MOST_SURFACES || self.vertices > MOST_VERTICES {
@@ -84,25 +102,13 @@ impl ModelBuilder {
                 "scale the scene down",
             );
         }
-        check_size(&shape)?;
+        check_size(shape)?;
         if !coat.reflectance.iter().chain(&coat.emission).all(|value| *value <= GREATEST) {
             return refuse(
                 format!("the material '{}' has a value beyond {GREATEST:e}", short(&coat.name)),
                 "correct its reflectance or its emission",
             );
         }
-        let wanted = match name {
-            Some(name) => name.to_owned(),
-            None => format!("{}-{}", shape.kind(), self.model.surfaces.len() + 1),
-        };
-        let (name, material) = (self.names.take(&wanted), self.material(coat));
-        self.model.surfaces.push(Surface {
-            name,
-            material: Some(material),
-            shape,
-            sides: coat.sides,
-            place: Some(FilePlace::Line(line)),
-        });
         Ok(())
     }
 

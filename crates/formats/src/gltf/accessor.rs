@@ -6,11 +6,11 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use glam::DVec3;
-use radiosity_photometry::error::{Refusal, refuse, refuse_at};
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::short;
 
-use super::json::Json;
+use super::json::{Json, unlisted};
 use super::scheme::{Accessor, BufferView, Root, Sparse, SparsePart};
 use crate::scalar::Scalar;
 use crate::tolerances::MOST_ROWS;
@@ -175,32 +175,7 @@ impl<'a, 'b> Accessors<'a, 'b> {
         place: FilePlace,
     ) -> Result<Data<'b>, Refusal> {
         let component = scalar(accessor.component_type)?;
-        let is_right = match kind {
-            NumberUse::Points => accessor.kind == "VEC3" && component != Scalar::U32,
-            NumberUse::Indices => {
-                accessor.kind == "SCALAR" && matches!(component, Scalar::U8 | Scalar::U16 | Scalar::U32)
-            }
-        };
-        if !is_right {
-            let what = if kind == NumberUse::Points { "points" } else { "indices" };
-            return refuse(
-                format!(
-                    "{what} cannot be {} of component type {}",
-                    short(&accessor.kind),
-                    accessor.component_type
-                ),
-                "export the model again; points are VEC3 of floats, indices SCALAR of unsigned integers",
-            );
-        }
-        if accessor.count > MOST_ROWS {
-            return refuse(format!("it has more than {MOST_ROWS} rows"), "split the model");
-        }
-        if kind == NumberUse::Points && accessor.buffer_view.is_none() && accessor.sparse.is_none() {
-            return refuse(
-                "its points are all 0: it has neither a buffer view nor sparse values",
-                "export the model without compression",
-            );
-        }
+        check(accessor, kind, component)?;
         let scale = if accessor.normalized { whole(component) } else { 1.0 };
         let rows = Rows { bytes: &[], stride: 0, component, scale };
         let (offset, count, width) = (accessor.byte_offset, accessor.count, kind.width());
@@ -246,26 +221,7 @@ impl<'a, 'b> Accessors<'a, 'b> {
         let Span { view, offset, count, width } = span;
         let (view, at): (BufferView, FilePlace) =
             self.json.item(&self.root.buffer_views, view, "buffer view", place)?;
-        let Some(buffer) = self.buffers.get(view.buffer) else {
-            return refuse_at(
-                at,
-                format!("the buffer {} is named, {} are listed, from 0 on", view.buffer, self.buffers.len()),
-                CORRECT,
-            );
-        };
-        let bytes = buffer.get(view.byte_offset..).and_then(|rest| rest.get(..view.byte_length));
-        let Some(bytes) = bytes else {
-            return refuse_at(
-                at,
-                format!(
-                    "the view spans {} bytes from byte {} on; the buffer has {}",
-                    view.byte_length,
-                    view.byte_offset,
-                    buffer.len()
-                ),
-                CORRECT,
-            );
-        };
+        let bytes = self.bytes(&view).map_err(|refusal| refusal.at(at))?;
         let size = width * like.component.size();
         let stride = view.byte_stride.unwrap_or(size);
         let needed = match count {
@@ -284,4 +240,51 @@ impl<'a, 'b> Accessors<'a, 'b> {
         };
         Ok(Rows { bytes, stride, ..like.clone() })
     }
+    /// The bytes of a view.
+    fn bytes(&self, view: &BufferView) -> Result<&'b [u8], Refusal> {
+        let buffer = self.buffers.get(view.buffer);
+        let buffer: &'b [u8] = buffer.ok_or_else(|| unlisted("buffer", view.buffer, self.buffers.len()))?;
+        let bytes = buffer.get(view.byte_offset..).and_then(|rest| rest.get(..view.byte_length));
+        bytes.ok_or_else(|| {
+            let BufferView { byte_length, byte_offset, .. } = view;
+            let there = buffer.len();
+            Refusal::new(
+                format!(
+                    "the view spans {byte_length} bytes from byte {byte_offset} on; the buffer has {there}"
+                ),
+                CORRECT,
+            )
+        })
+    }
+}
+
+/// Refuses an accessor that cannot hold what it is used for.
+fn check(accessor: &Accessor, kind: NumberUse, component: Scalar) -> Result<(), Refusal> {
+    let is_right = match kind {
+        NumberUse::Points => accessor.kind == "VEC3" && component != Scalar::U32,
+        NumberUse::Indices => {
+            accessor.kind == "SCALAR" && matches!(component, Scalar::U8 | Scalar::U16 | Scalar::U32)
+        }
+    };
+    if !is_right {
+        let what = if kind == NumberUse::Points { "points" } else { "indices" };
+        return refuse(
+            format!(
+                "{what} cannot be {} of component type {}",
+                short(&accessor.kind),
+                accessor.component_type
+            ),
+            "export the model again; points are VEC3 of floats, indices SCALAR of unsigned integers",
+        );
+    }
+    if accessor.count > MOST_ROWS {
+        return refuse(format!("it has more than {MOST_ROWS} rows"), "split the model");
+    }
+    if kind == NumberUse::Points && accessor.buffer_view.is_none() && accessor.sparse.is_none() {
+        return refuse(
+            "its points are all 0: it has neither a buffer view nor sparse values",
+            "export the model without compression",
+        );
+    }
+    Ok(())
 }

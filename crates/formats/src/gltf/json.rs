@@ -1,6 +1,6 @@
 //! JSON whose parts know where they stand.
 
-use radiosity_photometry::error::{Refusal, refuse_at};
+use radiosity_photometry::error::Refusal;
 use radiosity_photometry::file_place::FilePlace;
 use serde::Deserialize;
 use serde_json::value::RawValue;
@@ -75,13 +75,17 @@ impl<'a> Json<'a> {
         from: FilePlace,
     ) -> Result<(T, FilePlace), Refusal> {
         let Some(item) = list.get(index) else {
-            return refuse_at(
-                from,
-                format!("the {what} {index} is named, {} are listed, from 0 on", list.len()),
-                "correct the index, or export the model again",
-            );
+            return Err(unlisted(what, index, list.len()).at(from));
         };
         let value = self.parse(item.get(), &format!("the {what} {index}"))?;
         Ok((value, self.place(item.get())))
     }
+}
+
+/// Refusal of the index of an item that a list of so many does not have.
+pub(super) fn unlisted(what: &str, index: usize, count: usize) -> Refusal {
+    Refusal::new(
+        format!("the {what} {index} is named, {count} are listed, from 0 on"),
+        "correct the index, or export the model again",
+    )
 }

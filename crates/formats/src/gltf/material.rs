@@ -57,12 +57,7 @@ fn read<'a>(
         model.note(TEXTURED, Some(place));
         diffuse *= UNKNOWN;
     }
-    let strength = material.extensions.strength.as_ref().and_then(|strength| strength.emissive_strength);
-    let mut emission = material.emissive_factor.map(|value| PI * value * strength.unwrap_or(1.0));
-    if material.emissive_texture.is_some() && emission != [0.0; 3] {
-        model.note(TEXTURED_EMISSION, Some(place));
-        emission = [0.0; 3];
-    }
+    let emission = emission(&material, place, model);
     let [r, g, b, _] = base.unwrap_or([1.0; 4]).map(|value| value * diffuse);
     if ![r, g, b].iter().chain(&emission).all(|value| (0.0..=GREATEST).contains(value)) {
         return refuse_at(
@@ -80,6 +75,17 @@ fn read<'a>(
         emission: emission.to_vec(),
     };
     Ok((read, if material.double_sided { Sides::Both } else { Sides::Front }))
+}
+
+/// Exitance of red, green and blue: 0 where a texture tells what shines.
+fn emission(material: &scheme::Material, place: FilePlace, model: &mut Model) -> [f64; 3] {
+    let strength = material.extensions.strength.as_ref().and_then(|strength| strength.emissive_strength);
+    let emission = material.emissive_factor.map(|value| PI * value * strength.unwrap_or(1.0));
+    if material.emissive_texture.is_some() && emission != [0.0; 3] {
+        model.note(TEXTURED_EMISSION, Some(place));
+        return [0.0; 3];
+    }
+    emission
 }
 
 /// Says what of a material is left out.

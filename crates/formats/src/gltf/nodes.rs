@@ -9,7 +9,7 @@ use radiosity_photometry::file_place::FilePlace;
 use serde_json::value::RawValue;
 
 use super::accessor::{Accessors, Data, NumberUse};
-use super::json::Json;
+use super::json::{Json, unlisted};
 use super::scheme::{self, Node, Primitive, Root};
 use super::triangles::Mode;
 use crate::mesh::{Coat, Mesh};
@@ -210,15 +210,14 @@ impl<'a, 'b> Nodes<'a, 'b> {
         world: &DMat4,
         place: FilePlace,
     ) -> Result<(), Refusal> {
-        let number = primitive.mode.unwrap_or(4);
-        let Some(mode) = Mode::of(number) else {
-            self.mesh.model.note("points and lines are left out", Some(place));
-            return Ok(());
-        };
         let lost = [
             (primitive.targets.is_some(), "morph targets are left out"),
             (primitive.attributes.colour.is_some(), "colours of vertices are left out"),
         ];
+        let Some(mode) = Mode::of(primitive.mode.unwrap_or(4)) else {
+            self.mesh.model.note("points and lines are left out", Some(place));
+            return Ok(());
+        };
         for (_, what) in lost.iter().filter(|lost| lost.0) {
             self.mesh.model.note(*what, Some(place));
         }
@@ -227,10 +226,9 @@ impl<'a, 'b> Nodes<'a, 'b> {
             return Ok(());
         };
         let points = self.accessors.data(position, NumberUse::Points, place)?;
-        let indices = match primitive.indices {
-            Some(indices) => Some(self.accessors.data(indices, NumberUse::Indices, place)?),
-            None => None,
-        };
+        let indices =
+            primitive.indices.map(|indices| self.accessors.data(indices, NumberUse::Indices, place));
+        let indices = indices.transpose()?;
         let coat = self.coat(primitive.material, object, place)?;
         let corners = indices.as_ref().map_or(points.count, |indices| indices.count);
         if mode == Mode::List && corners % 3 != 0 {
@@ -243,25 +241,18 @@ impl<'a, 'b> Nodes<'a, 'b> {
         self.visit(mode.count(corners), place)?;
         let is_mirrored = DMat3::from_mat4(*world).determinant() < 0.0;
         for triangle in 0..mode.count(corners) {
-            let numbers = mode.corners(triangle);
-            let mut vertices = [0; 3];
-            for (vertex, number) in vertices.iter_mut().zip(numbers) {
-                *vertex = match &indices {
-                    Some(indices) => indices.index(number).unwrap_or(usize::MAX),
-                    None => number,
-                };
-            }
-            let [a, b, c] = vertices;
+            let vertex = |number: usize| match &indices {
+                Some(indices) => indices.index(number).unwrap_or(usize::MAX),
+                None => number,
+            };
+            let [a, b, c] = mode.corners(triangle).map(vertex);
             // Strips are joined by triangles that repeat a corner.
             if mode != Mode::List && (a == b || b == c || c == a) {
                 continue;
             }
-            if is_mirrored {
-                vertices.reverse();
-            }
-            let corners = corners_of(vertices, &points, world);
+            let corners = corners_of(if is_mirrored { [c, b, a] } else { [a, b, c] }, &points, world);
             let added = corners.and_then(|corners| self.mesh.face(corners, coat, place));
-            added.map_err(|fault| fault.at(place))?;
+            added.map_err(|refusal| refusal.at(place))?;
         }
         Ok(())
     }
@@ -273,11 +264,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
         };
         match self.sides.get(index) {
             Some(sides) => Ok(Coat { object, material, sides: *sides }),
-            None => refuse_at(
-                place,
-                format!("the material {index} is named, {} are listed, from 0 on", self.sides.len()),
-                "correct the index, or export the model again",
-            ),
+            None => Err(unlisted("material", index, self.sides.len()).at(place)),
         }
     }
 }

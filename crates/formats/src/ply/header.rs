@@ -122,23 +122,7 @@ fn statement(
     match words {
         [] | ["comment" | "obj_info", ..] => Ok(()),
         ["format", kind, version] => {
-            if *version != "1.0" {
-                return refuse(
-                    format!("the version {} is not known", short(version)),
-                    "save the file as version 1.0",
-                );
-            }
-            *encoding = Some(match *kind {
-                "ascii" => Encoding::Text,
-                "binary_little_endian" => Encoding::Little,
-                "binary_big_endian" => Encoding::Big,
-                _ => {
-                    return refuse(
-                        format!("'{}' is no format of PLY", short(kind)),
-                        "write ascii, binary_little_endian or binary_big_endian",
-                    );
-                }
-            });
+            *encoding = Some(encoding_of(kind, version)?);
             Ok(())
         }
         ["element", name, count] => {
@@ -157,6 +141,19 @@ fn statement(
             format!("'{}' is no statement of a header", short(first)),
             "write 'element NAME COUNT', 'property TYPE NAME', 'property list TYPE TYPE NAME' or 'comment'",
         ),
+    }
+}
+
+fn encoding_of(kind: &str, version: &str) -> Result<Encoding, Refusal> {
+    match (kind, version) {
+        ("ascii", "1.0") => Ok(Encoding::Text),
+        ("binary_little_endian", "1.0") => Ok(Encoding::Little),
+        ("binary_big_endian", "1.0") => Ok(Encoding::Big),
+        (_, "1.0") => refuse(
+            format!("'{}' is no format of PLY", short(kind)),
+            "write ascii, binary_little_endian or binary_big_endian",
+        ),
+        _ => refuse(format!("the version {} is not known", short(version)), "save the file as version 1.0"),
     }
 }
 

@@ -18,11 +18,13 @@ struct Change {
     told: Option<Told>,
 }
 
-/// What is told of a change: by the name of the surface, and the names of those in its place, the kind of the
-/// fault and its text; and other surfaces that have it too.
+/// Kind of a fault and text of its repair, by the name of the surface and the names of those in its place.
+type Text = dyn Fn(&str, &[String]) -> (RepairKind, String);
+
+/// Telling of a change: its text, and other surfaces that have the fault too.
 pub(super) struct Told {
     pub(super) others: Vec<String>,
-    pub(super) text: Box<dyn Fn(&str, &[String]) -> (RepairKind, String)>,
+    pub(super) text: Box<Text>,
 }
 
 impl Edit {
