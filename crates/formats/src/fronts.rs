@@ -295,11 +295,7 @@ impl ClosedShell {
                 others > 0 && near.len() == others && near.iter().take(ASKED).all(|x| is_inside(*x));
             return is_room.then_some(TurnReason::Outwards);
         }
-        let emits = |surface: &usize| {
-            let material = model.surfaces[*surface].material.and_then(|index| model.materials.get(index));
-            material.is_some_and(|material| material.emission.iter().any(|value| *value > 0.0))
-        };
-        let is_empty = near.len() < others && !self.surfaces.iter().any(emits) && !is_occupied();
+        let is_empty = near.len() < others && !self.surfaces.iter().any(|surface| model.emits(*surface)) && !is_occupied();
         is_empty.then_some(TurnReason::Inwards)
     }
 

@@ -171,11 +171,7 @@ fn widen(model: &mut Model) {
         return;
     }
     model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
-    for material in &mut model.materials {
-        for values in [&mut material.reflectance, &mut material.emission] {
-            *values = vec![values[0]; 3];
-        }
-    }
+    model.values_mut().for_each(|values| *values = vec![values[0]; 3]);
 }
 
 /// Replaces what an entry states of the material `name`, or adds the material.

@@ -308,6 +308,17 @@ impl Surface {
 }
 
 impl Model {
+    /// Whether a surface emits, by its index.
+    pub(crate) fn emits(&self, surface: usize) -> bool {
+        let material = self.surfaces[surface].material.and_then(|material| self.materials.get(material));
+        material.is_some_and(|material| material.emission.iter().any(|value| *value > 0.0))
+    }
+
+    /// Reflectances and exitances of all materials, band by band.
+    pub(crate) fn values_mut(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
+        self.materials.iter_mut().flat_map(|own| [&mut own.reflectance, &mut own.emission])
+    }
+
     /// Notes something at `place`; what was noted before is only counted.
     pub fn note(&mut self, text: impl Into<String>, place: Option<FilePlace>) {
         Note::add(&mut self.notes, text, place);

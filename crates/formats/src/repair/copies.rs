@@ -70,7 +70,7 @@ impl Copies {
             self.backs.push(NewBack { surface: second, name: back });
             text
         } else {
-            let is_second = emits(model, second) && !emits(model, first);
+            let is_second = model.emits(second) && !model.emits(first);
             let gone = if is_second { first } else { second };
             self.gone[gone] = true;
             format!("{pair} coincide; {:?} was removed", model.surfaces[gone].name)
@@ -92,10 +92,4 @@ impl Copies {
         gone.for_each(|(index, _)| edit.replace(index, Vec::new()));
         edit.apply(model, repairs);
     }
-}
-
-/// Whether a surface emits.
-pub(super) fn emits(model: &Model, surface: usize) -> bool {
-    let material = model.surfaces[surface].material.and_then(|material| model.materials.get(material));
-    material.is_some_and(|material| material.emission.iter().any(|value| *value > 0.0))
 }

@@ -11,7 +11,6 @@ use glam::DVec3;
 use radiosity_fit::stacked::are_sides_of_one;
 
 use crate::model::{Model, Shape, Sides};
-use crate::repair::copies::emits;
 use crate::repair::edit::Edit;
 use crate::repair::record::{RepairKind, Repairs};
 use crate::repair::sheets::{Sheet, Sheets};
@@ -92,7 +91,7 @@ impl StackedFaces {
 /// Whether the only front of a face, which emits nothing, is towards the front of a larger one.
 fn is_shown(model: &Model, small: &Sheet, large: &Sheet) -> bool {
     let is_one_sided = |sheet: &Sheet| model.surfaces[sheet.surface].sides != Sides::Both;
-    let is_dark = !emits(model, small.surface);
+    let is_dark = !model.emits(small.surface);
     is_dark && !small.is_alike(large) && is_one_sided(small) && is_one_sided(large)
 }
 

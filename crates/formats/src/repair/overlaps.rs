@@ -12,7 +12,6 @@ use radiosity_fit::stacked::are_sides_of_one;
 use radiosity_fit::tolerances::SAME_AREA;
 
 use crate::model::{Model, Shape, Sides};
-use crate::repair::copies::emits;
 use crate::repair::edit::{Edit, Told};
 use crate::repair::record::{RepairKind, Repairs, spelt};
 use crate::repair::sheets::{Sheet, Sheets};
@@ -124,13 +123,13 @@ impl Pair<'_> {
         let is_within = common > (1.0 - SAME_AREA) * sheet.area;
         let is_alike = sheet.is_alike(on) || self.is_two_sided(on);
         if is_alike {
-            let is_lamp_covered = emits(self.model, on.surface) && !emits(self.model, sheet.surface);
+            let is_lamp_covered = self.model.emits(on.surface) && !self.model.emits(sheet.surface);
             let cut = if is_lamp_covered { [small, large] } else { [large, small] };
             return (!is_within).then_some(cut);
         }
         // Back to back, or a body that stands there.
         let is_body = self.sheets.body(sheet) != 0.0 || is_within && self.sheets.body(on) < 0.0;
-        let cut = if emits(self.model, sheet.surface) { [large, small] } else { [small, large] };
+        let cut = if self.model.emits(sheet.surface) { [large, small] } else { [small, large] };
         (!is_body).then_some(cut)
     }
 
