@@ -295,7 +295,9 @@ impl ClosedShell {
                 others > 0 && near.len() == others && near.iter().take(ASKED).all(|x| is_inside(*x));
             return is_room.then_some(TurnReason::Outwards);
         }
-        let is_empty = near.len() < others && !self.surfaces.iter().any(|surface| model.emits(*surface)) && !is_occupied();
+        let is_empty = near.len() < others
+            && !self.surfaces.iter().any(|surface| model.emits(*surface))
+            && !is_occupied();
         is_empty.then_some(TurnReason::Inwards)
     }
 
