@@ -34,7 +34,7 @@ use faces::{Faces, Library, MaterialUse};
 use mtl::Mtl;
 use statements::statements;
 
-/// What a file without faces lacks, for messages.
+/// Parts that a file without faces lacks, for messages.
 pub(crate) const FACES: &str = "faces (f)";
 
 /// Reads an OBJ of the name `file` and the material files that it names.

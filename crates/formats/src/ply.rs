@@ -18,7 +18,7 @@ use header::{Encoding, Header};
 use numbers::{Bits, Words};
 use radiosity_photometry::error::Refusal;
 
-/// What a file without faces lacks, for messages.
+/// Parts that a file without faces lacks, for messages.
 pub(crate) const FACES: &str = "faces with a list vertex_indices";
 
 /// Reads a PLY of the name `file`. It names no other files.
