@@ -58,6 +58,13 @@ impl Bvh {
         self.search(|bounds| bounds.overlaps(query)).for_each(&mut visit);
     }
 
+    /// The indices of the boxes that overlap `query`, ascending.
+    pub fn near(&self, query: &Aabb) -> Vec<usize> {
+        let mut near: Vec<usize> = self.search(|bounds| bounds.overlaps(query)).collect();
+        near.sort_unstable();
+        near
+    }
+
     /// The indices of all boxes that pass `may_hold`, and of some others, in no particular order. What a box
     /// fails has to be failed by every box inside it.
     pub fn search(&self, may_hold: impl Fn(&Aabb) -> bool) -> impl Iterator<Item = usize> {

@@ -65,7 +65,7 @@ pub fn difference(polygon: &[DVec3], hole: &[DVec3], normal: DVec3) -> Vec<Vec<D
 }
 
 /// The sides of a polygon, in order, from each corner to the next.
-pub fn sides(polygon: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + Clone {
+pub fn sides<T: Copy>(polygon: &[T]) -> impl Iterator<Item = [T; 2]> + Clone {
     polygon.iter().zip(polygon.iter().cycle().skip(1)).map(|(from, to)| [*from, *to])
 }
 

@@ -70,7 +70,7 @@ impl Occupied {
     pub fn coincides(&self, other: &Occupied) -> bool {
         self.bounds.overlaps(&other.bounds)
             && match (self.shape.region(), other.shape.region()) {
-                (Some(a), Some(b)) => same_plane(a, b) && overlap(a, b),
+                (Some(a), Some(b)) => same_plane(a, b) && overlap(a, b) > 0.0,
                 _ => lies_in(self, other) || lies_in(other, self),
             }
     }
@@ -84,13 +84,19 @@ fn same_plane(a: &PlanarRegion, b: &PlanarRegion) -> bool {
         && large.normal().cross(small.normal()).length() <= PARALLEL_PLANES
 }
 
-/// Whether two regions in one plane share more than touching edges, which overlap by rounding, in many models
-/// of single precision.
-fn overlap(a: &PlanarRegion, b: &PlanarRegion) -> bool {
-    let breadth = |region: &PlanarRegion| region.area() / region.extent();
-    let least =
-        (OVERLAP_OF_EXTENT * a.extent().min(b.extent())).min(OVERLAP_OF_BREADTH * breadth(a).min(breadth(b)));
-    a.common_parts(b).any(|part| polygon_width(&part) > least)
+/// The area that two regions in one plane share, seen along the normal of the second; 0 where edges only touch,
+/// which overlap by rounding in many models of single precision.
+pub fn overlap(a: &PlanarRegion, b: &PlanarRegion) -> f64 {
+    let least = least_overlap([a, b].map(PlanarRegion::extent), [a, b].map(PlanarRegion::area));
+    let parts: Vec<Vec<DVec3>> = a.common_parts(b).collect();
+    let is_wide = parts.iter().any(|part| polygon_width(part) > least);
+    if is_wide { parts.iter().map(|part| polygon_area(part)).sum() } else { 0.0 }
+}
+
+/// Width (length) up to which two sheets with these extents (lengths) and areas only touch.
+pub fn least_overlap(extents: [f64; 2], areas: [f64; 2]) -> f64 {
+    let breadth = (areas[0] / extents[0]).min(areas[1] / extents[1]);
+    (OVERLAP_OF_EXTENT * extents[0].min(extents[1])).min(OVERLAP_OF_BREADTH * breadth)
 }
 
 /// The area that two regions have in common, seen along the normal of the second.

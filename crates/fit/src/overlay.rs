@@ -13,12 +13,11 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay::{ContourDirection, IntOverlayOptions, Overlay, ShapeType};
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::i_float::int::point::IntPoint;
-use radiosity_geom::{COINCIDENT, distance_to_segment};
+use radiosity_geom::{COINCIDENT, distance_to_segment, sides};
 
-use crate::outline::area_vector;
+use crate::outline::{area_vector, perimeter, tolerance};
 use crate::plane::Plane;
-use crate::ring::{perimeter, tolerance};
-use nodes::{Near, Nodes, bits, cyclic, through_nodes};
+use nodes::{Near, Nodes, bits, through_nodes};
 
 /// Steps of the integers over the extent: some four thousand to the tolerance of 1e-9, so that crossings stay
 /// where they are, and far from their limit, 2⁶², so that no product overflows.
@@ -117,7 +116,7 @@ impl<'a> Drawing<'a> {
         let [low, high] = nodes.bounds();
         let step = (high - low).max_element().max(f64::MIN_POSITIVE) / STEPS;
         let subjects = subjects.len();
-        let sides: Vec<[usize; 2]> = rings[..subjects].iter().flat_map(|ring| cyclic(ring)).collect();
+        let sides: Vec<[usize; 2]> = rings[..subjects].iter().flat_map(|ring| sides(ring)).collect();
         let near = nodes.near(&sides);
         Drawing { plane, nodes, rings, subjects, sides, near, tolerance, low, step }
     }
@@ -228,7 +227,7 @@ fn place(at: IntPoint<i64>) -> [i64; 2] {
 /// hole.
 pub fn has_seam(plane: &Plane, ring: &[DVec3], asked: Option<f64>) -> bool {
     let drawing = Drawing::new(plane, ring, &[ring], &[], asked);
-    let sides: HashSet<[usize; 2]> = drawing.rings.iter().flat_map(|ring| cyclic(ring)).collect();
+    let sides: HashSet<[usize; 2]> = drawing.rings.iter().flat_map(|ring| sides(ring)).collect();
     sides.iter().any(|[from, to]| sides.contains(&[*to, *from]))
 }
 

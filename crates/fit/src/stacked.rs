@@ -15,12 +15,13 @@ use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, distance_to_segment, sides, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, touching};
 
+use crate::bodies::{self, Beside};
 use crate::tolerances::SAME_AREA;
 use crate::{coincident::Occupied, gap};
 
-pub use sheet::Sheet;
+pub use sheet::{Sheet, are_sides_of_one};
 
 /// Distance by which a sheet is moved off another, in multiples of the least gap: half as much again, so that
 /// rounding of the moved corners leaves the gap above the least. Larger gaps would let more light past.
@@ -92,10 +93,8 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
     // Heights are kept: that of a floor is asked for with each body on it.
     let mut bodies: HashMap<usize, f64> = HashMap::new();
     for own in 0..sheets.len() {
-        let mut near = Vec::new();
-        tree.overlapping(&boxes[own], |other| near.push(other));
-        for other in near.into_iter().filter(|other| *other < own) {
-            let is_pair = sheets[own].is_back_of(&sheets[other]) || sheets[other].is_back_of(&sheets[own]);
+        for other in tree.search(|near| near.overlaps(&boxes[own])).filter(|other| *other < own) {
+            let is_pair = are_sides_of_one([&sheets[own].name, &sheets[other].name]);
             let stays = sheets[own].stays && sheets[other].stays;
             if is_pair || stays || !occupied[own].coincides(&occupied[other]) {
                 continue;
@@ -184,35 +183,18 @@ impl Pair<'_> {
     }
 }
 
-/// Mean height (scene length) over a sheet's plane of its body: of sheets in other planes with a side along
-/// one of its own. Faces of the same body run along that side in the other direction; only if there are none
-/// do other sheets count.
+/// Height of the body of a sheet, as [`bodies::height`] finds it; 0 of curved ones.
 fn body(own: usize, sheets: &[Sheet], tree: &Bvh, bounds: &Aabb) -> f64 {
     let Some(region) = sheets[own].region() else { return 0.0 };
     let tolerance = touching(region.extent(), bounds.center().length());
-    let mut near = Vec::new();
-    tree.overlapping(bounds, |other| near.push(other));
-    near.sort_unstable();
-    let (mut of_body, mut of_all) = (0.0, 0.0);
-    for other in near.into_iter().filter(|other| *other != own) {
-        let Some(runs) = run_along(&sheets[own], &sheets[other], tolerance) else { continue };
+    let beside = |other: usize| {
+        let is_flipped = sheets[own].flip != sheets[other].flip;
+        Some(Beside { sheet: other, outline: sheets[other].region()?.outer(), is_flipped })
+    };
+    let others = tree.near(bounds).into_iter().filter(|other| *other != own).filter_map(beside);
+    bodies::height(region.outer(), tolerance, others, |other| {
         let corners = sheets[other].shape.corners();
-        let height = corners.iter().map(|x| region.height(*x)).sum::<f64>() / corners.len() as f64;
-        of_all += height;
-        of_body += if runs < 0.0 { height } else { 0.0 };
-    }
-    [of_body, of_all].into_iter().find(|height| height.abs() > tolerance).unwrap_or(0.0)
-}
-
-/// Dot product of a side of another sheet and a side of this one that it lies on: positive if both run in the
-/// same direction. None without such sides.
-fn run_along(own: &Sheet, other: &Sheet, tolerance: f64) -> Option<f64> {
-    let way = if own.flip == other.flip { 1.0 } else { -1.0 };
-    sides(other.region()?.outer()).find_map(|[a, b]| {
-        let holds =
-            |[p, q]: &[DVec3; 2]| [a, b].iter().all(|x| distance_to_segment(*x, [*p, *q]) <= tolerance);
-        let [p, q] = sides(own.region()?.outer()).find(holds)?;
-        Some(way * (q - p).dot(b - a))
+        corners.iter().map(|x| region.height(*x)).sum::<f64>() / corners.len() as f64
     })
 }
 

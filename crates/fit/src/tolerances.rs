@@ -14,11 +14,11 @@ pub const SHARED_AREA: f64 = 1e-6;
 /// Width of the common part of two sheets, over the smaller extent, up to which they only touch: some sixteen
 /// roundings in single precision. With a larger value sheets that lie on each other in a narrow strip would
 /// pass; with a smaller one neighbours in models of single precision would count as overlapping.
-pub const OVERLAP_OF_EXTENT: f64 = 1e-6;
+pub(crate) const OVERLAP_OF_EXTENT: f64 = 1e-6;
 
 /// Width of the common part over the narrower breadth, where that is less: of slender sheets
 /// [`OVERLAP_OF_EXTENT`] may be all of the breadth.
-pub const OVERLAP_OF_BREADTH: f64 = 1e-3;
+pub(crate) const OVERLAP_OF_BREADTH: f64 = 1e-3;
 
 /// Roundings by which two points that are meant to be one may differ: one of each. Corners that were computed
 /// are allowed more where faces are merged.

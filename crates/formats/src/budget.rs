@@ -1,6 +1,6 @@
 //! The budget of a reader: how much text it follows before it gives up.
 
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::Refusal;
 
 /// Most characters and items that are followed, repetitions by arrays and includes counted: a scene of 10⁷
 /// lines is within, and a few lines that repeat one another without end are given up in
@@ -29,7 +29,7 @@ impl Budget {
     ///
     /// # Errors
     /// A budget that is spent.
-    pub(crate) fn spend(&mut self, characters: usize) -> Result<(), Fault> {
+    pub(crate) fn spend(&mut self, characters: usize) -> Result<(), Refusal> {
         self.take(characters as u64 + ITEM)
     }
 
@@ -37,13 +37,13 @@ impl Budget {
     ///
     /// # Errors
     /// A budget that is spent.
-    pub(crate) fn spend_on_include(&mut self) -> Result<(), Fault> {
+    pub(crate) fn spend_on_include(&mut self) -> Result<(), Refusal> {
         self.take(INCLUDE)
     }
 
-    fn take(&mut self, price: u64) -> Result<(), Fault> {
+    fn take(&mut self, price: u64) -> Result<(), Refusal> {
         self.0 = self.0.checked_sub(price).ok_or_else(|| {
-            Fault::new(
+            Refusal::new(
                 format!("more than {MOST} characters are followed, arrays and includes counted"),
                 "make arrays smaller or split the scene",
             )

@@ -4,12 +4,12 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 use radiosity_fit::outline::WARPED;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::short;
 
 use crate::colour::settle;
-use crate::model::{Material, Model, Shape, Sides, Surface};
+use crate::model::{Mantle, Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 use crate::tolerances::{GREATEST, MOST_SURFACES, MOST_VERTICES};
 
@@ -24,6 +24,13 @@ pub(crate) struct Coat {
     pub emission: [f64; 3],
     /// The sides that surfaces of it have.
     pub sides: Sides,
+}
+
+impl Default for Coat {
+    /// Black on both sides, without a name.
+    fn default() -> Self {
+        Coat { name: String::new(), reflectance: [0.0; 3], emission: [0.0; 3], sides: Sides::Both }
+    }
 }
 
 /// A model of red, green and blue that grows.
@@ -57,36 +64,14 @@ impl ModelBuilder {
         shape: Shape,
         coat: &Coat,
         line: usize,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), Refusal> {
         if matches!(shape, Shape::Quad(_)) {
             self.note(WARPED, line);
         }
-        let (points, numbers) = parts(&shape);
-        self.vertices += points.len();
-        if self.model.surfaces.len() >= MOST_SURFACES || self.vertices > MOST_VERTICES {
-            return Err(Fault::new(
-                format!("more than {MOST_SURFACES} surfaces or {MOST_VERTICES} vertices"),
-                "split the scene",
-            ));
-        }
-        let mut numbers = points.iter().flat_map(|point| point.to_array()).chain(numbers);
-        // Not a number is not within either.
-        if !numbers.all(|number| number.abs() <= GREATEST) {
-            return Err(Fault::new(
-                format!("a coordinate or a radius is beyond {GREATEST:e} after transforms"),
-                "scale the scene down",
-            ));
-        }
-        check_size(&shape)?;
-        if !coat.reflectance.iter().chain(&coat.emission).all(|value| *value <= GREATEST) {
-            return Err(Fault::new(
-                format!("the material '{}' has a value beyond {GREATEST:e}", short(&coat.name)),
-                "correct its reflectance or its emission",
-            ));
-        }
+        self.check(&shape, coat)?;
         let wanted = match name {
             Some(name) => name.to_owned(),
-            None => format!("{}-{}", kind(&shape), self.model.surfaces.len() + 1),
+            None => format!("{}-{}", shape.kind(), self.model.surfaces.len() + 1),
         };
         let (name, material) = (self.names.take(&wanted), self.material(coat));
         self.model.surfaces.push(Surface {
@@ -96,6 +81,34 @@ impl ModelBuilder {
             sides: coat.sides,
             place: Some(FilePlace::Line(line)),
         });
+        Ok(())
+    }
+
+    /// Refuses too many surfaces, numbers beyond measure and shapes without extent.
+    fn check(&mut self, shape: &Shape, coat: &Coat) -> Result<(), Refusal> {
+        let (points, numbers) = shape.numbers();
+        self.vertices += points.len();
+        if self.model.surfaces.len() >= MOST_SURFACES || self.vertices > MOST_VERTICES {
+            return refuse(
+                format!("more than {MOST_SURFACES} surfaces or {MOST_VERTICES} vertices"),
+                "split the scene",
+            );
+        }
+        let mut numbers = points.iter().flat_map(|point| point.to_array()).chain(numbers);
+        // Not a number is not within either.
+        if !numbers.all(|number| number.abs() <= GREATEST) {
+            return refuse(
+                format!("a coordinate or a radius is beyond {GREATEST:e} after transforms"),
+                "scale the scene down",
+            );
+        }
+        check_size(shape)?;
+        if !coat.reflectance.iter().chain(&coat.emission).all(|value| *value <= GREATEST) {
+            return refuse(
+                format!("the material '{}' has a value beyond {GREATEST:e}", short(&coat.name)),
+                "correct its reflectance or its emission",
+            );
+        }
         Ok(())
     }
 
@@ -123,50 +136,23 @@ impl ModelBuilder {
     }
 }
 
-/// The points and the other numbers of a shape.
-fn parts(shape: &Shape) -> (Vec<DVec3>, Vec<f64>) {
-    match shape {
-        Shape::Polygon { outline, holes } => {
-            (outline.iter().chain(holes.iter().flatten()).copied().collect(), Vec::new())
-        }
-        Shape::Quad(corners) => (corners.to_vec(), Vec::new()),
-        Shape::Disk { center, normal, radius, inner } => (vec![*center, *normal], vec![*radius, *inner]),
-        Shape::Cylinder { base, axis, radius, .. } => (vec![*base, *axis], vec![*radius]),
-        Shape::Cone { base, axis, radii, .. } => (vec![*base, *axis], radii.to_vec()),
-        Shape::Sphere { center, radius, .. } => (vec![*center], vec![*radius]),
-        Shape::Torus { center, axis, major, minor, .. } => (vec![*center, *axis], vec![*major, *minor]),
-    }
-}
-
 /// Refuses curved shapes without a radius or an axis. Flat shapes without an area are left to repair.
-fn check_size(shape: &Shape) -> Result<(), Fault> {
-    let (directions, radius) = match *shape {
-        Shape::Polygon { .. } | Shape::Quad(_) => return Ok(()),
-        Shape::Disk { normal, radius, inner, .. } => (Some(normal), radius - inner),
-        Shape::Cylinder { axis, radius, .. } => (Some(axis), radius),
-        Shape::Cone { axis, radii, .. } => (Some(axis), radii[0].max(radii[1])),
-        Shape::Sphere { radius, .. } => (None, radius),
-        Shape::Torus { axis, major, minor, .. } => (Some(axis), major.min(minor)),
+fn check_size(shape: &Shape) -> Result<(), Refusal> {
+    let (axis, radius) = match *shape {
+        Shape::Disk { normal, radius, inner, .. } => (normal, radius - inner),
+        Shape::Sphere { radius, .. } => (DVec3::ONE, radius),
+        Shape::Torus { axis, major, minor, .. } => (axis, major.min(minor)),
+        _ => match shape.mantle() {
+            Some(Mantle { axis, radii, .. }) => (axis, radii[0].max(radii[1])),
+            None => return Ok(()),
+        },
     };
-    let kind = kind(shape);
+    let kind = shape.kind();
     if radius <= 0.0 {
-        return Err(Fault::new(format!("a {kind} has no radius"), "give it one, or take it out"));
+        return refuse(format!("a {kind} has no radius"), "give it one, or take it out");
     }
-    if directions == Some(DVec3::ZERO) {
-        return Err(Fault::new(format!("a {kind} has no axis"), "part its ends, or take it out"));
+    if axis == DVec3::ZERO {
+        return refuse(format!("a {kind} has no axis"), "part its ends, or take it out");
     }
     Ok(())
-}
-
-/// The kind of a shape, as scenes call it.
-fn kind(shape: &Shape) -> &'static str {
-    match shape {
-        Shape::Polygon { .. } => "polygon",
-        Shape::Quad(_) => "quad",
-        Shape::Disk { .. } => "disk",
-        Shape::Cylinder { .. } => "cylinder",
-        Shape::Cone { .. } => "cone",
-        Shape::Sphere { .. } => "sphere",
-        Shape::Torus { .. } => "torus",
-    }
 }

@@ -78,13 +78,11 @@ pub(crate) fn settle(model: &mut Model) {
         return;
     }
     let mut are_grey = true;
-    for material in &mut model.materials {
-        for values in [&mut material.reflectance, &mut material.emission] {
-            match is_grey(values, GREY_OF_NUMBERS) {
-                true if values.iter().all(|value| *value == values[0]) => {}
-                true => *values = vec![grey([values[0], values[1], values[2]]); 3],
-                false => are_grey = false,
-            }
+    for values in model.values_mut() {
+        match is_grey(values, GREY_OF_NUMBERS) {
+            true if values.iter().all(|value| *value == values[0]) => {}
+            true => *values = vec![grey([values[0], values[1], values[2]]); 3],
+            false => are_grey = false,
         }
     }
     if are_grey {
@@ -104,11 +102,9 @@ pub fn to_grey(model: &mut Model) {
         return;
     }
     model.bands = vec!["grey".to_owned()];
-    for material in &mut model.materials {
-        for values in [&mut material.reflectance, &mut material.emission] {
-            let [r, g, b] = [values[0], values[1], values[2]];
-            *values = vec![if r == g && g == b { r } else { grey([r, g, b]) }];
-        }
+    for values in model.values_mut() {
+        let [r, g, b] = [values[0], values[1], values[2]];
+        *values = vec![if r == g && g == b { r } else { grey([r, g, b]) }];
     }
 }
 

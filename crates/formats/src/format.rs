@@ -60,3 +60,12 @@ impl Format {
         })
     }
 }
+
+/// The files of a scene.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Written {
+    /// The text of the scene.
+    pub text: String,
+    /// The text of its materials, where they are a file of their own.
+    pub materials: Option<String>,
+}

@@ -10,7 +10,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use glam::DVec3;
 use radiosity_fit::outline::area_vector;
-use radiosity_geom::{Aabb, Bvh, ROUNDING_OF_AREAS};
+use radiosity_geom::{Aabb, Bvh, ROUNDING_OF_AREAS, sides};
 
 use crate::model::{Model, Shape, Sides};
 use corners::Corners;
@@ -76,12 +76,10 @@ pub(crate) fn turned(model: &Model) -> Vec<TurnedFaces> {
 
 /// A point of a surface, or in the middle of it.
 fn middle(shape: &Shape) -> DVec3 {
-    let mean = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len().max(1) as f64;
-    match shape {
-        Shape::Polygon { outline, .. } => mean(outline),
-        Shape::Quad(corners) => mean(corners),
-        Shape::Disk { center, .. } | Shape::Sphere { center, .. } | Shape::Torus { center, .. } => *center,
-        Shape::Cylinder { base, axis, .. } | Shape::Cone { base, axis, .. } => *base + 0.5 * *axis,
+    match (shape, shape.rings().first(), shape.mantle()) {
+        (_, Some(outline), _) => outline.iter().sum::<DVec3>() / outline.len().max(1) as f64,
+        (_, _, Some(mantle)) => mantle.base + 0.5 * mantle.axis,
+        _ => shape.numbers().0[0],
     }
 }
 
@@ -100,10 +98,7 @@ impl Middles {
 
     /// The middles in a box of other surfaces than `own`, in order.
     fn within(&self, bounds: &Aabb, own: &BTreeSet<usize>) -> Vec<DVec3> {
-        let mut near = Vec::new();
-        self.tree.overlapping(bounds, |surface| near.push(surface));
-        near.sort_unstable();
-        let others = near.into_iter().filter(|surface| !own.contains(surface));
+        let others = self.tree.near(bounds).into_iter().filter(|surface| !own.contains(surface));
         others.map(|surface| self.points[surface]).filter(|x| bounds.contains(*x)).collect()
     }
 }
@@ -154,9 +149,9 @@ impl Faces {
             let rings: Vec<Vec<usize>> = points.iter().map(ring).collect();
             let face = faces.list.len();
             for ring in &rings {
-                for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)).filter(|(a, b)| a != b) {
+                for [a, b] in sides(ring).filter(|[a, b]| a != b) {
                     let side = SideFace { face, is_forward: a < b };
-                    faces.along.entry([*a.min(b), *a.max(b)]).or_default().push(side);
+                    faces.along.entry([a.min(b), a.max(b)]).or_default().push(side);
                 }
             }
             faces.list.push(Face { surface, rings, points });
@@ -185,8 +180,8 @@ impl Faces {
         while let Some(Member { face, is_alike }) = body.members.get(at).copied() {
             at += 1;
             for ring in &self.list[face].rings {
-                for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)).filter(|(a, b)| a != b) {
-                    let along = self.along.get(&[*a.min(b), *a.max(b)]).map_or(&[][..], Vec::as_slice);
+                for [a, b] in sides(ring).filter(|[a, b]| a != b) {
+                    let along = self.along.get(&[a.min(b), a.max(b)]).map_or(&[][..], Vec::as_slice);
                     let other = match along {
                         [one, other] if one.face == face && other.face != face => *other,
                         [other, one] if one.face == face && other.face != face => *other,
@@ -300,11 +295,9 @@ impl ClosedShell {
                 others > 0 && near.len() == others && near.iter().take(ASKED).all(|x| is_inside(*x));
             return is_room.then_some(TurnReason::Outwards);
         }
-        let emits = |surface: &usize| {
-            let material = model.surfaces[*surface].material.and_then(|index| model.materials.get(index));
-            material.is_some_and(|material| material.emission.iter().any(|value| *value > 0.0))
-        };
-        let is_empty = near.len() < others && !self.surfaces.iter().any(emits) && !is_occupied();
+        let is_empty = near.len() < others
+            && !self.surfaces.iter().any(|surface| model.emits(*surface))
+            && !is_occupied();
         is_empty.then_some(TurnReason::Inwards)
     }
 

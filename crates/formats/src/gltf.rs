@@ -19,8 +19,7 @@ mod material;
 mod triangles;
 mod nodes;
 
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::located::Located;
+use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::text::short;
 
 use crate::files::Files;
@@ -47,11 +46,11 @@ const HARMLESS: [&str; 6] = [
 /// Text that is not JSON, members that are missing or of the wrong kind, indices and ranges beyond what is
 /// there, buffers that cannot be read, required extensions that are not known, no triangles.
 pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
-    let mesh = mesh(bytes, files).map_err(|located| located.in_file(file))?;
-    mesh.finish("triangles in its scene").map_err(|fault| fault.of_file(file))
+    let read = mesh(bytes, files).and_then(|mesh| mesh.finish("triangles in its scene"));
+    read.map_err(|refusal| refusal.in_file(file))
 }
 
-fn mesh(bytes: &[u8], files: &dyn Files) -> Result<Mesh, Located> {
+fn mesh(bytes: &[u8], files: &dyn Files) -> Result<Mesh, Refusal> {
     let parts = container::parts(bytes)?;
     let json = Json::new(&parts);
     let root: Root = json.parse(json.text(), "the file")?;
@@ -69,22 +68,22 @@ fn mesh(bytes: &[u8], files: &dyn Files) -> Result<Mesh, Located> {
 }
 
 /// Whether the version and the required extensions are known.
-fn check(root: &Root, json: &Json) -> Result<(), Located> {
+fn check(root: &Root, json: &Json) -> Result<(), Refusal> {
     let place = json.place(json.text());
     if !root.asset.version.starts_with("2.") {
-        return Err(Located::new(
+        return refuse_at(
             place,
             format!("the version is '{}'", short(&root.asset.version)),
             "export the model as glTF 2.0",
-        ));
+        );
     }
     let is_harmless = |name: &&String| HARMLESS.iter().any(|known| name.starts_with(known));
     match root.extensions_required.iter().find(|name| !is_harmless(name)) {
-        Some(name) => Err(Located::new(
+        Some(name) => refuse_at(
             place,
             format!("the extension {} is required", short(name)),
             "export the model without it, without compression",
-        )),
+        ),
         None => Ok(()),
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::{decode, short};
 
 use crate::files::Files;
@@ -49,16 +49,16 @@ impl<'a> Includes<'a> {
     ///
     /// # Errors
     /// A file that is open already, is missing, is no text, or is nested too deep.
-    pub(crate) fn enter(&mut self, path: &str) -> Result<Rc<str>, Fault> {
+    pub(crate) fn enter(&mut self, path: &str) -> Result<Rc<str>, Refusal> {
         let path = normal(path);
         if self.open.iter().any(|(_, open)| *open == path) {
-            return Err(Fault::new(format!("'{}' includes itself", short(&path)), "take one include out"));
+            return refuse(format!("'{}' includes itself", short(&path)), "take one include out");
         }
         if self.open.len() >= DEEPEST {
-            return Err(Fault::new(
+            return refuse(
                 format!("files are included in one another more than {DEEPEST} deep"),
                 "join some of them",
-            ));
+            );
         }
         let text = self.text(&path)?;
         self.open.push((path.clone(), path));
@@ -70,19 +70,19 @@ impl<'a> Includes<'a> {
         self.open.pop();
     }
 
-    fn text(&mut self, path: &str) -> Result<Rc<str>, Fault> {
+    fn text(&mut self, path: &str) -> Result<Rc<str>, Refusal> {
         if let Some(text) = self.texts.get(path) {
             return Ok(text.clone());
         }
         let bytes = self.files.bytes(path).map_err(|error| {
-            Fault::new(
+            Refusal::new(
                 format!("the included file '{}' cannot be read: {error}", short(path)),
                 "put it beside the scene, or take the include out",
             )
         })?;
         let text: Rc<str> = decode(&bytes)
             .map_err(|fault| {
-                Fault::new(format!("the included file '{}': {}", short(path), fault.cause), fault.cure)
+                Refusal::new(format!("the included file '{}': {}", short(path), fault.cause), fault.cure)
             })?
             .into();
         self.texts.insert(path.to_owned(), text.clone());

@@ -6,7 +6,7 @@
 //!
 //! In order: [`tolerances`], [`files`] (that a scene names), [`model`], `names` and `colour` (what readers
 //! make); [`format`](mod@format) (which there are); [`picture`] (PNG and OpenEXR → numbers of texels);
-//! `budget`, `includes`, `xform`, `merge`, `builder` and [`mesh`] (what readers share); the readers, `mgf` to
+//! `lines`, `scalar`, `budget`, `includes`, `xform`, `merge`, `builder` and [`mesh`] (what readers share); the readers, `mgf` to
 //! `vs3`, three with a writer; `read` and `write` (any of them); `materials`, `unit` and `up` (what a file
 //! does not state); `fronts` and [`repair`].
 //!
@@ -19,6 +19,8 @@ pub mod names;
 pub mod colour;
 pub mod format;
 pub mod picture;
+mod lines;
+mod scalar;
 mod budget;
 mod includes;
 mod xform;

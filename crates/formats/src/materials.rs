@@ -16,13 +16,10 @@
 //! ```
 
 use std::collections::BTreeMap;
-use std::fmt;
 use std::ops::Range;
 
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
-use serde::de::{Error, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer};
+use radiosity_photometry::error::{Refusal, refuse};
+use serde::Deserialize;
 use strsim::damerau_levenshtein;
 use toml::Spanned;
 
@@ -62,8 +59,21 @@ struct Entry {
 }
 
 /// One number for all bands, or one for each.
-#[derive(Clone, Debug)]
-struct Values(Vec<f64>);
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged, expecting = "expected a number or a list of numbers")]
+enum Values {
+    One(f64),
+    Each(Vec<f64>),
+}
+
+impl Values {
+    fn all(&self) -> &[f64] {
+        match self {
+            Values::One(value) => std::slice::from_ref(value),
+            Values::Each(values) => values,
+        }
+    }
+}
 
 /// Puts the materials of `side` in place of those of the model. Returns what was done, in lines.
 ///
@@ -73,7 +83,7 @@ struct Values(Vec<f64>);
 pub fn apply(side: &SideFile, model: &mut Model) -> Result<Vec<String>, Refusal> {
     let sheet: Sheet = toml::from_str(&side.text).map_err(|error| {
         let fault =
-            Fault::new(error.message().trim(), "write such as [materials.white] with reflectance = 0.8");
+            Refusal::new(error.message().trim(), "write such as [materials.white] with reflectance = 0.8");
         side.refusal(fault, error.span().unwrap_or(0..0))
     })?;
     for (name, entry) in &sheet.materials {
@@ -84,7 +94,7 @@ pub fn apply(side: &SideFile, model: &mut Model) -> Result<Vec<String>, Refusal>
             check(values.get_ref(), model).map_err(|fault| side.refusal(fault, values.span()))?;
         }
     }
-    if sheet.materials.values().flat_map(Entry::values).any(|values| values.get_ref().0.len() == 3) {
+    if sheet.materials.values().flat_map(Entry::values).any(|values| values.get_ref().all().len() == 3) {
         widen(model);
     }
     sheet.materials.iter().for_each(|(name, entry)| put(name.get_ref(), entry, model));
@@ -129,7 +139,7 @@ impl Entry {
 
 impl SideFile {
     /// The refusal for a fault at these bytes.
-    fn refusal(&self, fault: Fault, span: Range<usize>) -> Refusal {
+    fn refusal(&self, fault: Refusal, span: Range<usize>) -> Refusal {
         let before = self.text.get(..span.start).unwrap_or(&self.text);
         fault.in_line(&self.name, 1 + before.matches('\n').count())
     }
@@ -137,21 +147,20 @@ impl SideFile {
 
 /// Refuses numbers that are no reflectance or exitance, and lists of other lengths than 1, 3 and that of the
 /// bands.
-fn check(values: &Values, model: &Model) -> Result<(), Fault> {
-    let (count, bands) = (values.0.len(), model.bands.len());
+fn check(values: &Values, model: &Model) -> Result<(), Refusal> {
+    let (count, bands) = (values.all().len(), model.bands.len());
     let fits = [1, bands].contains(&count) || bands == 1 && count == 3;
     if !fits {
         let bands = model.bands.join(", ");
-        return Err(Fault::new(
+        return refuse(
             format!("there are {count} numbers, the bands are {bands}"),
             "give one number, or one per band",
-        ));
+        );
     }
-    match values.0.iter().find(|value| !(0.0..=GREATEST).contains(*value)) {
-        Some(value) => Err(Fault::new(
-            format!("{value} is no reflectance or exitance"),
-            "give a finite number, 0 or above",
-        )),
+    match values.all().iter().find(|value| !(0.0..=GREATEST).contains(*value)) {
+        Some(value) => {
+            refuse(format!("{value} is no reflectance or exitance"), "give a finite number, 0 or above")
+        }
         None => Ok(()),
     }
 }
@@ -162,11 +171,7 @@ fn widen(model: &mut Model) {
         return;
     }
     model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
-    for material in &mut model.materials {
-        for values in [&mut material.reflectance, &mut material.emission] {
-            *values = vec![values[0]; 3];
-        }
-    }
+    model.values_mut().for_each(|values| *values = vec![values[0]; 3]);
 }
 
 /// Replaces what an entry states of the material `name`, or adds the material.
@@ -181,14 +186,16 @@ fn put(name: &str, entry: &Entry, model: &mut Model) {
     let own = [&mut material.reflectance, &mut material.emission];
     for (own, given) in own.into_iter().zip([&entry.reflectance, &entry.emission]) {
         if let Some(given) = given {
-            let values = &given.get_ref().0;
-            *own = if values.len() == 1 { vec![values[0]; bands] } else { values.clone() };
+            *own = match given.get_ref().all() {
+                [value] => vec![*value; bands],
+                values => values.to_vec(),
+            };
         }
     }
 }
 
 /// Gives surfaces a material; returns how many. An error says whether it is one of the material.
-fn assign(pattern: &str, material: &Spanned<String>, model: &mut Model) -> Result<usize, (Fault, bool)> {
+fn assign(pattern: &str, material: &Spanned<String>, model: &mut Model) -> Result<usize, (Refusal, bool)> {
     let name = material.get_ref();
     let Some(index) = model.materials.iter().position(|own| own.name == *name) else {
         return Err((unknown_material(name, model), true));
@@ -202,7 +209,7 @@ fn assign(pattern: &str, material: &Spanned<String>, model: &mut Model) -> Resul
         0 => {
             let names = model.surfaces.iter().map(|own| own.name.as_str());
             Err((
-                Fault::new(format!("no surface is called {pattern:?}"), meant(pattern, names, "surfaces")),
+                Refusal::new(format!("no surface is called {pattern:?}"), meant(pattern, names, "surfaces")),
                 false,
             ))
         }
@@ -223,9 +230,9 @@ fn is_match(pattern: &str, name: &str) -> bool {
     }
 }
 
-fn unknown_material(name: &str, model: &Model) -> Fault {
+fn unknown_material(name: &str, model: &Model) -> Refusal {
     let names = model.materials.iter().map(|own| own.name.as_str());
-    Fault::new(format!("the scene has no material {name:?}"), meant(name, names, "materials"))
+    Refusal::new(format!("the scene has no material {name:?}"), meant(name, names, "materials"))
 }
 
 /// The nearest of the names there are, or a few of them.
@@ -241,38 +248,6 @@ fn meant<'a>(name: &str, known: impl Iterator<Item = &'a str>, what: &str) -> St
             let more = if known.len() > SPELT { ", …" } else { "" };
             format!("{what} of the scene: {}{more}", known[..known.len().min(SPELT)].join(", "))
         }
-    }
-}
-
-impl<'de> Deserialize<'de> for Values {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(OneOrMore)
-    }
-}
-
-struct OneOrMore;
-
-impl<'de> Visitor<'de> for OneOrMore {
-    type Value = Values;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number or a list of numbers")
-    }
-
-    fn visit_i64<E: Error>(self, value: i64) -> Result<Values, E> {
-        Ok(Values(vec![value as f64]))
-    }
-
-    fn visit_f64<E: Error>(self, value: f64) -> Result<Values, E> {
-        Ok(Values(vec![value]))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Values, A::Error> {
-        let mut values = Vec::new();
-        while let Some(value) = items.next_element()? {
-            values.push(value);
-        }
-        Ok(Values(values))
     }
 }
 

@@ -1,8 +1,8 @@
 //! Meshes: faces of objects, as OBJ, STL, PLY and glTF list them, become a model of named surfaces.
 
 use glam::DVec3;
-use radiosity_fit::outline::{WARPED, is_warped};
-use radiosity_photometry::fault::Fault;
+use radiosity_fit::outline::WARPED;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 
 use crate::colour;
@@ -27,6 +27,8 @@ pub struct Coat {
 pub struct Mesh {
     /// The model: materials, notes and the camera are added to it directly.
     pub(crate) model: Model,
+    /// Whether the file states normals at vertices.
+    pub(crate) has_normals: bool,
     names: Vec<Option<String>>,
     objects: Vec<usize>,
     corners: usize,
@@ -44,30 +46,27 @@ impl Mesh {
     ///
     /// # Errors
     /// Fewer than three corners, coordinates beyond measure, too many faces.
-    pub fn face(&mut self, corners: Vec<DVec3>, coat: Coat, place: FilePlace) -> Result<(), Fault> {
+    pub fn face(&mut self, corners: Vec<DVec3>, coat: Coat, place: FilePlace) -> Result<(), Refusal> {
         if corners.len() < 3 {
-            return Err(Fault::new(
+            return refuse(
                 format!("a face has {} corners, 3 are the least", corners.len()),
                 "take the face out, or give it three corners",
-            ));
+            );
         }
         if !corners.iter().all(|corner| corner.is_finite() && corner.abs().max_element() <= GREATEST) {
-            return Err(Fault::new(
+            return refuse(
                 format!("a coordinate is beyond {GREATEST:e}"),
                 "correct it, or scale the model down",
-            ));
+            );
         }
         self.corners += corners.len();
         if self.objects.len() >= MOST_SURFACES || self.corners > MOST_VERTICES {
-            return Err(Fault::new(
+            return refuse(
                 format!("more than {MOST_SURFACES} faces or {MOST_VERTICES} corners"),
                 "split the model",
-            ));
+            );
         }
-        let shape = match <[DVec3; 4]>::try_from(corners.as_slice()) {
-            Ok(four) if is_warped(&four) => Shape::Quad(four),
-            _ => Shape::Polygon { outline: corners, holes: Vec::new() },
-        };
+        let shape = Shape::face(corners);
         if matches!(shape, Shape::Quad(_)) {
             self.model.note(WARPED, Some(place));
         }
@@ -81,12 +80,12 @@ impl Mesh {
     ///
     /// # Errors
     /// No faces; `what` names what the file lacks: "faces (f)".
-    pub fn finish(mut self, what: &str) -> Result<Model, Fault> {
+    pub fn finish(mut self, what: &str) -> Result<Model, Refusal> {
         if self.model.surfaces.is_empty() {
-            return Err(Fault::new(
+            return refuse(
                 format!("the file holds no {what}"),
                 "save the model with polygons, or name its format",
-            ));
+            );
         }
         merge::within(&mut self.model, &mut self.objects);
         self.name();
@@ -107,17 +106,9 @@ impl Mesh {
             let wanted = match &self.names[*object] {
                 Some(name) if counts[*object] == 1 => name.clone(),
                 Some(name) => format!("{name}-{}", numbers[*object]),
-                None => format!("{}-{}", kind(&surface.shape), index + 1),
+                None => format!("{}-{}", surface.shape.kind(), index + 1),
             };
             surface.name = names.take(&wanted);
         }
-    }
-}
-
-/// The kind of a face, as scenes call it.
-fn kind(shape: &Shape) -> &'static str {
-    match shape {
-        Shape::Quad(_) => "quad",
-        _ => "polygon",
     }
 }

@@ -6,7 +6,6 @@
 
 mod chromaticity;
 mod contexts;
-mod lines;
 mod shapes;
 mod reader;
 pub mod write;
@@ -23,7 +22,7 @@ use crate::model::Model;
 /// # Errors
 /// The first line that cannot be followed, of whichever file.
 pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
-    let text = decode(bytes).map_err(|fault| fault.of_file(file))?;
+    let text = decode(bytes).map_err(|fault| fault.in_file(file))?;
     let mut reader = Reader::new(file, files);
     reader.read(&text)?;
     Ok(reader.finish())

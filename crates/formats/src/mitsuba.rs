@@ -22,7 +22,6 @@ mod parameters;
 mod tree;
 mod transforms;
 mod placed;
-mod remarks;
 mod ids;
 mod spectra;
 mod colours;
@@ -35,7 +34,7 @@ mod leftovers;
 mod scene;
 
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::located::decoded;
+use radiosity_photometry::text::decoded;
 
 use crate::files::Files;
 use crate::model::Model;

@@ -5,6 +5,9 @@
 //! to that.
 
 use glam::DVec3;
+use radiosity_fit::outline::is_warped;
+use radiosity_geom::PlanarRegion;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::note::Note;
 
@@ -148,7 +151,117 @@ pub struct Camera {
     pub size: Option<[u32; 2]>,
 }
 
+/// The mantle of a cylinder or of a cone.
+#[derive(Clone, Copy)]
+pub(crate) struct Mantle {
+    /// Middle of one end.
+    pub base: DVec3,
+    /// Vector from `base` to the middle of the other end.
+    pub axis: DVec3,
+    /// Radii at `base` and at the other end.
+    pub radii: [f64; 2],
+    /// Whether the front is the inside.
+    pub inward: bool,
+}
+
 impl Shape {
+    /// A face between corners: a bilinear patch if four lie in no plane.
+    pub(crate) fn face(corners: Vec<DVec3>) -> Shape {
+        match <[DVec3; 4]>::try_from(corners.as_slice()) {
+            Ok(four) if is_warped(&four) => Shape::Quad(four),
+            _ => Shape::Polygon { outline: corners, holes: Vec::new() },
+        }
+    }
+
+    /// A cone, or a cylinder if its radii are equal; both ≥ 0.
+    pub(crate) fn cone(base: DVec3, axis: DVec3, radii: [f64; 2], inward: bool) -> Shape {
+        match radii[0] == radii[1] {
+            true => Shape::Cylinder { base, axis, radius: radii[0], inward },
+            false => Shape::Cone { base, axis, radii, inward },
+        }
+    }
+
+    /// The kind, as scenes call it.
+    pub(crate) fn kind(&self) -> &'static str {
+        match self {
+            Shape::Polygon { .. } => "polygon",
+            Shape::Quad(_) => "quad",
+            Shape::Disk { .. } => "disk",
+            Shape::Cylinder { .. } => "cylinder",
+            Shape::Cone { .. } => "cone",
+            Shape::Sphere { .. } => "sphere",
+            Shape::Torus { .. } => "torus",
+        }
+    }
+
+    /// The outline and the holes of a flat or bilinear shape; curved ones have none.
+    pub(crate) fn rings(&self) -> Vec<&[DVec3]> {
+        match self {
+            Shape::Polygon { outline, holes } => {
+                std::iter::once(outline).chain(holes).map(Vec::as_slice).collect()
+            }
+            Shape::Quad(corners) => vec![corners],
+            _ => Vec::new(),
+        }
+    }
+
+    /// The mantle, if the shape is a cylinder or a cone.
+    pub(crate) fn mantle(&self) -> Option<Mantle> {
+        match *self {
+            Shape::Cylinder { base, axis, radius, inward } => {
+                Some(Mantle { base, axis, radii: [radius; 2], inward })
+            }
+            Shape::Cone { base, axis, radii, inward } => Some(Mantle { base, axis, radii, inward }),
+            _ => None,
+        }
+    }
+
+    /// All points and directions, and all radii.
+    pub(crate) fn numbers(&self) -> (Vec<DVec3>, Vec<f64>) {
+        match *self {
+            Shape::Polygon { .. } | Shape::Quad(_) => (self.rings().concat(), Vec::new()),
+            Shape::Disk { center, normal, radius, inner } => (vec![center, normal], vec![radius, inner]),
+            Shape::Cylinder { base, axis, radius, .. } => (vec![base, axis], vec![radius]),
+            Shape::Cone { base, axis, radii, .. } => (vec![base, axis], radii.to_vec()),
+            Shape::Sphere { center, radius, .. } => (vec![center], vec![radius]),
+            Shape::Torus { center, axis, major, minor, .. } => (vec![center, axis], vec![major, minor]),
+        }
+    }
+
+    /// The shape with its points, the vectors between points, its directions of any length and its lengths
+    /// changed.
+    pub(crate) fn map(
+        &self,
+        point: impl Fn(DVec3) -> DVec3,
+        vector: impl Fn(DVec3) -> DVec3,
+        direction: impl Fn(DVec3) -> DVec3,
+        length: impl Fn(f64) -> f64,
+    ) -> Shape {
+        let mut shape = self.clone();
+        match &mut shape {
+            Shape::Polygon { outline, holes } => {
+                outline.iter_mut().chain(holes.iter_mut().flatten()).for_each(|x| *x = point(*x));
+            }
+            Shape::Quad(corners) => *corners = corners.map(&point),
+            Shape::Disk { center, normal, radius, inner } => {
+                (*center, *normal) = (point(*center), direction(*normal));
+                (*radius, *inner) = (length(*radius), length(*inner));
+            }
+            Shape::Cylinder { base, axis, radius, .. } => {
+                (*base, *axis, *radius) = (point(*base), vector(*axis), length(*radius));
+            }
+            Shape::Cone { base, axis, radii, .. } => {
+                (*base, *axis, *radii) = (point(*base), vector(*axis), radii.map(length));
+            }
+            Shape::Sphere { center, radius, .. } => (*center, *radius) = (point(*center), length(*radius)),
+            Shape::Torus { center, axis, major, minor, .. } => {
+                (*center, *axis) = (point(*center), direction(*axis));
+                (*major, *minor) = (length(*major), length(*minor));
+            }
+        }
+        shape
+    }
+
     /// Turns the shape over: its front becomes its back. The first corner stays the first.
     pub fn turn_over(&mut self) {
         match self {
@@ -164,9 +277,48 @@ impl Shape {
             | Shape::Torus { inward, .. } => *inward = !*inward,
         }
     }
+
+    /// Lets the rings of a flat or bilinear shape run the other way round.
+    pub(crate) fn reverse_rings(&mut self) {
+        match self {
+            Shape::Polygon { outline, holes } => {
+                outline.reverse();
+                holes.iter_mut().for_each(|hole| hole.reverse());
+            }
+            Shape::Quad(corners) => corners.swap(1, 3),
+            _ => {}
+        }
+    }
+}
+
+impl Surface {
+    /// Convex pieces of three or four corners that together are a polygon of this surface.
+    ///
+    /// # Errors
+    /// Outlines that cross, or without an area.
+    pub(crate) fn pieces(&self, outline: &[DVec3], holes: &[Vec<DVec3>]) -> Result<Vec<Vec<DVec3>>, Refusal> {
+        match PlanarRegion::new(outline.to_vec(), holes.to_vec()) {
+            Ok(region) => Ok(region.convex_pieces().to_vec()),
+            Err(_) => refuse(
+                format!("the outline of surface {:?} crosses itself or has no area", self.name),
+                "repair the scene before it is written",
+            ),
+        }
+    }
 }
 
 impl Model {
+    /// Whether a surface emits, by its index.
+    pub(crate) fn emits(&self, surface: usize) -> bool {
+        let material = self.surfaces[surface].material.and_then(|material| self.materials.get(material));
+        material.is_some_and(|material| material.emission.iter().any(|value| *value > 0.0))
+    }
+
+    /// Reflectances and exitances of all materials, band by band.
+    pub(crate) fn values_mut(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
+        self.materials.iter_mut().flat_map(|own| [&mut own.reflectance, &mut own.emission])
+    }
+
     /// Notes something at `place`; what was noted before is only counted.
     pub fn note(&mut self, text: impl Into<String>, place: Option<FilePlace>) {
         Note::add(&mut self.notes, text, place);

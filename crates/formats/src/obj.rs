@@ -14,17 +14,15 @@
 mod statements;
 mod mtl;
 mod faces;
-mod bridge;
 pub mod write;
 
 use std::collections::{HashMap, HashSet};
 use std::f64::consts::PI;
 use std::io;
 
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::decoded;
+use radiosity_photometry::text::decoded;
 use radiosity_photometry::text::short;
 
 use crate::colour::UNKNOWN;
@@ -36,31 +34,49 @@ use faces::{Faces, Library, MaterialUse};
 use mtl::Mtl;
 use statements::statements;
 
+/// What a file without faces lacks, for messages.
+pub(crate) const FACES: &str = "faces (f)";
+
 /// Reads an OBJ of the name `file` and the material files that it names.
 ///
 /// # Errors
 /// Statements that OBJ and MTL do not have, numbers that are none, corners that no vertex is listed for, no
 /// faces.
 pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
-    let text = decoded(bytes).map_err(|located| located.in_file(file))?;
+    let read = || {
+        let faces = faces(bytes)?;
+        let mut mesh = Mesh::default();
+        mesh.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
+        let known = libraries(&faces.libraries, files, &mut mesh.model)?;
+        for MaterialUse { name, line } in &faces.materials {
+            add_material(&mut mesh.model, name, known.get(name), *line);
+        }
+        faces.add_to(&mut mesh)?;
+        mesh.finish(FACES)
+    };
+    read().map_err(|refusal: Refusal| refusal.in_file(file))
+}
+
+/// The mesh of an OBJ without its materials.
+pub(crate) fn shapes(bytes: &[u8]) -> Result<Mesh, Refusal> {
+    let mut mesh = Mesh::default();
+    faces(bytes)?.without_materials().add_to(&mut mesh)?;
+    Ok(mesh)
+}
+
+fn faces(bytes: &[u8]) -> Result<Faces, Refusal> {
+    let text = decoded(bytes)?;
     let mut faces = Faces::default();
     for (line, statement) in statements(&text) {
-        faces.statement(&statement, line).map_err(|fault| fault.in_line(file, line))?;
+        let taken = faces.statement(&statement, line);
+        taken.map_err(|refusal| refusal.at(FilePlace::Line(line)))?;
     }
-    let mut mesh = Mesh::default();
-    mesh.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
-    let known = libraries(file, &faces.libraries, files, &mut mesh.model)?;
-    for MaterialUse { name, line } in &faces.materials {
-        add_material(&mut mesh.model, name, known.get(name), *line);
-    }
-    faces.add_to(&mut mesh).map_err(|located| located.in_file(file))?;
-    mesh.finish("faces (f)").map_err(|fault| fault.of_file(file))
+    Ok(faces)
 }
 
 /// The materials of all material files by name; of several of one name the first. Files that cannot be read
 /// are noted.
 fn libraries(
-    file: &str,
     libraries: &[Library],
     files: &dyn Files,
     model: &mut Model,
@@ -80,14 +96,14 @@ fn libraries(
             };
             size += bytes.len();
             if size > MOST_BYTES_OF_TEXT {
-                let fault = Fault::new(
+                return refuse_at(
+                    FilePlace::Line(*line),
                     format!("the material files are longer than {MOST_BYTES_OF_TEXT} bytes"),
                     "name only those that the model needs",
                 );
-                return Err(fault.in_line(file, *line));
             }
-            let text = decoded(&bytes).map_err(|located| located.in_file(&name))?;
-            mtl::read(&text, &mut known).map_err(|located| located.in_file(&name))?;
+            let text = decoded(&bytes).map_err(|refusal| refusal.in_file(&name))?;
+            mtl::read(&text, &mut known).map_err(|refusal| refusal.in_file(&name))?;
         }
     }
     if let Some((first, line)) = missing.first() {

@@ -6,13 +6,13 @@
 //! Transparent texels are refused, since nothing says what is behind them. A picture that is opaque
 //! everywhere may have an alpha channel.
 
+use radiosity_photometry::error::{Refusal, refuse};
+
 mod coding;
-mod reduction;
 mod refusals;
+mod reduction;
 mod portable;
 mod open;
-
-use radiosity_photometry::fault::Fault;
 
 pub use coding::Coding;
 pub use reduction::Picture;
@@ -36,21 +36,19 @@ const OTHERS: [(&[u8], &str); 9] = [
 /// # Errors
 /// Another kind of file, a damaged or cut one, more than 8192 × 8192 texels or 65536 along a side,
 /// transparent texels, numbers that are not finite, channels other than grey or red, green and blue.
-pub fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<Picture, Fault> {
+pub fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<Picture, Refusal> {
     if bytes.starts_with(b"\x89PNG") {
         return portable::read(bytes, coding, most);
     }
     if bytes.starts_with(b"\x76\x2f\x31\x01") {
         return match coding {
-            Some(Coding::Srgb) => {
-                Err(Fault::new("an OpenEXR picture is linear, not sRGB", "leave the encoding out"))
-            }
+            Some(Coding::Srgb) => refuse("an OpenEXR picture is linear, not sRGB", "leave the encoding out"),
             _ => open::read(bytes, most),
         };
     }
     let kind = OTHERS.iter().find(|(start, _)| bytes.starts_with(start)).map(|(_, kind)| *kind);
-    Err(Fault::new(
+    refuse(
         format!("it is {}, not PNG or OpenEXR", kind.unwrap_or("no picture that is known")),
         "convert it, e.g. with ImageMagick: magick wood.jpg wood.png",
-    ))
+    )
 }

@@ -10,15 +10,16 @@ mod header;
 mod numbers;
 mod elements;
 
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::located::Located;
-
 use crate::files::Files;
 use crate::mesh::Mesh;
 use crate::model::Model;
 use elements::Elements;
 use header::{Encoding, Header};
 use numbers::{Bits, Words};
+use radiosity_photometry::error::Refusal;
+
+/// What a file without faces lacks, for messages.
+pub(crate) const FACES: &str = "faces with a list vertex_indices";
 
 /// Reads a PLY of the name `file`. It names no other files.
 ///
@@ -26,14 +27,16 @@ use numbers::{Bits, Words};
 /// A header that is not understood, counts beyond what is there, corners that no vertex is listed for, no
 /// faces.
 pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refusal> {
-    let mesh = mesh(bytes).map_err(|located| located.in_file(file))?;
-    mesh.finish("faces with a list vertex_indices").map_err(|fault| fault.of_file(file))
+    mesh(bytes).and_then(|mesh| mesh.finish(FACES)).map_err(|refusal| refusal.in_file(file))
 }
 
-fn mesh(bytes: &[u8]) -> Result<Mesh, Located> {
+/// The mesh of a PLY.
+pub(crate) fn mesh(bytes: &[u8]) -> Result<Mesh, Refusal> {
     let header = Header::of(bytes)?;
     let mut mesh = Mesh::default();
     mesh.model.bands = vec!["grey".to_owned()];
+    let mut properties = header.elements.iter().flat_map(|element| &element.properties);
+    mesh.has_normals = properties.any(|property| property.name == "nx");
     let mut elements = Elements::default();
     match header.encoding {
         Encoding::Text => {

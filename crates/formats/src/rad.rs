@@ -23,7 +23,7 @@ use crate::rad::reader::Reader;
 /// # Errors
 /// The first item that cannot be followed, of whichever file.
 pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
-    let text = decode(bytes).map_err(|fault| fault.of_file(file))?;
+    let text = decode(bytes).map_err(|fault| fault.in_file(file))?;
     let mut reader = Reader::new(file, files);
     reader.read(&text, &Frame::default())?;
     Ok(reader.finish())

@@ -20,11 +20,9 @@ mod disks;
 mod mantles;
 mod reflectances;
 
-use glam::DVec3;
-use radiosity_photometry::error::Refusal;
-
 use crate::model::{Model, Shape, Sides};
 use crate::tolerances::GREATEST_OF_REPAIR;
+use radiosity_photometry::error::Refusal;
 pub use record::{Repair, RepairKind, Repairs};
 
 /// Options of the repair, as the user sets them.
@@ -78,24 +76,9 @@ pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
 }
 
 fn is_within_reach(shape: &Shape) -> bool {
-    let is_near = |points: &[DVec3]| points.iter().all(|x| x.abs().max_element() <= GREATEST_OF_REPAIR);
-    match shape {
-        Shape::Polygon { outline, holes } => is_near(outline) && holes.iter().all(|hole| is_near(hole)),
-        Shape::Quad(corners) => is_near(corners),
-        Shape::Disk { center, normal, radius, inner } => {
-            is_near(&[*center, *normal]) && radius.max(*inner) <= GREATEST_OF_REPAIR
-        }
-        Shape::Cylinder { base, axis, radius, .. } => {
-            is_near(&[*base, *axis]) && *radius <= GREATEST_OF_REPAIR
-        }
-        Shape::Cone { base, axis, radii, .. } => {
-            is_near(&[*base, *axis]) && radii[0].max(radii[1]) <= GREATEST_OF_REPAIR
-        }
-        Shape::Sphere { center, radius, .. } => is_near(&[*center]) && *radius <= GREATEST_OF_REPAIR,
-        Shape::Torus { center, axis, major, minor, .. } => {
-            is_near(&[*center, *axis]) && major.max(*minor) <= GREATEST_OF_REPAIR
-        }
-    }
+    let (points, lengths) = shape.numbers();
+    points.iter().all(|x| x.abs().max_element() <= GREATEST_OF_REPAIR)
+        && lengths.iter().all(|length| *length <= GREATEST_OF_REPAIR)
 }
 
 fn settle_sides(model: &mut Model, asked: Option<Sides>) {

@@ -10,12 +10,10 @@
 mod bits;
 mod text;
 
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
-
 use crate::files::Files;
 use crate::mesh::Mesh;
 use crate::model::Model;
+use radiosity_photometry::error::Refusal;
 
 /// Reads an STL of the name `file`. It names no other files.
 ///
@@ -28,6 +26,5 @@ pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refus
         true => bits::read(bytes, &mut mesh),
         false => text::read(bytes, &mut mesh),
     };
-    read.map_err(|located| located.in_file(file))?;
-    mesh.finish("facets").map_err(|fault: Fault| fault.of_file(file))
+    read.and_then(|()| mesh.finish("facets")).map_err(|refusal| refusal.in_file(file))
 }

@@ -45,50 +45,25 @@ impl Unit {
         if self.metres == [1.0; 2] {
             return;
         }
-        model.surfaces.iter_mut().for_each(|surface| self.scale(&mut surface.shape));
+        model.surfaces.iter_mut().for_each(|surface| surface.shape = self.scaled(&surface.shape));
         if let Some(camera) = &mut model.camera {
-            self.points(&mut [&mut camera.eye, &mut camera.target]);
+            [camera.eye, camera.target] = [camera.eye, camera.target].map(|x| self.point(x));
         }
     }
 
-    /// Turns the lengths of a shape into metres.
-    fn scale(self, shape: &mut Shape) {
-        match shape {
-            Shape::Polygon { outline, holes } => {
-                self.points(&mut outline.iter_mut().chain(holes.iter_mut().flatten()).collect::<Vec<_>>());
-            }
-            Shape::Quad(corners) => self.points(&mut corners.each_mut()),
-            Shape::Disk { center, radius, inner, .. } => {
-                self.points(&mut [center]);
-                self.lengths([radius, inner]);
-            }
-            Shape::Cylinder { base, axis, radius, .. } => {
-                self.points(&mut [base, axis]);
-                self.lengths([radius]);
-            }
-            Shape::Cone { base, axis, radii, .. } => {
-                self.points(&mut [base, axis]);
-                self.lengths(radii.each_mut());
-            }
-            Shape::Sphere { center, radius, .. } => {
-                self.points(&mut [center]);
-                self.lengths([radius]);
-            }
-            Shape::Torus { center, major, minor, .. } => {
-                self.points(&mut [center]);
-                self.lengths([major, minor]);
-            }
-        }
+    /// A shape with its lengths in metres; directions stay.
+    fn scaled(self, shape: &Shape) -> Shape {
+        shape.map(|x| self.point(x), |x| self.point(x), |direction| direction, |length| self.length(length))
     }
 
-    fn points(self, points: &mut [&mut DVec3]) {
+    fn point(self, point: DVec3) -> DVec3 {
         let [numerator, denominator] = self.metres;
-        points.iter_mut().for_each(|point| **point = **point * numerator / denominator);
+        point * numerator / denominator
     }
 
-    fn lengths<const N: usize>(self, lengths: [&mut f64; N]) {
+    fn length(self, length: f64) -> f64 {
         let [numerator, denominator] = self.metres;
-        lengths.into_iter().for_each(|length| *length = *length * numerator / denominator);
+        length * numerator / denominator
     }
 }
 
@@ -98,11 +73,11 @@ mod tests {
 
     #[test]
     fn lengths_change_and_directions_stay() {
-        let mut disk = Shape::Disk { center: DVec3::X, normal: DVec3::Z, radius: 2.0, inner: 1.0 };
-        Unit { metres: [1.0, 2.0] }.scale(&mut disk);
-        assert_eq!(disk, Shape::Disk { center: 0.5 * DVec3::X, normal: DVec3::Z, radius: 1.0, inner: 0.5 });
-        let mut cone = Shape::Cone { base: DVec3::X, axis: DVec3::Z, radii: [1.0, 0.0], inward: true };
-        Unit { metres: [2.0, 1.0] }.scale(&mut cone);
+        let disk = Shape::Disk { center: DVec3::X, normal: DVec3::Z, radius: 2.0, inner: 1.0 };
+        let small = Unit { metres: [1.0, 2.0] }.scaled(&disk);
+        assert_eq!(small, Shape::Disk { center: 0.5 * DVec3::X, normal: DVec3::Z, radius: 1.0, inner: 0.5 });
+        let cone = Shape::Cone { base: DVec3::X, axis: DVec3::Z, radii: [1.0, 0.0], inward: true };
+        let cone = Unit { metres: [2.0, 1.0] }.scaled(&cone);
         let large =
             Shape::Cone { base: 2.0 * DVec3::X, axis: 2.0 * DVec3::Z, radii: [2.0, 0.0], inward: true };
         assert_eq!(cone, large);
@@ -113,16 +88,13 @@ mod tests {
         for (name, decimals) in [("mm", 3), ("cm", 2), ("dm", 1)] {
             let unit: Unit = name.parse().expect("a unit");
             for k in 0..20_000_u32 {
-                let mut length = f64::from(k);
-                unit.lengths([&mut length]);
+                let length = unit.length(f64::from(k));
                 let whole = 10_u32.pow(decimals);
                 let text = format!("{}.{:0width$}", k / whole, k % whole, width = decimals as usize);
                 assert_eq!(length, text.parse::<f64>().expect("a number"), "{k} {name}");
             }
         }
-        let mut inch = 1.0;
-        Unit::lengths("in".parse().expect("a unit"), [&mut inch]);
-        assert_eq!(inch, 0.0254);
+        assert_eq!("in".parse::<Unit>().expect("a unit").length(1.0), 0.0254);
     }
 
     #[test]

@@ -21,23 +21,19 @@
 //! * `O number v1 v2 v3 v4 name`: an obstruction: it only blocks the view. It is black.
 //! * `E` or `*` ends the data.
 
-mod convex;
 mod plane;
 mod statements;
 pub mod write;
 
-use std::collections::HashMap;
-
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::decode;
 
 use self::statements::{Corners, Input, OBSTRUCTION, Statement, SurfaceRole};
+use crate::builder::{Coat, ModelBuilder};
 use crate::files::Files;
-use crate::model::{Material, Model, Shape, Sides, Surface};
-use crate::names::UniqueNames;
+use crate::model::{Model, Shape, Sides};
 use crate::tolerances::{GREATEST, STEPS_OF_EMITTANCE};
 
 /// Greatest distance of a surface from the plane of its base, in multiples of the base's size, as View3D
@@ -49,31 +45,26 @@ const OFF_PLANE: f64 = 1e-5;
 /// # Errors
 /// A statement that View3D does not have, numbers out of order or out of range, a base that cannot be one.
 pub fn read(file: &str, bytes: &[u8], _files: &dyn Files) -> Result<Model, Refusal> {
-    let text = decode(bytes).map_err(|fault| fault.of_file(file))?;
-    let input = Input::of(file, &text)?;
+    let text = decode(bytes).map_err(|fault| fault.in_file(file))?;
+    let input = Input::of(&text).map_err(|refusal| refusal.in_file(file))?;
     if input.surfaces.is_empty() {
-        let fault = Fault::new("there are no surfaces", "add lines that begin with S, or name its format");
-        return Err(fault.of_file(file));
+        let cure = "add lines that begin with S, or name its format";
+        return Err(Refusal::new("there are no surfaces", cure).in_file(file));
     }
-    let located = |Faulty { statement, fault }: Faulty<'_>| fault.in_line(file, statement.line);
-    let outlines = outlines(&input).map_err(located)?;
-    let holes = holes(&input, &outlines).map_err(located)?;
-    Ok(model(&input, outlines, holes))
-}
-
-/// A statement with its fault.
-struct Faulty<'a> {
-    statement: &'a Statement,
-    fault: Fault,
+    let outlines = outlines(&input).map_err(|refusal| refusal.in_file(file))?;
+    let holes = holes(&input, &outlines).map_err(|refusal| refusal.in_file(file))?;
+    model(&input, outlines, holes).map_err(|refusal| refusal.in_file(file))
 }
 
 /// The corners of each surface.
-fn outlines(input: &Input) -> Result<Vec<Vec<DVec3>>, Faulty<'_>> {
-    let corners = |statement| outline(input, statement).map_err(|fault| Faulty { statement, fault });
+fn outlines(input: &Input) -> Result<Vec<Vec<DVec3>>, Refusal> {
+    let corners = |statement: &Statement| {
+        outline(input, statement).map_err(|refusal| refusal.at(FilePlace::Line(statement.line)))
+    };
     input.surfaces.iter().map(corners).collect()
 }
 
-fn outline(input: &Input, surface: &Statement) -> Result<Vec<DVec3>, Fault> {
+fn outline(input: &Input, surface: &Statement) -> Result<Vec<DVec3>, Refusal> {
     let points = match &surface.corners {
         Corners::Points(points) => points.clone(),
         Corners::Numbers(numbers) => {
@@ -82,14 +73,14 @@ fn outline(input: &Input, surface: &Statement) -> Result<Vec<DVec3>, Fault> {
     };
     match points.iter().all(|point| point.is_finite() && point.abs().max_element() <= GREATEST) {
         true => Ok(points),
-        false => Err(Fault::new(format!("a coordinate is beyond {GREATEST:e}"), "write smaller coordinates")),
+        false => refuse(format!("a coordinate is beyond {GREATEST:e}"), "write smaller coordinates"),
     }
 }
 
-fn vertex(vertices: &[DVec3], number: usize) -> Result<DVec3, Fault> {
+fn vertex(vertices: &[DVec3], number: usize) -> Result<DVec3, Refusal> {
     let found = number.checked_sub(1).and_then(|index| vertices.get(index));
     found.copied().ok_or_else(|| {
-        Fault::new(
+        Refusal::new(
             format!("there is no vertex {number}"),
             format!("name one from 1 to {}; only the fourth may be 0, in a triangle", vertices.len()),
         )
@@ -97,19 +88,18 @@ fn vertex(vertices: &[DVec3], number: usize) -> Result<DVec3, Fault> {
 }
 
 /// The surfaces that lie on each surface, as outlines of holes.
-fn holes<'a>(input: &'a Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DVec3>>>, Faulty<'a>> {
+fn holes(input: &Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DVec3>>>, Refusal> {
     let mut holes = vec![Vec::new(); outlines.len()];
     for (index, (surface, outline)) in input.surfaces.iter().zip(outlines).enumerate() {
         if surface.kind == SurfaceRole::Obstruction {
             continue;
         }
-        let base =
-            base(&input.surfaces, index, surface).map_err(|fault| Faulty { statement: surface, fault })?;
+        let place = FilePlace::Line(surface.line);
+        let base = base(&input.surfaces, index, surface).map_err(|refusal| refusal.at(place))?;
         let Some(base) = base else { continue };
         if !lies_on(outline, &outlines[base]) {
             let cause = format!("the surface does not lie in the plane of its base {}", base + 1);
-            let fault = Fault::new(cause, "correct its vertices, or write base 0");
-            return Err(Faulty { statement: surface, fault });
+            return refuse_at(place, cause, "correct its vertices, or write base 0");
         }
         holes[base].push(outline.clone());
     }
@@ -117,13 +107,12 @@ fn holes<'a>(input: &'a Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DV
 }
 
 /// Index of the base of a surface, if it has one. A surface lies on one before it, or on an obstruction.
-fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Option<usize>, Fault> {
+fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Option<usize>, Refusal> {
     let Some(base) = surface.base.checked_sub(1) else {
         return match surface.kind {
-            SurfaceRole::Masking | SurfaceRole::Null => Err(Fault::new(
-                "a masking or null surface has no base",
-                "write the number of the surface it lies on",
-            )),
+            SurfaceRole::Masking | SurfaceRole::Null => {
+                refuse("a masking or null surface has no base", "write the number of the surface it lies on")
+            }
             _ => Ok(None),
         };
     };
@@ -131,10 +120,10 @@ fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Opt
         Some(found) if base < index || (base > index && found.kind == SurfaceRole::Obstruction) => {
             Ok(Some(base))
         }
-        _ => Err(Fault::new(
+        _ => refuse(
             format!("the base {} is neither a surface before this one nor an obstruction", surface.base),
             "write the surface behind its base, or write base 0",
-        )),
+        ),
     }
 }
 
@@ -148,36 +137,29 @@ fn lies_on(outline: &[DVec3], base: &[DVec3]) -> bool {
     outline.iter().all(|point| (*point - *first).dot(normal).abs() <= OFF_PLANE * size)
 }
 
-fn model(input: &Input, outlines: Vec<Vec<DVec3>>, holes: Vec<Vec<Vec<DVec3>>>) -> Model {
-    let mut model = Model { title: input.title.clone(), bands: vec!["grey".to_owned()], ..Model::default() };
-    let (mut names, mut materials) = (UniqueNames::default(), HashMap::new());
+fn model(input: &Input, outlines: Vec<Vec<DVec3>>, holes: Vec<Vec<Vec<DVec3>>>) -> Result<Model, Refusal> {
+    let mut model = ModelBuilder::default();
     for (index, (surface, (outline, holes))) in
         input.surfaces.iter().zip(outlines.into_iter().zip(holes)).enumerate()
     {
-        let wanted = surface.name.clone().unwrap_or_else(|| format!("{}-{}", word(surface.kind), index + 1));
-        let place = Some(FilePlace::Line(surface.line));
+        let name = surface.name.clone().unwrap_or_else(|| format!("{}-{}", word(surface.kind), index + 1));
         if surface.combined > 0 {
-            model.note("the combining of surfaces in the output is left out", place);
+            model.note("the combining of surfaces in the output is left out", surface.line);
         }
         if matches!(surface.kind, SurfaceRole::Masking | SurfaceRole::Null) {
-            model.note("a black surface takes the place of a masking or null surface", place);
+            model.note("a black surface takes the place of a masking or null surface", surface.line);
         }
-        let material = material(surface);
-        let next = materials.len();
-        let known = *materials.entry(material.name.clone()).or_insert(next);
-        if known == next {
-            model.materials.push(material);
-        }
-        model.surfaces.push(Surface {
-            name: names.take(&wanted),
-            material: Some(known),
-            shape: Shape::Polygon { outline, holes },
-            sides: Sides::Front,
-            place,
-        });
+        let added =
+            model.surface(Some(&name), Shape::Polygon { outline, holes }, &coat(surface), surface.line);
+        added.map_err(|refusal| refusal.at(FilePlace::Line(surface.line)))?;
     }
-    note_the_rest(&mut model, input);
-    model
+    if let Some(line) = input.enclosure {
+        model.note("encl=1, which adjusts view factors to an enclosure, is left out", line);
+    }
+    if let Some(line) = input.transformation {
+        model.note("coordinate transformations (X) are left out", line);
+    }
+    Ok(Model { title: input.title.clone(), ..model.finish() })
 }
 
 fn word(kind: SurfaceRole) -> &'static str {
@@ -190,7 +172,7 @@ fn word(kind: SurfaceRole) -> &'static str {
 }
 
 /// A material by its emittance; all that does not radiate is one black material.
-fn material(surface: &Statement) -> Material {
+fn coat(surface: &Statement) -> Coat {
     let (name, reflectance) = match surface.kind {
         SurfaceRole::Radiating => (
             format!("emit-{}", surface.emittance),
@@ -198,15 +180,5 @@ fn material(surface: &Statement) -> Material {
         ),
         _ => (OBSTRUCTION.to_owned(), 0.0),
     };
-    Material { name, reflectance: vec![reflectance], emission: vec![0.0] }
-}
-
-fn note_the_rest(model: &mut Model, input: &Input) {
-    if let Some(line) = input.enclosure {
-        let text = "encl=1, which adjusts view factors to an enclosure, is left out";
-        model.note(text, Some(FilePlace::Line(line)));
-    }
-    if let Some(line) = input.transformation {
-        model.note("coordinate transformations (X) are left out", Some(FilePlace::Line(line)));
-    }
+    Coat { name, reflectance: [reflectance; 3], emission: [0.0; 3], sides: Sides::Front }
 }

@@ -1,22 +1,12 @@
 //! Writes a model in any of the formats that are written.
 
-use radiosity_photometry::error::Refusal;
-
-use crate::format::Format;
+use crate::format::{Format, Written};
 use crate::model::Model;
 use crate::{mgf, obj, vs3};
+use radiosity_photometry::error::{Refusal, refuse};
 
 /// The formats that are written.
 pub const WRITTEN: [Format; 3] = [Format::Mgf, Format::Vs3, Format::Obj];
-
-/// The files of a scene.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Written {
-    /// The text of the scene.
-    pub text: String,
-    /// The text of its materials, where they are a file of their own.
-    pub materials: Option<String>,
-}
 
 /// The texts of a model in a format; `materials` is the name of the file of materials, where the format has
 /// one.
@@ -28,15 +18,10 @@ pub fn write(format: Format, model: &Model, materials: &str) -> Result<Written, 
     match format {
         Format::Mgf => mgf::write::write(model).map(alone),
         Format::Vs3 => vs3::write::write(model).map(alone),
-        Format::Obj => {
-            let written = obj::write::write(model, materials)?;
-            Ok(Written { text: written.obj, materials: Some(written.mtl) })
-        }
-        Format::Gltf | Format::Stl | Format::Ply | Format::Mitsuba | Format::Rad => Err(Refusal {
-            file: format!("the {} file", format.name()),
-            place: None,
-            cause: "this format is only read".to_owned(),
-            cure: format!("write one of {}", WRITTEN.map(Format::name).join(", ")),
-        }),
+        Format::Obj => obj::write::write(model, materials),
+        Format::Gltf | Format::Stl | Format::Ply | Format::Mitsuba | Format::Rad => refuse(
+            "this format is only read",
+            format!("write one of {}", WRITTEN.map(Format::name).join(", ")),
+        ),
     }
 }

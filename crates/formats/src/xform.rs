@@ -5,7 +5,7 @@
 //! `-a n` (what follows 0, 1, …, n − 1 times, for n instances). What is written first is done first.
 
 use glam::{DMat3, DVec3};
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::{number, short};
 
 use crate::model::Shape;
@@ -107,56 +107,14 @@ impl Similarity {
         self.linear * direction
     }
 
-    /// Image of a length.
-    fn length(&self, length: f64) -> f64 {
-        self.scale * length
-    }
-
     /// Image of a shape. A mirror image keeps the front: the side that faced outwards still does.
     pub(crate) fn shape(&self, shape: &Shape) -> Shape {
-        match *shape {
-            Shape::Polygon { ref outline, ref holes } => Shape::Polygon {
-                outline: self.loop_of(outline),
-                holes: holes.iter().map(|hole| self.loop_of(hole)).collect(),
-            },
-            Shape::Quad(corners) => {
-                let [a, b, c, d] = corners.map(|corner| self.point(corner));
-                Shape::Quad(if self.is_mirror { [a, d, c, b] } else { [a, b, c, d] })
-            }
-            Shape::Disk { center, normal, radius, inner } => Shape::Disk {
-                center: self.point(center),
-                normal: self.direction(normal),
-                radius: self.length(radius),
-                inner: self.length(inner),
-            },
-            Shape::Cylinder { base, axis, radius, inward } => Shape::Cylinder {
-                base: self.point(base),
-                axis: self.direction(axis),
-                radius: self.length(radius),
-                inward,
-            },
-            Shape::Cone { base, axis, radii, inward } => Shape::Cone {
-                base: self.point(base),
-                axis: self.direction(axis),
-                radii: radii.map(|radius| self.length(radius)),
-                inward,
-            },
-            Shape::Sphere { center, radius, inward } => {
-                Shape::Sphere { center: self.point(center), radius: self.length(radius), inward }
-            }
-            Shape::Torus { center, axis, major, minor, inward } => Shape::Torus {
-                center: self.point(center),
-                axis: self.direction(axis),
-                major: self.length(major),
-                minor: self.length(minor),
-                inward,
-            },
+        let direction = |x| self.direction(x);
+        let mut moved = shape.map(|x| self.point(x), direction, direction, |length| self.scale * length);
+        if self.is_mirror {
+            moved.reverse_rings();
         }
-    }
-
-    fn loop_of(&self, points: &[DVec3]) -> Vec<DVec3> {
-        let moved = points.iter().map(|point| self.point(*point));
-        if self.is_mirror { moved.rev().collect() } else { moved.collect() }
+        moved
     }
 }
 
@@ -187,7 +145,7 @@ impl Transforms {
     ///
     /// # Errors
     /// A flag without its numbers, a scale of 0, an array of no or of too many instances.
-    pub(crate) fn parse(words: &[&str]) -> Result<(Self, usize), Fault> {
+    pub(crate) fn parse(words: &[&str]) -> Result<(Self, usize), Refusal> {
         let mut blocks = vec![Block { once: Similarity::IDENTITY, times: Times::Always(1) }];
         let (mut count, mut read) = (1_usize, 0);
         while let Some(flag) = words.get(read) {
@@ -238,38 +196,33 @@ impl Transforms {
 }
 
 /// The number behind `-i` or `-a`.
-fn repetitions(flag: &str, rest: &[&str]) -> Result<Times, Fault> {
+fn repetitions(flag: &str, rest: &[&str]) -> Result<Times, Refusal> {
     let word = rest.first().copied().unwrap_or("");
     match (flag, word.parse::<u32>()) {
         ("-i", Ok(times)) => Ok(Times::Always(times)),
         ("-a", Ok(count)) if count > 0 => Ok(Times::Array(count)),
-        ("-a", _) => {
-            Err(Fault::new(format!("-a {} makes no array", short(word)), "write a whole number from 1"))
-        }
-        _ => Err(Fault::new(
-            format!("-i {} is no number of repetitions", short(word)),
-            "write a whole number from 0",
-        )),
+        ("-a", _) => refuse(format!("-a {} makes no array", short(word)), "write a whole number from 1"),
+        _ => refuse(format!("-i {} is no number of repetitions", short(word)), "write a whole number from 0"),
     }
 }
 
 /// The number of instances after a further array.
-fn instances(count: usize, times: Times) -> Result<usize, Fault> {
+fn instances(count: usize, times: Times) -> Result<usize, Refusal> {
     let own = match times {
         Times::Array(own) => own as usize,
         Times::Always(_) => 1,
     };
     count.checked_mul(own).filter(|count| *count <= MOST_INSTANCES).ok_or_else(|| {
-        Fault::new(format!("an array has more than {MOST_INSTANCES} instances"), "make it smaller")
+        Refusal::new(format!("an array has more than {MOST_INSTANCES} instances"), "make it smaller")
     })
 }
 
 /// Transform of a flag, and the number of words behind it that are its arguments; none if it is no flag of a
 /// transform.
-fn step(flag: &str, rest: &[&str]) -> Result<Option<(Similarity, usize)>, Fault> {
+fn step(flag: &str, rest: &[&str]) -> Result<Option<(Similarity, usize)>, Refusal> {
     let value = |index: usize| {
         let word = rest.get(index).ok_or_else(|| {
-            Fault::new(format!("{flag} lacks a number"), "write its numbers behind it, parted by blanks")
+            Refusal::new(format!("{flag} lacks a number"), "write its numbers behind it, parted by blanks")
         })?;
         number(word, &format!("a number of {flag}"))
     };
@@ -279,7 +232,7 @@ fn step(flag: &str, rest: &[&str]) -> Result<Option<(Similarity, usize)>, Fault>
         "-ry" => (Similarity::rotation(1, value(0)?), 1),
         "-rz" => (Similarity::rotation(2, value(0)?), 1),
         "-s" => match value(0)? {
-            0.0 => return Err(Fault::new("a scale is 0", "write another factor behind -s")),
+            0.0 => return refuse("a scale is 0", "write another factor behind -s"),
             factor => (Similarity::scale(factor), 1),
         },
         "-mx" => (Similarity::mirror(0), 0),
@@ -301,7 +254,7 @@ mod tests {
         transforms
     }
 
-    fn refused(text: &str) -> Fault {
+    fn refused(text: &str) -> Refusal {
         let words: Vec<&str> = text.split_whitespace().collect();
         Transforms::parse(&words).expect_err("these words are refused")
     }
@@ -311,7 +264,7 @@ mod tests {
         let moved = parsed("-t 1 0 0 -rz 90 -s 2").instance(0);
         assert_eq!(moved.point(DVec3::ZERO), DVec3::new(0.0, 2.0, 0.0));
         assert_eq!(moved.direction(DVec3::X), DVec3::new(0.0, 2.0, 0.0));
-        assert_eq!(moved.length(3.0), 6.0);
+        assert_eq!(moved.scale, 2.0);
         let turned = parsed("-rx 90").instance(0).point(DVec3::Y);
         assert_eq!(turned, DVec3::Z);
         assert_eq!(parsed("-ry -270").instance(0).point(DVec3::Z), DVec3::X);

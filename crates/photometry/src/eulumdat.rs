@@ -22,13 +22,12 @@
 mod lamps;
 mod planes;
 
+use crate::error::Refusal;
 use crate::note::Note;
 
 use self::lamps::LampSet;
 use self::planes::Stated;
 use crate::Photometry;
-use crate::error::Refusal;
-use crate::located::Located;
 use crate::numbers::Numbers;
 use crate::opening::{Form, Opening};
 use crate::text::{decode_western, told};
@@ -52,7 +51,7 @@ const PER_LUMENS: f64 = 1000.0;
 /// Numbers that are none, counts and symmetries that do not agree, intensities that cannot be, a text that
 /// ends too early or goes on.
 pub fn read(file: &str, bytes: &[u8]) -> Result<Photometry, Refusal> {
-    let text = decode_western(bytes).map_err(|fault| fault.of_file(file))?;
+    let text = decode_western(bytes).map_err(|fault| fault.in_file(file))?;
     let lines = text.lines().enumerate().map(|(index, line)| (index + 1, line.trim()));
     photometry(Numbers::new(lines, 1)).map_err(|located| located.in_file(file))
 }
@@ -73,7 +72,7 @@ struct Measurement {
     tilt: f64,
 }
 
-fn photometry(mut numbers: Numbers) -> Result<Photometry, Located> {
+fn photometry(mut numbers: Numbers) -> Result<Photometry, Refusal> {
     let mut notes = Vec::new();
     let identity = identity(&mut numbers)?;
     let opening = opening(&mut numbers, &mut notes)?;
@@ -101,7 +100,7 @@ fn photometry(mut numbers: Numbers) -> Result<Photometry, Located> {
 
 const LUMINAIRE: &str = "LUMINAIRE";
 
-fn identity(numbers: &mut Numbers) -> Result<Identity, Located> {
+fn identity(numbers: &mut Numbers) -> Result<Identity, Refusal> {
     let mut description = vec![("COMPANY".to_owned(), numbers.word("the company")?.to_owned())];
     numbers.whole("the type of the luminaire", 0, 3)?;
     let symmetry = numbers.whole("the symmetry Isym", 0, 4)?;
@@ -122,7 +121,7 @@ fn identity(numbers: &mut Numbers) -> Result<Identity, Located> {
     Ok(Identity { description, symmetry, planes, gammas })
 }
 
-fn opening(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<Opening, Located> {
+fn opening(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<Opening, Refusal> {
     let mut millimetres = |what: &str| numbers.amount_or_zero(what).map(|size| size * METRES_PER_MILLIMETRE);
     for what in ["the length of the luminaire", "its width", "its height"] {
         millimetres(what)?;
@@ -149,7 +148,7 @@ fn opening(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<Opening, Loca
     Ok(Opening { form, extent })
 }
 
-fn measurement(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<Measurement, Located> {
+fn measurement(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<Measurement, Refusal> {
     numbers.next_or_zero("the downward flux fraction")?;
     let output_ratio = numbers.amount_or_zero("the light output ratio")? / 100.0;
     let factor = numbers.factor("the conversion factor of the intensities")?;
@@ -164,7 +163,7 @@ fn measurement(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<Measureme
     Ok(Measurement { output_ratio, factor, tilt })
 }
 
-fn web(numbers: &mut Numbers, identity: &Identity, factor: f64) -> Result<Web, Located> {
+fn web(numbers: &mut Numbers, identity: &Identity, factor: f64) -> Result<Web, Refusal> {
     let all = numbers.increasing(identity.planes, "an angle C")?;
     let place = numbers.place();
     let Stated { symmetry, planes } =

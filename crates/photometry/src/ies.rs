@@ -21,13 +21,12 @@ mod header;
 mod opening;
 mod planes;
 
+use crate::error::Refusal;
 use crate::note::Note;
 
 use crate::Photometry;
-use crate::error::Refusal;
 use crate::ies::edition::Edition;
 use crate::ies::header::Header;
-use crate::located::Located;
 use crate::numbers::Numbers;
 use crate::text::{decode_western, told};
 use crate::web::Web;
@@ -44,7 +43,7 @@ const MOST_TILTS: usize = 10_000;
 /// A file without `TILT=`; photometry of types A and B; counts, angles or intensities that cannot be; a text
 /// that ends too early, or goes on.
 pub fn read(file: &str, bytes: &[u8]) -> Result<Photometry, Refusal> {
-    let text = decode_western(bytes).map_err(|fault| fault.of_file(file))?;
+    let text = decode_western(bytes).map_err(|fault| fault.in_file(file))?;
     Header::of(&text).and_then(|header| photometry(&header)).map_err(|located| located.in_file(file))
 }
 
@@ -56,7 +55,7 @@ struct Lamps {
     counts: [usize; 2],
 }
 
-fn photometry(header: &Header) -> Result<Photometry, Located> {
+fn photometry(header: &Header) -> Result<Photometry, Refusal> {
     let mut notes = Vec::new();
     let words = header.data.lines().enumerate().flat_map(|(index, line)| {
         line.split([' ', '\t', ',', '\r', '\u{1a}'])
@@ -90,7 +89,7 @@ fn photometry(header: &Header) -> Result<Photometry, Located> {
     .checked())
 }
 
-fn tilt_factors(numbers: &mut Numbers) -> Result<(), Located> {
+fn tilt_factors(numbers: &mut Numbers) -> Result<(), Refusal> {
     numbers.whole("the position of the lamp (1 upright, 2 along, 3 across)", 1, 3)?;
     let count = numbers.whole("the number of tilt factors", 1, MOST_TILTS)?;
     numbers.increasing(count, "a tilt angle")?;
@@ -98,7 +97,7 @@ fn tilt_factors(numbers: &mut Numbers) -> Result<(), Located> {
     Ok(())
 }
 
-fn lamps(numbers: &mut Numbers) -> Result<Lamps, Located> {
+fn lamps(numbers: &mut Numbers) -> Result<Lamps, Refusal> {
     let count = numbers.factor("the number of lamps")?;
     let lumens = numbers.next("the lumens of each lamp")?;
     if lumens < 0.0 && lumens != -1.0 {
@@ -122,7 +121,7 @@ fn lamps(numbers: &mut Numbers) -> Result<Lamps, Located> {
 }
 
 /// Factor of the intensities by the ballast, the second factor of 1986 and 1991 included.
-fn ballast(numbers: &mut Numbers, edition: Edition, notes: &mut Vec<Note>) -> Result<f64, Located> {
+fn ballast(numbers: &mut Numbers, edition: Edition, notes: &mut Vec<Note>) -> Result<f64, Refusal> {
     let factor = numbers.factor("the ballast factor")?;
     let second = match edition {
         Edition::Of1986 | Edition::Of1991 => numbers.factor("the ballast-lamp photometric factor")?,
@@ -143,7 +142,7 @@ fn ballast(numbers: &mut Numbers, edition: Edition, notes: &mut Vec<Note>) -> Re
     Ok(factor * second)
 }
 
-fn web(numbers: &mut Numbers, [vertical, horizontal]: [usize; 2], factor: f64) -> Result<Web, Located> {
+fn web(numbers: &mut Numbers, [vertical, horizontal]: [usize; 2], factor: f64) -> Result<Web, Refusal> {
     let gammas = numbers.increasing(vertical, "a vertical angle")?;
     let planes = numbers.increasing(horizontal, "a horizontal angle")?;
     let place = numbers.place();

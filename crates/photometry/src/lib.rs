@@ -1,8 +1,7 @@
 //! Files of luminaires, and the words that all readers of files share: places, faults, refusals, notes.
 //!
-//! In order: `file_place`, `note`, `error`, `fault`, `text`, `located` and `numbers` (reading), `symmetry`,
-//! `opening` and `web` (intensities by direction), `ies` and `eulumdat` (the formats) and `luminaire`
-//! (either). Imports no other crate of the workspace.
+//! In order: `file_place`, `note`, `error`, `text` and `numbers` (reading), `symmetry`, `opening` and `web`
+//! (intensities by direction), `ies` and `eulumdat` (the formats) and `luminaire` (either). Imports no other crate of the workspace.
 //!
 //! Photometry of luminaires: luminous intensity by direction, as tables of makers state it.
 //!
@@ -20,9 +19,7 @@
 pub mod file_place;
 pub mod note;
 pub mod error;
-pub mod fault;
 pub mod text;
-pub mod located;
 mod numbers;
 pub mod symmetry;
 pub mod opening;

@@ -4,7 +4,6 @@ use std::path::Path;
 
 use crate::Photometry;
 use crate::error::Refusal;
-use crate::fault::Fault;
 use crate::{eulumdat, ies};
 
 /// Reads the luminaire in `bytes`, the contents of `file`: `.ies` is IES LM-63, `.ldt` is EULUMDAT.
@@ -16,10 +15,10 @@ pub fn read(file: &str, bytes: &[u8]) -> Result<Photometry, Refusal> {
     match ending.as_deref() {
         Some("ies") => ies::read(file, bytes),
         Some("ldt") => eulumdat::read(file, bytes),
-        _ => Err(Fault::new(
+        _ => Err(Refusal::new(
             "the ending tells no photometric format",
             "name it .ies (IES LM-63) or .ldt (EULUMDAT)",
         )
-        .of_file(file)),
+        .in_file(file)),
     }
 }

@@ -13,10 +13,16 @@ pub struct Note {
     pub count: usize,
 }
 
+/// Most kinds of notes, more than a person reads; further ones are one kind, so that a file cannot fill the
+/// memory with them.
+const MOST: usize = 100;
+
 impl Note {
     /// Adds a note at `place` to `notes`; one whose text is among them already is only counted.
     pub fn add(notes: &mut Vec<Note>, text: impl Into<String>, place: Option<FilePlace>) {
         let text = text.into();
+        let is_room = notes.len() < MOST || notes.iter().any(|note| note.text == text);
+        let text = if is_room { text } else { "other things that are not known are left out".to_owned() };
         match notes.iter_mut().find(|note| note.text == text) {
             Some(note) => note.count += 1,
             None => notes.push(Note { text, place, count: 1 }),

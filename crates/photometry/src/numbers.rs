@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use crate::error::{Refusal, refuse_at};
 use crate::file_place::FilePlace;
-use crate::located::Located;
 use crate::text::{number, short, told};
 
 /// The name of one number among several.
@@ -39,12 +39,12 @@ impl<'a> Numbers<'a> {
     }
 
     /// A fault at the word that was read last.
-    pub(crate) fn fault(&self, cause: impl Into<String>, cure: impl Into<String>) -> Located {
-        Located::new(self.place(), cause, cure)
+    pub(crate) fn fault(&self, cause: impl Into<String>, cure: impl Into<String>) -> Refusal {
+        Refusal::new(cause, cure).at(self.place())
     }
 
     /// The next word. `what` names it: "the multiplier".
-    pub(crate) fn word(&mut self, what: impl fmt::Display) -> Result<&'a str, Located> {
+    pub(crate) fn word(&mut self, what: impl fmt::Display) -> Result<&'a str, Refusal> {
         match self.words.next() {
             Some((line, word)) => {
                 self.line = line;
@@ -58,20 +58,20 @@ impl<'a> Numbers<'a> {
     }
 
     /// The next number.
-    pub(crate) fn next(&mut self, what: impl fmt::Display) -> Result<f64, Located> {
+    pub(crate) fn next(&mut self, what: impl fmt::Display) -> Result<f64, Refusal> {
         let word = self.word(&what)?;
         self.parse(word, what)
     }
 
     /// The next number, 0 where the word is blank.
-    pub(crate) fn next_or_zero(&mut self, what: impl fmt::Display) -> Result<f64, Located> {
+    pub(crate) fn next_or_zero(&mut self, what: impl fmt::Display) -> Result<f64, Refusal> {
         match self.word(&what)? {
             "" => Ok(0.0),
             word => self.parse(word, what),
         }
     }
 
-    fn parse(&self, word: &str, what: impl fmt::Display) -> Result<f64, Located> {
+    fn parse(&self, word: &str, what: impl fmt::Display) -> Result<f64, Refusal> {
         let has_decimal_comma = word.matches(',').count() == 1 && !word.contains('.');
         let word: Cow<str> = if has_decimal_comma { word.replace(',', ".").into() } else { word.into() };
         match word.parse::<f64>() {
@@ -81,18 +81,18 @@ impl<'a> Numbers<'a> {
     }
 
     /// The next number, which is at least 0.
-    pub(crate) fn amount(&mut self, what: impl fmt::Display) -> Result<f64, Located> {
+    pub(crate) fn amount(&mut self, what: impl fmt::Display) -> Result<f64, Refusal> {
         let value = self.next(&what)?;
         self.no_less(value, what)
     }
 
     /// The next number, which is at least 0; 0 where the word is blank.
-    pub(crate) fn amount_or_zero(&mut self, what: impl fmt::Display) -> Result<f64, Located> {
+    pub(crate) fn amount_or_zero(&mut self, what: impl fmt::Display) -> Result<f64, Refusal> {
         let value = self.next_or_zero(&what)?;
         self.no_less(value, what)
     }
 
-    fn no_less(&self, value: f64, what: impl fmt::Display) -> Result<f64, Located> {
+    fn no_less(&self, value: f64, what: impl fmt::Display) -> Result<f64, Refusal> {
         match value >= 0.0 {
             // −0 is 0.
             true => Ok(value.abs()),
@@ -101,7 +101,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// The next number, which is above 0.
-    pub(crate) fn factor(&mut self, what: impl fmt::Display) -> Result<f64, Located> {
+    pub(crate) fn factor(&mut self, what: impl fmt::Display) -> Result<f64, Refusal> {
         let value = self.next(&what)?;
         match value > 0.0 {
             true => Ok(value),
@@ -110,7 +110,7 @@ impl<'a> Numbers<'a> {
     }
 
     /// The next number, which is whole and from `least` to `most`.
-    pub(crate) fn whole(&mut self, what: &str, least: usize, most: usize) -> Result<usize, Located> {
+    pub(crate) fn whole(&mut self, what: &str, least: usize, most: usize) -> Result<usize, Refusal> {
         let value = self.next(what)?;
         let is_right = value.fract() == 0.0 && value >= least as f64 && value <= most as f64;
         match is_right {
@@ -124,7 +124,7 @@ impl<'a> Numbers<'a> {
 
     /// The next `count` numbers, each greater than the one before it. `what` is one of them: "a vertical
     /// angle".
-    pub(crate) fn increasing(&mut self, count: usize, what: &str) -> Result<Vec<f64>, Located> {
+    pub(crate) fn increasing(&mut self, count: usize, what: &str) -> Result<Vec<f64>, Refusal> {
         let mut values: Vec<f64> = Vec::new();
         for index in 0..count {
             let value = self.next(Nth { what, index, count })?;
@@ -140,21 +140,21 @@ impl<'a> Numbers<'a> {
     }
 
     /// The next `count` numbers, each at least 0.
-    pub(crate) fn amounts(&mut self, count: usize, what: &str) -> Result<Vec<f64>, Located> {
+    pub(crate) fn amounts(&mut self, count: usize, what: &str) -> Result<Vec<f64>, Refusal> {
         // No room is kept beforehand: a count is no promise that so many follow.
         (0..count).map(|index| self.amount(Nth { what, index, count })).collect()
     }
 
     /// Checks that no number follows.
-    pub(crate) fn end(&mut self) -> Result<(), Located> {
+    pub(crate) fn end(&mut self) -> Result<(), Refusal> {
         let left = self.words.find(|(_, word)| word.replace(',', ".").parse::<f64>().is_ok());
         match left {
             None => Ok(()),
-            Some((line, word)) => Err(Located::new(
+            Some((line, word)) => refuse_at(
                 FilePlace::Line(line),
                 format!("'{}' is left over", short(word)),
                 "check the counts of angles; they say how many intensities there are",
-            )),
+            ),
         }
     }
 }

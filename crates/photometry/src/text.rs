@@ -1,14 +1,24 @@
 //! Texts: bytes that must be characters, words that must be numbers.
 
-use crate::fault::Fault;
+use crate::error::{Refusal, refuse};
+use crate::file_place::FilePlace;
 
 /// The characters of a text file. A byte order mark is dropped, lines that end with a carriage return alone
 /// end with a line feed, bytes that are not UTF-8 become `�`.
 ///
 /// # Errors
 /// Bytes that are no text: a zero byte among them.
-pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
+pub fn decode(bytes: &[u8]) -> Result<String, Refusal> {
     decode_with(bytes, |bytes| String::from_utf8_lossy(bytes).into_owned())
+}
+
+/// The characters of a text, as [`decode`] reads them.
+///
+/// # Errors
+/// A zero byte, at its place.
+pub fn decoded(bytes: &[u8]) -> Result<String, Refusal> {
+    let zero = || bytes.iter().position(|byte| *byte == 0).unwrap_or(0);
+    decode(bytes).map_err(|refusal| refusal.at(FilePlace::Byte(zero())))
 }
 
 /// The characters of a text file, as [`decode`] reads them, but of Latin-1 where it is not UTF-8, as old
@@ -16,19 +26,16 @@ pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
 ///
 /// # Errors
 /// Bytes that are no text: a zero byte among them.
-pub fn decode_western(bytes: &[u8]) -> Result<String, Fault> {
+pub fn decode_western(bytes: &[u8]) -> Result<String, Refusal> {
     decode_with(bytes, |bytes| match std::str::from_utf8(bytes) {
         Ok(text) => text.to_owned(),
         Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
     })
 }
 
-fn decode_with(bytes: &[u8], characters: impl Fn(&[u8]) -> String) -> Result<String, Fault> {
+fn decode_with(bytes: &[u8], characters: impl Fn(&[u8]) -> String) -> Result<String, Refusal> {
     if bytes.contains(&0) {
-        return Err(Fault::new(
-            "this is not a text: it holds a zero byte",
-            "name its format, or save it as UTF-8",
-        ));
+        return refuse("this is not a text: it holds a zero byte", "name its format, or save it as UTF-8");
     }
     let text = characters(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
     match text.contains('\r') && !text.contains('\n') {
@@ -41,13 +48,11 @@ fn decode_with(bytes: &[u8], characters: impl Fn(&[u8]) -> String) -> Result<Str
 ///
 /// # Errors
 /// A word that is no number, or no finite one; `what` names it: "the radius".
-pub fn number(word: &str, what: &str) -> Result<f64, Fault> {
+pub fn number(word: &str, what: &str) -> Result<f64, Refusal> {
     match word.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err(Fault::new(format!("{what} is {word}"), "write a finite number")),
-        Err(_) => {
-            Err(Fault::new(format!("{what} is '{}', which is no number", short(word)), "write a number"))
-        }
+        Ok(_) => refuse(format!("{what} is {word}"), "write a finite number"),
+        Err(_) => refuse(format!("{what} is '{}', which is no number", short(word)), "write a number"),
     }
 }
 

@@ -15,7 +15,7 @@
 use std::f64::consts::TAU;
 
 use super::symmetry::Symmetry;
-use crate::fault::Fault;
+use crate::error::{Refusal, refuse};
 use crate::text::told;
 
 /// Angle in degrees beyond the last angle of the table up to which a direction still counts as lying on it:
@@ -63,23 +63,23 @@ impl Web {
         stated: &[f64],
         gammas: Vec<f64>,
         table: Vec<f64>,
-    ) -> Result<Self, Fault> {
+    ) -> Result<Self, Refusal> {
         debug_assert_eq!(table.len(), stated.len() * gammas.len());
         let [first, .., last] = gammas[..] else {
-            return Err(Fault::new("there are fewer than two vertical angles", "give at least 0 and 90"));
+            return refuse("there are fewer than two vertical angles", "give at least 0 and 90");
         };
         if !(first == 0.0 || first == 90.0) || last > 180.0 {
-            return Err(Fault::new(
+            return refuse(
                 format!("the vertical angles run from {} to {}", told(first), told(last)),
                 "let them begin at 0 (straight down) or 90, and end at 180 or before; beyond their end it is dark",
-            ));
+            );
         }
         let largest = table.iter().copied().fold(0.0, f64::max);
         if !(largest > 0.0 && largest <= MOST) {
-            return Err(Fault::new(
+            return refuse(
                 format!("the greatest luminous intensity is {} cd", told(largest)),
                 "check lumens and factors, or leave the luminaire out",
-            ));
+            );
         }
         let (planes, rows) = symmetry.expand(stated);
         goes_around(&planes)?;
@@ -272,15 +272,15 @@ impl Web {
 }
 
 /// Checks that the last plane is about as far from the first as planes are from one another.
-fn goes_around(planes: &[f64]) -> Result<(), Fault> {
+fn goes_around(planes: &[f64]) -> Result<(), Refusal> {
     let [first, .., last] = planes else { return Ok(()) };
     let widest = planes.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
     match 360.0 + first - last <= WIDER * widest {
         true => Ok(()),
-        false => Err(Fault::new(
+        false => refuse(
             format!("the planes go from C = {first}° to {last}° without a symmetry that gives the rest"),
             "give planes all around, or the symmetry",
-        )),
+        ),
     }
 }
 

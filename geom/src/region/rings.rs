@@ -1,13 +1,13 @@
 //! Closed rings of vertices in a plane: area, inside, distance, and whether they are simple and nested as
 //! they should be.
 
-use crate::ShapeError;
 use crate::tolerances::COINCIDENT;
+use crate::{ShapeError, sides};
 use glam::{DVec2, DVec3};
 
 /// ½ Σ xᵢ × xᵢ₊₁, positive for counter-clockwise rings.
 pub(super) fn signed_area(ring: &[DVec2]) -> f64 {
-    0.5 * edges(ring).map(|[p, q]| (p - ring[0]).perp_dot(q - ring[0])).sum::<f64>()
+    0.5 * sides(ring).map(|[p, q]| (p - ring[0]).perp_dot(q - ring[0])).sum::<f64>()
 }
 
 /// Whether the ring winds around `at` an odd number of times.
@@ -15,12 +15,12 @@ pub(super) fn encloses(ring: &[DVec2], at: DVec2) -> bool {
     let crosses = |[p, q]: &[DVec2; 2]| {
         (p.y > at.y) != (q.y > at.y) && at.x < p.x + (at.y - p.y) / (q.y - p.y) * (q.x - p.x)
     };
-    edges(ring).filter(crosses).count() % 2 == 1
+    sides(ring).filter(crosses).count() % 2 == 1
 }
 
 /// Distance from `at` to the ring itself.
 pub(super) fn distance(ring: &[DVec2], at: DVec2) -> f64 {
-    edges(ring).map(|edge| to_segment(at, edge)).fold(f64::INFINITY, f64::min)
+    sides(ring).map(|edge| to_segment(at, edge)).fold(f64::INFINITY, f64::min)
 }
 
 /// Every ring simple, every hole inside the outline (ring 0) and apart from the others.
@@ -66,14 +66,9 @@ pub(super) fn bow_tie(ring: &[DVec3]) -> Option<ShapeError> {
     Some(ShapeError::SelfCrossing { field: "vertices".into(), first, second })
 }
 
-/// The edges from each vertex to the next.
-fn edges(ring: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> + '_ {
-    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(p, q)| [*p, *q])
-}
-
 /// Vertices and edge midpoints.
 fn samples(ring: &[DVec2]) -> impl Iterator<Item = DVec2> + '_ {
-    edges(ring).flat_map(|[p, q]| [p, 0.5 * (p + q)])
+    sides(ring).flat_map(|[p, q]| [p, 0.5 * (p + q)])
 }
 
 /// Distance from `at` to the segment.
@@ -84,7 +79,7 @@ pub(super) fn to_segment(at: DVec2, [p, q]: [DVec2; 2]) -> f64 {
 
 /// Two edges of the ring that meet elsewhere than at their common vertex.
 fn self_contact(ring: &[DVec2], tolerance: f64) -> Option<(usize, usize)> {
-    let all: Vec<[DVec2; 2]> = edges(ring).collect();
+    let all: Vec<[DVec2; 2]> = sides(ring).collect();
     let n = all.len();
     for first in 0..n {
         for second in first + 1..n {
@@ -131,7 +126,7 @@ fn properly_cross(e: [DVec2; 2], f: [DVec2; 2], tolerance: f64) -> bool {
 
 /// Whether any edges of the two rings properly cross.
 fn cross(a: &[DVec2], b: &[DVec2], tolerance: f64) -> bool {
-    edges(a).any(|e| edges(b).any(|f| properly_cross(e, f, tolerance)))
+    sides(a).any(|e| sides(b).any(|f| properly_cross(e, f, tolerance)))
 }
 
 /// Whether two holes share more than boundary.

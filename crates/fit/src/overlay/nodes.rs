@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use glam::{DVec2, DVec3};
-use radiosity_geom::{Aabb, Bvh, distance_to_segment};
+use radiosity_geom::{Aabb, Bvh, distance_to_segment, sides};
 
 /// Pieces of the extent that longer sides are searched in, since the box around a slanting side is large. An
 /// arbitrary choice, on which time alone depends: fewer pieces find more sides that are not near, more make
@@ -12,11 +12,6 @@ const PIECES: f64 = 16.0;
 
 pub(super) fn bits(x: DVec3) -> [u64; 3] {
     x.to_array().map(f64::to_bits)
-}
-
-/// Pairs of each node of a ring and the next.
-pub(super) fn cyclic(ring: &[usize]) -> impl Iterator<Item = [usize; 2]> {
-    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [*a, *b])
 }
 
 /// Points no two of which are nearer than the tolerance.
@@ -100,7 +95,7 @@ impl Near {
 /// The rings with each side led through the nodes that lie on it, without sides of no length.
 pub(super) fn through_nodes(rings: Vec<Vec<usize>>, nodes: &Nodes, tolerance: f64) -> Vec<Vec<usize>> {
     let point = |node: usize| nodes.flat[node].extend(0.0);
-    let sides: Vec<[usize; 2]> = rings.iter().flat_map(|ring| cyclic(ring)).collect();
+    let sides: Vec<[usize; 2]> = rings.iter().flat_map(|ring| sides(ring)).collect();
     let near = nodes.near(&sides);
     let mut on: Vec<Vec<usize>> = vec![Vec::new(); sides.len()];
     for node in 0..nodes.flat.len() {

@@ -66,8 +66,9 @@ impl Sheet {
         let sign = if other.flip { -1.0 } else { 1.0 };
         sign * corners.iter().map(|x| region.height(*x)).sum::<f64>() / corners.len() as f64
     }
+}
 
-    pub(super) fn is_back_of(&self, front: &Sheet) -> bool {
-        self.name.strip_suffix(":back") == Some(front.name.as_str())
-    }
+/// Whether one surface is named the back of the other: both are sides of one sheet.
+pub fn are_sides_of_one([one, other]: [&str; 2]) -> bool {
+    one.strip_suffix(":back") == Some(other) || other.strip_suffix(":back") == Some(one)
 }

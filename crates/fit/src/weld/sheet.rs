@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface, coordinate_rounding};
+use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface, coordinate_rounding, sides};
 
 use super::tolerance::{Evidence, Measures, Tolerance, computed, decimal};
 
@@ -58,10 +58,7 @@ impl Sheets {
 
     /// The sheets whose boxes, enlarged by their tolerances, overlap `bounds`, ascending.
     pub(super) fn near(&self, bounds: &Aabb) -> Vec<usize> {
-        let mut found = Vec::new();
-        self.tree.overlapping(bounds, |index| found.push(index));
-        found.sort_unstable();
-        found
+        self.tree.near(bounds)
     }
 }
 
@@ -95,8 +92,8 @@ impl Sheet {
 /// The region of a quadrilateral that is meant to be flat, being bent by at most `tolerance` (scene length).
 fn flattened(corners: &[DVec3], tolerance: f64) -> Option<PlanarRegion> {
     let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
-    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
-    let normal = sides.map(|(a, b)| (*a - middle).cross(*b - middle)).sum::<DVec3>().try_normalize()?;
+    let corner = |[a, b]: [DVec3; 2]| (a - middle).cross(b - middle);
+    let normal = sides(corners).map(corner).sum::<DVec3>().try_normalize()?;
     let height = |x: &DVec3| (*x - middle).dot(normal);
     let is_flat = corners.iter().all(|x| height(x).abs() <= tolerance);
     let on_plane = corners.iter().map(|x| *x - height(x) * normal).collect();
@@ -113,12 +110,12 @@ fn measures(shape: &Arc<dyn Surface>, middle: DVec3) -> Measures {
         }
         None => vec![&corners],
     };
-    let sides = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+    let sides = rings.iter().flat_map(|ring| sides(ring));
     let typed: Vec<DVec3> = corners.iter().map(|x| *x + middle).collect();
     let height = |x: &DVec3| region.map_or(0.0, |region| region.height(*x).abs());
     Measures {
         extent,
-        shortest: sides.map(|(a, b)| a.distance(*b)).fold(f64::INFINITY, f64::min),
+        shortest: sides.map(|[a, b]| a.distance(b)).fold(f64::INFINITY, f64::min),
         breadth: region.map_or(extent, |region| region.area() / extent),
         unevenness: corners.iter().map(height).fold(0.0, f64::max),
         rounding: coordinate_rounding(&typed, region.map(PlanarRegion::normal)),

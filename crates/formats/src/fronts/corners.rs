@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 use radiosity_geom::Aabb;
 
-use crate::model::{Model, Shape};
+use crate::model::Model;
 
 /// Corners nearer than this part of the model's extent are one corner: coordinates of single precision are
 /// rounded to 6·10⁻⁸ of it. With a larger value small things would hang together with what they stand beside.
@@ -22,12 +22,8 @@ pub(super) struct Corners {
 impl Corners {
     /// An empty list of corners for a model, whose extent tells the size of rounding.
     pub(super) fn new(model: &Model) -> Self {
-        let points = model.surfaces.iter().flat_map(|surface| match &surface.shape {
-            Shape::Polygon { outline, .. } => outline.as_slice(),
-            Shape::Quad(corners) => corners,
-            _ => &[],
-        });
-        let bounds = Aabb::around(points.copied());
+        let outlines = model.surfaces.iter().filter_map(|surface| surface.shape.rings().first().copied());
+        let bounds = Aabb::around(outlines.flatten().copied());
         let cell = (ONE_CORNER * bounds.diagonal()).max(f64::MIN_POSITIVE);
         let low = if bounds.is_empty() { DVec3::ZERO } else { bounds.min };
         Corners { cell, low, cells: HashMap::new(), points: Vec::new() }

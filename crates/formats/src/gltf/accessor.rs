@@ -6,13 +6,13 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use glam::DVec3;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::text::short;
 
-use super::json::Json;
+use super::json::{Json, unlisted};
 use super::scheme::{Accessor, BufferView, Root, Sparse, SparsePart};
+use crate::scalar::Scalar;
 use crate::tolerances::MOST_ROWS;
 
 /// Most rows that accessors replace in all: each takes several times the memory of a row that is listed.
@@ -20,60 +20,27 @@ const MOST_REPLACED: usize = 10_000_000;
 
 const CORRECT: &str = "correct it, or export the model again";
 
-/// A type of components, by the number that stands for it (section 5.1.3).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Component {
-    I8,
-    U8,
-    I16,
-    U16,
-    U32,
-    F32,
+/// The type of components that a number stands for (section 5.1.3).
+fn scalar(number: u32) -> Result<Scalar, Refusal> {
+    Ok(match number {
+        5120 => Scalar::I8,
+        5121 => Scalar::U8,
+        5122 => Scalar::I16,
+        5123 => Scalar::U16,
+        5125 => Scalar::U32,
+        5126 => Scalar::F32,
+        _ => return refuse(format!("there is no component type {number}"), CORRECT),
+    })
 }
 
-impl Component {
-    fn of(number: u32) -> Result<Component, Fault> {
-        Ok(match number {
-            5120 => Component::I8,
-            5121 => Component::U8,
-            5122 => Component::I16,
-            5123 => Component::U16,
-            5125 => Component::U32,
-            5126 => Component::F32,
-            _ => return Err(Fault::new(format!("there is no component type {number}"), CORRECT)),
-        })
-    }
-
-    fn size(self) -> usize {
-        match self {
-            Component::I8 | Component::U8 => 1,
-            Component::I16 | Component::U16 => 2,
-            Component::U32 | Component::F32 => 4,
-        }
-    }
-
-    /// Divisor of an integer that stands for a part of 1 (section 3.11).
-    fn whole(self) -> f64 {
-        match self {
-            Component::I8 => 127.0,
-            Component::U8 => 255.0,
-            Component::I16 => 32767.0,
-            Component::U16 => 65535.0,
-            Component::U32 | Component::F32 => 1.0,
-        }
-    }
-
-    fn read(self, bytes: &[u8]) -> Option<f64> {
-        let two = || bytes.get(..2)?.try_into().ok();
-        let four = || bytes.get(..4)?.try_into().ok();
-        Some(match self {
-            Component::I8 => f64::from(i8::from_le_bytes([*bytes.first()?])),
-            Component::U8 => f64::from(*bytes.first()?),
-            Component::I16 => f64::from(i16::from_le_bytes(two()?)),
-            Component::U16 => f64::from(u16::from_le_bytes(two()?)),
-            Component::U32 => f64::from(u32::from_le_bytes(four()?)),
-            Component::F32 => f64::from(f32::from_le_bytes(four()?)),
-        })
+/// Divisor of an integer that stands for a part of 1 (section 3.11).
+fn whole(scalar: Scalar) -> f64 {
+    match scalar {
+        Scalar::I8 => 127.0,
+        Scalar::U8 => 255.0,
+        Scalar::I16 => 32767.0,
+        Scalar::U16 => 65535.0,
+        _ => 1.0,
     }
 }
 
@@ -82,7 +49,7 @@ impl Component {
 struct Rows<'b> {
     bytes: &'b [u8],
     stride: usize,
-    component: Component,
+    component: Scalar,
     scale: f64,
 }
 
@@ -189,67 +156,34 @@ impl<'a, 'b> Accessors<'a, 'b> {
         index: usize,
         kind: NumberUse,
         from: FilePlace,
-    ) -> Result<Rc<Data<'b>>, Located> {
+    ) -> Result<Rc<Data<'b>>, Refusal> {
         if let Some(data) = self.known.get(&(index, kind)) {
             return Ok(Rc::clone(data));
         }
         let (accessor, place): (Accessor, FilePlace) =
             self.json.item(&self.root.accessors, index, "accessor", from)?;
-        let located =
-            |Fault { cause, cure }| Located::new(place, format!("the accessor {index}: {cause}"), cure);
-        let data = Rc::new(self.checked(&accessor, kind, place).map_err(|wrong| match wrong {
-            Wrong::Here(fault) => located(fault),
-            Wrong::There(located) => located,
-        })?);
+        let data = self.checked(&accessor, kind, place);
+        let data = Rc::new(data.map_err(|refusal| refusal.of(&format!("the accessor {index}"), place))?);
         self.known.insert((index, kind), Rc::clone(&data));
         Ok(data)
     }
 
-    fn checked(&mut self, accessor: &Accessor, kind: NumberUse, place: FilePlace) -> Result<Data<'b>, Wrong> {
-        let component = Component::of(accessor.component_type)?;
-        let is_right = match kind {
-            NumberUse::Points => accessor.kind == "VEC3" && component != Component::U32,
-            NumberUse::Indices => {
-                accessor.kind == "SCALAR"
-                    && matches!(component, Component::U8 | Component::U16 | Component::U32)
-            }
-        };
-        if !is_right {
-            let what = if kind == NumberUse::Points { "points" } else { "indices" };
-            return Err(Fault::new(
-                format!(
-                    "{what} cannot be {} of component type {}",
-                    short(&accessor.kind),
-                    accessor.component_type
-                ),
-                "export the model again; points are VEC3 of floats, indices SCALAR of unsigned integers",
-            )
-            .into());
-        }
-        if accessor.count > MOST_ROWS {
-            return Err(Fault::new(format!("it has more than {MOST_ROWS} rows"), "split the model").into());
-        }
-        if kind == NumberUse::Points && accessor.buffer_view.is_none() && accessor.sparse.is_none() {
-            return Err(Fault::new(
-                "its points are all 0: it has neither a buffer view nor sparse values",
-                "export the model without compression",
-            )
-            .into());
-        }
-        let scale = if accessor.normalized { component.whole() } else { 1.0 };
+    fn checked(
+        &mut self,
+        accessor: &Accessor,
+        kind: NumberUse,
+        place: FilePlace,
+    ) -> Result<Data<'b>, Refusal> {
+        let component = scalar(accessor.component_type)?;
+        check(accessor, kind, component)?;
+        let scale = if accessor.normalized { whole(component) } else { 1.0 };
         let rows = Rows { bytes: &[], stride: 0, component, scale };
-        let own = accessor
-            .buffer_view
-            .map(|view| {
-                let (offset, count) = (accessor.byte_offset, accessor.count);
-                self.rows(&rows, Span { view, offset, count, width: kind.width() }, place)
-            })
-            .transpose()?;
-        let replaced = match &accessor.sparse {
-            Some(sparse) => Some(self.sparse(sparse, &rows, accessor.count, kind.width(), place)?),
-            None => None,
-        };
-        Ok(Data { count: accessor.count, rows: own, replaced })
+        let (offset, count, width) = (accessor.byte_offset, accessor.count, kind.width());
+        let own =
+            accessor.buffer_view.map(|view| self.rows(&rows, Span { view, offset, count, width }, place));
+        let sparse = accessor.sparse.as_ref();
+        let replaced = sparse.map(|sparse| self.sparse(sparse, &rows, count, width, place));
+        Ok(Data { count, rows: own.transpose()?, replaced: replaced.transpose()? })
     }
 
     /// The rows that a sparse accessor of `count` rows replaces.
@@ -260,13 +194,13 @@ impl<'a, 'b> Accessors<'a, 'b> {
         count: usize,
         width: usize,
         place: FilePlace,
-    ) -> Result<Replaced<'b>, Wrong> {
+    ) -> Result<Replaced<'b>, Refusal> {
         self.replaced = self.replaced.saturating_add(sparse.count);
         if sparse.count > count || self.replaced > MOST_REPLACED {
-            return Err(Fault::new(format!("it replaces {} of {count} rows", sparse.count), CORRECT).into());
+            return refuse(format!("it replaces {} of {count} rows", sparse.count), CORRECT);
         }
         let SparsePart { buffer_view: view, byte_offset: offset, component_type } = sparse.indices;
-        let component = Component::of(component_type.unwrap_or(0))?;
+        let component = scalar(component_type.unwrap_or(0))?;
         let plain = Rows { bytes: &[], stride: 0, component, scale: 1.0 };
         let indices = self.rows(&plain, Span { view, offset, count: sparse.count, width: 1 }, place)?;
         let SparsePart { buffer_view: view, byte_offset: offset, .. } = sparse.values;
@@ -275,11 +209,7 @@ impl<'a, 'b> Accessors<'a, 'b> {
         for row in 0..sparse.count {
             let index = indices.number(row, 0).map_or(usize::MAX, |index| index as usize);
             if index >= count {
-                return Err(Fault::new(
-                    format!("it replaces the row {index}; it has {count}, from 0 on"),
-                    CORRECT,
-                )
-                .into());
+                return refuse(format!("it replaces the row {index}; it has {count}, from 0 on"), CORRECT);
             }
             places.insert(index, row);
         }
@@ -287,30 +217,11 @@ impl<'a, 'b> Accessors<'a, 'b> {
     }
 
     /// The rows of a span, if its view has them.
-    fn rows(&self, like: &Rows<'b>, span: Span, place: FilePlace) -> Result<Rows<'b>, Wrong> {
+    fn rows(&self, like: &Rows<'b>, span: Span, place: FilePlace) -> Result<Rows<'b>, Refusal> {
         let Span { view, offset, count, width } = span;
         let (view, at): (BufferView, FilePlace) =
             self.json.item(&self.root.buffer_views, view, "buffer view", place)?;
-        let Some(buffer) = self.buffers.get(view.buffer) else {
-            return Err(Wrong::There(Located::new(
-                at,
-                format!("the buffer {} is named, {} are listed, from 0 on", view.buffer, self.buffers.len()),
-                CORRECT,
-            )));
-        };
-        let bytes = buffer.get(view.byte_offset..).and_then(|rest| rest.get(..view.byte_length));
-        let Some(bytes) = bytes else {
-            return Err(Wrong::There(Located::new(
-                at,
-                format!(
-                    "the view spans {} bytes from byte {} on; the buffer has {}",
-                    view.byte_length,
-                    view.byte_offset,
-                    buffer.len()
-                ),
-                CORRECT,
-            )));
-        };
+        let bytes = self.bytes(&view).map_err(|refusal| refusal.at(at))?;
         let size = width * like.component.size();
         let stride = view.byte_stride.unwrap_or(size);
         let needed = match count {
@@ -319,33 +230,61 @@ impl<'a, 'b> Accessors<'a, 'b> {
         };
         let bytes = bytes.get(offset..).filter(|rest| needed.is_some_and(|needed| needed <= rest.len()));
         let Some(bytes) = bytes.filter(|_| stride >= size) else {
-            return Err(Fault::new(
+            return refuse(
                 format!(
                     "{count} rows of {size} bytes, {stride} apart, do not fit behind byte {offset} of a view of {}",
                     view.byte_length
                 ),
                 CORRECT,
-            )
-            .into());
+            );
         };
         Ok(Rows { bytes, stride, ..like.clone() })
     }
-}
-
-/// Fault of an accessor, or of a view that it names.
-enum Wrong {
-    Here(Fault),
-    There(Located),
-}
-
-impl From<Fault> for Wrong {
-    fn from(fault: Fault) -> Self {
-        Wrong::Here(fault)
+    /// The bytes of a view.
+    fn bytes(&self, view: &BufferView) -> Result<&'b [u8], Refusal> {
+        let buffer = self.buffers.get(view.buffer);
+        let buffer: &'b [u8] = buffer.ok_or_else(|| unlisted("buffer", view.buffer, self.buffers.len()))?;
+        let bytes = buffer.get(view.byte_offset..).and_then(|rest| rest.get(..view.byte_length));
+        bytes.ok_or_else(|| {
+            let BufferView { byte_length, byte_offset, .. } = view;
+            let there = buffer.len();
+            Refusal::new(
+                format!(
+                    "the view spans {byte_length} bytes from byte {byte_offset} on; the buffer has {there}"
+                ),
+                CORRECT,
+            )
+        })
     }
 }
 
-impl From<Located> for Wrong {
-    fn from(located: Located) -> Self {
-        Wrong::There(located)
+/// Refuses an accessor that cannot hold what it is used for.
+fn check(accessor: &Accessor, kind: NumberUse, component: Scalar) -> Result<(), Refusal> {
+    let is_right = match kind {
+        NumberUse::Points => accessor.kind == "VEC3" && component != Scalar::U32,
+        NumberUse::Indices => {
+            accessor.kind == "SCALAR" && matches!(component, Scalar::U8 | Scalar::U16 | Scalar::U32)
+        }
+    };
+    if !is_right {
+        let what = if kind == NumberUse::Points { "points" } else { "indices" };
+        return refuse(
+            format!(
+                "{what} cannot be {} of component type {}",
+                short(&accessor.kind),
+                accessor.component_type
+            ),
+            "export the model again; points are VEC3 of floats, indices SCALAR of unsigned integers",
+        );
     }
+    if accessor.count > MOST_ROWS {
+        return refuse(format!("it has more than {MOST_ROWS} rows"), "split the model");
+    }
+    if kind == NumberUse::Points && accessor.buffer_view.is_none() && accessor.sparse.is_none() {
+        return refuse(
+            "its points are all 0: it has neither a buffer view nor sparse values",
+            "export the model without compression",
+        );
+    }
+    Ok(())
 }

@@ -6,8 +6,7 @@ use base64::Engine;
 use base64::alphabet::STANDARD;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use percent_encoding::percent_decode_str;
-use radiosity_photometry::fault::Fault;
-use radiosity_photometry::located::Located;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::short;
 
 use super::json::Json;
@@ -27,7 +26,7 @@ pub(super) fn all<'a>(
     json: &Json<'a>,
     binary: Option<&'a [u8]>,
     files: &dyn Files,
-) -> Result<Vec<Cow<'a, [u8]>>, Located> {
+) -> Result<Vec<Cow<'a, [u8]>>, Refusal> {
     let mut buffers: Vec<Cow<'a, [u8]>> = Vec::new();
     let mut size = 0;
     for (index, item) in root.buffers.iter().enumerate() {
@@ -42,48 +41,50 @@ pub(super) fn all<'a>(
             size += bytes.len();
             check(bytes, buffer.byte_length, size)
         });
-        let place = json.place(item.get());
-        let located = |Fault { cause, cure }| Located::new(place, format!("{what}: {cause}"), cure);
-        buffers.push(checked.map_err(located)?);
+        buffers.push(checked.map_err(|refusal| refusal.of(&what, json.place(item.get())))?);
     }
     Ok(buffers)
 }
 
 /// The bytes if they are as many as stated and not too many in all.
-fn check(bytes: Cow<'_, [u8]>, length: usize, size: usize) -> Result<Cow<'_, [u8]>, Fault> {
+fn check(bytes: Cow<'_, [u8]>, length: usize, size: usize) -> Result<Cow<'_, [u8]>, Refusal> {
     if bytes.len() < length {
-        return Err(Fault::new(
+        return refuse(
             format!("it has {} bytes, {length} are announced", bytes.len()),
             "copy or export the model again",
-        ));
+        );
     }
     if size > MOST_BYTES_OF_BUFFERS {
-        return Err(Fault::new(
+        return refuse(
             format!("the buffers have more than {MOST_BYTES_OF_BUFFERS} bytes"),
             "split the model",
-        ));
+        );
     }
     Ok(bytes)
 }
 
 /// The bytes that a URI names; without one, those of the binary chunk.
-fn bytes<'a>(uri: Option<&str>, binary: Option<&'a [u8]>, files: &dyn Files) -> Result<Cow<'a, [u8]>, Fault> {
+fn bytes<'a>(
+    uri: Option<&str>,
+    binary: Option<&'a [u8]>,
+    files: &dyn Files,
+) -> Result<Cow<'a, [u8]>, Refusal> {
     let Some(uri) = uri else {
         return binary.map(Cow::Borrowed).ok_or_else(|| {
-            Fault::new("it has no uri, and no binary chunk holds it", "export the model again")
+            Refusal::new("it has no uri, and no binary chunk holds it", "export the model again")
         });
     };
     if let Some(data) = uri.strip_prefix("data:") {
         let Some((kind, data)) = data.split_once(',').filter(|(kind, _)| kind.ends_with(";base64")) else {
-            return Err(Fault::new("its data is not base64", "write it as 'data:…;base64,…'"));
+            return refuse("its data is not base64", "write it as 'data:…;base64,…'");
         };
         return BASE64.decode(data).map(Cow::Owned).map_err(|error| {
-            Fault::new(format!("its data ({}): {error}", short(kind)), "export the model again")
+            Refusal::new(format!("its data ({}): {error}", short(kind)), "export the model again")
         });
     }
     let name = percent_decode_str(uri).decode_utf8_lossy();
     files.bytes(&name).map(Cow::Owned).map_err(|error| {
-        Fault::new(
+        Refusal::new(
             format!("the file '{}' cannot be read: {error}", short(&name)),
             "put it beside the model, or export a GLB, which holds all",
         )

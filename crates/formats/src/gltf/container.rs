@@ -1,8 +1,8 @@
 //! GLB: a header of 12 bytes, a chunk of JSON, and a chunk of binary data (section 4.4). A file without that
 //! header is the JSON itself.
 
+use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
 
 use crate::tolerances::MOST_BYTES_OF_TEXT;
 
@@ -22,33 +22,25 @@ pub(super) struct Parts<'a> {
 }
 
 /// The parts of a `.gltf` or a `.glb`.
-pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, Located> {
+pub(super) fn parts(bytes: &[u8]) -> Result<Parts<'_>, Refusal> {
     if !bytes.starts_with(MAGIC) {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         return Ok(Parts { text: text(bytes, 0)?, start: None, binary: None });
     }
     if word(bytes, 4) != Some(2) {
-        return Err(Located::new(
-            FilePlace::Byte(4),
-            "this is no GLB of version 2",
-            "export the model as glTF 2.0",
-        ));
+        return refuse_at(FilePlace::Byte(4), "this is no GLB of version 2", "export the model as glTF 2.0");
     }
     let length = word(bytes, 8).map_or(0, |length| length as usize);
     if length > bytes.len() {
-        return Err(Located::new(
+        return refuse_at(
             FilePlace::Byte(8),
             format!("the file has {} bytes, its header says {length}", bytes.len()),
             "copy or export it again",
-        ));
+        );
     }
     let first = Chunk::at(bytes, 12)?;
     if first.kind != JSON {
-        return Err(Located::new(
-            FilePlace::Byte(16),
-            "the first chunk is not JSON",
-            "export the model again",
-        ));
+        return refuse_at(FilePlace::Byte(16), "the first chunk is not JSON", "export the model again");
     }
     let mut binary = None;
     if first.next < length {
@@ -68,7 +60,7 @@ struct Chunk<'a> {
 
 impl<'a> Chunk<'a> {
     /// The chunk that begins at a byte.
-    fn at(bytes: &'a [u8], at: usize) -> Result<Self, Located> {
+    fn at(bytes: &'a [u8], at: usize) -> Result<Self, Refusal> {
         let header = word(bytes, at).zip(word(bytes, at + 4));
         let chunk = header.and_then(|(length, kind)| {
             let (start, length) = (at + 8, length as usize);
@@ -76,30 +68,27 @@ impl<'a> Chunk<'a> {
             Some(Chunk { kind, bytes: part, next: start + length.next_multiple_of(4) })
         });
         chunk.ok_or_else(|| {
-            Located::new(FilePlace::Byte(at), "the file ends within a chunk", "copy or export it again")
+            Refusal::new("the file ends within a chunk", "copy or export it again").at(FilePlace::Byte(at))
         })
     }
 }
 
 /// The little-endian word at a byte.
 fn word(bytes: &[u8], at: usize) -> Option<u32> {
-    let word = bytes.get(at..)?.get(..4)?;
-    Some(u32::from_le_bytes(word.try_into().ok()?))
+    Some(u32::from_le_bytes(*bytes.get(at..)?.first_chunk()?))
 }
 
-fn text(bytes: &[u8], start: usize) -> Result<&str, Located> {
+fn text(bytes: &[u8], start: usize) -> Result<&str, Refusal> {
     if bytes.len() > MOST_BYTES_OF_TEXT {
-        return Err(Located::new(
+        return refuse_at(
             FilePlace::Byte(start),
             format!("the JSON is longer than {MOST_BYTES_OF_TEXT} bytes"),
             "keep buffers in files beside it",
-        ));
+        );
     }
     std::str::from_utf8(bytes).map_err(|error| {
-        Located::new(
-            FilePlace::Byte(start + error.valid_up_to()),
-            "the JSON is not UTF-8",
-            "save it as UTF-8, or name the format that the file has",
-        )
+        let place = FilePlace::Byte(start + error.valid_up_to());
+        Refusal::new("the JSON is not UTF-8", "save it as UTF-8, or name the format that the file has")
+            .at(place)
     })
 }

@@ -1,7 +1,7 @@
 //! JSON whose parts know where they stand.
 
+use radiosity_photometry::error::Refusal;
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
@@ -48,7 +48,7 @@ impl<'a> Json<'a> {
     ///
     /// # Errors
     /// Text that is no JSON, members that are missing or of another kind.
-    pub(super) fn parse<T: Deserialize<'a>>(&self, part: &'a str, what: &str) -> Result<T, Located> {
+    pub(super) fn parse<T: Deserialize<'a>>(&self, part: &'a str, what: &str) -> Result<T, Refusal> {
         serde_json::from_str(part).map_err(|error| {
             let lines = || part.match_indices('\n').map(|(at, _)| at + 1);
             let line = if error.line() < 2 { Some(0) } else { lines().nth(error.line() - 2) };
@@ -57,11 +57,8 @@ impl<'a> Json<'a> {
             let message = error.to_string();
             let message = message.rsplit_once(" at line ").map_or(message.as_str(), |(cause, _)| cause);
             let message: String = message.chars().take(LONGEST_CAUSE).collect();
-            Located::new(
-                self.at(start + inside),
-                format!("{what}: {message}"),
-                "correct it, or export the model again",
-            )
+            Refusal::new(format!("{what}: {message}"), "correct it, or export the model again")
+                .at(self.at(start + inside))
         })
     }
 
@@ -76,15 +73,19 @@ impl<'a> Json<'a> {
         index: usize,
         what: &str,
         from: FilePlace,
-    ) -> Result<(T, FilePlace), Located> {
+    ) -> Result<(T, FilePlace), Refusal> {
         let Some(item) = list.get(index) else {
-            return Err(Located::new(
-                from,
-                format!("the {what} {index} is named, {} are listed, from 0 on", list.len()),
-                "correct the index, or export the model again",
-            ));
+            return Err(unlisted(what, index, list.len()).at(from));
         };
         let value = self.parse(item.get(), &format!("the {what} {index}"))?;
         Ok((value, self.place(item.get())))
     }
+}
+
+/// Refusal of the index of an item that a list of so many does not have.
+pub(super) fn unlisted(what: &str, index: usize, count: usize) -> Refusal {
+    Refusal::new(
+        format!("the {what} {index} is named, {count} are listed, from 0 on"),
+        "correct the index, or export the model again",
+    )
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
+use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
 use serde_json::value::RawValue;
 
 use super::json::Json;
@@ -18,7 +18,7 @@ pub(super) fn add_all<'a>(
     json: &Json<'a>,
     materials: &[&'a RawValue],
     model: &mut Model,
-) -> Result<Vec<Sides>, Located> {
+) -> Result<Vec<Sides>, Refusal> {
     let mut names = UniqueNames::default();
     let mut all = Vec::with_capacity(materials.len());
     for (index, text) in materials.iter().enumerate() {
@@ -36,7 +36,7 @@ fn read<'a>(
     text: &'a str,
     index: usize,
     model: &mut Model,
-) -> Result<(Material, Sides), Located> {
+) -> Result<(Material, Sides), Refusal> {
     let material: scheme::Material = json.parse(text, &format!("the material {index}"))?;
     let place = json.place(text);
     note(&material, place, model);
@@ -57,21 +57,16 @@ fn read<'a>(
         model.note(TEXTURED, Some(place));
         diffuse *= UNKNOWN;
     }
-    let strength = material.extensions.strength.as_ref().and_then(|strength| strength.emissive_strength);
-    let mut emission = material.emissive_factor.map(|value| PI * value * strength.unwrap_or(1.0));
-    if material.emissive_texture.is_some() && emission != [0.0; 3] {
-        model.note(TEXTURED_EMISSION, Some(place));
-        emission = [0.0; 3];
-    }
+    let emission = emission(&material, place, model);
     let [r, g, b, _] = base.unwrap_or([1.0; 4]).map(|value| value * diffuse);
     if ![r, g, b].iter().chain(&emission).all(|value| (0.0..=GREATEST).contains(value)) {
-        return Err(Located::new(
+        return refuse_at(
             place,
             format!(
                 "the material {index} has a factor below 0 or beyond measure, or a metallic factor above 1"
             ),
             "correct its colours; factors are from 0 to 1",
-        ));
+        );
     }
     let name = material.name.filter(|name| !name.trim().is_empty());
     let read = Material {
@@ -80,6 +75,17 @@ fn read<'a>(
         emission: emission.to_vec(),
     };
     Ok((read, if material.double_sided { Sides::Both } else { Sides::Front }))
+}
+
+/// Exitance of red, green and blue: 0 where a texture tells what shines.
+fn emission(material: &scheme::Material, place: FilePlace, model: &mut Model) -> [f64; 3] {
+    let strength = material.extensions.strength.as_ref().and_then(|strength| strength.emissive_strength);
+    let emission = material.emissive_factor.map(|value| PI * value * strength.unwrap_or(1.0));
+    if material.emissive_texture.is_some() && emission != [0.0; 3] {
+        model.note(TEXTURED_EMISSION, Some(place));
+        return [0.0; 3];
+    }
+    emission
 }
 
 /// Says what of a material is left out.

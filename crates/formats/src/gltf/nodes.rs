@@ -4,13 +4,12 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
 use serde_json::value::RawValue;
 
 use super::accessor::{Accessors, Data, NumberUse};
-use super::json::Json;
+use super::json::{Json, unlisted};
 use super::scheme::{self, Node, Primitive, Root};
 use super::triangles::Mode;
 use crate::mesh::{Coat, Mesh};
@@ -71,7 +70,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
 
     /// Adds the scene that the file names, or its first one; without scenes, all nodes that are nobody's
     /// children.
-    pub(super) fn add_scene(mut self) -> Result<(), Located> {
+    pub(super) fn add_scene(mut self) -> Result<(), Refusal> {
         let top = self.json.place(self.json.text());
         let roots = match self.root.scenes.is_empty() {
             true => self.parentless()?,
@@ -90,11 +89,11 @@ impl<'a, 'b> Nodes<'a, 'b> {
             self.visit(1, from)?;
             let (node, place): (Node, FilePlace) = self.json.item(&self.root.nodes, index, "node", from)?;
             if std::mem::replace(&mut is_met[index], true) {
-                return Err(Located::new(
+                return refuse_at(
                     place,
                     format!("the node {index} has two parents, or is below itself"),
                     "correct the lists of children, or export the model again",
-                ));
+                );
             }
             let world = parent * matrix(&node).map_err(|fault| fault.at(place))?;
             open.extend(node.children.iter().rev().map(|child| (*child, world, place)));
@@ -104,7 +103,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
     }
 
     /// Nodes that no node has as a child.
-    fn parentless(&self) -> Result<Vec<usize>, Located> {
+    fn parentless(&self) -> Result<Vec<usize>, Refusal> {
         let mut is_child = vec![false; self.root.nodes.len()];
         for text in &self.root.nodes {
             let node: Node = self.json.parse(text.get(), "a node")?;
@@ -117,19 +116,19 @@ impl<'a, 'b> Nodes<'a, 'b> {
         Ok((0..is_child.len()).filter(|index| !is_child[*index]).collect())
     }
 
-    fn visit(&mut self, count: usize, place: FilePlace) -> Result<(), Located> {
+    fn visit(&mut self, count: usize, place: FilePlace) -> Result<(), Refusal> {
         self.visits = self.visits.saturating_add(count);
         match self.visits > MOST {
-            true => Err(Located::new(
+            true => refuse_at(
                 place,
                 format!("more than {MOST} triangles, primitives and nodes"),
                 "split the model",
-            )),
+            ),
             false => Ok(()),
         }
     }
 
-    fn add_node(&mut self, placed: &Placed) -> Result<(), Located> {
+    fn add_node(&mut self, placed: &Placed) -> Result<(), Refusal> {
         let Placed { node, place, .. } = placed;
         let lost = [
             (node.extensions.light.is_some(), "point lights, spots and directed light are left out"),
@@ -148,7 +147,7 @@ impl<'a, 'b> Nodes<'a, 'b> {
         }
     }
 
-    fn add_camera(&mut self, index: usize, placed: &Placed) -> Result<(), Located> {
+    fn add_camera(&mut self, index: usize, placed: &Placed) -> Result<(), Refusal> {
         let (camera, place): (scheme::Camera, FilePlace) =
             self.json.item(&self.root.cameras, index, "camera", placed.place)?;
         let Some(perspective) = camera.perspective else {
@@ -166,17 +165,17 @@ impl<'a, 'b> Nodes<'a, 'b> {
             [DVec3::NEG_Z, DVec3::Y].map(|axis| placed.world.transform_vector3(axis).try_normalize());
         let (Some(forward), Some(up), true) = (forward, up, fov > 0.0 && fov < 180.0 && eye.is_finite())
         else {
-            return Err(Located::new(
+            return refuse_at(
                 place,
                 format!("the camera {index} has an angle of {fov} degrees, or no direction"),
                 "give it a yfov between 0 and π, and scale its node by other than 0",
-            ));
+            );
         };
         self.mesh.model.camera = Some(Camera { eye, target: eye + forward, up, fov, size: None });
         Ok(())
     }
 
-    fn add_mesh(&mut self, index: usize, placed: &Placed) -> Result<(), Located> {
+    fn add_mesh(&mut self, index: usize, placed: &Placed) -> Result<(), Refusal> {
         let mesh = self.mesh(index, placed.place)?;
         let named = |name: &Option<String>| name.clone().filter(|name| !name.trim().is_empty());
         let name = named(&placed.node.name).or_else(|| named(&mesh.name));
@@ -190,12 +189,12 @@ impl<'a, 'b> Nodes<'a, 'b> {
     }
 
     /// The mesh of an index, which is parsed once however many nodes place it.
-    fn mesh(&mut self, index: usize, from: FilePlace) -> Result<Rc<Parts>, Located> {
+    fn mesh(&mut self, index: usize, from: FilePlace) -> Result<Rc<Parts>, Refusal> {
         if let Some(known) = self.meshes.get(&index) {
             return Ok(Rc::clone(known));
         }
         let (mesh, _): (scheme::Mesh, FilePlace) = self.json.item(&self.root.meshes, index, "mesh", from)?;
-        let primitive = |text: &&RawValue| -> Result<(Primitive, FilePlace), Located> {
+        let primitive = |text: &&RawValue| -> Result<(Primitive, FilePlace), Refusal> {
             Ok((self.json.parse(text.get(), "the primitive")?, self.json.place(text.get())))
         };
         let primitives = mesh.primitives.iter().map(primitive).collect::<Result<_, _>>()?;
@@ -210,16 +209,15 @@ impl<'a, 'b> Nodes<'a, 'b> {
         object: usize,
         world: &DMat4,
         place: FilePlace,
-    ) -> Result<(), Located> {
-        let number = primitive.mode.unwrap_or(4);
-        let Some(mode) = Mode::of(number) else {
-            self.mesh.model.note("points and lines are left out", Some(place));
-            return Ok(());
-        };
+    ) -> Result<(), Refusal> {
         let lost = [
             (primitive.targets.is_some(), "morph targets are left out"),
             (primitive.attributes.colour.is_some(), "colours of vertices are left out"),
         ];
+        let Some(mode) = Mode::of(primitive.mode.unwrap_or(4)) else {
+            self.mesh.model.note("points and lines are left out", Some(place));
+            return Ok(());
+        };
         for (_, what) in lost.iter().filter(|lost| lost.0) {
             self.mesh.model.note(*what, Some(place));
         }
@@ -228,66 +226,54 @@ impl<'a, 'b> Nodes<'a, 'b> {
             return Ok(());
         };
         let points = self.accessors.data(position, NumberUse::Points, place)?;
-        let indices = match primitive.indices {
-            Some(indices) => Some(self.accessors.data(indices, NumberUse::Indices, place)?),
-            None => None,
-        };
+        let indices =
+            primitive.indices.map(|indices| self.accessors.data(indices, NumberUse::Indices, place));
+        let indices = indices.transpose()?;
         let coat = self.coat(primitive.material, object, place)?;
         let corners = indices.as_ref().map_or(points.count, |indices| indices.count);
         if mode == Mode::List && corners % 3 != 0 {
-            return Err(Located::new(
+            return refuse_at(
                 place,
                 format!("triangles have {corners} corners, no multiple of 3"),
                 "correct the count, or export the model again",
-            ));
+            );
         }
         self.visit(mode.count(corners), place)?;
         let is_mirrored = DMat3::from_mat4(*world).determinant() < 0.0;
         for triangle in 0..mode.count(corners) {
-            let numbers = mode.corners(triangle);
-            let mut vertices = [0; 3];
-            for (vertex, number) in vertices.iter_mut().zip(numbers) {
-                *vertex = match &indices {
-                    Some(indices) => indices.index(number).unwrap_or(usize::MAX),
-                    None => number,
-                };
-            }
-            let [a, b, c] = vertices;
+            let vertex = |number: usize| match &indices {
+                Some(indices) => indices.index(number).unwrap_or(usize::MAX),
+                None => number,
+            };
+            let [a, b, c] = mode.corners(triangle).map(vertex);
             // Strips are joined by triangles that repeat a corner.
             if mode != Mode::List && (a == b || b == c || c == a) {
                 continue;
             }
-            if is_mirrored {
-                vertices.reverse();
-            }
-            let corners = corners_of(vertices, &points, world);
+            let corners = corners_of(if is_mirrored { [c, b, a] } else { [a, b, c] }, &points, world);
             let added = corners.and_then(|corners| self.mesh.face(corners, coat, place));
-            added.map_err(|fault| fault.at(place))?;
+            added.map_err(|refusal| refusal.at(place))?;
         }
         Ok(())
     }
 
     /// Object, material and sides that all faces of a primitive have. Without a material, surfaces have none.
-    fn coat(&self, material: Option<usize>, object: usize, place: FilePlace) -> Result<Coat, Located> {
+    fn coat(&self, material: Option<usize>, object: usize, place: FilePlace) -> Result<Coat, Refusal> {
         let Some(index) = material else {
             return Ok(Coat { object, material, sides: Sides::Front });
         };
         match self.sides.get(index) {
             Some(sides) => Ok(Coat { object, material, sides: *sides }),
-            None => Err(Located::new(
-                place,
-                format!("the material {index} is named, {} are listed, from 0 on", self.sides.len()),
-                "correct the index, or export the model again",
-            )),
+            None => Err(unlisted("material", index, self.sides.len()).at(place)),
         }
     }
 }
 
 /// The corners of a triangle in the world.
-fn corners_of(vertices: [usize; 3], points: &Data, world: &DMat4) -> Result<Vec<DVec3>, Fault> {
+fn corners_of(vertices: [usize; 3], points: &Data, world: &DMat4) -> Result<Vec<DVec3>, Refusal> {
     let corner = |vertex: &usize| {
         let point = points.point(*vertex).ok_or_else(|| {
-            Fault::new(
+            Refusal::new(
                 format!("a triangle has the vertex {vertex}; {} are listed, from 0 on", points.count),
                 "correct the index, or export the model again",
             )
@@ -298,7 +284,7 @@ fn corners_of(vertices: [usize; 3], points: &Data, world: &DMat4) -> Result<Vec<
 }
 
 /// The matrix of a node: its own, or of its scale, rotation and translation, in this order (section 3.5.3).
-fn matrix(node: &Node) -> Result<DMat4, Fault> {
+fn matrix(node: &Node) -> Result<DMat4, Refusal> {
     if let Some(matrix) = &node.matrix {
         return Ok(DMat4::from_cols_array(matrix));
     }
@@ -306,10 +292,10 @@ fn matrix(node: &Node) -> Result<DMat4, Fault> {
     let rotation = DQuat::from_xyzw(x, y, z, w);
     let length = rotation.length();
     if !(length > 0.0 && length.is_finite()) {
-        return Err(Fault::new(
+        return refuse(
             "the rotation of the node has no direction",
             "give it a quaternion of length 1, or take it out",
-        ));
+        );
     }
     let scale = DVec3::from_array(node.scale.unwrap_or([1.0; 3]));
     let translation = DVec3::from_array(node.translation.unwrap_or([0.0; 3]));

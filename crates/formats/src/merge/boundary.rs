@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use glam::{DVec2, DVec3};
-use radiosity_geom::{ROUNDING_OF_AREAS, ROUNDINGS_OF_PLANE};
+use radiosity_geom::{ROUNDING_OF_AREAS, ROUNDINGS_OF_PLANE, sides};
 
 use super::corners::Corners;
 use super::crossings::cross;
@@ -62,10 +62,7 @@ impl Merged {
 
 /// Sides that only one face has, sorted by their starts. None if two faces have one in the same direction.
 fn boundary(faces: &[&Face]) -> Option<Vec<[u32; 2]>> {
-    let ring = |face: &Face| -> Vec<[u32; 2]> {
-        face.ring.iter().zip(face.ring.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]).collect()
-    };
-    let mut sides: Vec<[u32; 2]> = faces.iter().flat_map(|face| ring(face)).collect();
+    let mut sides: Vec<[u32; 2]> = faces.iter().flat_map(|face| sides(&face.ring)).collect();
     sides.sort_unstable();
     if sides.windows(2).any(|pair| pair[0] == pair[1]) {
         return None;
@@ -140,8 +137,8 @@ impl<'a> Sheet<'a> {
         let Some(first) = ring.first() else { return (0.0, 0.0) };
         let origin = self.corners.point(*first);
         let (mut area, mut length) = (0.0, 0.0);
-        for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-            let [a, b] = [*a, *b].map(|corner| self.corners.point(corner) - origin);
+        for side in sides(ring) {
+            let [a, b] = side.map(|corner| self.corners.point(corner) - origin);
             area += 0.5 * a.cross(b).dot(self.normal);
             length += a.distance(b);
         }

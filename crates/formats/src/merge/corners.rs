@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 use radiosity_geom::{Aabb, Bvh, sides, unit_roundoff};
 
-use crate::model::{Shape, Surface};
+use crate::model::Surface;
 use crate::tolerances::ROUNDINGS_OF_CORNERS;
 
 /// Part of the shortest side at a corner that its place may be uncertain by: both ends of a side together
@@ -33,14 +33,14 @@ impl Corners {
     pub(super) fn welded(surfaces: &[Surface], objects: &[usize]) -> Corners {
         let (mut given, mut starts) = (Vec::new(), vec![0]);
         for surface in surfaces {
-            rings(&surface.shape).into_iter().for_each(|ring| given.extend(ring));
+            surface.shape.rings().into_iter().for_each(|ring| given.extend(ring));
             starts.push(given.len());
         }
         let mut places = Places::default();
         let roundoffs = roundoffs(&given, &starts, objects);
         let mut numbers = Vec::with_capacity(given.len());
         for (surface, object) in surfaces.iter().zip(objects) {
-            let rings = rings(&surface.shape);
+            let rings = surface.shape.rings();
             let size = |x: &DVec3| x.abs().element_sum();
             let rounding = roundoffs[*object] * rings.iter().copied().flatten().map(size).fold(0.0, f64::max);
             for ring in rings {
@@ -91,17 +91,6 @@ impl Corners {
     /// The largest rounding of these corners (length): of the smallest surface that has each.
     pub(super) fn rounding(&self, ring: &[u32]) -> f64 {
         ring.iter().map(|corner| self.roundings[*corner as usize]).fold(0.0, f64::max)
-    }
-}
-
-/// The outline and the holes of a flat or bilinear shape.
-fn rings(shape: &Shape) -> Vec<&[DVec3]> {
-    match shape {
-        Shape::Polygon { outline, holes } => {
-            std::iter::once(outline).chain(holes).map(Vec::as_slice).collect()
-        }
-        Shape::Quad(corners) => vec![corners],
-        _ => Vec::new(),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Whether the sides of loops in a plane cross or touch other than at common corners.
 
 use glam::DVec2;
+use radiosity_geom::{Aabb, Bvh, sides};
 
 /// Pairs of sides that are compared at least before loops count as crossing: a million take some
 /// milliseconds.
@@ -9,58 +10,21 @@ const LEAST: usize = 1_000_000;
 /// few, and the time of others would grow with the square of their sides.
 const FOR_EACH: usize = 100;
 
-/// A side, and the part of it within a strip.
-#[derive(Clone, Copy)]
-struct Part {
-    side: usize,
-    low: f64,
-    high: f64,
-}
-
 /// Whether two sides of `loops` without a common corner come as near to each other as `near`. True too where
 /// the answer would take too long.
 pub(super) fn cross(loops: &[Vec<DVec2>], near: f64) -> bool {
-    let sides: Vec<[DVec2; 2]> = loops
-        .iter()
-        .flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]))
-        .collect();
+    let sides: Vec<[DVec2; 2]> = loops.iter().flat_map(|ring| sides(ring)).collect();
+    let around = |side: &[DVec2; 2]| Aabb::around(side.map(|x| x.extend(0.0)));
+    let boxes: Vec<Aabb> = sides.iter().map(around).collect();
+    let tree = Bvh::build(&boxes);
     let mut budget = LEAST.max(FOR_EACH * sides.len());
-    for mut strip in strips(&sides, near) {
-        strip.sort_by(|a, b| a.low.total_cmp(&b.low));
-        for (index, part) in strip.iter().enumerate() {
-            for other in strip[index + 1..].iter().take_while(|other| other.low <= part.high) {
-                budget -= 1;
-                if budget == 0 || meet(sides[part.side], sides[other.side], near) {
-                    return true;
-                }
-            }
-        }
-    }
-    false
-}
-
-/// The sides in strips of equal height, as many as the root of their number.
-fn strips(sides: &[[DVec2; 2]], near: f64) -> Vec<Vec<Part>> {
-    let heights = || sides.iter().flat_map(|side| side.map(|x| x.y));
-    let low = heights().fold(f64::INFINITY, f64::min);
-    let high = heights().fold(f64::NEG_INFINITY, f64::max);
-    let count = (sides.len() as f64).sqrt() as usize + 1;
-    let height = (high - low) / count as f64;
-    let strip = |y: f64| (((y - low) / height) as usize).min(count - 1);
-    let mut strips = vec![Vec::new(); count];
-    for (index, [a, b]) in sides.iter().enumerate() {
-        let (first, last) = (strip(a.y.min(b.y) - near), strip(a.y.max(b.y) + near));
-        for (k, parts) in strips.iter_mut().enumerate().take(last + 1).skip(first) {
-            let at = |y: f64| {
-                let part = ((y - a.y) / (b.y - a.y)).clamp(0.0, 1.0);
-                if part.is_nan() { a.x } else { a.x + part * (b.x - a.x) }
-            };
-            let [y, z] = [(k, -near), (k + 1, near)].map(|(k, more)| low + k as f64 * height + more);
-            let (x, w) = if first == last { (a.x, b.x) } else { (at(y), at(z)) };
-            parts.push(Part { side: index, low: x.min(w) - near, high: x.max(w) + near });
-        }
-    }
-    strips
+    sides.iter().zip(&boxes).enumerate().any(|(own, (side, bounds))| {
+        let reach = bounds.inflate(near);
+        tree.search(|bounds| bounds.overlaps(&reach)).filter(|other| *other > own).any(|other| {
+            budget -= 1;
+            budget == 0 || meet(*side, sides[other], near)
+        })
+    })
 }
 
 /// Whether two sides without a common corner cross, or an end of one is as near to the other as `near`.

@@ -1,6 +1,6 @@
 //! Groups of faces in one plane that hang together by their sides.
 
-use radiosity_geom::ROUNDINGS_OF_PLANE;
+use radiosity_geom::{ROUNDINGS_OF_PLANE, sides};
 
 use super::corners::Corners;
 use super::face::Face;
@@ -85,7 +85,7 @@ impl Neighbours {
 /// Faces that meet over a whole side, level, and no third one level with them there.
 fn neighbours(faces: &[Face]) -> Neighbours {
     let mut pairs = Vec::new();
-    for joint in sides(faces).chunk_by(|a, b| a.joint == b.joint) {
+    for joint in sides_of(faces).chunk_by(|a, b| a.joint == b.joint) {
         if joint.len() > MOST_AT_SIDE {
             continue;
         }
@@ -105,17 +105,17 @@ fn neighbours(faces: &[Face]) -> Neighbours {
 }
 
 /// All sides of all faces, sides of one joint one after another.
-fn sides(faces: &[Face]) -> Vec<Side> {
-    let mut sides = Vec::new();
+fn sides_of(faces: &[Face]) -> Vec<Side> {
+    let mut all = Vec::new();
     for (index, face) in faces.iter().enumerate() {
-        for (a, b) in face.ring.iter().zip(face.ring.iter().cycle().skip(1)) {
-            sides.push(Side {
-                joint: Joint { key: face.key, ends: [*a.min(b), *a.max(b)] },
+        for [a, b] in sides(&face.ring) {
+            all.push(Side {
+                joint: Joint { key: face.key, ends: [a.min(b), a.max(b)] },
                 face: index as u32,
                 is_forward: a < b,
             });
         }
     }
-    sides.sort_unstable_by_key(|side| (side.joint, side.face, side.is_forward));
-    sides
+    all.sort_unstable_by_key(|side| (side.joint, side.face, side.is_forward));
+    all
 }

@@ -3,10 +3,9 @@
 //! Sources: MGF 2.0, entities `cxy`, `cspec`, `cct`, `cmix`; colour matching functions of the CIE 1931
 //! standard observer for 2° (ISO/CIE 11664-1), from 380 to 780 nm.
 
-use radiosity_photometry::fault::Fault;
-
 use crate::colour;
 use crate::tolerances::GREY_OF_CHROMATICITIES;
+use radiosity_photometry::error::{Refusal, refuse};
 
 /// First and last wavelength, nm, and the distance of the table's lines.
 const FIRST: f64 = 380.0;
@@ -94,13 +93,13 @@ impl Chromaticity {
     ///
     /// # Errors
     /// Coordinates that no colour has.
-    pub(super) fn of_xy(x: f64, y: f64) -> Result<Self, Fault> {
+    pub(super) fn of_xy(x: f64, y: f64) -> Result<Self, Refusal> {
         match x >= 0.0 && y >= LEAST_Y && x + y <= 1.0 + 1e-6 {
             true => Ok(Self { x, y }),
-            false => Err(Fault::new(
+            false => refuse(
                 format!("no colour has the chromaticity {x}, {y}"),
                 "write x from 0 and y from 0.001 that sum to 1 at most",
-            )),
+            ),
         }
     }
 
@@ -108,16 +107,16 @@ impl Chromaticity {
     ///
     /// # Errors
     /// Wavelengths in disorder, fewer than two values, values below 0, no light that an eye sees.
-    pub(super) fn of_spectrum(first: f64, last: f64, values: &[f64]) -> Result<Self, Fault> {
+    pub(super) fn of_spectrum(first: f64, last: f64, values: &[f64]) -> Result<Self, Refusal> {
         if first >= last || values.len() < 2 {
-            return Err(Fault::new(
+            return refuse(
                 "a spectrum has no range",
                 "write the shorter wavelength, the longer one, and two values or more",
-            ));
+            );
         }
         let most = values.iter().copied().fold(0.0, f64::max);
         if values.iter().any(|value| *value < 0.0) {
-            return Err(Fault::new("a spectrum has a value below 0", "write 0 or more"));
+            return refuse("a spectrum has a value below 0", "write 0 or more");
         }
         let step = (last - first) / (values.len() - 1) as f64;
         Self::of(|wavelength| match (first..=last).contains(&wavelength) {
@@ -130,12 +129,12 @@ impl Chromaticity {
     ///
     /// # Errors
     /// A body below 1000 K.
-    pub(super) fn of_black_body(kelvin: f64) -> Result<Self, Fault> {
+    pub(super) fn of_black_body(kelvin: f64) -> Result<Self, Refusal> {
         if kelvin < COOLEST {
-            return Err(Fault::new(
+            return refuse(
                 format!("a black body of {kelvin} K hardly glows"),
                 "write 1000 K or more, or a chromaticity by cxy",
-            ));
+            );
         }
         Self::of(|wavelength| {
             let exponent = SECOND_RADIATION / (wavelength * kelvin);
@@ -148,13 +147,10 @@ impl Chromaticity {
     ///
     /// # Errors
     /// Parts below 0, or none above.
-    pub(super) fn of_mixture(parts: &[MixturePart]) -> Result<Self, Fault> {
+    pub(super) fn of_mixture(parts: &[MixturePart]) -> Result<Self, Refusal> {
         let most = parts.iter().map(|part| part.weight).fold(0.0, f64::max);
         if most == 0.0 || parts.iter().any(|part| part.weight < 0.0) {
-            return Err(Fault::new(
-                "the weights of a mixture are not right",
-                "write weights from 0, one above",
-            ));
+            return refuse("the weights of a mixture are not right", "write weights from 0, one above");
         }
         let mut sum = [0.0; 3];
         for MixturePart { weight, colour: Chromaticity { x, y } } in parts {
@@ -166,7 +162,7 @@ impl Chromaticity {
     }
 
     /// The chromaticity of a spectrum, integrated every nanometre.
-    fn of(spectrum: impl Fn(f64) -> f64) -> Result<Self, Fault> {
+    fn of(spectrum: impl Fn(f64) -> f64) -> Result<Self, Refusal> {
         let mut sum = [0.0; 3];
         for nanometre in 0..=(LAST - FIRST) as usize {
             let wavelength = FIRST + nanometre as f64;
@@ -179,14 +175,14 @@ impl Chromaticity {
         Self::of_tristimulus(sum)
     }
 
-    fn of_tristimulus([x, y, z]: [f64; 3]) -> Result<Self, Fault> {
+    fn of_tristimulus([x, y, z]: [f64; 3]) -> Result<Self, Refusal> {
         let sum = x + y + z;
         match sum > 0.0 && sum.is_finite() {
             true => Self::of_xy(x / sum, y / sum),
-            false => Err(Fault::new(
+            false => refuse(
                 "a spectrum has no light that an eye sees",
                 "write values above 0 between 380 and 780 nm",
-            )),
+            ),
         }
     }
 
@@ -215,7 +211,7 @@ mod tests {
         MixturePart { weight, colour }
     }
 
-    fn near(found: Result<Chromaticity, Fault>, x: f64, y: f64, tolerance: f64) {
+    fn near(found: Result<Chromaticity, Refusal>, x: f64, y: f64, tolerance: f64) {
         let found = found.expect("this is a colour");
         assert!((found.x - x).abs() < tolerance && (found.y - y).abs() < tolerance, "{found:?}");
     }

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::short;
 
 /// The contexts of one kind.
@@ -26,7 +26,7 @@ impl<T: Clone + Default> Contexts<T> {
     ///
     /// # Errors
     /// Names that were not defined, other arguments.
-    pub(super) fn switch(&mut self, arguments: &[&str]) -> Result<(), Fault> {
+    pub(super) fn switch(&mut self, arguments: &[&str]) -> Result<(), Refusal> {
         match *arguments {
             [] => {
                 self.unnamed = T::default();
@@ -44,10 +44,10 @@ impl<T: Clone + Default> Contexts<T> {
                 self.named.insert(id.to_owned(), value)
             }
             _ => {
-                return Err(Fault::new(
+                return refuse(
                     format!("the arguments of a {} are not right", self.kind),
                     "write a name, or a name and =, or a name, = and a template, parted by blanks",
-                ));
+                );
             }
         };
         self.current = Some(arguments[0].to_owned());
@@ -58,9 +58,9 @@ impl<T: Clone + Default> Contexts<T> {
     ///
     /// # Errors
     /// A name that was not defined.
-    pub(super) fn get(&self, id: &str) -> Result<&T, Fault> {
+    pub(super) fn get(&self, id: &str) -> Result<&T, Refusal> {
         self.named.get(id).ok_or_else(|| {
-            Fault::new(
+            Refusal::new(
                 format!("the {} '{}' is not defined", self.kind, short(id)),
                 format!("define it above, with a blank before the equals sign: {} =", short(id)),
             )

@@ -1,36 +1,20 @@
 //! The reader: entities one after another, arrays by going back, includes by going down.
 
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::{number, short};
 
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
 use crate::files::Files;
 use crate::includes::Includes;
+use crate::lines::Lines;
 use crate::mgf::chromaticity::{Chromaticity, MixturePart};
 use crate::mgf::contexts::Contexts;
-use crate::mgf::lines::Lines;
 use crate::mgf::shapes::{self, Vertex};
 use crate::model::{Model, Shape, Sides};
 use crate::tolerances::LONGEST_NAME;
 use crate::xform::{Similarity, Transforms};
-
-/// The part of a material of MGF that radiosity carries: reflectance and exitance of red, green and blue.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Finish {
-    reflectance: [f64; 3],
-    emission: [f64; 3],
-    sides: Sides,
-}
-
-impl Default for Finish {
-    /// Black on both sides.
-    fn default() -> Self {
-        Self { reflectance: [0.0; 3], emission: [0.0; 3], sides: Sides::Both }
-    }
-}
 
 /// A transform that was begun and not yet ended.
 struct Open<'a> {
@@ -49,7 +33,8 @@ pub(super) struct Reader<'a> {
     model: ModelBuilder,
     vertices: Contexts<Vertex>,
     colours: Contexts<Chromaticity>,
-    materials: Contexts<Finish>,
+    /// Reflectance, exitance and sides.
+    materials: Contexts<Coat>,
     objects: Vec<String>,
     placed: Similarity,
     budget: Budget,
@@ -83,29 +68,24 @@ impl<'a> Reader<'a> {
     /// The first line that cannot be followed.
     pub(super) fn read(&mut self, text: &str) -> Result<(), Refusal> {
         let outer = self.placed;
-        let (mut lines, mut open) = (Lines::new(text), Vec::new());
+        let (mut lines, mut open) = (Lines::new(text, |line| line), Vec::new());
         while let Some(line) = lines.next() {
             let words: Vec<&str> = line.text.split_ascii_whitespace().collect();
             let done = self.budget.spend(line.text.len()).and_then(|()| match words[..] {
+                [] => Ok(()),
                 ["xf", ref arguments @ ..] => self.transform(arguments, &mut lines, &mut open),
-                _ => Ok(()),
+                ["i", ref arguments @ ..] => self.include(arguments),
+                [entity, ref arguments @ ..] => self.entity(entity, arguments, line.number),
             });
-            done.map_err(|fault| self.refusal(fault, line.number))?;
-            match words[..] {
-                [] | ["xf", ..] => {}
-                ["i", ref arguments @ ..] => self.include(arguments, line.number)?,
-                [entity, ref arguments @ ..] => self
-                    .entity(entity, arguments, line.number)
-                    .map_err(|fault| self.refusal(fault, line.number))?,
-            }
+            done.map_err(|refusal| self.refusal(refusal, line.number))?;
         }
         self.end(&open)?;
         self.placed = outer;
         Ok(())
     }
 
-    fn refusal(&self, fault: Fault, line: usize) -> Refusal {
-        fault.in_line(self.includes.current(), line)
+    fn refusal(&self, refusal: Refusal, line: usize) -> Refusal {
+        refusal.in_line(self.includes.current(), line)
     }
 
     /// Entity `xf`: with arguments it begins a transform; without it ends one, or goes back to its next
@@ -115,7 +95,7 @@ impl<'a> Reader<'a> {
         arguments: &[&str],
         lines: &mut Lines<'t>,
         open: &mut Vec<Open<'t>>,
-    ) -> Result<(), Fault> {
+    ) -> Result<(), Refusal> {
         if !arguments.is_empty() {
             let (transforms, outside) = (transforms(arguments)?, self.placed);
             self.placed = transforms.instance(0).then(&outside);
@@ -123,10 +103,7 @@ impl<'a> Reader<'a> {
             return Ok(());
         }
         let Some(last) = open.last_mut() else {
-            return Err(Fault::new(
-                "an xf ends no transform",
-                "take it out, or begin one above: xf -t 0 0 1",
-            ));
+            return refuse("an xf ends no transform", "take it out, or begin one above: xf -t 0 0 1");
         };
         last.instance += 1;
         if last.instance < last.transforms.count() {
@@ -144,9 +121,8 @@ impl<'a> Reader<'a> {
         for Open { transforms, start, .. } in open {
             let line = start.number() - 1;
             if transforms.is_array() {
-                let fault =
-                    Fault::new("an array is not ended", "write a line with xf alone behind what it repeats");
-                return Err(self.refusal(fault, line));
+                let cure = "write a line with xf alone behind what it repeats";
+                return Err(self.refusal(Refusal::new("an array is not ended", cure), line));
             }
             self.model.note("a transform that is not ended ends with its file", line);
         }
@@ -154,28 +130,26 @@ impl<'a> Reader<'a> {
     }
 
     /// Entity `i`: another file, once or as an array.
-    fn include(&mut self, arguments: &[&str], line: usize) -> Result<(), Refusal> {
-        let located = |reader: &Self, fault: Fault| reader.refusal(fault, line);
+    fn include(&mut self, arguments: &[&str]) -> Result<(), Refusal> {
         let Some((name, arguments)) = arguments.split_first() else {
-            let fault = Fault::new("an include names no file", "write its name behind i");
-            return Err(located(self, fault));
+            return refuse("an include names no file", "write its name behind i");
         };
-        let transforms = transforms(arguments).map_err(|fault| located(self, fault))?;
+        let transforms = transforms(arguments)?;
         let path = self.includes.beside(name);
         let outside = self.placed;
         for instance in 0..transforms.count() {
-            let text = self.includes.enter(&path).map_err(|fault| located(self, fault))?;
+            let text = self.includes.enter(&path)?;
             self.placed = transforms.instance(instance).then(&outside);
             self.read(&text)?;
             self.includes.leave();
-            self.budget.spend_on_include().map_err(|fault| located(self, fault))?;
+            self.budget.spend_on_include()?;
         }
         self.placed = outside;
         Ok(())
     }
 
     /// Follows an entity other than `xf` and `i`.
-    fn entity(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<(), Fault> {
+    fn entity(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<(), Refusal> {
         match entity {
             comment if comment.starts_with('#') => Ok(()),
             "v" => self.vertices.switch(arguments),
@@ -203,7 +177,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn set_vertex(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Fault> {
+    fn set_vertex(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Refusal> {
         let [x, y, z] = numbers(entity, arguments)?;
         let vertex = self.vertices.current_mut();
         match entity {
@@ -213,7 +187,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn set_colour(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Fault> {
+    fn set_colour(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Refusal> {
         let colour = match entity {
             "cxy" => {
                 let [x, y] = numbers(entity, arguments)?;
@@ -239,11 +213,11 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn mixture(&self, arguments: &[&str]) -> Result<Chromaticity, Fault> {
+    fn mixture(&self, arguments: &[&str]) -> Result<Chromaticity, Refusal> {
         let mut parts = Vec::new();
         for pair in arguments.chunks(2) {
             let [weight, colour] = *pair else {
-                return Err(Fault::new("a mixture lacks a colour", "write a weight before each colour"));
+                return refuse("a mixture lacks a colour", "write a weight before each colour");
             };
             let weight = number(weight, "a weight")?;
             parts.push(MixturePart { weight, colour: *self.colours.get(colour)? });
@@ -251,10 +225,10 @@ impl<'a> Reader<'a> {
         Chromaticity::of_mixture(&parts)
     }
 
-    fn set_material(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Fault> {
+    fn set_material(&mut self, entity: &str, arguments: &[&str]) -> Result<(), Refusal> {
         let [value] = numbers(entity, arguments)?;
         if value < 0.0 {
-            return Err(Fault::new(format!("{entity} is {value}, below 0"), "write 0 or more"));
+            return refuse(format!("{entity} is {value}, below 0"), "write 0 or more");
         }
         let bands = self.colours.current().1.bands().map(|band| band * value);
         let material = self.materials.current_mut();
@@ -266,10 +240,7 @@ impl<'a> Reader<'a> {
                     1.0 => Sides::Front,
                     2.0 => Sides::Both,
                     _ => {
-                        return Err(Fault::new(
-                            format!("a material has {value} sides"),
-                            "write sides 1 or sides 2",
-                        ));
+                        return refuse(format!("a material has {value} sides"), "write sides 1 or sides 2");
                     }
                 };
             }
@@ -278,7 +249,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Properties that radiosity does not carry; those that are 0 are not told.
-    fn leave_out(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<(), Fault> {
+    fn leave_out(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<(), Refusal> {
         let first = arguments.first().ok_or_else(|| wrong_count(entity, 0, "1 or more"))?;
         if number(first, &format!("a number of {entity}"))? == 0.0 {
             return Ok(());
@@ -293,7 +264,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn object(&mut self, arguments: &[&str], line: usize) -> Result<(), Fault> {
+    fn object(&mut self, arguments: &[&str], line: usize) -> Result<(), Refusal> {
         match *arguments {
             [] => {
                 if self.objects.pop().is_none() {
@@ -303,10 +274,7 @@ impl<'a> Reader<'a> {
             [name] => {
                 let path = self.objects.last().map_or(name.to_owned(), |outer| format!("{outer}/{name}"));
                 if path.len() > LONGEST_NAME {
-                    return Err(Fault::new(
-                        "names of objects in objects are too long together",
-                        "end objects by o",
-                    ));
+                    return refuse("names of objects in objects are too long together", "end objects by o");
                 }
                 self.objects.push(path);
             }
@@ -316,7 +284,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The shapes of a geometric entity, before the transform.
-    fn shapes(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<Vec<Shape>, Fault> {
+    fn shapes(&mut self, entity: &str, arguments: &[&str], line: usize) -> Result<Vec<Shape>, Refusal> {
         let radius = |word: &str| number(word, "a radius");
         let point = |id: &str| Ok(self.vertices.get(id)?.point);
         let shape = match (entity, arguments) {
@@ -341,16 +309,16 @@ impl<'a> Reader<'a> {
                 return shapes::prism(self.points(outline, line)?, length);
             }
             (entity, arguments) => {
-                return Err(Fault::new(
+                return refuse(
                     format!("{entity} does not have {} arguments", arguments.len()),
                     format!("write {}", form(entity)),
-                ));
+                );
             }
         };
         Ok(vec![shape])
     }
 
-    fn points(&mut self, ids: &[&str], line: usize) -> Result<Vec<DVec3>, Fault> {
+    fn points(&mut self, ids: &[&str], line: usize) -> Result<Vec<DVec3>, Refusal> {
         let vertices = ids.iter().map(|id| self.vertices.get(id).copied()).collect::<Result<Vec<_>, _>>()?;
         if vertices.iter().any(|vertex| vertex.normal != DVec3::ZERO) {
             self.model.note("normals of vertices are left out: faces are flat", line);
@@ -359,33 +327,28 @@ impl<'a> Reader<'a> {
     }
 
     /// Adds a shape where the transform puts it.
-    fn add(&mut self, shape: &Shape, line: usize) -> Result<(), Fault> {
-        let (name, finish) = self.materials.current();
-        let coat = Coat {
-            name: name.unwrap_or("unnamed").to_owned(),
-            reflectance: finish.reflectance,
-            emission: finish.emission,
-            sides: finish.sides,
-        };
+    fn add(&mut self, shape: &Shape, line: usize) -> Result<(), Refusal> {
+        let (name, coat) = self.materials.current();
+        let coat = Coat { name: name.unwrap_or("unnamed").to_owned(), ..coat.clone() };
         let name = self.objects.last().map(String::as_str);
         self.model.surface(name, self.placed.shape(shape), &coat, line)
     }
 }
 
 /// The transforms that all of `arguments` make.
-fn transforms(arguments: &[&str]) -> Result<Transforms, Fault> {
+fn transforms(arguments: &[&str]) -> Result<Transforms, Refusal> {
     let (transforms, read) = Transforms::parse(arguments)?;
     match arguments.get(read) {
         None => Ok(transforms),
-        Some(word) => Err(Fault::new(
+        Some(word) => refuse(
             format!("'{}' is no part of a transform", short(word)),
             "write -t, -rx, -ry, -rz, -s, -mx, -my, -mz, -i or -a with their numbers",
-        )),
+        ),
     }
 }
 
 /// The `N` numbers behind an entity.
-fn numbers<const N: usize>(entity: &str, arguments: &[&str]) -> Result<[f64; N], Fault> {
+fn numbers<const N: usize>(entity: &str, arguments: &[&str]) -> Result<[f64; N], Refusal> {
     let words: [&str; N] =
         arguments.try_into().map_err(|_| wrong_count(entity, arguments.len(), &N.to_string()))?;
     let mut values = [0.0; N];
@@ -407,8 +370,8 @@ fn form(entity: &str) -> &'static str {
     }
 }
 
-fn wrong_count(entity: &str, found: usize, expected: &str) -> Fault {
-    Fault::new(
+fn wrong_count(entity: &str, found: usize, expected: &str) -> Refusal {
+    Refusal::new(
         format!("{entity} has {found} arguments, {expected} are needed"),
         "write them on one line, or end lines with a backslash",
     )

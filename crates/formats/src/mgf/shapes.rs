@@ -3,10 +3,10 @@
 //! Source: MGF 2.0, entities `f`, `fh`, `sph`, `cyl`, `cone`, `ring`, `torus`, `prism`.
 
 use glam::DVec3;
-use radiosity_fit::outline::{area_vector, is_warped};
-use radiosity_photometry::fault::Fault;
+use radiosity_fit::outline::area_vector;
 
 use crate::model::Shape;
+use radiosity_photometry::error::{Refusal, refuse};
 
 /// A vertex: a point, and a direction where one is needed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,18 +21,13 @@ pub(super) struct Vertex {
 ///
 /// # Errors
 /// Fewer than three points.
-pub(super) fn face(outline: Vec<DVec3>) -> Result<Shape, Fault> {
-    if let [a, b, c, d] = outline[..]
-        && is_warped(&[a, b, c, d])
-    {
-        return Ok(Shape::Quad([a, b, c, d]));
-    }
+pub(super) fn face(outline: Vec<DVec3>) -> Result<Shape, Refusal> {
     match outline.len() {
-        0..3 => Err(Fault::new(
+        0..3 => refuse(
             format!("a face has {} vertices, 3 are the least", outline.len()),
             "add some, or take it out",
-        )),
-        _ => Ok(Shape::Polygon { outline, holes: Vec::new() }),
+        ),
+        _ => Ok(Shape::face(outline)),
     }
 }
 
@@ -40,12 +35,12 @@ pub(super) fn face(outline: Vec<DVec3>) -> Result<Shape, Fault> {
 ///
 /// # Errors
 /// An outline or a hole of fewer than three points.
-pub(super) fn face_with_holes(mut loops: Vec<Vec<DVec3>>) -> Result<Shape, Fault> {
+pub(super) fn face_with_holes(mut loops: Vec<Vec<DVec3>>) -> Result<Shape, Refusal> {
     if let Some(short) = loops.iter().find(|points| points.len() < 3) {
-        return Err(Fault::new(
+        return refuse(
             format!("an outline of a face has {} vertices, 3 are the least", short.len()),
             "add some, or take it out; a - parts outlines",
-        ));
+        );
     }
     match loops.len() {
         1 => face(loops.remove(0)),
@@ -62,33 +57,29 @@ pub(super) fn sphere(center: DVec3, radius: f64) -> Shape {
 ///
 /// # Errors
 /// Radii of different signs.
-pub(super) fn cone([base, end]: [DVec3; 2], radii: [f64; 2]) -> Result<Shape, Fault> {
+pub(super) fn cone([base, end]: [DVec3; 2], radii: [f64; 2]) -> Result<Shape, Refusal> {
     let axis = end - base;
     let inward = radii[0] < 0.0 || radii[1] < 0.0;
     if inward && (radii[0] > 0.0 || radii[1] > 0.0) {
-        return Err(Fault::new(
+        return refuse(
             "the radii of a cone have different signs",
             "write both above 0, or both below for a cone seen from inside",
-        ));
+        );
     }
-    let radii = radii.map(f64::abs);
-    Ok(match radii[0] == radii[1] {
-        true => Shape::Cylinder { base, axis, radius: radii[0], inward },
-        false => Shape::Cone { base, axis, radii, inward },
-    })
+    Ok(Shape::cone(base, axis, radii.map(f64::abs), inward))
 }
 
 /// Entity `ring`: a ring, or a disk if the inner radius is 0.
 ///
 /// # Errors
 /// No normal, radii in disorder.
-pub(super) fn ring(vertex: Vertex, inner: f64, radius: f64) -> Result<Shape, Fault> {
+pub(super) fn ring(vertex: Vertex, inner: f64, radius: f64) -> Result<Shape, Refusal> {
     check_normal(vertex, "ring")?;
     if inner < 0.0 || inner >= radius {
-        return Err(Fault::new(
+        return refuse(
             "the radii of a ring are not in order",
             "write the inner one, 0 or more, then the outer",
-        ));
+        );
     }
     Ok(Shape::Disk { center: vertex.point, normal: vertex.normal, radius, inner })
 }
@@ -97,16 +88,16 @@ pub(super) fn ring(vertex: Vertex, inner: f64, radius: f64) -> Result<Shape, Fau
 ///
 /// # Errors
 /// No normal, radii in disorder.
-pub(super) fn torus(vertex: Vertex, least: f64, most: f64) -> Result<Shape, Fault> {
+pub(super) fn torus(vertex: Vertex, least: f64, most: f64) -> Result<Shape, Refusal> {
     check_normal(vertex, "torus")?;
     let inward = least < 0.0 || most < 0.0;
     let sign = if inward { -1.0 } else { 1.0 };
     let (least, most) = (sign * least, sign * most);
     if least < 0.0 || least >= most {
-        return Err(Fault::new(
+        return refuse(
             "the radii of a torus are not in order",
             "write the smaller one, then the greater, both of one sign",
-        ));
+        );
     }
     Ok(Shape::Torus {
         center: vertex.point,
@@ -117,12 +108,11 @@ pub(super) fn torus(vertex: Vertex, least: f64, most: f64) -> Result<Shape, Faul
     })
 }
 
-fn check_normal(vertex: Vertex, kind: &str) -> Result<(), Fault> {
+fn check_normal(vertex: Vertex, kind: &str) -> Result<(), Refusal> {
     match vertex.normal == DVec3::ZERO {
-        true => Err(Fault::new(
-            format!("the vertex of a {kind} has no normal"),
-            "write one behind its point: n 0 0 1",
-        )),
+        true => {
+            refuse(format!("the vertex of a {kind} has no normal"), "write one behind its point: n 0 0 1")
+        }
         false => Ok(()),
     }
 }
@@ -132,10 +122,10 @@ fn check_normal(vertex: Vertex, kind: &str) -> Result<(), Fault> {
 ///
 /// # Errors
 /// Fewer than three points, no area, no length.
-pub(super) fn prism(outline: Vec<DVec3>, length: f64) -> Result<Vec<Shape>, Fault> {
+pub(super) fn prism(outline: Vec<DVec3>, length: f64) -> Result<Vec<Shape>, Refusal> {
     let normal = area_vector(&outline).normalize_or_zero();
     if length == 0.0 || normal == DVec3::ZERO {
-        return Err(Fault::new("a prism has no volume", "give it a length and an end with an area"));
+        return refuse("a prism has no volume", "give it a length and an end with an area");
     }
     let far: Vec<DVec3> = outline.iter().map(|point| *point - length * normal).collect();
     let mut faces = vec![outline.clone()];

@@ -4,11 +4,11 @@ use std::collections::HashMap;
 use std::fmt::Write;
 
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
 
 use crate::colour::{chromaticity, luminance};
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
+use radiosity_photometry::error::{Refusal, refuse};
 
 /// The text of a model; reading it gives the model back but for rounding, the title, the unit, the camera,
 /// the names of bands other than red, green and blue, and blanks in names. MGF's materials have two sides
@@ -18,10 +18,10 @@ use crate::names::UniqueNames;
 /// Models that MGF has no words for: bands that are neither one nor three, a torus that overlaps itself.
 pub fn write(model: &Model) -> Result<String, Refusal> {
     if !matches!(model.bands.len(), 1 | 3) {
-        return Err(refusal(
+        return refuse(
             format!("MGF has no words for {} bands", model.bands.len()),
             "write another format, or a model of one band or of red, green and blue",
-        ));
+        );
     }
     let mut text = String::new();
     if let Some(title) = &model.title {
@@ -43,10 +43,6 @@ pub fn write(model: &Model) -> Result<String, Refusal> {
         line(&mut text, "o");
     }
     Ok(text)
-}
-
-fn refusal(cause: String, cure: &str) -> Refusal {
-    Refusal { file: "the MGF text".to_owned(), place: None, cause, cure: cure.to_owned() }
 }
 
 fn line(text: &mut String, words: &str) {
@@ -154,10 +150,10 @@ fn write_shape(text: &mut String, surface: &Surface) -> Result<(), Refusal> {
         }
         Shape::Torus { center, axis, major, minor, inward } => {
             if major < minor {
-                return Err(refusal(
+                return refuse(
                     format!("MGF has no words for a torus that overlaps itself: {}", surface.name),
                     "write another format, or make its tube thinner",
-                ));
+                );
             }
             vertex(text, "a", center, Some(axis));
             let [least, most] = [major - minor, major + minor].map(|radius| signed(inward, radius));

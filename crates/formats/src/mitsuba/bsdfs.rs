@@ -7,8 +7,6 @@ use radiosity_photometry::text::short;
 
 use super::colours::{Colour, Colours};
 use super::element::Element;
-use super::ids::Ids;
-use super::remarks::Remarks;
 use crate::colour::UNKNOWN;
 use crate::model::Sides;
 
@@ -33,7 +31,11 @@ pub(super) struct Finish {
 
 /// Finishes of bsdfs, by the numbers of their elements; none yet for a bsdf that is being read.
 #[derive(Debug, Default)]
-pub(super) struct Bsdfs(HashMap<usize, Option<Finish>>);
+pub(super) struct Bsdfs {
+    known: HashMap<usize, Option<Finish>>,
+    /// Number of bsdfs in one another that are being read.
+    depth: usize,
+}
 
 impl Bsdfs {
     /// The finish of a bsdf.
@@ -43,21 +45,11 @@ impl Bsdfs {
     pub(super) fn finish<'a>(
         &mut self,
         bsdf: &'a Element,
-        ids: &Ids<'a>,
-        remarks: &mut Remarks,
-    ) -> Result<Finish, Refusal> {
-        self.inner(bsdf, &mut Colours { ids, remarks }, 0)
-    }
-
-    fn inner<'a>(
-        &mut self,
-        bsdf: &'a Element,
         colours: &mut Colours<'a, '_>,
-        depth: usize,
     ) -> Result<Finish, Refusal> {
-        match self.0.get(&bsdf.number) {
+        match self.known.get(&bsdf.number) {
             Some(Some(known)) => return Ok(known.clone()),
-            None if depth < DEEPEST => {}
+            None if self.depth < DEEPEST => {}
             _ => {
                 return Err(bsdf.refusal(
                     format!("bsdfs are in one another more than {DEEPEST} deep, or in a circle"),
@@ -65,21 +57,18 @@ impl Bsdfs {
                 ));
             }
         }
-        self.0.insert(bsdf.number, None);
-        let mut finish = self.of(bsdf, colours, depth)?;
+        self.known.insert(bsdf.number, None);
+        self.depth += 1;
+        let mut finish = self.of(bsdf, colours)?;
+        self.depth -= 1;
         if let Some(id) = bsdf.attribute("id") {
             finish.name = id.to_owned();
         }
-        self.0.insert(bsdf.number, Some(finish.clone()));
+        self.known.insert(bsdf.number, Some(finish.clone()));
         Ok(finish)
     }
 
-    fn of<'a>(
-        &mut self,
-        bsdf: &'a Element,
-        colours: &mut Colours<'a, '_>,
-        depth: usize,
-    ) -> Result<Finish, Refusal> {
+    fn of<'a>(&mut self, bsdf: &'a Element, colours: &mut Colours<'a, '_>) -> Result<Finish, Refusal> {
         let kind = bsdf.kind();
         match kind {
             "diffuse" => {
@@ -96,13 +85,13 @@ impl Bsdfs {
                 front(bsdf, "diffuse_reflectance", colours)
             }
             "principled" | "principledthin" => principled(bsdf, colours),
-            "twosided" => self.twosided(bsdf, colours, depth),
+            "twosided" => self.twosided(bsdf, colours),
             "mask" | "bumpmap" | "normalmap" => {
                 let what = if kind == "mask" { "opacity" } else { "the relief" };
                 note(bsdf, &format!("{what} is left out"), colours);
-                self.nested(bsdf, colours, depth).map(|mut nested| nested.remove(0))
+                self.nested(bsdf, colours).map(|mut nested| nested.remove(0))
             }
-            "blendbsdf" => self.blend(bsdf, colours, depth),
+            "blendbsdf" => self.blend(bsdf, colours),
             "null" => Ok(Finish { is_void: true, ..black(bsdf) }),
             _ => {
                 note(bsdf, "they are black", colours);
@@ -116,13 +105,12 @@ impl Bsdfs {
         &mut self,
         bsdf: &'a Element,
         colours: &mut Colours<'a, '_>,
-        depth: usize,
     ) -> Result<Vec<Finish>, Refusal> {
         let mut nested = Vec::new();
         for child in bsdf.children.iter().filter(|child| matches!(child.tag.as_str(), "bsdf" | "ref")) {
             let meant = colours.ids.meant(child)?;
             if meant.tag == "bsdf" {
-                nested.push(self.inner(meant, colours, depth + 1)?);
+                nested.push(self.finish(meant, colours)?);
             }
         }
         match nested.is_empty() {
@@ -135,13 +123,8 @@ impl Bsdfs {
     }
 
     /// Finish of a `twosided` bsdf, alike on both sides: that of the first bsdf in it, which is of the front.
-    fn twosided<'a>(
-        &mut self,
-        bsdf: &'a Element,
-        colours: &mut Colours<'a, '_>,
-        depth: usize,
-    ) -> Result<Finish, Refusal> {
-        let mut nested = self.nested(bsdf, colours, depth)?;
+    fn twosided<'a>(&mut self, bsdf: &'a Element, colours: &mut Colours<'a, '_>) -> Result<Finish, Refusal> {
+        let mut nested = self.nested(bsdf, colours)?;
         if nested.len() > 1 {
             note(bsdf, "the back is as the front", colours);
         }
@@ -149,13 +132,8 @@ impl Bsdfs {
     }
 
     /// The mean of two bsdfs, `weight` of it the second.
-    fn blend<'a>(
-        &mut self,
-        bsdf: &'a Element,
-        colours: &mut Colours<'a, '_>,
-        depth: usize,
-    ) -> Result<Finish, Refusal> {
-        let nested = self.nested(bsdf, colours, depth)?;
+    fn blend<'a>(&mut self, bsdf: &'a Element, colours: &mut Colours<'a, '_>) -> Result<Finish, Refusal> {
+        let nested = self.nested(bsdf, colours)?;
         let weight = match colours.property(bsdf, "weight")? {
             Some(Colour::Known([weight, ..])) => weight.min(1.0),
             _ => {

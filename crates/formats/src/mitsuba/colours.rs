@@ -3,9 +3,8 @@
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::text::short;
 
-use super::element::{Element, words};
+use super::element::{Element, Remarks, words};
 use super::ids::Ids;
-use super::remarks::Remarks;
 use super::spectra;
 use crate::colour;
 

@@ -4,7 +4,8 @@ use std::cell::Cell;
 use std::rc::Rc;
 
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::file_place::FilePlace;
+use radiosity_photometry::note::Note;
 use radiosity_photometry::text::{number, short};
 
 /// An element and those inside it.
@@ -147,12 +148,23 @@ impl Element {
 
     /// The refusal of what is here.
     pub(super) fn refusal(&self, cause: impl Into<String>, cure: impl Into<String>) -> Refusal {
-        self.at(Fault::new(cause, cure))
+        self.at(Refusal::new(cause, cure))
     }
 
     /// The refusal for a fault that is here.
-    pub(super) fn at(&self, fault: Fault) -> Refusal {
+    pub(super) fn at(&self, fault: Refusal) -> Refusal {
         fault.in_line(&self.file, self.line)
+    }
+}
+
+/// Remarks on what was left out or changed, each kind once.
+#[derive(Debug, Default)]
+pub(super) struct Remarks(pub(super) Vec<Note>);
+
+impl Remarks {
+    /// Remarks something about an element.
+    pub(super) fn add(&mut self, text: impl Into<String>, element: &Element) {
+        Note::add(&mut self.0, text, Some(FilePlace::Line(element.line)));
     }
 }
 

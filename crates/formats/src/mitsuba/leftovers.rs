@@ -2,8 +2,7 @@
 
 use radiosity_photometry::text::short;
 
-use super::element::Element;
-use super::remarks::Remarks;
+use super::element::{Element, Remarks};
 
 /// Elements that need no word: what ids are given to and nothing names, and how Mitsuba makes its picture.
 const SILENT: [&str; 9] =

@@ -4,7 +4,6 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::short;
 
 use super::element::Element;
@@ -48,16 +47,17 @@ impl<'a> Meshes<'a> {
             return Ok(known.clone());
         }
         let bytes = self.files.bytes(path).map_err(|error| {
-            shape.at(Fault::new(
+            shape.at(Refusal::new(
                 format!("the mesh '{}' cannot be read: {error}", short(path)),
                 "put it beside the scene, or take the shape out",
             ))
         })?;
-        let has_normals = has_normals(shape.kind(), &bytes);
-        let model = match shape.kind() {
-            "obj" => obj::read(path, &without_materials(bytes), self.files)?,
-            _ => ply::read(path, &bytes, self.files)?,
+        let read = match shape.kind() {
+            // Mitsuba follows no materials.
+            "obj" => obj::shapes(&bytes).and_then(|mesh| Ok((mesh.has_normals, mesh.finish(obj::FACES)?))),
+            _ => ply::mesh(&bytes).and_then(|mesh| Ok((mesh.has_normals, mesh.finish(ply::FACES)?))),
         };
+        let (has_normals, model) = read.map_err(|refusal| refusal.in_file(path))?;
         // Merging has no place; what has one was left out.
         let remarks = model.notes.iter().filter(|note| note.place.is_some()).map(|note| note.text.clone());
         let faces = model.surfaces.into_iter().map(|surface| surface.shape).collect();
@@ -65,39 +65,6 @@ impl<'a> Meshes<'a> {
         self.known.insert(path.to_owned(), mesh.clone());
         Ok(mesh)
     }
-}
-
-/// Whether the bytes of an OBJ (`vn`) or a PLY (`property … nx`) state normals at vertices.
-fn has_normals(kind: &str, bytes: &[u8]) -> bool {
-    let mut lines = bytes.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
-    match kind {
-        "obj" => {
-            lines.any(|line| line.starts_with(b"vn") && line.get(2).is_some_and(u8::is_ascii_whitespace))
-        }
-        _ => lines
-            .take_while(|line| *line != b"end_header")
-            .any(|line| line.starts_with(b"property") && line.ends_with(b" nx")),
-    }
-}
-
-/// An OBJ with the lines of materials made comments: Mitsuba follows none.
-fn without_materials(mut bytes: Vec<u8>) -> Vec<u8> {
-    let mut start = 0;
-    while start < bytes.len() {
-        let end =
-            bytes[start..].iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |end| start + end + 1);
-        let line = &bytes[start..end];
-        let blanks = line.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
-        let word = &line[blanks..];
-        if ["usemtl", "mtllib"]
-            .iter()
-            .any(|own| word.get(..6).is_some_and(|word| word.eq_ignore_ascii_case(own.as_bytes())))
-        {
-            bytes[start + blanks] = b'#';
-        }
-        start = end;
-    }
-    bytes
 }
 
 /// The name of a file without its folder and its ending.
@@ -111,9 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lines_of_materials_become_comments() {
-        let text = b"mtllib a.mtl\nv 0 0 0\n  usemtl b\r\nusemtlx\nv";
-        assert_eq!(without_materials(text.to_vec()), b"#tllib a.mtl\nv 0 0 0\n  #semtl b\r\n#semtlx\nv");
+    fn stems_have_neither_folder_nor_ending() {
         assert_eq!(["a/b.c.ply", "a\\b", "b.obj"].map(stem), ["b.c", "b", "b"]);
     }
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::short;
 
 /// Most bytes of a parameter's name; each length up to it is looked up where a text names one.
@@ -24,18 +24,18 @@ impl Parameters {
     ///
     /// # Errors
     /// A name without characters, a name or a value that is too long.
-    pub(super) fn add(&mut self, name: &str, value: &str) -> Result<(), Fault> {
+    pub(super) fn add(&mut self, name: &str, value: &str) -> Result<(), Refusal> {
         if name.is_empty() {
-            return Err(Fault::new("a parameter has no name", "write name=\"…\" in <default>"));
+            return refuse("a parameter has no name", "write name=\"…\" in <default>");
         }
         if name.len() > LONGEST_NAME || value.len() > LONGEST_VALUE {
-            return Err(Fault::new(
+            return refuse(
                 format!(
                     "the parameter '{}' is longer than {LONGEST_NAME} or its value than {LONGEST_VALUE} bytes",
                     short(name)
                 ),
                 "write the value in its place",
-            ));
+            );
         }
         self.values.entry(name.to_owned()).or_insert_with(|| value.to_owned());
         Ok(())
@@ -46,7 +46,7 @@ impl Parameters {
     ///
     /// # Errors
     /// A parameter that has no value, and a text that becomes too long.
-    pub(super) fn fill<'t>(&self, text: &'t str) -> Result<Cow<'t, str>, Fault> {
+    pub(super) fn fill<'t>(&self, text: &'t str) -> Result<Cow<'t, str>, Refusal> {
         if !text.contains('$') {
             return Ok(Cow::Borrowed(text));
         }
@@ -66,10 +66,10 @@ impl Parameters {
                 }
             }
             if filled.len() > LONGEST_TEXT {
-                return Err(Fault::new(
+                return refuse(
                     format!("a text with its parameters is longer than {LONGEST_TEXT} bytes"),
                     "shorten it",
-                ));
+                );
             }
         }
         filled.push_str(rest);
@@ -77,14 +77,14 @@ impl Parameters {
     }
 
     /// Length (bytes) of the name that `text` begins with, and the value of that parameter.
-    fn first(&self, text: &str) -> Result<(usize, &str), Fault> {
+    fn first(&self, text: &str) -> Result<(usize, &str), Refusal> {
         let ends = (1..=text.len().min(LONGEST_NAME)).rev().filter(|end| text.is_char_boundary(*end));
         let known = ends.filter_map(|end| Some((end, self.values.get(&text[..end])?.as_str()))).next();
         known.ok_or_else(|| {
             let is_of_name = |c: char| c.is_alphanumeric() || c == '_';
             let end = text.find(|c| !is_of_name(c)).unwrap_or(text.len());
             let name = short(&text[..end]);
-            Fault::new(
+            Refusal::new(
                 format!("the parameter ${name} has no value"),
                 format!("write <default name=\"{name}\" value=\"…\"/> above, or the value in its place"),
             )

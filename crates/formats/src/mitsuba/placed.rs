@@ -3,9 +3,9 @@
 //! counter-clockwise once they are placed.
 
 use glam::{DAffine3, DVec3};
-use radiosity_photometry::fault::Fault;
 
 use crate::model::Shape;
+use radiosity_photometry::error::{Refusal, refuse};
 
 /// Greatest relative difference of scales in two directions, and greatest deviation of two directions from a
 /// right angle (radians), for a circle to be one. Chosen: matrices written with six digits are within.
@@ -60,10 +60,10 @@ pub(super) fn rectangle(placed: &DAffine3, is_flipped: bool) -> Shape {
 }
 
 /// The six sides of the cube from −1 to 1, their fronts outwards, or inwards if it is flipped.
-pub(super) fn cube(placed: &DAffine3, is_flipped: bool) -> Result<Vec<Shape>, Fault> {
+pub(super) fn cube(placed: &DAffine3, is_flipped: bool) -> Result<Vec<Shape>, Refusal> {
     let mirror = placed.matrix3.determinant();
     if mirror == 0.0 {
-        return Err(Fault::new("the transform makes the cube flat", "write it as a rectangle"));
+        return refuse("the transform makes the cube flat", "write it as a rectangle");
     }
     let side = |axis: usize, sign: f64| {
         let mut middle = DVec3::ZERO;
@@ -84,10 +84,10 @@ pub(super) fn cube(placed: &DAffine3, is_flipped: bool) -> Result<Vec<Shape>, Fa
 }
 
 /// The disk of radius 1 about the origin, its front towards z, or towards −z if it is flipped.
-pub(super) fn disk(placed: &DAffine3, is_flipped: bool) -> Result<Shape, Fault> {
+pub(super) fn disk(placed: &DAffine3, is_flipped: bool) -> Result<Shape, Refusal> {
     let frame = Frame::of(placed);
     if !frame.is_square(0, 1) || !frame.is_even(0, 1) {
-        return Err(Fault::new("the transform makes the disk an ellipse", CURE));
+        return refuse("the transform makes the disk an ellipse", CURE);
     }
     let normal = frame.normal().normalize_or_zero();
     Ok(Shape::Disk {
@@ -104,14 +104,14 @@ pub(super) fn cylinder(
     ends: [DVec3; 2],
     radius: f64,
     is_flipped: bool,
-) -> Result<Shape, Fault> {
+) -> Result<Shape, Refusal> {
     let Some(way) = (ends[1] - ends[0]).try_normalize() else {
-        return Err(Fault::new("the cylinder has no length", "part p0 and p1"));
+        return refuse("the cylinder has no length", "part p0 and p1");
     };
     let frame = Frame::around(placed, way);
     let is_upright = frame.is_square(0, 2) && frame.is_square(1, 2);
     if !is_upright || !frame.is_square(0, 1) || !frame.is_even(0, 1) {
-        return Err(Fault::new("the transform makes the cylinder oblique or not round", CURE));
+        return refuse("the transform makes the cylinder oblique or not round", CURE);
     }
     let [base, end] = ends.map(|point| placed.transform_point3(point));
     let radius = radius * frame.0[0].length();
@@ -124,11 +124,11 @@ pub(super) fn sphere(
     center: DVec3,
     radius: f64,
     is_flipped: bool,
-) -> Result<Shape, Fault> {
+) -> Result<Shape, Refusal> {
     let frame = Frame::of(placed);
     let pairs = [(0, 1), (1, 2), (2, 0)];
     if !pairs.iter().all(|(a, b)| frame.is_square(*a, *b) && frame.is_even(*a, *b)) {
-        return Err(Fault::new("the transform makes the sphere an ellipsoid", CURE));
+        return refuse("the transform makes the sphere an ellipsoid", CURE);
     }
     let radius = radius * frame.0[0].length();
     Ok(Shape::Sphere { center: placed.transform_point3(center), radius, inward: is_flipped })
@@ -141,18 +141,12 @@ pub(super) fn is_mirror(placed: &DAffine3) -> bool {
 
 /// A flat shape of a mesh, its corners run through the other way round if it is turned.
 pub(super) fn face(placed: &DAffine3, shape: &Shape, is_turned: bool) -> Shape {
-    let moved = |points: &[DVec3]| points.iter().map(|point| placed.transform_point3(*point)).collect();
-    match shape {
-        Shape::Polygon { outline, holes } => Shape::Polygon {
-            outline: turned(moved(outline), is_turned),
-            holes: holes.iter().map(|hole| moved(hole)).collect(),
-        },
-        Shape::Quad(corners) => {
-            let [a, b, c, d] = corners.map(|corner| placed.transform_point3(corner));
-            Shape::Quad(if is_turned { [a, d, c, b] } else { [a, b, c, d] })
-        }
-        curved => curved.clone(),
+    let point = |x| placed.transform_point3(x);
+    let mut moved = shape.map(point, |vector| vector, |direction| direction, |length| length);
+    if is_turned {
+        moved.reverse_rings();
     }
+    moved
 }
 
 /// The outline, the other way round if it is turned.

@@ -1,7 +1,6 @@
 //! Scenes: shapes, a camera, and what else is at the top.
 
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::short;
 
 use super::colours::Colours;
@@ -9,7 +8,6 @@ use super::element::Element;
 use super::emitters;
 use super::ids::Ids;
 use super::leftovers;
-use super::remarks::Remarks;
 use super::sensor;
 use super::shapes::Shapes;
 use crate::files::Files;
@@ -27,28 +25,29 @@ pub(super) fn model(root: &Element, files: &dyn Files) -> Result<Model, Refusal>
         ));
     }
     let ids = Ids::of(root)?;
-    let mut remarks = Remarks::default();
     let mut shapes = Shapes::new(&ids, files);
     let mut camera = None;
     for child in &root.children {
         match child.tag.as_str() {
-            "shape" => shapes.add(child, &mut remarks)?,
-            "emitter" => emitters::left_out(child, &mut Colours { ids: &ids, remarks: &mut remarks }),
+            "shape" => shapes.add(child)?,
+            "emitter" => emitters::left_out(child, &mut Colours { ids: &ids, remarks: &mut shapes.remarks }),
             "sensor" if camera.is_some() => {
                 child.pass_over();
-                remarks.add("cameras after the first are left out", child);
+                shapes.remarks.add("cameras after the first are left out", child);
             }
-            "sensor" => camera = sensor::camera(child, &ids, &mut remarks)?,
+            "sensor" => camera = sensor::camera(child, &ids, &mut shapes.remarks)?,
             _ => {}
         }
     }
-    leftovers::remark(root, &mut remarks);
+    leftovers::remark(root, &mut shapes.remarks);
+    let remarks = std::mem::take(&mut shapes.remarks);
     let mut model = shapes.finish();
     if model.surfaces.is_empty() {
-        let fault = Fault::new("the scene holds no shapes that are known", "add shapes, or name its format");
-        return Err(fault.of_file(&root.file));
+        let fault =
+            Refusal::new("the scene holds no shapes that are known", "add shapes, or name its format");
+        return Err(fault.in_file(&root.file));
     }
     model.camera = camera;
-    model.notes.extend(remarks.notes());
+    model.notes.extend(remarks.0);
     Ok(model)
 }

@@ -4,9 +4,8 @@ use glam::DVec3;
 use radiosity_photometry::error::Refusal;
 use radiosity_photometry::text::{number, short};
 
-use super::element::Element;
+use super::element::{Element, Remarks};
 use super::ids::Ids;
-use super::remarks::Remarks;
 use super::transforms;
 use crate::model::Camera;
 

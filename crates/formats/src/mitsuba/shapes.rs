@@ -2,17 +2,15 @@
 
 use glam::{DAffine3, DVec3};
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::short;
 
 use super::bsdfs::{Bsdfs, Finish, USUAL};
 use super::colours::Colours;
-use super::element::Element;
+use super::element::{Element, Remarks};
 use super::emitters;
 use super::ids::Ids;
 use super::meshes::{Meshes, stem};
 use super::placed;
-use super::remarks::Remarks;
 use super::transforms;
 use crate::budget::Budget;
 use crate::builder::{Coat, ModelBuilder};
@@ -28,6 +26,7 @@ pub(super) struct Shapes<'a, 'b> {
     budget: Budget,
     /// Shapes so far, repetitions counted.
     count: usize,
+    pub(super) remarks: Remarks,
 }
 
 impl<'a, 'b> Shapes<'a, 'b> {
@@ -40,6 +39,7 @@ impl<'a, 'b> Shapes<'a, 'b> {
             model: ModelBuilder::default(),
             budget: Budget::default(),
             count: 0,
+            remarks: Remarks::default(),
         }
     }
 
@@ -53,16 +53,16 @@ impl<'a, 'b> Shapes<'a, 'b> {
     /// # Errors
     /// A shape that lacks a property or has one that cannot be followed, and transforms that distort round
     /// shapes.
-    pub(super) fn add(&mut self, shape: &'a Element, remarks: &mut Remarks) -> Result<(), Refusal> {
+    pub(super) fn add(&mut self, shape: &'a Element) -> Result<(), Refusal> {
         match shape.meet().kind() {
             "shapegroup" => Ok(()),
-            "instance" => self.instance(shape, remarks),
-            _ => self.plain(shape, &DAffine3::IDENTITY, remarks),
+            "instance" => self.instance(shape),
+            _ => self.plain(shape, &DAffine3::IDENTITY),
         }
     }
 
     /// The shapes of a group, where an instance puts them.
-    fn instance(&mut self, instance: &'a Element, remarks: &mut Remarks) -> Result<(), Refusal> {
+    fn instance(&mut self, instance: &'a Element) -> Result<(), Refusal> {
         let outer = transforms::of(instance, "to_world")?;
         for child in instance.children.iter().filter(|child| matches!(child.tag.as_str(), "ref" | "shape")) {
             let group = self.ids.meant(child)?;
@@ -79,29 +79,29 @@ impl<'a, 'b> Shapes<'a, 'b> {
                         "take it out of the group: Mitsuba follows none",
                     ));
                 }
-                self.plain(shape, &outer, remarks)?;
+                self.plain(shape, &outer)?;
             }
         }
         Ok(())
     }
 
     /// A shape that is no group.
-    fn plain(&mut self, shape: &'a Element, outer: &DAffine3, remarks: &mut Remarks) -> Result<(), Refusal> {
+    fn plain(&mut self, shape: &'a Element, outer: &DAffine3) -> Result<(), Refusal> {
         self.count += 1;
         self.budget.spend(shape.size()).map_err(|fault| shape.at(fault))?;
         let kind = shape.kind();
         if !matches!(kind, "rectangle" | "cube" | "disk" | "cylinder" | "sphere" | "obj" | "ply") {
             shape.pass_over();
-            remarks.add(format!("shapes of type '{}' are left out", short(kind)), shape);
+            self.remarks.add(format!("shapes of type '{}' are left out", short(kind)), shape);
             return Ok(());
         }
-        let Some(coat) = self.coat(shape, remarks)? else {
+        let Some(coat) = self.coat(shape)? else {
             shape.pass_over();
-            remarks.add("shapes with a bsdf of type 'null' are left out", shape);
+            self.remarks.add("shapes with a bsdf of type 'null' are left out", shape);
             return Ok(());
         };
         let placed = *outer * transforms::of(shape, "to_world")?;
-        let parts = self.parts(shape, &placed, remarks)?;
+        let parts = self.parts(shape, &placed)?;
         let name = self.name(shape)?;
         let is_alone = parts.len() == 1;
         for (index, part) in parts.into_iter().enumerate() {
@@ -124,14 +124,9 @@ impl<'a, 'b> Shapes<'a, 'b> {
     }
 
     /// The surfaces of a shape in the world.
-    fn parts(
-        &mut self,
-        shape: &'a Element,
-        placed: &DAffine3,
-        remarks: &mut Remarks,
-    ) -> Result<Vec<Shape>, Refusal> {
+    fn parts(&mut self, shape: &'a Element, placed: &DAffine3) -> Result<Vec<Shape>, Refusal> {
         let is_flipped = shape.boolean("flip_normals")?;
-        let at = |fault: Fault| shape.at(fault);
+        let at = |fault: Refusal| shape.at(fault);
         let one = |shape: Shape| vec![shape];
         match shape.kind() {
             "rectangle" => Ok(one(placed::rectangle(placed, is_flipped))),
@@ -148,7 +143,7 @@ impl<'a, 'b> Shapes<'a, 'b> {
             }
             _ => {
                 let mesh = self.meshes.of(shape)?;
-                mesh.remarks.iter().for_each(|text| remarks.add(format!("of meshes: {text}"), shape));
+                mesh.remarks.iter().for_each(|text| self.remarks.add(format!("of meshes: {text}"), shape));
                 let own = transforms::of(shape, "to_world")?;
                 let has_normals = mesh.has_normals && !shape.boolean("face_normals")?;
                 let is_lost = placed::is_mirror(&own) && !has_normals;
@@ -160,11 +155,13 @@ impl<'a, 'b> Shapes<'a, 'b> {
 
     /// Material and sides of a shape; none if light goes through it. A lamp's material is named after the
     /// lamp, so that the material that it is painted with keeps its name.
-    fn coat(&mut self, shape: &'a Element, remarks: &mut Remarks) -> Result<Option<Coat>, Refusal> {
+    fn coat(&mut self, shape: &'a Element) -> Result<Option<Coat>, Refusal> {
         let emitter = self.only(shape, "emitter")?;
-        let finish = self.finish_of(shape, emitter.is_some(), remarks)?;
+        let finish = self.finish_of(shape, emitter.is_some())?;
         let exitance = match emitter {
-            Some(emitter) => emitters::exitance(emitter, &mut Colours { ids: self.ids, remarks })?,
+            Some(emitter) => {
+                emitters::exitance(emitter, &mut Colours { ids: self.ids, remarks: &mut self.remarks })?
+            }
             None => None,
         };
         let Some(emission) = exitance else {
@@ -172,7 +169,8 @@ impl<'a, 'b> Shapes<'a, 'b> {
             return Ok((!is_void).then_some(Coat { name, reflectance, emission: [0.0; 3], sides }));
         };
         if finish.sides == Sides::Both {
-            remarks.add("backs of surfaces that shine are black: Mitsuba's shine on the front only", shape);
+            self.remarks
+                .add("backs of surfaces that shine are black: Mitsuba's shine on the front only", shape);
         }
         let lamp = emitter.and_then(|emitter| emitter.attribute("id")).or(shape.attribute("id"));
         let name = lamp.unwrap_or("lamp").to_owned();
@@ -180,14 +178,9 @@ impl<'a, 'b> Shapes<'a, 'b> {
     }
 
     /// The finish of a shape, or Mitsuba's own.
-    fn finish_of(
-        &mut self,
-        shape: &'a Element,
-        is_lamp: bool,
-        remarks: &mut Remarks,
-    ) -> Result<Finish, Refusal> {
+    fn finish_of(&mut self, shape: &'a Element, is_lamp: bool) -> Result<Finish, Refusal> {
         if let Some(bsdf) = self.only(shape, "bsdf")? {
-            return self.bsdfs.finish(bsdf, self.ids, remarks);
+            return self.bsdfs.finish(bsdf, &mut Colours { ids: self.ids, remarks: &mut self.remarks });
         }
         let reflectance = if is_lamp { [0.0; 3] } else { [USUAL; 3] };
         Ok(Finish { name: "default".to_owned(), reflectance, sides: Sides::Front, is_void: false })

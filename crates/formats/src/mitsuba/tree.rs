@@ -4,8 +4,7 @@ use std::cell::Cell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use roxmltree::{Document, Error, Node, ParsingOptions};
 
 use super::element::Element;
@@ -73,7 +72,7 @@ impl Source {
         self.lines.partition_point(|line| *line <= node.range().start).max(1)
     }
 
-    fn at(&self, node: Node<'_, '_>, fault: Fault) -> Refusal {
+    fn at(&self, node: Node<'_, '_>, fault: Refusal) -> Refusal {
         fault.in_line(&self.name, self.line(node))
     }
 }
@@ -82,7 +81,7 @@ impl Reader<'_> {
     /// The root element of a file.
     fn file(&mut self, text: &str, outer: &[String], depth: usize) -> Result<Element, Refusal> {
         let name: Rc<str> = self.includes.current().into();
-        check(text).and_then(|()| self.budget.spend(text.len())).map_err(|fault| fault.of_file(&name))?;
+        check(text).and_then(|()| self.budget.spend(text.len())).map_err(|fault| fault.in_file(&name))?;
         let options = ParsingOptions { nodes_limit: 4 * MOST_ELEMENTS as u32, ..ParsingOptions::default() };
         let document = Document::parse_with_options(text, options).map_err(|error| refusal(&name, &error))?;
         let root = document.root_element();
@@ -98,8 +97,10 @@ impl Reader<'_> {
 
     fn element(&mut self, node: Node<'_, '_>, source: &mut Source, depth: usize) -> Result<Element, Refusal> {
         if depth >= DEEPEST {
-            let fault =
-                Fault::new(format!("elements are in one another more than {DEEPEST} deep"), "take some out");
+            let fault = Refusal::new(
+                format!("elements are in one another more than {DEEPEST} deep"),
+                "take some out",
+            );
             return Err(source.at(node, fault));
         }
         let attributes = self.attributes(node, source).map_err(|fault| source.at(node, fault))?;
@@ -131,7 +132,7 @@ impl Reader<'_> {
     }
 
     /// The attributes of an element: parameters filled in, names of Mitsuba 0 as they are now, files found.
-    fn attributes(&mut self, node: Node<'_, '_>, source: &Source) -> Result<Vec<(String, String)>, Fault> {
+    fn attributes(&mut self, node: Node<'_, '_>, source: &Source) -> Result<Vec<(String, String)>, Refusal> {
         let is_file = node.attribute("name") == Some("filename");
         let mut attributes = Vec::new();
         for attribute in node.attributes() {
@@ -147,39 +148,36 @@ impl Reader<'_> {
     }
 
     /// The number of a further element.
-    fn count(&mut self, attributes: &[(String, String)]) -> Result<usize, Fault> {
+    fn count(&mut self, attributes: &[(String, String)]) -> Result<usize, Refusal> {
         self.elements += 1;
         self.characters += attributes.iter().map(|(name, value)| name.len() + value.len()).sum::<usize>();
         if self.elements > MOST_ELEMENTS || self.characters > MOST_BYTES_OF_TEXT {
-            return Err(Fault::new(
+            return refuse(
                 format!("more than {MOST_ELEMENTS} elements or {MOST_BYTES_OF_TEXT} characters in them"),
                 "join shapes to meshes (type=\"ply\")",
-            ));
+            );
         }
         Ok(self.elements)
     }
 
-    fn parameter(&mut self, node: Node<'_, '_>, source: &Source) -> Result<(), Fault> {
+    fn parameter(&mut self, node: Node<'_, '_>, source: &Source) -> Result<(), Refusal> {
         let plain =
             Source { is_old: false, name: source.name.clone(), lines: Vec::new(), folders: Vec::new() };
         let attributes = self.attributes(node, &plain)?;
         let value = |wanted: &str| attributes.iter().find(|(name, _)| name == wanted).map(|(_, value)| value);
         match (value("name"), value("value")) {
             (Some(name), Some(value)) => self.parameters.add(name, value),
-            _ => Err(Fault::new(
-                "a <default> has no name or no value",
-                "write <default name=\"…\" value=\"…\"/>",
-            )),
+            _ => refuse("a <default> has no name or no value", "write <default name=\"…\" value=\"…\"/>"),
         }
     }
 
     /// A folder that files are looked for in before all others.
-    fn folder(&mut self, node: Node<'_, '_>, source: &mut Source) -> Result<(), Fault> {
+    fn folder(&mut self, node: Node<'_, '_>, source: &mut Source) -> Result<(), Refusal> {
         let Some(value) = node.attribute("value") else {
-            return Err(Fault::new("a <path> has no value", "write <path value=\"…\"/>"));
+            return refuse("a <path> has no value", "write <path value=\"…\"/>");
         };
         if source.folders.len() > DEEPEST {
-            return Err(Fault::new(format!("more than {DEEPEST} folders"), "take a <path> out"));
+            return refuse(format!("more than {DEEPEST} folders"), "take a <path> out");
         }
         let folder = self.includes.beside(&self.parameters.fill(value)?);
         source.folders.insert(0, folder);
@@ -205,7 +203,7 @@ impl Reader<'_> {
     fn include(&mut self, node: Node<'_, '_>, source: &Source, depth: usize) -> Result<Element, Refusal> {
         let enter = |reader: &mut Self| {
             let Some(name) = node.attribute("filename") else {
-                return Err(Fault::new("an <include> names no file", "write filename=\"…\" in it"));
+                return refuse("an <include> names no file", "write filename=\"…\" in it");
             };
             reader.budget.spend_on_include()?;
             let name = reader.parameters.fill(name)?.into_owned();
@@ -220,23 +218,23 @@ impl Reader<'_> {
 }
 
 /// Refuses what would take long to read.
-fn check(text: &str) -> Result<(), Fault> {
+fn check(text: &str) -> Result<(), Refusal> {
     if text.len() > LONGEST {
-        return Err(Fault::new(
+        return refuse(
             format!("the scene is longer than {LONGEST} bytes"),
             "put its meshes into files of their own",
-        ));
+        );
     }
     let is_tag = |part: &&str| !part.starts_with(['!', '?']);
     let quotes = |part: &str| part.bytes().filter(|byte| matches!(byte, b'"' | b'\'')).count();
     if text.split('<').filter(is_tag).any(|part| quotes(part) > MOST_QUOTES) {
-        return Err(Fault::new(format!("an element has more than {MOST_QUOTES} quotes"), "take some out"));
+        return refuse(format!("an element has more than {MOST_QUOTES} quotes"), "take some out");
     }
     if text.matches("xmlns:").count() > MOST_PREFIXES {
-        return Err(Fault::new(
+        return refuse(
             format!("more than {MOST_PREFIXES} namespaces are declared"),
             "take them out: Mitsuba has none",
-        ));
+        );
     }
     Ok(())
 }
@@ -257,7 +255,7 @@ fn refusal(file: &str, error: &Error) -> Refusal {
             (format!("this is no XML: {message}"), "correct it, or name its format")
         }
     };
-    Fault::new(cause, cure).in_line(file, error.pos().row as usize)
+    Refusal::new(cause, cure).in_line(file, error.pos().row as usize)
 }
 
 /// Whether a version is below 2, and so of Mitsuba 0.

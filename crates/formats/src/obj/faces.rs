@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 
 use glam::DVec3;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
+use radiosity_photometry::note::Note;
 use radiosity_photometry::text::{number, short};
 
 use super::statements::split;
@@ -45,7 +45,9 @@ pub(super) struct Faces {
     material_numbers: Names,
     material: Option<MaterialUse>,
     pub(super) libraries: Vec<Library>,
-    notes: Vec<LineNote>,
+    /// Whether there are normals.
+    has_normals: bool,
+    notes: Vec<Note>,
 }
 
 /// A material that a line names.
@@ -55,19 +57,12 @@ pub(super) struct MaterialUse {
     pub(super) line: usize,
 }
 
-/// A note on a line.
-#[derive(Clone, Copy, Debug)]
-struct LineNote {
-    text: &'static str,
-    line: usize,
-}
-
 /// Numbers of names, in the order of their first use.
 type Names = HashMap<String, usize>;
 
 impl Faces {
     /// Takes a statement of a line.
-    pub(super) fn statement(&mut self, statement: &str, line: usize) -> Result<(), Fault> {
+    pub(super) fn statement(&mut self, statement: &str, line: usize) -> Result<(), Refusal> {
         let (keyword, rest) = split(statement);
         match keyword.to_ascii_lowercase().as_str() {
             "v" => self.vertex(rest, line)?,
@@ -83,42 +78,43 @@ impl Faces {
                 self.note("free-form curves and surfaces are left out", line);
             }
             "call" | "csh" => self.note("calls of other files and commands are left out", line),
-            "vt" | "vn" | "vp" | "s" | "lod" | "mg" | "bevel" | "c_interp" | "d_interp" | "usemap"
-            | "maplib" | "shadow_obj" | "trace_obj" | "cstype" | "deg" | "bmat" | "step" | "parm"
-            | "trim" | "hole" | "scrv" | "sp" | "end" | "con" | "ctech" | "stech" => {}
+            "vn" => self.has_normals = true,
+            "vt" | "vp" | "s" | "lod" | "mg" | "bevel" | "c_interp" | "d_interp" | "usemap" | "maplib"
+            | "shadow_obj" | "trace_obj" | "cstype" | "deg" | "bmat" | "step" | "parm" | "trim" | "hole"
+            | "scrv" | "sp" | "end" | "con" | "ctech" | "stech" => {}
             _ => {
-                return Err(Fault::new(
+                return refuse(
                     format!("'{}' is no statement of OBJ", short(keyword)),
                     "take the line out, put '#' before it, or name the format that the file has",
-                ));
+                );
             }
         }
         Ok(())
     }
 
     fn note(&mut self, text: &'static str, line: usize) {
-        self.notes.push(LineNote { text, line });
+        Note::add(&mut self.notes, text, Some(FilePlace::Line(line)));
     }
 
-    fn vertex(&mut self, rest: &str, line: usize) -> Result<(), Fault> {
+    fn vertex(&mut self, rest: &str, line: usize) -> Result<(), Refusal> {
         let words: Vec<&str> = rest.split_whitespace().collect();
         let [x, y, z, more @ ..] = words.as_slice() else {
-            return Err(Fault::new(
+            return refuse(
                 format!("the vertex has {} coordinates, it takes 3", words.len()),
                 "give it x, y and z",
-            ));
+            );
         };
         if more.len() >= 3 {
             self.note("colours of vertices are left out", line);
         }
         if self.vertices.len() >= MOST_VERTICES {
-            return Err(Fault::new(format!("more than {MOST_VERTICES} vertices"), "split the model"));
+            return refuse(format!("more than {MOST_VERTICES} vertices"), "split the model");
         }
         self.vertices.push(DVec3::new(number(x, "x")?, number(y, "y")?, number(z, "z")?));
         Ok(())
     }
 
-    fn face(&mut self, rest: &str, line: usize) -> Result<(), Fault> {
+    fn face(&mut self, rest: &str, line: usize) -> Result<(), Refusal> {
         let start = self.corners.len();
         for word in rest.split_whitespace() {
             let corner = self.corner(word)?;
@@ -136,22 +132,22 @@ impl Faces {
 
     /// The number of a vertex that a corner `v`, `v/vt`, `v//vn` or `v/vt/vn` has: from 1 on, or below 0
     /// backwards from the last vertex.
-    fn corner(&self, word: &str) -> Result<usize, Fault> {
+    fn corner(&self, word: &str) -> Result<usize, Refusal> {
         let first = word.split('/').next().unwrap_or(word);
         let count = self.vertices.len();
         match first.parse::<isize>() {
             Ok(index @ 1..) => Ok(index.unsigned_abs() - 1),
             Ok(index @ ..=-1) => count.checked_sub(index.unsigned_abs()).ok_or_else(|| {
-                Fault::new(
+                Refusal::new(
                     format!("the face has the vertex {index}; {count} are listed above it"),
                     "correct the number, or list the vertex",
                 )
             }),
-            Ok(0) => Err(Fault::new("the face has the vertex 0", "count vertices from 1 on")),
-            Err(_) => Err(Fault::new(
+            Ok(0) => refuse("the face has the vertex 0", "count vertices from 1 on"),
+            Err(_) => refuse(
                 format!("the corner '{}' has no number of a vertex", short(word)),
                 "write it as v, v/vt, v//vn or v/vt/vn",
-            )),
+            ),
         }
     }
 
@@ -167,18 +163,23 @@ impl Faces {
         Some(next)
     }
 
+    /// The faces without their materials.
+    pub(super) fn without_materials(mut self) -> Self {
+        self.faces.iter_mut().for_each(|face| face.material = None);
+        self
+    }
+
     /// Adds all faces to a mesh that has the materials.
-    pub(super) fn add_to(&self, mesh: &mut Mesh) -> Result<(), Located> {
-        for LineNote { text, line } in &self.notes {
-            mesh.model.note(*text, Some(FilePlace::Line(*line)));
-        }
+    pub(super) fn add_to(&self, mesh: &mut Mesh) -> Result<(), Refusal> {
+        mesh.has_normals = self.has_normals;
+        mesh.model.notes.extend_from_slice(&self.notes);
         let mut names: Vec<(&String, &usize)> = self.objects.iter().collect();
         names.sort_by_key(|(_, number)| **number);
         let objects: Vec<usize> = names.iter().map(|(name, _)| mesh.object(Some(name))).collect();
         let ends = self.faces.iter().skip(1).map(|face| face.start).chain([self.corners.len()]);
         for (face, end) in self.faces.iter().zip(ends) {
             let place = FilePlace::Line(face.line);
-            let corners: Result<Vec<DVec3>, Fault> =
+            let corners: Result<Vec<DVec3>, Refusal> =
                 self.corners[face.start..end].iter().map(|corner| self.point(*corner)).collect();
             let coat = Coat { object: objects[face.object], material: face.material, sides: Sides::Open };
             corners.and_then(|corners| mesh.face(corners, coat, place)).map_err(|fault| fault.at(place))?;
@@ -186,9 +187,9 @@ impl Faces {
         Ok(())
     }
 
-    fn point(&self, corner: usize) -> Result<DVec3, Fault> {
+    fn point(&self, corner: usize) -> Result<DVec3, Refusal> {
         self.vertices.get(corner).copied().ok_or_else(|| {
-            Fault::new(
+            Refusal::new(
                 format!("the face has the vertex {}; {} are listed", corner + 1, self.vertices.len()),
                 "correct the number, or list the vertex",
             )

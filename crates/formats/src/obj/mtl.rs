@@ -3,9 +3,8 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::text::{number, short};
 
 use super::statements::{split, statements};
@@ -27,7 +26,7 @@ pub(super) struct Mtl {
 }
 
 /// Adds the materials of a text to those that are known.
-pub(super) fn read(text: &str, known: &mut HashMap<String, Mtl>) -> Result<(), Located> {
+pub(super) fn read(text: &str, known: &mut HashMap<String, Mtl>) -> Result<(), Refusal> {
     let mut current: Option<(String, Mtl)> = None;
     for (line, statement) in statements(text) {
         let (keyword, rest) = split(&statement);
@@ -37,11 +36,11 @@ pub(super) fn read(text: &str, known: &mut HashMap<String, Mtl>) -> Result<(), L
             continue;
         }
         let Some((_, mtl)) = &mut current else {
-            return Err(Located::new(
+            return refuse_at(
                 FilePlace::Line(line),
                 format!("'{}' stands before the first material", short(keyword)),
                 "begin each material with 'newmtl NAME'",
-            ));
+            );
         };
         mtl.statement(keyword, rest).map_err(|fault| fault.at(FilePlace::Line(line)))?;
     }
@@ -81,7 +80,7 @@ impl Mtl {
         if self.has(TEXTURED_EMISSION) { [0.0; 3] } else { self.radiance }
     }
 
-    fn statement(&mut self, keyword: &str, rest: &str) -> Result<(), Fault> {
+    fn statement(&mut self, keyword: &str, rest: &str) -> Result<(), Refusal> {
         match keyword.to_ascii_lowercase().as_str() {
             "kd" => self.diffuse = Some(colour(rest, "Kd")?),
             "ke" => self.radiance = colour(rest, "Ke")?,
@@ -116,24 +115,24 @@ fn last(rest: &str) -> Option<f64> {
 }
 
 /// Red, green and blue; one number stands for all three.
-fn colour(rest: &str, what: &str) -> Result<[f64; 3], Fault> {
+fn colour(rest: &str, what: &str) -> Result<[f64; 3], Refusal> {
     let words: Vec<&str> = rest.split_whitespace().collect();
     let values: [f64; 3] = match words.as_slice() {
         [one] => [number(one, what)?; 3],
         [kind @ ("spectral" | "xyz"), ..] => {
-            return Err(Fault::new(format!("{what} is given as '{kind}'"), "give it as red, green and blue"));
+            return refuse(format!("{what} is given as '{kind}'"), "give it as red, green and blue");
         }
         [r, g, b] => [number(r, what)?, number(g, what)?, number(b, what)?],
         _ => {
-            return Err(Fault::new(
+            return refuse(
                 format!("{what} has {} numbers", words.len()),
                 "give it red, green and blue, or one number",
-            ));
+            );
         }
     };
     match values.iter().find(|value| !(0.0..=GREATEST).contains(*value)) {
-        Some(value) if *value < 0.0 => Err(Fault::new(format!("{what} is {value}, below 0"), "correct it")),
-        Some(_) => Err(Fault::new(format!("{what} is beyond {GREATEST:e}"), "correct it")),
+        Some(value) if *value < 0.0 => refuse(format!("{what} is {value}, below 0"), "correct it"),
+        Some(_) => refuse(format!("{what} is beyond {GREATEST:e}"), "correct it"),
         None => Ok(values),
     }
 }

@@ -5,32 +5,21 @@
 
 use std::borrow::Cow;
 
+use crate::lines::{Line, Lines};
+
 /// Statements that give a name.
 const NAMED: [&str; 5] = ["o", "g", "usemtl", "newmtl", "mtllib"];
 
 /// The statements of a text, each with the line that it begins in. Blank ones are left out.
 pub(super) fn statements(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
-    let mut lines = text.lines().enumerate();
-    std::iter::from_fn(move || {
-        loop {
-            let (index, line) = lines.next()?;
-            let first = plain(line);
-            let statement = if first.ends_with('\\') {
-                let mut joined = first.to_owned();
-                while joined.ends_with('\\') {
-                    joined.pop();
-                    joined.push(' ');
-                    joined.push_str(lines.next().map_or("", |(_, line)| plain(line)));
-                }
-                Cow::Owned(joined.trim().to_owned())
-            } else {
-                Cow::Borrowed(first.trim())
-            };
-            if !statement.is_empty() {
-                return Some((index + 1, statement));
-            }
-        }
-    })
+    Lines::new(text, plain).map(trimmed).filter(|(_, statement)| !statement.is_empty())
+}
+
+fn trimmed(Line { number, text }: Line<'_>) -> (usize, Cow<'_, str>) {
+    match text {
+        Cow::Borrowed(text) => (number, Cow::Borrowed(text.trim())),
+        Cow::Owned(text) => (number, Cow::Owned(text.trim().to_owned())),
+    }
 }
 
 /// A line without its comment.

@@ -5,27 +5,18 @@ use std::f64::consts::PI;
 use std::fmt::Write;
 
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
 
-use super::bridge::bridged;
+use crate::format::Written;
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
-
-/// A model as text.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Written {
-    /// Text of the OBJ.
-    pub obj: String,
-    /// Text of the MTL that the OBJ names; empty if the model has no materials.
-    pub mtl: String,
-}
+use radiosity_photometry::error::{Refusal, refuse};
 
 /// Writes a model of polygons and bilinear patches; `mtl_name` is the name that the file of materials will
 /// have. Each surface is an object; one of two sides is two, the second `name:back`, since OBJ leaves sides
-/// open. Holes are joined to their outlines by bridges, which keeps the area. `Ke` is the exitance over π.
+/// open. Polygons with holes are cut into convex pieces, faces of one object. `Ke` is the exitance over π.
 ///
 /// # Errors
-/// A curved surface, and bands other than one, or red, green and blue. The refusal's file is empty.
+/// A curved surface, outlines that cross, and bands other than one, or red, green and blue.
 pub fn write(model: &Model, mtl_name: &str) -> Result<Written, Refusal> {
     let mut names = UniqueNames::default();
     let materials: Vec<String> =
@@ -46,8 +37,7 @@ pub fn write(model: &Model, mtl_name: &str) -> Result<Written, Refusal> {
     surfaces.sort_by_key(|surface| surface.material.is_some());
     let mut current = None;
     for surface in surfaces {
-        let corners = corners(surface)?;
-        let numbers: Vec<String> = corners.iter().map(|x| text.vertex(*x).to_string()).collect();
+        let mut faces = faces(surface, &mut text)?;
         text.line(&format!("o {}", line(&surface.name)));
         if current != surface.material {
             current = surface.material;
@@ -55,13 +45,14 @@ pub fn write(model: &Model, mtl_name: &str) -> Result<Written, Refusal> {
                 text.line(&format!("usemtl {name}"));
             }
         }
-        text.line(&format!("f {}", numbers.join(" ")));
+        faces.iter().for_each(|face| text.line(&format!("f {}", face.join(" "))));
         if surface.sides == Sides::Both {
             text.line(&format!("o {}:back", line(&surface.name)));
-            text.line(&format!("f {}", numbers.into_iter().rev().collect::<Vec<_>>().join(" ")));
+            faces.iter_mut().for_each(|face| face.reverse());
+            faces.iter().for_each(|face| text.line(&format!("f {}", face.join(" "))));
         }
     }
-    Ok(Written { obj: text.text, mtl })
+    Ok(Written { text: text.text, materials: Some(mtl) })
 }
 
 /// A text that grows, with the vertices that it lists.
@@ -90,26 +81,21 @@ impl Text {
     }
 }
 
-/// The corners of a face.
-fn corners(surface: &Surface) -> Result<Vec<DVec3>, Refusal> {
-    let kind = match &surface.shape {
-        Shape::Polygon { outline, holes } => return Ok(bridged(outline, holes)),
-        Shape::Quad(corners) => return Ok(corners.to_vec()),
-        Shape::Disk { .. } => "disk",
-        Shape::Cylinder { .. } => "cylinder",
-        Shape::Cone { .. } => "cone",
-        Shape::Sphere { .. } => "sphere",
-        Shape::Torus { .. } => "torus",
+/// The faces of a surface as numbers of vertices.
+fn faces(surface: &Surface, text: &mut Text) -> Result<Vec<Vec<String>>, Refusal> {
+    let faces = match &surface.shape {
+        Shape::Polygon { outline, holes } if holes.is_empty() => vec![outline.clone()],
+        Shape::Polygon { outline, holes } => surface.pieces(outline, holes)?,
+        Shape::Quad(corners) => vec![corners.to_vec()],
+        curved => {
+            return refuse(
+                format!("the surface '{}' is a {}, which OBJ does not have", surface.name, curved.kind()),
+                "write the model as toml, json or mgf",
+            );
+        }
     };
-    Err(refusal(
-        format!("the surface '{}' is a {kind}, which OBJ does not have", surface.name),
-        "write the model as toml, json or mgf",
-    ))
-}
-
-/// A refusal that no file stands behind.
-fn refusal(cause: String, cure: &str) -> Refusal {
-    Refusal { file: String::new(), place: None, cause, cure: cure.to_owned() }
+    let mut numbers = |face: &Vec<DVec3>| face.iter().map(|x| text.vertex(*x).to_string()).collect();
+    Ok(faces.iter().map(&mut numbers).collect())
 }
 
 fn add_material(mtl: &mut String, material: &Material, name: &str) -> Result<(), Refusal> {
@@ -119,10 +105,10 @@ fn add_material(mtl: &mut String, material: &Material, name: &str) -> Result<(),
             [grey] => [*grey; 3],
             [r, g, b] => [*r, *g, *b],
             _ => {
-                return Err(refusal(
+                return refuse(
                     format!("the material '{}' has {} bands; MTL has 1 or 3", material.name, values.len()),
                     "write the model as toml or json",
-                ));
+                );
             }
         }
         .map(|value| value / unit);

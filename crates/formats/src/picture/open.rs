@@ -11,16 +11,16 @@ use exr::meta::MetaData;
 use exr::meta::attribute::SampleType;
 use exr::meta::header::Header;
 use exr::prelude::{ReadChannels, ReadLayers, ReadSpecificChannel, read as reading};
-use radiosity_photometry::fault::Fault;
 
-use super::reduction::{Picture, Reduction, Refused};
-use super::refusals::{check_size, check_texels, damaged};
+use super::reduction::{Picture, Reduction};
+use super::refusals::{check_size, damaged, transparent};
+use radiosity_photometry::error::{Refusal, refuse};
 
 /// Most bytes of one texel, all of its channels together, so that a block of a file has at most 128 MB.
 const WIDEST: usize = 64;
 
 /// Reads an OpenEXR, averaged to at most `most` texels.
-pub(super) fn read(bytes: &[u8], most: usize) -> Result<Picture, Fault> {
+pub(super) fn read(bytes: &[u8], most: usize) -> Result<Picture, Refusal> {
     let meta = MetaData::read_from_buffered(bytes, false).map_err(damaged)?;
     meta.headers.iter().try_for_each(check_header)?;
     let names = names(&meta.headers)?;
@@ -29,11 +29,10 @@ pub(super) fn read(bytes: &[u8], most: usize) -> Result<Picture, Fault> {
         names => grey(bytes, &names[0], most),
     };
     let reduction = reduction.map_err(damaged)?;
-    check_texels(&reduction)?;
-    Ok(reduction.finish(vec!["floating point, linear".to_owned()]))
+    reduction.finish(vec!["floating point, linear".to_owned()])
 }
 
-fn check_header(header: &Header) -> Result<(), Fault> {
+fn check_header(header: &Header) -> Result<(), Refusal> {
     check_size([header.layer_size.0 as u64, header.layer_size.1 as u64])?;
     let list = &header.channels.list;
     let problem = if header.deep {
@@ -47,11 +46,11 @@ fn check_header(header: &Header) -> Result<(), Fault> {
     } else {
         return Ok(());
     };
-    Err(Fault::new(problem, "write channels R, G and B, or Y, of floating-point numbers, alike in size"))
+    refuse(problem, "write channels R, G and B, or Y, of floating-point numbers, alike in size")
 }
 
 /// The names of the channels that are read, three or one.
-fn names(headers: &[Header]) -> Result<Vec<String>, Fault> {
+fn names(headers: &[Header]) -> Result<Vec<String>, Refusal> {
     let channels = |header: &Header| -> Vec<String> {
         header.channels.list.iter().map(|channel| channel.name.to_string()).collect()
     };
@@ -69,7 +68,7 @@ fn names(headers: &[Header]) -> Result<Vec<String>, Fault> {
     };
     layers.iter().find_map(single).map(|name| vec![name]).ok_or_else(|| {
         let all = layers.concat().join(", ");
-        Fault::new(
+        Refusal::new(
             format!("it has no channels R, G and B, nor a single one; its channels: {all}"),
             "write it with channels R, G and B, or Y",
         )
@@ -106,7 +105,7 @@ fn take(reduction: &mut Reduction, Vec2(column, row): Vec2<usize>, values: &[f32
     let mut wide = [0.0; 3];
     wide.iter_mut().zip(values).for_each(|(wide, value)| *wide = f64::from(*value));
     if alpha != 1.0 {
-        reduction.refuse(Refused::Transparent([column, row]));
+        reduction.refuse(|| transparent([column, row]));
     }
     reduction.add([column, row], &wide[..values.len()]);
 }

@@ -7,11 +7,11 @@
 use std::io::Cursor;
 
 use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Reader, Transformations};
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::Refusal;
 
 use super::coding::{Coding, Curve};
-use super::reduction::{Picture, Reduction, Refused};
-use super::refusals::{check_size, check_texels, damaged};
+use super::reduction::{Picture, Reduction};
+use super::refusals::{check_size, damaged, transparent};
 
 /// A pass over the texels: columns and rows from one of its texels to the next, and the first of them.
 type Pass = ([usize; 2], [usize; 2]);
@@ -31,7 +31,7 @@ const INTERLACED: [Pass; 7] = [
 const PLAIN: [Pass; 1] = [([1, 1], [0, 0])];
 
 /// Reads a PNG, averaged to at most `most` texels; without `coding`, the file itself tells its coding.
-pub(super) fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<Picture, Fault> {
+pub(super) fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<Picture, Refusal> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     // Palettes become colours, grey of few bits becomes 8 bits, a transparent colour an alpha channel.
     decoder.set_transformations(Transformations::EXPAND);
@@ -60,8 +60,7 @@ pub(super) fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<
     }
     // What follows the texels tells whether the file is whole.
     reader.finish().map_err(fault)?;
-    check_texels(&reduction)?;
-    Ok(reduction.finish(remarks))
+    reduction.finish(remarks)
 }
 
 /// The curve that the file states, or that of pictures that state none.
@@ -76,7 +75,7 @@ fn curve(info: &Info<'_>) -> Curve {
     }
 }
 
-fn fault(error: DecodingError) -> Fault {
+fn fault(error: DecodingError) -> Refusal {
     damaged(error)
 }
 
@@ -116,7 +115,7 @@ impl Texels {
                 false => usize::from(texel[sample]),
             };
             if self.has_alpha && number(self.colours) != opaque {
-                to.refuse(Refused::Transparent([column, row]));
+                to.refuse(|| transparent([column, row]));
             }
             for (colour, value) in values[..self.colours].iter_mut().enumerate() {
                 *value = self.light[number(colour)];

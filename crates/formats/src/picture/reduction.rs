@@ -4,6 +4,10 @@
 //! texel x of the file covers [x m, (x + 1) m] of the line [0, w m], the kept texel i covers [i w, (i + 1)
 //! w], and what they have in common is the weight, a whole number. So the mean of all stays what it was.
 
+use radiosity_photometry::error::Refusal;
+
+use super::refusals::{damaged, not_finite};
+
 /// Numbers of texels, row after row from the top, each from the left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
@@ -27,15 +31,8 @@ pub(super) struct Reduction {
     sums: Vec<Vec<f64>>,
     /// Texels that were taken in.
     count: usize,
-    /// The first texel that was refused.
-    refused: Option<Refused>,
-}
-
-/// A texel that no picture may have.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Refused {
-    Transparent([usize; 2]),
-    NotFinite([usize; 2], f64),
+    /// The refusal of the first texel that was refused.
+    refused: Option<Refusal>,
 }
 
 impl Reduction {
@@ -52,7 +49,7 @@ impl Reduction {
     pub(super) fn add(&mut self, [column, row]: [usize; 2], values: &[f64]) {
         self.count += 1;
         if let Some(value) = values.iter().find(|value| !value.is_finite()) {
-            self.refuse(Refused::NotFinite([column, row], *value));
+            self.refuse(|| not_finite([column, row], *value));
             return;
         }
         if self.from == self.to {
@@ -71,29 +68,28 @@ impl Reduction {
     }
 
     /// Remembers the first texel that is refused.
-    pub(super) fn refuse(&mut self, refused: Refused) {
-        self.refused = self.refused.or(Some(refused));
-    }
-
-    /// The first texel that is refused.
-    pub(super) fn refused(&self) -> Option<Refused> {
-        self.refused
-    }
-
-    /// Whether every texel of the file was taken in.
-    pub(super) fn is_full(&self) -> bool {
-        self.count == self.from[0] * self.from[1]
+    pub(super) fn refuse(&mut self, refusal: impl FnOnce() -> Refusal) {
+        self.refused.get_or_insert_with(refusal);
     }
 
     /// The picture; `remarks` are what was done to the numbers before.
-    pub(super) fn finish(mut self, mut remarks: Vec<String>) -> Picture {
+    ///
+    /// # Errors
+    /// A texel that was refused, or one that is missing.
+    pub(super) fn finish(mut self, mut remarks: Vec<String>) -> Result<Picture, Refusal> {
+        if let Some(refusal) = self.refused {
+            return Err(refusal);
+        }
+        if self.count < self.from[0] * self.from[1] {
+            return Err(damaged("texels are missing"));
+        }
         let ([w, h], [columns, rows]) = (self.from, self.to);
         if self.from != self.to {
             let all = (w * h) as f64;
             self.sums.iter_mut().flatten().for_each(|sum| *sum /= all);
             remarks.push(format!("averaged from {w} × {h} to {columns} × {rows} texels"));
         }
-        Picture { columns, rows, channels: self.sums, remarks }
+        Ok(Picture { columns, rows, channels: self.sums, remarks })
     }
 }
 
@@ -117,8 +113,7 @@ mod tests {
                 reduction.add([column, row], &[(column * column + 10 * row) as f64]);
             }
         }
-        assert!(reduction.is_full());
-        reduction.finish(Vec::new())
+        reduction.finish(Vec::new()).expect("no texel is missing")
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! Vertices and faces of a PLY.
 
 use glam::DVec3;
+use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
+use radiosity_photometry::text::short;
 
 use super::header::{Element, Header, Property};
 use super::numbers::Numbers;
@@ -36,7 +37,7 @@ impl Elements {
         header: &Header,
         numbers: &mut dyn Numbers,
         mesh: &mut Mesh,
-    ) -> Result<(), Located> {
+    ) -> Result<(), Refusal> {
         for element in &header.elements {
             note(element, &mut mesh.model);
             if element.properties.is_empty() {
@@ -45,7 +46,7 @@ impl Elements {
             let bytes = element.properties.iter().map(Property::least).sum();
             let most = numbers.most_rows(bytes, element.properties.len());
             if element.count > most.min(MOST_ROWS) {
-                return Err(Located::new(
+                return refuse_at(
                     FilePlace::Line(element.line),
                     format!(
                         "{} elements are announced, {} at the most are there",
@@ -53,14 +54,14 @@ impl Elements {
                         most.min(MOST_ROWS)
                     ),
                     "export the file again, or correct the count",
-                ));
+                );
             }
             match element.name.as_str() {
                 "vertex" => self.read_vertices(element, numbers)?,
                 "face" => self.read_faces(element, numbers)?,
                 _ => {
                     for _ in 0..element.count {
-                        row(&element.properties, numbers, &mut |_, _| Ok(Kept::No))?;
+                        row(&element.properties, numbers, &[], &mut |_, _| Ok(()))?;
                     }
                 }
             }
@@ -68,66 +69,58 @@ impl Elements {
         Ok(())
     }
 
-    fn read_vertices(&mut self, element: &Element, numbers: &mut dyn Numbers) -> Result<(), Located> {
+    fn read_vertices(&mut self, element: &Element, numbers: &mut dyn Numbers) -> Result<(), Refusal> {
         let axis = |name: &str| {
             let is_axis = |property: &Property| property.name == name && property.count.is_none();
             element.properties.iter().position(is_axis).ok_or_else(|| {
-                Located::new(
-                    FilePlace::Line(element.line),
-                    format!("the vertices have no property {name}"),
-                    "give them x, y and z as numbers",
-                )
+                let cause = format!("the vertices have no property {name}");
+                Refusal::new(cause, "give them x, y and z as numbers").at(FilePlace::Line(element.line))
             })
         };
         let axes = [axis("x")?, axis("y")?, axis("z")?];
         for _ in 0..element.count {
             let place = numbers.place();
             let mut point = DVec3::ZERO;
-            row(&element.properties, numbers, &mut |property, value| {
-                let Some(axis) = axes.iter().position(|axis| *axis == property) else { return Ok(Kept::No) };
-                if let Some(value) = value {
-                    point[axis] = value;
-                }
-                Ok(Kept::Yes)
+            row(&element.properties, numbers, &axes, &mut |property, value| {
+                let axis = axes.iter().position(|axis| *axis == property);
+                axis.into_iter().for_each(|axis| point[axis] = value);
+                Ok(())
             })?;
             if !point.is_finite() {
-                return Err(Located::new(
+                return refuse_at(
                     place,
                     "a coordinate of this vertex is not finite",
                     "correct it, or export the model again",
-                ));
+                );
             }
             self.vertices.push(point);
         }
         Ok(())
     }
 
-    fn read_faces(&mut self, element: &Element, numbers: &mut dyn Numbers) -> Result<(), Located> {
+    fn read_faces(&mut self, element: &Element, numbers: &mut dyn Numbers) -> Result<(), Refusal> {
         let is_list =
             |property: &Property| property.count.is_some() && LISTS.contains(&property.name.as_str());
         let Some(list) = element.properties.iter().position(is_list) else {
-            return Err(Located::new(
+            return refuse_at(
                 FilePlace::Line(element.line),
                 "the faces have no list vertex_indices",
                 "add 'property list uchar int vertex_indices', or export the model with faces",
-            ));
+            );
         };
         for _ in 0..element.count {
             let place = numbers.place();
             self.faces.push(Face { start: self.corners.len(), place });
             let corners = &mut self.corners;
-            row(&element.properties, numbers, &mut |property, value| {
-                if property != list {
-                    return Ok(Kept::No);
-                }
-                corners.extend(value);
+            row(&element.properties, numbers, &[list], &mut |_, corner| {
+                corners.push(corner);
                 match corners.len() <= MOST_ROWS {
-                    true => Ok(Kept::Yes),
-                    false => Err(Located::new(
+                    true => Ok(()),
+                    false => refuse_at(
                         place,
                         format!("the faces have more than {MOST_ROWS} corners"),
                         "split the model",
-                    )),
+                    ),
                 }
             })?;
         }
@@ -135,11 +128,11 @@ impl Elements {
     }
 
     /// Adds the faces to a mesh.
-    pub(super) fn add_faces(&self, mesh: &mut Mesh) -> Result<(), Located> {
+    pub(super) fn add_faces(&self, mesh: &mut Mesh) -> Result<(), Refusal> {
         let object = mesh.object(None);
         let ends = self.faces.iter().skip(1).map(|face| face.start).chain([self.corners.len()]);
         for (Face { start, place }, end) in self.faces.iter().zip(ends) {
-            let corners: Result<Vec<DVec3>, Located> =
+            let corners: Result<Vec<DVec3>, Refusal> =
                 self.corners[*start..end].iter().map(|number| self.vertex(*number, *place)).collect();
             let coat = Coat { object, material: None, sides: Sides::Open };
             mesh.face(corners?, coat, *place).map_err(|fault| fault.at(*place))?;
@@ -147,59 +140,42 @@ impl Elements {
         Ok(())
     }
 
-    fn vertex(&self, number: f64, place: FilePlace) -> Result<DVec3, Located> {
+    fn vertex(&self, number: f64, place: FilePlace) -> Result<DVec3, Refusal> {
         // The cast of what is below 0 or no number is 0, which then differs.
         let index = number as usize;
         match self.vertices.get(index).filter(|_| index as f64 == number) {
             Some(vertex) => Ok(*vertex),
-            None => Err(Located::new(
+            None => refuse_at(
                 place,
                 format!("the face has the vertex {number}; {} are listed, from 0 on", self.vertices.len()),
                 "correct the number, or list the vertex",
-            )),
+            ),
         }
     }
 }
 
-/// Answer about a property of an element: whether its values are wanted.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kept {
-    Yes,
-    No,
-}
-
-/// Reads one element. `take` is asked about each property by its index, without a value, and then given the
-/// values of those that it wants.
+/// Reads one element. `take` is given the index and each value of the properties that are `wanted`.
 fn row(
     properties: &[Property],
     numbers: &mut dyn Numbers,
-    take: &mut dyn FnMut(usize, Option<f64>) -> Result<Kept, Located>,
-) -> Result<(), Located> {
+    wanted: &[usize],
+    take: &mut dyn FnMut(usize, f64) -> Result<(), Refusal>,
+) -> Result<(), Refusal> {
     for (index, property) in properties.iter().enumerate() {
         let count = match property.count {
             Some(scalar) => {
                 let place = numbers.place();
                 let count = numbers.number(scalar)?;
                 length(count).ok_or_else(|| {
-                    Located::new(
-                        place,
-                        format!(
-                            "the list '{}' has the length {count}",
-                            radiosity_photometry::text::short(&property.name)
-                        ),
-                        "correct its length, or export the model again",
-                    )
+                    let cause = format!("the list '{}' has the length {count}", short(&property.name));
+                    Refusal::new(cause, "correct its length, or export the model again").at(place)
                 })?
             }
             None => 1,
         };
-        if take(index, None)? == Kept::No {
-            numbers.skip(property.item, count)?;
-            continue;
-        }
-        for _ in 0..count {
-            let value = numbers.number(property.item)?;
-            take(index, Some(value))?;
+        match wanted.contains(&index) {
+            true => (0..count).try_for_each(|_| take(index, numbers.number(property.item)?))?,
+            false => numbers.skip(property.item, count)?,
         }
     }
     Ok(())

@@ -1,9 +1,10 @@
 //! The header of a PLY: how what follows is encoded, and the elements with their properties.
 
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::text::short;
+
+use crate::scalar::Scalar;
 
 /// Encoding of the elements behind the header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,48 +14,24 @@ pub(super) enum Encoding {
     Big,
 }
 
-/// A type of numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Scalar {
-    I8,
-    U8,
-    I16,
-    U16,
-    I32,
-    U32,
-    F32,
-    F64,
-}
-
-impl Scalar {
-    fn named(name: &str) -> Result<Scalar, Fault> {
-        Ok(match name.to_ascii_lowercase().as_str() {
-            "char" | "int8" => Scalar::I8,
-            "uchar" | "uint8" => Scalar::U8,
-            "short" | "int16" => Scalar::I16,
-            "ushort" | "uint16" => Scalar::U16,
-            "int" | "int32" => Scalar::I32,
-            "uint" | "uint32" => Scalar::U32,
-            "float" | "float32" => Scalar::F32,
-            "double" | "float64" => Scalar::F64,
-            _ => {
-                return Err(Fault::new(
-                    format!("'{}' is no type of numbers", short(name)),
-                    "write char, uchar, short, ushort, int, uint, float or double",
-                ));
-            }
-        })
-    }
-
-    /// Size of a number (bytes).
-    pub(super) fn size(self) -> usize {
-        match self {
-            Scalar::I8 | Scalar::U8 => 1,
-            Scalar::I16 | Scalar::U16 => 2,
-            Scalar::I32 | Scalar::U32 | Scalar::F32 => 4,
-            Scalar::F64 => 8,
+/// The type of numbers of a name.
+fn scalar(name: &str) -> Result<Scalar, Refusal> {
+    Ok(match name.to_ascii_lowercase().as_str() {
+        "char" | "int8" => Scalar::I8,
+        "uchar" | "uint8" => Scalar::U8,
+        "short" | "int16" => Scalar::I16,
+        "ushort" | "uint16" => Scalar::U16,
+        "int" | "int32" => Scalar::I32,
+        "uint" | "uint32" => Scalar::U32,
+        "float" | "float32" => Scalar::F32,
+        "double" | "float64" => Scalar::F64,
+        _ => {
+            return refuse(
+                format!("'{}' is no type of numbers", short(name)),
+                "write char, uchar, short, ushort, int, uint, float or double",
+            );
         }
-    }
+    })
 }
 
 /// A property: a number, or a list of numbers behind their count.
@@ -96,7 +73,7 @@ pub(super) struct Header {
 
 impl Header {
     /// The header that the bytes begin with.
-    pub(super) fn of(bytes: &[u8]) -> Result<Header, Located> {
+    pub(super) fn of(bytes: &[u8]) -> Result<Header, Refusal> {
         let (mut encoding, mut elements) = (None, Vec::new());
         let mut lines = Lines::of(bytes);
         let mut number = 0;
@@ -107,11 +84,11 @@ impl Header {
             let is_end = words.first() == Some(&"end_header");
             if is_end {
                 let Some(encoding) = encoding else {
-                    return Err(Located::new(
+                    return refuse_at(
                         FilePlace::Line(number),
                         "the header names no format",
                         "add 'format ascii 1.0' below 'ply'",
-                    ));
+                    );
                 };
                 return Ok(Header { encoding, elements, body: lines.at, lines: number });
             }
@@ -121,18 +98,18 @@ impl Header {
             };
             read.map_err(|fault| fault.at(FilePlace::Line(number)))?;
         }
-        Err(Located::new(
+        refuse_at(
             FilePlace::Line(number.max(1)),
             "the header does not end",
             "export the model again; a header ends with 'end_header'",
-        ))
+        )
     }
 }
 
-fn magic(words: &[&str]) -> Result<(), Fault> {
+fn magic(words: &[&str]) -> Result<(), Refusal> {
     match words {
         ["ply"] => Ok(()),
-        _ => Err(Fault::new("the file does not begin with 'ply'", "name the format that the file has")),
+        _ => refuse("the file does not begin with 'ply'", "name the format that the file has"),
     }
 }
 
@@ -141,32 +118,16 @@ fn statement(
     line: usize,
     encoding: &mut Option<Encoding>,
     elements: &mut Vec<Element>,
-) -> Result<(), Fault> {
+) -> Result<(), Refusal> {
     match words {
         [] | ["comment" | "obj_info", ..] => Ok(()),
         ["format", kind, version] => {
-            if *version != "1.0" {
-                return Err(Fault::new(
-                    format!("the version {} is not known", short(version)),
-                    "save the file as version 1.0",
-                ));
-            }
-            *encoding = Some(match *kind {
-                "ascii" => Encoding::Text,
-                "binary_little_endian" => Encoding::Little,
-                "binary_big_endian" => Encoding::Big,
-                _ => {
-                    return Err(Fault::new(
-                        format!("'{}' is no format of PLY", short(kind)),
-                        "write ascii, binary_little_endian or binary_big_endian",
-                    ));
-                }
-            });
+            *encoding = Some(encoding_of(kind, version)?);
             Ok(())
         }
         ["element", name, count] => {
             let count = count.parse().map_err(|_| {
-                Fault::new(
+                Refusal::new(
                     format!("the number of '{}' is '{}'", short(name), short(count)),
                     "write how many there are",
                 )
@@ -174,21 +135,32 @@ fn statement(
             elements.push(Element { name: (*name).to_owned(), count, properties: Vec::new(), line });
             Ok(())
         }
-        ["property", "list", count, item, name] => {
-            add(elements, name, Some(Scalar::named(count)?), Scalar::named(item)?)
-        }
-        ["property", item, name] => add(elements, name, None, Scalar::named(item)?),
-        [first, ..] => Err(Fault::new(
+        ["property", "list", count, item, name] => add(elements, name, Some(scalar(count)?), scalar(item)?),
+        ["property", item, name] => add(elements, name, None, scalar(item)?),
+        [first, ..] => refuse(
             format!("'{}' is no statement of a header", short(first)),
             "write 'element NAME COUNT', 'property TYPE NAME', 'property list TYPE TYPE NAME' or 'comment'",
-        )),
+        ),
+    }
+}
+
+fn encoding_of(kind: &str, version: &str) -> Result<Encoding, Refusal> {
+    match (kind, version) {
+        ("ascii", "1.0") => Ok(Encoding::Text),
+        ("binary_little_endian", "1.0") => Ok(Encoding::Little),
+        ("binary_big_endian", "1.0") => Ok(Encoding::Big),
+        (_, "1.0") => refuse(
+            format!("'{}' is no format of PLY", short(kind)),
+            "write ascii, binary_little_endian or binary_big_endian",
+        ),
+        _ => refuse(format!("the version {} is not known", short(version)), "save the file as version 1.0"),
     }
 }
 
 /// Adds a property to the last element; a list has a `count` before its items.
-fn add(elements: &mut [Element], name: &str, count: Option<Scalar>, item: Scalar) -> Result<(), Fault> {
+fn add(elements: &mut [Element], name: &str, count: Option<Scalar>, item: Scalar) -> Result<(), Refusal> {
     let Some(element) = elements.last_mut() else {
-        return Err(Fault::new("a property stands before all elements", "put it behind its 'element'"));
+        return refuse("a property stands before all elements", "put it behind its 'element'");
     };
     element.properties.push(Property { name: name.to_owned(), count, item });
     Ok(())

@@ -1,11 +1,10 @@
 //! The numbers behind the header of a PLY, as words or as bits.
 
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::Refusal;
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
 use radiosity_photometry::text::short;
 
-use super::header::Scalar;
+use crate::scalar::Scalar;
 
 /// Numbers one after another.
 pub(super) trait Numbers {
@@ -16,13 +15,13 @@ pub(super) trait Numbers {
     ///
     /// # Errors
     /// The end of the file, a word that is no number.
-    fn number(&mut self, scalar: Scalar) -> Result<f64, Located>;
+    fn number(&mut self, scalar: Scalar) -> Result<f64, Refusal>;
 
     /// Leaves `count` numbers out.
     ///
     /// # Errors
     /// The end of the file.
-    fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Located>;
+    fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Refusal>;
 
     /// Greatest number of rows that may still follow, each of at least so many bytes (binary) or so many
     /// words (text).
@@ -30,8 +29,8 @@ pub(super) trait Numbers {
 }
 
 /// Refusal of a file that ends early.
-fn end(place: FilePlace) -> Located {
-    Fault::new("the file ends early", "export it again, or correct the counts in its header").at(place)
+fn end(place: FilePlace) -> Refusal {
+    Refusal::new("the file ends early", "export it again, or correct the counts in its header").at(place)
 }
 
 /// Numbers of a text, as words.
@@ -52,7 +51,7 @@ impl<'a> Words<'a> {
         Words { lines: text.lines().enumerate(), words, before, line: before, length: text.len() }
     }
 
-    fn word(&mut self) -> Result<&'a str, Located> {
+    fn word(&mut self) -> Result<&'a str, Refusal> {
         let place = self.place();
         self.words.next().ok_or_else(|| end(place))
     }
@@ -68,18 +67,15 @@ impl Numbers for Words<'_> {
         FilePlace::Line(self.line)
     }
 
-    fn number(&mut self, _scalar: Scalar) -> Result<f64, Located> {
+    fn number(&mut self, _scalar: Scalar) -> Result<f64, Refusal> {
         let word = self.word()?;
         word.parse().map_err(|_| {
-            Located::new(
-                FilePlace::Line(self.line),
-                format!("'{}' is no number", short(word)),
-                "write a number",
-            )
+            Refusal::new(format!("'{}' is no number", short(word)), "write a number")
+                .at(FilePlace::Line(self.line))
         })
     }
 
-    fn skip(&mut self, _scalar: Scalar, count: usize) -> Result<(), Located> {
+    fn skip(&mut self, _scalar: Scalar, count: usize) -> Result<(), Refusal> {
         for _ in 0..count {
             self.word()?;
         }
@@ -106,7 +102,7 @@ impl<'a> Bits<'a> {
     }
 
     /// The next bytes, the most significant one last.
-    fn word(&mut self, size: usize) -> Result<[u8; 8], Located> {
+    fn word(&mut self, size: usize) -> Result<[u8; 8], Refusal> {
         let found = self.bytes.get(self.at..).and_then(|rest| rest.get(..size));
         let Some(found) = found else { return Err(end(FilePlace::Byte(self.bytes.len()))) };
         let mut word = [0; 8];
@@ -124,30 +120,16 @@ impl Numbers for Bits<'_> {
         FilePlace::Byte(self.at)
     }
 
-    fn number(&mut self, scalar: Scalar) -> Result<f64, Located> {
+    fn number(&mut self, scalar: Scalar) -> Result<f64, Refusal> {
         let word = self.word(scalar.size())?;
-        let [a, b, c, d, ..] = word;
-        Ok(match scalar {
-            Scalar::I8 => f64::from(i8::from_le_bytes([a])),
-            Scalar::U8 => f64::from(a),
-            Scalar::I16 => f64::from(i16::from_le_bytes([a, b])),
-            Scalar::U16 => f64::from(u16::from_le_bytes([a, b])),
-            Scalar::I32 => f64::from(i32::from_le_bytes([a, b, c, d])),
-            Scalar::U32 => f64::from(u32::from_le_bytes([a, b, c, d])),
-            Scalar::F32 => f64::from(f32::from_le_bytes([a, b, c, d])),
-            Scalar::F64 => f64::from_le_bytes(word),
-        })
+        Ok(scalar.read(&word).unwrap_or(f64::NAN))
     }
 
-    fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Located> {
+    fn skip(&mut self, scalar: Scalar, count: usize) -> Result<(), Refusal> {
         let end_at = scalar.size().checked_mul(count).and_then(|size| self.at.checked_add(size));
-        match end_at.filter(|end_at| *end_at <= self.bytes.len()) {
-            Some(end_at) => {
-                self.at = end_at;
-                Ok(())
-            }
-            None => Err(end(FilePlace::Byte(self.bytes.len()))),
-        }
+        let is_there = |end_at: &usize| *end_at <= self.bytes.len();
+        self.at = end_at.filter(is_there).ok_or_else(|| end(FilePlace::Byte(self.bytes.len())))?;
+        Ok(())
     }
 
     fn most_rows(&self, bytes: usize, _words: usize) -> usize {

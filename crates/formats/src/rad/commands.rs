@@ -4,7 +4,7 @@
 //! Sources: Radiance, manual pages `xform(1)` and `genbox(1)`.
 
 use glam::DVec3;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::{number, short};
 
 use crate::model::Shape;
@@ -76,7 +76,7 @@ impl Pass {
     }
 
     /// The frame of an instance inside another frame.
-    pub(super) fn frame(&self, instance: usize, outer: &Frame) -> Result<Frame, Fault> {
+    pub(super) fn frame(&self, instance: usize, outer: &Frame) -> Result<Frame, Refusal> {
         let prefix = match (&self.prefix, self.transforms.is_array()) {
             (Some(prefix), false) => format!("{}{prefix}.", outer.prefix),
             (Some(prefix), true) => format!("{}{prefix}.{instance}.", outer.prefix),
@@ -84,7 +84,7 @@ impl Pass {
             (None, false) => outer.prefix.clone(),
         };
         if prefix.len() > LONGEST_NAME {
-            return Err(Fault::new("the names behind -n are too long together", "write shorter ones"));
+            return refuse("the names behind -n are too long together", "write shorter ones");
         }
         Ok(Frame {
             placed: self.transforms.instance(instance).then(&outer.placed),
@@ -99,12 +99,12 @@ impl Pass {
 ///
 /// # Errors
 /// Any command but `xform` with files and `genbox` of sharp edges, through `xform` or not.
-pub(super) fn parse(command: &str) -> Result<Command, Fault> {
+pub(super) fn parse(command: &str) -> Result<Command, Refusal> {
     if command.matches('|').count() >= MOST_STAGES {
-        return Err(Fault::new(
+        return refuse(
             format!("a command has more than {MOST_STAGES} stages"),
             "join some of them: one xform takes several transforms",
-        ));
+        );
     }
     let mut stages = command.split('|').map(words);
     let first = stages.next().unwrap_or_default();
@@ -113,7 +113,7 @@ pub(super) fn parse(command: &str) -> Result<Command, Fault> {
         ["xform", ref arguments @ ..] => {
             let (pass, files) = xform(arguments)?;
             if files.is_empty() {
-                return Err(Fault::new("an xform names no file", "name one behind its transforms"));
+                return refuse("an xform names no file", "name one behind its transforms");
             }
             (Source::Files(files), vec![pass])
         }
@@ -136,8 +136,8 @@ pub(super) fn parse(command: &str) -> Result<Command, Fault> {
     Ok(Command { source, passes })
 }
 
-fn not_followed(command: &str) -> Fault {
-    Fault::new(
+fn not_followed(command: &str) -> Refusal {
+    Refusal::new(
         format!("the command '!{}' is not run", short(command.trim())),
         "run it yourself and put what it prints in its place (Radiance: xform -e scene.rad > whole.rad)",
     )
@@ -162,7 +162,7 @@ fn words(text: &str) -> Vec<String> {
 }
 
 /// Reads the arguments of `xform`: its options, the transforms, the files.
-fn xform(arguments: &[&str]) -> Result<(Pass, Vec<String>), Fault> {
+fn xform(arguments: &[&str]) -> Result<(Pass, Vec<String>), Refusal> {
     let mut rest = arguments;
     let (mut prefix, mut modifier, mut is_turned) = (None::<String>, None, false);
     loop {
@@ -186,29 +186,29 @@ fn xform(arguments: &[&str]) -> Result<(Pass, Vec<String>), Fault> {
     let (transforms, read) = Transforms::parse(rest)?;
     let files = &rest[read..];
     if let Some(flag) = files.iter().find(|word| word.starts_with('-')) {
-        return Err(Fault::new(
+        return refuse(
             format!("xform {} is not followed", short(flag)),
             "write -n, -m, -I, -e or -c first, then -t, -rx, -ry, -rz, -s, -mx, -my, -mz, -i or -a, then files",
-        ));
+        );
     }
     let files = files.iter().map(|file| (*file).to_owned()).collect();
     Ok((Pass { transforms, prefix, modifier, is_turned }, files))
 }
 
 /// Reads the arguments of `genbox`.
-fn boxed(arguments: &[&str]) -> Result<Source, Fault> {
+fn boxed(arguments: &[&str]) -> Result<Source, Refusal> {
     let [modifier, name, x, y, z, ref options @ ..] = *arguments else {
-        return Err(Fault::new("a genbox lacks arguments", "write genbox material name x y z"));
+        return refuse("a genbox lacks arguments", "write genbox material name x y z");
     };
     if let Some(option) = options.iter().find(|option| **option != "-i") {
-        return Err(Fault::new(
+        return refuse(
             format!("genbox {} is not followed", short(option)),
             "take rounded and bevelled edges out, or put what genbox prints in its place",
-        ));
+        );
     }
     let corner = DVec3::new(number(x, "a size")?, number(y, "a size")?, number(z, "a size")?);
     if corner.min_element() <= 0.0 {
-        return Err(Fault::new("a box has no volume", "write three sizes above 0"));
+        return refuse("a box has no volume", "write three sizes above 0");
     }
     let mut shapes = genbox(corner);
     if !options.is_empty() {

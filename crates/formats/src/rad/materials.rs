@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::rc::Rc;
 
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::short;
 
 use crate::builder::Coat;
@@ -40,9 +40,9 @@ impl Materials {
     ///
     /// # Errors
     /// A name that was not defined.
-    pub(super) fn get(&self, name: &str) -> Result<&Meaning, Fault> {
+    pub(super) fn get(&self, name: &str) -> Result<&Meaning, Refusal> {
         self.meanings.get(name).ok_or_else(|| {
-            Fault::new(
+            Refusal::new(
                 format!("the modifier '{}' is not defined", short(name)),
                 "define it above, or join the file of the materials and this one: !xform materials.rad",
             )
@@ -54,7 +54,7 @@ impl Materials {
     ///
     /// # Errors
     /// Unknown modifiers, too few numbers, numbers below 0.
-    pub(super) fn define(&mut self, primitive: &Primitive) -> Result<Option<Vec<&'static str>>, Fault> {
+    pub(super) fn define(&mut self, primitive: &Primitive) -> Result<Option<Vec<&'static str>>, Refusal> {
         let (meaning, notes) = match primitive.kind.as_str() {
             "alias" => (self.named(primitive)?, Vec::new()),
             "texfunc" | "texdata" | "colorfunc" | "brightfunc" | "colordata" | "brightdata" | "colorpict"
@@ -76,19 +76,19 @@ impl Materials {
     }
 
     /// The meaning of the modifier that the first text names.
-    fn named(&self, primitive: &Primitive) -> Result<Meaning, Fault> {
+    fn named(&self, primitive: &Primitive) -> Result<Meaning, Refusal> {
         match primitive.strings.first() {
             Some(name) => self.get(name).cloned(),
-            None => Err(Fault::new(
+            None => refuse(
                 format!("the {} '{}' names no material", primitive.kind, short(&primitive.name)),
                 "name one as its first text",
-            )),
+            ),
         }
     }
 }
 
 /// The diffuse part of a material and what is left out of it; none if it is no material.
-fn coat(primitive: &Primitive) -> Result<Option<(Coat, Vec<&'static str>)>, Fault> {
+fn coat(primitive: &Primitive) -> Result<Option<(Coat, Vec<&'static str>)>, Refusal> {
     let specular = "specular reflection is left out";
     let coat = match primitive.kind.as_str() {
         "light" | "illum" | "glow" => return Ok(Some((lamp(primitive)?, Vec::new()))),
@@ -122,10 +122,10 @@ fn coat(primitive: &Primitive) -> Result<Option<(Coat, Vec<&'static str>)>, Faul
 }
 
 /// The first `N` numbers of a material, all ≥ 0.
-fn leading<const N: usize>(primitive: &Primitive) -> Result<[f64; N], Fault> {
+fn leading<const N: usize>(primitive: &Primitive) -> Result<[f64; N], Refusal> {
     let Primitive { kind, name, reals, .. } = primitive;
     let values: [f64; N] = reals.get(..N).and_then(|values| values.try_into().ok()).ok_or_else(|| {
-        Fault::new(
+        Refusal::new(
             format!("the {kind} '{}' has {} numbers, {N} are the least", short(name), reals.len()),
             "write them all, and their count before them",
         )
@@ -133,7 +133,7 @@ fn leading<const N: usize>(primitive: &Primitive) -> Result<[f64; N], Fault> {
     match values.iter().find(|value| **value < 0.0) {
         None => Ok(values),
         Some(value) => {
-            Err(Fault::new(format!("the {kind} '{}' has {value}, below 0", short(name)), "write 0 or more"))
+            refuse(format!("the {kind} '{}' has {value}, below 0", short(name)), "write 0 or more")
         }
     }
 }
@@ -143,13 +143,9 @@ fn reflecting(
     primitive: &Primitive,
     part: f64,
     notes: impl IntoIterator<Item = Option<&'static str>>,
-) -> Result<(Coat, Vec<&'static str>), Fault> {
-    let coat = Coat {
-        name: primitive.name.clone(),
-        reflectance: leading::<3>(primitive)?.map(|band| band * part.max(0.0)),
-        emission: [0.0; 3],
-        sides: Sides::Both,
-    };
+) -> Result<(Coat, Vec<&'static str>), Refusal> {
+    let reflectance = leading::<3>(primitive)?.map(|band| band * part.max(0.0));
+    let coat = Coat { name: primitive.name.clone(), reflectance, ..Coat::default() };
     Ok((coat, notes.into_iter().flatten().collect()))
 }
 
@@ -157,7 +153,7 @@ fn reflecting(
 fn translucent(
     primitive: &Primitive,
     [_, _, _, specular, _, transmitted]: [f64; 6],
-) -> Result<(Coat, Vec<&'static str>), Fault> {
+) -> Result<(Coat, Vec<&'static str>), Refusal> {
     let notes = [
         (specular != 0.0).then_some("specular reflection is left out"),
         (transmitted != 0.0).then_some("transmission of trans materials is left out"),
@@ -166,17 +162,11 @@ fn translucent(
 }
 
 fn black(primitive: &Primitive, note: &'static str) -> (Coat, Vec<&'static str>) {
-    let coat =
-        Coat { name: primitive.name.clone(), reflectance: [0.0; 3], emission: [0.0; 3], sides: Sides::Both };
-    (coat, vec![note])
+    (Coat { name: primitive.name.clone(), ..Coat::default() }, vec![note])
 }
 
 /// A lamp: its exitance is π times its radiance, and its front alone emits.
-fn lamp(primitive: &Primitive) -> Result<Coat, Fault> {
-    Ok(Coat {
-        name: primitive.name.clone(),
-        reflectance: [0.0; 3],
-        emission: leading::<3>(primitive)?.map(|radiance| PI * radiance),
-        sides: Sides::Front,
-    })
+fn lamp(primitive: &Primitive) -> Result<Coat, Refusal> {
+    let emission = leading::<3>(primitive)?.map(|radiance| PI * radiance);
+    Ok(Coat { name: primitive.name.clone(), emission, sides: Sides::Front, ..Coat::default() })
 }

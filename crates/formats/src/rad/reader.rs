@@ -1,7 +1,6 @@
 //! The reader: primitives one after another, commands by going down.
 
 use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
 use radiosity_photometry::text::short;
 
 use crate::budget::Budget;
@@ -48,35 +47,37 @@ impl<'a> Reader<'a> {
         let mut scanner = Scanner::new(text);
         loop {
             let before = scanner.left();
-            let next = scanner.next().map_err(|fault| self.refusal(fault, scanner.line()))?;
-            self.budget
-                .spend(before - scanner.left())
-                .map_err(|fault| self.refusal(fault, scanner.line()))?;
-            match next {
-                None => return Ok(()),
-                Some((line, Item::Command(command))) => self.command(&command, frame, line)?,
-                Some((line, Item::Primitive(primitive))) => {
-                    self.primitive(&primitive, frame, line).map_err(|fault| self.refusal(fault, line))?
-                }
-            }
+            let next = scanner.next().and_then(|next| {
+                self.budget.spend(before - scanner.left())?;
+                Ok(next)
+            });
+            let Some((line, item)) = next.map_err(|refusal| self.refusal(refusal, scanner.line()))? else {
+                return Ok(());
+            };
+            let done = match item {
+                Item::Command(command) => commands::parse(&command)
+                    .and_then(|command| self.pass(&command.source, &command.passes, frame, line)),
+                Item::Primitive(primitive) => self.primitive(&primitive, frame, line),
+            };
+            done.map_err(|refusal| self.refusal(refusal, line))?;
         }
     }
 
-    fn refusal(&self, fault: Fault, line: usize) -> Refusal {
-        fault.in_line(self.includes.current(), line)
+    fn refusal(&self, refusal: Refusal, line: usize) -> Refusal {
+        refusal.in_line(self.includes.current(), line)
     }
 
-    fn primitive(&mut self, primitive: &Primitive, frame: &Frame, line: usize) -> Result<(), Fault> {
+    fn primitive(&mut self, primitive: &Primitive, frame: &Frame, line: usize) -> Result<(), Refusal> {
         let left_out = match primitive.kind.as_str() {
             "source" => "light from afar (source) is left out",
             "instance" => "instances of octrees are left out",
             "mesh" => "compiled meshes are left out",
             _ => {
                 if let Some(shape) = shapes::shape(primitive)? {
-                    return self.surface(primitive, shape, frame, line);
+                    return self.surface([&primitive.modifier, &primitive.name], &shape, frame, line);
                 }
                 let notes = self.materials.define(primitive)?.ok_or_else(|| {
-                    Fault::new(
+                    Refusal::new(
                         format!("'{}' is no type of Radiance", short(&primitive.kind)),
                         "correct it; a primitive is modifier, type, name, and three lists with their counts",
                     )
@@ -91,70 +92,51 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// Adds a surface of its modifier, or of that of the frame.
+    /// Adds a surface of a modifier, or of that of the frame, and a name.
     fn surface(
         &mut self,
-        Primitive { modifier, name, .. }: &Primitive,
-        shape: Shape,
+        [modifier, name]: [&str; 2],
+        shape: &Shape,
         frame: &Frame,
         line: usize,
-    ) -> Result<(), Fault> {
-        let coat = match self.materials.get(frame.modifier.as_ref().unwrap_or(modifier))? {
+    ) -> Result<(), Refusal> {
+        let coat = match self.materials.get(frame.modifier.as_deref().unwrap_or(modifier))? {
             Meaning::Coat(coat) => coat.clone(),
             Meaning::Absent(note) => {
                 self.model.note(note, line);
                 return Ok(());
             }
         };
-        let mut placed = frame.placed.shape(&shape);
+        let mut placed = frame.placed.shape(shape);
         if frame.is_turned {
             placed.turn_over();
         }
         self.model.surface(Some(&format!("{}{name}", frame.prefix)), placed, &coat, line)
     }
 
-    fn command(&mut self, command: &str, frame: &Frame, line: usize) -> Result<(), Refusal> {
-        let command = commands::parse(command).map_err(|fault| self.refusal(fault, line))?;
-        self.pass(&command.source, &command.passes, frame, line)
-    }
-
     /// Sends what a command starts with through its last pass, and this through those before.
     fn pass(&mut self, source: &Source, passes: &[Pass], frame: &Frame, line: usize) -> Result<(), Refusal> {
         let Some((last, before)) = passes.split_last() else {
             return match source {
-                Source::Files(files) => files.iter().try_for_each(|file| self.include(file, frame, line)),
-                Source::Shapes { modifier, name, shapes } => self
-                    .shapes(modifier, name, shapes, frame, line)
-                    .map_err(|fault| self.refusal(fault, line)),
+                Source::Files(files) => files.iter().try_for_each(|file| self.include(file, frame)),
+                Source::Shapes { modifier, name, shapes } => {
+                    shapes.iter().try_for_each(|shape| self.surface([modifier, name], shape, frame, line))
+                }
             };
         };
         for instance in 0..last.count() {
-            let inner = self.budget.spend_on_include().and_then(|()| last.frame(instance, frame));
-            let inner = inner.map_err(|fault| self.refusal(fault, line))?;
-            self.pass(source, before, &inner, line)?;
+            self.budget.spend_on_include()?;
+            self.pass(source, before, &last.frame(instance, frame)?, line)?;
         }
         Ok(())
     }
 
-    fn shapes(
-        &mut self,
-        modifier: &str,
-        name: &str,
-        shapes: &[Shape],
-        frame: &Frame,
-        line: usize,
-    ) -> Result<(), Fault> {
-        let primitive =
-            Primitive { modifier: modifier.to_owned(), name: name.to_owned(), ..Primitive::default() };
-        shapes.iter().try_for_each(|shape| self.surface(&primitive, shape.clone(), frame, line))
-    }
-
     /// Reads another file. Radiance looks for it in the folder that it is started in, which is taken for the
     /// scene's; if it is not there, it is looked for beside the file that names it.
-    fn include(&mut self, name: &str, frame: &Frame, line: usize) -> Result<(), Refusal> {
+    fn include(&mut self, name: &str, frame: &Frame) -> Result<(), Refusal> {
         let beside = self.includes.beside(name);
         let path = if self.includes.has(name) { name } else { &beside };
-        let text = self.includes.enter(path).map_err(|fault| self.refusal(fault, line))?;
+        let text = self.includes.enter(path)?;
         self.read(&text, frame)?;
         self.includes.leave();
         Ok(())

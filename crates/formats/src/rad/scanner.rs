@@ -4,7 +4,7 @@
 //! lists, each with its count before it: texts, integers (none), numbers. An alias has the name of another
 //! modifier instead.
 
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::{number, short};
 
 /// An item of a scene and the line that it begins in.
@@ -58,7 +58,7 @@ impl<'a> Scanner<'a> {
     ///
     /// # Errors
     /// A primitive that is cut off, or whose counts and numbers are none.
-    pub(super) fn next(&mut self) -> Result<Option<(usize, Item)>, Fault> {
+    pub(super) fn next(&mut self) -> Result<Option<(usize, Item)>, Refusal> {
         self.skip_comments();
         let line = self.line;
         if self.rest.is_empty() {
@@ -129,7 +129,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// The next word, in quotes if it has blanks.
-    fn word(&mut self, what: &str) -> Result<String, Fault> {
+    fn word(&mut self, what: &str) -> Result<String, Refusal> {
         self.skip_blanks();
         if let Some(quote) = self.rest.chars().next().filter(|c| *c == '"' || *c == '\'')
             && let Some(end) = self.rest[1..].find(quote)
@@ -143,11 +143,11 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    fn count(&mut self, what: &str) -> Result<usize, Fault> {
+    fn count(&mut self, what: &str) -> Result<usize, Refusal> {
         self.skip_comments();
         let word = self.word(&format!("the number of {what}"))?;
         let count: usize = word.parse().map_err(|_| {
-            Fault::new(
+            Refusal::new(
                 format!("'{}' is no number of {what}", short(&word)),
                 "write how many follow: a primitive has three lists, each with its count before it",
             )
@@ -155,22 +155,22 @@ impl<'a> Scanner<'a> {
         // Each needs a blank and a character.
         match count <= self.rest.len() {
             true => Ok(count),
-            false => Err(Fault::new(
+            false => refuse(
                 format!("{count} {what} are announced, more than the file holds"),
                 "write how many follow",
-            )),
+            ),
         }
     }
 
-    fn number(&mut self) -> Result<f64, Fault> {
+    fn number(&mut self) -> Result<f64, Refusal> {
         self.skip_comments();
         let word = self.word("a number")?;
         number(&word, "a number")
     }
 }
 
-fn cut_off(what: &str) -> Fault {
-    Fault::new(
+fn cut_off(what: &str) -> Refusal {
+    Refusal::new(
         format!("the file ends where {what} must stand"),
         "complete the last primitive: modifier, type, name, and three lists with their counts",
     )

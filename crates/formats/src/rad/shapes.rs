@@ -3,7 +3,7 @@
 //! Source: Radiance reference manual, "Surfaces".
 
 use glam::DVec3;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
 use radiosity_photometry::text::short;
 
 use crate::model::Shape;
@@ -13,7 +13,7 @@ use crate::rad::scanner::Primitive;
 ///
 /// # Errors
 /// Another number of numbers than the shape needs, cones with radii of both signs, rings of radii below 0.
-pub(super) fn shape(primitive: &Primitive) -> Result<Option<Shape>, Fault> {
+pub(super) fn shape(primitive: &Primitive) -> Result<Option<Shape>, Refusal> {
     let shape = match primitive.kind.as_str() {
         "polygon" => polygon(primitive)?,
         "sphere" | "bubble" => {
@@ -40,19 +40,19 @@ pub(super) fn shape(primitive: &Primitive) -> Result<Option<Shape>, Fault> {
 }
 
 /// The numbers of a primitive that has exactly `N` of them.
-fn numbers<const N: usize>(primitive: &Primitive) -> Result<[f64; N], Fault> {
+fn numbers<const N: usize>(primitive: &Primitive) -> Result<[f64; N], Refusal> {
     primitive.reals[..].try_into().map_err(|_| wrong_count(primitive, &N.to_string()))
 }
 
-fn wrong_count(primitive: &Primitive, expected: &str) -> Fault {
+fn wrong_count(primitive: &Primitive, expected: &str) -> Refusal {
     let Primitive { kind, name, reals, .. } = primitive;
-    Fault::new(
+    Refusal::new(
         format!("the {kind} '{}' has {} numbers, {expected} are needed", short(name), reals.len()),
         "write them all, and their count before them",
     )
 }
 
-fn polygon(primitive: &Primitive) -> Result<Shape, Fault> {
+fn polygon(primitive: &Primitive) -> Result<Shape, Refusal> {
     let (points, rest) = primitive.reals.as_chunks::<3>();
     if points.len() < 3 || !rest.is_empty() {
         return Err(wrong_count(primitive, "3 for each of 3 vertices or more"));
@@ -60,33 +60,28 @@ fn polygon(primitive: &Primitive) -> Result<Shape, Fault> {
     Ok(Shape::Polygon { outline: points.iter().copied().map(DVec3::from_array).collect(), holes: Vec::new() })
 }
 
-fn cone(primitive: &Primitive) -> Result<Shape, Fault> {
+fn cone(primitive: &Primitive) -> Result<Shape, Refusal> {
     let [x, y, z, end_x, end_y, end_z, first, second] = numbers(primitive)?;
     if first.min(second) < 0.0 && first.max(second) > 0.0 {
-        return Err(Fault::new(
+        return refuse(
             format!("the {} '{}' has radii of both signs", primitive.kind, short(&primitive.name)),
             "give both the sign alike; a cup is a cone seen from inside",
-        ));
+        );
     }
     let base = DVec3::new(x, y, z);
     // With radii below 0 one kind is the other.
     let inward = (primitive.kind == "cup") != (first.min(second) < 0.0);
-    let axis = DVec3::new(end_x, end_y, end_z) - base;
-    let [first, second] = [first.abs(), second.abs()];
-    Ok(match first == second {
-        true => Shape::Cylinder { base, axis, radius: first, inward },
-        false => Shape::Cone { base, axis, radii: [first, second], inward },
-    })
+    Ok(Shape::cone(base, DVec3::new(end_x, end_y, end_z) - base, [first.abs(), second.abs()], inward))
 }
 
 /// Radii of a ring come in any order.
-fn ring(primitive: &Primitive) -> Result<Shape, Fault> {
+fn ring(primitive: &Primitive) -> Result<Shape, Refusal> {
     let [x, y, z, normal_x, normal_y, normal_z, first, second] = numbers(primitive)?;
     if first < 0.0 || second < 0.0 {
-        return Err(Fault::new(
+        return refuse(
             format!("the ring '{}' has a radius below 0", short(&primitive.name)),
             "write 0 or more",
-        ));
+        );
     }
     Ok(Shape::Disk {
         center: DVec3::new(x, y, z),

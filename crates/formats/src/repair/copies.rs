@@ -6,13 +6,14 @@
 
 use std::collections::HashSet;
 
+use radiosity_fit::stacked::are_sides_of_one;
+
 use crate::model::{Model, Sides};
 use crate::repair::edit::Edit;
 use crate::repair::record::{RepairKind, Repairs, spelt};
 
 /// Surfaces of which some go or change because of copies.
-pub(super) struct Copies<'a> {
-    model: &'a Model,
+pub(super) struct Copies {
     gone: Vec<bool>,
     both: Vec<bool>,
     /// Whether each surface becomes the back of another one.
@@ -22,13 +23,6 @@ pub(super) struct Copies<'a> {
     repairs: Repairs,
 }
 
-/// Changes of a model, by the index of the surface.
-pub(super) struct Changes {
-    gone: Vec<bool>,
-    both: Vec<bool>,
-    backs: Vec<NewBack>,
-}
-
 /// A surface that becomes the back of another one.
 struct NewBack {
     surface: usize,
@@ -36,12 +30,12 @@ struct NewBack {
     name: String,
 }
 
-impl<'a> Copies<'a> {
-    pub(super) fn of(model: &'a Model) -> Self {
+impl Copies {
+    pub(super) fn of(model: &Model) -> Self {
         let names = model.surfaces.iter().map(|surface| surface.name.clone()).collect();
         let none = || vec![false; model.surfaces.len()];
         let repairs = Repairs::default();
-        Copies { model, gone: none(), both: none(), is_back: none(), backs: vec![], names, repairs }
+        Copies { gone: none(), both: none(), is_back: none(), backs: vec![], names, repairs }
     }
 
     /// Whether a surface is still one of its own: neither removed nor the back of another one.
@@ -50,20 +44,20 @@ impl<'a> Copies<'a> {
     }
 
     /// Whether one side only of a surface reflects and emits.
-    pub(super) fn is_one_sided(&self, surface: usize) -> bool {
-        self.model.surfaces[surface].sides != Sides::Both && !self.both[surface]
+    pub(super) fn is_one_sided(&self, model: &Model, surface: usize) -> bool {
+        model.surfaces[surface].sides != Sides::Both && !self.both[surface]
     }
 
     /// Settles two surfaces in the same place, the first by index first, with the same front or opposite
     /// ones. Front and back of one sheet stay.
-    pub(super) fn settle(&mut self, first: usize, second: usize, is_alike: bool) {
-        if !is_alike && are_sides_of_one(self.model, [first, second]) {
+    pub(super) fn settle(&mut self, model: &Model, first: usize, second: usize, is_alike: bool) {
+        let [one, other] = [first, second].map(|index| &model.surfaces[index]);
+        if !is_alike && are_sides_of_one([&one.name, &other.name]) {
             return;
         }
-        let [one, other] = [first, second].map(|index| &self.model.surfaces[index]);
         let names = vec![one.name.clone(), other.name.clone()];
         let pair = spelt(&names);
-        let is_sheet = !is_alike && self.is_one_sided(first) && self.is_one_sided(second);
+        let is_sheet = !is_alike && self.is_one_sided(model, first) && self.is_one_sided(model, second);
         let back = format!("{}:back", one.name);
         let text = if is_sheet && one.material == other.material {
             self.both[first] = true;
@@ -76,22 +70,17 @@ impl<'a> Copies<'a> {
             self.backs.push(NewBack { surface: second, name: back });
             text
         } else {
-            let is_second = emits(self.model, second) && !emits(self.model, first);
+            let is_second = model.emits(second) && !model.emits(first);
             let gone = if is_second { first } else { second };
             self.gone[gone] = true;
-            format!("{pair} coincide; {:?} was removed", self.model.surfaces[gone].name)
+            format!("{pair} coincide; {:?} was removed", model.surfaces[gone].name)
         };
         self.repairs.say(RepairKind::Coincident, names, one.place, text);
     }
 
-    pub(super) fn changes(self, repairs: &mut Repairs) -> Changes {
+    /// Makes the changes and tells them.
+    pub(super) fn make(self, model: &mut Model, repairs: &mut Repairs) {
         repairs.list.extend(self.repairs.list);
-        Changes { gone: self.gone, both: self.both, backs: self.backs }
-    }
-}
-
-impl Changes {
-    pub(super) fn make(self, model: &mut Model) {
         for (surface, both) in model.surfaces.iter_mut().zip(&self.both) {
             surface.sides = if *both { Sides::Both } else { surface.sides };
         }
@@ -101,18 +90,6 @@ impl Changes {
         let mut edit = Edit::default();
         let gone = self.gone.iter().enumerate().filter(|(_, gone)| **gone);
         gone.for_each(|(index, _)| edit.replace(index, Vec::new()));
-        edit.apply(model);
+        edit.apply(model, repairs);
     }
-}
-
-/// Whether one surface is named the back of the other: both are sides of one sheet.
-pub(super) fn are_sides_of_one(model: &Model, pair: [usize; 2]) -> bool {
-    let [one, other] = pair.map(|index| model.surfaces[index].name.as_str());
-    one.strip_suffix(":back") == Some(other) || other.strip_suffix(":back") == Some(one)
-}
-
-/// Whether a surface emits.
-pub(super) fn emits(model: &Model, surface: usize) -> bool {
-    let material = model.surfaces[surface].material.and_then(|material| model.materials.get(material));
-    material.is_some_and(|material| material.emission.iter().any(|value| *value > 0.0))
 }

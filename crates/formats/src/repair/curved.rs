@@ -1,10 +1,10 @@
 //! Curved surfaces in the same place.
 
 use glam::DVec3;
-use radiosity_fit::ring;
+use radiosity_fit::outline;
 use radiosity_geom::{Aabb, Bvh, COINCIDENT, PARALLEL_PLANES};
 
-use crate::model::{Model, Shape};
+use crate::model::{Mantle, Model, Shape};
 use crate::repair::copies::Copies;
 use crate::repair::record::Repairs;
 
@@ -19,25 +19,21 @@ pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs)
     let boxes: Vec<Aabb> = curved.iter().map(|(_, bounds)| *bounds).collect();
     let tree = Bvh::build(&boxes);
     let mut copies = Copies::of(model);
-    let mut near = Vec::new();
     for (own, (first, bounds)) in curved.iter().enumerate() {
         if !copies.is_there(*first) {
             continue;
         }
-        near.clear();
-        tree.overlapping(bounds, |other| near.push(other));
-        near.retain(|other| *other > own);
-        near.sort_unstable();
-        for (second, _) in near.iter().map(|other| curved[*other]) {
+        for other in tree.near(bounds).into_iter().filter(|other| *other > own) {
+            let second = curved[other].0;
             let [a, b] = [*first, second].map(|index| &model.surfaces[index].shape);
             if let Some(is_alike) =
                 same(a, b, asked).filter(|_| copies.is_there(*first) && copies.is_there(second))
             {
-                copies.settle(*first, second, is_alike);
+                copies.settle(model, *first, second, is_alike);
             }
         }
     }
-    copies.changes(repairs).make(model);
+    copies.make(model, repairs);
 }
 
 /// The box around a shape that is no polygon.
@@ -49,8 +45,10 @@ fn bounds(shape: &Shape) -> Option<Aabb> {
         Shape::Disk { center, radius, .. } | Shape::Sphere { center, radius, .. } => {
             around(&[*center], *radius)
         }
-        Shape::Cylinder { base, axis, radius, .. } => around(&[*base, *base + *axis], *radius),
-        Shape::Cone { base, axis, radii, .. } => around(&[*base, *base + *axis], radii[0].max(radii[1])),
+        Shape::Cylinder { .. } | Shape::Cone { .. } => {
+            let Mantle { base, axis, radii, .. } = shape.mantle()?;
+            around(&[base, base + axis], radii[0].max(radii[1]))
+        }
         Shape::Torus { center, major, minor, .. } => around(&[*center], major + minor),
     }
 }
@@ -58,41 +56,26 @@ fn bounds(shape: &Shape) -> Option<Aabb> {
 /// Whether two shapes are in the same place, and if so, whether their fronts are the same.
 fn same(a: &Shape, b: &Shape, asked: Option<f64>) -> Option<bool> {
     let size = bounds(a)?.diagonal();
-    let near = |points: &[DVec3]| ring::tolerance(points, asked).max(COINCIDENT * size);
+    let near = |points: &[DVec3]| outline::tolerance(points, asked).max(COINCIDENT * size);
     if let (Shape::Quad(p), Shape::Quad(q)) = (a, b) {
         return same_quad(p, q, near(p));
     }
-    if let (Some(p), Some(q)) = (Mantle::of(a), Mantle::of(b)) {
-        return p.same(&q, near(&p.ends));
+    if let (Some(p), Some(q)) = (a.mantle(), b.mantle()) {
+        return same_mantle(&p, &q, near(&[p.base, p.base + p.axis]));
     }
-    match (a, b) {
-        (
-            Shape::Disk { center: p, normal: m, radius: r, inner: i },
-            Shape::Disk { center: q, normal: n, radius: s, inner: j },
-        ) => {
-            let near = near(&[*p]);
-            let is_same =
-                p.distance(*q) <= near && (r - s).abs().max((i - j).abs()) <= near && are_parallel(*m, *n);
-            is_same.then(|| m.dot(*n) > 0.0)
-        }
-        (
-            Shape::Sphere { center: p, radius: r, inward: own },
-            Shape::Sphere { center: q, radius: s, inward: other },
-        ) => {
-            let near = near(&[*p]);
-            (p.distance(*q) <= near && (r - s).abs() <= near).then_some(own == other)
-        }
-        (
-            Shape::Torus { center: p, axis: m, major: r, minor: i, inward: own },
-            Shape::Torus { center: q, axis: n, major: s, minor: j, inward: other },
-        ) => {
-            let near = near(&[*p]);
-            let is_same =
-                p.distance(*q) <= near && (r - s).abs().max((i - j).abs()) <= near && are_parallel(*m, *n);
-            is_same.then_some(own == other)
-        }
-        _ => None,
-    }
+    let is_alike = match (a, b) {
+        (Shape::Disk { normal: m, .. }, Shape::Disk { normal: n, .. }) => m.dot(*n) > 0.0,
+        (Shape::Sphere { inward: own, .. }, Shape::Sphere { inward: other, .. })
+        | (Shape::Torus { inward: own, .. }, Shape::Torus { inward: other, .. }) => own == other,
+        _ => return None,
+    };
+    // The middle, the axis if there is one, and the radii.
+    let ((p, r), (q, s)) = (a.numbers(), b.numbers());
+    let near = near(&p[..1]);
+    let is_same = p[0].distance(q[0]) <= near
+        && r.iter().zip(&s).all(|(r, s)| (r - s).abs() <= near)
+        && p[1..].iter().zip(&q[1..]).all(|(m, n)| are_parallel(*m, *n));
+    is_same.then_some(is_alike)
 }
 
 fn are_parallel(a: DVec3, b: DVec3) -> bool {
@@ -107,28 +90,11 @@ fn same_quad(p: &[DVec3; 4], q: &[DVec3; 4], near: f64) -> Option<bool> {
     (0..4).any(|turn| agree(&|k| turn + 4 - k)).then_some(false)
 }
 
-/// A cylinder or a cone.
-struct Mantle {
-    ends: [DVec3; 2],
-    radii: [f64; 2],
-    inward: bool,
-}
-
-impl Mantle {
-    fn of(shape: &Shape) -> Option<Mantle> {
-        let (base, axis, radii, inward) = match *shape {
-            Shape::Cylinder { base, axis, radius, inward } => (base, axis, [radius, radius], inward),
-            Shape::Cone { base, axis, radii, inward } => (base, axis, radii, inward),
-            _ => return None,
-        };
-        Some(Mantle { ends: [base, base + axis], radii, inward })
-    }
-
-    fn same(&self, other: &Mantle, near: f64) -> Option<bool> {
-        let agrees = |k: usize, l: usize| {
-            self.ends[k].distance(other.ends[l]) <= near && (self.radii[k] - other.radii[l]).abs() <= near
-        };
-        let is_same = agrees(0, 0) && agrees(1, 1) || agrees(0, 1) && agrees(1, 0);
-        is_same.then_some(self.inward == other.inward)
-    }
+fn same_mantle(p: &Mantle, q: &Mantle, near: f64) -> Option<bool> {
+    let ends = |mantle: &Mantle| [mantle.base, mantle.base + mantle.axis];
+    let agrees = |k: usize, l: usize| {
+        ends(p)[k].distance(ends(q)[l]) <= near && (p.radii[k] - q.radii[l]).abs() <= near
+    };
+    let is_same = agrees(0, 0) && agrees(1, 1) || agrees(0, 1) && agrees(1, 0);
+    is_same.then_some(p.inward == q.inward)
 }

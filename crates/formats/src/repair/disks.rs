@@ -8,9 +8,9 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 use glam::DVec3;
+use radiosity_fit::stacked::are_sides_of_one;
 
 use crate::model::{Model, Shape, Sides};
-use crate::repair::copies::{are_sides_of_one, emits};
 use crate::repair::edit::Edit;
 use crate::repair::record::{RepairKind, Repairs};
 use crate::repair::sheets::{Sheet, Sheets};
@@ -29,23 +29,22 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
     let StackedFaces { hidden, raised } = StackedFaces::of(model, &sheets);
     let mut edit = Edit::default();
     let mut say = |[sheet, on]: [usize; 2], what: &str| {
-        let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list()[index].surface]);
+        let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list[index].surface]);
         let text = format!("{:?} lies on {:?}{what}", surface.name, other.name);
         repairs.say(RepairKind::Overlap, vec![surface.name.clone(), other.name.clone()], surface.place, text);
     };
     for (sheet, on) in &hidden {
         say([*sheet, *on], " face down; it was removed");
-        edit.replace(sheets.list()[*sheet].surface, Vec::new());
+        edit.replace(sheets.list[*sheet].surface, Vec::new());
     }
     for (sheet, on) in &raised {
         say([*sheet, on[0]], "; it was raised slightly");
     }
     for (index, by) in moves(&sheets, &raised, |surface| model.surfaces[surface].sides == Sides::Both) {
-        if let Some(shape) = moved(&model.surfaces[index].shape, by) {
-            model.surfaces[index].shape = shape;
-        }
+        let shape = &mut model.surfaces[index].shape;
+        *shape = shape.map(|x| x + by, |vector| vector, |direction| direction, |length| length);
     }
-    edit.apply(model);
+    edit.apply(model, repairs);
 }
 
 /// Faces that lie on larger ones.
@@ -59,10 +58,12 @@ struct StackedFaces {
 impl StackedFaces {
     fn of(model: &Model, sheets: &Sheets) -> Self {
         let (mut hidden, mut raised) = (BTreeMap::new(), BTreeMap::<usize, Vec<usize>>::new());
-        for index in 0..sheets.list().len() {
+        for index in 0..sheets.list.len() {
             for other in sheets.later(index) {
-                let [first, second] = [index, other].map(|index| &sheets.list()[index]);
-                let is_sheet = are_sides_of_one(model, [first.surface, second.surface]);
+                let [first, second] = [index, other].map(|index| &sheets.list[index]);
+                let is_sheet = are_sides_of_one(
+                    [first, second].map(|sheet| model.surfaces[sheet.surface].name.as_str()),
+                );
                 if is_sheet || !(first.is_round || second.is_round) {
                     continue;
                 }
@@ -71,8 +72,8 @@ impl StackedFaces {
                     continue;
                 }
                 let [sheet, on] = if order(second, first).is_lt() { [other, index] } else { [index, other] };
-                let [small, large] = [sheet, on].map(|index| &sheets.list()[index]);
-                let is_within = common > (1.0 - MISSED) * small.area();
+                let [small, large] = [sheet, on].map(|index| &sheets.list[index]);
+                let is_within = common > (1.0 - MISSED) * small.area;
                 match is_within && is_shown(model, small, large) {
                     true => drop(hidden.insert(sheet, on)),
                     false => raised.entry(sheet).or_default().push(on),
@@ -90,7 +91,7 @@ impl StackedFaces {
 /// Whether the only front of a face, which emits nothing, is towards the front of a larger one.
 fn is_shown(model: &Model, small: &Sheet, large: &Sheet) -> bool {
     let is_one_sided = |sheet: &Sheet| model.surfaces[sheet.surface].sides != Sides::Both;
-    let is_dark = !emits(model, small.surface);
+    let is_dark = !model.emits(small.surface);
     is_dark && !small.is_alike(large) && is_one_sided(small) && is_one_sided(large)
 }
 
@@ -102,39 +103,26 @@ fn moves(
     is_two_sided: impl Fn(usize) -> bool,
 ) -> Vec<(usize, DVec3)> {
     let mut indices: Vec<usize> = raised.keys().copied().collect();
-    indices.sort_by(|a, b| order(&sheets.list()[*b], &sheets.list()[*a]));
+    indices.sort_by(|a, b| order(&sheets.list[*b], &sheets.list[*a]));
     let mut by: BTreeMap<usize, DVec3> = BTreeMap::new();
     for index in indices {
-        let sheet = &sheets.list()[index];
+        let sheet = &sheets.list[index];
         let mut largest = DVec3::ZERO;
         for on in &raised[&index] {
-            let other = &sheets.list()[*on];
+            let other = &sheets.list[*on];
             // What has two fronts lies before the front of the larger face.
             let up = if is_two_sided(sheet.surface) { other.normal() } else { sheet.normal() };
-            let step = RAISED * sheet.extent() * up + by.get(on).copied().unwrap_or(DVec3::ZERO);
+            let step = RAISED * sheet.extent * up + by.get(on).copied().unwrap_or(DVec3::ZERO);
             largest = if step.length() > largest.length() { step } else { largest };
         }
         by.insert(index, largest);
     }
-    by.into_iter().map(|(index, by)| (sheets.list()[index].surface, by)).collect()
+    by.into_iter().map(|(index, by)| (sheets.list[index].surface, by)).collect()
 }
 
 /// Smaller faces first; of equal ones the later.
 fn order(a: &Sheet, b: &Sheet) -> Ordering {
-    a.area().total_cmp(&b.area()).then(b.surface.cmp(&a.surface))
-}
-
-fn moved(shape: &Shape, by: DVec3) -> Option<Shape> {
-    match shape {
-        Shape::Polygon { outline, holes } => {
-            let ring = |ring: &Vec<DVec3>| ring.iter().map(|x| *x + by).collect();
-            Some(Shape::Polygon { outline: ring(outline), holes: holes.iter().map(ring).collect() })
-        }
-        Shape::Disk { center, normal, radius, inner } => {
-            Some(Shape::Disk { center: *center + by, normal: *normal, radius: *radius, inner: *inner })
-        }
-        _ => None,
-    }
+    a.area.total_cmp(&b.area).then(b.surface.cmp(&a.surface))
 }
 
 #[cfg(test)]

@@ -4,36 +4,54 @@ use std::collections::BTreeMap;
 
 use crate::model::{Model, Shape, Surface};
 use crate::names::UniqueNames;
+use crate::repair::record::{RepairKind, Repairs};
 
-/// The shapes that take the place of surfaces, by index: none if the surface goes.
-#[derive(Debug, Default)]
+/// Changes of surfaces, by their index.
+#[derive(Default)]
 pub(super) struct Edit {
-    shapes: BTreeMap<usize, Vec<Shape>>,
+    changes: BTreeMap<usize, Change>,
+}
+
+/// The shapes that take the place of a surface: none if it goes.
+struct Change {
+    shapes: Vec<Shape>,
+    told: Option<Told>,
+}
+
+/// Kind of a fault and text of its repair, by the name of the surface and the names of those in its place.
+type Text = dyn Fn(&str, &[String]) -> (RepairKind, String);
+
+/// Telling of a change: its text, and other surfaces that have the fault too.
+pub(super) struct Told {
+    pub(super) others: Vec<String>,
+    pub(super) text: Box<Text>,
 }
 
 impl Edit {
-    pub(super) fn is_empty(&self) -> bool {
-        self.shapes.is_empty()
-    }
-
+    /// Replaces a surface by shapes, of which nothing is told.
     pub(super) fn replace(&mut self, surface: usize, shapes: Vec<Shape>) {
-        self.shapes.insert(surface, shapes);
+        self.changes.insert(surface, Change { shapes, told: None });
     }
 
-    /// Makes the changes. Of a surface that becomes several the parts are named `name-1`, `name-2`, …;
-    /// returns their new names by the old index, and the new indices of all changed surfaces.
-    pub(super) fn apply(mut self, model: &mut Model) -> Edited {
-        let mut edited = Edited::default();
-        if self.is_empty() {
-            return edited;
+    /// Replaces a surface by shapes, and tells it.
+    pub(super) fn tell(&mut self, surface: usize, shapes: Vec<Shape>, told: Told) {
+        self.changes.insert(surface, Change { shapes, told: Some(told) });
+    }
+
+    /// Makes the changes and tells them in the order of the surfaces. Of a surface that becomes several the
+    /// parts are named `name-1`, `name-2`, …; returns the new indices of all changed surfaces.
+    pub(super) fn apply(mut self, model: &mut Model, repairs: &mut Repairs) -> Vec<usize> {
+        let mut changed = Vec::new();
+        if self.changes.is_empty() {
+            return changed;
         }
         let mut unique = UniqueNames::default();
-        if self.shapes.values().any(|shapes| shapes.len() > 1) {
+        if self.changes.values().any(|change| change.shapes.len() > 1) {
             model.surfaces.iter().for_each(|surface| drop(unique.take(&surface.name)));
         }
         let mut kept = Vec::with_capacity(model.surfaces.len());
         for (index, surface) in std::mem::take(&mut model.surfaces).into_iter().enumerate() {
-            let Some(shapes) = self.shapes.remove(&index) else {
+            let Some(Change { shapes, told }) = self.changes.remove(&index) else {
                 kept.push(surface);
                 continue;
             };
@@ -45,27 +63,16 @@ impl Edit {
                     false => surface.name.clone(),
                 };
                 names.push(name.clone());
-                edited.changed.push(kept.len());
+                changed.push(kept.len());
                 kept.push(Surface { name, shape, ..surface.clone() });
             }
-            edited.names.insert(index, names);
+            if let Some(Told { others, text }) = told {
+                let (kind, text) = text(&surface.name, &names);
+                let surfaces = std::iter::once(surface.name).chain(others).collect();
+                repairs.say(kind, surfaces, surface.place, text);
+            }
         }
         model.surfaces = kept;
-        edited
-    }
-}
-
-/// New names and new indices of changed surfaces.
-#[derive(Debug, Default)]
-pub(super) struct Edited {
-    names: BTreeMap<usize, Vec<String>>,
-    /// Indices of the surfaces that take the places of changed ones, in order.
-    pub(super) changed: Vec<usize>,
-}
-
-impl Edited {
-    /// Names of the surfaces that take the place of a surface.
-    pub(super) fn names(&self, surface: usize) -> &[String] {
-        self.names.get(&surface).map_or(&[], Vec::as_slice)
+        changed
     }
 }

@@ -5,7 +5,7 @@
 use glam::DVec3;
 use radiosity_geom::{Aabb, Bvh};
 
-use crate::model::{Model, Shape, Surface};
+use crate::model::{self, Model, Shape, Surface};
 use crate::repair::record::{RepairKind, Repairs};
 use crate::tolerances::RAISED;
 
@@ -100,11 +100,7 @@ struct Mantle {
 
 impl Mantle {
     fn of(shape: &Shape) -> Option<Mantle> {
-        let (base, axis, radii) = match *shape {
-            Shape::Cylinder { base, axis, radius, .. } => (base, axis, [radius, radius]),
-            Shape::Cone { base, axis, radii, .. } => (base, axis, radii),
-            _ => return None,
-        };
+        let model::Mantle { base, axis, radii, .. } = shape.mantle()?;
         let (length, along) = (axis.length(), axis.try_normalize()?);
         let leading = along.to_array().into_iter().find(|x| x.abs() > STEP).unwrap_or(1.0);
         let along = along * leading.signum();

@@ -9,39 +9,30 @@ use radiosity_fit::plane::Plane;
 use radiosity_geom::{PlanarRegion, ShapeError};
 
 use crate::model::{Model, Shape};
-use crate::repair::edit::Edit;
+use crate::repair::edit::{Edit, Told};
 use crate::repair::record::{RepairKind, Repairs, counted, spelt};
 
 /// Makes each outline that touches or crosses itself into outlines that do not, with holes.
 pub(super) fn mend(model: &mut Model, asked: Option<f64>, repairs: &mut Repairs) {
     let mut edit = Edit::default();
-    let mut causes = Vec::new();
     for (index, surface) in model.surfaces.iter().enumerate() {
         let Shape::Polygon { outline, holes } = &surface.shape else { continue };
         let Some((parts, cause)) = faulty(outline, holes, asked) else { continue };
         let count = parts.iter().map(|part| part.holes.len()).sum::<usize>();
-        let shapes: Vec<Shape> = parts.into_iter().map(shape).collect();
-        causes.push((index, cause, count));
-        edit.replace(index, shapes);
-    }
-    let told: Vec<_> = causes
-        .into_iter()
-        .map(|(index, cause, holes)| {
-            let surface = &model.surfaces[index];
-            (index, surface.name.clone(), surface.place, cause, holes)
-        })
-        .collect();
-    let edited = edit.apply(model);
-    for (index, name, place, cause, holes) in told {
-        let made = match edited.names(index) {
-            [] => "it encloses no area and was removed".to_owned(),
-            [_] if holes > 0 => format!("it was made an outline with {}", counted(holes, "hole")),
-            [_] => "it was led around what it encloses".to_owned(),
-            names => format!("it was cut into {}", spelt(names)),
+        let text = move |name: &str, names: &[String]| {
+            let made = match names {
+                [] => "it encloses no area and was removed".to_owned(),
+                [_] if count > 0 => format!("it was made an outline with {}", counted(count, "hole")),
+                [_] => "it was led around what it encloses".to_owned(),
+                names => format!("it was cut into {}", spelt(names)),
+            };
+            let kind = if names.is_empty() { RepairKind::Sliver } else { RepairKind::Outline };
+            (kind, format!("the outline of {name:?} {cause}; {made}"))
         };
-        let kind = if edited.names(index).is_empty() { RepairKind::Sliver } else { RepairKind::Outline };
-        repairs.say(kind, vec![name.clone()], place, format!("the outline of {name:?} {cause}; {made}"));
+        let shapes = parts.into_iter().map(shape).collect();
+        edit.tell(index, shapes, Told { others: Vec::new(), text: Box::new(text) });
     }
+    edit.apply(model, repairs);
 }
 
 fn shape(part: Part) -> Shape {

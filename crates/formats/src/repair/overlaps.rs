@@ -8,11 +8,11 @@
 use std::collections::BTreeMap;
 
 use radiosity_fit::overlay::{Part, enclosed, without};
+use radiosity_fit::stacked::are_sides_of_one;
 use radiosity_fit::tolerances::SAME_AREA;
 
 use crate::model::{Model, Shape, Sides};
-use crate::repair::copies::{are_sides_of_one, emits};
-use crate::repair::edit::Edit;
+use crate::repair::edit::{Edit, Told};
 use crate::repair::record::{RepairKind, Repairs, spelt};
 use crate::repair::sheets::{Sheet, Sheets};
 
@@ -43,8 +43,8 @@ fn round(
 ) -> Vec<usize> {
     let sheets = Sheets::of(model);
     let mut cuts: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    let is_new = |index: usize| changed.is_none_or(|marks| marks[sheets.list()[index].surface]);
-    for index in (0..sheets.list().len()).filter(|index| is_new(*index)) {
+    let is_new = |index: usize| changed.is_none_or(|marks| marks[sheets.list[index].surface]);
+    for index in (0..sheets.list.len()).filter(|index| is_new(*index)) {
         // Of two new ones the earlier finds the later.
         for other in sheets.beside(index).filter(|other| *other > index || !is_new(*other)) {
             let pair = [index.min(other), index.max(other)];
@@ -54,43 +54,39 @@ fn round(
         }
     }
     let mut edit = Edit::default();
-    let mut told = Vec::new();
     for (cut, by) in cuts {
-        let sheet = &sheets.list()[cut];
-        let surface = &model.surfaces[sheet.surface];
-        let others: Vec<String> =
-            by.iter().map(|other| model.surfaces[sheets.list()[*other].surface].name.clone()).collect();
-        told.push((sheet.surface, surface.name.clone(), surface.place, others));
-        edit.replace(sheet.surface, rest(sheet, by.iter().map(|other| &sheets.list()[*other]), asked));
-    }
-    let edited = edit.apply(model);
-    for (index, name, place, others) in told {
-        let made = match edited.names(index) {
-            [] => "nothing of it was left".to_owned(),
-            [_] => format!("that part of {name:?} was cut out"),
-            names => format!("that part of {name:?} was cut out, which left {}", spelt(names)),
-        };
+        let sheet = &sheets.list[cut];
+        let name_of = |other: &usize| model.surfaces[sheets.list[*other].surface].name.clone();
+        let others: Vec<String> = by.iter().map(name_of).collect();
         let verb = if others.len() == 1 { "shares" } else { "share" };
-        let text = format!("{} {verb} a part of the place of {name:?}; {made}", spelt(&others));
-        let surfaces = std::iter::once(name).chain(others).collect();
-        repairs.say(RepairKind::Overlap, surfaces, place, text);
+        let by_others = format!("{} {verb} a part of the place of", spelt(&others));
+        let text = move |name: &str, names: &[String]| {
+            let made = match names {
+                [] => "nothing of it was left".to_owned(),
+                [_] => format!("that part of {name:?} was cut out"),
+                names => format!("that part of {name:?} was cut out, which left {}", spelt(names)),
+            };
+            (RepairKind::Overlap, format!("{by_others} {name:?}; {made}"))
+        };
+        let shapes = rest(sheet, by.iter().map(|other| &sheets.list[*other]), asked);
+        edit.tell(sheet.surface, shapes, Told { others, text: Box::new(text) });
     }
-    edited.changed
+    edit.apply(model, repairs)
 }
 
 /// Parts of a face outside other faces of its plane.
 fn rest<'a>(sheet: &Sheet, others: impl Iterator<Item = &'a Sheet>, asked: Option<f64>) -> Vec<Shape> {
     let parts = |sheet_of: &Sheet| -> Vec<Part> {
-        let outline = enclosed(sheet.plane(), &[sheet_of.outline()], asked);
+        let outline = enclosed(&sheet.plane, &[&sheet_of.outline], asked);
         let holes: Vec<Part> =
-            sheet_of.holes().iter().flat_map(|hole| enclosed(sheet.plane(), &[hole], asked)).collect();
-        if holes.is_empty() { outline } else { without(sheet.plane(), &outline, &holes, asked) }
+            sheet_of.holes.iter().flat_map(|hole| enclosed(&sheet.plane, &[hole], asked)).collect();
+        if holes.is_empty() { outline } else { without(&sheet.plane, &outline, &holes, asked) }
     };
     let cut: Vec<Part> = others.flat_map(parts).collect();
-    let own = Part { outline: sheet.outline().to_vec(), holes: Vec::new() };
-    let left = match sheet.holes() {
-        [] => without(sheet.plane(), &[own], &cut, asked),
-        _ => without(sheet.plane(), &parts(sheet), &cut, asked),
+    let own = Part { outline: sheet.outline.to_vec(), holes: Vec::new() };
+    let left = match sheet.holes[..] {
+        [] => without(&sheet.plane, &[own], &cut, asked),
+        _ => without(&sheet.plane, &parts(sheet), &cut, asked),
     };
     left.into_iter().map(|part| Shape::Polygon { outline: part.outline, holes: part.holes }).collect()
 }
@@ -105,8 +101,9 @@ struct Pair<'a> {
 impl Pair<'_> {
     /// The face that has to be cut, and the one that cuts it; None if nothing has to be.
     fn cut(&self) -> Option<[usize; 2]> {
-        let [first, second] = self.pair.map(|index| &self.sheets.list()[index]);
-        let is_sheet = are_sides_of_one(self.model, [first.surface, second.surface]);
+        let [first, second] = self.pair.map(|index| &self.sheets.list[index]);
+        let is_sheet =
+            are_sides_of_one([first, second].map(|sheet| self.model.surfaces[sheet.surface].name.as_str()));
         if first.is_round || second.is_round || is_sheet {
             return None;
         }
@@ -115,24 +112,24 @@ impl Pair<'_> {
             return None;
         }
         // Of equal ones the later lies on the earlier.
-        let [small, large] = match second.area() <= (1.0 + SAME_AREA) * first.area() {
+        let [small, large] = match second.area <= (1.0 + SAME_AREA) * first.area {
             true => [self.pair[1], self.pair[0]],
             false => self.pair,
         };
-        let [sheet, on] = [small, large].map(|index| &self.sheets.list()[index]);
+        let [sheet, on] = [small, large].map(|index| &self.sheets.list[index]);
         if self.is_two_sided(sheet) {
             return None;
         }
-        let is_within = common > (1.0 - SAME_AREA) * sheet.area();
+        let is_within = common > (1.0 - SAME_AREA) * sheet.area;
         let is_alike = sheet.is_alike(on) || self.is_two_sided(on);
         if is_alike {
-            let is_lamp_covered = emits(self.model, on.surface) && !emits(self.model, sheet.surface);
+            let is_lamp_covered = self.model.emits(on.surface) && !self.model.emits(sheet.surface);
             let cut = if is_lamp_covered { [small, large] } else { [large, small] };
             return (!is_within).then_some(cut);
         }
         // Back to back, or a body that stands there.
         let is_body = self.sheets.body(sheet) != 0.0 || is_within && self.sheets.body(on) < 0.0;
-        let cut = if emits(self.model, sheet.surface) { [large, small] } else { [small, large] };
+        let cut = if self.model.emits(sheet.surface) { [large, small] } else { [small, large] };
         (!is_body).then_some(cut)
     }
 

@@ -9,13 +9,12 @@ use radiosity_fit::plane::Plane;
 use radiosity_geom::{PlanarRegion, ShapeError};
 
 use crate::model::{Model, Shape};
-use crate::repair::edit::Edit;
+use crate::repair::edit::{Edit, Told};
 use crate::repair::record::{RepairKind, Repairs, counted, spelt};
 
 /// Makes polygons off their planes into patches and triangles.
 pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
     let mut edit = Edit::default();
-    let mut told = Vec::new();
     for (index, surface) in model.surfaces.iter().enumerate() {
         let Shape::Polygon { outline, holes } = &surface.shape else { continue };
         let judged = PlanarRegion::new(outline.clone(), holes.clone());
@@ -24,20 +23,18 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
             Ok(corners) if holes.is_empty() && is_warped(&corners) => vec![Shape::Quad(corners)],
             _ => triangles(outline, holes),
         };
+        let text = move |name: &str, names: &[String]| {
+            let made = match names {
+                [_] => "it was made a bilinear patch".to_owned(),
+                names => format!("it was cut into {}, {}", counted(names.len(), "triangle"), spelt(names)),
+            };
+            (RepairKind::Plane, format!("{name:?} is off its plane by {deviation:.1e}; {made}"))
+        };
         if !shapes.is_empty() {
-            edit.replace(index, shapes);
-            told.push((index, surface.name.clone(), surface.place, deviation));
+            edit.tell(index, shapes, Told { others: Vec::new(), text: Box::new(text) });
         }
     }
-    let edited = edit.apply(model);
-    for (index, name, place, deviation) in told {
-        let made = match edited.names(index) {
-            [_] => "it was made a bilinear patch".to_owned(),
-            names => format!("it was cut into {}, {}", counted(names.len(), "triangle"), spelt(names)),
-        };
-        let text = format!("{name:?} is off its plane by {deviation:.1e}; {made}");
-        repairs.say(RepairKind::Plane, vec![name], place, text);
-    }
+    edit.apply(model, repairs);
 }
 
 /// The triangles between the vertices, as they are seen along the mean normal; none if they cross there.

@@ -3,12 +3,13 @@
 use std::cell::OnceCell;
 
 use glam::DVec3;
+use radiosity_fit::bodies::{self, Beside};
+use radiosity_fit::coincident::{least_overlap, overlap};
 use radiosity_fit::outline::{area_vector, extent};
 use radiosity_fit::plane::Plane;
-use radiosity_fit::tolerances::{OVERLAP_OF_BREADTH, OVERLAP_OF_EXTENT};
 use radiosity_geom::{
     Aabb, Bvh, COINCIDENT, LOOSE, PARALLEL_PLANES, PlanarRegion, ROUNDINGS_OF_PLANE, coordinate_rounding,
-    distance_to_segment, polygon_area, polygon_width, sides, touching,
+    touching,
 };
 
 use crate::model::{Model, Shape};
@@ -24,12 +25,14 @@ pub(super) struct Sheet {
     pub(super) surface: usize,
     /// Whether the surface is a disk or a ring, whose region is only inscribed.
     pub(super) is_round: bool,
-    outline: Vec<DVec3>,
-    holes: Vec<Vec<DVec3>>,
-    plane: Plane,
-    extent: f64,
-    area: f64,
-    bounds: Aabb,
+    pub(super) outline: Vec<DVec3>,
+    pub(super) holes: Vec<Vec<DVec3>>,
+    pub(super) plane: Plane,
+    pub(super) extent: f64,
+    /// Area, holes taken off (length²).
+    pub(super) area: f64,
+    /// The box around the face.
+    pub(super) bounds: Aabb,
     region: OnceCell<Option<PlanarRegion>>,
 }
 
@@ -56,33 +59,6 @@ impl Sheet {
     /// Unit normal of the face's front.
     pub(super) fn normal(&self) -> DVec3 {
         self.plane.normal()
-    }
-
-    /// Extent of the face (length).
-    pub(super) fn extent(&self) -> f64 {
-        self.extent
-    }
-
-    /// Area of the face, holes taken off (length²).
-    pub(super) fn area(&self) -> f64 {
-        self.area
-    }
-
-    /// The box around the face.
-    pub(super) fn bounds(&self) -> &Aabb {
-        &self.bounds
-    }
-
-    pub(super) fn plane(&self) -> &Plane {
-        &self.plane
-    }
-
-    pub(super) fn outline(&self) -> &[DVec3] {
-        &self.outline
-    }
-
-    pub(super) fn holes(&self) -> &[Vec<DVec3>] {
-        &self.holes
     }
 
     fn region(&self) -> Option<&PlanarRegion> {
@@ -119,8 +95,7 @@ impl Sheet {
 
     /// The area that both have in common; 0 if they only touch.
     pub(super) fn common_area(&self, other: &Sheet) -> f64 {
-        let breadth = (self.area / self.extent).min(other.area / other.extent);
-        let least = (OVERLAP_OF_EXTENT * self.extent.min(other.extent)).min(OVERLAP_OF_BREADTH * breadth);
+        let least = least_overlap([self.extent, other.extent], [self.area, other.area]);
         let common = self.bounds.intersection(other.bounds);
         let mut widths = (common.max - common.min).to_array();
         widths.sort_by(f64::total_cmp);
@@ -129,10 +104,7 @@ impl Sheet {
         if widths[1] < 0.5 * least {
             return 0.0;
         }
-        let (Some(own), Some(others)) = (self.region(), other.region()) else { return 0.0 };
-        let parts: Vec<Vec<DVec3>> = own.common_parts(others).collect();
-        let is_wide = parts.iter().any(|part| polygon_width(part) > least);
-        if is_wide { parts.iter().map(|part| polygon_area(part)).sum() } else { 0.0 }
+        self.region().zip(other.region()).map_or(0.0, |(own, other)| overlap(own, other))
     }
 }
 
@@ -149,7 +121,8 @@ fn circle(center: DVec3, normal: DVec3, radius: f64) -> Option<Vec<DVec3>> {
 
 /// The flat faces of a model.
 pub(super) struct Sheets {
-    list: Vec<Sheet>,
+    /// The faces in the order of their surfaces.
+    pub(super) list: Vec<Sheet>,
     tree: Bvh,
 }
 
@@ -162,11 +135,6 @@ impl Sheets {
         Sheets { tree: Bvh::build(&boxes), list }
     }
 
-    /// The faces in the order of their surfaces.
-    pub(super) fn list(&self) -> &[Sheet] {
-        &self.list
-    }
-
     /// Faces after this one that share its plane and whose boxes overlap its own, in order.
     pub(super) fn later(&self, own: usize) -> impl Iterator<Item = usize> {
         self.beside(own).filter(move |other| *other > own)
@@ -175,40 +143,24 @@ impl Sheets {
     /// Indices of all faces that share a face's plane and whose boxes overlap its own, in order.
     pub(super) fn beside(&self, own: usize) -> impl Iterator<Item = usize> {
         let sheet = &self.list[own];
-        let mut near = Vec::new();
-        self.tree.overlapping(&sheet.bounds, |other| near.push(other));
-        near.sort_unstable();
-        near.into_iter().filter(move |other| *other != own && sheet.shares_plane(&self.list[*other]))
+        self.tree
+            .near(&sheet.bounds)
+            .into_iter()
+            .filter(move |other| *other != own && sheet.shares_plane(&self.list[*other]))
     }
 
-    /// Mean height over a face's front of the body that it belongs to: of faces in other planes with a side
-    /// along one of its own; 0 if it belongs to none. As in `radiosity_scene`.
+    /// Height of the body of a face, as [`bodies::height`] finds it.
     pub(super) fn body(&self, own: &Sheet) -> f64 {
         let tolerance = touching(own.extent, own.bounds.center().length());
-        let mut near = Vec::new();
-        self.tree.overlapping(&own.bounds, |other| near.push(other));
-        near.sort_unstable();
-        let (mut of_body, mut of_all) = (0.0, 0.0);
-        for other in near.into_iter().map(|other| &self.list[other]) {
-            if other.surface == own.surface || other.is_round {
-                continue;
-            }
-            let Some(runs) = run_along(&own.outline, &other.outline, tolerance) else { continue };
-            let corners = other.outline.len() as f64;
-            let height = other.outline.iter().map(|x| own.plane.height(*x)).sum::<f64>() / corners;
-            of_all += height;
-            of_body += if runs < 0.0 { height } else { 0.0 };
-        }
-        [of_body, of_all].into_iter().find(|height| height.abs() > tolerance).unwrap_or(0.0)
+        let beside = |other: usize| {
+            let sheet = &self.list[other];
+            let is_other = sheet.surface != own.surface && !sheet.is_round;
+            is_other.then_some(Beside { sheet: other, outline: &sheet.outline, is_flipped: false })
+        };
+        let others = self.tree.near(&own.bounds).into_iter().filter_map(beside);
+        bodies::height(&own.outline, tolerance, others, |other| {
+            let outline = &self.list[other].outline;
+            outline.iter().map(|x| own.plane.height(*x)).sum::<f64>() / outline.len() as f64
+        })
     }
-}
-
-/// Dot product of a side of this ring and a side of another ring that lies on it (length²), of the first such
-/// pair: positive if both run in the same direction.
-fn run_along(own: &[DVec3], other: &[DVec3], tolerance: f64) -> Option<f64> {
-    sides(other).find_map(|[a, b]| {
-        let holds = |side: &[DVec3; 2]| [a, b].iter().all(|x| distance_to_segment(*x, *side) <= tolerance);
-        let [p, q] = sides(own).find(holds)?;
-        Some((q - p).dot(b - a))
-    })
 }

@@ -1,10 +1,10 @@
 //! Faces without area.
 
 use radiosity_fit::outline::area_vector;
-use radiosity_fit::ring::length_and_width;
+use radiosity_fit::outline::length_and_width;
 use radiosity_geom::COINCIDENT;
 
-use crate::model::{Model, Shape};
+use crate::model::{Mantle, Model, Shape};
 use crate::repair::edit::Edit;
 use crate::repair::record::{RepairKind, Repairs};
 
@@ -21,7 +21,7 @@ pub(super) fn remove(model: &mut Model, repairs: &mut Repairs) {
         let text = format!("{:?} has no area; it was removed", surface.name);
         repairs.say(RepairKind::Sliver, vec![surface.name.clone()], surface.place, text);
     }
-    edit.apply(model);
+    edit.apply(model, repairs);
 }
 
 fn is_sliver(shape: &Shape) -> bool {
@@ -31,10 +31,13 @@ fn is_sliver(shape: &Shape) -> bool {
         Shape::Disk { radius, inner, normal, .. } => {
             radius - inner <= NARROW * radius || normal.length_squared() == 0.0
         }
-        Shape::Cylinder { axis, radius, .. } => *radius <= 0.0 || axis.length_squared() == 0.0,
-        Shape::Cone { axis, radii, .. } => radii[0].max(radii[1]) <= 0.0 || axis.length_squared() == 0.0,
         Shape::Sphere { radius, .. } => *radius <= 0.0,
         Shape::Torus { minor, axis, .. } => *minor <= 0.0 || axis.length_squared() == 0.0,
+        Shape::Cylinder { .. } | Shape::Cone { .. } => {
+            shape.mantle().is_some_and(|Mantle { axis, radii, .. }| {
+                radii[0].max(radii[1]) <= 0.0 || axis.length_squared() == 0.0
+            })
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 
 use glam::DVec3;
-use radiosity_fit::ring::tolerance;
+use radiosity_fit::outline::tolerance;
 use radiosity_geom::distance_to_segment;
 
 use crate::model::{Model, Shape};

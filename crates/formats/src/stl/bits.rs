@@ -2,11 +2,12 @@
 //! and a word that programs use for colours; little-endian.
 
 use glam::DVec3;
+use radiosity_photometry::error::{Refusal, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::Located;
 
 use crate::mesh::{Coat, Mesh};
 use crate::model::Sides;
+use crate::scalar::Scalar;
 
 const HEADER: usize = 84;
 const TRIANGLE: usize = 50;
@@ -25,8 +26,7 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
 
 /// The number of triangles that the header states.
 fn count(bytes: &[u8]) -> Option<usize> {
-    let count = bytes.get(HEADER - 4..HEADER)?;
-    usize::try_from(u32::from_le_bytes(count.try_into().ok()?)).ok()
+    usize::try_from(u32::from_le_bytes(*bytes.get(HEADER - 4..)?.first_chunk()?)).ok()
 }
 
 /// The bytes that so many triangles take.
@@ -35,20 +35,20 @@ fn length(count: usize) -> Option<usize> {
 }
 
 /// Adds the triangles of a binary STL.
-pub(super) fn read(bytes: &[u8], mesh: &mut Mesh) -> Result<(), Located> {
+pub(super) fn read(bytes: &[u8], mesh: &mut Mesh) -> Result<(), Refusal> {
     let Some(count) = count(bytes) else {
-        return Err(Located::new(
+        return refuse_at(
             FilePlace::Byte(bytes.len()),
             format!("the file ends after {} bytes; a binary STL has a header of {HEADER}", bytes.len()),
             "export it again; a text STL begins with 'solid'",
-        ));
+        );
     };
     if length(count).is_none_or(|length| length > bytes.len()) {
-        return Err(Located::new(
+        return refuse_at(
             FilePlace::Byte(HEADER - 4),
             format!("{count} triangles are announced, {} are there", (bytes.len() - HEADER) / TRIANGLE),
             "export it again; a text STL begins with 'solid'",
-        ));
+        );
     }
     let object = mesh.object(None);
     let body = &bytes[HEADER..];
@@ -62,16 +62,15 @@ pub(super) fn read(bytes: &[u8], mesh: &mut Mesh) -> Result<(), Located> {
     Ok(())
 }
 
-fn triangle(part: &[u8], object: usize, mesh: &mut Mesh, place: FilePlace) -> Result<(), Located> {
-    let number = |bytes: &[u8]| bytes.try_into().map_or(f64::NAN, |word| f64::from(f32::from_le_bytes(word)));
-    let numbers: Vec<f64> = part[..48].chunks_exact(4).map(number).collect();
+fn triangle(part: &[u8], object: usize, mesh: &mut Mesh, place: FilePlace) -> Result<(), Refusal> {
+    let numbers: Vec<f64> = part[..48].chunks_exact(4).filter_map(|bytes| Scalar::F32.read(bytes)).collect();
     let corners: Vec<DVec3> = numbers.chunks_exact(3).skip(1).map(DVec3::from_slice).collect();
     if !corners.iter().all(|corner| corner.is_finite()) {
-        return Err(Located::new(
+        return refuse_at(
             place,
             "a coordinate of this triangle is not finite",
             "export the model again, or take the triangle out",
-        ));
+        );
     }
     if part[48..].iter().any(|byte| *byte != 0) {
         mesh.model.note("attributes of triangles are left out", Some(place));

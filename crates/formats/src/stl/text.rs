@@ -2,16 +2,16 @@
 
 use glam::DVec3;
 use radiosity_fit::outline::area_vector;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse, refuse_at};
 use radiosity_photometry::file_place::FilePlace;
-use radiosity_photometry::located::{Located, decoded};
+use radiosity_photometry::text::decoded;
 use radiosity_photometry::text::{number, short};
 
 use crate::mesh::{Coat, Mesh};
 use crate::model::Sides;
 
 /// Adds the facets of a text.
-pub(super) fn read(bytes: &[u8], mesh: &mut Mesh) -> Result<(), Located> {
+pub(super) fn read(bytes: &[u8], mesh: &mut Mesh) -> Result<(), Refusal> {
     let text = decoded(bytes)?;
     let mut reader = Reader { mesh, object: None, facet: None };
     let mut last = 1;
@@ -23,11 +23,11 @@ pub(super) fn read(bytes: &[u8], mesh: &mut Mesh) -> Result<(), Located> {
         reader.line(line, last).map_err(|fault| fault.at(FilePlace::Line(last)))?;
     }
     match reader.facet {
-        Some(_) => Err(Located::new(
+        Some(_) => refuse_at(
             FilePlace::Line(last),
             "the text ends within a facet",
             "export the model again, or end the facet with 'endloop', 'endfacet'",
-        )),
+        ),
         None => Ok(()),
     }
 }
@@ -47,7 +47,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn line(&mut self, line: &str, number: usize) -> Result<(), Fault> {
+    fn line(&mut self, line: &str, number: usize) -> Result<(), Refusal> {
         let words: Vec<&str> = line.split_whitespace().collect();
         let lower = words.iter().take(2).map(|word| word.to_ascii_lowercase()).collect::<Vec<_>>().join(" ");
         let keyword = lower.split(' ').next().unwrap_or_default();
@@ -74,21 +74,21 @@ impl Reader<'_> {
                     facet.is_looped = false;
                     Ok(())
                 }
-                count => Err(Fault::new(
+                count => refuse(
                     format!("the facet has {count} corners"),
                     "a facet of STL is a triangle: give it three, or split it",
-                )),
+                ),
             },
             ("endfacet", Some(_)) => self.end(),
-            _ => Err(Fault::new(
+            _ => refuse(
                 format!("'{}' cannot stand here", short(words[0])),
                 "export the model again; a facet is 'facet normal', 'outer loop', three 'vertex', 'endloop', \
                  'endfacet'",
-            )),
+            ),
         }
     }
 
-    fn begin(&mut self, words: &[&str], line: usize) -> Result<(), Fault> {
+    fn begin(&mut self, words: &[&str], line: usize) -> Result<(), Refusal> {
         let is_stated = words.get(1).is_some_and(|word| word.eq_ignore_ascii_case("normal"));
         let normal = if is_stated { point(&words[2..], "a normal").ok() } else { None };
         let normal = normal.unwrap_or(DVec3::ZERO);
@@ -96,7 +96,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn end(&mut self) -> Result<(), Fault> {
+    fn end(&mut self) -> Result<(), Refusal> {
         let Some(facet) = self.facet.take() else { return Ok(()) };
         let place = FilePlace::Line(facet.line);
         if area_vector(&facet.corners).dot(facet.normal) < 0.0 {
@@ -110,12 +110,9 @@ impl Reader<'_> {
 }
 
 /// The three numbers of a point or a direction.
-fn point(words: &[&str], what: &str) -> Result<DVec3, Fault> {
+fn point(words: &[&str], what: &str) -> Result<DVec3, Refusal> {
     let [x, y, z] = words else {
-        return Err(Fault::new(
-            format!("{what} has {} numbers, it takes three", words.len()),
-            "give it x, y and z",
-        ));
+        return refuse(format!("{what} has {} numbers, it takes three", words.len()), "give it x, y and z");
     };
     Ok(DVec3::new(number(x, "x")?, number(y, "y")?, number(z, "z")?))
 }

@@ -1,8 +1,8 @@
 //! The statements of a View3D input: title, vertices, surfaces, by line.
 
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::{Refusal, refuse};
+use radiosity_photometry::file_place::FilePlace;
 use radiosity_photometry::text::{number, short};
 
 use super::plane::{self, Form};
@@ -98,44 +98,39 @@ impl Input {
     ///
     /// # Errors
     /// A line that is none of View3D's, with words missing, or numbers out of order.
-    pub(super) fn of(file: &str, text: &str) -> Result<Self, Refusal> {
+    pub(super) fn of(text: &str) -> Result<Self, Refusal> {
         let mut input = Self::default();
         let mut lines = Lines { lines: text.lines().enumerate(), is_over: false };
         while let Some((at, line)) = lines.next() {
             let words = lines.words(line);
             let Some((letter, rest)) = words.split_first() else { continue };
-            let refuse = |fault: Fault| fault.in_line(file, at);
+            let placed = |refusal: Refusal| refusal.at(FilePlace::Line(at));
             match letter.chars().next().map(|c| c.to_ascii_uppercase()) {
                 Some('E') => break,
                 Some('T') => input.title = title(line),
                 Some('C') => input.enclosure = input.enclosure.or(asks_for_enclosure(rest).then_some(at)),
-                Some('F' | 'G') => geometry(rest).map_err(refuse)?,
+                Some('F' | 'G') => geometry(rest).map_err(placed)?,
                 Some('V') => {
-                    let vertex = vertex(rest, input.vertices.len() + 1).map_err(refuse)?;
+                    let vertex = vertex(rest, input.vertices.len() + 1).map_err(placed)?;
                     input.vertices.push(vertex);
                 }
                 Some(letter @ ('S' | 'M' | 'N' | 'O')) => {
                     let wanted = input.surfaces.len() + 1;
-                    let surface = surface(
-                        file,
-                        kind(letter),
-                        Words { line: at, words: rest.to_vec() },
-                        wanted,
-                        &mut lines,
-                    )?;
-                    input.surfaces.push(surface);
+                    let surface =
+                        surface(kind(letter), Words { line: at, words: rest.to_vec() }, wanted, &mut lines);
+                    input.surfaces.push(surface.map_err(placed)?);
                 }
                 Some('X') => input.transformation = input.transformation.or(Some(at)),
                 Some('I') => {}
-                _ => return Err(refuse(unknown(letter))),
+                _ => return Err(placed(unknown(letter))),
             }
         }
         Ok(input)
     }
 }
 
-fn unknown(letter: &str) -> Fault {
-    Fault::new(
+fn unknown(letter: &str) -> Refusal {
+    Refusal::new(
         format!("a line begins with '{}'", short(letter)),
         "begin it with T, C, F, V, S, M, N, O or E, or with ! if it is a comment",
     )
@@ -165,72 +160,69 @@ fn asks_for_enclosure(words: &[&str]) -> bool {
 
 /// Accepts both three-dimensional geometries: the surfaces themselves tell in which of the two they are
 /// written.
-fn geometry(words: &[&str]) -> Result<(), Fault> {
+fn geometry(words: &[&str]) -> Result<(), Refusal> {
     let found = words.first().copied().unwrap_or_default();
     match ["3", "3a", "3b", "4"].iter().any(|known| known.eq_ignore_ascii_case(found)) {
         true => Ok(()),
-        false => Err(Fault::new(
+        false => refuse(
             format!("the geometry is '{}'", short(found)),
             "write F 3 or F 3a; surfaces have to be given in three dimensions",
-        )),
+        ),
     }
 }
 
-fn vertex(words: &[&str], wanted: usize) -> Result<DVec3, Fault> {
+fn vertex(words: &[&str], wanted: usize) -> Result<DVec3, Refusal> {
     let [index, x, y, z, ..] = words else {
-        return Err(Fault::new(
+        return refuse(
             format!("a vertex has {} words behind its letter", words.len()),
             "write V, its number, x, y and z",
-        ));
+        );
     };
     in_order(index, wanted, "vertex")?;
     Ok(DVec3::new(number(x, "x")?, number(y, "y")?, number(z, "z")?))
 }
 
 /// Refuses a `word` other than the number `wanted`: vertices and surfaces are numbered from 1 without a gap.
-fn in_order(word: &str, wanted: usize, what: &str) -> Result<(), Fault> {
+fn in_order(word: &str, wanted: usize, what: &str) -> Result<(), Refusal> {
     if wanted > MOST_VERTICES {
-        return Err(Fault::new(format!("there are more than {MOST_VERTICES} of a kind"), "divide the scene"));
+        return refuse(format!("there are more than {MOST_VERTICES} of a kind"), "divide the scene");
     }
     match word.parse() == Ok(wanted) {
         true => Ok(()),
-        false => Err(Fault::new(
+        false => refuse(
             format!("the number of a {what} is '{}', it has to be {wanted}", short(word)),
             format!("number each {what} by its place among them, from 1"),
-        )),
+        ),
     }
 }
 
 /// The surface whose line behind the letter is `words`.
 fn surface(
-    file: &str,
     kind: SurfaceRole,
     Words { line, words }: Words,
     wanted: usize,
     lines: &mut Lines,
 ) -> Result<Statement, Refusal> {
-    let refuse = |fault: Fault| fault.in_line(file, line);
-    let (index, rest) =
-        words.split_first().ok_or_else(|| refuse(missing("its number, its corners", kind)))?;
-    in_order(index, wanted, "surface").map_err(refuse)?;
+    let (index, rest) = words.split_first().ok_or_else(|| missing("its number, its corners", kind))?;
+    in_order(index, wanted, "surface")?;
     let form = rest.first().and_then(|word| Form::of(word));
     let (corners, rest) = match form {
         Some(_) => (Corners::Points(Vec::new()), &rest[1..]),
-        None => numbers(rest, kind).map_err(refuse)?,
+        None => numbers(rest, kind)?,
     };
     let mut statement = Statement { line, kind, corners, base: 0, combined: 0, emittance: 1.0, name: None };
     match kind {
         SurfaceRole::Obstruction => statement.name = obstruction_name(rest),
-        _ => data(&mut statement, rest).map_err(refuse)?,
+        _ => data(&mut statement, rest)?,
     }
     if let Some(form) = form {
-        let numbers = following(file, line, form.count(), lines)?;
+        let numbers = following(form.count(), lines)?;
         statement.corners = Corners::Points(plane::corners(form, &numbers));
     }
     Ok(statement)
 }
 
-fn missing(what: &str, kind: SurfaceRole) -> Fault {
+fn missing(what: &str, kind: SurfaceRole) -> Refusal {
     let cure = match kind {
         SurfaceRole::Obstruction => {
             "write O, its number, four vertices (the fourth 0 for a triangle) and a name"
@@ -240,11 +232,11 @@ fn missing(what: &str, kind: SurfaceRole) -> Fault {
              none), the surface it is combined with (0 for none), its emittance and a name"
         }
     };
-    Fault::new(format!("a surface lacks {what}"), cure)
+    Refusal::new(format!("a surface lacks {what}"), cure)
 }
 
 /// The numbers of its vertices, and the words behind.
-fn numbers<'a, 'b>(words: &'b [&'a str], kind: SurfaceRole) -> Result<(Corners, &'b [&'a str]), Fault> {
+fn numbers<'a, 'b>(words: &'b [&'a str], kind: SurfaceRole) -> Result<(Corners, &'b [&'a str]), Refusal> {
     let (vertices, rest) =
         words.split_at_checked(4).ok_or_else(|| missing("some of its four vertices", kind))?;
     let mut numbers = vertices.iter().map(|word| whole(word, "a vertex")).collect::<Result<Vec<_>, _>>()?;
@@ -254,9 +246,9 @@ fn numbers<'a, 'b>(words: &'b [&'a str], kind: SurfaceRole) -> Result<(Corners, 
     Ok((Corners::Numbers(numbers), rest))
 }
 
-fn whole(word: &str, what: &str) -> Result<usize, Fault> {
+fn whole(word: &str, what: &str) -> Result<usize, Refusal> {
     word.parse().map_err(|_| {
-        Fault::new(
+        Refusal::new(
             format!("{what} is '{}', which is no whole number from 0", short(word)),
             "write the number that it has in this file",
         )
@@ -264,7 +256,7 @@ fn whole(word: &str, what: &str) -> Result<usize, Fault> {
 }
 
 /// Base, combination, emittance and name.
-fn data(statement: &mut Statement, words: &[&str]) -> Result<(), Fault> {
+fn data(statement: &mut Statement, words: &[&str]) -> Result<(), Refusal> {
     let [base, combined, emittance, rest @ ..] = words else {
         return Err(missing("its base, its combination or its emittance", statement.kind));
     };
@@ -274,10 +266,10 @@ fn data(statement: &mut Statement, words: &[&str]) -> Result<(), Fault> {
     statement.name = rest.first().map(|name| (*name).to_owned());
     match (0.0..=1.0).contains(&statement.emittance) {
         true => Ok(()),
-        false => Err(Fault::new(
+        false => refuse(
             format!("the emittance is {}", statement.emittance),
             "write a number from 0 to 1; 1 is black",
-        )),
+        ),
     }
 }
 
@@ -293,18 +285,18 @@ fn obstruction_name(words: &[&str]) -> Option<String> {
 }
 
 /// The next `count` numbers, which may stand in several lines.
-fn following(file: &str, line: usize, count: usize, lines: &mut Lines) -> Result<Vec<f64>, Refusal> {
+fn following(count: usize, lines: &mut Lines) -> Result<Vec<f64>, Refusal> {
     let mut numbers = Vec::with_capacity(count);
     while numbers.len() < count {
         let Some((at, text)) = lines.next() else {
-            let fault = Fault::new(
+            return refuse(
                 format!("a surface has {} numbers in the lines behind it, {count} are needed", numbers.len()),
                 "write its origin, azimuth and tilt, then width and height or two coordinates for each corner",
             );
-            return Err(fault.in_line(file, line));
         };
         for word in lines.words(text).into_iter().take(count - numbers.len()) {
-            numbers.push(number(word, "a measure of a surface").map_err(|fault| fault.in_line(file, at))?);
+            let measure = number(word, "a measure of a surface");
+            numbers.push(measure.map_err(|refusal| refusal.at(FilePlace::Line(at)))?);
         }
     }
     Ok(numbers)

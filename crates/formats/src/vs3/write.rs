@@ -5,13 +5,12 @@ use std::collections::HashMap;
 use std::fmt::Write;
 
 use glam::DVec3;
-use radiosity_photometry::error::Refusal;
 
-use super::convex;
 use super::statements::OBSTRUCTION;
 use crate::colour::luminance;
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::tolerances::STEPS_OF_EMITTANCE;
+use radiosity_photometry::error::{Refusal, refuse};
 
 /// The text of a model. View3D has one band and no emission: the emittance is 1 − ρ, with ρ the luminance of
 /// three bands and the mean of others; emission is left out. A surface of two sides becomes two surfaces, the
@@ -68,21 +67,13 @@ impl Sheet {
     /// Lines of a surface, and of its back if it has two sides.
     fn add(&mut self, surface: &Surface, letter: char, emittance: &str) -> Result<(), Refusal> {
         let Shape::Polygon { outline, holes } = &surface.shape else {
-            return Err(refusal(
-                format!(
-                    "surface \"{}\" is {}, View3D has flat surfaces only",
-                    surface.name,
-                    kind(&surface.shape)
-                ),
+            let kind = if let Shape::Quad(_) = surface.shape { "curved patch" } else { surface.shape.kind() };
+            return refuse(
+                format!("surface \"{}\" is a {kind}, View3D has flat surfaces only", surface.name),
                 "write it in another format, or put polygons in its place",
-            ));
+            );
         };
-        let mut pieces = convex::pieces(outline, holes).ok_or_else(|| {
-            refusal(
-                format!("the outline of surface \"{}\" crosses itself or has no area", surface.name),
-                "repair the scene before it is written",
-            )
-        })?;
+        let mut pieces = surface.pieces(outline, holes)?;
         self.add_pieces(&surface.name, &pieces, letter, emittance);
         if surface.sides == Sides::Both {
             pieces.iter_mut().for_each(|piece| piece.reverse());
@@ -130,18 +121,6 @@ fn line(text: &mut String, words: std::fmt::Arguments<'_>) {
     let _ = writeln!(text, "{words}");
 }
 
-fn kind(shape: &Shape) -> &'static str {
-    match shape {
-        Shape::Polygon { .. } => "a polygon",
-        Shape::Quad(_) => "a curved patch",
-        Shape::Disk { .. } => "a disk",
-        Shape::Cylinder { .. } => "a cylinder",
-        Shape::Cone { .. } => "a cone",
-        Shape::Sphere { .. } => "a sphere",
-        Shape::Torus { .. } => "a torus",
-    }
-}
-
 /// A name of one word that neither begins a comment nor ends the data.
 fn printable(name: &str) -> String {
     let replaced = |c: char| c.is_whitespace() || c.is_control() || matches!(c, ',' | '!');
@@ -150,8 +129,4 @@ fn printable(name: &str) -> String {
         Some(rest) => format!("_{rest}"),
         None => word,
     }
-}
-
-fn refusal(cause: String, cure: &str) -> Refusal {
-    Refusal { file: "the View3D text".to_owned(), place: None, cause, cure: cure.to_owned() }
 }

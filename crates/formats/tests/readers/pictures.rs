@@ -8,7 +8,7 @@ use exr::prelude::{
 use png::{BitDepth, ColorType, Encoder, ScaledFloat, SrgbRenderingIntent};
 use proptest::prelude::*;
 use radiosity_formats::picture::{Coding, Picture, read};
-use radiosity_photometry::fault::Fault;
+use radiosity_photometry::error::Refusal;
 
 const ALL: usize = usize::MAX;
 
@@ -38,7 +38,7 @@ fn taken(bytes: &[u8]) -> Picture {
 }
 
 #[track_caller]
-fn refused(bytes: &[u8], cause: &str) -> Fault {
+fn refused(bytes: &[u8], cause: &str) -> Refusal {
     let fault = read(bytes, None, ALL).expect_err(cause);
     assert!(fault.cause.contains(cause), "{} is not {cause}", fault.cause);
     assert!(!fault.cure.is_empty());

@@ -1,8 +1,8 @@
 //! Sets of lamps of EULUMDAT.
 
+use crate::error::Refusal;
 use crate::note::Note;
 
-use crate::located::Located;
 use crate::numbers::Numbers;
 
 /// Most sets of lamps. Stockmar has 20.
@@ -19,7 +19,7 @@ pub(super) struct LampSet {
 ///
 /// # Errors
 /// No set, or one without flux.
-pub(super) fn first(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<LampSet, Located> {
+pub(super) fn first(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<LampSet, Refusal> {
     let count = numbers.whole("the number of lamp sets", 1, MOST_SETS)?;
     let first = set(numbers)?;
     for _ in 1..count {
@@ -32,7 +32,7 @@ pub(super) fn first(numbers: &mut Numbers, notes: &mut Vec<Note>) -> Result<Lamp
     Ok(first)
 }
 
-fn set(numbers: &mut Numbers) -> Result<LampSet, Located> {
+fn set(numbers: &mut Numbers) -> Result<LampSet, Refusal> {
     let is_absolute = numbers.next("the number of lamps")? < 0.0;
     numbers.word("the type of the lamps")?;
     let flux = numbers.factor("the flux of the lamps")?;

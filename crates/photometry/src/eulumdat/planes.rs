@@ -1,6 +1,6 @@
 //! Planes of EULUMDAT: which of all have intensities, by the symmetry `Isym`.
 
-use crate::fault::Fault;
+use crate::error::{Refusal, refuse};
 use crate::symmetry::Symmetry;
 use crate::text::told;
 
@@ -17,13 +17,13 @@ pub(super) struct Stated {
 ///
 /// # Errors
 /// Angles outside [0°, 360°), or without the planes where a symmetry ends.
-pub(super) fn stated(isym: usize, all: &[f64]) -> Result<Stated, Fault> {
+pub(super) fn stated(isym: usize, all: &[f64]) -> Result<Stated, Refusal> {
     let last = all[all.len() - 1];
     if all[0] != 0.0 || last > 360.0 {
-        return Err(Fault::new(
+        return refuse(
             format!("the angles C run from {} to {}", told(all[0]), told(last)),
             "let them begin at 0 and end before 360",
-        ));
+        );
     }
     let upto = |end: f64| -> Vec<f64> { all.iter().copied().filter(|c| *c <= end).collect() };
     let (symmetry, ends, planes) = match isym {
@@ -38,13 +38,13 @@ pub(super) fn stated(isym: usize, all: &[f64]) -> Result<Stated, Fault> {
     };
     match ends.iter().find(|end| !all.contains(end)) {
         None => Ok(Stated { symmetry, planes }),
-        Some(end) => Err(Fault::new(
+        Some(end) => refuse(
             format!(
                 "the symmetry Isym = {isym} ends at C = {end}, which is none of the {} angles",
                 all.len()
             ),
             "list the angles of all planes from 0 to 360, or correct Isym and Mc",
-        )),
+        ),
     }
 }
 

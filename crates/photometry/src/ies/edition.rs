@@ -1,6 +1,6 @@
 //! The editions of LM-63.
 
-use crate::fault::Fault;
+use crate::error::{Refusal, refuse};
 use crate::text::short;
 
 /// An edition of LM-63, by its year.
@@ -18,7 +18,7 @@ impl Edition {
     ///
     /// # Errors
     /// A line that states one that is not known.
-    pub(super) fn of(line: &str) -> Result<Option<Edition>, Fault> {
+    pub(super) fn of(line: &str) -> Result<Option<Edition>, Refusal> {
         let line = line.trim().to_ascii_uppercase();
         let year = match line.split_once("LM-63-") {
             Some(("IESNA:" | "IES:" | "ANSI/IES:" | "ANSI/IESNA:", year)) => year,
@@ -33,10 +33,10 @@ impl Edition {
             "95" | "1995" => Ok(Some(Edition::Of1995)),
             "02" | "2002" => Ok(Some(Edition::Of2002)),
             "19" | "2019" => Ok(Some(Edition::Of2019)),
-            _ => Err(Fault::new(
+            _ => refuse(
                 format!("the edition of LM-63 is '{}'", short(year)),
                 "write IESNA:LM-63-2002 or the edition that the numbers follow: 1986, 1991, 1995, 2002 or 2019",
-            )),
+            ),
         }
     }
 }

@@ -1,9 +1,8 @@
 //! Headers, the lines before the numbers: edition, labels or keywords, `TILT=`.
 
 use super::edition::Edition;
-use crate::fault::Fault;
+use crate::error::{Refusal, refuse, refuse_at};
 use crate::file_place::FilePlace;
-use crate::located::Located;
 use crate::text::short;
 
 /// The header of a file, and where its numbers begin.
@@ -27,7 +26,7 @@ impl<'a> Header<'a> {
     ///
     /// # Errors
     /// A text without this line, or one that names a file there; an unknown edition.
-    pub(super) fn of(text: &'a str) -> Result<Self, Located> {
+    pub(super) fn of(text: &'a str) -> Result<Self, Refusal> {
         let (mut edition, mut keywords) = (Edition::Of1986, Vec::new());
         let (mut rest, mut line) = (text, 0);
         while !rest.is_empty() {
@@ -43,11 +42,11 @@ impl<'a> Header<'a> {
                 _ => keyword(current.trim(), &mut keywords),
             }
         }
-        Err(Located::new(
+        refuse_at(
             FilePlace::Line(line.max(1)),
             "the text ends before a line TILT=",
             "write TILT=NONE before the numbers; if this is an EULUMDAT file, name it .ldt",
-        ))
+        )
     }
 
     /// Name of the luminaire for people: its description, its catalogue number or the first label.
@@ -67,14 +66,14 @@ fn tilt(line: &str) -> Option<&str> {
     word.trim().eq_ignore_ascii_case("TILT").then(|| tilt.trim())
 }
 
-fn includes(tilt: &str) -> Result<bool, Fault> {
+fn includes(tilt: &str) -> Result<bool, Refusal> {
     match tilt.to_ascii_uppercase().as_str() {
         "NONE" => Ok(false),
         "INCLUDE" => Ok(true),
-        _ => Err(Fault::new(
+        _ => refuse(
             format!("TILT= names the file '{}'", short(tilt)),
             "write TILT=INCLUDE and the contents of this file behind it, or TILT=NONE where the lamp burns as measured",
-        )),
+        ),
     }
 }
 
@@ -109,7 +108,7 @@ mod tests {
         assert_eq!((header.name().as_str(), header.edition), ("A lamp", Edition::Of1986));
         assert!(header.has_tilt_factors);
         for (text, cure) in [("IESNA91\n1 2 3", "TILT=NONE"), ("TILT=LAMP.TLT\n1", "TILT=INCLUDE")] {
-            assert!(Header::of(text).expect_err(text).fault.cure.contains(cure));
+            assert!(Header::of(text).expect_err(text).cure.contains(cure));
         }
     }
 }

@@ -4,14 +4,14 @@
 //! are read, for many files state one edition and follow another.
 
 use super::edition::Edition;
-use crate::located::Located;
+use crate::error::Refusal;
 use crate::numbers::Numbers;
 use crate::opening::{Form, Opening};
 use crate::text::told;
 
 const METRES_PER_FOOT: f64 = 0.3048;
 
-pub(super) fn read(numbers: &mut Numbers, edition: Edition) -> Result<Opening, Located> {
+pub(super) fn read(numbers: &mut Numbers, edition: Edition) -> Result<Opening, Refusal> {
     let metres = match numbers.whole("the unit (1 feet, 2 metres)", 1, 2)? {
         1 => METRES_PER_FOOT,
         _ => 1.0,

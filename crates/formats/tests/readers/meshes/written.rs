@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use proptest::prelude::*;
+use radiosity_formats::format::Written;
 use radiosity_formats::model::{Material, Model, Shape, Sides, Surface};
 use radiosity_formats::obj::read;
-use radiosity_formats::obj::write::{Written, write};
+use radiosity_formats::obj::write::write;
 use radiosity_test_support::random::seeded;
 
 use crate::measures::{assert_cube, names};
@@ -14,7 +15,8 @@ use crate::memory::Memory;
 use crate::meshes::shapes::corner;
 
 fn again(written: &Written) -> Model {
-    read("b.obj", written.obj.as_bytes(), &Memory::of([("b.mtl", written.mtl.as_bytes())])).unwrap()
+    let materials = written.materials.as_deref().unwrap_or_default();
+    read("b.obj", written.text.as_bytes(), &Memory::of([("b.mtl", materials.as_bytes())])).unwrap()
 }
 
 fn polygon(name: &str, outline: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> Surface {
@@ -34,15 +36,6 @@ fn area(outline: &[DVec3]) -> f64 {
     0.5 * outline.iter().zip(next).map(|(a, b)| a.x * b.y - a.y * b.x).sum::<f64>()
 }
 
-/// Whether two sides of an outline cross, ends left out.
-fn crosses_itself(outline: &[DVec3]) -> bool {
-    let side = |k: usize| [outline[k], outline[(k + 1) % outline.len()]];
-    let turn = |[a, b]: [DVec3; 2], c: DVec3| (b - a).truncate().perp_dot((c - a).truncate());
-    let parts = |one: [DVec3; 2], other: [DVec3; 2]| turn(one, other[0]) * turn(one, other[1]) < -1e-18;
-    let count = outline.len();
-    (0..count).any(|i| (0..i).any(|j| parts(side(i), side(j)) && parts(side(j), side(i))))
-}
-
 #[test]
 fn the_cube_and_its_materials_come_back() {
     let files = crate::meshes::obj::beside();
@@ -60,7 +53,7 @@ fn the_cube_and_its_materials_come_back() {
     let shapes =
         |model: &Model| model.surfaces.iter().map(|x| (x.shape.clone(), x.material)).collect::<Vec<_>>();
     assert_eq!(shapes(&back), shapes(&model));
-    assert_eq!(written.obj.lines().filter(|line| line.starts_with("v ")).count(), 8);
+    assert_eq!(written.text.lines().filter(|line| line.starts_with("v ")).count(), 8);
 }
 
 #[test]
@@ -74,7 +67,7 @@ fn patches_bands_and_odd_names_come_back() {
     let grey = Material { name: "grey".to_owned(), reflectance: vec![0.3], emission: vec![2.0 * PI] };
     let model = Model { bands: vec!["grey".to_owned()], materials: vec![grey], surfaces, ..Model::default() };
     let written = write(&model, "b.mtl").unwrap();
-    assert_eq!(written.mtl, "newmtl grey\nKd 0.3 0.3 0.3\nKe 2.0 2.0 2.0\n");
+    assert_eq!(written.materials.as_deref(), Some("newmtl grey\nKd 0.3 0.3 0.3\nKe 2.0 2.0 2.0\n"));
     let back = again(&written);
     assert_eq!(names(&back), ["plain", "a _ b/"]);
     assert_eq!((back.surfaces[0].material, back.surfaces[1].material), (None, Some(0)));
@@ -103,18 +96,22 @@ fn curved_surfaces_and_other_bands_are_refused() {
     assert_eq!(refusal.cause, "the material 'm' has 5 bands; MTL has 1 or 3");
 }
 
-fn bridged(outline: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> Vec<DVec3> {
+/// The area of a polygon with holes that was written in pieces and read again, and the number of its holes.
+fn read_again(outline: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> (f64, usize) {
     let model = Model { surfaces: vec![polygon("a", outline, holes)], ..Model::default() };
     let back = again(&write(&model, "b.mtl").unwrap());
+    assert_eq!(names(&back), ["a"]);
     match &back.surfaces[0].shape {
-        Shape::Polygon { outline, .. } => outline.clone(),
+        Shape::Polygon { outline, holes } => {
+            (area(outline) - holes.iter().map(|hole| area(hole).abs()).sum::<f64>(), holes.len())
+        }
         other => panic!("{other:?}"),
     }
 }
 
 #[test]
-fn holes_are_joined_without_crossing() {
-    // A comb around holes: what is nearest is often hidden.
+fn holes_come_back() {
+    // A comb around holes.
     let mut outline = rectangle([0.0, 0.0], [8.0, 4.0]);
     outline.splice(2..2, [[7.0, 1.0], [7.5, 2.0], [6.5, 3.0]].map(|[x, y]| DVec3::new(x, y, 1.5)));
     let mut holes = vec![rectangle([1.0, 1.0], [2.0, 3.0]), rectangle([3.0, 0.5], [3.5, 3.5])];
@@ -122,16 +119,15 @@ fn holes_are_joined_without_crossing() {
     // Holes run in any direction.
     holes[1].reverse();
     let whole = area(&outline) - 2.0 - 1.5 - 0.4;
-    let ring = bridged(outline, holes);
-    assert_eq!(ring.len(), 7 + 3 * 6);
-    assert!((area(&ring) - whole).abs() < 1e-12 && !crosses_itself(&ring));
+    let (area, count) = read_again(outline, holes);
+    assert!(count == 3 && (area - whole).abs() < 1e-12, "{count} {area}");
 }
 
 proptest! {
     #![proptest_config(seeded(128, 7))]
 
     #[test]
-    fn random_holes_are_joined_without_crossing(
+    fn random_holes_come_back(
         is_hole in prop::collection::vec(prop::bool::weighted(0.4), 25),
         sizes in prop::collection::vec([0.05..0.95f64, 0.05..0.95, 0.05..0.95, 0.05..0.95], 25),
         is_level: bool,
@@ -151,8 +147,9 @@ proptest! {
             whole -= area(&hole);
             holes.push(hole);
         }
-        let ring = bridged(outline, holes);
-        prop_assert!((area(&ring) - whole).abs() < 1e-10);
-        prop_assert!(!crosses_itself(&ring));
+        let expected = holes.len();
+        let (area, count) = read_again(outline, holes);
+        prop_assert_eq!(count, expected);
+        prop_assert!((area - whole).abs() < 1e-10);
     }
 }

@@ -1,32 +1,34 @@
-//! The lines of an MGF text: a backslash at the end of a line joins it with the next, of a comment too.
+//! Lines of a text: a backslash at the end of a line joins it with the next, in MGF of a comment too.
 
 use std::borrow::Cow;
 
 /// A line with those that it is continued by.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Line<'a> {
+pub(crate) struct Line<'a> {
     /// Number of its first line, from 1.
-    pub(super) number: usize,
+    pub(crate) number: usize,
     /// Text of the line; blanks stand for the ends of lines.
-    pub(super) text: Cow<'a, str>,
+    pub(crate) text: Cow<'a, str>,
 }
 
 /// A reading of lines, which can go back to a place where it was.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lines<'a> {
+pub(crate) struct Lines<'a> {
     text: &'a str,
     at: usize,
     number: usize,
+    /// The part of a line as it stands that counts.
+    plain: fn(&str) -> &str,
 }
 
 impl<'a> Lines<'a> {
-    /// A reading from the first line on.
-    pub(super) fn new(text: &'a str) -> Self {
-        Self { text, at: 0, number: 1 }
+    /// A reading from the first line on, of which the part counts that `plain` leaves.
+    pub(crate) fn new(text: &'a str, plain: fn(&str) -> &str) -> Self {
+        Self { text, at: 0, number: 1, plain }
     }
 
     /// Number of the line that comes next.
-    pub(super) fn number(&self) -> usize {
+    pub(crate) fn number(&self) -> usize {
         self.number
     }
 
@@ -39,7 +41,7 @@ impl<'a> Lines<'a> {
         };
         self.at += used;
         self.number += 1;
-        Some(line.strip_suffix('\r').unwrap_or(line))
+        Some((self.plain)(line.strip_suffix('\r').unwrap_or(line)))
     }
 }
 
@@ -48,23 +50,17 @@ impl<'a> Iterator for Lines<'a> {
 
     fn next(&mut self) -> Option<Line<'a>> {
         let number = self.number;
-        let first = self.physical()?;
-        let Some(start) = first.strip_suffix('\\') else {
-            return Some(Line { number, text: first.into() });
-        };
-        let mut text = format!("{start} ");
-        while let Some(more) = self.physical() {
-            match more.strip_suffix('\\') {
-                Some(more) => {
-                    text.push_str(more);
-                    text.push(' ');
-                }
-                None => {
-                    text.push_str(more);
-                    break;
-                }
-            }
+        let mut last = self.physical()?;
+        if !last.ends_with('\\') {
+            return Some(Line { number, text: last.into() });
         }
+        let mut text = String::new();
+        while let Some(start) = last.strip_suffix('\\') {
+            text.push_str(start);
+            text.push(' ');
+            last = self.physical().unwrap_or("");
+        }
+        text.push_str(last);
         Some(Line { number, text: text.into() })
     }
 }
@@ -75,7 +71,7 @@ mod tests {
 
     #[test]
     fn continued_lines_are_one_and_numbers_go_on() {
-        let told: Vec<(usize, String)> = Lines::new("a\\\r\nb \\\nc\n\n# d\\\ne\nf\\")
+        let told: Vec<(usize, String)> = Lines::new("a\\\r\nb \\\nc\n\n# d\\\ne\nf\\", |line| line)
             .map(|line| (line.number, line.text.into()))
             .collect();
         let expected = [(1, "a b  c"), (4, ""), (5, "# d e"), (7, "f ")];
