@@ -4,7 +4,7 @@ use std::{borrow::Cow, sync::Arc};
 
 use radiosity_geom::{DVec3, ShapeError};
 use radiosity_scene::{
-    Fault,
+    Fault, FaultKind,
     error::Located,
     names::check_text,
     place::{At, Span},
@@ -24,8 +24,7 @@ impl<'a> Fields<'a> {
         let entries = table(node)?;
         for (key, _) in entries {
             if !known.contains(&key.value.as_str()) {
-                let fault = Fault::UnknownKey { key: key.value.clone(), known: known.to_vec() };
-                return Err(Located::at(&key.span, fault));
+                return Err(Located::at(&key.span, Fault::unknown_key(&key.value, known)));
             }
         }
         Ok(Fields { entries, span: &node.span })
@@ -43,7 +42,7 @@ impl<'a> Fields<'a> {
 
     /// A field that has to be there.
     pub(super) fn node(&self, key: &'static str) -> Result<&'a Node, Located> {
-        self.get(key).ok_or_else(|| Located::at(self.span, Fault::MissingKey { key }))
+        self.get(key).ok_or_else(|| Located::at(self.span, Fault::missing_key(key, example(key))))
     }
 
     /// A field that has to be there, read by `read`.
@@ -57,24 +56,73 @@ impl<'a> Fields<'a> {
     }
 }
 
+/// An example of a missing key.
+fn example(key: &str) -> &'static str {
+    match key {
+        "material" => ", the name of one of [materials.…]",
+        "reflectance" => {
+            ", a number or one per band, 0 ≤ ρ < 1; 0 is black; or, for heat alone, `emissivity = …`, 0 < ε ≤ 1"
+        }
+        "eye" | "target" | "position" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal"
+        | "axis" | "direction" => ", three numbers in brackets",
+        "vertices" => ", a list of points, each three numbers in brackets",
+        "edges" => ", two vectors, each three numbers in brackets",
+        "image" => {
+            " for a picture, `cells = …` for rows of numbers or `polynomial = …` for terms [i, j, c] of u^i v^j"
+        }
+        "part" => ", the name of one of [parts.…]",
+        "count" => ", a number, or up to three in brackets",
+        "step" => ", a vector, or one for each number of count",
+        "frames" => ", how many frames there are, e.g. 50; it stands above the first header in brackets",
+        "points" => {
+            ", how far it has moved from where it rests, at least two points, each three numbers in brackets"
+        }
+        "angles" => ", degrees, at least two numbers in brackets",
+        "spacing" => ", a length, or one along each edge",
+        "size" => ", three lengths in brackets; or give two corners",
+        "curve" => ", four control points, each three numbers in brackets",
+        "sun" => ", where the sun is: { elevation = 40, azimuth = 180 }",
+        "illuminance" => ", of level ground under the sky, in lx",
+        "elevation" | "azimuth" => ", in degrees",
+        "model" => ": uniform, overcast or clear",
+        "flux" => ", in W or lm, all of it together; or its peak, `intensity = …`, in W/sr or cd",
+        "radius" | "radius1" | "radius2" | "major" | "minor" => ", a length",
+        "patches" => ", a list of patches, each 16 indices of points, counted from 0",
+        "weights" => ", four rows of four numbers above 0",
+        _ => "",
+    }
+}
+
+/// Cure of a value of the wrong kind.
+const KIND: &str = "write a value of that kind";
+
 /// A function that turns a node into a value.
 pub(super) type Reader<T> = fn(&Node) -> Result<T, Located>;
 
-fn wrong(node: &Node, expected: &'static str) -> Located {
-    Located::at(&node.span, Fault::WrongType { expected, found: node.value.kind() })
+fn wrong(node: &Node, expected: &str, cure: &str) -> Located {
+    Located::at(&node.span, wrong_type(expected, &node.value.kind(), cure))
+}
+
+fn wrong_type(expected: &str, found: &str, cure: &str) -> Fault {
+    Fault::new(FaultKind::WrongType, format!("expected {expected}, found {found}"), cure)
+}
+
+/// A value of the kind `found` where a number is expected.
+pub(super) fn not_a_number(found: &str) -> Fault {
+    wrong_type("a number", found, "write it without quotes, e.g. 0.5")
 }
 
 /// The entries of a table.
 pub(super) fn table(node: &Node) -> Result<&[(At<String>, Node)], Located> {
     match &node.value {
         Value::Table(entries) => Ok(entries),
-        _ => Err(wrong(node, "a table")),
+        _ => Err(wrong(node, "a table", KIND)),
     }
 }
 
 /// The items of a list.
 pub(super) fn list(node: &Node) -> Result<Cow<'_, [Node]>, Located> {
-    node.items().ok_or_else(|| wrong(node, "a list"))
+    node.items().ok_or_else(|| wrong(node, "a list", "write it in brackets, e.g. [0, 0, 1]"))
 }
 
 /// A text that is not blank.
@@ -82,7 +130,7 @@ pub(super) fn text(node: &Node) -> Result<At<String>, Located> {
     let text = match &node.value {
         Value::Text(text) => text,
         Value::Formula(formula) => &formula.text,
-        _ => return Err(wrong(node, "a text in quotes")),
+        _ => return Err(wrong(node, "a text in quotes", "write it in quotes, e.g. \"white\"")),
     };
     match check_text(text) {
         Ok(()) => Ok(At::new(text.clone(), &node.span)),
@@ -102,7 +150,7 @@ pub(super) fn texts(node: &Node) -> Result<Vec<At<String>>, Located> {
 pub(super) fn truth(node: &Node) -> Result<bool, Located> {
     match node.value {
         Value::Truth(truth) => Ok(truth),
-        _ => Err(wrong(node, "true or false")),
+        _ => Err(wrong(node, "true or false", KIND)),
     }
 }
 
@@ -113,7 +161,7 @@ pub(super) fn number(node: &Node) -> Result<At<f64>, Located> {
         Value::Formula(formula) => {
             formula.outcome.clone().map_err(|fault| Located::at(&fault.span, fault.value))?
         }
-        _ => return Err(wrong(node, "a number")),
+        _ => return Err(Located::at(&node.span, not_a_number(&node.value.kind()))),
     };
     check_number(value).map_err(|fault| Located::at(&node.span, fault))?;
     Ok(At::new(value, &node.span))
@@ -135,15 +183,14 @@ pub(super) fn angles(node: &Node, key: &'static str) -> Result<[f64; 2], Located
     } else {
         return Ok([low.to_radians(), high.to_radians()]);
     };
-    Err(Located::at(&node.span, Fault::Shape(fault)))
+    Err(Located::at(&node.span, fault.into()))
 }
 
 /// A whole number from 0 to 2³² − 1.
 pub(super) fn whole(node: &Node) -> Result<At<u32>, Located> {
     let number = number(node)?;
     if number.value.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&number.value) {
-        let fault = Fault::NotWhole { value: number.value };
-        return Err(Located::at(&node.span, fault));
+        return Err(Located::at(&node.span, Fault::not_whole(number.value)));
     }
     Ok(At::new(number.value as u32, &node.span))
 }
@@ -165,7 +212,7 @@ pub(super) fn exactly<const N: usize, T: Clone>(
 ) -> Result<[T; N], Located> {
     let items = list(node)?;
     if items.len() != N {
-        let fault = Fault::WrongCount { what, expected: format!("{N} {unit}"), found: items.len() };
+        let fault = Fault::wrong_count(what, &format!("{N} {unit}"), items.len());
         return Err(Located::at(&node.span, fault));
     }
     let values = items.iter().map(read).collect::<Result<Vec<_>, _>>()?;

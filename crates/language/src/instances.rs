@@ -5,7 +5,7 @@
 use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{DVec3, Motion};
-use radiosity_scene::{Fault, Source, error::Located, names::UniqueNames, tree::DEEPEST};
+use radiosity_scene::{Fault, FaultKind, Source, error::Located, names::UniqueNames, tree::DEEPEST};
 
 use crate::file::{ContentFile, CopyRow, InstanceFile, LuminaireFile, PartFile, SurfaceFile};
 
@@ -113,11 +113,20 @@ fn place<'a>(
 }
 
 fn part_of<'a>(instance: &InstanceFile, parts: &Parts<'a>) -> Result<&'a PartFile, Located> {
-    parts.get(instance.part.value.as_str()).copied().ok_or_else(|| {
-        let (name, known) =
-            (instance.part.value.clone(), parts.keys().map(|name| (*name).to_owned()).collect());
-        Located::at(&instance.part.span, Fault::UnknownPart { name, known })
-    })
+    parts
+        .get(instance.part.value.as_str())
+        .copied()
+        .ok_or_else(|| Located::at(&instance.part.span, unknown_part(&instance.part.value, parts)))
+}
+
+fn unknown_part(name: &str, parts: &Parts<'_>) -> Fault {
+    let cause = format!("unknown part {name:?}");
+    if parts.is_empty() {
+        let cure = format!("define it: [parts.{name}] with a list of surfaces, [[parts.{name}.surfaces]]");
+        return Fault::new(FaultKind::UnknownName, cause, cure);
+    }
+    let known: Vec<String> = parts.keys().map(|name| (*name).to_owned()).collect();
+    Fault::unknown(cause, name, known, "parts of this scene")
 }
 
 /// The indices of all copies of an instance, as they stand behind its name, and how far each is moved.
@@ -133,7 +142,7 @@ fn copies(instance: &InstanceFile) -> Result<Vec<(String, Motion)>, Located> {
     }
     let moved = |(indices, offset): (Vec<String>, DVec3)| {
         let motion = Motion::new(offset, DVec3::ZERO, 0.0, 1.0);
-        let motion = motion.map_err(|error| Located::at(&array.span, Fault::Shape(error)))?;
+        let motion = motion.map_err(|error| Located::at(&array.span, error.into()))?;
         Ok((format!("[{}]", indices.join(",")), motion))
     };
     copies.into_iter().map(moved).collect()
@@ -186,21 +195,24 @@ fn size_of<'a>(
         let part = part_of(instance, parts)?;
         if let Some(start) = path.iter().position(|name| *name == part.name.value) {
             let names = path[start..].iter().chain([&path[start]]);
-            return refused(Fault::PartCycle { names: names.map(|name| (*name).to_owned()).collect() });
+            let names = names.copied().collect::<Vec<_>>().join(" → ");
+            let cause = format!("the part contains itself: {names}");
+            return refused(Fault::new(FaultKind::Cycle, cause, "take one of these instances out"));
         }
         if path.len() >= DEEPEST {
-            return refused(Fault::TooDeep { what: "parts", most: DEEPEST });
+            return refused(Fault::too_deep("parts", DEEPEST));
         }
         let own = size(part, parts, known, path)?;
         all.depth = all.depth.max(own.depth + 1);
         if path.len() + all.depth > DEEPEST {
-            return refused(Fault::TooDeep { what: "parts", most: DEEPEST });
+            return refused(Fault::too_deep("parts", DEEPEST));
         }
         let rows = instance.array.iter().flat_map(|array| &array.rows);
         let copies = rows.fold(1, |copies: usize, row| copies.saturating_mul(row.count));
         all.count = all.count.saturating_add(copies.saturating_mul(own.count.saturating_add(1)));
         if all.count > MOST {
-            return refused(Fault::TooManySurfaces { most: MOST });
+            let cause = format!("the instances make more than {MOST} surfaces");
+            return refused(Fault::new(FaultKind::TooMany, cause, "make fewer copies"));
         }
     }
     Ok(all)

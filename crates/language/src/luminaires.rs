@@ -103,7 +103,10 @@ fn extent_of(file: ExtentFile, distribution: &Distribution) -> Result<Extent, Fa
     match (file, distribution) {
         (ExtentFile::Typed(extent), _) => Ok(extent),
         (ExtentFile::OfTable, Distribution::Table(table)) => Extent::of_opening(&table.opening),
-        (ExtentFile::OfTable, _) => Err(Fault::BadExtent { problem: "there is no photometric file" }),
+        (ExtentFile::OfTable, _) => Err(Fault::bad_extent(
+            "there is no photometric file",
+            "give its sides, e.g. extent = [1.2, 0.3], or its diameter, e.g. extent = 0.2",
+        )),
     }
 }
 
@@ -121,12 +124,9 @@ impl Tables<'_> {
             return Ok(Arc::clone(known));
         }
         let text = self.source.included_text(&path);
-        let (text, _) =
-            text.ok_or_else(|| Located::at(&name.span, Fault::NoIncludes { file: path.clone() }))?;
-        let table = photometry::read(&path, text.as_bytes()).map_err(|refusal| {
-            let fault = Fault::Foreign { cause: refusal.to_string(), cure: refusal.cure };
-            Located::at(&name.span, fault)
-        })?;
+        let (text, _) = text.ok_or_else(|| Located::at(&name.span, include::no_files(&path)))?;
+        let table = photometry::read(&path, text.as_bytes())
+            .map_err(|refusal| Located::at(&name.span, Fault::foreign(refusal.to_string(), refusal.cure)))?;
         let table = Arc::new(table);
         self.known.insert(path, Arc::clone(&table));
         Ok(table)

@@ -47,10 +47,16 @@ fn stated<T>(
 ) -> Result<Option<At<T>>, Located> {
     match (&own, &other) {
         (Some(own), Some(other)) if texts(own) != texts(other) => {
-            Err(Located::at(&other.span, Fault::OtherThan { what }))
+            Err(Located::at(&other.span, other_than(what)))
         }
         _ => Ok(own.or(other)),
     }
+}
+
+/// Two files that state something differently.
+fn other_than(what: &str) -> Fault {
+    let cause = format!("the {what} of this file are not those of the other files");
+    Fault::conflict(cause, "state it in one of the files only, or alike in all")
 }
 
 fn put_before<T>(list: &mut Vec<T>, mut before: Vec<T>) {

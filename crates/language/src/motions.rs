@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use radiosity_geom::DVec3;
 use radiosity_scene::{
-    Animation, AxisAngle, Clock, Fault, MoverDraft, RigidPath, Source, TimeFunction, Turn,
+    Animation, AxisAngle, Clock, Fault, FaultKind, MoverDraft, RigidPath, Source, TimeFunction, Turn,
     error::{Located, motion_title},
     mover_draft::{MemberNames, MovableThings, MoverPlaces, NamedMember, movers},
     place::{At, Span},
@@ -26,15 +26,15 @@ pub(super) fn animation(
     let Some(count) = &frames.count else {
         return match (motions.first(), &frames.rate) {
             (Some(motion), _) => {
-                let missing = Located::at(&motion.span, Fault::MissingKey { key: "frames" });
+                let missing = Located::at(&motion.span, Fault::no_frame_count());
                 Err(missing.within(|| motion_title(&motion.name.value)))
             }
-            (None, Some(rate)) => Err(Located::at(&rate.span, Fault::MissingKey { key: "frames" })),
+            (None, Some(rate)) => Err(Located::at(&rate.span, Fault::no_frame_count())),
             (None, None) => Ok(None),
         };
     };
     if motions.is_empty() {
-        return Err(Located::at(&count.span, Fault::NothingMoves));
+        return Err(Located::at(&count.span, Fault::nothing_moves()));
     }
     let rate = frames.rate.as_ref().map_or(1.0, |rate| rate.value);
     let clock = Clock::new(count.value, rate).map_err(|fault| Located::at(&count.span, fault))?;
@@ -93,8 +93,16 @@ fn path(file: &MotionFile, clock: Clock) -> Result<RigidPath, Located> {
         (Some(turn), Some(shift)) => Ok(RigidPath::turning_along(turn, shift)),
         (Some(turn), None) => Ok(RigidPath::turning(turn)),
         (None, Some(shift)) => Ok(RigidPath::along(shift)),
-        (None, None) => Err(Located::at(&file.span, Fault::NoPath)),
+        (None, None) => Err(Located::at(&file.span, no_path())),
     }
+}
+
+fn no_path() -> Fault {
+    Fault::absent(
+        "nothing says how it moves",
+        "add translate = { points = [[0, 0, 0], [1, 0, 0]] }, rotate = { center = [0, 0, 2], axis = [0, 0, 1], angles = \
+         [0, 90] }, or both",
+    )
 }
 
 fn shift(file: &TranslateFile, clock: Clock) -> Result<TimeFunction<DVec3>, Located> {
@@ -132,9 +140,8 @@ fn given(times: &Option<At<Vec<f64>>>, count: usize, clock: Clock) -> Vec<f64> {
 
 /// A fault of the times where they stand, else of the values.
 fn located(fault: Fault, times: &Option<At<Vec<f64>>>, values: &Span) -> Located {
-    let of_times = matches!(fault, Fault::TimesFall { .. } | Fault::WrongCount { what: "times", .. });
     match times {
-        Some(times) if of_times => Located::at(&times.span, fault),
+        Some(times) if fault.kind == FaultKind::Times => Located::at(&times.span, fault),
         _ => Located::at(values, fault),
     }
 }

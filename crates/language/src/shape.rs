@@ -8,7 +8,7 @@ mod turned;
 
 use radiosity_geom::Motion;
 use radiosity_scene::{
-    Fault,
+    Fault, FaultKind,
     error::Located,
     place::{At, Span},
     tree::{Node, Value},
@@ -68,13 +68,11 @@ impl ShapeFile {
     pub(super) fn read(surface: &Fields<'_>) -> Result<Self, Located> {
         let given = |&(key, read): &Entry| Some((key, surface.get(key)?, read));
         match SHAPES.iter().filter_map(given).collect::<Vec<_>>()[..] {
-            [] => Err(Located::at(surface.span(), Fault::MissingShape)),
+            [] => Err(Located::at(surface.span(), no_shape())),
             [(kind, node, read)] => {
                 Ok(ShapeFile { kind, span: node.span.clone(), form: read(node)?, fields: field_places(node) })
             }
-            [(first, ..), (second, node, _), ..] => {
-                Err(Located::at(&node.span, Fault::TwoShapes { first, second }))
-            }
+            [(first, ..), (second, node, _), ..] => Err(Located::at(&node.span, two_shapes(first, second))),
         }
     }
 
@@ -104,6 +102,16 @@ impl ShapeFile {
             (Some(own), Some(index)) => own.items.get(index).unwrap_or(&self.span),
         }
     }
+}
+
+fn no_shape() -> Fault {
+    let cure = "add one, e.g. quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }";
+    Fault::absent("no shape is given", cure)
+}
+
+fn two_shapes(first: &str, second: &str) -> Fault {
+    let cause = format!("two shapes are given: {first:?} and {second:?}");
+    Fault::new(FaultKind::Exclusive, cause, "make two surfaces, one for each shape")
 }
 
 /// Spans of all fields of a shape.

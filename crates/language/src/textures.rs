@@ -5,7 +5,7 @@ use radiosity_formats::{
     picture::{self, Coding, Picture},
 };
 use radiosity_scene::{
-    Fault, Pattern, Polynomial, Source, Term, error::Located, place::At, ranges::check_number,
+    Fault, FaultKind, Pattern, Polynomial, Source, Term, error::Located, place::At, ranges::check_number,
 };
 
 use crate::{
@@ -53,16 +53,17 @@ pub(super) fn pattern(file: &PatternFile, bands: usize, source: &Source) -> Resu
 }
 
 fn read(path: &str, encoding: Option<Encoding>, source: &Source) -> Result<Picture, Fault> {
-    let bytes = source.picture(path).ok_or_else(|| Fault::NoIncludes { file: path.to_owned() })?;
+    let bytes = source.picture(path).ok_or_else(|| include::no_files(path))?;
     let coding = encoding.map(|encoding| match encoding {
         Encoding::Linear => Coding::Linear,
         Encoding::Srgb => Coding::Srgb,
     });
-    picture::read(&bytes, coding, MOST_KEPT).map_err(|fault| Fault::BadPicture {
-        path: path.into(),
-        cause: fault.cause.into(),
-        cure: fault.cure.into(),
-    })
+    picture::read(&bytes, coding, MOST_KEPT).map_err(|fault| bad_picture(path, &fault.cause, &fault.cure))
+}
+
+/// A picture that cannot be taken for a pattern.
+fn bad_picture(path: &str, cause: &str, cure: &str) -> Fault {
+    Fault::new(FaultKind::Foreign, format!("{path:?}: {cause}"), cure)
 }
 
 /// The numbers of each band: red, green and blue of three, the luminance of one (ITU-R BT.709), grey of any;
@@ -80,13 +81,12 @@ fn channels(
             let grey = texels.map(|((red, green), blue)| luminance([*red, *green, *blue])).collect();
             Ok((vec![grey], Some("luminance of its colours")))
         }
-        _ => Err(Fault::BadPicture {
-            path: path.into(),
-            cause: format!("it is coloured, and there are {bands} bands").into(),
-            cure: "give the scene one band, or three for red, green and blue; or take a grey picture, with a factor for \
-                   each band"
-                .into(),
-        }),
+        _ => Err(bad_picture(
+            path,
+            &format!("it is coloured, and there are {bands} bands"),
+            "give the scene one band, or three for red, green and blue; or take a grey picture, with a factor for each \
+             band",
+        )),
     }
 }
 
@@ -94,10 +94,9 @@ fn channels(
 fn factors(factor: Option<&PerBand>, bands: usize) -> Result<Vec<f64>, Located> {
     let check = |number: &At<f64>| match check_number(number.value) {
         Ok(()) if number.value >= 0.0 => Ok(number.value),
-        Ok(()) => Err(Located::at(
-            &number.span,
-            Fault::OutOfRange { what: "the factor", value: number.value, range: "factor ≥ 0" },
-        )),
+        Ok(()) => {
+            Err(Located::at(&number.span, Fault::out_of_range("the factor", number.value, "factor ≥ 0")))
+        }
         Err(fault) => Err(Located::at(&number.span, fault)),
     };
     match factor {
@@ -128,7 +127,7 @@ fn check_bands(what: &'static str, found: usize, bands: usize) -> Result<(), Fau
         true => Ok(()),
         false => {
             let expected = format!("one for all bands or {bands}, one per band");
-            Err(Fault::WrongCount { what, expected, found })
+            Err(Fault::wrong_count(what, &expected, found))
         }
     }
 }

@@ -4,14 +4,14 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{DVec3, Surface};
 use radiosity_scene::{
-    Camera, Fault, Glass, Material, Opening, SensorPlane, Sky, Source, Sun, SurfaceDraft, Thermal,
+    Camera, Fault, FaultKind, Glass, Material, Opening, SensorPlane, Sky, Source, Sun, SurfaceDraft, Thermal,
     bands::check_bands,
     covering::Covering,
     error::{Located, material_title, plane_title, surface_title},
     luminaire::across,
     material::{check_emission, check_flux, check_reflectance, check_transmittance},
     place::At,
-    sky::{check_elevation, check_irradiance},
+    sky::{check_elevation, check_irradiance, no_up},
     surface_draft::{DraftPlaces, NamedShape},
     unit::{self, check_unit},
 };
@@ -61,7 +61,7 @@ pub(super) fn plane(file: PlaneFile) -> Result<SensorPlane, Located> {
     let PlaneFile { name, origin, edges, spacing } = file;
     let title = plane_title(&name.value);
     SensorPlane::new(name.value, origin, edges.value, spacing.value).map_err(|fault| {
-        let span = if matches!(fault, Fault::BadPlane { .. }) { &edges.span } else { &spacing.span };
+        let span = if fault.kind == FaultKind::NoDirection { &edges.span } else { &spacing.span };
         Located::at(span, fault).within(|| title)
     })
 }
@@ -155,7 +155,7 @@ pub(super) fn spread(
         PerBand::Each(list) if list.value.len() == bands => list.value.iter().map(checked).collect(),
         PerBand::Each(list) => {
             let expected = format!("one number for all bands or {bands}, one per band");
-            Err(Located::at(&list.span, Fault::WrongCount { what, expected, found: list.value.len() }))
+            Err(Located::at(&list.span, Fault::wrong_count(what, &expected, list.value.len())))
         }
     }
 }
@@ -230,7 +230,11 @@ fn draft(
 /// The draft as an opening to the sky, if it is one.
 fn opened(draft: SurfaceDraft, file: &SurfaceFile, sky: Option<&Arc<Sky>>) -> Result<SurfaceDraft, Located> {
     let Some(span) = &file.opening else { return Ok(draft) };
-    let no_sky = || Located::at(span, Fault::BadOpening { problem: "there is no sky" });
+    let no_sky = || {
+        let cure =
+            "add [sky] with model = \"overcast\" and illuminance = 10000, or leave `opening` and `glass` out";
+        Located::at(span, Fault::bad_opening("there is no sky", cure))
+    };
     let sky = Arc::clone(sky.ok_or_else(no_sky)?);
     let glass = |own: &GlassFile| {
         let glass = Glass::new(own.panes.unwrap_or(1), own.index.unwrap_or(USUAL_INDEX), own.transmittance);
@@ -261,9 +265,10 @@ pub(super) fn sky(file: &SkyFile, bands: usize) -> Result<Arc<Sky>, Located> {
 }
 
 fn sun_direction(sun: &SunFile, up: DVec3, north: DVec3) -> Result<DVec3, Fault> {
-    let up = up.try_normalize().ok_or(Fault::NoDirection { what: "up" })?;
+    let up = up.try_normalize().ok_or_else(no_up)?;
     let north = north.try_normalize().and_then(|north| across(north, up));
-    let north = north.ok_or(Fault::NoDirection { what: "north" })?;
+    let cure = "give a direction that is not along `up`, e.g. [0, 1, 0] where `up` is [0, 0, 1]";
+    let north = north.ok_or_else(|| Fault::no_direction("north", cure))?;
     let (height, around) = (sun.elevation.value.to_radians().sin_cos(), sun.azimuth.to_radians().sin_cos());
     Ok((height.1 * (around.1 * north + around.0 * north.cross(up)) + height.0 * up).normalize())
 }
@@ -276,7 +281,7 @@ fn flux(flux: Option<&PerBand>, bands: usize) -> Result<Option<Vec<f64>>, Locate
 fn shapes(PlacedSurface { file, name, motion, .. }: &PlacedSurface<'_>) -> Result<Vec<NamedShape>, Located> {
     let shapes = file.shape.surfaces(motion).map_err(|error| {
         let span = file.shape.span_of(error.field()).clone();
-        Located::at(&span, Fault::Shape(error))
+        Located::at(&span, error.into())
     })?;
     let named = |(index, shape): (usize, Box<dyn Surface>)| NamedShape {
         name: file.shape.name(name, index),
@@ -288,6 +293,6 @@ fn shapes(PlacedSurface { file, name, motion, .. }: &PlacedSurface<'_>) -> Resul
 fn covering_named(name: &At<String>, materials: &Materials) -> Result<Covering, Located> {
     materials.get(&name.value).cloned().ok_or_else(|| {
         let known = materials.keys().cloned().collect();
-        Located::at(&name.span, Fault::UnknownMaterial { name: name.value.clone(), known })
+        Located::at(&name.span, Fault::unknown_material(&name.value, known))
     })
 }

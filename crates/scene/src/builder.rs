@@ -10,7 +10,8 @@ use crate::{
     bands::check_bands,
     camera::Camera,
     covering::Covering,
-    error::{Fault, Located, SceneError, luminaire_title, material_title, plane_title},
+    error::{Located, SceneError, luminaire_title, material_title, plane_title},
+    fault::Fault,
     luminaire::Luminaire,
     luminous_surface::luminous_surfaces,
     material::Material,
@@ -221,7 +222,7 @@ fn animation(
     match clock {
         Some(clock) => movers(drafts, clock, movable).map(Some),
         None if drafts.is_empty() => Ok(None),
-        None => Err(Located::nowhere(Fault::MissingKey { key: "frames" })),
+        None => Err(Located::nowhere(Fault::no_frame_count())),
     }
 }
 
@@ -260,9 +261,7 @@ fn check_backs(drafts: &[SurfaceDraft], materials: &[NamedMaterial], bands: usiz
         let name = name.as_deref().unwrap_or_default();
         let checked = check_text(name).and_then(|()| material.check(bands));
         let checked = checked.and_then(|()| match known.insert(name, material) {
-            Some(other) if other != material => {
-                Err(Fault::DuplicateName { name: name.to_owned(), first: None })
-            }
+            Some(other) if other != material => Err(Fault::duplicate_name(name, None)),
             _ => Ok(()),
         });
         checked.map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))?;

@@ -7,8 +7,9 @@ use radiosity_geom::{ShapeError, Surface};
 
 use crate::{
     covering::Covering,
-    error::{Fault, Located, luminaire_title},
+    error::{Located, luminaire_title},
     extent::Extent,
+    fault::Fault,
     luminaire::Luminaire,
     luminous_area::LuminousArea,
     material::Material,
@@ -27,7 +28,7 @@ pub fn luminous_surfaces(
     typed: impl Fn() -> Option<DraftPlaces>,
 ) -> Result<Vec<SurfaceDraft>, Located> {
     let shape = shape(own).map_err(|error| {
-        let fault = Fault::Shape(error);
+        let fault = Fault::from(error);
         let located = match typed() {
             Some(typed) => Located::at(&typed.shape, fault),
             None => Located::nowhere(fault),

@@ -2,7 +2,8 @@
 
 use crate::{
     Scene,
-    error::{Fault, Located, SceneError, material_title, surface_title},
+    error::{Located, SceneError, material_title, surface_title},
+    fault::Fault,
     material::{Material, check_sheet},
     surface::SceneSurface,
 };
@@ -12,9 +13,9 @@ impl Scene {
     /// a given flux keep this flux, and openings the light of their sky. The copy has no `source`.
     ///
     /// # Errors
-    /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range;
-    /// [`Fault::OneSided`] and [`Fault::OtherTransmittance`] where a surface cannot let through what the
-    /// material does.
+    /// [`FaultKind::UnknownName`](crate::FaultKind::UnknownName), which lists the materials of the surfaces; a
+    /// number out of range; [`FaultKind::Conflict`](crate::FaultKind::Conflict) where a surface cannot let
+    /// through what the material does.
     pub fn with_material(&self, name: &str, material: Material) -> Result<Self, SceneError> {
         self.painted(name, &material).map_err(|located| located.in_code(&self.origin))
     }
@@ -48,7 +49,7 @@ impl Scene {
             self.surfaces.iter().filter_map(|surface| surface.material_name.clone()).collect();
         known.sort_unstable();
         known.dedup();
-        Fault::UnknownMaterial { name: name.to_owned(), known }
+        Fault::unknown_material(name, known)
     }
 }
 

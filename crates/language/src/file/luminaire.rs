@@ -123,7 +123,7 @@ fn extent(node: &Node) -> Result<At<ExtentFile>, Located> {
     let typed = match &node.value {
         Value::Text(_) => {
             let word = text(node)?.value;
-            let fault = Fault::UnknownKey { key: word.clone(), known: vec![OF_TABLE] };
+            let fault = Fault::unknown_key(&word, &[OF_TABLE]);
             return match word == OF_TABLE {
                 true => Ok(At::new(ExtentFile::OfTable, &node.span)),
                 false => Err(Located::at(&node.span, fault)),
@@ -141,10 +141,10 @@ fn read_distribution(fields: &Fields<'_>) -> Result<DistributionFile, Located> {
     let given = ["point", "spot", PHOTOMETRY].into_iter().filter_map(|key| Some((key, fields.get(key)?)));
     let given: Vec<(&'static str, &Node)> = given.collect();
     let (key, node) = match given[..] {
-        [] => return Err(Located::at(fields.span(), Fault::NoDistribution)),
+        [] => return Err(Located::at(fields.span(), no_distribution())),
         [one] => one,
         [(first, _), (second, node), ..] => {
-            return Err(Located::at(&node.span, Fault::Exclusive { first, second }));
+            return Err(Located::at(&node.span, Fault::exclusive(first, second)));
         }
     };
     let distribution = match key {
@@ -154,6 +154,13 @@ fn read_distribution(fields: &Fields<'_>) -> Result<DistributionFile, Located> {
     };
     distribution.check().map_err(|fault| Located::at(&node.span, fault))?;
     Ok(DistributionFile::Formula(distribution))
+}
+
+fn no_distribution() -> Fault {
+    Fault::absent(
+        "nothing says how the light is spread over directions",
+        "add point = {} for the same intensity all around, spot = { angle = 40, edge = 5 }, or photometry = \"lamp.ies\"",
+    )
 }
 
 /// `{ angle = 40, edge = 5 }` or `{ exponent = 2 }`.
@@ -167,7 +174,7 @@ fn read_spot(node: &Node) -> Result<Distribution, Located> {
         Some(exponent) => {
             for other in ["angle", "edge"] {
                 if let Some(given) = fields.get(other) {
-                    let fault = Fault::Exclusive { first: other, second: "exponent" };
+                    let fault = Fault::exclusive(other, "exponent");
                     return Err(Located::at(&given.span, fault));
                 }
             }
@@ -180,12 +187,12 @@ fn read_spot(node: &Node) -> Result<Distribution, Located> {
 fn read_strength(fields: &Fields<'_>, is_measured: bool) -> Result<Option<StrengthFile>, Located> {
     match (fields.get("flux"), fields.get("intensity")) {
         (Some(_), Some(second)) => {
-            let fault = Fault::Exclusive { first: "flux", second: "intensity" };
+            let fault = Fault::exclusive("flux", "intensity");
             Err(Located::at(&second.span, fault))
         }
         (None, Some(node)) => Ok(Some(StrengthFile::Intensity(per_band(node)?))),
         (Some(node), None) => Ok(Some(StrengthFile::Flux(per_band(node)?))),
         (None, None) if is_measured => Ok(None),
-        (None, None) => Err(Located::at(fields.span(), Fault::MissingKey { key: "flux" })),
+        (None, None) => Err(Located::at(fields.span(), Fault::no_flux())),
     }
 }

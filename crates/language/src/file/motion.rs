@@ -69,7 +69,7 @@ pub(crate) fn read_motions(node: &Node, prefix: &str) -> Result<Vec<MotionFile>,
 
 fn read_motion(node: &Node, unnamed: &str) -> Result<MotionFile, Located> {
     if let Some(scale) = entry(table(node)?, "scale") {
-        return Err(Located::at(&scale.span, Fault::NotRigid));
+        return Err(Located::at(&scale.span, not_rigid()));
     }
     let fields = Fields::new(node, &MOTION_KEYS)?;
     let name = fields.optional("name", text)?.unwrap_or_else(|| At::new(unnamed.to_owned(), fields.span()));
@@ -121,7 +121,7 @@ fn read_rotate(node: &Node) -> Result<RotateFile, Located> {
 fn read_turns(fields: &Fields<'_>, node: &Node) -> Result<TurnsFile, Located> {
     for other in ["axis", "angles", "curve"] {
         if let Some(other_node) = fields.get(other) {
-            let fault = Fault::Exclusive { first: "turns", second: other };
+            let fault = Fault::exclusive("turns", other);
             return Err(Located::at(&other_node.span, fault));
         }
     }
@@ -135,11 +135,20 @@ fn numbers(node: &Node) -> Result<At<Vec<f64>>, Located> {
     Ok(At::new(numbers, &node.span))
 }
 
+fn not_rigid() -> Fault {
+    Fault::conflict("a motion keeps all sizes", "leave scale out; what moves keeps its size and shape")
+}
+
+fn unknown_curve(name: &str) -> Fault {
+    let known = ["line", "spline"].map(str::to_owned);
+    Fault::unknown(format!("there is no curve {name:?}"), name, known, "curves")
+}
+
 fn curve(node: &Node) -> Result<Curve, Located> {
     let name = text(node)?;
     match name.value.as_str() {
         "line" => Ok(Curve::Line),
         "spline" => Ok(Curve::Spline),
-        _ => Err(Located::at(&name.span, Fault::UnknownCurve { name: name.value })),
+        _ => Err(Located::at(&name.span, unknown_curve(&name.value))),
     }
 }

@@ -115,16 +115,12 @@ fn read_array(node: &Node) -> Result<ArrayFile, Located> {
         None => (vec![copies(count)?], vec![point(step)?]),
     };
     if !(1..=3).contains(&counts.len()) {
-        let fault =
-            Fault::WrongCount { what: "count", expected: "1 to 3 numbers".to_owned(), found: counts.len() };
+        let fault = Fault::wrong_count("count", "1 to 3 numbers", counts.len());
         return Err(Located::at(&count.span, fault));
     }
     if steps.len() != counts.len() {
         let expected = format!("as many vectors as count has numbers, {}", counts.len());
-        return Err(Located::at(
-            &step.span,
-            Fault::WrongCount { what: "step", expected, found: steps.len() },
-        ));
+        return Err(Located::at(&step.span, Fault::wrong_count("step", &expected, steps.len())));
     }
     let rows = counts.into_iter().zip(steps).map(|(count, step)| CopyRow { count, step }).collect();
     Ok(ArrayFile { span: node.span.clone(), rows })

@@ -104,10 +104,18 @@ fn read_pattern(node: &Node) -> Result<PatternFile, Located> {
     let fields = Fields::new(node, &known)?;
     let given: Vec<&'static str> = KINDS.into_iter().filter(|key| fields.get(key).is_some()).collect();
     if let [first, second, ..] = given[..] {
-        return Err(Located::at(&fields.node(second)?.span, Fault::Exclusive { first, second }));
+        return Err(Located::at(&fields.node(second)?.span, Fault::exclusive(first, second)));
     }
     let kind = match given.first() {
-        None => return Err(Located::at(fields.span(), Fault::MissingKey { key: IMAGE })),
+        None => {
+            return Err(Located::at(
+                fields.span(),
+                Fault::missing_key(
+                    IMAGE,
+                    " for a picture, `cells = …` for rows of numbers or `polynomial = …` for terms [i, j, c] of u^i v^j",
+                ),
+            ));
+        }
         Some(&"cells") => PatternKind::Cells(fields.require("cells", |node| each_band(node, cells))?),
         Some(&"polynomial") => {
             PatternKind::Polynomial(fields.require("polynomial", |node| each_band(node, terms))?)
@@ -140,7 +148,7 @@ fn refuse_others(fields: &Fields<'_>, kind: &PatternKind) -> Result<(), Located>
         PatternKind::Polynomial(_) => ("polynomial", &["encoding", "scale", "offset", "wrap"][..]),
     };
     match idle.iter().find_map(|key| Some((*key, fields.get(key)?))) {
-        Some((second, node)) => Err(Located::at(&node.span, Fault::Exclusive { first: own, second })),
+        Some((second, node)) => Err(Located::at(&node.span, Fault::exclusive(own, second))),
         None => Ok(()),
     }
 }
@@ -162,8 +170,7 @@ fn cells(node: &Node) -> Result<Vec<Vec<At<f64>>>, Located> {
     let nodes = list(node)?;
     let rows = nodes.iter().map(row).collect::<Result<Vec<_>, _>>()?;
     let count = rows.first().map_or(0, Vec::len);
-    let wrong =
-        |what, expected: &str, found| Fault::WrongCount { what, expected: expected.to_owned(), found };
+    let wrong = |what, expected: &str, found| Fault::wrong_count(what, expected, found);
     if count == 0 {
         let fault = wrong("the list of cells", "rows of numbers, such as [[0.2, 0.8], [0.8, 0.2]]", 0);
         return Err(Located::at(&node.span, fault));
@@ -186,10 +193,7 @@ fn term(node: &Node) -> Result<Term, Located> {
     let items = list(node)?;
     let [u, v, factor] = &items[..] else {
         let expected = "three numbers, the powers of u and of v and a factor".to_owned();
-        return Err(Located::at(
-            &node.span,
-            Fault::WrongCount { what: "a term", expected, found: items.len() },
-        ));
+        return Err(Located::at(&node.span, Fault::wrong_count("a term", &expected, items.len())));
     };
     let term = Term { u: whole(u)?.value, v: whole(v)?.value, factor: real(factor)? };
     check_term(&term).map_err(|fault| Located::at(&node.span, fault))?;
@@ -217,7 +221,9 @@ fn word<T: Copy>(node: &Node, what: &'static str, words: &[(&'static str, T)]) -
     let typed = text(node)?;
     let found = words.iter().find(|(word, _)| *word == typed.value);
     found.map(|(_, value)| *value).ok_or_else(|| {
-        let known = words.iter().map(|(word, _)| *word).collect();
-        Located::at(&typed.span, Fault::UnknownWord { what, name: typed.value.into(), known })
+        let known: Vec<String> = words.iter().map(|(word, _)| (*word).to_owned()).collect();
+        let cause = format!("there is no {what} {:?}", typed.value);
+        let cure = format!("known words for {what}");
+        Located::at(&typed.span, Fault::unknown(cause, &typed.value, known, cure))
     })
 }

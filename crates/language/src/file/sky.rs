@@ -62,8 +62,9 @@ fn model(node: &Node) -> Result<SkyModel, Located> {
         [("uniform", SkyModel::Uniform), ("overcast", SkyModel::Overcast), ("clear", SkyModel::Clear)];
     let found = models.iter().find(|(own, _)| *own == name.value);
     found.map(|(_, model)| *model).ok_or_else(|| {
-        let known = models.iter().map(|(own, _)| *own).collect();
-        Located::at(&name.span, Fault::UnknownSky { name: name.value, known })
+        let known: Vec<String> = models.iter().map(|(own, _)| (*own).to_owned()).collect();
+        let cause = format!("there is no sky {:?}", name.value);
+        Located::at(&name.span, Fault::unknown(cause, &name.value, known, "models of the sky"))
     })
 }
 

@@ -2,7 +2,7 @@
 
 use radiosity_geom::{DVec3, Motion};
 use radiosity_scene::{
-    Condition, Fault,
+    Condition,
     error::{Located, surface_title},
     place::{At, Span},
     ranges::{check_order, check_parts},
@@ -120,6 +120,6 @@ pub(crate) fn read_motion(node: &Node) -> Result<Motion, Located> {
     let scale = fields.optional("scale", real)?.unwrap_or(1.0);
     Motion::new(translate, DVec3::new(x, y, z), degrees.to_radians(), scale).map_err(|error| {
         let span = fields.get(error.field()).map_or(&node.span, |field| &field.span);
-        Located::at(span, Fault::Shape(error))
+        Located::at(span, error.into())
     })
 }

@@ -20,7 +20,7 @@ pub(crate) fn read_condition(fields: &Fields<'_>) -> Result<Option<Condition>, L
         let Some(node) = fields.get(key) else { continue };
         let Some(condition) = read(node)? else { continue };
         if let Some((first, _)) = found {
-            return Err(Located::at(&node.span, Fault::Exclusive { first, second: key }));
+            return Err(Located::at(&node.span, Fault::exclusive(first, key)));
         }
         found = Some((key, condition));
     }

@@ -47,7 +47,7 @@ pub(super) fn cuboid(node: &Node) -> Result<Box<dyn Form>, Located> {
     let faces: Vec<Face> = FACES.into_iter().filter(|face| !open.contains(face)).collect();
     if let (true, Some(node)) = (faces.is_empty(), fields.get("open")) {
         let expected = "at least one face that is not open".to_owned();
-        return Err(Located::at(&node.span, Fault::WrongCount { what: "a box", expected, found: 0 }));
+        return Err(Located::at(&node.span, Fault::wrong_count("a box", &expected, 0)));
     }
     let inward = fields.optional("inward", truth)?.unwrap_or(false);
     Ok(Box::new(BoxFile { extent: extent(&fields)?, inward, faces }))
@@ -65,15 +65,18 @@ fn extent(fields: &Fields<'_>) -> Result<Extent, Located> {
     let other = ["origin", "size"].into_iter().find_map(|key| Some((key, fields.get(key)?)));
     match other {
         None => Ok(Extent::Between(corners)),
-        Some((second, node)) => Err(Located::at(&node.span, Fault::Exclusive { first: "corners", second })),
+        Some((second, node)) => Err(Located::at(&node.span, Fault::exclusive("corners", second))),
     }
 }
 
 fn face(node: &Node) -> Result<Face, Located> {
     let At { value: name, span } = text(node)?;
     FACES.into_iter().find(|face| face.name == name).ok_or_else(|| {
-        let known = FACES.iter().map(|face| face.name).collect();
-        Located::at(&span, Fault::UnknownFace { name, known })
+        let known = FACES.map(|face| face.name.to_owned());
+        Located::at(
+            &span,
+            Fault::unknown(format!("a box has no face {name:?}"), &name, known, "faces of a box"),
+        )
     })
 }
 

@@ -6,7 +6,7 @@ use radiosity_geom::{
     DVec3, Motion, ShapeError, Surface,
     shapes::{Bezier, Extrusion, Rational},
 };
-use radiosity_scene::{Fault, error::Located, place::At, tree::Node};
+use radiosity_scene::{Fault, FaultKind, error::Located, place::At, tree::Node};
 
 use crate::{
     fields::{Fields, exactly, list, point, points, real, whole},
@@ -50,10 +50,7 @@ pub(super) fn patches(node: &Node) -> Result<Box<dyn Form>, Located> {
     let items = list(patches)?;
     if items.is_empty() {
         let expected = "at least one patch".to_owned();
-        return Err(Located::at(
-            &patches.span,
-            Fault::WrongCount { what: "the list of patches", expected, found: 0 },
-        ));
+        return Err(Located::at(&patches.span, Fault::wrong_count("the list of patches", &expected, 0)));
     }
     let nets = items.iter().map(|item| patch(item, &points)).collect::<Result<_, _>>()?;
     Ok(Box::new(PatchesFile { nets }))
@@ -91,8 +88,9 @@ fn patch(node: &Node, points: &[DVec3]) -> Result<Net<DVec3>, Located> {
 
 fn chosen(index: &At<u32>, points: &[DVec3]) -> Result<DVec3, Located> {
     points.get(index.value as usize).copied().ok_or_else(|| {
-        let fault = Fault::NoSuchPoint { index: index.value, count: points.len() };
-        Located::at(&index.span, fault)
+        let cause = format!("there is no point {}: the list has {}", index.value, points.len());
+        let cure = "count the points from 0, the last index is one less than their number";
+        Located::at(&index.span, Fault::new(FaultKind::OutOfRange, cause, cure))
     })
 }
 
