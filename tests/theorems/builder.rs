@@ -2,7 +2,9 @@
 
 use proptest::prelude::*;
 use radiosity::reading::files::solution_file::{SolutionFault, SolutionFile, read};
-use radiosity::scene::{Camera, Fault, FaultKind, Material, NamedMaterial, Scene, SceneBuilder, SceneError, Source};
+use radiosity::scene::{
+    Camera, Fault, FaultKind, Material, NamedMaterial, Scene, SceneBuilder, SceneError, Source,
+};
 use radiosity::solve::Options;
 use radiosity::work::ranks::Ranks;
 use radiosity_geom::shapes::Parallelogram;
@@ -83,16 +85,22 @@ fn materials_have_a_number_in_range_for_each_band() {
         })
     };
     let found = with(vec![1.0], vec![0.0]);
- assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the reflectance"), "{found}");
+    assert!(
+        found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the reflectance"),
+        "{found}"
+    );
     let found = with(vec![-0.1], vec![0.0]);
- assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the reflectance"), "{found}");
+    assert!(
+        found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the reflectance"),
+        "{found}"
+    );
     let found = with(vec![0.5], vec![-1.0]);
- assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the emission"), "{found}");
+    assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the emission"), "{found}");
     assert_eq!(with(vec![0.5], vec![f64::NAN]).kind, FaultKind::NotFinite);
     let found = with(vec![0.5; 3], vec![0.0; 3]);
- assert!(found.kind == FaultKind::WrongCount && found.to_string().ends_with("found 3"), "{found}");
+    assert!(found.kind == FaultKind::WrongCount && found.to_string().ends_with("found 3"), "{found}");
     let found = with(vec![0.5], vec![]);
- assert!(found.kind == FaultKind::WrongCount && found.to_string().starts_with("the emission"), "{found}");
+    assert!(found.kind == FaultKind::WrongCount && found.to_string().starts_with("the emission"), "{found}");
 }
 
 /// A material of another scene comes along with all it must satisfy here.
@@ -105,7 +113,7 @@ fn foreign_materials_are_checked_as_well() {
         room.surface("wall", square(1.0), &two);
     });
     let found = found;
- assert!(found.kind == FaultKind::WrongCount && found.to_string().ends_with("found 2"), "{found}");
+    assert!(found.kind == FaultKind::WrongCount && found.to_string().ends_with("found 2"), "{found}");
     let found = fault(Some("material \"white\""), |room, _| {
         room.surface("wall", square(1.0), &namesake);
     });
@@ -118,20 +126,26 @@ fn wishes_of_surfaces_are_in_range() {
         room.surface("wall", square(1.0), white).order(21);
     });
     let found = order;
- assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the order"), "{found}");
+    assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the order"), "{found}");
     for (u, v) in [(0, 1), (1, 257)] {
         let parts = fault(Some("surface \"wall\""), |room, white| {
             room.surface("wall", square(1.0), white).subdivide(u, v);
         });
         let found = parts;
- assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the number of elements"), "{found}");
+        assert!(
+            found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the number of elements"),
+            "{found}"
+        );
     }
     let extent = fault(Some("surface \"dust\""), |room, white| {
         let dust = plate(DVec3::Z, 1e-40 * DVec3::X, 1e-40 * DVec3::Y);
         room.surface("dust", dust, white);
     });
     let found = extent;
- assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the extent of the surface"), "{found}");
+    assert!(
+        found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the extent of the surface"),
+        "{found}"
+    );
 }
 
 #[test]

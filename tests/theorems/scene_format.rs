@@ -91,7 +91,8 @@ fn scenes_of_the_document_are_read() {
     let shapes = shapes();
     assert!(shapes.len() > 10, "the shapes were found: {shapes:?}");
     assert!(count >= shapes.len(), "{count} examples of {} shapes", shapes.len());
-    let missing: Vec<&str> = shapes.iter().map(|(key, _)| key.as_str()).filter(|key| !shown.contains(key)).collect();
+    let missing: Vec<&str> =
+        shapes.iter().map(|(key, _)| key.as_str()).filter(|key| !shown.contains(key)).collect();
     assert!(missing.is_empty(), "no example of {missing:?}");
 }
 
@@ -129,7 +130,8 @@ fn every_key_stands_in_its_table() {
     let text = document();
     let has = |heading: &str, keys: &[String]| {
         let section = section(&text, heading);
-        let missing: Vec<&String> = keys.iter().filter(|key| !section.contains(&format!("`{key}`"))).collect();
+        let missing: Vec<&String> =
+            keys.iter().filter(|key| !section.contains(&format!("`{key}`"))).collect();
         assert!(missing.is_empty(), "'{heading}' does not tell of {missing:?}");
     };
     let shapes = shapes();

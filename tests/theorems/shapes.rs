@@ -315,7 +315,10 @@ fn wrong_fields_of_splines_are_refused_where_they_stand() {
 #[test]
 fn wrong_patches_are_refused_where_they_stand() {
     let (error, meant) = refused(&PATCHES.replace("26,27]", "26,28]"));
-    assert_eq!((error.fault.to_string().as_str(), meant.as_str()), ("there is no point 28: the list has 28", "28"));
+    assert_eq!(
+        (error.fault.to_string().as_str(), meant.as_str()),
+        ("there is no point 28: the list has 28", "28")
+    );
     let (error, meant) = refused(&PATCHES.replace("26,27]", "26]"));
     assert!(
         meant.starts_with("[12,13") && error.to_string().contains("16 indices of points, found 15"),

@@ -1,4 +1,4 @@
-//! Tree → plain values: a table's fields, numbers, points and lists, each refused at its own place.
+//! Tree → plain values: numbers, points and lists, each refused at its own place.
 
 use std::{borrow::Cow, sync::Arc};
 
@@ -7,97 +7,16 @@ use radiosity_scene::{
     Fault, FaultKind,
     error::Located,
     names::check_text,
-    place::{At, Span},
+    place::At,
     ranges::check_number,
-    tree::{Node, Value, entry},
+    tree::{Node, Value},
 };
-
-/// The fields of one table, all of known names.
-pub(super) struct Fields<'a> {
-    entries: &'a [(At<String>, Node)],
-    span: &'a Span,
-}
-
-impl<'a> Fields<'a> {
-    /// The fields of `node`, which must be a table with no other keys than `known`.
-    pub(super) fn new(node: &'a Node, known: &[&'static str]) -> Result<Self, Located> {
-        let entries = table(node)?;
-        for (key, _) in entries {
-            if !known.contains(&key.value.as_str()) {
-                return Err(Located::at(&key.span, Fault::unknown_key(&key.value, known)));
-            }
-        }
-        Ok(Fields { entries, span: &node.span })
-    }
-
-    /// Span of the table in its text.
-    pub(super) fn span(&self) -> &'a Span {
-        self.span
-    }
-
-    /// A field that may be left out.
-    pub(super) fn get(&self, key: &str) -> Option<&'a Node> {
-        entry(self.entries, key)
-    }
-
-    /// A field that has to be there.
-    pub(super) fn node(&self, key: &'static str) -> Result<&'a Node, Located> {
-        self.get(key).ok_or_else(|| Located::at(self.span, Fault::missing_key(key, example(key))))
-    }
-
-    /// A field that has to be there, read by `read`.
-    pub(super) fn require<T>(&self, key: &'static str, read: Reader<T>) -> Result<T, Located> {
-        read(self.node(key)?)
-    }
-
-    /// A field that may be left out, read by `read`.
-    pub(super) fn optional<T>(&self, key: &str, read: Reader<T>) -> Result<Option<T>, Located> {
-        self.get(key).map(read).transpose()
-    }
-}
-
-/// An example of a missing key.
-fn example(key: &str) -> &'static str {
-    match key {
-        "material" => ", the name of one of [materials.…]",
-        "reflectance" => {
-            ", a number or one per band, 0 ≤ ρ < 1; 0 is black; or, for heat alone, `emissivity = …`, 0 < ε ≤ 1"
-        }
-        "eye" | "target" | "position" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal"
-        | "axis" | "direction" => ", three numbers in brackets",
-        "vertices" => ", a list of points, each three numbers in brackets",
-        "edges" => ", two vectors, each three numbers in brackets",
-        "image" => {
-            " for a picture, `cells = …` for rows of numbers or `polynomial = …` for terms [i, j, c] of u^i v^j"
-        }
-        "part" => ", the name of one of [parts.…]",
-        "count" => ", a number, or up to three in brackets",
-        "step" => ", a vector, or one for each number of count",
-        "frames" => ", how many frames there are, e.g. 50; it stands above the first header in brackets",
-        "points" => {
-            ", how far it has moved from where it rests, at least two points, each three numbers in brackets"
-        }
-        "angles" => ", degrees, at least two numbers in brackets",
-        "spacing" => ", a length, or one along each edge",
-        "size" => ", three lengths in brackets; or give two corners",
-        "curve" => ", four control points, each three numbers in brackets",
-        "sun" => ", where the sun is: { elevation = 40, azimuth = 180 }",
-        "illuminance" => ", of level ground under the sky, in lx",
-        "elevation" | "azimuth" => ", in degrees",
-        "model" => ": uniform, overcast or clear",
-        "flux" => ", in W or lm, all of it together; or its peak, `intensity = …`, in W/sr or cd",
-        "radius" | "radius1" | "radius2" | "major" | "minor" => ", a length",
-        "patches" => ", a list of patches, each 16 indices of points, counted from 0",
-        "weights" => ", four rows of four numbers above 0",
-        _ => "",
-    }
-}
-
-/// Cure of a value of the wrong kind.
-const KIND: &str = "write a value of that kind";
 
 /// A function that turns a node into a value.
 pub(super) type Reader<T> = fn(&Node) -> Result<T, Located>;
+
+/// Cure of a value of the wrong kind.
+const KIND: &str = "write a value of that kind";
 
 fn wrong(node: &Node, expected: &str, cure: &str) -> Located {
     Located::at(&node.span, wrong_type(expected, &node.value.kind(), cure))
@@ -193,6 +112,28 @@ pub(super) fn whole(node: &Node) -> Result<At<u32>, Located> {
         return Err(Located::at(&node.span, Fault::not_whole(number.value)));
     }
     Ok(At::new(number.value as u32, &node.span))
+}
+
+/// A number that passes `check`.
+pub(super) fn checked(node: &Node, check: fn(f64) -> Result<(), Fault>) -> Result<f64, Located> {
+    let number = real(node)?;
+    check(number).map_err(|fault| Located::at(&node.span, fault))?;
+    Ok(number)
+}
+
+/// The value of a word among those `known`; `unknown` is the cause of a fault and `list` the title of the words.
+pub(super) fn word<T: Copy>(
+    node: &Node,
+    known: &[(&str, T)],
+    unknown: fn(&str) -> String,
+    list: &str,
+) -> Result<T, Located> {
+    let typed = text(node)?;
+    let found = known.iter().find(|(word, _)| *word == typed.value);
+    found.map(|(_, value)| *value).ok_or_else(|| {
+        let known: Vec<String> = known.iter().map(|(word, _)| (*word).to_owned()).collect();
+        Located::at(&typed.span, Fault::unknown(unknown(&typed.value), &typed.value, known, list))
+    })
 }
 
 /// A whole number that passes `check`.

@@ -15,7 +15,7 @@ use radiosity_scene::{
 };
 
 use crate::{
-    file::{DistributionFile, ExtentFile, LuminaireFile, StrengthFile},
+    file::{ExtentFile, LuminaireFile, PerBand},
     include,
     instances::PlacedLuminaire,
     validation::spread,
@@ -61,19 +61,19 @@ fn luminaire(
     bands: usize,
     tables: &mut Tables<'_>,
 ) -> Result<Luminaire, Located> {
-    let LuminaireFile { span, position, aim, along, distribution, extent, strength, group, dimming, .. } =
-        file;
-    let numbers = strength.as_ref().map_or(span, |strength| strength.numbers().span());
-    let strength = match strength {
-        Some(StrengthFile::Flux(flux)) => Strength::Flux(spread(flux, bands, "the flux", check_flux)?),
-        Some(StrengthFile::Intensity(intensity)) => {
+    let LuminaireFile { span, position, aim, along, extent, group, dimming, .. } = file;
+    let numbers = file.strength().map_or(span, PerBand::span);
+    let strength = match (&file.flux, &file.intensity) {
+        (Some(flux), _) => Strength::Flux(spread(flux, bands, "the flux", check_flux)?),
+        (None, Some(intensity)) => {
             Strength::Intensity(spread(intensity, bands, "the intensity", check_intensity)?)
         }
-        None => Strength::AsMeasured(bands),
+        (None, None) => Strength::AsMeasured(bands),
     };
-    let distribution = match distribution {
-        DistributionFile::Formula(distribution) => distribution.clone(),
-        DistributionFile::Table(file) => Distribution::Table(tables.named(file)?),
+    let distribution = match (&file.spot, &file.photometry) {
+        (Some(spot), _) => spot.clone(),
+        (None, Some(file)) => Distribution::Table(tables.named(file)?),
+        (None, None) => Distribution::Point,
     };
     let own = Luminaire::new(name, *position, distribution, strength);
     let mut own = own.map_err(|fault| Located::at(numbers, fault))?;

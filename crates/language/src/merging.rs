@@ -18,15 +18,15 @@ pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile
         whole.bands = stated(whole.bands.take(), file.bands, "bands", names_of)?;
         whole.unit = stated(whole.unit.take(), file.unit, "units", |unit| vec![unit.value.as_str()])?;
         whole.sky = whole.sky.take().or(file.sky);
-        whole.frames.count = whole.frames.count.take().or(file.frames.count);
-        whole.frames.rate = whole.frames.rate.take().or(file.frames.rate);
-        put_before(&mut whole.motions, file.motions);
+        whole.frames = whole.frames.take().or(file.frames);
+        whole.fps = whole.fps.take().or(file.fps);
+        put_before(&mut whole.motion, file.motion);
         put_before(&mut whole.planes, file.planes);
         put_before(&mut whole.materials, file.materials);
         put_before(&mut whole.parts, file.parts);
-        put_before(&mut whole.content.surfaces, file.content.surfaces);
-        put_before(&mut whole.content.luminaires, file.content.luminaires);
-        put_before(&mut whole.content.instances, file.content.instances);
+        put_before(&mut whole.surfaces, file.surfaces);
+        put_before(&mut whole.luminaires, file.luminaires);
+        put_before(&mut whole.instances, file.instances);
     }
     once(whole.planes.iter().map(|plane| &plane.name), plane_title, source)?;
     once(whole.materials.iter().map(|material| &material.name), material_title, source)?;

@@ -12,19 +12,19 @@ use radiosity_scene::{
 };
 
 use crate::{
-    file::{FramesFile, MotionFile, RotateFile, TranslateFile, TurnsFile},
+    file::{MotionFile, RotateFile, SceneFile, TranslateFile},
     instances::{PlacedLuminaire, PlacedSurface},
 };
 
 /// The animation of a scene file; none if nothing is said of one.
 pub(super) fn animation(
-    frames: &FramesFile,
-    motions: &[MotionFile],
+    file: &SceneFile,
     movable: &MovableThings,
     source: &Source,
 ) -> Result<Option<Animation>, Located> {
-    let Some(count) = &frames.count else {
-        return match (motions.first(), &frames.rate) {
+    let SceneFile { frames, fps, motion: motions, .. } = file;
+    let Some(count) = frames else {
+        return match (motions.first(), fps) {
             (Some(motion), _) => {
                 let missing = Located::at(&motion.span, Fault::no_frame_count());
                 Err(missing.within(|| motion_title(&motion.name.value)))
@@ -36,7 +36,7 @@ pub(super) fn animation(
     if motions.is_empty() {
         return Err(Located::at(&count.span, Fault::nothing_moves()));
     }
-    let rate = frames.rate.as_ref().map_or(1.0, |rate| rate.value);
+    let rate = fps.as_ref().map_or(1.0, |rate| rate.value);
     let clock = Clock::new(count.value, rate).map_err(|fault| Located::at(&count.span, fault))?;
     let drafts = motions.iter().map(|motion| {
         draft(motion, clock, source).map_err(|error| error.within(|| motion_title(&motion.name.value)))
@@ -82,7 +82,7 @@ fn draft(file: &MotionFile, clock: Clock, source: &Source) -> Result<MoverDraft,
         .surfaces(chosen(&file.surfaces))
         .instances(chosen(&file.instances))
         .luminaires(chosen(&file.luminaires))
-        .camera_at(file.camera.clone())
+        .camera_at(file.camera.as_ref().filter(|moves| moves.value).map(|moves| moves.span.clone()))
         .typed(typed))
 }
 
@@ -113,22 +113,23 @@ fn shift(file: &TranslateFile, clock: Clock) -> Result<TimeFunction<DVec3>, Loca
 }
 
 fn turn(file: &RotateFile, clock: Clock) -> Result<Turn, Located> {
-    let RotateFile { span, center, times, turns } = file;
-    match turns {
-        TurnsFile::Axis { axis, angles, curve } => {
+    let RotateFile { center, times, curve, span, .. } = file;
+    match (&file.turns, &file.axis, &file.angles) {
+        (None, Some(axis), Some(angles)) => {
             let given = given(times, angles.value.len(), clock);
             let time_function = TimeFunction::new("angles", angles.value.clone(), given, *curve);
             let time_function = time_function.map_err(|fault| located(fault, times, &angles.span))?;
             let turn = Turn::about_axis(*center, axis.value, time_function);
             turn.map_err(|fault| located(fault, &None, &axis.span))
         }
-        TurnsFile::Keys(keys) => {
+        (turns, ..) => {
+            let (keys, place) = turns.as_ref().map_or((&[][..], span), |turns| (&turns.value, &turns.span));
             let rotation =
                 |[x, y, z, degrees]: &[f64; 4]| AxisAngle { axis: DVec3::new(*x, *y, *z), degrees: *degrees };
-            let rotations: Vec<AxisAngle> = keys.value.iter().map(rotation).collect();
-            let given = given(times, keys.value.len(), clock);
+            let rotations: Vec<AxisAngle> = keys.iter().map(rotation).collect();
+            let given = given(times, keys.len(), clock);
             let turn = Turn::by_keys(*center, &rotations, given);
-            turn.map_err(|fault| located(fault, times, if keys.value.is_empty() { span } else { &keys.span }))
+            turn.map_err(|fault| located(fault, times, if keys.is_empty() { span } else { place }))
         }
     }
 }

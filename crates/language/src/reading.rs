@@ -17,6 +17,7 @@ use crate::export::Export;
 use crate::file::SceneFile;
 use crate::import::Import;
 use crate::include::{self, FileTree};
+use crate::keys::Table;
 use crate::language::Language;
 use crate::merging::merged;
 use crate::variables::{self, VARIABLES, Variables};
@@ -200,7 +201,7 @@ fn exported(scene: &Scene, files: Vec<FileTree>, source: &Source) -> Result<Mode
     if let Some(camera) = &scene.camera {
         export.camera(camera, scene.middle);
     }
-    let placed = instances::placed(&file.content, &file.parts, source)?;
+    let placed = instances::placed(file.content(), &file.parts, source)?;
     placed.surfaces.iter().try_for_each(|placed| export.add(placed))?;
     let mut model = export.finish()?;
     model.title = scene.title.clone();
@@ -251,22 +252,23 @@ fn built(files: Vec<FileTree>, source: &Source) -> Result<Scene, Located> {
 fn as_typed(mut files: Vec<FileTree>, source: &Source) -> Result<(SceneFile, Vec<(String, f64)>), Located> {
     let variables = Variables::read(variable_tables(&files), source)?;
     files.iter_mut().for_each(|file| variables.fill(&mut file.tree));
-    let files = files.iter().map(|file| SceneFile::read(&file.tree, &file.prefix));
+    let files = files.iter().map(|file| SceneFile::read_in(&file.tree, &file.prefix));
     let file = merged(files.collect::<Result<_, _>>()?, source)?;
     Ok((file, variables.list()))
 }
 
 /// The valid scene of a scene file as typed.
-fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> Result<Scene, Located> {
+fn assemble(mut file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> Result<Scene, Located> {
     let is_grey = file.is_grey();
-    let bands = validation::bands(file.bands, is_grey, source)?;
-    let unit = validation::unit(file.unit)?;
-    let planes = file.planes.into_iter().map(validation::plane).collect::<Result<_, _>>()?;
-    let materials = validation::materials(file.materials, bands.len(), source)?;
+    let bands = validation::bands(file.bands.take(), is_grey, source)?;
+    let unit = validation::unit(file.unit.take())?;
+    let planes =
+        std::mem::take(&mut file.planes).into_iter().map(validation::plane).collect::<Result<_, _>>()?;
+    let materials = validation::materials(std::mem::take(&mut file.materials), bands.len(), source)?;
     let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose();
     let sky = sky.map_err(|error| error.within(|| "sky".into()))?;
     let instances::Placed { surfaces, luminaires: lamps } =
-        instances::placed(&file.content, &file.parts, source)?;
+        instances::placed(file.content(), &file.parts, source)?;
     let (luminaires, luminous) = luminaires::luminaires(&lamps, bands.len(), source)?;
     let drafts = validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source);
     let Surfaces { list, makers, middle, fitted } =
@@ -277,7 +279,7 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
         return Err(Located::at(&sky.span, fault).within(|| "sky".into()));
     }
     let movable = motions::movable(&surfaces, &makers, &lamps, file.camera.is_some());
-    let animation = motions::animation(&file.frames, &file.motions, &movable, source)?;
+    let animation = motions::animation(&file, &movable, source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
     let mut scene = Scene::empty(stem(&source.origin), bands, unit);
     scene.title = file.title;
