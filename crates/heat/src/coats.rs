@@ -3,7 +3,7 @@
 use radiosity_scene::{LightGroup, Material, Scene};
 
 use super::black_body::level;
-use super::roles::{Role, Roles};
+use super::roles::{Role, Roles, shield_group};
 
 /// The scene with coatings for heat in a single band: e = ε σ T⁴ and ρ = 1 − ε, or e = q and ρ = 1. Each
 /// shield is a light group of the level 1.
@@ -48,7 +48,7 @@ pub(super) fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> Coat)
         surface.flux = None;
         surface.radiance = None;
         surface.group = match role {
-            Role::Shield { shield, .. } => Some(LightGroup::new(format!("shield-{shield}"))),
+            Role::Shield { shield, .. } => Some(LightGroup::new(shield_group(*shield))),
             _ => None,
         };
     }
