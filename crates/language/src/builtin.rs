@@ -271,13 +271,10 @@ impl Builtin {
     }
 
     fn unknown(&self, name: &str) -> Fault {
-        let cause = format!("there is no parameter {name:?}");
         let known: Vec<String> = self.parameters.iter().map(|parameter| parameter.name.to_owned()).collect();
-        if known.is_empty() {
-            let cure = words("this scene has no parameters; ") + command("scenes") + " lists those that have";
-            return Fault::new(FaultKind::UnknownName, cause, cure);
-        }
-        Fault::unknown(cause, name, known, "parameters of this scene")
+        let none = words("this scene has no parameters; ") + command("scenes") + " lists those that have";
+        let cause = format!("there is no parameter {name:?}");
+        Fault::unknown_or(cause, name, known, "parameters of this scene", none)
     }
 }
 

@@ -9,7 +9,7 @@ use radiosity_formats::{
 use radiosity_geom::DVec3;
 use radiosity_scene::{
     Camera, Fault, SceneSurface,
-    error::{Located, surface_title},
+    error::{Located, title},
 };
 
 use crate::instances::PlacedSurface;
@@ -61,7 +61,7 @@ impl<'a> Export<'a> {
         let shapes = file
             .shape
             .models(motion)
-            .map_err(|error| Located::at(&file.shape.span, error.into()).within(|| surface_title(name)))?;
+            .map_err(|error| Located::at(&file.shape.span, error.into()).within(|| title("surface", name)))?;
         let Some(shapes) = shapes else {
             self.refused.push(ForeignSurface { name: name.clone(), key: file.shape.kind });
             return Ok(());

@@ -13,7 +13,7 @@ mod motion;
 use radiosity_geom::DVec3;
 use radiosity_scene::{
     animation::{MOST_FRAMES, check_frames, check_rate},
-    error::{Located, material_title, part_title, plane_title},
+    error::Located,
     place::{At, Span},
     ranges::{MAX_PIXELS, check_fov, check_pixels},
     tree::Node,
@@ -22,12 +22,11 @@ use serde_json::{Value, json};
 
 use crate::{
     fields::{checked, counted, exactly, list, point, real, text},
-    keys::{Fields, Kind, Named, OrEmpty, Table, Usual, by_name, keys},
+    keys::{ByName, Entries, Fields, Kind, Named, Table, Usual, keys},
     kinds::{POINT, TEXT, VECTOR},
     terms,
 };
-use motion::MOTIONS;
-use part::{INSTANCES, LUMINAIRES, SURFACES};
+use part::INSTANCES;
 use pattern::{amount, amount_schema};
 use per_band::per_band;
 use thermal::{ConditionFile, EMISSIVITY};
@@ -70,13 +69,13 @@ keys! {
             |node| SkyFile::read(node).map_err(|error| error.within(|| "sky".into())),
             || terms::reference("sky"),
         ), "";
-        planes: Vec<Named<PlaneFile>> = PLANES, "Planes of sensors by name";
-        materials: Vec<Named<MaterialFile>> = MATERIALS, "Materials by name";
-        parts: Vec<Named<PartFile>> = PARTS, "Parts by name, to be put in many places";
-        surfaces: Vec<SurfaceFile> = SURFACES, "The surfaces";
-        luminaires: Vec<LuminaireFile> = LUMINAIRES, "Lamps by their intensity in each direction";
+        planes: Vec<Named<PlaneFile>> = ByName("plane"), "Planes of sensors by name";
+        materials: Vec<Named<MaterialFile>> = ByName("material"), "Materials by name";
+        parts: Vec<Named<PartFile>> = ByName("part"), "Parts by name, to be put in many places";
+        surfaces: Vec<SurfaceFile> = Entries::of("surface"), "The surfaces";
+        luminaires: Vec<LuminaireFile> = Entries::of("luminaire"), "Lamps by their intensity in each direction";
         instances: Vec<InstanceFile> = INSTANCES, "Instances of parts";
-        motion: Vec<MotionFile> = MOTIONS, "What moves, each along a path";
+        motion: Vec<MotionFile> = Entries::of("motion"), "What moves, each along a path";
     }
 }
 
@@ -127,15 +126,6 @@ keys! {
 
 const PIXELS: Kind<u32> =
     Kind::new(|node| Ok(counted(node, check_pixels)? as u32), || terms::whole(1, MAX_PIXELS, ""));
-
-const PLANES: OrEmpty<Vec<Named<PlaneFile>>> =
-    Kind::new(|node| by_name(node, plane_title), || terms::by_name("", "plane")).or_empty();
-
-const MATERIALS: OrEmpty<Vec<Named<MaterialFile>>> =
-    Kind::new(|node| by_name(node, material_title), || terms::by_name("", "material")).or_empty();
-
-const PARTS: OrEmpty<Vec<Named<PartFile>>> =
-    Kind::new(|node| by_name(node, part_title), || terms::by_name("", "part")).or_empty();
 
 fn include_schema() -> Value {
     let file = terms::text("Path of a scene file, from the folder of this one");

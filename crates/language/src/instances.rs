@@ -125,13 +125,9 @@ fn part_of<'a>(instance: &InstanceFile, parts: &Parts<'a>) -> Result<(&'a str, C
 }
 
 fn unknown_part(name: &str, parts: &Parts<'_>) -> Fault {
-    let cause = format!("unknown part {name:?}");
-    if parts.is_empty() {
-        let cure = format!("define it: [parts.{name}] with a list of surfaces, [[parts.{name}.surfaces]]");
-        return Fault::new(FaultKind::UnknownName, cause, cure);
-    }
+    let none = format!("define it: [parts.{name}] with a list of surfaces, [[parts.{name}.surfaces]]");
     let known: Vec<String> = parts.keys().map(|name| (*name).to_owned()).collect();
-    Fault::unknown(cause, name, known, "parts of this scene")
+    Fault::unknown_or(format!("unknown part {name:?}"), name, known, "parts of this scene", none)
 }
 
 /// The indices of all copies of an instance, as they stand behind its name, and how far each is moved.

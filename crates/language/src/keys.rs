@@ -6,7 +6,7 @@
 
 use radiosity_scene::{
     Fault,
-    error::Located,
+    error::{Located, title},
     names::check_text,
     place::{At, Span},
     tree::{Node, Value, entry},
@@ -350,14 +350,29 @@ impl Field<At<String>> for Name {
     }
 }
 
-/// The key of a list of tables, each of a name.
+/// The key of a list of tables, each of a name: its own, or its kind and its number in the list.
 pub(super) struct Entries {
-    /// Definition of an entry in the schema.
+    /// Kind of the entries, which defines them in the schema.
     pub kind: &'static str,
-    /// Names of the entry of that number, counted from 1, behind what stands before all names.
-    pub unnamed: fn(&Node, usize) -> String,
-    /// Title in messages of the entry of that name and number.
-    pub title: fn(&str, usize) -> String,
+    /// The key whose text stands for the kind in names.
+    pub called_after: Option<&'static str>,
+}
+
+impl Entries {
+    pub(super) const fn of(kind: &'static str) -> Self {
+        Entries { kind, called_after: None }
+    }
+
+    fn read<T: Table>(&self, node: &Node, number: usize, prefix: &str) -> Result<T, Located> {
+        let Entries { kind, called_after } = *self;
+        let stem = called_after.map(|key| given(node, key).unwrap_or_default());
+        let unnamed = format!("{prefix}{}-{number}", stem.as_deref().unwrap_or(kind));
+        let named = || match stem {
+            None => title(kind, &given(node, "name").unwrap_or(unnamed.clone())),
+            Some(_) => format!("{kind} {number}"),
+        };
+        T::read_in(node, &unnamed).map_err(|error| error.within(named))
+    }
 }
 
 impl<T: Table> Field<Vec<T>> for Entries {
@@ -367,15 +382,13 @@ impl<T: Table> Field<Vec<T>> for Entries {
 
     fn take(&self, fields: &Fields<'_>, key: &'static str) -> Result<Vec<T>, Located> {
         let Some(node) = fields.get(key) else { return Ok(Vec::new()) };
-        let read = |(index, node): (usize, &Node)| {
-            let unnamed = format!("{}{}", fields.context, (self.unnamed)(node, index + 1));
-            T::read_in(node, &unnamed).map_err(|error| {
-                error.within(|| (self.title)(&given(node, "name").unwrap_or(unnamed), index + 1))
-            })
-        };
-        list(node)?.iter().enumerate().map(read).collect()
+        let items = list(node)?;
+        items.iter().zip(1..).map(|(node, number)| self.read(node, number, fields.context)).collect()
     }
 }
+
+/// The key of tables of this kind by name.
+pub(super) struct ByName(pub &'static str);
 
 /// A table with the name that is its key.
 #[derive(Debug)]
@@ -384,17 +397,22 @@ pub(super) struct Named<T> {
     pub file: T,
 }
 
-/// Tables by name; `title` is that of one of them in messages.
-pub(super) fn by_name<T: Table>(node: &Node, title: fn(&str) -> String) -> Result<Vec<Named<T>>, Located> {
-    let read = |(name, node): &(At<String>, Node)| {
-        check_text(&name.value).map_err(|fault| Located::at(&name.span, fault))?;
-        let file = T::read(node).map_err(|error| error.within(|| title(&name.value)))?;
-        Ok(Named { name: name.clone(), file })
-    };
-    table(node)?.iter().map(read).collect()
+impl<T: Table> Field<Vec<Named<T>>> for ByName {
+    fn key(&self, name: &'static str, meaning: &str) -> Key {
+        Key { name, schema: terms::by_name(meaning, self.0), is_required: false }
+    }
+
+    fn take(&self, fields: &Fields<'_>, key: &'static str) -> Result<Vec<Named<T>>, Located> {
+        let read = |(name, node): &(At<String>, Node)| {
+            check_text(&name.value).map_err(|fault| Located::at(&name.span, fault))?;
+            let file = T::read(node).map_err(|error| error.within(|| title(self.0, &name.value)))?;
+            Ok(Named { name: name.clone(), file })
+        };
+        fields.get(key).map_or(Ok(Vec::new()), |node| table(node)?.iter().map(read).collect())
+    }
 }
 
 /// A text in a table that may be wrong otherwise.
-pub(super) fn given(node: &Node, key: &str) -> Option<String> {
+fn given(node: &Node, key: &str) -> Option<String> {
     Some(text(entry(table(node).ok()?, key)?).ok()?.value)
 }

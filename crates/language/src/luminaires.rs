@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use radiosity_photometry::{Photometry, luminaire as photometry};
 use radiosity_scene::{
     Distribution, Extent, Fault, Luminaire, Source, Strength, SurfaceDraft,
-    error::{Located, luminaire_title},
+    error::{Located, title},
     luminaire::check_intensity,
     luminous_surface::luminous_surfaces,
     material::check_flux,
@@ -34,7 +34,7 @@ pub(super) fn luminaires(
         let added = names.add(&placed.name, source.line(span.start));
         let own = added.map_err(|fault| Located::at(span, fault));
         let own = own.and_then(|()| luminaire(placed, bands, &mut tables));
-        own.map_err(|error| error.within(|| luminaire_title(&placed.name)))
+        own.map_err(|error| error.within(|| title("luminaire", &placed.name)))
     };
     let own = files.iter().map(&mut luminaire).collect::<Result<Vec<_>, _>>()?;
     let surfaces = own.iter().zip(files);

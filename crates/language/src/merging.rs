@@ -2,7 +2,7 @@
 
 use radiosity_scene::{
     Fault, Source,
-    error::{Located, material_title, part_title, plane_title},
+    error::{Located, title},
     names::UniqueNames,
     place::At,
 };
@@ -28,9 +28,9 @@ pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile
         put_before(&mut whole.luminaires, file.luminaires);
         put_before(&mut whole.instances, file.instances);
     }
-    once(whole.planes.iter().map(|plane| &plane.name), plane_title, source)?;
-    once(whole.materials.iter().map(|material| &material.name), material_title, source)?;
-    once(whole.parts.iter().map(|part| &part.name), part_title, source)?;
+    once(whole.planes.iter().map(|plane| &plane.name), "plane", source)?;
+    once(whole.materials.iter().map(|material| &material.name), "material", source)?;
+    once(whole.parts.iter().map(|part| &part.name), "part", source)?;
     Ok(whole)
 }
 
@@ -65,15 +65,11 @@ fn put_before<T>(list: &mut Vec<T>, mut before: Vec<T>) {
 }
 
 /// Refuses a name that is given twice.
-fn once<'a>(
-    names: impl Iterator<Item = &'a At<String>>,
-    title: fn(&str) -> String,
-    source: &Source,
-) -> Result<(), Located> {
+fn once<'a>(names: impl Iterator<Item = &'a At<String>>, kind: &str, source: &Source) -> Result<(), Located> {
     let mut seen = UniqueNames::default();
     for name in names {
         let added = seen.add(&name.value, source.line(name.span.start));
-        added.map_err(|fault| Located::at(&name.span, fault).within(|| title(&name.value)))?;
+        added.map_err(|fault| Located::at(&name.span, fault).within(|| title(kind, &name.value)))?;
     }
     Ok(())
 }

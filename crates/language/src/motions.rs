@@ -5,7 +5,7 @@ use std::sync::Arc;
 use radiosity_geom::DVec3;
 use radiosity_scene::{
     Animation, AxisAngle, Clock, Fault, FaultKind, MoverDraft, RigidPath, Source, TimeFunction, Turn,
-    error::{Located, motion_title},
+    error::{Located, title},
     mover_draft::{MemberNames, MovableThings, MoverPlaces, NamedMember, movers},
     place::{At, Span},
     surfaces::Maker,
@@ -27,7 +27,7 @@ pub(super) fn animation(
         return match (motions.first(), fps) {
             (Some(motion), _) => {
                 let missing = Located::at(&motion.span, Fault::no_frame_count());
-                Err(missing.within(|| motion_title(&motion.name.value)))
+                Err(missing.within(|| title("motion", &motion.name.value)))
             }
             (None, Some(rate)) => Err(Located::at(&rate.span, Fault::no_frame_count())),
             (None, None) => Ok(None),
@@ -39,7 +39,7 @@ pub(super) fn animation(
     let rate = fps.as_ref().map_or(1.0, |rate| rate.value);
     let clock = Clock::new(count.value, rate).map_err(|fault| Located::at(&count.span, fault))?;
     let drafts = motions.iter().map(|motion| {
-        draft(motion, clock, source).map_err(|error| error.within(|| motion_title(&motion.name.value)))
+        draft(motion, clock, source).map_err(|error| error.within(|| title("motion", &motion.name.value)))
     });
     movers(drafts.collect::<Result<_, _>>()?, clock, movable).map(Some)
 }

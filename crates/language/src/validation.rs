@@ -7,7 +7,7 @@ use radiosity_scene::{
     Camera, Fault, FaultKind, Glass, Material, Opening, SensorPlane, Sky, Source, Sun, SurfaceDraft, Thermal,
     bands::check_bands,
     covering::Covering,
-    error::{Located, material_title, plane_title, surface_title},
+    error::{Located, title},
     luminaire::across,
     material::{check_emission, check_flux, check_reflectance, check_transmittance},
     place::At,
@@ -56,7 +56,7 @@ pub(super) fn unit(text: Option<At<String>>) -> Result<String, Located> {
 /// A plane of sensors.
 pub(super) fn plane(Named { name, file }: Named<PlaneFile>) -> Result<SensorPlane, Located> {
     let PlaneFile { origin, edges, spacing } = file;
-    let title = plane_title(&name.value);
+    let title = title("plane", &name.value);
     SensorPlane::new(name.value, origin, edges.value, spacing.value).map_err(|fault| {
         let span = if fault.kind == FaultKind::NoDirection { &edges.span } else { &spacing.span };
         Located::at(span, fault).within(|| title)
@@ -71,7 +71,7 @@ pub(super) fn materials(
 ) -> Result<Materials, Located> {
     let checked = |Named { name, file }: Named<MaterialFile>| match covering(&name, file, bands, source) {
         Ok(material) => Ok((name.value, material)),
-        Err(error) => Err(error.within(|| material_title(&name.value))),
+        Err(error) => Err(error.within(|| title("material", &name.value))),
     };
     files.into_iter().map(checked).collect()
 }
@@ -174,7 +174,7 @@ pub(super) fn surfaces(
     source: &Source,
 ) -> impl Iterator<Item = Result<SurfaceDraft, Located>> {
     files.iter().map(move |placed| {
-        let error = |error: Located| error.within(|| surface_title(&placed.name));
+        let error = |error: Located| error.within(|| title("surface", &placed.name));
         let draft = draft(placed, materials, bands, source);
         draft.and_then(|draft| opened(draft, placed.file, sky)).map_err(error)
     })

@@ -8,7 +8,7 @@ use std::{
 
 use radiosity_scene::{
     Fault, FaultKind, Source,
-    error::{Located, variable_title},
+    error::{Located, title},
     names::UniqueNames,
     place::{At, Span},
     ranges::check_number,
@@ -71,7 +71,7 @@ impl Variables {
                 continue;
             }
             let step = self.step(name, definitions);
-            match step.map_err(|error| error.within(|| variable_title(name)))? {
+            match step.map_err(|error| error.within(|| title("variable", name)))? {
                 Step::Known(value) => {
                     self.values.insert(name.clone(), value);
                 }
@@ -163,13 +163,9 @@ impl Variables {
     }
 
     fn unknown(&self, name: &str) -> Fault {
+        let none = format!("define it: [variables] with {name} = 2.5");
         let cause = format!("there is no variable {name:?}");
-        match self.names.is_empty() {
-            true => {
-                Fault::new(FaultKind::UnknownName, cause, format!("define it: [variables] with {name} = 2.5"))
-            }
-            false => Fault::unknown(cause, name, Arc::clone(&self.names), "variables of this scene"),
-        }
+        Fault::unknown_or(cause, name, Arc::clone(&self.names), "variables of this scene", none)
     }
 }
 
@@ -191,7 +187,7 @@ fn cycle(path: &[String], place: &Span) -> Located {
     let start = path.iter().position(|name| Some(name) == path.last()).unwrap_or_default();
     let cause = format!("it needs its own value: {}", path[start..].join(" → "));
     let fault = Fault::new(FaultKind::Cycle, cause, "give one of them a number");
-    Located::at(place, fault).within(|| variable_title(&path[start]))
+    Located::at(place, fault).within(|| title("variable", &path[start]))
 }
 
 fn check_name(name: &At<String>) -> Result<(), Located> {

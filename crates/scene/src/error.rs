@@ -28,49 +28,9 @@ pub struct SceneError {
     pub fault: Fault,
 }
 
-/// Title of a material in messages.
-pub fn material_title(name: &str) -> String {
-    format!("material {name:?}")
-}
-
-/// Title of a light group in messages.
-pub(super) fn group_title(name: &str) -> String {
-    format!("light group {name:?}")
-}
-
-/// Title of a luminaire in messages.
-pub fn luminaire_title(name: &str) -> String {
-    format!("luminaire {name:?}")
-}
-
-/// Title of a motion in messages.
-pub fn motion_title(name: &str) -> String {
-    format!("motion {name:?}")
-}
-
-/// Title of a plane of sensors in messages.
-pub fn plane_title(name: &str) -> String {
-    format!("plane {name:?}")
-}
-
-/// Title of a variable in messages.
-pub fn variable_title(name: &str) -> String {
-    format!("variable {name:?}")
-}
-
-/// Title of a part in messages.
-pub fn part_title(name: &str) -> String {
-    format!("part {name:?}")
-}
-
-/// Title in messages of the instance of that number in its list, counted from 1.
-pub fn instance_title(number: usize) -> String {
-    format!("instance {number}")
-}
-
-/// Title of a surface in messages.
-pub fn surface_title(name: &str) -> String {
-    format!("surface {name:?}")
+/// Title in messages of a part of the scene, such as `surface "floor"`.
+pub fn title(kind: &str, name: &str) -> String {
+    format!("{kind} {name:?}")
 }
 
 /// A fault on its way to the [`SceneError`], while the source is not at hand.

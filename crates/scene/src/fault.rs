@@ -184,6 +184,21 @@ impl Fault {
         Self { kind: FaultKind::UnknownName, cause: cause.into(), cure }
     }
 
+    /// As [`Fault::unknown`], with the cure `none` where nothing is known.
+    pub fn unknown_or(
+        cause: impl Into<String>,
+        name: &str,
+        known: impl Into<Arc<[String]>>,
+        list: &str,
+        none: impl Into<Wording>,
+    ) -> Self {
+        let known = known.into();
+        match known.is_empty() {
+            true => Self::new(FaultKind::UnknownName, cause, none),
+            false => Self::unknown(cause, name, known, list),
+        }
+    }
+
     /// An unknown surface.
     pub(crate) fn unknown_surface(name: &str, known: Vec<String>) -> Self {
         Self::unknown(format!("unknown surface {name:?}"), name, known, "surfaces of this scene")
@@ -191,14 +206,8 @@ impl Fault {
 
     /// An unknown material.
     pub fn unknown_material(name: &str, known: Vec<String>) -> Self {
-        let cause = format!("unknown material {name:?}");
-        match known.is_empty() {
-            true => {
-                let cure = format!("define it: [materials.{name}] with reflectance = 0.5");
-                Self::new(FaultKind::UnknownName, cause, cure)
-            }
-            false => Self::unknown(cause, name, known, "materials of this scene"),
-        }
+        let none = format!("define it: [materials.{name}] with reflectance = 0.5");
+        Self::unknown_or(format!("unknown material {name:?}"), name, known, "materials of this scene", none)
     }
 
     /// A name given twice; the line of the first one, if it stands in a file.

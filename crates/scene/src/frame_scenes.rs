@@ -20,7 +20,7 @@ use crate::{
     Scene,
     animation::Animation,
     camera::Camera,
-    error::{SceneError, surface_title},
+    error::{SceneError, title},
     fault::{Fault, FaultKind, shown},
     fitted::LiesOn,
     pose::Pose,
@@ -242,7 +242,7 @@ impl Scene {
         SceneError {
             origin: self.origin.clone(),
             place: surface.place.clone().map(Box::new),
-            owner: Some(surface_title(&surface.name)),
+            owner: Some(title("surface", &surface.name)),
             fault,
         }
     }

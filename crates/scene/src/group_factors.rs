@@ -6,8 +6,8 @@ use radiosity_work::wording::{set, words};
 
 use crate::{
     Scene,
-    error::{Located, SceneError, group_title},
-    fault::{Fault, FaultKind},
+    error::{Located, SceneError, title},
+    fault::Fault,
     light_group::LightGroup,
     ranges::check_range,
 };
@@ -28,8 +28,7 @@ impl Scene {
     /// state, whatever factors they had before. Groups that are not named keep theirs.
     ///
     /// # Errors
-    /// [`FaultKind::UnknownName`]; [`FaultKind::Conflict`] for a group that is set twice, and for the name of a
-    /// variable; [`FaultKind::NotFinite`] or [`FaultKind::OutOfRange`] for a factor.
+    /// An unknown group, one that is set twice, the name of a variable; a factor that is not finite or below 0.
     pub fn dimmed(&self, settings: &[(&str, f64)]) -> Result<Self, SceneError> {
         let factors = self.factors(settings).map_err(|located| located.in_code(&self.origin))?;
         let mut dimmed = self.clone();
@@ -53,7 +52,8 @@ impl Scene {
             if !groups.iter().any(|group| group.name == *name) {
                 return Err(Located::nowhere(unknown_group(name, &groups)));
             }
-            check_factor(*factor).map_err(|fault| Located::nowhere(fault).within(|| group_title(name)))?;
+            check_factor(*factor)
+                .map_err(|fault| Located::nowhere(fault).within(|| title("light group", name)))?;
             if factors.insert(*name, *factor).is_some() {
                 let cause = format!("the light group {name:?} is set twice");
                 return Err(Located::nowhere(Fault::conflict(cause, "keep one of them")));
@@ -75,16 +75,13 @@ impl Scene {
 
 /// A light group of which nothing emits.
 fn unknown_group(name: &str, groups: &[&LightGroup]) -> Fault {
-    let cause = format!("no light comes from a group {name:?}");
-    if groups.is_empty() {
-        let cure = format!(
-            "this scene has no light groups: give surfaces that emit, or their material, group = {name:?}, and \
-             solve it again"
-        );
-        return Fault::new(FaultKind::UnknownName, cause, cure);
-    }
+    let none = format!(
+        "this scene has no light groups: give surfaces that emit, or their material, group = {name:?}, and \
+         solve it again"
+    );
     let known: Vec<String> = groups.iter().map(|group| group.name.clone()).collect();
-    Fault::unknown(cause, name, known, "light groups of this scene")
+    let cause = format!("no light comes from a group {name:?}");
+    Fault::unknown_or(cause, name, known, "light groups of this scene", none)
 }
 
 /// Checks that a factor is finite and ≥ 0.

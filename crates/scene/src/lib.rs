@@ -92,7 +92,7 @@ pub use thermal::{Condition, Thermal};
 pub use time_function::{Curve, Interpolable, TimeFunction};
 pub use tree::Tree;
 
-use error::surface_title;
+use error::title;
 
 /// A valid scene.
 #[derive(Clone, Debug)]
@@ -180,14 +180,10 @@ impl Scene {
     }
 
     fn unknown_plane(&self, name: &str) -> Fault {
-        let cause = format!("unknown plane {name:?}");
         let known: Vec<String> = self.planes.iter().map(|plane| plane.name().to_owned()).collect();
-        if known.is_empty() {
-            let cure = format!("define it: [planes.{name}] with origin, edges and spacing; or type it: ");
-            let cure = words(cure) + set("plane", "\"origin; edge; edge; spacing\"");
-            return Fault::new(FaultKind::UnknownName, cause, cure);
-        }
-        Fault::unknown(cause, name, known, "planes of this scene")
+        let none = words(format!("define it: [planes.{name}] with origin, edges and spacing; or type it: "))
+            + set("plane", "\"origin; edge; edge; spacing\"");
+        Fault::unknown_or(format!("unknown plane {name:?}"), name, known, "planes of this scene", none)
     }
 
     /// Whether a surface or a luminaire of the scene emits light.
@@ -222,7 +218,7 @@ impl Scene {
             return Err(SceneError {
                 origin: self.origin.clone(),
                 place: bare.place.clone().map(Box::new),
-                owner: Some(surface_title(&bare.name)),
+                owner: Some(title("surface", &bare.name)),
                 fault: Fault::missing_key("material", ", the name of one of [materials.…]"),
             });
         }

@@ -7,7 +7,7 @@ use radiosity_geom::{ShapeError, Surface};
 
 use crate::{
     covering::Covering,
-    error::{Located, luminaire_title},
+    error::{Located, title},
     extent::Extent,
     fault::Fault,
     luminaire::Luminaire,
@@ -33,7 +33,7 @@ pub fn luminous_surfaces(
             Some(typed) => Located::at(&typed.shape, fault),
             None => Located::nowhere(fault),
         };
-        located.within(|| luminaire_title(&own.name))
+        located.within(|| title("luminaire", &own.name))
     })?;
     let Some(shape) = shape else { return Ok(Vec::new()) };
     let [front, back] = LuminousArea::sides(own);

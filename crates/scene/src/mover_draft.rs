@@ -4,8 +4,8 @@ use std::{borrow::Borrow, collections::BTreeMap, sync::Arc};
 
 use crate::{
     animation::{Animation, Clock, Mover},
-    error::{Located, luminaire_title, motion_title, surface_title},
-    fault::{Fault, FaultKind},
+    error::{Located, title},
+    fault::Fault,
     names::UniqueNames,
     path::RigidPath,
     place::{Line, Place, Span},
@@ -114,7 +114,7 @@ impl MoverDraft {
         let span = span.or(self.typed.as_ref().map(|typed| &typed.span));
         let located =
             span.map_or_else(|| Located::nowhere(fault.clone()), |span| Located::at(span, fault.clone()));
-        located.within(|| motion_title(&self.name))
+        located.within(|| title("motion", &self.name))
     }
 }
 
@@ -246,25 +246,13 @@ impl MoverDraft {
 }
 
 fn unknown_luminaire(name: &str, known: Vec<String>) -> Fault {
-    let cause = format!("unknown luminaire {name:?}");
-    match known.is_empty() {
-        true => {
-            let cure = "the scene has no luminaires: lamps that are surfaces move by surfaces = [\"lamp\"]";
-            Fault::new(FaultKind::UnknownName, cause, cure)
-        }
-        false => Fault::unknown(cause, name, known, "luminaires of this scene"),
-    }
+    let none = "the scene has no luminaires: lamps that are surfaces move by surfaces = [\"lamp\"]";
+    Fault::unknown_or(format!("unknown luminaire {name:?}"), name, known, "luminaires of this scene", none)
 }
 
 fn unknown_instance(name: &str, known: Vec<String>) -> Fault {
-    let cause = format!("unknown instance {name:?}");
-    match known.is_empty() {
-        true => {
-            let cure = "the scene has no instances: name its surfaces, surfaces = [\"lamp\"]";
-            Fault::new(FaultKind::UnknownName, cause, cure)
-        }
-        false => Fault::unknown(cause, name, known, "instances of this scene"),
-    }
+    let none = "the scene has no instances: name its surfaces, surfaces = [\"lamp\"]";
+    Fault::unknown_or(format!("unknown instance {name:?}"), name, known, "instances of this scene", none)
 }
 
 fn no_camera() -> Fault {
@@ -297,12 +285,12 @@ impl TakenThings {
         };
         for index in &mover.surfaces {
             if let Some(first) = self.surfaces.insert(*index, mover.name.clone()) {
-                return Err(twice(surface_title(&movable.surfaces[*index].names[0]), first));
+                return Err(twice(title("surface", &movable.surfaces[*index].names[0]), first));
             }
         }
         for index in &mover.luminaires {
             if let Some(first) = self.luminaires.insert(*index, mover.name.clone()) {
-                return Err(twice(luminaire_title(&movable.luminaires[*index].names[0]), first));
+                return Err(twice(title("luminaire", &movable.luminaires[*index].names[0]), first));
             }
         }
         match self.camera.take() {

@@ -9,7 +9,7 @@ use radiosity_geom::{Flipped, Rect, Surface};
 
 use crate::{
     covering::Covering,
-    error::{Located, surface_title},
+    error::{Located, title},
     fault::Fault,
     light_group::LightGroup,
     material::{Material, check_count, check_flux, check_sheet},
@@ -179,7 +179,7 @@ impl SurfaceDraft {
                 self.coverings_mut().for_each(|own| own.material.emission.clone_from(&emission));
                 Ok(self)
             }
-            Err(fault) => Err(self.located(span.as_ref(), fault).within(|| surface_title(&self.name))),
+            Err(fault) => Err(self.located(span.as_ref(), fault).within(|| title("surface", &self.name))),
         }
     }
 
@@ -202,7 +202,7 @@ impl SurfaceDraft {
             None if self.two_sided => return Ok(()),
             None => (front, check_sheet(&self.front.material, None)),
         };
-        checked.map_err(|fault| self.located(span.as_ref(), fault).within(|| surface_title(&self.name)))
+        checked.map_err(|fault| self.located(span.as_ref(), fault).within(|| title("surface", &self.name)))
     }
 
     /// The exitance of each band (W m⁻²) that makes this flux (W).
@@ -251,7 +251,7 @@ impl SurfaceDraft {
                 Err(fault) => fault,
             },
         };
-        Err(self.located(span.as_ref(), fault).within(|| surface_title(&self.name)))
+        Err(self.located(span.as_ref(), fault).within(|| title("surface", &self.name)))
     }
 
     /// Angular distribution of the light of one of its shapes, and its material, which for an opening emits
@@ -270,7 +270,7 @@ impl SurfaceDraft {
     pub(super) fn located(&self, span: Option<&Span>, fault: Fault) -> Located {
         match span {
             Some(span) => Located::at(span, fault),
-            None => Located::nowhere(fault).within(|| surface_title(&self.name)),
+            None => Located::nowhere(fault).within(|| title("surface", &self.name)),
         }
     }
 
@@ -279,7 +279,7 @@ impl SurfaceDraft {
         let span = self.typed.as_ref().map(|typed| &typed.shape);
         self.shapes.iter().try_for_each(|own| {
             check_extent(&own.shape)
-                .map_err(|fault| self.located(span, fault).within(|| surface_title(&self.name)))
+                .map_err(|fault| self.located(span, fault).within(|| title("surface", &self.name)))
         })
     }
 

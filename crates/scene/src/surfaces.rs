@@ -5,7 +5,7 @@ use radiosity_geom::{Aabb, Bvh, DVec3};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::{
-    error::{Located, surface_title},
+    error::{Located, title},
     fault::{Fault, FaultKind},
     fitted::{self, Fitted},
     names::UniqueNames,
@@ -146,7 +146,7 @@ fn check_apart(occupied: &[OccupiedSpace]) -> Result<(), Located> {
                 Some(span) => Located::at(span, fault),
                 None => Located::nowhere(fault),
             };
-            return Err(located.within(|| surface_title(&own.name)));
+            return Err(located.within(|| title("surface", &own.name)));
         }
     }
     Ok(())

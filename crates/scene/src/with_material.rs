@@ -2,7 +2,7 @@
 
 use crate::{
     Scene,
-    error::{Located, SceneError, material_title, surface_title},
+    error::{Located, SceneError, title},
     fault::Fault,
     material::{Material, check_sheet},
     surface::SceneSurface,
@@ -23,7 +23,7 @@ impl Scene {
     fn painted(&self, name: &str, material: &Material) -> Result<Self, Located> {
         material
             .check(self.bands.len())
-            .map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))?;
+            .map_err(|fault| Located::nowhere(fault).within(|| title("material", name)))?;
         let mut painted = Self { source: None, ..self.clone() };
         let own = painted.surfaces.iter_mut().filter(|own| own.material_name.as_deref() == Some(name));
         if own.map(|own| paint(own, material)).count() == 0 {
@@ -39,7 +39,7 @@ impl Scene {
             |own| {
                 let other = own.other_side.map(|index| &self.surfaces[index].material);
                 check_sheet(&own.material, other)
-                    .map_err(|fault| Located::nowhere(fault).within(|| surface_title(&own.name)))
+                    .map_err(|fault| Located::nowhere(fault).within(|| title("surface", &own.name)))
             },
         )
     }

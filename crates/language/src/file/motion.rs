@@ -5,7 +5,7 @@ use std::sync::Arc;
 use radiosity_geom::DVec3;
 use radiosity_scene::{
     Curve, Fault,
-    error::{Located, motion_title},
+    error::Located,
     place::{At, Span},
     tree::Node,
 };
@@ -13,15 +13,9 @@ use serde_json::{Value, json};
 
 use crate::{
     fields::{exactly, list, points, real, texts, word},
-    keys::{Entries, Fields, Group, Key, Kind, Name, Or, OrEmpty, Table, Usual, keys},
+    keys::{Fields, Group, Key, Kind, Name, Or, OrEmpty, Table, Usual, keys},
     kinds::{POINT, TRUTH, VECTOR},
     terms,
-};
-
-pub(crate) const MOTIONS: Entries = Entries {
-    kind: "motion",
-    unnamed: |_, number| format!("motion-{number}"),
-    title: |name, _| motion_title(name),
 };
 
 keys! {

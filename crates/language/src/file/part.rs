@@ -3,7 +3,7 @@
 use radiosity_geom::{DVec3, Motion};
 use radiosity_scene::{
     Fault,
-    error::{Located, instance_title, luminaire_title, surface_title},
+    error::Located,
     place::{At, Span},
     ranges::{MAX_COPIES, check_copies},
     tree::Node,
@@ -13,35 +13,19 @@ use serde_json::{Value, json};
 use crate::{
     fields::{counted, point, points},
     file::{luminaire::LuminaireFile, surface::SurfaceFile},
-    keys::{Entries, Kind, Name, Table, given, keys},
+    keys::{Entries, Kind, Name, Table, keys},
     kinds::{TEXT, TRANSFORM},
     terms::{reference, whole},
 };
 
-pub(crate) const SURFACES: Entries = Entries {
-    kind: "surface",
-    unnamed: |_, number| format!("surface-{number}"),
-    title: |name, _| surface_title(name),
-};
-
-pub(crate) const LUMINAIRES: Entries = Entries {
-    kind: "luminaire",
-    unnamed: |_, number| format!("luminaire-{number}"),
-    title: |name, _| luminaire_title(name),
-};
-
 /// An instance without a name is called after its part and its number in the list.
-pub(crate) const INSTANCES: Entries = Entries {
-    kind: "instance",
-    unnamed: |node, number| format!("{}-{number}", given(node, "part").unwrap_or_default()),
-    title: |_, number| instance_title(number),
-};
+pub(crate) const INSTANCES: Entries = Entries { kind: "instance", called_after: Some("part") };
 
 keys! {
     /// `[parts.NAME]`.
     PartFile("A group of surfaces and luminaires that instances put somewhere") {
-        surfaces: Vec<SurfaceFile> = SURFACES, "Its surfaces";
-        luminaires: Vec<LuminaireFile> = LUMINAIRES, "Its luminaires";
+        surfaces: Vec<SurfaceFile> = Entries::of("surface"), "Its surfaces";
+        luminaires: Vec<LuminaireFile> = Entries::of("luminaire"), "Its luminaires";
         instances: Vec<InstanceFile> = INSTANCES, "Instances of other parts in it";
     }
 }
