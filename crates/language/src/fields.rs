@@ -121,7 +121,7 @@ pub(super) fn checked(node: &Node, check: fn(f64) -> Result<(), Fault>) -> Resul
     Ok(number)
 }
 
-/// The value of a word among those `known`; `unknown` is the cause of a fault and `list` the title of the words.
+/// The value of a word among those `known`; `unknown` is the cause of a fault, `list` the title of the words.
 pub(super) fn word<T: Copy>(
     node: &Node,
     known: &[(&str, T)],

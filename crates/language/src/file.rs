@@ -55,10 +55,10 @@ keys! {
         frames: Option<At<usize>> =
             Kind::new(|node| counted(node, check_frames), || terms::whole(1, MOST_FRAMES, "")),
             "How many frames there are";
-        fps: Option<At<f64>> = Kind::new(
-            |node| checked(node, check_rate),
-            || terms::ranged(json!({ "minimum": 1e-6, "maximum": 1e6 }), ""),
-        ).or(Usual::Number(1.0)), "Frames in a unit of time";
+        fps: Option<At<f64>> =
+            Kind::number(|node| checked(node, check_rate), || json!({ "minimum": 1e-6, "maximum": 1e6 }))
+                .or(Usual::Number(1.0)),
+            "Frames in a unit of time";
         #[expect(dead_code, reason = "variables are evaluated before all else is read")]
         variables: Option<()> = Kind::new(|_| Ok(()), variables_schema), "Numbers for formulas, by name";
         camera: Option<CameraFile> = Kind::new(
@@ -85,9 +85,9 @@ keys! {
         eye: DVec3 = POINT, "Where the camera is";
         target: DVec3 = POINT, "What is in the middle of the picture";
         up: DVec3 = VECTOR.or(Usual::Numbers(&[0.0, 0.0, 1.0])), "What is up in the picture";
-        fov: f64 = Kind::new(
+        fov: f64 = Kind::number(
             |node| checked(node, check_fov),
-            || terms::ranged(json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 180 }), ""),
+            || json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 180 }),
         ).or(Usual::Number(40.0)), "Angle from the lower to the upper border, degrees";
         width: u32 = PIXELS.or(Usual::Number(512.0)), "Width of the picture, pixels";
         height: u32 = PIXELS.or(Usual::Number(512.0)), "Height of the picture, pixels";
@@ -110,7 +110,7 @@ keys! {
 
 keys! {
     /// `[materials.NAME]`; without a reflectance where an emissivity is given.
-    MaterialFile("A diffuse material", reflectance_or_emissivity(); check_material) {
+    MaterialFile("A diffuse material", terms::required("anyOf", &["reflectance", "emissivity"]); check_material) {
         reflectance: Option<Amount> = Kind::new(amount, || amount_schema(below_one())),
             "Reflectance ρ, for all bands, of each, or as it varies";
         emission: Amount = Kind::new(amount, || amount_schema(terms::at_least_zero())).or(Usual::Number(0.0)),
@@ -164,10 +164,6 @@ fn spacing_schema() -> Value {
 
 fn below_one() -> Value {
     json!({ "minimum": 0, "exclusiveMaximum": 1 })
-}
-
-fn reflectance_or_emissivity() -> Value {
-    json!({ "anyOf": [{ "required": ["reflectance"] }, { "required": ["emissivity"] }] })
 }
 
 fn check_material(own: &MaterialFile, fields: &Fields<'_>) -> Result<(), Located> {

@@ -182,18 +182,25 @@ pub(super) use keys;
 pub(super) struct Kind<T> {
     read: Reader<T>,
     schema: fn() -> Json,
+    /// The range of a number, in its schema.
+    range: Option<fn() -> Json>,
     /// What follows "add `key = …`" in the cure.
     example: &'static str,
 }
 
 impl<T> Kind<T> {
     pub(super) const fn new(read: Reader<T>, schema: fn() -> Json) -> Self {
-        Kind { read, schema, example: "" }
+        Kind { read, schema, range: None, example: "" }
     }
 
     /// The kind with another example.
     pub(super) const fn example(self, example: &'static str) -> Self {
-        Kind { read: self.read, schema: self.schema, example }
+        Kind { read: self.read, schema: self.schema, range: self.range, example }
+    }
+
+    /// A number in a range, such as `{ "minimum": 0 }`.
+    pub(super) const fn number(read: Reader<T>, range: fn() -> Json) -> Self {
+        Kind { read, schema: || Json::Null, range: Some(range), example: "" }
     }
 
     /// The kind with the value that a key has which is not given.
@@ -207,7 +214,7 @@ impl<T> Kind<T> {
     }
 
     fn key(&self, name: &'static str, meaning: &str, is_required: bool) -> Key {
-        let schema = (self.schema)();
+        let schema = self.range.map_or_else(self.schema, |range| terms::ranged(range(), ""));
         let schema =
             if meaning.is_empty() { schema } else { terms::with(schema, "description", meaning.into()) };
         Key { name, schema, is_required }

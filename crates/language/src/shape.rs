@@ -13,7 +13,7 @@ use radiosity_scene::{
     place::{At, Span},
     tree::{Node, Value},
 };
-use serde_json::{Value as Json, json};
+use serde_json::Value as Json;
 
 use crate::{
     fields::Reader,
@@ -59,8 +59,7 @@ pub(super) fn schemas() -> impl Iterator<Item = (&'static str, Json)> {
 
 /// The schema of a table with one shape.
 pub(super) fn one_shape() -> Json {
-    let one = SHAPES.iter().map(|shape| json!({ "required": [shape.key] }));
-    json!({ "oneOf": one.collect::<Vec<_>>() })
+    terms::required("oneOf", &SHAPES.map(|shape| shape.key))
 }
 
 /// A shape as typed.

@@ -78,6 +78,12 @@ pub(super) fn at_least_zero() -> Value {
     json!({ "minimum": 0, "maximum": 1e30 })
 }
 
+/// Of the keys of a table `how` many have to be there: `oneOf` them or `anyOf` them.
+pub(super) fn required(how: &str, keys: &[&str]) -> Value {
+    let alternatives: Vec<Value> = keys.iter().map(|key| json!({ "required": [key] })).collect();
+    json!({ how: alternatives })
+}
+
 /// A word among those known.
 pub(super) fn words(known: &[&str]) -> Value {
     json!({ "type": "string", "enum": known })

@@ -113,11 +113,9 @@ fn reflecting(mut material: Material, given: &Amount, source: &Source) -> Result
             material.reflectance = spread(numbers, bands, "the reflectance", check_reflectance)?;
             Ok(material)
         }
-        Amount::Varied(file) => {
-            let pattern = pattern(file, bands, source)?;
-            let patterned = material.with_reflectance_pattern(pattern);
-            patterned.map_err(|fault| Located::at(file.place(), fault))
-        }
+        Amount::Varied(file) => material
+            .with_reflectance_pattern(pattern(file, bands, source)?)
+            .map_err(|fault| Located::at(file.place(), fault)),
     }
 }
 
@@ -129,11 +127,9 @@ fn emitting(mut material: Material, given: &Amount, source: &Source) -> Result<M
             material.emission = spread(numbers, bands, "the emission", check_emission)?;
             Ok(material)
         }
-        Amount::Varied(file) => {
-            let pattern = pattern(file, bands, source)?;
-            let patterned = material.with_emission_pattern(pattern);
-            patterned.map_err(|fault| Located::at(file.place(), fault))
-        }
+        Amount::Varied(file) => material
+            .with_emission_pattern(pattern(file, bands, source)?)
+            .map_err(|fault| Located::at(file.place(), fault)),
     }
 }
 

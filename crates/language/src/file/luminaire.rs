@@ -19,7 +19,7 @@ use crate::{
 
 keys! {
     /// `[[luminaires]]`.
-    LuminaireFile("A lamp by its intensity in each direction", one_distribution(); check) {
+    LuminaireFile("A lamp by its intensity in each direction", terms::required("oneOf", &DISTRIBUTIONS); check) {
         name: At<String> = Name, "Its name, given once in its list";
         position: DVec3 = POINT, "Where it is";
         aim: Option<At<DVec3>> = VECTOR.or(Usual::Numbers(&[0.0, 0.0, -1.0])), "Where it aims";
@@ -30,7 +30,7 @@ keys! {
         intensity: Option<PerBand> = AMOUNTS, "The peak of its intensity, W/sr or cd, instead of the flux";
         group: Option<At<String>> = TEXT, "Its light group";
         dimming: Option<At<f64>> =
-            Kind::new(real, || terms::ranged(terms::at_least_zero(), "")).or(Usual::Number(1.0)),
+            Kind::number(real, terms::at_least_zero).or(Usual::Number(1.0)),
             "Factor on its light";
         point: Option<PointFile> = Kind::new(PointFile::read, PointFile::schema), "";
         spot: Option<Distribution> = Kind::new(spot, SpotFile::schema), "";
@@ -48,13 +48,13 @@ keys! {
     /// `{ angle = 40, edge = 5 }` or `{ exponent = 2 }`.
     SpotFile("A cone of light, or a power of the cosine"; check_spot) {
         angle: Option<f64> =
-            Kind::new(real, || terms::ranged(json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 360 }), "")),
+            Kind::number(real, || json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 360 })),
             "Angle across the cone, to half the peak, degrees";
         edge: f64 =
-            Kind::new(real, || terms::ranged(json!({ "minimum": 0, "maximum": 179 }), "")).or(Usual::Number(0.0)),
+            Kind::number(real, || json!({ "minimum": 0, "maximum": 179 })).or(Usual::Number(0.0)),
             "Angle over which the peak falls to nothing, degrees";
         exponent: Option<f64> =
-            Kind::new(real, || terms::ranged(json!({ "minimum": 0, "maximum": 10000 }), "")),
+            Kind::number(real, || json!({ "minimum": 0, "maximum": 10000 })),
             "Exponent n of the cosine, instead of angle and edge";
         ..span: Span;
     }
@@ -68,12 +68,11 @@ pub(crate) enum ExtentFile {
     OfTable,
 }
 
+/// The keys that say how light is spread, of which one is given.
+const DISTRIBUTIONS: [&str; 3] = ["point", "spot", "photometry"];
+
 /// The extent that is that of the photometric file.
 const OF_TABLE: &str = "file";
-
-fn one_distribution() -> serde_json::Value {
-    json!({ "oneOf": [{ "required": ["point"] }, { "required": ["spot"] }, { "required": ["photometry"] }] })
-}
 
 /// Light is spread in one way, and a table alone tells how much there is.
 fn check(own: &LuminaireFile, fields: &Fields<'_>) -> Result<(), Located> {
@@ -84,7 +83,7 @@ fn check(own: &LuminaireFile, fields: &Fields<'_>) -> Result<(), Located> {
         );
         return Err(Located::at(&own.span, fault));
     }
-    fields.at_most_one(&["point", "spot", "photometry"])?;
+    fields.at_most_one(&DISTRIBUTIONS)?;
     fields.at_most_one(&["flux", "intensity"])?;
     match own.strength().is_some() || own.photometry.is_some() {
         true => Ok(()),

@@ -20,7 +20,7 @@ use crate::{
 
 keys! {
     /// `[[motion]]`.
-    MotionFile("What moves together along a rigid path", one_path()) {
+    MotionFile("What moves together along a rigid path", terms::required("anyOf", &["translate", "rotate"])) {
         name: At<String> = Name, "Its name, given once in the scene";
         surfaces: Vec<At<String>> = NAMES, "Surfaces that move, by name; a * stands for any ending";
         instances: Vec<At<String>> = NAMES, "Instances that move with all that is in them";
@@ -76,10 +76,6 @@ const BETWEEN: Or<Curve> =
 fn names_schema() -> Value {
     let name = terms::text("A name");
     json!({ "anyOf": [name, { "type": "array", "items": name }] })
-}
-
-fn one_path() -> Value {
-    json!({ "anyOf": [{ "required": ["translate"] }, { "required": ["rotate"] }] })
 }
 
 fn turns_schema() -> Value {

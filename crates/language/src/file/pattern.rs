@@ -28,7 +28,7 @@ pub(crate) enum Amount {
 
 keys! {
     /// A table in place of numbers.
-    PatternFile("What varies over a surface", one_kind(); check) {
+    PatternFile("What varies over a surface", terms::required("oneOf", &KINDS); check) {
         image: Option<At<String>> = TEXT, "Path of a picture, PNG or OpenEXR, from the folder of this file";
         cells: Option<EachBand<Vec<Vec<At<f64>>>>> = Kind::new(|node| each_band(node, cells), cells_schema),
             "Rows of numbers from the top, v = 1, for all bands or for each";
@@ -47,6 +47,9 @@ keys! {
         ..span: Span;
     }
 }
+
+/// The keys of which one is given.
+const KINDS: [&str; 3] = [IMAGE, "cells", "polynomial"];
 
 const WRAPS: [(&str, Wrap); 3] = [("repeat", Wrap::Repeat), ("mirror", Wrap::Mirror), ("clamp", Wrap::Clamp)];
 
@@ -96,7 +99,7 @@ impl PatternFile {
 
 /// Patterns are of one kind, without the keys that say nothing of it.
 fn check(own: &PatternFile, fields: &Fields<'_>) -> Result<(), Located> {
-    fields.at_most_one(&[IMAGE, "cells", "polynomial"])?;
+    fields.at_most_one(&KINDS)?;
     own.kind()?;
     fields.without("cells", &["encoding"])?;
     fields.without("polynomial", &["encoding", "scale", "offset", "wrap"])
@@ -130,10 +133,6 @@ pub(crate) fn amount_schema(range: Json) -> Json {
     let mut kinds = numbers["anyOf"].as_array().cloned().unwrap_or_default();
     kinds.push(terms::reference("pattern"));
     terms::with(numbers, "anyOf", kinds.into())
-}
-
-fn one_kind() -> Json {
-    json!({ "oneOf": [{ "required": ["image"] }, { "required": ["cells"] }, { "required": ["polynomial"] }] })
 }
 
 fn scale_schema() -> Json {

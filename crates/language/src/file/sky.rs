@@ -28,7 +28,7 @@ keys! {
         illuminance: PerBand = AMOUNTS.example(", of level ground under the sky, in lx"),
             "Of level ground under the sky, the sun left out";
         ground: f64 =
-            Kind::new(real, || terms::ranged(json!({ "minimum": 0, "exclusiveMaximum": 1 }), ""))
+            Kind::number(real, || json!({ "minimum": 0, "exclusiveMaximum": 1 }))
                 .or(Usual::Number(0.2)),
             "Reflectance of the ground";
         up: DVec3 = VECTOR.or(Usual::Numbers(&[0.0, 0.0, 1.0])), "Where the zenith is";
@@ -42,7 +42,7 @@ keys! {
     /// `sun = { … }`.
     SunFile("Where the sun is, and how bright") {
         elevation: At<f64> =
-            Kind::new(real, || terms::ranged(json!({ "exclusiveMinimum": 0, "maximum": 90 }), ""))
+            Kind::number(real, || json!({ "exclusiveMinimum": 0, "maximum": 90 }))
                 .example(", in degrees"),
             "Above the horizon, degrees";
         azimuth: f64 = REAL.example(", in degrees"), "From north over east, degrees";
@@ -56,10 +56,10 @@ keys! {
     GlassFile("Glass in an opening to the sky") {
         panes: u32 = Kind::new(|node| Ok(whole(node)?.value), || terms::whole(1, 4, "")).or(Usual::Number(1.0)),
             "Panes";
-        index: f64 = Kind::new(real, || terms::ranged(json!({ "minimum": 1, "maximum": 3 }), "")).or(Usual::Number(1.52)),
+        index: f64 = Kind::number(real, || json!({ "minimum": 1, "maximum": 3 })).or(Usual::Number(1.52)),
             "Index of refraction";
         transmittance: Option<f64> =
-            Kind::new(real, || terms::ranged(json!({ "exclusiveMinimum": 0, "maximum": 1 }), "")),
+            Kind::number(real, || json!({ "exclusiveMinimum": 0, "maximum": 1 })),
             "Part of the light along the normal that is let through";
     }
 }

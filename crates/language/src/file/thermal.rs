@@ -11,25 +11,20 @@ use crate::{
     fields::{checked, real},
     keys::{Fields, Kind, keys},
     kinds::TRUTH,
-    terms,
 };
 
 /// The emissivity of a material.
-pub(crate) const EMISSIVITY: Kind<f64> = Kind::new(
-    |node| checked(node, check_emissivity),
-    || terms::ranged(json!({ "exclusiveMinimum": 0, "maximum": 1 }), ""),
-);
+pub(crate) const EMISSIVITY: Kind<f64> =
+    Kind::number(|node| checked(node, check_emissivity), || json!({ "exclusiveMinimum": 0, "maximum": 1 }));
 
 keys! {
     /// The temperature or the flux of a surface, or of a material's surfaces: one of them, or none.
     ConditionFile("What is known of its heat"; check) {
         temperature: Option<f64> =
-            Kind::new(|node| checked(node, check_temperature), || {
-                terms::ranged(json!({ "minimum": 0, "maximum": 1e6 }), "")
-            }),
+            Kind::number(|node| checked(node, check_temperature), || json!({ "minimum": 0, "maximum": 1e6 })),
             "Temperature, K";
         heat_flux: Option<f64> =
-            Kind::new(real, || terms::ranged(json!({ "minimum": -1e30, "maximum": 1e30 }), "")),
+            Kind::number(real, || json!({ "minimum": -1e30, "maximum": 1e30 })),
             "Heat that it is given and sends out as radiation, W/m²";
         adiabatic: Option<bool> = TRUTH, "It sends out as much as it receives";
     }

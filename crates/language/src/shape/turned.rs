@@ -37,8 +37,7 @@ const fn turn(read: Reader<[f64; 2]>) -> Or<[f64; 2]> {
 }
 
 /// A radius that may be 0.
-const RADIUS_OR_NONE: Kind<f64> =
-    Kind::new(real, || terms::ranged(json!({ "minimum": 0 }), "")).example(", a length");
+const RADIUS_OR_NONE: Kind<f64> = Kind::number(real, || json!({ "minimum": 0 })).example(", a length");
 
 keys! {
     DiskFile("A disk, a ring or a sector") {
