@@ -3,7 +3,7 @@
 use radiosity_scene::{LightGroup, Material, Scene};
 
 use super::black_body::level;
-use super::roles::{Role, Roles, shield_group};
+use super::roles::{Role, Roles};
 
 /// The scene with coatings for heat in a single band: e = ε σ T⁴ and ρ = 1 − ε, or e = q and ρ = 1. Each
 /// shield is a light group of the level 1.
@@ -48,11 +48,16 @@ pub(super) fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> Coat)
         surface.flux = None;
         surface.radiance = None;
         surface.group = match role {
-            Role::Shield { shield, .. } => Some(LightGroup::new(shield_group(*shield))),
+            Role::Shield { shield, .. } => Some(LightGroup::new(group_of_shield(*shield))),
             _ => None,
         };
     }
     scene
+}
+
+/// Name of the light group of a shield.
+pub(super) fn group_of_shield(shield: usize) -> String {
+    format!("shield {shield}")
 }
 
 /// The scene with its shields at these levels σ T⁴.

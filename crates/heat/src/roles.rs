@@ -36,11 +36,6 @@ pub(super) struct Roles {
     pub(super) shields: Vec<Shield>,
 }
 
-/// Name of the light group of a shield.
-pub(super) fn shield_group(shield: usize) -> String {
-    format!("shield-{shield}")
-}
-
 impl Roles {
     /// The roles of the surfaces of `scene`.
     ///

@@ -13,8 +13,9 @@ use radiosity_solve::solution::Solution;
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Partition, Settings};
 
+use super::coats::group_of_shield;
 use super::figures::{areas, received};
-use super::roles::{Role, Roles, shield_group};
+use super::roles::{Role, Roles};
 
 /// The level σ T⁴ (W m⁻²) of each shield, from the light of all of them at the level 1. Not a number where
 /// the flows have no balance.
@@ -27,7 +28,8 @@ pub(super) fn levels(roles: &Roles, solution: &Solution) -> Vec<f64> {
     let areas = areas(elements);
     let mut others = vec![0.0; elements.surfaces()];
     let mut at_one = vec![vec![0.0; elements.surfaces()]; count];
-    let shields: BTreeMap<String, usize> = (0..count).map(|shield| (shield_group(shield), shield)).collect();
+    let shields: BTreeMap<String, usize> =
+        (0..count).map(|shield| (group_of_shield(shield), shield)).collect();
     for group in solution.groups() {
         let light = received(elements, &group.bands[0].irradiance);
         match group.group.as_ref().and_then(|name| shields.get(name)) {

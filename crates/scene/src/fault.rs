@@ -24,13 +24,16 @@ pub(crate) enum Cure {
     /// None: the cause says so.
     Told,
     Words(Wording),
-    /// Another name of those `known`, which are listed as `list`: the nearest one is sought when it is asked for,
-    /// as many formulas of a scene may hold such a fault.
-    Choice {
-        name: String,
-        known: Arc<[String]>,
-        list: String,
-    },
+    Choice(Box<Choice>),
+}
+
+/// The advice to take another name of those `known`, which are listed as `list`. The nearest one is sought when
+/// it is asked for, as many formulas of a scene may hold such a fault.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Choice {
+    name: String,
+    known: Arc<[String]>,
+    list: String,
 }
 
 /// Kinds of faults.
@@ -180,7 +183,8 @@ impl Fault {
         known: impl Into<Arc<[String]>>,
         list: impl Into<String>,
     ) -> Self {
-        let cure = Cure::Choice { name: name.to_owned(), known: known.into(), list: list.into() };
+        let choice = Choice { name: name.to_owned(), known: known.into(), list: list.into() };
+        let cure = Cure::Choice(Box::new(choice));
         Self { kind: FaultKind::UnknownName, cause: cause.into(), cure }
     }
 
@@ -271,7 +275,7 @@ impl Fault {
         match &self.cure {
             Cure::Told => None,
             Cure::Words(words) => Some(words.clone()),
-            Cure::Choice { name, known, list } => Some(choice(name, known, list).into()),
+            Cure::Choice(own) => Some(choice(&own.name, &own.known, &own.list).into()),
         }
     }
 
