@@ -5,8 +5,6 @@
 //! (the apex of a cone, the pole of a sphere), is halved towards the tip until the rest carries nothing. An
 //! edge run through at different speeds goes by [`crate::rules::common_edge::unequal_speed`].
 
-use std::sync::Arc;
-
 use radiosity_elements::patch::{Direction, Patch};
 use radiosity_geom::{Border, DVec3};
 
@@ -68,32 +66,6 @@ pub fn classify(p: &Patch, q: &Patch, tolerance: f64) -> CurvedContact {
             edge(p.oriented(i, k), q.oriented(j, l), tolerance).unwrap_or(CurvedContact::Apart(0.0))
         }
         _ => CurvedContact::Apart(0.0),
-    }
-}
-
-/// The two parts of a patch, cut at a place.
-pub fn cut(patch: &Patch, CutPlace { direction, at }: CutPlace) -> [Patch; 2] {
-    match (patch, direction) {
-        (Patch::Flat { corners: [a, b, c, d], normal }, Direction::Along) => {
-            let (low, high) = (a.lerp(*b, at), d.lerp(*c, at));
-            let flat = |corners| Patch::Flat { corners, normal: *normal };
-            [flat([*a, low, high, *d]), flat([low, *b, *c, high])]
-        }
-        (Patch::Flat { corners: [a, b, c, d], normal }, Direction::Across) => {
-            let (left, right) = (a.lerp(*d, at), b.lerp(*c, at));
-            let flat = |corners| Patch::Flat { corners, normal: *normal };
-            [flat([*a, *b, right, left]), flat([left, right, *c, *d])]
-        }
-        (Patch::Curved { surface, origin, along, across }, _) => {
-            let part = |from: f64, share: f64| {
-                let (step, along, across) = match direction {
-                    Direction::Along => (*along * from, *along * share, *across),
-                    Direction::Across => (*across * from, *along, *across * share),
-                };
-                Patch::Curved { surface: Arc::clone(surface), origin: *origin + step, along, across }
-            };
-            [part(0.0, at), part(at, 1.0 - at)]
-        }
     }
 }
 

@@ -5,7 +5,7 @@
 //! projections of near edges, so that the layers of width ≈ gap along these lie at sides of cells.
 
 use radiosity_elements::basis::AreaBasis;
-use radiosity_elements::patch::Patch;
+use radiosity_elements::patch::{Direction, Patch};
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::{DVec3, clip_polygon};
 use radiosity_work::interruption::check_interrupt;
@@ -126,7 +126,8 @@ impl<'a> Planner<'a> {
         if let Some(at) = rules[worst].cut
             && depth < MOST_CUTS_OF_CELL
         {
-            cut(cell, worst, at.place).iter().for_each(|part| self.cell(part, emitter, depth + 1));
+            let direction = [Direction::Along, Direction::Across][worst];
+            cell.cut(direction, at.place).iter().for_each(|part| self.cell(part, emitter, depth + 1));
             return;
         }
         let polar = self.polar(cell, emitter, rules.map(|line| line.rule));
@@ -175,19 +176,6 @@ fn mean_irradiance(parts: &[Patch], emitter: &Polar) -> f64 {
         }
     }
     sum / area
-}
-
-/// The two parts of a flat cell, cut at the parameter `place` of direction 0 (along) or 1 (across).
-fn cut(cell: &Patch, direction: usize, place: f64) -> [Patch; 2] {
-    let ([a, b, c, d], normal) = (cell.corners(), cell.node(0.5, 0.5).normal);
-    let flat = |corners| Patch::Flat { corners, normal };
-    if direction == 0 {
-        let (low, high) = (a.lerp(b, place), d.lerp(c, place));
-        [flat([a, low, high, d]), flat([low, b, c, high])]
-    } else {
-        let (left, right) = (a.lerp(d, place), b.lerp(c, place));
-        [flat([a, b, right, left]), flat([left, right, c, d])]
-    }
 }
 
 /// The parts of a flat patch, cut along the projections of near `edges`.

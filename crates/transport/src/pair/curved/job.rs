@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use radiosity_elements::Element;
 use radiosity_elements::patch::{Direction, Patch};
 use radiosity_geom::COINCIDENT;
-use radiosity_kernel::contact::curved::{CurvedContact, cut};
+use radiosity_kernel::contact::curved::CurvedContact;
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::estimates::coarse::largest_kernel;
 use radiosity_kernel::estimates::entry_bounds::SMALLEST_ENTRY;
@@ -202,8 +202,10 @@ impl<'a> Job<'a> {
                 }
             }
             CurvedContact::Cut([at_p, at_q]) => {
-                let parts_p = at_p.map_or_else(|| whole(p), |place| cut(p, place).to_vec());
-                let parts_q = at_q.map_or_else(|| whole(q), |place| cut(q, place).to_vec());
+                let parts_p =
+                    at_p.map_or_else(|| whole(p), |place| p.cut(place.direction, place.at).to_vec());
+                let parts_q =
+                    at_q.map_or_else(|| whole(q), |place| q.cut(place.direction, place.at).to_vec());
                 return self.product(&parts_p, &parts_q, state);
             }
             CurvedContact::Tip([at_p, at_q]) => {
