@@ -209,6 +209,16 @@ impl Patch {
         self.cut(direction, 0.5)
     }
 
+    /// The pairs of the halves of the longer of two patches, across its extent, with the other one.
+    pub fn halve_longer(p: &Self, q: &Self) -> [[Self; 2]; 2] {
+        let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
+        if extent_p >= extent_q {
+            p.halves(direction_p).map(|half| [half, q.clone()])
+        } else {
+            q.halves(direction_q).map(|half| [p.clone(), half])
+        }
+    }
+
     /// The two parts of a cut at the parameter `at` of one direction.
     pub fn cut(&self, direction: Direction, at: f64) -> [Self; 2] {
         match self {

@@ -45,7 +45,7 @@ use rayon::prelude::*;
 
 use crate::kept_blocks::{IntegratedBlock, KeptBlocks};
 use crate::occlusion::outlines::occluded_block;
-use crate::pair::{curved, planar};
+use crate::pair::{curved, flat};
 use crate::price;
 use crate::schedule::congruent::Pose;
 use crate::tolerances::{BELOW_ESTIMATE, RULE_OF_THREE};
@@ -530,7 +530,7 @@ impl Schedule<'_> {
         }
         let is_flat = pair.iter().all(|element| element.plane.is_some());
         let block = |blockers: &[usize]| match is_flat {
-            true => planar::block(receiver, emitter, blockers, self.visibility, goal.tolerance()),
+            true => flat::block(receiver, emitter, blockers, self.visibility, goal.tolerance()),
             false => self.curved_block(places, task, blockers, goal),
         };
         match goal.outlined {

@@ -30,7 +30,7 @@ use radiosity_elements::rule::UnitRule;
 use radiosity_geom::{Aabb, DVec2, DVec3, clip_polygon, polygon_area};
 use radiosity_kernel::blocks::block::Block;
 use radiosity_kernel::contact::clip::Facet;
-use radiosity_kernel::contact::flat::point_to_polygon;
+use radiosity_kernel::contact::gap::point_to_polygon;
 use radiosity_kernel::irradiance::visible_polygon::{inside_any, irradiance, irradiance_seen};
 use radiosity_kernel::moments::{Moments, Side};
 use radiosity_kernel::rules::far;

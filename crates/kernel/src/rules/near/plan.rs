@@ -10,7 +10,7 @@ use radiosity_elements::rule::UnitRule;
 use radiosity_geom::{DVec3, clip_polygon};
 use radiosity_work::interruption::check_interrupt;
 
-use crate::contact::flat::gap;
+use crate::contact::gap::gap;
 use crate::rules::far;
 use crate::rules::far::SMALLEST_RATIO;
 use crate::rules::near::emitter::Emitter;
@@ -218,22 +218,16 @@ fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) 
 /// Tensor samples if the longest extent is halved until every part is far enough apart; infinite above
 /// `limit`.
 pub(super) fn split_cost(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, limit: f64) -> f64 {
-    let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
     let gap = gap(p, q);
     if gap == 0.0 {
         return f64::INFINITY;
     }
-    if gap >= SMALLEST_RATIO * extent_p.max(extent_q) {
+    if gap >= SMALLEST_RATIO * p.longest().1.max(q.longest().1) {
         return far::counts(p, q, degrees, gap, eps).iter().map(|n| *n as f64).product();
     }
-    let pairs: Vec<(Patch, Patch)> = if extent_p >= extent_q {
-        p.halves(direction_p).into_iter().map(|half| (half, q.clone())).collect()
-    } else {
-        q.halves(direction_q).into_iter().map(|half| (p.clone(), half)).collect()
-    };
     let mut cost = 0.0;
-    for (a, b) in &pairs {
-        cost += split_cost(a, b, degrees, eps, limit - cost);
+    for [a, b] in Patch::halve_longer(p, q) {
+        cost += split_cost(&a, &b, degrees, eps, limit - cost);
         if cost > limit {
             return f64::INFINITY;
         }

@@ -6,24 +6,27 @@
 use std::collections::VecDeque;
 
 use radiosity_elements::patch::Patch;
-use radiosity_geom::COINCIDENT;
 use radiosity_kernel::PairKind;
-use radiosity_kernel::contact::curved::{CurvedContact, classify};
-use radiosity_kernel::contact::flat::gap;
+use radiosity_kernel::contact::gap::gap;
 use radiosity_kernel::contact::orientation::{Facing, facing};
+use radiosity_kernel::contact::patches::Contact;
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon;
 use radiosity_kernel::rules::horizon::{InnerPatch, Side};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::pair::curved::constant::constant;
-use crate::pair::curved::job::{Job, SMALL_PART, State, Task};
 use crate::pair::curved::points::quartered;
+use crate::pair::job::{Job, State, Task};
 
 /// Share of the block's error for the horizons of one outer part: three spend all of it. With a larger value
 /// blocks of many outer parts may miss their accuracy, with a smaller one each takes more samples.
 const HORIZON_SHARE: f64 = 0.3;
 
+/// Largest share, relative to the block's scale, of parts that are attempted before they are halved or cut at
+/// horizons: a rule that errs by half of such a part errs by a hundredth of the block. With a larger value
+/// more attempts fail.
+pub(super) const SMALL_PART: f64 = 0.02;
 /// A part of the inner element of a fan.
 pub(super) struct InnerPart {
     pub part: Patch,
@@ -36,7 +39,7 @@ impl Job<'_> {
     /// Sorts the inner parts of a fan. Touching and negligible parts become pairs; parts all wholly visible
     /// and apart take tensor rules; near ones are halved, or the outer part is, if it is longer. The rest is
     /// cut at its horizons together.
-    pub(super) fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
+    pub(in crate::pair) fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
         let reach = outer.longest().1;
         let mut open: VecDeque<Patch> = inner.into();
         let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
@@ -51,8 +54,7 @@ impl Job<'_> {
             let (p, q) = (outer, &part);
             let share = self.budget.share(p, q);
             let gap = gap(p, q);
-            let tolerance = COINCIDENT * self.size;
-            let touching = gap <= tolerance && !matches!(classify(p, q, tolerance), CurvedContact::Apart(_));
+            let touching = gap <= self.tolerance && Contact::of(p, q, self.tolerance).touches();
             let facing = facing(p, q, touching, self.budget.slight(share));
             if facing == Facing::Away {
                 continue;
@@ -74,7 +76,7 @@ impl Job<'_> {
                 let state = State { touching: false, levels: 0, blockers: blockers.clone() };
                 let spent = if close { self.spent() } else { self.budget.horizons_spent() };
                 if (spent || share <= SMALL_PART * self.budget.scale)
-                    && self.attempt(p, q, Some(&CurvedContact::Apart(gap)), &state)
+                    && self.attempt(p, q, Some(&Contact::Apart(gap)), &state)
                 {
                     continue;
                 }
@@ -116,6 +118,12 @@ impl Job<'_> {
         near.extend(clipped.into_iter().map(|clipped| clipped.part));
         let halves = outer.halves(outer.longest().0);
         self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
+    }
+
+    /// The ball of fans, if it may stand between these two patches.
+    pub(super) fn between(&self, p: &Patch, q: &Patch) -> Vec<usize> {
+        let between = |surface: &usize| self.visibility.reaches(*surface, &p.hull(), &q.hull());
+        self.ball.map(|ball| ball.surface).filter(between).into_iter().collect()
     }
 
     /// An inner part that the outer part sees wholly, by a tensor rule.

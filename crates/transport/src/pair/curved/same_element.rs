@@ -1,20 +1,20 @@
 //! A part of a curved element with itself.
 
 use radiosity_elements::patch::{Direction, Patch};
-use radiosity_kernel::contact::curved::collapsed;
 use radiosity_kernel::contact::orientation;
 use radiosity_kernel::contact::orientation::Facing;
+use radiosity_kernel::contact::patches::collapsed;
 use radiosity_kernel::moments::integrand::Sees;
 use radiosity_kernel::rules::common_edge::LARGEST_ASPECT;
 use radiosity_kernel::rules::identical;
 
 use crate::pair::curved::constant::constant;
-use crate::pair::curved::job::{Job, State, Task};
 use crate::pair::curved::points::contact_chart;
-use crate::pair::curved::size::area;
+use crate::pair::job::{Job, State, Task};
+use crate::pair::size::area;
 
 impl Job<'_> {
-    pub(super) fn same(&mut self, patch: &Patch, mut state: State) {
+    pub(in crate::pair) fn same(&mut self, patch: &Patch, mut state: State) {
         let share = area(patch) / self.budget.unit;
         let facing = orientation::own(patch);
         if facing == Facing::Away {
@@ -65,9 +65,8 @@ impl Job<'_> {
             None => {
                 let eps = self.budget.eps(share);
                 let points = identical::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
-                let (visibility, blockers, own) = (self.visibility, state.blockers, self.surfaces());
-                let free = |x, y| visibility.free_between(own, &blockers, x, y);
-                let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+                let free = self.sees(&state.blockers);
+                let sees: Option<Sees> = if state.blockers.is_empty() { None } else { Some(&free) };
                 identical::integrate(&mut self.moments, patch, points, sees);
             }
         }
