@@ -145,17 +145,19 @@ pub(crate) fn occluded_block(
 ) -> Block {
     let occlusion = Occlusion::of(pair, blockers, visibility, limit);
     if occlusion.dark {
-        return Block { samples: occlusion.samples, ..Block::hidden(occlusion.values.len(), 0) };
+        let mut block = Block::hidden(occlusion.values.len(), 0);
+        block.report.samples = occlusion.samples;
+        return block;
     }
     let mut block = unshaded();
     block.values.iter_mut().zip(&occlusion.values).for_each(|(value, hidden)| *value -= hidden);
     if let [factor] = &mut block.values[..] {
         *factor = factor.max(0.0);
     }
-    block.partly_hidden = occlusion.hides;
-    block.error += occlusion.error;
-    block.samples += occlusion.samples;
-    block.distinct += occlusion.samples;
+    block.report.partly_hidden = occlusion.hides;
+    block.report.error += occlusion.error;
+    block.report.samples += occlusion.samples;
+    block.report.distinct += occlusion.samples;
     block
 }
 

@@ -179,7 +179,7 @@ pub(crate) fn self_block(
     let mut block = job.finish();
     add_transpose(&mut block.values, element.basis.len());
     // The error stands in both halves.
-    block.error *= 2.0;
+    block.report.error *= 2.0;
     block
 }
 

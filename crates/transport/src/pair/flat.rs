@@ -77,17 +77,8 @@ fn constant_block(receiver: &Element, emitter: &Element, blockers: &[usize]) -> 
             (sum, terms) = (sum + value, terms + count);
         }
     }
-    Some(Block {
-        values: vec![sum / (receiver.area * emitter.area).sqrt()],
-        kind: PairKind::Contour,
-        partly_hidden: false,
-        unresolved: false,
-        untried: false,
-        error: 0.0,
-        samples: terms,
-        distinct: terms,
-        rays: 0,
-    })
+    let value = sum / (receiver.area * emitter.area).sqrt();
+    Some(Block::exact(vec![value], PairKind::Contour, terms))
 }
 
 impl Job<'_> {

@@ -132,8 +132,9 @@ impl<'a> Job<'a> {
     }
 
     pub(super) fn finish(self) -> Block {
-        let block = Block::of(self.moments, self.kind, self.partly_hidden);
-        Block { unresolved: self.unresolved, error: self.error, ..block }
+        let mut block = Block::of(self.moments, self.kind, self.partly_hidden);
+        (block.report.unresolved, block.report.error) = (self.unresolved, self.error);
+        block
     }
 
     /// The first entry of a block with these moments.

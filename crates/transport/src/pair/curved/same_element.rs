@@ -43,32 +43,36 @@ impl Job<'_> {
         {
             return self.constant(patch, patch, 0.5 * value);
         }
-        let [along, across] = patch.extents();
         let tips = collapsed(patch);
-        let direction = match tips.first() {
-            Some(side) => Some(if side % 2 == 0 { Direction::Across } else { Direction::Along }),
-            _ if along.max(across) > LARGEST_ASPECT * along.min(across) || doubtful => {
-                Some(patch.longest().0)
-            }
-            _ => None,
+        let Some(direction) = cut_of(patch, &tips, doubtful) else {
+            return self.identical(patch, share, &state);
         };
-        match direction {
-            Some(direction) => {
-                let ready = (doubtful || self.spent()) && tips.is_empty();
-                if ready && self.attempt(patch, patch, None, &state) {
-                    return;
-                }
-                let [a, b] = patch.halves(direction);
-                self.product(std::slice::from_ref(&a), std::slice::from_ref(&b), &state);
-                self.tasks.extend([Task::Same(a, state.clone()), Task::Same(b, state)]);
-            }
-            None => {
-                let eps = self.budget.eps(share);
-                let points = identical::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
-                let free = self.sees(&state.blockers);
-                let sees: Option<Sees> = if state.blockers.is_empty() { None } else { Some(&free) };
-                identical::integrate(&mut self.moments, patch, points, sees);
-            }
+        let is_ready = (doubtful || self.spent()) && tips.is_empty();
+        if is_ready && self.attempt(patch, patch, None, &state) {
+            return;
         }
+        let [a, b] = patch.halves(direction);
+        self.product(std::slice::from_ref(&a), std::slice::from_ref(&b), &state);
+        self.tasks.extend([Task::Same(a, state.clone()), Task::Same(b, state)]);
+    }
+
+    /// A patch with itself that its rule covers.
+    fn identical(&mut self, patch: &Patch, share: f64, state: &State) {
+        let eps = self.budget.eps(share);
+        let points = identical::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
+        let free = self.sees(&state.blockers);
+        let sees: Option<Sees> = if state.blockers.is_empty() { None } else { Some(&free) };
+        identical::integrate(&mut self.moments, patch, points, sees);
+    }
+}
+
+/// The direction in which to halve a patch: towards its tips, where it is slender, or where it is doubtful;
+/// None where its rule covers it.
+fn cut_of(patch: &Patch, tips: &[usize], doubtful: bool) -> Option<Direction> {
+    let [along, across] = patch.extents();
+    match tips.first() {
+        Some(side) => Some(if side % 2 == 0 { Direction::Across } else { Direction::Along }),
+        _ if along.max(across) > LARGEST_ASPECT * along.min(across) || doubtful => Some(patch.longest().0),
+        _ => None,
     }
 }
