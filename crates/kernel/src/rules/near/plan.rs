@@ -9,13 +9,15 @@ use radiosity_elements::patch::{Direction, Patch};
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::{DVec3, clip_polygon};
 use radiosity_work::interruption::check_interrupt;
+use smallvec::SmallVec;
 
 use crate::contact::gap::gap;
+use crate::irradiance::lambert;
 use crate::rules::far;
 use crate::rules::far::SMALLEST_RATIO;
 use crate::rules::near::emitter::Emitter;
 use crate::rules::near::line::{LineRule, Request, StretchedRule};
-use crate::rules::near::polar::{Edge, Polar, edges, fraction};
+use crate::rules::near::polar::{Edge, edges, fraction};
 use crate::tolerances::MOST_CUTS_OF_CELL;
 
 /// Distance, relative to the pair's size, below which nothing is resolved: 500 rounding errors; for touching
@@ -87,7 +89,7 @@ impl<'a> Planner<'a> {
         let parts = cut_along(outer, &edges);
         // The inner integral's error counts relative to its mean, the transfer; where that is small the inner
         // integral is small on part of the receiver. √ of the transfer was enough in all cases measured.
-        let transfer = mean_irradiance(&parts, &Polar::new(inner, self.inner, self.eps));
+        let transfer = mean_irradiance(&parts, &inner.polygon());
         self.eps *= transfer.clamp(LEAST_TRANSFER, 1.0).sqrt();
         let emitter = Emitter::new(inner, self.inner, self.eps);
         parts.iter().for_each(|part| self.cell(part, &emitter, 0));
@@ -163,15 +165,16 @@ impl<'a> Planner<'a> {
     }
 }
 
-/// Mean irradiance over coplanar parts from an emitter of radiosity 1, to some ten percent (3 × 3 points on
-/// each part).
-fn mean_irradiance(parts: &[Patch], emitter: &Polar) -> f64 {
+/// Mean irradiance over coplanar parts from an emitter of radiosity 1 with these corners, to some ten percent
+/// (3 × 3 points on each part).
+fn mean_irradiance(parts: &[Patch], emitter: &[DVec3]) -> f64 {
     let rule = UnitRule::of(3);
     let (mut sum, mut area) = (0.0, 0.0);
     for part in parts {
         for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
             let node = part.node(s, t);
-            sum += ws * wt * node.area * emitter.irradiance(&node);
+            let seen: SmallVec<[DVec3; 4]> = emitter.iter().map(|corner| corner - node.position).collect();
+            sum += ws * wt * node.area * lambert::polygon(node.normal, &seen);
             area += ws * wt * node.area;
         }
     }

@@ -44,9 +44,8 @@ impl Job<'_> {
             return self.constant(patch, patch, 0.5 * value);
         }
         let tips = collapsed(patch);
-        let Some(direction) = cut_of(patch, &tips, doubtful) else {
-            return self.identical(patch, share, &state);
-        };
+        let direction = cut_of(patch, &tips, doubtful);
+        let Some(direction) = direction else { return self.identical(patch, share, &state) };
         let is_ready = (doubtful || self.spent()) && tips.is_empty();
         if is_ready && self.attempt(patch, patch, None, &state) {
             return;
