@@ -280,7 +280,8 @@ impl Model {
         let powers = solution.powers().unwrap_or_default();
         let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
         let checks = Checks::with_powers(&solution, &self.blocks, powers, work.ranks);
-        let Account { pairs, samples, distinct, rays, accuracy_reached, worst_error, .. } = self.blocks.account;
+        let Account { pairs, samples, distinct, rays, accuracy_reached, worst_error, .. } =
+            self.blocks.account;
         Ok(Outcome {
             solution,
             checks,
