@@ -18,7 +18,7 @@ use radiosity::work::ranks::Ranks;
 use radiosity::{
     Work,
     kernel::{Accuracy, Blocks},
-    transport::{Rays, SampledTransport, assemble},
+    transport::{Demand, Rays, SampledTransport, assemble},
 };
 
 use crate::apart::{apart, means};
@@ -129,8 +129,11 @@ impl Subject {
         let visibility = Visibility::new(scene, Shadows::Outlines(TRUE));
         let elements = Elements::new(scene, &Discretization::uniform(2, 2))?;
         let coating = Coating::of(scene, elements.list(), 0);
-        let blocks =
-            assemble(&elements, &visibility, Accuracy { eps: TRUE, shadow_eps: TRUE }, &Work::alone());
+        let blocks = assemble(
+            Demand::all(&elements, &visibility, Accuracy { eps: TRUE, shadow_eps: TRUE }),
+            None,
+            &Work::alone(),
+        );
         let truth = solved(&elements, &coating, &blocks)?;
         Ok(Self { elements, coating, visibility, truth })
     }
@@ -148,7 +151,7 @@ impl Subject {
 
     fn exact(&self, accuracy: f64) -> Blocks {
         let accuracy = Accuracy { eps: accuracy, shadow_eps: accuracy };
-        assemble(&self.elements, &self.visibility, accuracy, &Work::alone())
+        assemble(Demand::all(&self.elements, &self.visibility, accuracy), None, &Work::alone())
     }
 
     fn sampled(&self, way: Way, rays: u64) -> Carried {
