@@ -8,6 +8,7 @@ use std::{
 use clap::{Args, ValueEnum};
 use radiosity_geom::Adjacency;
 use radiosity_geom::DVec3;
+use radiosity_output::table::{Column, Table};
 use radiosity_scene::{
     Animation, Camera, Distribution, Extent, Imported, LiesOn, Luminaire, Mover, Scene, SceneSurface,
     SensorPlane,
@@ -19,7 +20,7 @@ use radiosity_visibility::inspection::{
 use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
-use crate::{console, error::CliError, materials, options::SceneArg, table::Table};
+use crate::{console, error::CliError, materials, options::SceneArg};
 
 /// Says what is in a scene, what touches what, and what looks wrong
 #[derive(Debug, Args)]
@@ -147,8 +148,9 @@ fn describe_warnings(warnings: &[Warning], text: &mut String) -> fmt::Result {
     Ok(())
 }
 
-fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table {
-    let mut table = Table::new(["surface", "shape", "area", "normal", "material", "reflectance"]);
+fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table<'static> {
+    let mut table =
+        Table::new(["surface", "shape", "area", "normal", "material", "reflectance"].map(Column::text));
     for (surface, area) in surfaces.iter().zip(areas) {
         let center = surface.shape.jet(0.0, 0.0).normal;
         let curved = if surface.shape.region().is_some() { "" } else { " at its centre" };
@@ -164,8 +166,8 @@ fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table {
     table
 }
 
-fn luminaire_table(scene: &Scene) -> Table {
-    let mut table = Table::new(["luminaire", "light", "extent", "position", "aim", "flux"]);
+fn luminaire_table(scene: &Scene) -> Table<'static> {
+    let mut table = Table::new(["luminaire", "light", "extent", "position", "aim", "flux"].map(Column::text));
     for own in &scene.luminaires {
         let flux: Vec<f64> = (0..scene.bands.len()).map(|band| rounded(own.flux(band))).collect();
         table.row([
@@ -224,8 +226,8 @@ fn luminaire_json(own: &Luminaire, scene: &Scene) -> Value {
 }
 
 /// One row for each surface and way of touching, each contact named once.
-fn contact_table(scene: &Scene, contacts: &[SurfaceContact]) -> Table {
-    let mut table = Table::new(["surface", "touches", "of"]);
+fn contact_table(scene: &Scene, contacts: &[SurfaceContact]) -> Table<'static> {
+    let mut table = Table::new(["surface", "touches", "of"].map(Column::text));
     let mut rows: Vec<(usize, &str, Vec<&str>)> = Vec::new();
     for SurfaceContact { surfaces: [own, other], touch } in contacts {
         let (way, name) = (way(*touch), scene.surfaces[*other].name.as_str());

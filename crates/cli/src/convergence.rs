@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use radiosity_output::drawings::chart::Chart;
+use radiosity_output::drawings::{chart::chart, drawing::Drawing};
+use radiosity_output::table::{Column, Digits, Table, Value};
 use radiosity_published::bases::Basis;
 use radiosity_request::check_series;
 use radiosity_scene::Scene;
@@ -26,7 +27,6 @@ use crate::{
     progress::Progress,
     reference,
     run::{Loaded, options},
-    table::Table,
 };
 
 /// Solves a scene at orders 0 to --max-order, prints the errors and draws them
@@ -112,12 +112,12 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
         }
     };
     drop(progress);
-    let table = match args.format {
-        Format::Text => text(&runs),
-        Format::Csv => csv(&runs),
-    };
-    draw(&chart(args, scene, options.eps, &runs), kind, &output)?;
-    Destination::of(None, ranks).write(|writer| writer.write_all(table.as_bytes()))?;
+    draw(&drawing(args, scene, options.eps, &runs), kind, &output)?;
+    let table = table(&runs);
+    Destination::of(None, ranks).write(|writer| match args.format {
+        Format::Text => write!(writer, "{table}"),
+        Format::Csv => table.listed().csv(writer),
+    })?;
     if !args.quiet {
         console::tell(&format!("wrote {}\n", path.display()), ranks);
     }
@@ -190,7 +190,7 @@ fn same_scene(path: &Path, scene: &Scene, ranks: &Ranks) -> Result<Solved, CliEr
     })
 }
 
-fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &'a [ConvergenceRun]) -> Chart<'a> {
+fn drawing(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &[ConvergenceRun]) -> Drawing {
     let title = scene.title.as_ref().unwrap_or(&scene.name);
     let uniform = runs.iter().rfind(|run| run.series == RunSeries::Uniform);
     let finest = uniform.map_or_else(String::new, |run| match run.layers {
@@ -205,61 +205,32 @@ fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &'a [Converg
         Some(_) => "the rules of 1993".to_owned(),
         None => format!("transfers to {eps:e}"),
     };
-    Chart {
-        title: format!("{title}: error by order"),
-        caption: format!("L² difference from {against}; {accuracy}; numbers are orders"),
-        runs,
-    }
+    let caption = format!("L² difference from {against}; {accuracy}; numbers are orders");
+    chart(format!("{title}: error by order"), caption, runs).drawing()
 }
 
-fn draw(chart: &Chart, kind: ChartFormat, output: &OutputFile) -> Result<(), CliError> {
-    match kind {
-        ChartFormat::Svg => {
-            let svg = chart.svg()?;
-            output.write(|writer| writer.write_all(svg.as_bytes()))
-        }
-        ChartFormat::Png => {
-            let picture = chart.picture()?;
-            output.write(|writer| picture.write_png(writer))
-        }
-    }
+fn draw(drawing: &Drawing, kind: ChartFormat, output: &OutputFile) -> Result<(), CliError> {
+    output.write(|writer| match kind {
+        ChartFormat::Svg => writer.write_all(drawing.svg().as_bytes()),
+        ChartFormat::Png => drawing.picture().write_png(writer),
+    })
 }
 
-const HEADER: [&str; 11] = [
-    "way", "order", "layers", "elements", "unknowns", "samples", "rays", "seconds", "error", "rate", "energy",
-];
-
-fn text(runs: &[ConvergenceRun]) -> String {
-    let mut table = Table::new(HEADER);
+fn table(runs: &[ConvergenceRun]) -> Table<'_> {
+    let counts = ["order", "layers", "elements", "unknowns", "samples", "rays"];
+    let mut columns: Vec<Column> = ["way"].into_iter().chain(counts).map(Column::text).collect();
+    columns.extend([
+        Column::numbers("seconds", "").with(Digits::Decimals(4)),
+        Column::numbers("error", "").with(Digits::Mantissa(3)),
+        Column::numbers("rate", "").with(Digits::Decimals(2)),
+        Column::numbers("energy", "").with(Digits::Mantissa(3)),
+    ]);
+    let mut table = Table::new(columns);
     for run in runs {
-        let number = |x: Option<f64>, show: fn(f64) -> String| x.map_or_else(|| "–".to_owned(), show);
-        table.row([
-            run.series.name().to_owned(),
-            run.order.to_string(),
-            run.layers.to_string(),
-            run.elements.to_string(),
-            run.unknowns.to_string(),
-            run.samples.to_string(),
-            run.rays.to_string(),
-            format!("{:.4}", run.seconds),
-            number(run.error, |error| format!("{error:.3e}")),
-            number(run.rate, |rate| format!("{rate:.2}")),
-            number(run.energy, |energy| format!("{energy:.3e}")),
-        ]);
-    }
-    table.to_string()
-}
-
-fn csv(runs: &[ConvergenceRun]) -> String {
-    let mut table = HEADER.join(",") + "\n";
-    for run in runs {
-        let ConvergenceRun { order, layers, elements, unknowns, samples, rays, seconds, .. } = run;
-        let [error, rate, energy] =
-            [run.error, run.rate, run.energy].map(|x| x.map_or_else(String::new, |x| x.to_string()));
-        table += &format!(
-            "{},{order},{layers},{elements},{unknowns},{samples},{rays},{seconds},{error},{rate},{energy}\n",
-            run.series.name()
-        );
+        let counts = [run.order, run.layers, run.elements, run.unknowns].map(Value::from);
+        let work = [run.samples, run.rays].map(Value::Count);
+        let numbers = [run.seconds.into(), run.error.into(), run.rate.into(), run.energy.into()];
+        table.row([run.series.name().into()].into_iter().chain(counts).chain(work).chain(numbers));
     }
     table
 }

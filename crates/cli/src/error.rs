@@ -3,7 +3,6 @@
 use std::{fmt::Write, io, path::PathBuf};
 
 use radiosity_heat::HeatError;
-use radiosity_output::drawings::chart::ChartError;
 use radiosity_published::hierarchy::HierarchyError;
 use radiosity_reading::files::solution_file::SolutionError;
 use radiosity_reading::files::vtu::VtuError;
@@ -135,9 +134,6 @@ pub(crate) enum CliError {
         /// Reason why it is none.
         reason: VtuError,
     },
-    /// A chart could not be drawn.
-    #[error(transparent)]
-    Chart(#[from] ChartError),
     /// A value of `--pairs` without two names.
     #[error("--pairs {text}: two names are needed")]
     NoPair {
@@ -253,7 +249,6 @@ impl CliError {
             | CliError::Stopped { .. }
             | CliError::Unwritten { .. }
             | CliError::Solve(_)
-            | CliError::Chart(_)
             | CliError::Stdout(_) => 1,
         }
     }
@@ -313,7 +308,6 @@ impl CliError {
             | CliError::Partial { .. }
             | CliError::Stopped { .. }
             | CliError::Unwritten { .. }
-            | CliError::Chart(_)
             | CliError::Stdout(_) => None,
         }
     }

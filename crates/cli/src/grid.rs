@@ -1,8 +1,7 @@
 //! `radiosity grid`: mean irradiance and radiosity over the cells of every surface.
 
-use std::io;
-
 use clap::Args;
+use radiosity_output::table::{Column, Table, Value};
 use radiosity_reading::grid::{Cell, grid};
 use radiosity_reading::read_error::ReadError;
 use radiosity_reading::reader::Reader;
@@ -12,7 +11,6 @@ use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
-use serde::Serialize;
 
 use crate::{
     checkpoint::CheckpointArgs,
@@ -85,68 +83,35 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
         let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
         grid(&reader, sides, reading.rates, &work)
     })?;
-    data.write(|| csv(scene, &cells), || Document::new(scene, &cells))?;
+    data.write(&scene.bands, "cells", &table(scene, &cells))?;
     run.add_read_error(ReadError::of(cells.iter().map(|cell| cell.deviation)), reading.eps);
     run.finish(progress, data.written())
 }
 
-/// `surface,i,j,E_<band>…,B_<band>…,area,x,y,z`, a row per cell.
-fn csv(scene: &Scene, cells: &[Cell]) -> io::Result<Vec<u8>> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let bands = |letter: char| scene.bands.iter().map(move |band| format!("{letter}_{band}"));
-    let header = ["surface", "i", "j"].map(str::to_owned).into_iter().chain(bands('E')).chain(bands('B'));
-    writer.write_record(header.chain(["area", "x", "y", "z"].map(str::to_owned)))?;
+/// A row per cell: `surface,i,j,E_<band>…,B_<band>…,area,x,y,z` in CSV; in JSON the relative standard
+/// deviation of irradiance that rays gathered, too.
+fn table<'a>(scene: &'a Scene, cells: &'a [Cell]) -> Table<'a> {
+    let mut table = Table::new([
+        Column::text("surface"),
+        Column::text("i"),
+        Column::text("j"),
+        Column::bands("irradiance", 'E', &scene.bands),
+        Column::bands("radiosity", 'B', &scene.bands),
+        Column::several("deviation", [""; 0]),
+        Column::text("area"),
+        Column::several("position", ["x", "y", "z"]),
+    ]);
     for cell in cells {
-        let place = [scene.surfaces[cell.surface].name.clone()];
-        let place = place.into_iter().chain(cell.index.map(|index| index.to_string()));
-        let position = (cell.position + scene.middle).to_array();
-        let numbers = cell.irradiance.iter().chain(&cell.radiosity).chain([&cell.area]).chain(&position);
-        writer.write_record(place.chain(numbers.map(f64::to_string)))?;
+        table.row([
+            Value::from(scene.surfaces[cell.surface].name.as_str()),
+            cell.index[0].into(),
+            cell.index[1].into(),
+            Value::numbers(&cell.irradiance),
+            Value::numbers(&cell.radiosity),
+            cell.deviation.map(|deviation| deviation.relative).into(),
+            cell.area.into(),
+            Value::numbers((cell.position + scene.middle).to_array().to_vec()),
+        ]);
     }
-    writer.into_inner().map_err(|error| error.into_error())
-}
-
-#[derive(Serialize)]
-struct Document<'a> {
-    bands: &'a [String],
-    cells: Vec<Row<'a>>,
-}
-
-impl<'a> Document<'a> {
-    fn new(scene: &'a Scene, cells: &'a [Cell]) -> Self {
-        let cells = cells.iter().map(|cell| Row::new(scene, cell)).collect();
-        Self { bands: &scene.bands, cells }
-    }
-}
-
-/// A cell; bands in the order of the document's.
-#[derive(Serialize)]
-struct Row<'a> {
-    surface: &'a str,
-    i: usize,
-    j: usize,
-    irradiance: &'a [f64],
-    radiosity: &'a [f64],
-    /// Standard deviation of the irradiance, relative to it, where rays gathered it.
-    deviation: Option<f64>,
-    area: f64,
-    position: [f64; 3],
-}
-
-impl<'a> Row<'a> {
-    fn new(scene: &'a Scene, cell: &'a Cell) -> Self {
-        let [i, j] = cell.index;
-        let surface = &scene.surfaces[cell.surface].name;
-        let position = (cell.position + scene.middle).to_array();
-        Self {
-            surface,
-            i,
-            j,
-            irradiance: &cell.irradiance,
-            radiosity: &cell.radiosity,
-            deviation: cell.deviation.map(|deviation| deviation.relative),
-            area: cell.area,
-            position,
-        }
-    }
+    table
 }

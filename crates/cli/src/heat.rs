@@ -32,7 +32,6 @@ use crate::{
     output_file::OutputFile,
     progress::Progress,
     run::remarks,
-    table::Table,
     transfers::TransferArgs,
     typed_options::TypedOptions,
 };
@@ -183,7 +182,7 @@ fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant, ranks: &Ranks) -> Re
 
 fn write(heat: &Heat, format: Format, writer: &mut dyn Write) -> io::Result<()> {
     match format {
-        Format::Text => write!(writer, "{}", Table::of(&output::table(&heat.surfaces, DIGITS))),
+        Format::Text => write!(writer, "{}", output::table(&heat.surfaces, DIGITS)),
         Format::Csv => output::csv(&heat.surfaces, writer),
         Format::Json => output::json(heat, writer),
     }

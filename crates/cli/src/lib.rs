@@ -49,7 +49,6 @@ mod page;
 mod bake;
 mod render;
 mod animate;
-mod table;
 mod convergence;
 mod materials;
 mod check;

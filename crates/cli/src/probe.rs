@@ -1,9 +1,9 @@
 //! `radiosity probe`: irradiance at single points and on planes of sensors.
 
-use std::io;
 use std::path::Path;
 
 use clap::Args;
+use radiosity_output::table::{Column, Table, Value};
 use radiosity_reading::plane_figures::PlaneFigures;
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::read_error::ReadError;
@@ -12,7 +12,6 @@ use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
-use serde::Serialize;
 
 use crate::{
     checkpoint::CheckpointArgs,
@@ -22,7 +21,7 @@ use crate::{
     output_file::OutputFile,
     plan::PictureArgs,
     planes::PlaneArgs,
-    points::{COLUMNS, Points, PointsError},
+    points::{Points, PointsError},
     progress::Progress,
     read::ReadArgs,
     run::{Loaded, Run},
@@ -143,8 +142,7 @@ pub(crate) fn run(
         probe(&reader, &sensors.probes(), scene.middle, &work)
     })?;
     let readings = readings.map_err(|(index, fault)| sensors.unreadable(index, fault))?;
-    let table = Table { scene, sensors: &sensors, readings: &readings };
-    data.write(|| table.csv(), || table.document())?;
+    data.write(&scene.bands, "points", &table(scene, &sensors, &readings))?;
     let mut written: Vec<&str> = data.written().into_iter().collect();
     if let Some(picture) = &picture {
         picture.write(scene, &sensors, &readings)?;
@@ -157,94 +155,46 @@ pub(crate) fn run(
     run.finish(progress, (!written.is_empty()).then(|| written.join(" and ")).as_deref())
 }
 
-/// The readings as a table.
-struct Table<'a> {
-    scene: &'a Scene,
-    sensors: &'a Sensors,
-    readings: &'a [ProbeReading],
+/// A row per point: `x,y,z,nx,ny,nz,E_<band>…,surface,u,v,B_<band>…` in CSV, in JSON with the relative
+/// standard deviation of irradiance that rays gathered; of several planes `plane` comes first.
+fn table<'a>(scene: &'a Scene, sensors: &'a Sensors, readings: &'a [ProbeReading]) -> Table<'a> {
+    let names = plane_names(sensors, readings);
+    let columns = [
+        Column::several("position", ["x", "y", "z"]),
+        Column::several("normal", ["nx", "ny", "nz"]),
+        Column::bands("irradiance", 'E', &scene.bands),
+        Column::several("deviation", [""; 0]),
+        Column::text("surface"),
+        Column::several("parameters", ["u", "v"]),
+        Column::bands("radiosity", 'B', &scene.bands),
+    ];
+    let plane = (!names.is_empty()).then(|| Column::text("plane"));
+    let mut table = Table::new(plane.into_iter().chain(columns).collect::<Vec<_>>());
+    for (index, reading) in readings.iter().enumerate() {
+        let name = names.get(index).map(|name| Value::from(*name));
+        table.row(name.into_iter().chain(values(scene, reading)));
+    }
+    table
 }
 
-impl<'a> Table<'a> {
-    /// `x,y,z,nx,ny,nz,E_<band>…,surface,u,v,B_<band>…`, a row per point; of several planes `plane` comes
-    /// first.
-    fn csv(&self) -> io::Result<Vec<u8>> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        let bands = |letter: char| self.scene.bands.iter().map(move |band| format!("{letter}_{band}"));
-        let names = self.plane_names();
-        let plane = (!names.is_empty()).then(|| "plane".to_owned());
-        let header = plane.into_iter().chain(COLUMNS.map(str::to_owned)).chain(bands('E'));
-        writer.write_record(header.chain(["surface", "u", "v"].map(str::to_owned)).chain(bands('B')))?;
-        for (index, reading) in self.readings.iter().enumerate() {
-            let name = names.get(index).map(|name| (*name).to_owned());
-            writer.write_record(name.into_iter().chain(self.cells(reading)))?;
-        }
-        writer.into_inner().map_err(|error| error.into_error())
-    }
-
-    fn cells(&self, reading: &ProbeReading) -> Vec<String> {
-        let [position, normal] = [reading.probe.position, reading.probe.normal].map(|x| x.to_array());
-        let numbers = position.into_iter().chain(normal).chain(reading.irradiance.iter().copied());
-        let on: Vec<String> = match &reading.on {
-            Some(on) => {
-                let values = on.parameters.iter().chain(&on.radiosity).map(f64::to_string);
-                std::iter::once(self.scene.surfaces[on.surface].name.clone()).chain(values).collect()
-            }
-            None => vec![String::new(); 3 + self.scene.bands.len()],
-        };
-        numbers.map(|x| x.to_string()).chain(on).collect()
-    }
-
-    fn document(&self) -> Document<'a> {
-        let names = self.plane_names();
-        let row = |(index, reading): (usize, &'a ProbeReading)| {
-            Row::new(self.scene, names.get(index).copied(), reading)
-        };
-        Document { bands: &self.scene.bands, points: self.readings.iter().enumerate().map(row).collect() }
-    }
-
-    /// The plane of each reading where there are several planes, else nothing.
-    fn plane_names(&self) -> Vec<&'a str> {
-        if self.sensors.planes().len() < 2 {
-            return Vec::new();
-        }
-        let of_plane = self.sensors.by_plane(self.readings);
-        of_plane.flat_map(|on| on.items.iter().map(move |_| on.plane.name())).collect()
-    }
+fn values<'a>(scene: &'a Scene, reading: &'a ProbeReading) -> [Value<'a>; 7] {
+    let on = reading.on.as_ref();
+    [
+        Value::numbers(reading.probe.position.to_array().to_vec()),
+        Value::numbers(reading.probe.normal.to_array().to_vec()),
+        Value::numbers(&reading.irradiance),
+        reading.deviation.map(|deviation| deviation.relative).into(),
+        on.map(|on| scene.surfaces[on.surface].name.as_str()).into(),
+        on.map(|on| Value::numbers(&on.parameters)).into(),
+        on.map(|on| Value::numbers(&on.radiosity)).into(),
+    ]
 }
 
-#[derive(Serialize)]
-struct Document<'a> {
-    bands: &'a [String],
-    points: Vec<Row<'a>>,
-}
-
-/// A reading; bands in the order of the document's.
-#[derive(Serialize)]
-struct Row<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    plane: Option<&'a str>,
-    position: [f64; 3],
-    normal: [f64; 3],
-    irradiance: &'a [f64],
-    /// Standard deviation of the irradiance, relative to it, where rays gathered it.
-    deviation: Option<f64>,
-    surface: Option<&'a str>,
-    parameters: Option<[f64; 2]>,
-    radiosity: Option<&'a [f64]>,
-}
-
-impl<'a> Row<'a> {
-    fn new(scene: &'a Scene, plane: Option<&'a str>, reading: &'a ProbeReading) -> Self {
-        let on = reading.on.as_ref();
-        Self {
-            plane,
-            position: reading.probe.position.to_array(),
-            normal: reading.probe.normal.to_array(),
-            irradiance: &reading.irradiance,
-            deviation: reading.deviation.map(|deviation| deviation.relative),
-            surface: on.map(|on| scene.surfaces[on.surface].name.as_str()),
-            parameters: on.map(|on| on.parameters),
-            radiosity: on.map(|on| on.radiosity.as_slice()),
-        }
+/// The plane of each reading where there are several planes, else nothing.
+fn plane_names<'a>(sensors: &'a Sensors, readings: &[ProbeReading]) -> Vec<&'a str> {
+    if sensors.planes().len() < 2 {
+        return Vec::new();
     }
+    let of_plane = sensors.by_plane(readings);
+    of_plane.flat_map(|on| on.items.iter().map(move |_| on.plane.name())).collect()
 }

@@ -2,9 +2,10 @@
 
 use clap::Args;
 use radiosity_language::Parameter;
+use radiosity_output::table::{Column, Table};
 use radiosity_work::ranks::Ranks;
 
-use crate::{console, error::CliError, table::Table};
+use crate::{console, error::CliError};
 
 /// Lists the built-in scenes
 #[derive(Debug, Args)]
@@ -13,8 +14,9 @@ pub(crate) struct ScenesArgs {}
 
 /// Prints name, number of surfaces and title of every built-in scene, then their parameters.
 pub(crate) fn run(_: &ScenesArgs, ranks: &Ranks) -> Result<(), CliError> {
-    let mut scenes = Table::new(["scene", "surfaces", "title"]);
-    let mut parameters = Table::new(["scene", "parameter", "default", "from", "to", "meaning"]);
+    let mut scenes = Table::new(["scene", "surfaces", "title"].map(Column::text));
+    let mut parameters =
+        Table::new(["scene", "parameter", "default", "from", "to", "meaning"].map(Column::text));
     for builtin in radiosity_language::builtins() {
         let scene = radiosity_language::builtin(builtin.name)?;
         scenes.row([scene.name, scene.surfaces.len().to_string(), scene.title.unwrap_or_default()]);

@@ -1,7 +1,6 @@
 //! Irradiance at points, frame after frame.
 
-use std::io;
-
+use radiosity_output::table::{Column, Table, Value};
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality;
 use radiosity_reading::read_error::ReadError;
@@ -55,19 +54,23 @@ impl Readings {
 
     /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…`, a row for each frame and point.
     pub(super) fn write(&self, bands: &[String], ranks: &Ranks) -> Result<(), CliError> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        let names = ["frame", "point"].into_iter().chain(COLUMNS).map(str::to_owned);
-        let light = bands.iter().map(|band| format!("E_{band}"));
-        writer.write_record(names.chain(light)).map_err(io::Error::from)?;
-        for FrameReadings { frame, readings } in &self.frames {
+        let mut table = Table::new([
+            Column::text("frame"),
+            Column::text("point"),
+            Column::several("place", COLUMNS),
+            Column::bands("irradiance", 'E', bands),
+        ]);
+        for (frame, readings) in &self.frames {
             for (point, ProbeReading { probe, irradiance, .. }) in readings.iter().enumerate() {
-                let place = probe.position.to_array().into_iter().chain(probe.normal.to_array());
-                let numbers = place.chain(irradiance.iter().copied()).map(|x| x.to_string());
-                let row = [frame.to_string(), point.to_string()].into_iter().chain(numbers);
-                writer.write_record(row).map_err(io::Error::from)?;
+                let place = [probe.position.to_array(), probe.normal.to_array()].concat();
+                table.row([
+                    Value::from(*frame),
+                    point.into(),
+                    Value::numbers(place),
+                    Value::numbers(irradiance),
+                ]);
             }
         }
-        let table = writer.into_inner().map_err(|error| error.into_error())?;
-        Destination::of(None, ranks).write(|writer| writer.write_all(&table))
+        Destination::of(None, ranks).write(|writer| table.listed().csv(writer))
     }
 }

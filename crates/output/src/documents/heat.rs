@@ -5,9 +5,9 @@ use std::io::{self, Write};
 use radiosity_heat::{Conductances, Heat, SurfaceHeat};
 use serde::Serialize;
 
-use crate::documents::document::{Column, Table};
 use crate::files::npy;
 use crate::files::npz::Archive;
+use crate::table::{Column, Listed, Table, Value};
 use radiosity_reading::digits::significant;
 
 /// CSV with a row for each surface; an emissivity that is not known is left empty.
@@ -15,8 +15,8 @@ use radiosity_reading::digits::significant;
 /// # Errors
 /// Errors of writing to `out`.
 pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(["surface", "area", "emissivity", "T", "T_error", "q", "Q", "Q_error", "J", "H"])?;
+    let names = ["surface", "area", "emissivity", "T", "T_error", "q", "Q", "Q_error", "J", "H"];
+    let mut table = Table::new(names.map(Column::text));
     for own in surfaces {
         let numbers = [
             own.temperature,
@@ -27,18 +27,17 @@ pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
             own.radiosity,
             own.irradiance,
         ];
-        let emissivity = own.emissivity.map(|emissivity| emissivity.to_string()).unwrap_or_default();
-        let head = [own.name.clone(), own.area.to_string(), emissivity];
-        writer.write_record(head.into_iter().chain(numbers.map(|number| number.to_string())))?;
+        let head = [Value::from(own.name.as_str()), own.area.into(), own.emissivity.into()];
+        table.row(head.into_iter().chain(numbers.map(Value::from)));
     }
-    writer.flush()
+    table.listed().csv(out)
 }
 
 /// Digits of given figures. Chosen.
 const GIVEN: usize = 6;
 
 /// The figures for people: given ones as they are, others to so many digits with their errors.
-pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table {
+pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table<'static> {
     let columns = [("area", "m²"), ("ε", ""), ("T", "K"), ("±", "K"), ("q", "W/m²"), ("Q", "W"), ("±", "W")];
     let columns = columns.map(|(head, unit)| Column::numbers(head, unit));
     let mut table = Table::new([vec![Column::text("surface")], columns.to_vec()].concat());
@@ -96,13 +95,14 @@ struct Document<'a> {
 /// # Errors
 /// Errors of writing to `out`.
 pub fn conductances_csv(names: &[&str], conductances: &Conductances, out: impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(["surface"].iter().chain(names).chain(&["(surroundings)"]))?;
-    for ((name, row), lost) in names.iter().zip(&conductances.rows).zip(&conductances.lost) {
-        let numbers = row.iter().chain([lost]).map(f64::to_string);
-        writer.write_record([(*name).to_owned()].into_iter().chain(numbers))?;
-    }
-    writer.flush()
+    let columns = [
+        Column::text("surface"),
+        Column::several("conductances", names.iter().copied()),
+        Column::text("(surroundings)"),
+    ];
+    let rows = names.iter().zip(&conductances.rows).zip(&conductances.lost);
+    let rows = rows.map(|((name, row), lost)| [Value::from(*name), Value::numbers(row), (*lost).into()]);
+    Listed { columns: &columns, rows }.csv(out)
 }
 
 /// JSON with the names, the matrix, the conductances to the surroundings and the largest asymmetry.

@@ -3,7 +3,8 @@
 use radiosity_scene::Scene;
 
 use super::light_part::LightPart;
-use crate::documents::document::{Block, Column, Table};
+use crate::documents::document::Block;
+use crate::table::{Column, Table};
 use radiosity_reading::digits::{decimals, error, significant};
 use radiosity_reading::quantity::power_unit;
 

@@ -3,7 +3,8 @@
 use radiosity_scene::{Scene, SensorPlane};
 
 use super::light_part::{LightPart, ReportedPlane, plan_name};
-use crate::documents::document::{Block, Column, Figure, Table};
+use crate::documents::document::{Block, Figure};
+use crate::table::{Column, Table};
 use radiosity_reading::digits::{column, short, significant};
 use radiosity_reading::plane_figures::{BandFigures, PlaneFigures};
 use radiosity_reading::quantity::Quantity;
@@ -34,7 +35,7 @@ pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
 }
 
 /// A row for each plane and band.
-fn table(scene: &Scene, light: &LightPart) -> Table {
+fn table(scene: &Scene, light: &LightPart) -> Table<'static> {
     let rows: Vec<Row> =
         light.plans.iter().zip(&light.report.planes).flat_map(|(plan, own)| rows(plan, own)).collect();
     let heads = ["mean", "min", "max"].map(|head| Column::numbers(head, &scene.unit));

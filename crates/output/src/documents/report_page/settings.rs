@@ -4,7 +4,8 @@
 use radiosity_scene::Scene;
 
 use super::light_part::LightPart;
-use crate::documents::document::{Block, Column, Table};
+use crate::documents::document::Block;
+use crate::table::{Column, Table};
 use radiosity_reading::digits::short;
 use radiosity_reading::reader::ReadMode;
 
