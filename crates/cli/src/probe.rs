@@ -191,7 +191,7 @@ fn values<'a>(scene: &'a Scene, reading: &'a ProbeReading) -> [Value<'a>; 7] {
 }
 
 /// The plane of each reading where there are several planes, else nothing.
-fn plane_names<'a>(sensors: &'a Sensors, readings: &[ProbeReading]) -> Vec<&'a str> {
+fn plane_names<'a>(sensors: &'a Sensors, readings: &'a [ProbeReading]) -> Vec<&'a str> {
     if sensors.planes().len() < 2 {
         return Vec::new();
     }

@@ -83,7 +83,7 @@ impl Diagram {
         let longest = legend.iter().map(|curve| curve.label.chars().count()).max().unwrap_or(0);
         let entry = SWATCH + 3.0 * GAP + LETTER * longest as f64;
         let in_a_row = ((width / entry) as usize).clamp(1, legend.len().max(1));
-        let mut top = 3.0 * STEP;
+        let mut top = 3.25 * STEP;
         for row in legend.chunks(in_a_row) {
             let left = 0.5 * (width - entry * in_a_row as f64) + GAP;
             let entries = (0..).zip(row);
