@@ -149,37 +149,36 @@ fn describe_warnings(warnings: &[Warning], text: &mut String) -> fmt::Result {
 }
 
 fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table<'static> {
-    let mut table =
-        Table::new(["surface", "shape", "area", "normal", "material", "reflectance"].map(Column::text));
-    for (surface, area) in surfaces.iter().zip(areas) {
+    let row = |(surface, area): (&SceneSurface, &f64)| {
         let center = surface.shape.jet(0.0, 0.0).normal;
         let curved = if surface.shape.region().is_some() { "" } else { " at its centre" };
-        table.row([
+        [
             surface.name.clone(),
             surface.kind.to_owned(),
             format!("{area:.6}"),
             vector(center.to_array()) + curved,
             surface.material_name.clone().unwrap_or_else(|| "none".to_owned()),
             numbers(&surface.material.reflectance),
-        ]);
-    }
-    table
+        ]
+    };
+    let columns = ["surface", "shape", "area", "normal", "material", "reflectance"];
+    Table::new(columns.map(Column::text), surfaces.iter().zip(areas).map(row))
 }
 
 fn luminaire_table(scene: &Scene) -> Table<'static> {
-    let mut table = Table::new(["luminaire", "light", "extent", "position", "aim", "flux"].map(Column::text));
-    for own in &scene.luminaires {
+    let row = |own: &Luminaire| {
         let flux: Vec<f64> = (0..scene.bands.len()).map(|band| rounded(own.flux(band))).collect();
-        table.row([
+        [
             own.name.clone(),
             distribution(&own.distribution),
             extent(&own.extent),
             vector((own.position + scene.middle).to_array()),
             vector(own.aim.to_array()),
             numbers(&flux),
-        ]);
-    }
-    table
+        ]
+    };
+    let columns = ["luminaire", "light", "extent", "position", "aim", "flux"];
+    Table::new(columns.map(Column::text), scene.luminaires.iter().map(row))
 }
 
 fn distribution(distribution: &Distribution) -> String {
@@ -227,7 +226,6 @@ fn luminaire_json(own: &Luminaire, scene: &Scene) -> Value {
 
 /// One row for each surface and way of touching, each contact named once.
 fn contact_table(scene: &Scene, contacts: &[SurfaceContact]) -> Table<'static> {
-    let mut table = Table::new(["surface", "touches", "of"].map(Column::text));
     let mut rows: Vec<(usize, &str, Vec<&str>)> = Vec::new();
     for SurfaceContact { surfaces: [own, other], touch } in contacts {
         let (way, name) = (way(*touch), scene.surfaces[*other].name.as_str());
@@ -237,10 +235,10 @@ fn contact_table(scene: &Scene, contacts: &[SurfaceContact]) -> Table<'static> {
             None => rows.push((*own, way, vec![name])),
         }
     }
-    for (own, way, others) in rows {
-        table.row([scene.surfaces[own].name.clone(), way.to_owned(), listed(&others)]);
-    }
-    table
+    let row = |(own, way, others): (usize, &str, Vec<&str>)| {
+        [scene.surfaces[own].name.clone(), way.to_owned(), listed(&others)]
+    };
+    Table::new(["surface", "touches", "of"].map(Column::text), rows.into_iter().map(row))
 }
 
 /// Names, the first `LISTED` of them where there are many.

@@ -225,12 +225,11 @@ fn table(runs: &[ConvergenceRun]) -> Table<'_> {
         Column::numbers("rate", "").with(Digits::Decimals(2)),
         Column::numbers("energy", "").with(Digits::Mantissa(3)),
     ]);
-    let mut table = Table::new(columns);
-    for run in runs {
+    let row = |run: &ConvergenceRun| {
         let counts = [run.order, run.layers, run.elements, run.unknowns].map(Value::from);
         let work = [run.samples, run.rays].map(Value::Count);
         let numbers = [run.seconds.into(), run.error.into(), run.rate.into(), run.energy.into()];
-        table.row([run.series.name().into()].into_iter().chain(counts).chain(work).chain(numbers));
-    }
-    table
+        [run.series.name().into()].into_iter().chain(counts).chain(work).chain(numbers)
+    };
+    Table::new(columns, runs.iter().map(row))
 }

@@ -91,18 +91,18 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
 /// A row per cell: `surface,i,j,E_<band>…,B_<band>…,area,x,y,z` in CSV; in JSON the relative standard
 /// deviation of irradiance that rays gathered, too.
 fn table<'a>(scene: &'a Scene, cells: &'a [Cell]) -> Table<'a> {
-    let mut table = Table::new([
+    let columns = [
         Column::text("surface"),
-        Column::text("i"),
-        Column::text("j"),
+        Column::numbers("i", ""),
+        Column::numbers("j", ""),
         Column::bands("irradiance", 'E', &scene.bands),
         Column::bands("radiosity", 'B', &scene.bands),
         Column::several("deviation", [""; 0]),
-        Column::text("area"),
+        Column::numbers("area", ""),
         Column::several("position", ["x", "y", "z"]),
-    ]);
-    for cell in cells {
-        table.row([
+    ];
+    let row = |cell: &'a Cell| {
+        [
             Value::from(scene.surfaces[cell.surface].name.as_str()),
             cell.index[0].into(),
             cell.index[1].into(),
@@ -111,7 +111,7 @@ fn table<'a>(scene: &'a Scene, cells: &'a [Cell]) -> Table<'a> {
             cell.deviation.map(|deviation| deviation.relative).into(),
             cell.area.into(),
             Value::numbers((cell.position + scene.middle).to_array().to_vec()),
-        ]);
-    }
-    table
+        ]
+    };
+    Table::new(columns, cells.iter().map(row))
 }

@@ -169,12 +169,11 @@ fn table<'a>(scene: &'a Scene, sensors: &'a Sensors, readings: &'a [ProbeReading
         Column::bands("radiosity", 'B', &scene.bands),
     ];
     let plane = (!names.is_empty()).then(|| Column::text("plane"));
-    let mut table = Table::new(plane.into_iter().chain(columns).collect::<Vec<_>>());
-    for (index, reading) in readings.iter().enumerate() {
+    let rows = readings.iter().enumerate().map(|(index, reading)| {
         let name = names.get(index).map(|name| Value::from(*name));
-        table.row(name.into_iter().chain(values(scene, reading)));
-    }
-    table
+        name.into_iter().chain(values(scene, reading))
+    });
+    Table::new(plane.into_iter().chain(columns).collect::<Vec<_>>(), rows)
 }
 
 fn values<'a>(scene: &'a Scene, reading: &'a ProbeReading) -> [Value<'a>; 7] {

@@ -82,19 +82,19 @@ pub struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// A table without rows.
-    pub fn new(columns: impl Into<Vec<Column>>) -> Self {
-        Self { columns: columns.into(), rows: Vec::new(), total: None }
-    }
-
-    /// Adds a row at the end.
+    /// The table of these columns and rows.
     ///
     /// # Panics
-    /// If there is not a value for each column.
-    pub fn row(&mut self, values: impl IntoIterator<Item = impl Into<Value<'a>>>) {
-        let values: Vec<Value> = values.into_iter().map(Into::into).collect();
-        assert_eq!(values.len(), self.columns.len(), "a value for each column");
-        self.rows.push(values);
+    /// If a row has not a value for each column.
+    pub fn new<R: IntoIterator<Item: Into<Value<'a>>>>(
+        columns: impl Into<Vec<Column>>,
+        rows: impl IntoIterator<Item = R>,
+    ) -> Self {
+        let rows = rows.into_iter().map(|row| row.into_iter().map(Into::into).collect());
+        let table = Self { columns: columns.into(), rows: rows.collect(), total: None };
+        let is_full = |row: &Vec<Value>| row.len() == table.columns.len();
+        assert!(table.rows.iter().all(is_full), "a value for each column");
+        table
     }
 
     /// Its rows, for CSV and JSON.

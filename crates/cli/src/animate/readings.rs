@@ -54,23 +54,21 @@ impl Readings {
 
     /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…`, a row for each frame and point.
     pub(super) fn write(&self, bands: &[String], ranks: &Ranks) -> Result<(), CliError> {
-        let mut table = Table::new([
-            Column::text("frame"),
-            Column::text("point"),
+        let columns = [
+            Column::numbers("frame", ""),
+            Column::numbers("point", ""),
             Column::several("place", COLUMNS),
             Column::bands("irradiance", 'E', bands),
-        ]);
-        for (frame, readings) in &self.frames {
-            for (point, ProbeReading { probe, irradiance, .. }) in readings.iter().enumerate() {
-                let place = [probe.position.to_array(), probe.normal.to_array()].concat();
-                table.row([
-                    Value::from(*frame),
-                    point.into(),
-                    Value::numbers(place),
-                    Value::numbers(irradiance),
-                ]);
-            }
-        }
+        ];
+        let row = |frame: usize, point: usize, reading: &ProbeReading| {
+            let place = [reading.probe.position.to_array(), reading.probe.normal.to_array()].concat();
+            let light = reading.irradiance.clone();
+            [Value::from(frame), point.into(), Value::numbers(place), Value::numbers(light)]
+        };
+        let rows = self.frames.iter().flat_map(|(frame, readings)| {
+            readings.iter().enumerate().map(move |(point, reading)| row(*frame, point, reading))
+        });
+        let table = Table::new(columns, rows);
         Destination::of(None, ranks).write(|writer| table.listed().csv(writer))
     }
 }

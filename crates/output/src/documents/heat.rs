@@ -16,8 +16,7 @@ use radiosity_reading::digits::significant;
 /// Errors of writing to `out`.
 pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
     let names = ["surface", "area", "emissivity", "T", "T_error", "q", "Q", "Q_error", "J", "H"];
-    let mut table = Table::new(names.map(Column::text));
-    for own in surfaces {
+    let rows = surfaces.iter().map(|own| {
         let numbers = [
             own.temperature,
             own.temperature_error,
@@ -28,9 +27,9 @@ pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
             own.irradiance,
         ];
         let head = [Value::from(own.name.as_str()), own.area.into(), own.emissivity.into()];
-        table.row(head.into_iter().chain(numbers.map(Value::from)));
-    }
-    table.listed().csv(out)
+        head.into_iter().chain(numbers.map(Value::from))
+    });
+    Table::new(names.map(Column::text), rows).listed().csv(out)
 }
 
 /// Digits of given figures. Chosen.
@@ -40,23 +39,23 @@ const GIVEN: usize = 6;
 pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table<'static> {
     let columns = [("area", "m²"), ("ε", ""), ("T", "K"), ("±", "K"), ("q", "W/m²"), ("Q", "W"), ("±", "W")];
     let columns = columns.map(|(head, unit)| Column::numbers(head, unit));
-    let mut table = Table::new([vec![Column::text("surface")], columns.to_vec()].concat());
+    let columns = [vec![Column::text("surface")], columns.to_vec()].concat();
     let figure = |is_given: bool, value: f64| significant(value, if is_given { GIVEN } else { digits });
-    for own in surfaces {
-        let error =
-            |is_given: bool, error: f64| if is_given { "given".to_owned() } else { significant(error, 2) };
-        table.row([
-            own.name.clone(),
-            significant(own.area, GIVEN),
-            own.emissivity.map_or_else(|| "–".to_owned(), |emissivity| significant(emissivity, GIVEN)),
-            figure(own.is_temperature_known, own.temperature),
-            error(own.is_temperature_known, own.temperature_error),
-            figure(own.is_flow_known, own.flux),
-            figure(own.is_flow_known, own.flow),
-            error(own.is_flow_known, own.flow_error),
-        ]);
-    }
-    table
+    let error =
+        |is_given: bool, error: f64| if is_given { "given".to_owned() } else { significant(error, 2) };
+    let row = |own: &SurfaceHeat| {
+        [
+            Value::from(own.name.clone()),
+            significant(own.area, GIVEN).into(),
+            own.emissivity.map(|emissivity| significant(emissivity, GIVEN)).into(),
+            figure(own.is_temperature_known, own.temperature).into(),
+            error(own.is_temperature_known, own.temperature_error).into(),
+            figure(own.is_flow_known, own.flux).into(),
+            figure(own.is_flow_known, own.flow).into(),
+            error(own.is_flow_known, own.flow_error).into(),
+        ]
+    };
+    Table::new(columns, surfaces.iter().map(row))
 }
 
 /// JSON with the figures of each surface, the balance and how good it is.

@@ -102,8 +102,8 @@ mod tests {
 
     #[test]
     fn numbers_stand_at_the_right() {
-        let mut table = Table::new([Column::text("surface"), Column::numbers("area", "m²")]);
-        table.row(["a|b".to_owned(), "2".to_owned()]);
+        let columns = [Column::text("surface"), Column::numbers("area", "m²")];
+        let table = Table::new(columns, [["a|b", "2"]]);
         let mut out = Vec::new();
         write_table(&table, &mut out).unwrap();
         let text = String::from_utf8(out).unwrap();

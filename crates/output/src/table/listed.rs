@@ -69,9 +69,8 @@ mod tests {
     #[test]
     fn rows_have_all_their_fields_in_csv_and_all_their_keys_in_json() {
         let columns = [Column::text("a"), Column::several("b", ["x", "y"]), Column::several("c", [""; 0])];
-        let mut table = Table::new(columns);
-        table.row([Value::from("p,q"), Value::numbers(vec![0.5, -2.0]), 7.0.into()]);
-        table.row([Value::from(3), Value::None, Value::None]);
+        let row = [Value::from("p,q"), Value::numbers(vec![0.5, -2.0]), 7.0.into()];
+        let table = Table::new(columns, [row, [Value::from(3), Value::None, Value::None]]);
         let mut csv = Vec::new();
         table.listed().csv(&mut csv).unwrap();
         assert_eq!(String::from_utf8(csv).unwrap(), "a,x,y\n\"p,q\",0.5,-2\n3,,\n");

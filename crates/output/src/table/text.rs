@@ -35,8 +35,7 @@ mod tests {
 
     #[test]
     fn columns_line_up_beside_cells_of_any_length() {
-        let mut table = Table::new(["a", "b"].map(Column::text));
-        table.row(["é".repeat(70_000), "c".to_owned()]);
+        let table = Table::new(["a", "b"].map(Column::text), [["é".repeat(70_000), "c".to_owned()]]);
         let lines: Vec<String> = table.to_string().lines().map(str::to_owned).collect();
         assert_eq!(lines[0], format!("a{}b", " ".repeat(70_001)));
         assert!(lines[1].ends_with("é  c"));

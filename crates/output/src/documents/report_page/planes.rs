@@ -42,19 +42,19 @@ fn table(scene: &Scene, light: &LightPart) -> Table<'static> {
     let ratios = ["U0", "Ud"].map(|head| Column::numbers(head, ""));
     let band = (scene.bands.len() > 1).then(|| Column::text("band"));
     let names = [Column::text("plane")].into_iter().chain(band).chain([Column::numbers("sensors", "")]);
-    let mut table = Table::new(names.chain(heads).chain(ratios).collect::<Vec<_>>());
     let part = |part: Option<f64>| part.map_or_else(|| "–".to_owned(), |part| format!("{part:.2}"));
     let values: Vec<f64> =
         rows.iter().flat_map(|row| [row.figures.mean, row.figures.min, row.figures.max]).collect();
-    for (row, values) in rows.iter().zip(column(&values).chunks(3)) {
+    let texts = column(&values);
+    let cells = rows.iter().zip(texts.chunks(3)).map(|(row, values)| {
         let mut cells = vec![row.plane.name.clone()];
         cells.extend(row.band.clone());
         cells.push(row.plane.points.to_string());
         cells.extend_from_slice(values);
         cells.extend([part(row.figures.u0), part(row.figures.ud)]);
-        table.row(cells);
-    }
-    table
+        cells
+    });
+    Table::new(names.chain(heads).chain(ratios).collect::<Vec<_>>(), cells)
 }
 
 /// The figures of a plane in a band, which is named where there are several.

@@ -80,10 +80,9 @@ impl TotalledColumn {
 /// The columns side by side.
 fn table(columns: Vec<TotalledColumn>) -> Table<'static> {
     let rows = columns.first().map_or(0, |first| first.cells.len());
-    let mut table = Table::new(columns.iter().map(|own| own.column.clone()).collect::<Vec<_>>());
-    for row in 0..rows {
-        table.row(columns.iter().map(|own| own.cells[row].clone()).collect::<Vec<_>>());
-    }
+    let row = |row: usize| columns.iter().map(move |own| own.cells[row].clone());
+    let heads: Vec<Column> = columns.iter().map(|own| own.column.clone()).collect();
+    let mut table = Table::new(heads, (0..rows).map(row));
     let has_total = columns.iter().any(|own| !own.total.is_empty());
     table.total = has_total.then(|| columns.into_iter().map(|own| own.total.into()).collect());
     table
