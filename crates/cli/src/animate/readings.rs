@@ -60,13 +60,11 @@ impl Readings {
             Column::several("place", COLUMNS),
             Column::bands("irradiance", 'E', bands),
         ];
-        let row = |frame: usize, point: usize, reading: &ProbeReading| {
-            let place = [reading.probe.position.to_array(), reading.probe.normal.to_array()].concat();
-            let light = reading.irradiance.clone();
-            [Value::from(frame), point.into(), Value::numbers(place), Value::numbers(light)]
-        };
-        let rows = self.frames.iter().flat_map(|(frame, readings)| {
-            readings.iter().enumerate().map(move |(point, reading)| row(*frame, point, reading))
+        let rows = self.frames.iter().flat_map(|FrameReadings { frame, readings }| {
+            readings.iter().enumerate().map(move |(point, ProbeReading { probe, irradiance, .. })| {
+                let place = [probe.position.to_array(), probe.normal.to_array()].concat();
+                [Value::from(*frame), point.into(), Value::numbers(place), Value::numbers(irradiance)]
+            })
         });
         let table = Table::new(columns, rows);
         Destination::of(None, ranks).write(|writer| table.listed().csv(writer))
