@@ -97,12 +97,12 @@ impl Loaded {
     /// Reads a solution file, with its light groups at the factors that were set.
     pub(crate) fn solved(path: &str, settings: &[(String, f64)], ranks: &Ranks) -> Result<Self, CliError> {
         let started = Instant::now();
-        let text = radiosity_language::source_by(path, &[], &Import::default(), ranks)?;
-        if !is_solution(&text.text()) {
-            return Err(CliError::NotSolved { origin: text.origin.to_string() });
+        let source = radiosity_language::source_by(path, &[], &Import::default(), ranks)?;
+        if !is_solution(&source.text()) {
+            return Err(CliError::NotSolved { origin: source.origin.to_string() });
         }
         let file = (path != "-").then(|| Path::new(path));
-        Self::saved(file, relit(read(&text, ranks)?, &borrowed(settings))?, started).required()
+        Self::saved(file, relit(read(&source, ranks)?, &borrowed(settings))?, started).required()
     }
 
     fn saved(file: Option<&Path>, solved: Solved, started: Instant) -> Self {

@@ -110,7 +110,8 @@ impl Coating {
         coating.varying_reflectances = of_each(elements, &|element| {
             let surface = &scene.surfaces[element.surface];
             let pattern = surface.material.reflectance_pattern.as_ref()?;
-            Some(VaryingReflectance::new(element, &surface.shape, pattern, band))
+            let pattern = ElementPattern::new(element, &surface.shape, pattern, band);
+            Some(VaryingReflectance::new(element, pattern))
         });
         coating
             .varying_reflectances
@@ -142,7 +143,8 @@ impl Coating {
             let surface = &scene.surfaces[element.surface];
             let factor = factor(element.surface);
             let pattern = surface.material.emission_pattern.as_ref().filter(|_| factor > 0.0)?;
-            Some(VaryingExitance::new(element, &surface.shape, pattern, band, factor))
+            let pattern = ElementPattern::new(element, &surface.shape, pattern, band);
+            Some(VaryingExitance::new(element, pattern, factor))
         });
         self.varying_exitances
             .iter()
@@ -262,7 +264,7 @@ impl Coating {
 
     /// Whether reflectance and transmittance are those of another coating on all elements but for constant ρ.
     pub fn varies_as(&self, other: &Self) -> bool {
-        let same_paints = self.varying_reflectances.len() == other.varying_reflectances.len()
+        let same_reflectances = self.varying_reflectances.len() == other.varying_reflectances.len()
             && self
                 .varying_reflectances
                 .iter()
@@ -274,7 +276,7 @@ impl Coating {
                 .map(|(index, transmission)| (*index, transmission.transmittance))
                 .collect::<Vec<_>>()
         };
-        same_paints && transmits(self) == transmits(other)
+        same_reflectances && transmits(self) == transmits(other)
     }
 
     /// Whether ρ varies over an element.

@@ -28,12 +28,12 @@ pub struct Measure {
     pub points: Vec<WeightedNode>,
 }
 
-/// A point of a quadrature rule for area.
+/// A point of a sum over area.
 #[derive(Clone, Copy, Debug)]
 pub struct WeightedNode {
     /// The point.
     pub node: Node,
-    /// The area that it stands for (scene length²).
+    /// Its weight: the area for which it stands (scene length²) in an integral, a number in a mean.
     pub weight: f64,
 }
 

@@ -8,8 +8,9 @@
 
 use std::f64::consts::PI;
 
+use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::Node;
-use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, WeightedNode};
+use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::shifted;
 use smallvec::{SmallVec, smallvec};

@@ -13,8 +13,9 @@ use std::f64::consts::PI;
 
 use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
+use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::Patch;
-use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, WeightedNode};
+use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
 use radiosity_geom::{Aabb, DVec3, Plane};
 
 use crate::receiver_point::ReceiverPoint;

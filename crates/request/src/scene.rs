@@ -98,13 +98,13 @@ impl SceneRequest {
         self.parse(&unsolved(self.text(ranks)?)?, ranks)
     }
 
-    /// The scene of a text that [`SceneRequest::text`] gave, with its variables and light groups as they were
+    /// The scene of a source that [`SceneRequest::text`] gave, with its variables and light groups as they were
     /// set.
     ///
     /// # Errors
     /// Faults of the scene; ranks that have read different ones.
-    pub fn parse(&self, text: &Source, ranks: &Ranks) -> Result<Scene, LoadError> {
-        self.agreed(radiosity_language::read_with(text, &self.later())?, ranks)
+    pub fn parse(&self, source: &Source, ranks: &Ranks) -> Result<Scene, LoadError> {
+        self.agreed(radiosity_language::read_with(source, &self.later())?, ranks)
     }
 
     /// The scene with its parameters or variables as they were set.
@@ -145,11 +145,11 @@ impl SceneRequest {
         ranks: &Ranks,
     ) -> Result<Source, LoadError> {
         let import = self.import(strict, ranks)?;
-        let text = radiosity_language::source_by(&self.source, &borrowed(settings), &import, ranks)?;
-        let text = text.within(self.tolerance);
+        let source = radiosity_language::source_by(&self.source, &borrowed(settings), &import, ranks)?;
+        let source = source.within(self.tolerance);
         Ok(match self.frame {
-            Some(frame) => text.at(frame),
-            None => text,
+            Some(frame) => source.at(frame),
+            None => source,
         })
     }
 

@@ -4,7 +4,7 @@
 use radiosity::solve::view_factors::ViewFactors;
 use radiosity_test_support::solved::usual_factors as factors;
 
-use crate::rounded::rooms::{FAMILIES, Family};
+use crate::rounded::rooms::FAMILIES;
 use crate::rounded::sheet::{Sheet, scene};
 
 /// The default accuracy of view factors.
@@ -35,16 +35,6 @@ fn shares(found: &ViewFactors, sheets: &[Sheet]) -> Vec<Vec<f64>> {
     (0..found.names.len()).map(row).collect()
 }
 
-/// The largest error of a row sum.
-fn worst_row(found: &ViewFactors, family: &Family) -> f64 {
-    let error = |(name, sum): (&String, f64)| {
-        let lost =
-            family.covered.iter().find(|(surface, _)| surface == name).map_or(0.0, |(_, share)| *share);
-        (sum - 1.0).abs().min((sum - 1.0 + lost).abs())
-    };
-    found.names.iter().zip(found.row_sums()).map(error).fold(0.0, f64::max)
-}
-
 #[test]
 fn rows_add_up_and_factors_do_not_jump_at_any_gap() {
     for family in &FAMILIES {
@@ -62,7 +52,7 @@ fn rows_add_up_and_factors_do_not_jump_at_any_gap() {
                 Err(error) => panic!("{} at {gap:e}: {error}", family.name),
             };
             let found = factors(&scene);
-            let (row, shares) = (worst_row(&found, family), shares(&found, &sheets));
+            let (row, shares) = (family.worst_row(&found), shares(&found, &sheets));
             assert!(row <= 3.0 * EPS, "{} at {gap:e}: a row is off by {row:e}", family.name);
             if let Some(before) = &before {
                 let changes =

@@ -1,5 +1,6 @@
 //! Rooms with things in them that touch, or miss touching by a gap.
 
+use radiosity::solve::view_factors::ViewFactors;
 use radiosity_geom::DVec3;
 
 use crate::rounded::sheet::{Sheet, cuboid, placed, plate, room, sheet, turned};
@@ -11,6 +12,18 @@ pub(crate) struct Family {
     /// The surfaces that lose light into a body without all of its faces, or to the black back of a sheet,
     /// with the share of their whole area that does; what is covered tightly may be left out of them instead.
     pub(crate) covered: &'static [(&'static str, f64)],
+}
+
+impl Family {
+    /// The largest error of a row of view factors: what is covered may count or not.
+    pub(crate) fn worst_row(&self, found: &ViewFactors) -> f64 {
+        let error = |(name, sum): (&String, f64)| {
+            let covered = self.covered.iter().find(|(surface, _)| surface == name);
+            let lost = covered.map_or(0.0, |(_, share)| *share);
+            (sum - 1.0).abs().min((sum - 1.0 + lost).abs())
+        };
+        found.names.iter().zip(found.row_sums()).map(error).fold(0.0, f64::max)
+    }
 }
 
 const CLOSED: &[(&str, f64)] = &[];

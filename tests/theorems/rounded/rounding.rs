@@ -76,15 +76,6 @@ static CLEAN: LazyLock<Vec<ViewFactors>> = LazyLock::new(|| {
     FAMILIES.iter().map(clean).collect()
 });
 
-/// The largest error of a row: what is covered may count or not.
-fn worst_row(found: &ViewFactors, family: &Family) -> f64 {
-    let error = |(name, sum): (&String, f64)| {
-        let covered = family.covered.iter().find(|(surface, _)| surface == name);
-        covered.map_or(f64::INFINITY, |(_, lost)| (sum - 1.0 + lost).abs()).min((sum - 1.0).abs())
-    };
-    found.names.iter().zip(found.row_sums()).map(error).fold(0.0, f64::max)
-}
-
 proptest! {
     #![proptest_config(seeded(256, 21))]
 
@@ -100,7 +91,7 @@ proptest! {
         let sheets = rounded(family, &turn, rounding, offset);
         let scene = scene(&sheets).map_err(|error| TestCaseError::fail(format!("{}: {error}", family.name)))?;
         let found = factors(&scene);
-        let row = worst_row(&found, family);
+        let row = family.worst_row(&found);
         prop_assert!(row <= ALLOWED, "{}: a row is off by {row:e}", family.name);
         if family.name == "plates" {
             return Ok(());

@@ -34,10 +34,10 @@ impl Transmission {
     /// rounding leaves the point outside all of them, the first.
     pub(super) fn behind(&self, [u, v]: [f64; 2]) -> Option<usize> {
         let [part, ..] = &self.parts[..] else { return None };
-        let covered = self.parts.iter().filter_map(|part| Some((part.behind, part.cover.as_deref()?)));
+        let covered = self.parts.iter().filter_map(|part| Some((part.behind, part.covered_part.as_deref()?)));
         let position = self.shape.jet(u, v).position;
-        let covered = covered.into_iter().find(|(_, cover)| cover.covers(position, 0.0));
-        let cell = || self.parts.iter().find(|part| part.cover.is_none() && part.rect.contains(u, v));
+        let covered = covered.into_iter().find(|(_, part)| part.covers(position, 0.0));
+        let cell = || self.parts.iter().find(|part| part.covered_part.is_none() && part.rect.contains(u, v));
         Some(covered.map_or_else(|| cell().unwrap_or(part).behind, |(behind, _)| behind))
     }
 }
@@ -50,7 +50,7 @@ pub(super) struct TransmissionPart {
     /// The parameters that both cover.
     rect: Rect,
     /// The element of the other side, where another surface lies on it.
-    cover: Option<Box<Element>>,
+    covered_part: Option<Box<Element>>,
     /// T, row-major: as many rows as the element has functions.
     pub(super) matrix: Vec<f64>,
 }
@@ -82,8 +82,8 @@ impl TransmissionPart {
         }
         let half = transposed(&orthonormal_rows(own, &sums), columns);
         let matrix = transposed(&orthonormal_rows(other, &half), rows);
-        let cover = other.contact.is_some().then(|| Box::new(other.clone()));
-        (!patches.is_empty()).then_some(Self { behind, rect, cover, matrix })
+        let covered_part = other.contact.is_some().then(|| Box::new(other.clone()));
+        (!patches.is_empty()).then_some(Self { behind, rect, covered_part, matrix })
     }
 }
 

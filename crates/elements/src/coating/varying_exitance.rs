@@ -1,10 +1,5 @@
 //! Emitted exitance that varies over an element.
 
-use std::sync::Arc;
-
-use radiosity_geom::Surface;
-use radiosity_scene::Pattern;
-
 use super::element_pattern::ElementPattern;
 use crate::element::Element;
 
@@ -19,15 +14,8 @@ pub(super) struct VaryingExitance {
 }
 
 impl VaryingExitance {
-    /// Exitance of `factor` times a band of `pattern` on an element of a surface of this shape.
-    pub(super) fn new(
-        element: &Element,
-        shape: &Arc<dyn Surface>,
-        pattern: &Arc<Pattern>,
-        band: usize,
-        factor: f64,
-    ) -> Self {
-        let element_pattern = ElementPattern::new(element, shape, pattern, band);
+    /// Exitance of an element, `factor` times its pattern.
+    pub(super) fn new(element: &Element, element_pattern: ElementPattern, factor: f64) -> Self {
         let coefficients = element_pattern.vector(element).iter().map(|e| factor * e).collect();
         Self { element_pattern, factor, coefficients }
     }

@@ -1,9 +1,8 @@
 //! Reflectance that varies over an element.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 
 use radiosity_geom::Surface;
-use radiosity_scene::Pattern;
 
 use super::element_pattern::ElementPattern;
 use super::square_root::square_root;
@@ -22,14 +21,8 @@ pub(super) struct VaryingReflectance {
 }
 
 impl VaryingReflectance {
-    /// Reflectance of a band of `pattern` on an element of a surface of this shape.
-    pub(super) fn new(
-        element: &Element,
-        shape: &Arc<dyn Surface>,
-        pattern: &Arc<Pattern>,
-        band: usize,
-    ) -> Self {
-        let element_pattern = ElementPattern::new(element, shape, pattern, band);
+    /// Reflectance of an element by its pattern.
+    pub(super) fn new(element: &Element, element_pattern: ElementPattern) -> Self {
         let matrix = element_pattern.matrix(element);
         // φ_0 is constant.
         let mean = matrix[0];

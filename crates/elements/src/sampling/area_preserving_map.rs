@@ -6,22 +6,13 @@
 use radiosity_geom::DVec3;
 
 use crate::Element;
+use crate::measure::WeightedNode;
 use crate::patch::{Node, Patch};
 use crate::rule::UnitRule;
 
 /// Points of the Gauss rule, along either parameter, that finds the area of a curved patch. The area is a
 /// weight that divides out in the mean; 8 points find it to 1e-6 on a half sphere.
 const AREA_POINTS: usize = 8;
-
-/// Where two numbers in [0, 1] lie, and the weight of that point: 1 / (A p), p the density of points per
-/// area there; 1 on flat elements.
-#[derive(Clone, Copy, Debug)]
-pub struct WeightedNode {
-    /// The point.
-    pub node: Node,
-    /// Its weight.
-    pub weight: f64,
-}
 
 /// Map from two numbers in [0, 1] to points of patches, spread evenly over their area.
 #[derive(Debug)]
@@ -63,7 +54,8 @@ impl AreaPreservingMap {
         Self { pieces: pieces.collect() }
     }
 
-    /// The point that two numbers in [0, 1] choose.
+    /// The point that two numbers in [0, 1] choose, with the weight 1 / (A p), p the density of points per
+    /// area there; 1 on flat elements.
     pub fn point(&self, [s, t]: [f64; 2]) -> WeightedNode {
         let last = self.pieces.len() - 1;
         let place = self.pieces.partition_point(|piece| piece.shares[1] <= s).min(last);

@@ -7,7 +7,7 @@
 //! over quasi-random pairs of points, spread by area over the surfaces of either node. Pairs with κ = 0 cast
 //! no ray. The points follow from the numbers of the nodes alone, so that no thread changes a bit.
 
-use radiosity_elements::sampling::area_preserving_map::WeightedNode;
+use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::shift::{shift, shifted};
 use radiosity_geom::RayTree;

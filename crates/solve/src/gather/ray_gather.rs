@@ -30,8 +30,9 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use radiosity_elements::Element;
+use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::Patch;
-use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, WeightedNode};
+use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};

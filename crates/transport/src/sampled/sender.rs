@@ -6,8 +6,9 @@
 //! rays are sent in all.
 
 use radiosity_elements::Element;
+use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::Node;
-use radiosity_elements::sampling::area_preserving_map::{AreaPreservingMap, WeightedNode};
+use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{shift, shifted};
