@@ -21,12 +21,12 @@ use crate::{
     console,
     destination::Destination,
     error::CliError,
-    format::of_ending,
+    format::of_kind,
+    loaded::Loaded,
     options::{MethodArgs, PARAMETER_OR_GROUP, SceneArg},
     output_file::OutputFile,
     progress::Progress,
     reference,
-    run::{Loaded, options},
 };
 
 /// Solves a scene at orders 0 to --max-order, prints the errors and draws them
@@ -84,23 +84,23 @@ pub(crate) enum Format {
 
 /// Solves the scene again and again, prints the table and draws the errors.
 pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    let scene = &loaded.scene;
+    let scene = loaded.scene();
     if args.method.request().wanted_accuracy().is_some() {
-        return Err(CliError::Refused {
-            message: "convergence runs every order and chooses none".to_owned(),
-            cure: "leave out --accuracy, and give --max-order a number".to_owned(),
-        });
+        return Err(CliError::refused(
+            "convergence runs every order and chooses none",
+            "leave out --accuracy, and give --max-order a number",
+        ));
     }
     args.check_basis()?;
     args.method.request().check()?;
     check_series(&args.method.request(), &args.other_series())?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
-    let kind = kind(&path)?;
-    let output = args.scene.kept_apart(OutputFile::reserve(&path, ranks)?)?;
+    let kind = of_kind(&path, "kind of drawing", "choose a file ending in .svg or .png")?;
+    let output = args.scene.reserve(&path, ranks)?;
     let reference = args.reference.as_deref().map(|path| same_scene(path, scene, ranks)).transpose()?;
     let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-    let options = options(&args.method, ranks);
+    let options = args.method.request().options(ranks);
     let other = args.other_series();
     let runs = match &reference {
         None => convergence(scene, &options, &other, &Reference::FinestRun, &work)?,
@@ -119,7 +119,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
         Format::Csv => table.listed().csv(writer),
     })?;
     if !args.quiet {
-        console::tell(&format!("wrote {}\n", path.display()), ranks);
+        console::tell(&[format!("wrote {}", path.display())], ranks);
     }
     Ok(())
 }
@@ -136,16 +136,13 @@ impl ConvergenceArgs {
         let basis = self.method.basis;
         let has_no_order = matches!(basis, Basis::Constant | Basis::Linear);
         if has_no_order || (self.bases && basis != Basis::Legendre) {
-            return Err(CliError::Refused {
-                message: format!(
-                    "convergence runs at rising orders, and with --bases in all bases: not --basis {}",
-                    basis.name()
+            let name = basis.name();
+            return Err(CliError::refused(
+                format!(
+                    "convergence runs at rising orders, and with --bases in all bases: not --basis {name}"
                 ),
-                cure: format!(
-                    "take --with {} for finer and finer cells or higher degrees, or --bases alone",
-                    basis.name()
-                ),
-            });
+                format!("take --with {name} for finer and finer cells or higher degrees, or --bases alone"),
+            ));
         }
         Ok(())
     }
@@ -165,29 +162,20 @@ enum ChartFormat {
     Png,
 }
 
-fn kind(path: &Path) -> Result<ChartFormat, CliError> {
-    of_ending(path).ok_or_else(|| CliError::Refused {
-        message: format!("{}: the ending names no kind of drawing", path.display()),
-        cure: "choose a file ending in .svg or .png".to_owned(),
-    })
-}
-
 /// The reference solution, of the same surfaces, bands and materials.
 fn same_scene(path: &Path, scene: &Scene, ranks: &Ranks) -> Result<Solved, CliError> {
     let solved = reference::solution(path, scene, ranks)?;
     if !solved.outcome.converged {
-        return Err(CliError::Refused {
-            message: format!("{}: its solver did not converge, which makes it no reference", path.display()),
-            cure: "solve it with more --max-iterations or another --solver".to_owned(),
-        });
+        return Err(CliError::refused(
+            format!("{}: its solver did not converge, which makes it no reference", path.display()),
+            "solve it with more --max-iterations or another --solver",
+        ));
     }
     if reference::same_materials(&solved.scene, scene) {
         return Ok(solved);
     }
-    Err(CliError::Refused {
-        message: format!("{}: it has other materials than the scene", path.display()),
-        cure: "give a solution of the scene as it is".to_owned(),
-    })
+    let message = format!("{}: it has other materials than the scene", path.display());
+    Err(CliError::refused(message, "give a solution of the scene as it is"))
 }
 
 fn drawing(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &[ConvergenceRun]) -> Drawing {

@@ -11,9 +11,9 @@ use crate::{
     destination::Destination,
     error::CliError,
     format::{self, Format},
+    loaded::Loaded,
     options::ReportArgs,
     output_file::OutputFile,
-    run::Loaded,
 };
 
 /// `--format` and `--output` of readings.

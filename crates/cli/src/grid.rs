@@ -2,25 +2,21 @@
 
 use clap::Args;
 use radiosity_output::table::{Column, Table, Value};
-use radiosity_reading::grid::{Cell, grid};
+use radiosity_reading::grid::{Cell, Rates, grid};
 use radiosity_reading::read_error::ReadError;
-use radiosity_reading::reader::Reader;
 use radiosity_request::ReadRequest;
 use radiosity_request::cells::require_cells;
 use radiosity_scene::Scene;
-use radiosity_solve::solved::Solved;
-use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
-    checkpoint::CheckpointArgs,
     data::DataArgs,
     error::CliError,
-    numbers::Counts,
-    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
-    progress::Progress,
-    read::{ReadArgs, Samples},
-    run::{Loaded, Run},
+    loaded::Loaded,
+    numbers::counts,
+    options::{PARAMETER_OR_GROUP, SCENE_OR_SOLUTION, SceneArg},
+    read::{ReadArgs, samples},
+    run::{Run, RunArgs},
 };
 
 /// Solves a scene and prints means over the cells of every surface, with the place x, y, z of each cell's
@@ -35,57 +31,48 @@ pub(crate) struct GridArgs {
     pub(crate) scene: SceneArg,
 
     /// Cells of equal parameter size along u and v of every surface
-    #[arg(long, value_name = "NxM", default_value = "16x16")]
-    pub(crate) cells: Counts,
+    #[arg(long, value_name = "NxM", default_value = "16x16", value_parser = counts)]
+    pub(crate) cells: [u32; 2],
 
     #[command(flatten)]
     pub(crate) read: ReadArgs,
 
     /// Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as
     /// --quality says; light is then gathered by cells]
-    #[arg(long, value_name = "D,I")]
-    pub(crate) read_samples: Option<Samples>,
+    #[arg(long, value_name = "D,I", value_parser = samples)]
+    pub(crate) read_samples: Option<Rates>,
 
     #[command(flatten)]
     data: DataArgs,
 
     #[command(flatten)]
-    pub(crate) method: MethodArgs,
-
-    #[command(flatten)]
-    pub(crate) checkpoint: CheckpointArgs,
-
-    #[command(flatten)]
-    pub(crate) report: ReportArgs,
+    pub(crate) run: RunArgs,
 }
 
 impl GridArgs {
     /// The request for reading.
     fn request(&self) -> ReadRequest {
-        ReadRequest { samples: self.read_samples.map(|samples| samples.0), ..self.read.request() }
+        ReadRequest { samples: self.read_samples, ..self.read.request() }
     }
 }
 
 /// Solves the scene and prints the means.
 pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    let sides = args.cells.0.map(|count| count as usize);
-    require_cells(sides, &loaded.scene, args.method.memory, ranks)?;
-    let (method, request) = (args.method.request(), args.request());
-    request.check(&loaded.options(&args.method, ranks), &method)?;
-    let data = args.data.reserve(&loaded, &args.report, ranks, Ok)?;
-    let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
-    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-    let mut run = Run::to_gather(loaded, &args.method, args.read.by(), &args.report, &work)?;
-    let visibility = run.solved.visibility();
-    let Solved { scene, outcome, .. } = &run.solved;
-    let reading = request.reading(&method, &run.solved, run.is_saved());
-    let cells = run.in_threads(|| {
-        let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
-        grid(&reader, sides, reading.rates, &work)
-    })?;
+    let sides = args.cells.map(|count| count as usize);
+    let method = &args.run.method;
+    require_cells(sides, loaded.scene(), method.memory, ranks)?;
+    let request = args.request();
+    request.check(&loaded.options(method, ranks), &method.request())?;
+    let data = args.data.reserve(&loaded, &args.run.report, ranks, Ok)?;
+    let goal = method.goal(loaded.scene(), ranks)?.map(|goal| goal.read_by(args.read.by()));
+    let mut run = Run::to(goal, loaded, &args.run, ranks)?;
+    let reading = request.reading(&method.request(), &run.solved, run.is_saved());
+    let read = || grid(&run.reader(&reading), sides, reading.rates, &run.work());
+    let cells = run.in_threads(read)?;
+    let scene = &run.solved.scene;
     data.write(&scene.bands, "cells", &table(scene, &cells))?;
     run.add_read_error(ReadError::of(cells.iter().map(|cell| cell.deviation)), reading.eps);
-    run.finish(progress, data.written())
+    run.finish(data.written())
 }
 
 /// A row per cell: `surface,i,j,E_<band>…,B_<band>…,area,x,y,z` in CSV; in JSON the relative standard

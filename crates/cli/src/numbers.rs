@@ -1,26 +1,17 @@
 //! Numbers typed as values of options, with what is expected where they are refused.
 
-use std::str::FromStr;
-
 use clap::builder::RangedU64ValueParser;
 use radiosity_request::ranges;
 use radiosity_request::ranges::PIXELS;
 
 /// Two counts written `AxB`, such as `16x16` or `800x600`, each at most 16384 as in scenes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Counts(pub(crate) [u32; 2]);
-
-impl FromStr for Counts {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let count = |part: &str| part.parse().ok().filter(|count: &u32| PIXELS.contains(&u64::from(*count)));
-        text.split_once(['x', 'X', '×'])
-            .and_then(|(first, second)| Some(Counts([count(first)?, count(second)?])))
-            .ok_or_else(|| {
-                format!("expected two numbers from 1 to {} with an x between, such as 16x16", PIXELS.end())
-            })
-    }
+pub(crate) fn counts(text: &str) -> Result<[u32; 2], String> {
+    let count = |part: &str| part.parse().ok().filter(|count: &u32| PIXELS.contains(&u64::from(*count)));
+    let counts =
+        text.split_once(['x', 'X', '×']).and_then(|(first, second)| Some([count(first)?, count(second)?]));
+    let expected =
+        || format!("expected two numbers from 1 to {} with an x between, such as 16x16", PIXELS.end());
+    counts.ok_or_else(expected)
 }
 
 /// A number above 0.

@@ -5,26 +5,24 @@ use std::path::Path;
 use clap::Args;
 use radiosity_output::table::{Column, Table, Value};
 use radiosity_reading::plane_figures::PlaneFigures;
-use radiosity_reading::probe::{ProbeReading, probe};
+use radiosity_reading::probe::{Probe, ProbeReading, probe};
 use radiosity_reading::read_error::ReadError;
-use radiosity_reading::reader::Reader;
+use radiosity_request::aim::at_probes;
 use radiosity_scene::Scene;
-use radiosity_solve::solved::Solved;
-use radiosity_work::Work;
+use radiosity_solve::studies::adaptation::Goal;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
-    checkpoint::CheckpointArgs,
     data::DataArgs,
     error::CliError,
-    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    loaded::Loaded,
+    options::{PARAMETER_OR_GROUP, SCENE_OR_SOLUTION, SceneArg},
     output_file::OutputFile,
     plan::PictureArgs,
     planes::PlaneArgs,
-    points::{Points, PointsError},
-    progress::Progress,
+    points::Points,
     read::ReadArgs,
-    run::{Loaded, Run},
+    run::{Run, RunArgs},
     sensors::Sensors,
 };
 
@@ -66,13 +64,7 @@ pub(crate) struct ProbeArgs {
     pub(crate) picture: PictureArgs,
 
     #[command(flatten)]
-    pub(crate) method: MethodArgs,
-
-    #[command(flatten)]
-    pub(crate) checkpoint: CheckpointArgs,
-
-    #[command(flatten)]
-    pub(crate) report: ReportArgs,
+    pub(crate) run: RunArgs,
 }
 
 impl ProbeArgs {
@@ -80,38 +72,41 @@ impl ProbeArgs {
     /// work.
     pub(crate) fn load_points(&self, ranks: &Ranks) -> Result<Option<Points>, CliError> {
         let Some(points) = &self.points else {
-            return if self.planes.is_typed() { Ok(None) } else { Err(nowhere()) };
+            let nowhere = CliError::refused(
+                "nothing says where to read",
+                "add --points FILE.csv, --plane NAME, or --plane \"origin; edge; edge; spacing\"",
+            );
+            return self.planes.is_typed().then_some(None).ok_or(nowhere);
         };
         if self.planes.is_typed() {
-            return Err(CliError::Refused {
-                message: "--points and --plane both say where to read".to_owned(),
-                cure: "leave one of them out, or run the command once for each".to_owned(),
-            });
+            return Err(CliError::refused(
+                "--points and --plane both say where to read",
+                "leave one of them out, or run the command once for each",
+            ));
         }
         if points == "-" && self.scene.scene == "-" {
-            return Err(CliError::Points(PointsError {
-                origin: "<stdin>".to_owned(),
-                place: None,
-                fault: "scene and points cannot both come from standard input".to_owned(),
-                cure: "save one of them to a file".to_owned(),
-            }));
+            return Err(CliError::refused(
+                "<stdin>: scene and points cannot both come from standard input",
+                "save one of them to a file",
+            ));
         }
-        Ok(Some(Points::load(points, ranks)?))
+        Points::load(points, ranks).map(Some)
     }
 
     /// `output`, if it is not the file of the points.
     fn apart(&self, output: OutputFile) -> Result<OutputFile, CliError> {
-        match &self.points {
-            Some(points) => output.apart_from(Path::new(points), "the points"),
-            None => Ok(output),
-        }
+        output.apart_from(self.points.as_deref().map(Path::new), "the points")
     }
-}
 
-fn nowhere() -> CliError {
-    CliError::Refused {
-        message: "nothing says where to read".to_owned(),
-        cure: "add --points FILE.csv, --plane NAME, or --plane \"origin; edge; edge; spacing\"".to_owned(),
+    /// The accuracy that is wanted, and its aim, if one is wanted: where nothing says of what, that of the
+    /// light at the sensors.
+    fn goal(&self, sensors: &[Probe], scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
+        let method = &self.run.method;
+        let goal = match (&method.aim, method.request().wanted_accuracy()) {
+            (None, Some(accuracy)) => Some(at_probes(accuracy, sensors, scene)),
+            _ => method.goal(scene, ranks)?,
+        };
+        Ok(goal.map(|goal| goal.read_by(self.read.by())))
     }
 }
 
@@ -124,23 +119,19 @@ pub(crate) fn run(
 ) -> Result<(), CliError> {
     let sensors = match points {
         Some(points) => Sensors::Points(points),
-        None => Sensors::Planes(args.planes.of(&loaded.scene)?),
+        None => Sensors::Planes(args.planes.of(loaded.scene())?),
     };
-    args.read.check(&loaded.options(&args.method, ranks), &args.method)?;
-    args.report.reserve(ranks)?.map(|report| args.apart(report)).transpose()?;
-    let data = args.data.reserve(&loaded, &args.report, ranks, |output| args.apart(output))?;
-    let picture = args.picture.reserve(&loaded, &args.report, &sensors, ranks)?;
-    let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
-    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-    let mut run =
-        Run::for_sensors(loaded, &sensors.probes(), &args.method, args.read.by(), &args.report, &work)?;
-    let visibility = run.solved.visibility();
-    let Solved { scene, outcome, .. } = &run.solved;
-    let reading = args.read.reading(&args.method, &run);
-    let readings = run.in_threads(|| {
-        let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
-        probe(&reader, &sensors.probes(), scene.middle, &work)
-    })?;
+    let RunArgs { method, report, .. } = &args.run;
+    args.read.check(&loaded.options(method, ranks), method)?;
+    report.reserve(ranks)?.map(|report| args.apart(report)).transpose()?;
+    let data = args.data.reserve(&loaded, report, ranks, |output| args.apart(output))?;
+    let picture = args.picture.reserve(&loaded, report, &sensors, ranks)?;
+    let goal = args.goal(&sensors.probes(), loaded.scene(), ranks)?;
+    let mut run = Run::to(goal, loaded, &args.run, ranks)?;
+    let scene = &run.solved.scene;
+    let reading = args.read.reading(method, &run);
+    let read = || probe(&run.reader(&reading), &sensors.probes(), scene.middle, &run.work());
+    let readings = run.in_threads(read)?;
     let readings = readings.map_err(|(index, fault)| sensors.unreadable(index, fault))?;
     data.write(&scene.bands, "points", &table(scene, &sensors, &readings))?;
     let mut written: Vec<&str> = data.written().into_iter().collect();
@@ -152,7 +143,7 @@ pub(crate) fn run(
     let figures = planes.map(|on| PlaneFigures::of(on.plane, &scene.bands, on.items)).collect();
     run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps);
     run.add_planes(figures);
-    run.finish(progress, (!written.is_empty()).then(|| written.join(" and ")).as_deref())
+    run.finish((!written.is_empty()).then(|| written.join(" and ")).as_deref())
 }
 
 /// A row per point: `x,y,z,nx,ny,nz,E_<band>…,surface,u,v,B_<band>…` in CSV, in JSON with the relative

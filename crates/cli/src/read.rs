@@ -1,7 +1,5 @@
 //! Options for reading values, which several verbs share.
 
-use std::str::FromStr;
-
 use clap::Args;
 use radiosity_reading::grid::Rates;
 use radiosity_reading::quality::ReadSettings;
@@ -16,8 +14,16 @@ use crate::numbers::accuracy;
 use crate::options::MethodArgs;
 use crate::run::Run;
 
-/// A summary's words on light that was not gathered because that would have taken long.
-pub(crate) const ROUGH: &str = " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)";
+/// A summary's words on light that was `read` without being gathered because that would have taken long, not
+/// because it was `asked` for; else empty.
+pub(crate) fn rough(asked: Option<ReadMode>, read: ReadMode) -> &'static str {
+    match (asked, read) {
+        (None, ReadMode::Direct) => {
+            " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)"
+        }
+        _ => "",
+    }
+}
 
 /// `--read` and the accuracy of it.
 #[derive(Debug, Args)]
@@ -65,25 +71,13 @@ impl ReadArgs {
 }
 
 /// `--read-samples`: two counts written `8,2`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Samples(pub(crate) Rates);
-
-impl FromStr for Samples {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let count = |part: &str| {
-            part.trim().parse().ok().filter(|count: &usize| ranges::POINTS.contains(&(*count as u64)))
-        };
-        text.split_once(',')
-            .and_then(|(direct, indirect)| {
-                Some(Samples(Rates { direct: count(direct)?, indirect: count(indirect)? }))
-            })
-            .ok_or_else(|| {
-                format!(
-                    "expected two numbers from 1 to {} with a comma between, such as 8,2",
-                    ranges::POINTS.end()
-                )
-            })
-    }
+pub(crate) fn samples(text: &str) -> Result<Rates, String> {
+    let count = |part: &str| {
+        part.trim().parse().ok().filter(|count: &usize| ranges::POINTS.contains(&(*count as u64)))
+    };
+    let rates = text
+        .split_once(',')
+        .and_then(|(direct, indirect)| Some(Rates { direct: count(direct)?, indirect: count(indirect)? }));
+    let most = ranges::POINTS.end();
+    rates.ok_or_else(|| format!("expected two numbers from 1 to {most} with a comma between, such as 8,2"))
 }

@@ -4,7 +4,6 @@ use radiosity_output::table::{Column, Table, Value};
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality;
 use radiosity_reading::read_error::ReadError;
-use radiosity_reading::reader::Reader;
 use radiosity_solve::animation::frame::Frame;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
@@ -38,8 +37,7 @@ impl Readings {
 
     /// Reads the points in a frame.
     pub(super) fn read(&mut self, number: usize, frame: &Frame, ranks: &Ranks) -> Result<(), CliError> {
-        let how = &self.how;
-        let reader = Reader::by(how.by, &frame.solution, &frame.visibility, how.read, how.eps);
+        let reader = self.how.reader(&frame.solution, &frame.visibility);
         let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, &Work::among(ranks));
         let read = read.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
         self.frames.push(FrameReadings { frame: number, readings: read });
