@@ -10,12 +10,13 @@ use radiosity_scene::Scene;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
+    aim::wanted,
     data::DataArgs,
     error::CliError,
     loaded::Loaded,
     numbers::counts,
     options::{PARAMETER_OR_GROUP, SCENE_OR_SOLUTION, SceneArg},
-    read::{ReadArgs, samples},
+    read::samples,
     run::{Run, RunArgs},
 };
 
@@ -35,7 +36,7 @@ pub(crate) struct GridArgs {
     pub(crate) cells: [u32; 2],
 
     #[command(flatten)]
-    pub(crate) read: ReadArgs,
+    pub(crate) read: ReadRequest,
 
     /// Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as
     /// --quality says; light is then gathered by cells]
@@ -52,7 +53,7 @@ pub(crate) struct GridArgs {
 impl GridArgs {
     /// The request for reading.
     fn request(&self) -> ReadRequest {
-        ReadRequest { samples: self.read_samples, ..self.read.request() }
+        ReadRequest { samples: self.read_samples, ..self.read }
     }
 }
 
@@ -62,11 +63,12 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), 
     let method = &args.run.method;
     require_cells(sides, loaded.scene(), method.memory, ranks)?;
     let request = args.request();
-    request.check(&loaded.options(method, ranks), &method.request())?;
+    request.check(&loaded.options(method, ranks), method)?;
     let data = args.data.reserve(&loaded, &args.run.report, ranks, Ok)?;
-    let goal = method.goal(loaded.scene(), ranks)?.map(|goal| goal.read_by(args.read.by()));
+    let goal = wanted(method, loaded.scene(), ranks)?;
+    let goal = goal.map(|goal| goal.read_by(args.read.read_by.unwrap_or_default()));
     let mut run = Run::to(goal, loaded, &args.run, ranks)?;
-    let reading = request.reading(&method.request(), &run.solved, run.is_saved());
+    let reading = request.reading(method, &run.solved, run.is_saved());
     let read = || grid(&run.reader(&reading), sides, reading.rates, &run.work());
     let cells = run.in_threads(read)?;
     let scene = &run.solved.scene;

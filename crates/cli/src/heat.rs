@@ -11,10 +11,8 @@ use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;
 use radiosity_reading::accuracy_warning::{corrected, missed, no_error_of_order};
 use radiosity_reading::digits::significant;
-use radiosity_request::{HeatRequest, ranges};
-use radiosity_scene::{MAX_ORDER, Scene};
-use radiosity_solve::Transport;
-use radiosity_solvers::method::Method;
+use radiosity_request::HeatRequest;
+use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Observer, Progress as Event, Stage, Work};
@@ -24,7 +22,7 @@ use crate::{
     error::CliError,
     format,
     heat::picture::{HeatPicture, PictureArgs},
-    options::{SceneArg, solver},
+    options::SceneArg,
     output_file::OutputFile,
     progress::Progress,
     transfers::TransferArgs,
@@ -46,8 +44,10 @@ are left out; where they are known, they are a heat_flux.";
 #[derive(Debug, Args)]
 #[command(
     mut_arg("scene", |scene| scene.default_value("oven")),
-    mut_arg("eps", |eps| eps.default_value("1e-4").help("Accuracy of the transfers between elements, between 0 and 1")),
-    mut_arg("subdivide", |cuts| cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs")),
+    mut_arg("eps", |eps| eps.help("Accuracy of the transfers between elements, between 0 and 1 [default: 1e-4]")),
+    mut_arg("subdivide", |cuts| {
+        cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs [default: auto]")
+    }),
     after_help = NOTES
 )]
 pub(crate) struct HeatArgs {
@@ -67,31 +67,14 @@ pub(crate) struct HeatArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) conductances: Option<PathBuf>,
 
-    /// Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do
-    #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
-    pub(crate) order: u64,
-
-    /// How the pairs of elements are carried
-    #[arg(long, value_name = "MODE", default_value = "exact")]
-    pub(crate) transport: Transport,
-
-    /// Solver of the linear system
-    #[arg(long, value_name = "NAME", default_value = "auto", value_parser = solver())]
-    pub(crate) solver: &'static Method,
-
-    /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
-    #[arg(long, value_name = "BYTES", value_parser = ranges::bytes)]
-    memory: Option<u64>,
+    #[command(flatten)]
+    request: HeatRequest,
 
     #[command(flatten)]
     transfers: TransferArgs,
 
     #[command(flatten)]
     picture: PictureArgs,
-}
-
-fn order() -> clap::builder::RangedU64ValueParser<u64> {
-    clap::builder::RangedU64ValueParser::new().range(0..=MAX_ORDER as u64)
 }
 
 /// `--format` of the figures.
@@ -120,7 +103,7 @@ const DIGITS: usize = 6;
 /// Computes the balance of heat and writes it.
 pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
-    args.transfers.request().check()?;
+    args.transfers.request.check()?;
     let scene = args.scene.request().load_lit(ranks)?;
     let ranks = &args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
     let files = HeatFiles::reserve(args, &scene, ranks)?;
@@ -130,7 +113,7 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
             progress.report(event);
         }
     };
-    let options = args.request().options(ranks);
+    let options = args.request.options(&args.transfers.request, args.conductances.is_some(), ranks);
     let heat = Heat::of(&scene, &options, &Work::among(ranks).observed_by(&show))?;
     files.write(&heat)?;
     if let Some(picture) = files.picture {
@@ -191,18 +174,6 @@ impl<'a> HeatFiles<'a> {
 }
 
 impl HeatArgs {
-    /// The request for a balance of heat.
-    fn request(&self) -> HeatRequest {
-        HeatRequest {
-            transfers: self.transfers.request(),
-            order: self.order as usize,
-            transport: self.transport,
-            solver: self.solver,
-            memory: self.memory,
-            conductances: self.conductances.is_some(),
-        }
-    }
-
     /// The lines of the summary on the balance.
     fn findings(&self, scene: &Scene, heat: &Heat) -> Vec<String> {
         let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
@@ -230,7 +201,7 @@ impl HeatArgs {
             lines.push(format!("warning: {}", missed(&worst, names)));
         }
         if heat.error_orders.is_empty() {
-            lines.push(format!("warning: {}", no_error_of_order(self.order as usize)));
+            lines.push(format!("warning: {}", no_error_of_order(self.request.order())));
         }
         lines
     }

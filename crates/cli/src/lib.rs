@@ -15,8 +15,6 @@
 
 mod console;
 mod interrupt;
-mod masks;
-mod subdivide;
 mod numbers;
 mod error;
 mod points;
@@ -29,7 +27,6 @@ mod sensors;
 mod completions;
 mod format;
 mod output_file;
-mod import;
 mod options;
 mod forecast;
 mod destination;
@@ -74,7 +71,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 pub(crate) use error::CliError;
 pub use launch::launch;
 use loaded::Loaded;
-use options::MethodArgs;
+use options::fixing;
 use radiosity_work::ranks::Ranks;
 use typed_options::TypedOptions;
 
@@ -143,7 +140,7 @@ impl Cli {
         let mut command = Self::command();
         let matches = command.try_get_matches_from_mut(joined(std::env::args_os()))?;
         let mut cli = Self::from_arg_matches(&matches)?;
-        cli.fixing = matches.subcommand().map(|(_, typed)| MethodArgs::fixing(typed)).unwrap_or_default();
+        cli.fixing = matches.subcommand().map(|(_, typed)| fixing(typed)).unwrap_or_default();
         cli.given = TypedOptions::of(&command, &matches);
         Ok(cli)
     }

@@ -6,13 +6,14 @@ use std::time::Instant;
 
 use radiosity_language::Import;
 use radiosity_reading::files::solution_file::{is_solution, read};
+use radiosity_request::MethodRequest;
 use radiosity_scene::Scene;
 use radiosity_solve::Options;
 use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;
 
 use crate::error::CliError;
-use crate::options::{MethodArgs, ReportArgs, SceneArg, borrowed};
+use crate::options::{ReportArgs, SceneArg, borrowed};
 use crate::output_file::OutputFile;
 
 /// The scene of a verb as it was read, solved or not.
@@ -107,9 +108,9 @@ impl Loaded {
     }
 
     /// The options that the scene was or will be solved with.
-    pub(crate) fn options(&self, method: &MethodArgs, ranks: &Ranks) -> Options {
+    pub(crate) fn options(&self, method: &MethodRequest, ranks: &Ranks) -> Options {
         match &self.content {
-            Content::Scene(_) => method.request().options(ranks),
+            Content::Scene(_) => method.options(ranks),
             Content::Solved(solved) => solved.options,
         }
     }

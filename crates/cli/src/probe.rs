@@ -7,12 +7,14 @@ use radiosity_output::table::{Column, Table, Value};
 use radiosity_reading::plane_figures::PlaneFigures;
 use radiosity_reading::probe::{Probe, ProbeReading, probe};
 use radiosity_reading::read_error::ReadError;
+use radiosity_request::ReadRequest;
 use radiosity_request::aim::at_probes;
 use radiosity_scene::Scene;
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
+    aim::wanted,
     data::DataArgs,
     error::CliError,
     loaded::Loaded,
@@ -21,7 +23,6 @@ use crate::{
     plan::PictureArgs,
     planes::PlaneArgs,
     points::Points,
-    read::ReadArgs,
     run::{Run, RunArgs},
     sensors::Sensors,
 };
@@ -55,7 +56,7 @@ pub(crate) struct ProbeArgs {
     pub(crate) planes: PlaneArgs,
 
     #[command(flatten)]
-    pub(crate) read: ReadArgs,
+    pub(crate) read: ReadRequest,
 
     #[command(flatten)]
     data: DataArgs,
@@ -102,11 +103,11 @@ impl ProbeArgs {
     /// light at the sensors.
     fn goal(&self, sensors: &[Probe], scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
         let method = &self.run.method;
-        let goal = match (&method.aim, method.request().wanted_accuracy()) {
+        let goal = match (&method.aim, method.wanted_accuracy()) {
             (None, Some(accuracy)) => Some(at_probes(accuracy, sensors, scene)),
-            _ => method.goal(scene, ranks)?,
+            _ => wanted(method, scene, ranks)?,
         };
-        Ok(goal.map(|goal| goal.read_by(self.read.by())))
+        Ok(goal.map(|goal| goal.read_by(self.read.read_by.unwrap_or_default())))
     }
 }
 
@@ -129,7 +130,7 @@ pub(crate) fn run(
     let goal = args.goal(&sensors.probes(), loaded.scene(), ranks)?;
     let mut run = Run::to(goal, loaded, &args.run, ranks)?;
     let scene = &run.solved.scene;
-    let reading = args.read.reading(method, &run);
+    let reading = args.read.reading(method, &run.solved, run.is_saved());
     let read = || probe(&run.reader(&reading), &sensors.probes(), scene.middle, &run.work());
     let readings = run.in_threads(read)?;
     let readings = readings.map_err(|(index, fault)| sensors.unreadable(index, fault))?;

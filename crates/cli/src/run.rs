@@ -15,18 +15,20 @@ use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::read_error::ReadError;
 use radiosity_reading::reader::Reader;
 use radiosity_reading::report::Report;
+use radiosity_request::MethodRequest;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Goal;
 use radiosity_solve::{Options, in_threads};
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Deadline, Work};
 
+use crate::aim::{points_file, wanted};
 use crate::checkpoint::CheckpointArgs;
 use crate::console;
 use crate::error::CliError;
 use crate::interrupt;
 use crate::loaded::{Content, Loaded};
-use crate::options::{MethodArgs, ReportArgs};
+use crate::options::ReportArgs;
 use crate::output_file::OutputFile;
 use crate::progress::Progress;
 use crate::typed_options::TypedOptions;
@@ -35,7 +37,7 @@ use crate::typed_options::TypedOptions;
 #[derive(Debug, Args)]
 pub(crate) struct RunArgs {
     #[command(flatten)]
-    pub(crate) method: MethodArgs,
+    pub(crate) method: MethodRequest,
 
     #[command(flatten)]
     pub(crate) checkpoint: CheckpointArgs,
@@ -54,7 +56,7 @@ impl RunArgs {
         other: Option<&Path>,
         ranks: &Ranks,
     ) -> Result<Ranks, CliError> {
-        self.checkpoint.recording(given, inputs, &[self.method.points_file(), other], ranks)
+        self.checkpoint.recording(given, inputs, &[points_file(&self.method), other], ranks)
     }
 }
 
@@ -114,7 +116,7 @@ impl Start {
 impl Run {
     /// Solves the scene, unless its solution was read.
     pub(crate) fn solve(loaded: Loaded, args: &RunArgs, ranks: &Ranks) -> Result<Self, CliError> {
-        let goal = args.method.goal(loaded.scene(), ranks)?;
+        let goal = wanted(&args.method, loaded.scene(), ranks)?;
         Self::to(goal, loaded, args, ranks)
     }
 
@@ -126,15 +128,15 @@ impl Run {
         ranks: &Ranks,
     ) -> Result<Self, CliError> {
         let deadline = args.method.deadline().map(Arc::new);
-        Self::with_options(args.method.request().options(ranks), goal, loaded, args, deadline, ranks)
+        Self::with_options(args.method.options(ranks), goal, loaded, args, deadline, ranks)
     }
 
     /// Solves as [`Run::solve`], and keeps what there is where the solver does not converge, or where Ctrl-C
     /// ends the rays.
     pub(crate) fn keeping_parts(loaded: Loaded, args: &RunArgs, ranks: &Ranks) -> Result<Self, CliError> {
-        let goal = args.method.goal(loaded.scene(), ranks)?;
-        let deadline = Some(interrupt::soften(args.method.request().deadline()));
-        let options = Options { keep_partial: true, ..args.method.request().options(ranks) };
+        let goal = wanted(&args.method, loaded.scene(), ranks)?;
+        let deadline = Some(interrupt::soften(args.method.ends_at()));
+        let options = Options { keep_partial: true, ..args.method.options(ranks) };
         Self::with_options(options, goal, loaded, args, deadline, ranks)
     }
 
@@ -146,7 +148,7 @@ impl Run {
         deadline: Option<Arc<Deadline>>,
         ranks: &Ranks,
     ) -> Result<Self, CliError> {
-        args.method.request().check()?;
+        args.method.check()?;
         let start = Start::of(&loaded, &args.report, deadline, ranks)?;
         let solved = match (loaded.content, goal) {
             (Content::Solved(solved), _) => *solved,

@@ -41,11 +41,10 @@ pub(crate) struct SolveArgs {
 
 /// Solves the scene and writes the coefficients.
 pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    let request = args.run.method.request();
-    require_all_bounces(&request, KEPT, "type --bounces to render, probe or grid, with the scene")?;
+    require_all_bounces(&args.run.method, KEPT, "type --bounces to render, probe or grid, with the scene")?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene().name).into());
     let format = SolutionFormat::of(&path);
-    format.check(&path, &request.options(ranks))?;
+    format.check(&path, &args.run.method.options(ranks))?;
     let output = loaded.reserve(&path, &args.run.report, ranks)?;
     let solve = if args.keep_partial { Run::keeping_parts } else { Run::solve };
     let run = solve(loaded, &args.run, ranks)?;

@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use radiosity_request::ReadRequest;
 
 use crate::{
     colours::ColourArgs,
     numbers::counts,
     options::{PARAMETER_OR_GROUP, SCENE_OR_SOLUTION, SceneArg},
-    read::ReadArgs,
     run::RunArgs,
 };
 
@@ -45,7 +45,7 @@ pub(crate) struct ReportPageArgs {
     pub(crate) size: Option<[u32; 2]>,
 
     #[command(flatten)]
-    pub(crate) read: ReadArgs,
+    pub(crate) read: ReadRequest,
 
     #[command(flatten)]
     pub(crate) colours: ColourArgs,

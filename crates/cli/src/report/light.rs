@@ -81,7 +81,7 @@ impl<'a> ReportLight<'a> {
         ranks: &Ranks,
     ) -> Result<(Run, ReadLight), CliError> {
         let mut run = Run::solve(loaded, &args.run, ranks)?;
-        let reading = args.read.reading(&args.run.method, &run);
+        let reading = args.read.reading(&args.run.method, &run.solved, run.is_saved());
         let Solved { scene, outcome, .. } = &run.solved;
         let (sensed, cells) = run.in_threads(|| {
             let (reader, work) = (run.reader(&reading), run.work());
