@@ -10,6 +10,7 @@ use std::time::Instant;
 use radiosity::Scene;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::{Discretization, Elements};
+use radiosity::output::drawings::diagram::Panel;
 use radiosity::solve::system::{Coefficients, System};
 use radiosity::solvers::Settings;
 use radiosity::solvers::method::Method;
@@ -22,8 +23,7 @@ use radiosity::{
 };
 
 use crate::apart::{apart, means};
-use crate::diagram;
-use crate::diagram::{Line, Panel};
+use crate::diagram::{self, Line};
 
 const SCENES: [&str; 2] = ["cornell-box", "two-boxes"];
 
@@ -106,7 +106,7 @@ pub(crate) fn sooner(file: &Path) -> Result<(), Box<dyn Error>> {
         }
         panels.push(panel(name, &runs));
     }
-    diagram::write(file, "relative error of mean irradiances", &panels)
+    diagram::write(file, "errors of mean irradiances", panels)
 }
 
 /// A line for each way.
@@ -115,7 +115,7 @@ fn panel(name: &str, runs: &[Run]) -> Panel {
         let own = runs.iter().filter(|run| run.way == way);
         Line { label: way.label().to_owned(), places: own.map(|run| (run.seconds, run.error)).collect() }
     };
-    Panel { title: name.to_owned(), lines: Way::ALL.map(line).into() }
+    diagram::panel(name, "relative error", Way::ALL.map(line))
 }
 
 fn tell(name: &str, what: &str, run: Run) -> Run {
