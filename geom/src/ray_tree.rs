@@ -140,6 +140,11 @@ impl RayTree {
         [self.size.to_bits(), u64::from(self.twins[own])]
     }
 
+    /// The other side of the sheet that the surface of place `own` is one side of; `own` where it has none.
+    pub fn other_side(&self, own: usize) -> usize {
+        self.twins[own] as usize
+    }
+
     /// Whether a ray as of [`RayTree::nearest_from`] through other surfaces, with this [`RayTree::reach`],
     /// might meet one of these before `end`, in multiples of `direction`, or as near to it as two that are
     /// met at once.

@@ -1,6 +1,8 @@
 """Options by name: those of the command, with `_` for `-`; see `radiosity solve --help`.
 
 Each function says which of these it takes: `radiosity.load("room.toml").solve(order=5, eps=1e-4)` takes those of `Method`.
+
+Made by `WRITE_DOCUMENTS=1 cargo test --release -p radiosity-cli documented`.
 """
 
 from __future__ import annotations
@@ -13,16 +15,17 @@ class Import(TypedDict, total=False):
     """How a scene is read.
 
     frame: float
-        The frame of a scene in which something moves, counted from 0, or what is between two.
+        Takes this frame of a scene in which something moves, counted from 0, or what is between two: 12.5 [default: the scene at
+        rest].
 
     tolerance_length: float
-        Corners and planes nearer than this length are made to agree; 0 for none.
+        Corners and planes nearer than this length are made to agree; 0 for none [default: the rounding of the coordinates].
 
     strict: bool
         Refuses a scene of another program that needs repairs.
 
-    format: str
-        Format of a scene of another program, instead of that of the ending of its name.
+    format: "mgf", "obj", "gltf", "stl", "ply", "mitsuba", "rad" or "vs3"
+        Format of the scene [default: that of the ending of its name].
 
     one_sided: bool
         Only fronts reflect and emit, whatever the file says.
@@ -31,16 +34,17 @@ class Import(TypedDict, total=False):
         Fronts and backs reflect and emit, whatever the file says.
 
     materials: str or a path
-        A file of materials by name.
+        Materials by name, of the scene and of its surfaces: [materials.NAME] with reflectance and emission, and [surfaces] with
+        "lamp*" = "NAME".
 
-    unit: "mm", "cm", "dm", "m", "in", "ft" or "yd"
-        Unit of the lengths in the file, which become metres.
+    unit: str
+        Unit of the lengths in the file, which become metres: mm, cm, dm, m, in, ft or yd.
 
-    up: "y" or "z"
-        Axis that points upwards in the file; z will.
+    up: str
+        Axis that points upwards in the file, y or z; z will [default: y in glTF, else z].
 
     fix_fronts: bool
-        Turns fronts that seem to point the wrong way.
+        Turns fronts that seem to point the wrong way; else they are only told.
 
     grey: bool
         Red, green and blue become one band of their luminance.
@@ -49,12 +53,12 @@ class Import(TypedDict, total=False):
     frame: float
     tolerance_length: float
     strict: bool
-    format: str
+    format: Literal["mgf", "obj", "gltf", "stl", "ply", "mitsuba", "rad", "vs3"]
     one_sided: bool
     two_sided: bool
     materials: str | os.PathLike[str]
-    unit: Literal["mm", "cm", "dm", "m", "in", "ft", "yd"]
-    up: Literal["y", "z"]
+    unit: str
+    up: str
     fix_fronts: bool
     grey: bool
 
@@ -63,85 +67,88 @@ class Method(TypedDict, total=False):
     """How light is computed.
 
     quality: "quick", "default", "fine" or "finest"
-        Preset of order and accuracies, and of how finely points, planes and cells are read; pictures take the former alone.
+        Preset of order and accuracies, and of how finely probe, grid and report read; single options go before it [default:
+        default].
 
     method: "galerkin" or "hierarchical"
-        Which algorithm finds the light.
+        Which algorithm finds the light [default: galerkin].
 
     basis: "legendre", "constant", "linear" or "harmonic"
-        Functions whose sums the light on surfaces is.
+        Functions whose sums the light on surfaces is; those other than legendre are for comparison [default: legendre].
 
     order: int or "auto"
-        Degree of the polynomials on each element (3); 0 is classical radiosity, "auto" is accuracy=1e-2.
+        Degree of the polynomials on each element; 0 is classical radiosity, auto is accuracy=1e-2 [default: 3; as `quality` says].
 
     accuracy: float
         Wanted relative error: raises order, layers, cuts and accuracies until it is reached.
 
     time_limit: float
-        Seconds after which no finer run begins, and rays end, where an accuracy is wanted.
+        Seconds after which no finer run begins, and rays end, where an accuracy is wanted; what there is is written, with exit code
+        3.
 
     tensor: bool
         Polynomials of that degree in each coordinate, not in both together.
 
     subdivide: int or "auto"
-        Cuts each surface into K × K elements.
+        Cuts each surface into K × K elements; auto looks at what the scene needs [default: auto].
 
     layers: int
-        Layers of elements graded towards the sides of every surface, 0 to 8.
+        Layers of elements graded towards the sides of every surface [default: 0].
 
     ratio: float
-        Size of each layer against the next (0.25).
+        Size of each layer against the next, between 0 and 1 [default: 0.25].
 
     eps: float
-        Accuracy of the transfers between elements (1e-3).
+        Accuracy of the transfers between elements, between 0 and 1 [default: 1e-3; as `quality` says].
 
     kernel: "default", "paper-legendre" or "paper-hybrid"
-        Rules of the transfers: as `eps` says, or those of Zatz 1993.
+        Rules of the transfers between elements; those of 1993 ignore `eps` [default: default].
 
     transport: "auto", "exact" or "sampled"
-        What carries the pairs of elements.
+        How the pairs of elements are carried [default: auto].
 
     rays: int
-        Rays of the sampled transport.
+        Rays of the sampled transport [default: by the number of surfaces and `shadow_eps`].
 
     solver: str
-        Solver of the linear system.
+        Solver of the linear system [default: auto].
 
     preconditioner: "block" or "none"
-        What cg and gmres multiply residuals by.
+        How cg and gmres precondition [default: block].
 
     bounces: int
-        Light that was reflected so many times at the most before it arrives (all).
+        Light that was reflected K times at the most before it arrives: 0 for light straight from emitters [default: all].
 
     tolerance: float
-        Relative residual at which an iterative solver stops (1e-8).
+        Relative residual at which an iterative solver stops [default: 1e-8].
 
     max_iterations: int
-        Iterations after which an iterative solver gives up (1000).
+        Iterations after which an iterative solver gives up [default: 1000].
+
+    shadows: "auto", "off", "rays", "exact" or "mask"
+        How it is found out what surfaces hide from each other [default: auto].
+
+    direct: "auto", "split" or "projected"
+        How light straight from emitters enters the solution [default: auto].
+
+    shadow_eps: float
+        Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1 [default: `eps` where that
+        is given, else 3e-3, as `quality` says].
+
+    mask_cells: int
+        Cells of a shadow mask along each side, with `shadows` mask [default: 40].
+
+    mask_average: "weighted" or "plain"
+        Values of a mask [default: weighted].
+
+    memory: int or str
+        Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free].
+
+    threads: int
+        Threads to use, all by default; results do not depend on it.
 
     keep_partial: bool
         Takes the best there is where the solver does not converge, with a warning.
-
-    shadows: "auto", "off", "rays", "exact" or "mask"
-        How it is found out what surfaces hide from each other.
-
-    direct: "auto", "split" or "projected"
-        How light straight from emitters enters the solution.
-
-    shadow_eps: float
-        Part of the light between two elements that may be in or out of shadow unnoticed (`eps`, else 3e-3).
-
-    mask_cells: int
-        Cells of a shadow mask along each side, with shadows="mask" (40).
-
-    mask_average: "weighted" or "plain"
-        What a mask tells.
-
-    memory: int or str
-        Most bytes to use (80 % of what is free), a number or a text such as "2G".
-
-    threads: int
-        Threads to use (all); results do not depend on it.
     """
 
     quality: Literal["quick", "default", "fine", "finest"]
@@ -163,7 +170,6 @@ class Method(TypedDict, total=False):
     bounces: int
     tolerance: float
     max_iterations: int
-    keep_partial: bool
     shadows: Literal["auto", "off", "rays", "exact", "mask"]
     direct: Literal["auto", "split", "projected"]
     shadow_eps: float
@@ -171,19 +177,21 @@ class Method(TypedDict, total=False):
     mask_average: Literal["weighted", "plain"]
     memory: int | str
     threads: int
+    keep_partial: bool
 
 
 class Reading(TypedDict, total=False):
     """How light is read.
 
     read: "basis", "direct", "gather" or "gather-twice"
-        Polynomials alone; direct light recomputed; or all light gathered anew (usual), once or twice.
+        Light that is read [default: gather; with `quality` finest gather-twice].
 
     read_by: "auto", "cells" or "rays"
-        By what light is gathered.
+        By what light is gathered [default: auto].
 
     read_eps: float
-        Relative accuracy of recomputed light (1.25e-3, or finer as the accuracy of the solution says).
+        Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as `quality` says; 1e-2 of a solution by rays;
+        less for a wanted accuracy below 4e-3: 0.3 of that].
 
     threads: int
         Threads to use (as the solution did); results do not depend on it.
@@ -199,8 +207,8 @@ class Cells(Reading, total=False):
     """How means over cells are read: the options of `Reading`, and these.
 
     read_samples: two int
-        Points along each side of a cell at which direct and gathered light are computed (4, 2; as `quality` says);
-        light is then gathered by cells.
+        Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as `quality` says; light is
+        then gathered by cells].
 
     memory: int or str
         Most bytes to use (as the solution did), a number or a text such as "2G".
@@ -213,14 +221,14 @@ class Cells(Reading, total=False):
 class Picture(TypedDict, total=False):
     """How a picture is taken.
 
+    samples: int
+        Camera rays along each side of a pixel: S × S in all [default: 3].
+
     read: "basis", "direct", "gather" or "gather-twice"
-        As for points; usually gathered, or direct where that would take two threads more than some ten seconds.
+        Light that the picture shows [default: gather, or direct where that would take two threads more than some ten seconds].
 
     show: "radiosity" or "irradiance"
-        What leaves surfaces (usual), or what arrives at them.
-
-    samples: int
-        Camera rays along each side of a pixel (3).
+        The quantity that is shown.
 
     memory: int or str
         Most bytes to use (as the solution did), a number or a text such as "2G".
@@ -229,9 +237,9 @@ class Picture(TypedDict, total=False):
         Threads to use (as the solution did); results do not depend on it.
     """
 
+    samples: int
     read: Literal["basis", "direct", "gather", "gather-twice"]
     show: Literal["radiosity", "irradiance"]
-    samples: int
     memory: int | str
     threads: int
 
@@ -240,42 +248,44 @@ class Transfers(TypedDict, total=False):
     """How transfers are integrated.
 
     subdivide: int or "auto"
-        Cuts each surface into K × K elements, which are summed.
+        Cuts each surface into K × K elements, which are summed: sharper shadows; auto looks at what the scene needs [default:
+        auto].
 
     eps: float
-        Accuracy of each factor (1e-3; of heat 1e-4).
+        Accuracy of each factor, relative to itself or a hundredth of the largest of its row; to the largest of its row where rays
+        carry it [default: 1e-3].
 
     shadow_eps: float
-        Accuracy of shadows (`eps`).
+        Accuracy of shadows [default: as `eps`].
 
-    shadows: "auto", "off", "rays" or "exact"
-        How it is found out what surfaces hide from each other.
+    shadows: "auto", "off", "rays", "exact" or "mask"
+        How it is found out what surfaces hide from each other [default: auto].
 
     threads: int
-        Threads to use (all); results do not depend on it.
+        Threads to use, all by default; results do not depend on it.
     """
 
     subdivide: int | Literal["auto"]
     eps: float
     shadow_eps: float
-    shadows: Literal["auto", "off", "rays", "exact"]
+    shadows: Literal["auto", "off", "rays", "exact", "mask"]
     threads: int
 
 
 class HeatMethod(Transfers, total=False):
-    """How a balance of heat is computed: the options of `Transfers`, and these.
+    """How a balance of heat is computed: the options of `Transfers`, whose `eps` is then 1e-4, and these.
 
     order: int
-        Degree of the polynomials on each element (3); 0 takes all fluxes as even over it, as thermal networks do.
+        Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do [default: 3].
 
     transport: "auto", "exact" or "sampled"
-        What carries the pairs of elements ("exact").
+        How the pairs of elements are carried [default: exact].
 
     solver: str
-        Solver of the linear system.
+        Solver of the linear system [default: auto].
 
     memory: int or str
-        Most bytes to use (80 % of what is free), a number or a text such as "2G".
+        Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free].
 
     conductances: bool
         Whether the conductances between all surfaces are wanted.

@@ -12,7 +12,7 @@ use radiosity::reading::files::solution_file::SolutionError;
 use radiosity::reading::files::vtu::VtuError;
 use radiosity::request::picture::NoCamera;
 use radiosity::request::{LoadError, Refusal};
-use radiosity::scene::{Fault, SceneError};
+use radiosity::scene::{Fault, FaultKind, SceneError};
 use radiosity::solve::Failure;
 use radiosity::solve::solved::RelightError;
 use radiosity::work::wording::{Wording, words};
@@ -84,8 +84,8 @@ impl From<Trouble> for PyErr {
 impl From<SceneError> for Trouble {
     fn from(error: SceneError) -> Self {
         let excerpt = error.place.as_ref().map(|place| place.excerpt()).unwrap_or_default();
-        let of_file = match &error.fault {
-            Fault::Unreadable { kind, .. } => Some(*kind),
+        let of_file = match error.fault.kind {
+            FaultKind::Unreadable(kind) => Some(kind),
             _ => None,
         };
         Self { excerpt, of_file, ..Self::plain(&error, error.advice()) }

@@ -147,7 +147,7 @@ impl Solution {
     }
 
     fn reader(&self, how: &ReadSettings) -> Reader<'_> {
-        Reader::by(how.by, &self.solved.outcome.solution, self.solved.visibility(), how.read, how.eps)
+        how.reader(&self.solved.outcome.solution, self.solved.visibility())
     }
 
     fn cells(&self, how: &ReadSettings, sides: [usize; 2], progress: &Progress) -> Vec<Cell> {

@@ -2,7 +2,9 @@
 
 use proptest::prelude::*;
 use radiosity::reading::files::solution_file::{SolutionFault, SolutionFile, read};
-use radiosity::scene::{Camera, Fault, Material, NamedMaterial, Scene, SceneBuilder, SceneError, Source};
+use radiosity::scene::{
+    Camera, Fault, FaultKind, Material, NamedMaterial, Scene, SceneBuilder, SceneError, Source,
+};
 use radiosity::solve::Options;
 use radiosity::work::ranks::Ranks;
 use radiosity_geom::shapes::Parallelogram;
@@ -36,37 +38,36 @@ fn fault(owner: Option<&str>, change: impl FnOnce(&mut SceneBuilder, &NamedMater
 
 #[test]
 fn names_are_given_once_and_say_something() {
-    let twice = |name: &str| Fault::DuplicateName { name: name.to_owned(), first: None };
+    let twice = |name: &str| format!("the name {name:?} is given twice");
     let found = fault(Some("surface \"floor\""), |room, white| {
         room.surface("floor", square(1.0), white);
     });
-    assert_eq!(found, twice("floor"));
+    assert_eq!(found.to_string(), twice("floor"));
     let found = fault(Some("surface \"floor:back\""), |room, white| {
         room.surface("roof", square(1.0), white).two_sided();
         room.surface("floor:back", square(2.0), white);
         room.surface("floor:back", square(3.0), white);
     });
-    assert_eq!(found, twice("floor:back"));
+    assert_eq!(found.to_string(), twice("floor:back"));
     let found = fault(Some("material \"white\""), |room, _| {
         room.material("white", material(0.2, 0.0));
     });
-    assert_eq!(found, twice("white"));
+    assert_eq!(found.to_string(), twice("white"));
     let found = fault(Some("surface \" \""), |room, white| {
         room.surface(" ", square(1.0), white);
     });
-    assert_eq!(found, Fault::EmptyText);
+    assert_eq!(found.to_string(), "this text is empty");
     let bands = |names: &[&str]| SceneBuilder::new("room", names.to_vec()).build().unwrap_err().fault;
-    assert_eq!(bands(&["red", "red"]), twice("red"));
-    assert!(matches!(bands(&[]), Fault::WrongCount { what: "the list of bands", found: 0, .. }));
+    assert_eq!(bands(&["red", "red"]).to_string(), twice("red"));
+    assert_eq!(bands(&[]).to_string(), "the list of bands takes at least one name, found 0");
 }
 
 #[test]
 fn surfaces_do_not_lie_in_one_another() {
-    let coincident = Fault::Coincident { other: "floor".to_owned() };
     let found = fault(Some("surface \"rug\""), |room, white| {
         room.surface("rug", Flipped::new(Box::new(square(0.0))), white);
     });
-    assert_eq!(found, coincident);
+    assert_eq!(found.kind, FaultKind::Coincident);
     let message = built(|room, white| {
         room.surface("rug", square(0.0), white);
     });
@@ -83,12 +84,23 @@ fn materials_have_a_number_in_range_for_each_band() {
             room.material("odd", odd);
         })
     };
-    assert!(matches!(with(vec![1.0], vec![0.0]), Fault::OutOfRange { what: "the reflectance", .. }));
-    assert!(matches!(with(vec![-0.1], vec![0.0]), Fault::OutOfRange { what: "the reflectance", .. }));
-    assert!(matches!(with(vec![0.5], vec![-1.0]), Fault::OutOfRange { what: "the emission", .. }));
-    assert!(matches!(with(vec![0.5], vec![f64::NAN]), Fault::NotFinite { .. }));
-    assert!(matches!(with(vec![0.5; 3], vec![0.0; 3]), Fault::WrongCount { found: 3, .. }));
-    assert!(matches!(with(vec![0.5], vec![]), Fault::WrongCount { what: "the emission", .. }));
+    let found = with(vec![1.0], vec![0.0]);
+    assert!(
+        found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the reflectance"),
+        "{found}"
+    );
+    let found = with(vec![-0.1], vec![0.0]);
+    assert!(
+        found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the reflectance"),
+        "{found}"
+    );
+    let found = with(vec![0.5], vec![-1.0]);
+    assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the emission"), "{found}");
+    assert_eq!(with(vec![0.5], vec![f64::NAN]).kind, FaultKind::NotFinite);
+    let found = with(vec![0.5; 3], vec![0.0; 3]);
+    assert!(found.kind == FaultKind::WrongCount && found.to_string().ends_with("found 3"), "{found}");
+    let found = with(vec![0.5], vec![]);
+    assert!(found.kind == FaultKind::WrongCount && found.to_string().starts_with("the emission"), "{found}");
 }
 
 /// A material of another scene comes along with all it must satisfy here.
@@ -100,11 +112,12 @@ fn foreign_materials_are_checked_as_well() {
     let found = fault(Some("material \"two\""), |room, _| {
         room.surface("wall", square(1.0), &two);
     });
-    assert!(matches!(found, Fault::WrongCount { found: 2, .. }));
+    let found = found;
+    assert!(found.kind == FaultKind::WrongCount && found.to_string().ends_with("found 2"), "{found}");
     let found = fault(Some("material \"white\""), |room, _| {
         room.surface("wall", square(1.0), &namesake);
     });
-    assert!(matches!(found, Fault::DuplicateName { .. }));
+    assert_eq!(found.kind, FaultKind::DuplicateName);
 }
 
 #[test]
@@ -112,18 +125,27 @@ fn wishes_of_surfaces_are_in_range() {
     let order = fault(Some("surface \"wall\""), |room, white| {
         room.surface("wall", square(1.0), white).order(21);
     });
-    assert!(matches!(order, Fault::OutOfRange { what: "the order", .. }));
+    let found = order;
+    assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the order"), "{found}");
     for (u, v) in [(0, 1), (1, 257)] {
         let parts = fault(Some("surface \"wall\""), |room, white| {
             room.surface("wall", square(1.0), white).subdivide(u, v);
         });
-        assert!(matches!(parts, Fault::OutOfRange { what: "the number of elements", .. }));
+        let found = parts;
+        assert!(
+            found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the number of elements"),
+            "{found}"
+        );
     }
     let extent = fault(Some("surface \"dust\""), |room, white| {
         let dust = plate(DVec3::Z, 1e-40 * DVec3::X, 1e-40 * DVec3::Y);
         room.surface("dust", dust, white);
     });
-    assert!(matches!(extent, Fault::OutOfRange { what: "the extent of the surface", .. }));
+    let found = extent;
+    assert!(
+        found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the extent of the surface"),
+        "{found}"
+    );
 }
 
 #[test]
@@ -134,12 +156,12 @@ fn cameras_have_a_view() {
         })
     };
     let down = Camera::new(3.0 * DVec3::Z, DVec3::ZERO);
-    assert!(matches!(with(down.clone()), Fault::BadCamera { problem: "the up vector lies along the view" }));
+    assert_eq!(with(down.clone()).to_string(), "the up vector lies along the view");
     let up = Camera { up: DVec3::Y, ..down };
-    assert!(matches!(with(Camera { target: up.eye, ..up.clone() }), Fault::BadCamera { .. }));
-    assert!(matches!(with(Camera { fov: 180.0, ..up.clone() }), Fault::OutOfRange { .. }));
-    assert!(matches!(with(Camera { width: 0, ..up.clone() }), Fault::OutOfRange { .. }));
-    assert!(matches!(with(Camera { eye: DVec3::NAN, ..up.clone() }), Fault::NotFinite { .. }));
+    assert_eq!(with(Camera { target: up.eye, ..up.clone() }).kind, FaultKind::NoDirection);
+    assert_eq!(with(Camera { fov: 180.0, ..up.clone() }).kind, FaultKind::OutOfRange);
+    assert_eq!(with(Camera { width: 0, ..up.clone() }).kind, FaultKind::OutOfRange);
+    assert_eq!(with(Camera { eye: DVec3::NAN, ..up.clone() }).kind, FaultKind::NotFinite);
     let scene = built(|room, _| {
         room.camera(up.clone());
     });
@@ -149,10 +171,7 @@ fn cameras_have_a_view() {
 #[test]
 fn a_scene_has_a_surface() {
     let error = SceneBuilder::new("void", ["grey"]).build().unwrap_err();
-    assert_eq!(
-        (error.to_string().as_str(), error.fault),
-        ("void: the scene has no surface", Fault::EmptyScene)
-    );
+    assert_eq!(error.to_string(), "void: the scene has no surface");
 }
 
 /// Options of a surface mean in code what they mean in a file.

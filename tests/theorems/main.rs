@@ -29,7 +29,6 @@ mod public;
 mod ranks;
 mod rounded;
 mod scene_format;
-mod schema;
 mod shapes;
 mod sources;
 mod textures;

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use radiosity::language::read;
-use radiosity::scene::{Fault, Scene, Source};
+use radiosity::scene::{Scene, Source};
 use radiosity_test_support::data;
 
 /// The languages that scenes are written in.
@@ -60,19 +60,19 @@ fn section<'a>(text: &'a str, heading: &str) -> &'a str {
 }
 
 /// The keys that may stand in place of `none`; nothing where the text is refused for another reason.
-fn known(text: &str) -> Option<Vec<&'static str>> {
-    match read(&Source::new("none", text)).expect_err("no key is called none").fault {
-        Fault::UnknownKey { key, known } if key == "none" => Some(known),
-        _ => None,
-    }
+fn known(text: &str) -> Option<Vec<String>> {
+    let fault = read(&Source::new("none", text)).expect_err("no key is called none").fault;
+    let cure = fault.cure().filter(|_| fault.to_string() == "unknown key \"none\"")?;
+    let (_, known) = cure.split_once("known keys: ")?;
+    Some(known.split(", ").map(str::to_owned).collect())
 }
 
 /// The shape keys of the language, each with its fields.
-fn shapes() -> Vec<(&'static str, Vec<&'static str>)> {
+fn shapes() -> Vec<(String, Vec<String>)> {
     let keys = known("[[surfaces]]\nnone = 1").expect("surfaces have keys");
     // Glass is a table, but no shape.
-    let keys = keys.into_iter().filter(|key| *key != "glass");
-    let fields = |key: &'static str| Some((key, known(&format!("[[surfaces]]\n{key} = {{ none = 1 }}"))?));
+    let keys = keys.into_iter().filter(|key| key != "glass");
+    let fields = |key: String| Some((key.clone(), known(&format!("[[surfaces]]\n{key} = {{ none = 1 }}"))?));
     keys.filter_map(fields).collect()
 }
 
@@ -91,7 +91,8 @@ fn scenes_of_the_document_are_read() {
     let shapes = shapes();
     assert!(shapes.len() > 10, "the shapes were found: {shapes:?}");
     assert!(count >= shapes.len(), "{count} examples of {} shapes", shapes.len());
-    let missing: Vec<&str> = shapes.iter().map(|(key, _)| *key).filter(|key| !shown.contains(key)).collect();
+    let missing: Vec<&str> =
+        shapes.iter().map(|(key, _)| key.as_str()).filter(|key| !shown.contains(key)).collect();
     assert!(missing.is_empty(), "no example of {missing:?}");
 }
 
@@ -127,9 +128,10 @@ fn scenes_in_toml_have_light() {
 #[test]
 fn every_key_stands_in_its_table() {
     let text = document();
-    let has = |heading: &str, keys: &[&str]| {
+    let has = |heading: &str, keys: &[String]| {
         let section = section(&text, heading);
-        let missing: Vec<&&str> = keys.iter().filter(|key| !section.contains(&format!("`{key}`"))).collect();
+        let missing: Vec<&String> =
+            keys.iter().filter(|key| !section.contains(&format!("`{key}`"))).collect();
         assert!(missing.is_empty(), "'{heading}' does not tell of {missing:?}");
     };
     let shapes = shapes();

@@ -4,7 +4,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, PI};
 
-use radiosity::scene::{Fault, Line, SceneError, SceneSurface, Source};
+use radiosity::scene::{SceneError, SceneSurface, Source};
 use radiosity_geom::DVec3;
 use radiosity_test_support::scenes::typed;
 
@@ -247,10 +247,8 @@ fn numbered_names_are_unique_too() {
     let text =
         format!("{}\n[[surfaces]]\nname = \"pot-1\"\n{}", toml("name = \"pot\"", PATCHES), flat()[0].shape);
     let error = radiosity::language::read(&Source::new("case", &text)).unwrap_err();
-    assert_eq!(
-        error.fault,
-        Fault::DuplicateName { name: "pot-1".to_owned(), first: Some(Line { number: 2, file: None }) }
-    );
+    assert_eq!(error.fault.to_string(), "the name \"pot-1\" is given twice");
+    assert_eq!(error.cure().as_deref(), Some("rename this one or the first, which stands on line 2"));
 }
 
 /// The error of a surface whose shape is wrong, and the text its place underlines.
@@ -317,14 +315,17 @@ fn wrong_fields_of_splines_are_refused_where_they_stand() {
 #[test]
 fn wrong_patches_are_refused_where_they_stand() {
     let (error, meant) = refused(&PATCHES.replace("26,27]", "26,28]"));
-    assert_eq!((error.fault, meant.as_str()), (Fault::NoSuchPoint { index: 28, count: 28 }, "28"));
+    assert_eq!(
+        (error.fault.to_string().as_str(), meant.as_str()),
+        ("there is no point 28: the list has 28", "28")
+    );
     let (error, meant) = refused(&PATCHES.replace("26,27]", "26]"));
     assert!(
         meant.starts_with("[12,13") && error.to_string().contains("16 indices of points, found 15"),
         "{error}"
     );
     let (error, meant) = refused(&PATCHES.replace("26,27]", "26,-1]"));
-    assert_eq!((error.fault, meant.as_str()), (Fault::NotWhole { value: -1.0 }, "-1"));
+    assert_eq!((error.fault.to_string().as_str(), meant.as_str()), ("-1 is not a whole number", "-1"));
     let flat = "[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0]";
     let (error, meant) = refused(&PATCHES.replace("[0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15]", flat));
     assert!(meant == flat && error.to_string().contains("`patches[0]` spans no area"), "{error}");

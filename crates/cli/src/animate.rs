@@ -32,11 +32,11 @@ use radiosity_work::ranks::Ranks;
 use crate::{
     console,
     error::CliError,
-    numbers::{Counts, number},
+    loaded::Loaded,
+    numbers::{counts, number},
     options::SceneArg,
     points::Points,
     progress::Progress,
-    run::{Loaded, options},
 };
 use frame_files::FrameFiles;
 use frames::FrameRange;
@@ -86,8 +86,8 @@ pub(crate) struct AnimateArgs {
     path_eps: f64,
 
     /// Pixels across and down [default: as the scene's camera says]
-    #[arg(long, value_name = "WxH")]
-    size: Option<Counts>,
+    #[arg(long, value_name = "WxH", value_parser = counts)]
+    size: Option<[u32; 2]>,
 
     /// Camera rays along each side of a pixel: S × S in all [default: 3]
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
@@ -139,9 +139,7 @@ impl AnimateArgs {
 
     /// Refuses methods that frames do not share.
     fn refuse_methods(&self, asked: &Options) -> Result<(), CliError> {
-        let refuse = |message: &str, cure: &str| {
-            Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
-        };
+        let refuse = |message: &str, cure: &str| Err(CliError::refused(message, cure));
         if self.method.wanted_accuracy().is_some() {
             return refuse(
                 "--accuracy: elements that one frame needs are not those of another",
@@ -168,24 +166,26 @@ impl AnimateArgs {
         let output = match (&self.output, &self.probe) {
             (Some(output), _) => output.clone(),
             (None, Some(_)) => return Ok(None),
-            (None, None) => format!("{}-####.png", loaded.scene.name).into(),
+            (None, None) => format!("{}-####.png", loaded.scene().name).into(),
         };
-        let rate = loaded.scene.animation.as_ref().map(|animation| animation.rate);
+        let rate = loaded.scene().animation.as_ref().map(|animation| animation.rate);
         let of_scene = rate.filter(|rate| *rate != 1.0);
         let film = FrameFiles::new(&output, self.fps, of_scene, first, loaded, ranks)?;
         if film.is_exr() && self.exposure.is_some() {
-            return Err(CliError::Refused {
-                message: "--exposure: an .exr holds the values and nothing else".to_owned(),
-                cure: "leave it out, or choose files ending in .png".to_owned(),
-            });
+            return Err(CliError::refused(
+                "--exposure: an .exr holds the values and nothing else",
+                "leave it out, or choose files ending in .png",
+            ));
         }
         Ok(Some(film))
     }
 }
 
-/// A camera that takes all pictures alike.
+/// What is made of frames: readings at points, and pictures, all taken alike.
 struct Shutter<'a> {
     args: &'a AnimateArgs,
+    readings: Option<Readings>,
+    film: Option<FrameFiles>,
     /// Exposure of all pictures, 1 over the radiosity that is white; that of the first picture unless told.
     exposure: Option<f64>,
     /// Source of the light, as for the first picture unless told.
@@ -193,9 +193,44 @@ struct Shutter<'a> {
 }
 
 impl Shutter<'_> {
+    /// Whether the picture of a frame was made by a run that is resumed.
+    fn has(&self, number: usize, ranks: &Ranks) -> bool {
+        self.args.resume && self.film.as_ref().is_some_and(|film| film.has(number, ranks))
+    }
+
+    /// Whether nothing says yet how pictures are exposed and read.
+    fn is_unset(&self) -> bool {
+        self.exposure.is_none() || self.read.is_none()
+    }
+
+    /// Reads a frame, and writes its picture unless that `is_there`; the first one exposes all others.
+    fn record(
+        &mut self,
+        number: usize,
+        frame: &Frame,
+        is_first: bool,
+        is_there: bool,
+        ranks: &Ranks,
+    ) -> Result<(), CliError> {
+        if let Some(readings) = &mut self.readings {
+            readings.read(number, frame, ranks)?;
+        }
+        let Some(mut film) = self.film.take() else { return Ok(()) };
+        if is_first || !is_there {
+            let raster = self.take(frame, ranks)?;
+            let mut develop = || self.developed(&raster, frame);
+            match is_there {
+                true => drop(develop()),
+                false => film.add(number, &raster, develop, ranks)?,
+            }
+        }
+        self.film = Some(film);
+        Ok(())
+    }
+
     /// The picture of a frame, through its own camera.
     fn take(&mut self, frame: &Frame, ranks: &Ranks) -> Result<Raster, CliError> {
-        let camera = camera(self.args.size.map(|Counts(size)| size), &frame.scene)?;
+        let camera = camera(self.args.size, &frame.scene)?;
         let visibility = &frame.visibility;
         let usual = || usual_read(&frame.solution, visibility, pixels(&camera));
         let read = *self.read.get_or_insert_with(usual);
@@ -216,53 +251,36 @@ impl Shutter<'_> {
 /// Solves the frames and writes what was asked for.
 pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let begun = Instant::now();
-    let scene = &loaded.scene;
+    let scene = loaded.scene();
     args.method.check()?;
     let frames = "frames that follow each other hold all light";
     require_all_bounces(&args.method, frames, "take single frames: render --frame K --bounces …")?;
-    let asked = options(&args.method, ranks);
+    let asked = args.method.options(ranks);
     args.refuse_methods(&asked)?;
     let range = FrameRange::within(args.frames, scene)?;
     let points = args.probe.as_deref().map(|points| Points::load(points, ranks)).transpose()?;
-    let mut film = args.film(&loaded, range.ends()[0], ranks)?;
+    let film = args.film(&loaded, range.ends()[0], ranks)?;
     if film.is_some() {
-        let camera = camera(args.size.map(|Counts(size)| size), scene)?;
+        let camera = camera(args.size, scene)?;
         require_pixels(&camera, scene, args.method.memory, ranks)?;
     }
     let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
     let mut follower = Follower::new(scene, &asked, args.way(), range.ends());
-    let mut readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
-    let mut shutter = Shutter { args, exposure: args.exposure, read: args.read.read };
+    let readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
+    let mut shutter = Shutter { args, readings, film, exposure: args.exposure, read: args.read.read };
     let mut made = 0;
     for (done, number) in range.numbers().enumerate() {
         progress.say_whole(standing(done, range.count(), made, begun));
-        // The first picture exposes all others.
-        let is_there = args.resume && film.as_ref().is_some_and(|film| film.has(number, ranks));
-        let is_unset = shutter.exposure.is_none() || shutter.read.is_none();
-        let is_needed = readings.is_some() || !is_there || (done == 0 && is_unset);
-        if !is_needed {
+        let (is_first, is_there) = (done == 0, shutter.has(number, ranks));
+        if is_there && shutter.readings.is_none() && !(is_first && shutter.is_unset()) {
             continue;
         }
         let frame = follower.frame(number, &work)?;
         made += 1;
-        asked.in_threads(ranks, || {
-            if let Some(readings) = &mut readings {
-                readings.read(number, &frame, ranks)?;
-            }
-            let Some(film) = &mut film else { return Ok(()) };
-            if is_there && done > 0 {
-                return Ok(());
-            }
-            let raster = shutter.take(&frame, ranks)?;
-            let mut develop = || shutter.developed(&raster, &frame);
-            if is_there {
-                drop(develop());
-                return Ok(());
-            }
-            film.add(number, &raster, develop, ranks)
-        })??;
+        asked.in_threads(ranks, || shutter.record(number, &frame, is_first, is_there, ranks))??;
     }
+    let Shutter { film, readings, .. } = shutter;
     film.map_or(Ok(()), FrameFiles::finish)?;
     let read_error = readings.as_ref().and_then(Readings::error);
     readings.map_or(Ok(()), |readings| readings.write(&scene.bands, ranks))?;
@@ -271,7 +289,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
         let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());
         lines.extend(RanksWork::so_far(ranks, asked.threads).map(|work| work.to_string()));
         lines.extend(read_error.map(|error| error.to_string()));
-        console::tell(&(lines.join("\n") + "\n"), ranks);
+        console::tell(&lines, ranks);
     }
     Ok(())
 }

@@ -12,21 +12,17 @@ use radiosity_output::pictures::tone::Tone;
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::render::{usual_read, white_balance};
 use radiosity_reading::reader::ReadMode;
-use radiosity_request::MethodRequest;
 use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
-use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
 use crate::{
     error::CliError,
     forecast,
-    numbers::Counts,
-    options::ReportArgs,
-    progress::Progress,
-    read::ROUGH,
-    run::{Loaded, Run},
+    loaded::Loaded,
+    read::rough,
+    run::{Run, RunArgs},
     style::StyleArgs,
 };
 
@@ -43,33 +39,31 @@ pub(crate) struct Bake<'a> {
     /// Path of the .glb file.
     pub(crate) path: &'a Path,
     /// The number of texels, as that of a picture.
-    pub(crate) size: Option<Counts>,
+    pub(crate) size: Option<[u32; 2]>,
     /// Source of the light.
     pub(crate) read: Option<ReadMode>,
     pub(crate) style: &'a StyleArgs,
-    pub(crate) method: &'a MethodRequest,
-    pub(crate) report: &'a ReportArgs,
+    pub(crate) args: &'a RunArgs,
 }
 
 impl Bake<'_> {
     /// Solves the scene and writes it with its light; the light as it is goes to an .exr beside it.
     pub(crate) fn run(&self, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
         let beside = self.path.with_extension("exr");
-        let output = loaded.reserve(self.path, self.report, ranks)?;
-        let linear = loaded.reserve(&beside, self.report, ranks)?.apart_from(self.path, "the triangles")?;
-        let [across, down] = self.size.map_or(SIZE, |Counts(size)| size);
+        let report = &self.args.report;
+        let output = loaded.reserve(self.path, report, ranks)?;
+        let linear = loaded.reserve(&beside, report, ranks)?.apart_from(Some(self.path), "the triangles")?;
+        let [across, down] = self.size.unwrap_or(SIZE);
         let texels = u64::from(across) * u64::from(down);
-        let [width, height] = texture_size(Lightmap::sizes(&loaded.scene, texels as usize));
+        let [width, height] = texture_size(Lightmap::sizes(loaded.scene(), texels as usize));
         let less = "ask for fewer with --size";
-        forecast::require_texels(width * height, &loaded.scene, self.method, less, ranks)?;
-        let (progress, deadline) = (Progress::of(self.report, ranks), self.method.deadline());
-        let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-        let run = Run::solve(loaded, self.method, self.report, &work)?;
+        forecast::require_texels(width * height, loaded.scene(), &self.args.method, less, ranks)?;
+        let run = Run::solve(loaded, self.args, ranks)?;
         let (scene, solution) = (&run.solved.scene, &run.solved.outcome.solution);
         let usual = || usual_read(solution, run.solved.visibility(), texels);
         let read = self.read.unwrap_or_else(usual);
         let (triangles, lightmap) = run.in_threads(|| {
-            let lightmap = Lightmap::new(&run.solved, read, texels as usize, &work);
+            let lightmap = Lightmap::new(&run.solved, read, texels as usize, &run.work());
             (tessellation(scene, NEAR * diagonal(scene)), lightmap)
         })?;
         let baked = BakedScene::new(scene, &triangles, &lightmap, self.style.show);
@@ -80,9 +74,9 @@ impl Bake<'_> {
         linear.put()?;
         let [width, height] = baked.raster().size();
         let figures = format!("{} triangles, texture of {width} × {height}", baked.triangles());
-        let note = if self.read.is_none() && read == ReadMode::Direct { ROUGH } else { "" };
+        let note = rough(self.read, read);
         let files = [self.path, &beside].map(Path::display);
-        run.finish(progress, Some(&format!("{} ({figures}) and {}{note}", files[0], files[1])))
+        run.finish(Some(&format!("{} ({figures}) and {}{note}", files[0], files[1])))
     }
 
     /// The texture in colours, and the remarks on it in the file; `beside` is the file of the light as it is.

@@ -1,15 +1,13 @@
 //! `radiosity check`: what is in a scene, and what looks wrong.
 
-use std::{
-    collections::BTreeMap,
-    fmt::{self, Write as _},
-};
+use std::collections::BTreeMap;
 
 use clap::{Args, ValueEnum};
 use radiosity_geom::Adjacency;
 use radiosity_geom::DVec3;
+use radiosity_output::table::{Column, Table};
 use radiosity_scene::{
-    Animation, Camera, Distribution, Extent, Imported, LiesOn, Luminaire, Mover, Scene, SceneSurface,
+    Animation, Camera, Distribution, Extent, Fitted, Imported, LiesOn, Luminaire, Mover, Scene, SceneSurface,
     SensorPlane,
 };
 use radiosity_visibility::footprints::Footprint;
@@ -19,7 +17,7 @@ use radiosity_visibility::inspection::{
 use radiosity_work::ranks::Ranks;
 use serde_json::{Value, json};
 
-use crate::{console, error::CliError, materials, options::SceneArg, table::Table};
+use crate::{console, error::CliError, materials, options::SceneArg};
 
 /// Says what is in a scene, what touches what, and what looks wrong
 #[derive(Debug, Args)]
@@ -49,11 +47,7 @@ pub(crate) enum Format {
 pub(crate) fn run(args: &CheckArgs, scene: &Scene, ranks: &Ranks) -> Result<(), CliError> {
     let inspection = Inspection::of(scene);
     let text = match args.format {
-        Format::Text => {
-            let mut text = String::new();
-            describe(scene, &inspection, &mut text).expect("a String takes all text");
-            text
-        }
+        Format::Text => lines(scene, &inspection).join("\n") + "\n",
         Format::Json => format!("{:#}\n", as_json(scene, &inspection)),
     };
     console::print(text.as_bytes(), ranks)?;
@@ -65,119 +59,111 @@ pub(crate) fn run(args: &CheckArgs, scene: &Scene, ranks: &Ranks) -> Result<(), 
     }
 }
 
-fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::Result {
-    writeln!(text, "{}: {}", scene.origin, scene.title.as_deref().unwrap_or("(no title)"))?;
-    writeln!(text, "bands: {}; unit: {}", scene.bands.join(", "), scene.unit)?;
-    let area: f64 = inspection.areas.iter().sum();
-    let emitters = scene.surfaces.iter().filter(|surface| surface.material.emits()).count();
-    writeln!(text, "surfaces: {}, of which {emitters} emit; total area {area:.6}\n", scene.surfaces.len())?;
-    for line in scene.imported().into_iter().flat_map(Imported::lines) {
-        writeln!(text, "{line}")?;
-    }
-    let groups: Vec<&str> = scene.light_groups().iter().map(|group| group.name.as_str()).collect();
-    if !scene.variables.is_empty() {
-        let variables: Vec<String> =
-            scene.variables.iter().map(|(name, value)| format!("{name} = {value}")).collect();
-        writeln!(text, "variables: {}\n", variables.join(", "))?;
-    }
-    if !groups.is_empty() {
-        writeln!(text, "light groups: {}\n", groups.join(", "))?;
-    }
-    writeln!(text, "{}", surface_table(&scene.surfaces, &inspection.areas))?;
-    for line in materials::lines(scene) {
-        writeln!(text, "{line}")?;
-    }
-    if !inspection.contacts.is_empty() {
-        writeln!(text, "{}", contact_table(scene, &inspection.contacts))?;
-    }
-    if scene.fitted.welded.corners > 0 {
-        writeln!(text, "welded: {}", scene.fitted.welded)?;
-    }
-    for LiesOn { surface, on } in &scene.fitted.lying {
-        writeln!(text, "set apart: {surface} lies on {on}")?;
-    }
-    for footprint in &inspection.footprints {
-        writeln!(text, "covered: {}", footprint_line(scene, footprint))?;
-    }
-    for shell in &inspection.shells {
-        writeln!(text, "closed: {}", shell_line(scene, shell))?;
-    }
+/// What is in a scene, then the warnings, in lines.
+fn lines(scene: &Scene, inspection: &Inspection) -> Vec<String> {
+    let mut lines = lines_on_surfaces(scene, inspection);
+    let Inspection { footprints, shells, near_points, warnings, .. } = inspection;
+    let Fitted { welded, lying, .. } = &scene.fitted;
+    lines.extend((welded.corners > 0).then(|| format!("welded: {welded}")));
+    lines.extend(lying.iter().map(|LiesOn { surface, on }| format!("set apart: {surface} lies on {on}")));
+    lines.extend(footprints.iter().map(|own| format!("covered: {}", footprint_line(scene, own))));
+    lines.extend(shells.iter().map(|own| format!("closed: {}", shell_line(scene, own))));
     let openings = scene.surfaces.iter().filter(|surface| surface.is_opening());
     let openings: Vec<&str> = openings.map(|surface| surface.name.as_str()).collect();
     if !openings.is_empty() {
-        writeln!(text, "openings to the sky: {}", listed(&openings))?;
+        lines.push(format!("openings to the sky: {}", listed(&openings)));
     }
     if !scene.luminaires.is_empty() {
-        writeln!(text, "{}", luminaire_table(scene))?;
+        lines.push(luminaire_table(scene).to_string());
     }
-    for near in inspection.near_points.iter().take(LISTED) {
-        writeln!(text, "as a point: {}", near_line(near))?;
+    lines.extend(near_points.iter().take(LISTED).map(|near| format!("as a point: {}", near_line(near))));
+    if let Some(rest) = near_points.len().checked_sub(LISTED).filter(|rest| *rest > 0) {
+        lines.push(format!("as a point: {rest} more; --format json names them all"));
     }
-    if let Some(rest) = inspection.near_points.len().checked_sub(LISTED).filter(|rest| *rest > 0) {
-        writeln!(text, "as a point: {rest} more; --format json names them all")?;
+    lines.extend(motion_lines(scene));
+    let camera = scene.camera.as_ref().map(|camera| camera_line(camera, scene.middle));
+    lines.push(format!("camera: {}", camera.as_deref().unwrap_or("none")));
+    lines.extend(scene.planes.iter().map(|plane| format!("plane: {}", plane_line(plane))));
+    lines.extend(warning_lines(warnings));
+    lines.extend(warnings.is_empty().then(|| "nothing looks wrong".to_owned()));
+    lines
+}
+
+/// The head, and lines on surfaces, their materials and contacts.
+fn lines_on_surfaces(scene: &Scene, inspection: &Inspection) -> Vec<String> {
+    let Scene { surfaces, variables, .. } = scene;
+    let area: f64 = inspection.areas.iter().sum();
+    let emitters = surfaces.iter().filter(|surface| surface.material.emits()).count();
+    let mut lines = vec![
+        format!("{}: {}", scene.origin, scene.title.as_deref().unwrap_or("(no title)")),
+        format!("bands: {}; unit: {}", scene.bands.join(", "), scene.unit),
+        format!("surfaces: {}, of which {emitters} emit; total area {area:.6}\n", surfaces.len()),
+    ];
+    lines.extend(scene.imported().into_iter().flat_map(Imported::lines));
+    if !variables.is_empty() {
+        let variables = variables.iter().map(|(name, value)| format!("{name} = {value}"));
+        lines.push(format!("variables: {}\n", variables.collect::<Vec<_>>().join(", ")));
     }
-    for line in motion_lines(scene) {
-        writeln!(text, "{line}")?;
+    let groups: Vec<&str> = scene.light_groups().iter().map(|group| group.name.as_str()).collect();
+    if !groups.is_empty() {
+        lines.push(format!("light groups: {}\n", groups.join(", ")));
     }
-    match &scene.camera {
-        Some(camera) => writeln!(text, "camera: {}", camera_line(camera, scene.middle))?,
-        None => writeln!(text, "camera: none")?,
+    lines.push(surface_table(surfaces, &inspection.areas).to_string());
+    lines.extend(materials::lines(scene));
+    if !inspection.contacts.is_empty() {
+        lines.push(contact_table(scene, &inspection.contacts).to_string());
     }
-    for plane in &scene.planes {
-        writeln!(text, "plane: {}", plane_line(plane))?;
-    }
-    describe_warnings(&inspection.warnings, text)?;
-    if inspection.warnings.is_empty() { writeln!(text, "nothing looks wrong") } else { Ok(()) }
+    lines
 }
 
 /// One line for each warning, of each kind the first `LISTED`.
-fn describe_warnings(warnings: &[Warning], text: &mut String) -> fmt::Result {
-    let mut counts = BTreeMap::new();
+fn warning_lines(warnings: &[Warning]) -> Vec<String> {
+    let (mut lines, mut counts) = (Vec::new(), BTreeMap::new());
     for warning in warnings {
         let count = counts.entry(warning.code).or_insert(0);
         *count += 1;
         if *count <= LISTED {
-            writeln!(text, "warning: {}", warning.message)?;
+            lines.push(format!("warning: {}", warning.message));
         }
     }
     for (code, count) in counts.into_iter().filter(|(_, count)| *count > LISTED) {
         let rest = count - LISTED;
-        writeln!(text, "warning: {rest} more of the kind {code:?}: --format json names them all")?;
+        lines.push(format!("warning: {rest} more of the kind {code:?}: --format json names them all"));
     }
-    Ok(())
+    lines
 }
 
-fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table {
-    let mut table = Table::new(["surface", "shape", "area", "normal", "material", "reflectance"]);
-    for (surface, area) in surfaces.iter().zip(areas) {
+fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table<'static> {
+    let row = |(surface, area): (&SceneSurface, &f64)| {
         let center = surface.shape.jet(0.0, 0.0).normal;
         let curved = if surface.shape.region().is_some() { "" } else { " at its centre" };
-        table.row([
+        [
             surface.name.clone(),
             surface.kind.to_owned(),
             format!("{area:.6}"),
             vector(center.to_array()) + curved,
             surface.material_name.clone().unwrap_or_else(|| "none".to_owned()),
             numbers(&surface.material.reflectance),
-        ]);
-    }
-    table
+        ]
+    };
+    let columns = ["surface", "shape", "area", "normal", "material", "reflectance"];
+    Table::new(columns.map(Column::text), surfaces.iter().zip(areas).map(row))
 }
 
-fn luminaire_table(scene: &Scene) -> Table {
-    let mut table = Table::new(["luminaire", "light", "extent", "position", "aim", "flux"]);
-    for own in &scene.luminaires {
+fn luminaire_table(scene: &Scene) -> Table<'static> {
+    let row = |own: &Luminaire| {
         let flux: Vec<f64> = (0..scene.bands.len()).map(|band| rounded(own.flux(band))).collect();
-        table.row([
+        [
             own.name.clone(),
             distribution(&own.distribution),
             extent(&own.extent),
             vector((own.position + scene.middle).to_array()),
             vector(own.aim.to_array()),
             numbers(&flux),
-        ]);
-    }
-    table
+        ]
+    };
+    let columns = ["luminaire", "light", "extent", "position", "aim", "flux"];
+    Table::new(columns.map(Column::text), scene.luminaires.iter().map(row))
 }
 
 fn distribution(distribution: &Distribution) -> String {
@@ -224,8 +210,7 @@ fn luminaire_json(own: &Luminaire, scene: &Scene) -> Value {
 }
 
 /// One row for each surface and way of touching, each contact named once.
-fn contact_table(scene: &Scene, contacts: &[SurfaceContact]) -> Table {
-    let mut table = Table::new(["surface", "touches", "of"]);
+fn contact_table(scene: &Scene, contacts: &[SurfaceContact]) -> Table<'static> {
     let mut rows: Vec<(usize, &str, Vec<&str>)> = Vec::new();
     for SurfaceContact { surfaces: [own, other], touch } in contacts {
         let (way, name) = (way(*touch), scene.surfaces[*other].name.as_str());
@@ -235,10 +220,10 @@ fn contact_table(scene: &Scene, contacts: &[SurfaceContact]) -> Table {
             None => rows.push((*own, way, vec![name])),
         }
     }
-    for (own, way, others) in rows {
-        table.row([scene.surfaces[own].name.clone(), way.to_owned(), listed(&others)]);
-    }
-    table
+    let row = |(own, way, others): (usize, &str, Vec<&str>)| {
+        [scene.surfaces[own].name.clone(), way.to_owned(), listed(&others)]
+    };
+    Table::new(["surface", "touches", "of"].map(Column::text), rows.into_iter().map(row))
 }
 
 /// Names, the first `LISTED` of them where there are many.

@@ -50,12 +50,10 @@ impl CheckpointArgs {
         let reads = reads.map(|path| file(path)).collect::<Result<Vec<_>, _>>()?;
         let run = fingerprint(&(program()?, given, content, reads));
         if let Some(other) = ranks.differing(run) {
-            return Err(CliError::Refused {
-                message: format!(
-                    "rank {other} is another build of this program than rank 0, or reads other files"
-                ),
-                cure: "start the same build on all nodes, and let all ranks read the same files".to_owned(),
-            });
+            return Err(CliError::refused(
+                format!("rank {other} is another build of this program than rank 0, or reads other files"),
+                "start the same build on all nodes, and let all ranks read the same files",
+            ));
         }
         let Some(folder) = &self.checkpoint else { return Ok(ranks.clone()) };
         let begin = if self.resume { Begin::Resume } else { Begin::Anew };
@@ -65,19 +63,19 @@ impl CheckpointArgs {
 
 /// A hash of this program's file: builds of one version may differ in numbers.
 fn program() -> Result<u64, CliError> {
-    current_exe().and_then(|path| number(&path)).map_err(|reason| CliError::Refused {
-        message: format!("the program cannot be told from others, its file cannot be read: {reason}"),
-        cure: "allow it to read its own file: ranks, and runs that go on, must be of one build".to_owned(),
-    })
+    let cure = "allow it to read its own file: ranks, and runs that go on, must be of one build";
+    let unreadable = "the program cannot be told from others, its file cannot be read";
+    let refused = |reason| CliError::refused(format!("{unreadable}: {reason}"), cure);
+    current_exe().and_then(|path| number(&path)).map_err(refused)
 }
 
 /// A hash of a file's content; None where it cannot be read, which is told where it is needed.
 fn file(path: &Path) -> Result<Option<u64>, CliError> {
     if path == Path::new("-") {
-        return Err(CliError::Refused {
-            message: "--checkpoint: points from standard input cannot be told from others".to_owned(),
-            cure: "save them to a file, and give its path".to_owned(),
-        });
+        return Err(CliError::refused(
+            "--checkpoint: points from standard input cannot be told from others",
+            "save them to a file, and give its path",
+        ));
     }
     Ok(number(path).ok())
 }

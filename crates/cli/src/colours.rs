@@ -17,8 +17,8 @@ use crate::error::CliError;
 #[command(next_help_heading = "False colours")]
 pub(crate) struct ColourArgs {
     /// Numbers at the ends of the legend [default: chosen for the picture, emitters left out]
-    #[arg(long, value_name = "LO,HI", allow_hyphen_values = true)]
-    pub(crate) range: Option<Range>,
+    #[arg(long, value_name = "LO,HI", allow_hyphen_values = true, value_parser = range)]
+    pub(crate) range: Option<[f64; 2]>,
 
     /// Band that is shown [default: mean of all]
     #[arg(long, value_name = "NAME")]
@@ -34,17 +34,10 @@ pub(crate) struct ColourArgs {
 }
 
 /// `--range`: two numbers that ascend.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Range(pub(crate) [f64; 2]);
-
-impl FromStr for Range {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let numbers = text.split_once(',').and_then(|(low, high)| Some([number(low)?, number(high)?]));
-        let ascending = numbers.filter(|[low, high]| low < high).map(Range);
-        ascending.ok_or_else(|| "expected two numbers that ascend with a comma between, such as 0,2.5".into())
-    }
+fn range(text: &str) -> Result<[f64; 2], &'static str> {
+    let numbers = text.split_once(',').and_then(|(low, high)| Some([number(low)?, number(high)?]));
+    let ascending = numbers.filter(|[low, high]| low < high);
+    ascending.ok_or("expected two numbers that ascend with a comma between, such as 0,2.5")
 }
 
 /// `--isolines`.
@@ -88,13 +81,24 @@ impl ColourArgs {
         options.into_iter().filter(|(_, typed)| *typed).map(|(option, _)| option).collect()
     }
 
+    /// Refuses options of a picture that is not drawn.
+    pub(crate) fn require_picture(&self, is_drawn: bool) -> Result<(), CliError> {
+        match self.typed()[..] {
+            [option, ..] if !is_drawn => Err(CliError::refused(
+                format!("{option} speaks of a picture"),
+                "add --picture FILE.png, or leave it out",
+            )),
+            _ => Ok(()),
+        }
+    }
+
     /// Refuses a range that has no logarithms.
     pub(crate) fn check(&self) -> Result<(), CliError> {
         match self.range {
-            Some(Range([low, _])) if self.log && low <= 0.0 => Err(CliError::Refused {
-                message: format!("--log: there is no logarithm of {low}, the lower end of --range"),
-                cure: "choose a lower end above 0, such as --range 1,1000".to_owned(),
-            }),
+            Some([low, _]) if self.log && low <= 0.0 => Err(CliError::refused(
+                format!("--log: there is no logarithm of {low}, the lower end of --range"),
+                "choose a lower end above 0, such as --range 1,1000",
+            )),
             _ => Ok(()),
         }
     }
@@ -102,9 +106,9 @@ impl ColourArgs {
     /// The index of the band, if one was typed.
     pub(crate) fn band(&self, scene: &Scene) -> Result<Option<usize>, CliError> {
         let find = |name: &String| {
-            scene.bands.iter().position(|band| band == name).ok_or_else(|| CliError::Refused {
-                message: format!("{}: there is no band {name:?}", scene.origin),
-                cure: format!("bands of this scene: {}", scene.bands.join(", ")),
+            scene.bands.iter().position(|band| band == name).ok_or_else(|| {
+                let message = format!("{}: there is no band {name:?}", scene.origin);
+                CliError::refused(message, format!("bands of this scene: {}", scene.bands.join(", ")))
             })
         };
         self.band.as_ref().map(find).transpose()
@@ -144,8 +148,8 @@ impl ColourArgs {
     fn scale(&self, [low, high]: [f64; 2]) -> Scale {
         let highest = round_above(high);
         match self.range {
-            Some(Range(range)) if self.log => Scale::logarithmic(range),
-            Some(Range(range)) => Scale::sequential(range),
+            Some(range) if self.log => Scale::logarithmic(range),
+            Some(range) => Scale::sequential(range),
             None if self.log => {
                 let lowest = round_below(low.max(DEEPEST * highest));
                 Scale::logarithmic([if lowest < highest { lowest } else { 0.1 * highest }, highest])

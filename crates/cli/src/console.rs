@@ -9,9 +9,9 @@ pub(crate) fn print(text: &[u8], ranks: &Ranks) -> io::Result<()> {
     if ranks.is_first() { stdout().write_all(text) } else { Ok(()) }
 }
 
-/// Writes to stderr. A closed one is no error: nobody would see a message.
-pub(crate) fn tell(text: &str, ranks: &Ranks) {
+/// Writes lines to stderr. A closed one is no error: nobody would see a message.
+pub(crate) fn tell(lines: &[String], ranks: &Ranks) {
     if ranks.is_first() {
-        drop(stderr().write_all(text.as_bytes()));
+        drop(stderr().write_all((lines.join("\n") + "\n").as_bytes()));
     }
 }

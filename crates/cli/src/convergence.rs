@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
-use radiosity_output::drawings::chart::Chart;
+use radiosity_output::drawings::{chart::chart, drawing::Drawing};
+use radiosity_output::table::{Column, Digits, Table, Value};
 use radiosity_published::bases::Basis;
 use radiosity_request::MethodRequest;
 use radiosity_request::check_series;
@@ -21,13 +22,12 @@ use crate::{
     console,
     destination::Destination,
     error::CliError,
-    format::of_ending,
+    format::of_kind,
+    loaded::Loaded,
     options::{PARAMETER_OR_GROUP, SceneArg},
     output_file::OutputFile,
     progress::Progress,
     reference,
-    run::{Loaded, options},
-    table::Table,
 };
 
 /// Solves a scene at orders 0 to --max-order, prints the errors and draws them
@@ -85,23 +85,23 @@ pub(crate) enum Format {
 
 /// Solves the scene again and again, prints the table and draws the errors.
 pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    let scene = &loaded.scene;
+    let scene = loaded.scene();
     if args.method.wanted_accuracy().is_some() {
-        return Err(CliError::Refused {
-            message: "convergence runs every order and chooses none".to_owned(),
-            cure: "leave out --accuracy, and give --max-order a number".to_owned(),
-        });
+        return Err(CliError::refused(
+            "convergence runs every order and chooses none",
+            "leave out --accuracy, and give --max-order a number",
+        ));
     }
     args.check_basis()?;
     args.method.check()?;
     check_series(&args.method, &args.other_series())?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
-    let kind = kind(&path)?;
-    let output = args.scene.kept_apart(OutputFile::reserve(&path, ranks)?)?;
+    let kind = of_kind(&path, "kind of drawing", "choose a file ending in .svg or .png")?;
+    let output = args.scene.reserve(&path, ranks)?;
     let reference = args.reference.as_deref().map(|path| same_scene(path, scene, ranks)).transpose()?;
     let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-    let options = options(&args.method, ranks);
+    let options = args.method.options(ranks);
     let other = args.other_series();
     let runs = match &reference {
         None => convergence(scene, &options, &other, &Reference::FinestRun, &work)?,
@@ -113,14 +113,14 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
         }
     };
     drop(progress);
-    let table = match args.format {
-        Format::Text => text(&runs),
-        Format::Csv => csv(&runs),
-    };
-    draw(&chart(args, scene, options.eps, &runs), kind, &output)?;
-    Destination::of(None, ranks).write(|writer| writer.write_all(table.as_bytes()))?;
+    draw(&drawing(args, scene, options.eps, &runs), kind, &output)?;
+    let table = table(&runs);
+    Destination::of(None, ranks).write(|writer| match args.format {
+        Format::Text => write!(writer, "{table}"),
+        Format::Csv => table.listed().csv(writer),
+    })?;
     if !args.quiet {
-        console::tell(&format!("wrote {}\n", path.display()), ranks);
+        console::tell(&[format!("wrote {}", path.display())], ranks);
     }
     Ok(())
 }
@@ -137,16 +137,13 @@ impl ConvergenceArgs {
         let basis = self.method.basis.unwrap_or_default();
         let has_no_order = matches!(basis, Basis::Constant | Basis::Linear);
         if has_no_order || (self.bases && basis != Basis::Legendre) {
-            return Err(CliError::Refused {
-                message: format!(
-                    "convergence runs at rising orders, and with --bases in all bases: not --basis {}",
-                    basis.name()
+            let name = basis.name();
+            return Err(CliError::refused(
+                format!(
+                    "convergence runs at rising orders, and with --bases in all bases: not --basis {name}"
                 ),
-                cure: format!(
-                    "take --with {} for finer and finer cells or higher degrees, or --bases alone",
-                    basis.name()
-                ),
-            });
+                format!("take --with {name} for finer and finer cells or higher degrees, or --bases alone"),
+            ));
         }
         Ok(())
     }
@@ -166,32 +163,23 @@ enum ChartFormat {
     Png,
 }
 
-fn kind(path: &Path) -> Result<ChartFormat, CliError> {
-    of_ending(path).ok_or_else(|| CliError::Refused {
-        message: format!("{}: the ending names no kind of drawing", path.display()),
-        cure: "choose a file ending in .svg or .png".to_owned(),
-    })
-}
-
 /// The reference solution, of the same surfaces, bands and materials.
 fn same_scene(path: &Path, scene: &Scene, ranks: &Ranks) -> Result<Solved, CliError> {
     let solved = reference::solution(path, scene, ranks)?;
     if !solved.outcome.converged {
-        return Err(CliError::Refused {
-            message: format!("{}: its solver did not converge, which makes it no reference", path.display()),
-            cure: "solve it with more --max-iterations or another --solver".to_owned(),
-        });
+        return Err(CliError::refused(
+            format!("{}: its solver did not converge, which makes it no reference", path.display()),
+            "solve it with more --max-iterations or another --solver",
+        ));
     }
     if reference::same_materials(&solved.scene, scene) {
         return Ok(solved);
     }
-    Err(CliError::Refused {
-        message: format!("{}: it has other materials than the scene", path.display()),
-        cure: "give a solution of the scene as it is".to_owned(),
-    })
+    let message = format!("{}: it has other materials than the scene", path.display());
+    Err(CliError::refused(message, "give a solution of the scene as it is"))
 }
 
-fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &'a [ConvergenceRun]) -> Chart<'a> {
+fn drawing(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &[ConvergenceRun]) -> Drawing {
     let title = scene.title.as_ref().unwrap_or(&scene.name);
     let uniform = runs.iter().rfind(|run| run.series == RunSeries::Uniform);
     let finest = uniform.map_or_else(String::new, |run| match run.layers {
@@ -206,61 +194,31 @@ fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &'a [Converg
         Some(_) => "the rules of 1993".to_owned(),
         None => format!("transfers to {eps:e}"),
     };
-    Chart {
-        title: format!("{title}: error by order"),
-        caption: format!("L² difference from {against}; {accuracy}; numbers are orders"),
-        runs,
-    }
+    let caption = format!("L² difference from {against}; {accuracy}; numbers are orders");
+    chart(format!("{title}: error by order"), caption, runs).drawing()
 }
 
-fn draw(chart: &Chart, kind: ChartFormat, output: &OutputFile) -> Result<(), CliError> {
-    match kind {
-        ChartFormat::Svg => {
-            let svg = chart.svg()?;
-            output.write(|writer| writer.write_all(svg.as_bytes()))
-        }
-        ChartFormat::Png => {
-            let picture = chart.picture()?;
-            output.write(|writer| picture.write_png(writer))
-        }
-    }
+fn draw(drawing: &Drawing, kind: ChartFormat, output: &OutputFile) -> Result<(), CliError> {
+    output.write(|writer| match kind {
+        ChartFormat::Svg => writer.write_all(drawing.svg().as_bytes()),
+        ChartFormat::Png => drawing.picture().write_png(writer),
+    })
 }
 
-const HEADER: [&str; 11] = [
-    "way", "order", "layers", "elements", "unknowns", "samples", "rays", "seconds", "error", "rate", "energy",
-];
-
-fn text(runs: &[ConvergenceRun]) -> String {
-    let mut table = Table::new(HEADER);
-    for run in runs {
-        let number = |x: Option<f64>, show: fn(f64) -> String| x.map_or_else(|| "–".to_owned(), show);
-        table.row([
-            run.series.name().to_owned(),
-            run.order.to_string(),
-            run.layers.to_string(),
-            run.elements.to_string(),
-            run.unknowns.to_string(),
-            run.samples.to_string(),
-            run.rays.to_string(),
-            format!("{:.4}", run.seconds),
-            number(run.error, |error| format!("{error:.3e}")),
-            number(run.rate, |rate| format!("{rate:.2}")),
-            number(run.energy, |energy| format!("{energy:.3e}")),
-        ]);
-    }
-    table.to_string()
-}
-
-fn csv(runs: &[ConvergenceRun]) -> String {
-    let mut table = HEADER.join(",") + "\n";
-    for run in runs {
-        let ConvergenceRun { order, layers, elements, unknowns, samples, rays, seconds, .. } = run;
-        let [error, rate, energy] =
-            [run.error, run.rate, run.energy].map(|x| x.map_or_else(String::new, |x| x.to_string()));
-        table += &format!(
-            "{},{order},{layers},{elements},{unknowns},{samples},{rays},{seconds},{error},{rate},{energy}\n",
-            run.series.name()
-        );
-    }
-    table
+fn table(runs: &[ConvergenceRun]) -> Table<'_> {
+    let counts = ["order", "layers", "elements", "unknowns", "samples", "rays"];
+    let mut columns: Vec<Column> = ["way"].into_iter().chain(counts).map(Column::text).collect();
+    columns.extend([
+        Column::numbers("seconds", "").with(Digits::Decimals(4)),
+        Column::numbers("error", "").with(Digits::Mantissa(3)),
+        Column::numbers("rate", "").with(Digits::Decimals(2)),
+        Column::numbers("energy", "").with(Digits::Mantissa(3)),
+    ]);
+    let row = |run: &ConvergenceRun| {
+        let counts = [run.order, run.layers, run.elements, run.unknowns].map(Value::from);
+        let work = [run.samples, run.rays].map(Value::Count);
+        let numbers = [run.seconds.into(), run.error.into(), run.rate.into(), run.energy.into()];
+        [run.series.name().into()].into_iter().chain(counts).chain(work).chain(numbers)
+    };
+    Table::new(columns, runs.iter().map(row))
 }

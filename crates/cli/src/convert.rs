@@ -14,7 +14,7 @@ use radiosity_scene::{Notation, Scene, Source};
 use radiosity_work::ranks::Ranks;
 
 use crate::{
-    console, error::CliError, options::SceneArg, output_file::OutputFile, solution_format::SolutionFormat,
+    console, error::CliError, format, loaded::relit, options::SceneArg, solution_format::SolutionFormat,
 };
 
 const EXAMPLES: &str = "\
@@ -62,11 +62,8 @@ impl Target {
             (_, Some(format)) => Ok(Target::Foreign(format)),
             _ => {
                 let names = WRITTEN.map(Format::name).join(", ");
-                let message = format!("{}: the ending names no format that is written", path.display());
-                Err(CliError::Refused {
-                    message,
-                    cure: format!("end the name in one of toml, json, {names}, or vtu for a solution"),
-                })
+                let cure = format!("end the name in one of toml, json, {names}, or vtu for a solution");
+                Err(format::unknown(path, "format that is written", &cure))
             }
         }
     }
@@ -79,9 +76,9 @@ pub(crate) fn run(args: &ConvertArgs, ranks: &Ranks) -> Result<(), CliError> {
     }
     let target = Target::of(&args.output)?;
     let beside = args.output.with_extension("mtl");
-    let output = args.scene.kept_apart(OutputFile::reserve(&args.output, ranks)?)?;
+    let output = args.scene.reserve(&args.output, ranks)?;
     let materials = match target {
-        Target::Foreign(Format::Obj) => Some(args.scene.kept_apart(OutputFile::reserve(&beside, ranks)?)?),
+        Target::Foreign(Format::Obj) => Some(args.scene.reserve(&beside, ranks)?),
         _ => None,
     };
     let name = beside.file_name().unwrap_or_default().to_string_lossy();
@@ -90,35 +87,30 @@ pub(crate) fn run(args: &ConvertArgs, ranks: &Ranks) -> Result<(), CliError> {
         file.write(|writer| writer.write_all(text.as_bytes()))?;
     }
     output.write(|writer| writer.write_all(texts.scene.as_bytes()))?;
-    let mut told = texts.remarks.join("\n");
-    if !told.is_empty() {
-        told.push('\n');
-    }
     let also = materials.map(|_| format!(" and {}", beside.display())).unwrap_or_default();
-    told += &format!("wrote {}{also}\n", args.output.display());
-    console::tell(&told, ranks);
+    let mut lines = texts.remarks;
+    lines.push(format!("wrote {}{also}", args.output.display()));
+    console::tell(&lines, ranks);
     Ok(())
 }
 
 /// Reads a solution and writes its grid.
 fn grid(args: &ConvertArgs, ranks: &Ranks) -> Result<(), CliError> {
-    let output = args.scene.kept_apart(OutputFile::reserve(&args.output, ranks)?)?;
+    let output = args.scene.reserve(&args.output, ranks)?;
     let request = args.scene.request();
     let text = request.text(ranks)?;
     if !is_solution(&text.text()) {
-        return Err(CliError::Refused {
-            message: format!("{}: a scene has no light yet, and a grid holds light", text.origin),
-            cure: format!("solve it: `radiosity solve {} -o {}`", text.origin, args.output.display()),
-        });
+        return Err(CliError::refused(
+            format!("{}: a scene has no light yet, and a grid holds light", text.origin),
+            format!("solve it: `radiosity solve {} -o {}`", text.origin, args.output.display()),
+        ));
     }
     if args.scene.frame.is_some() {
-        return Err(CliError::Fixed { origin: text.origin.to_string(), option: "--frame".to_owned() });
+        return Err(CliError::fixed(&text.origin, "--frame"));
     }
-    let solved = read(&text, ranks)?;
-    let factors = request.later();
-    let solved = if factors.is_empty() { solved } else { solved.relight(&factors)? };
+    let solved = relit(read(&text, ranks)?, &request.later())?;
     let written = SolutionFormat::Vtu.write(&solved, &args.output, &output)?;
-    console::tell(&format!("wrote {written}\n"), ranks);
+    console::tell(&[format!("wrote {written}")], ranks);
     Ok(())
 }
 
@@ -139,9 +131,8 @@ fn texts(args: &ConvertArgs, target: Target, materials: &str, ranks: &Ranks) -> 
         }
         Target::Foreign(format) => {
             let model: Model = radiosity_language::model(&scene)?;
-            let written = write(format, &model, materials).map_err(|refusal| CliError::Refused {
-                message: format!("{}: {}", args.output.display(), refusal.cause),
-                cure: refusal.cure,
+            let written = write(format, &model, materials).map_err(|refusal| {
+                CliError::refused(format!("{}: {}", args.output.display(), refusal.cause), refusal.cure)
             })?;
             remarks
                 .extend(model.notes.iter().map(|note| format!("{}: {}", args.output.display(), note.text)));
@@ -157,14 +148,12 @@ fn check_includes(args: &ConvertArgs, scene: &Scene) -> Result<(), CliError> {
         |source: &Source| source.included().next().is_some() || source.pictures().next().is_some();
     let includes = scene.source.as_ref().is_some_and(names_files);
     let moves = args.scene.path().is_some_and(|path| folder(path) != folder(&args.output));
+    let output = args.output.display();
     match includes && moves {
         false => Ok(()),
-        true => Err(CliError::Refused {
-            message: format!(
-                "{}: the scene includes files or names pictures beside it",
-                args.output.display()
-            ),
-            cure: "write it into the folder of the scene".to_owned(),
-        }),
+        true => Err(CliError::refused(
+            format!("{output}: the scene includes files or names pictures beside it"),
+            "write it into the folder of the scene",
+        )),
     }
 }

@@ -1,19 +1,19 @@
 //! Data that a verb prints: their form and destination.
 
-use std::io;
 use std::path::PathBuf;
 
 use clap::Args;
+use radiosity_output::table::Table;
 use radiosity_work::ranks::Ranks;
-use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
 
 use crate::{
     destination::Destination,
     error::CliError,
     format::{self, Format},
+    loaded::Loaded,
     options::ReportArgs,
     output_file::OutputFile,
-    run::Loaded,
 };
 
 /// `--format` and `--output` of readings.
@@ -55,21 +55,20 @@ pub(crate) struct Data {
 }
 
 impl Data {
-    /// Writes the data in the form that was asked for.
-    pub(crate) fn write<D: Serialize>(
-        &self,
-        csv: impl FnOnce() -> io::Result<Vec<u8>>,
-        json: impl FnOnce() -> D,
-    ) -> Result<(), CliError> {
-        let table = match self.format {
-            Format::Csv => csv()?,
+    /// Writes a table with values of these bands in the form that was asked for; `rows` is the word for its
+    /// rows.
+    pub(crate) fn write(&self, bands: &[String], rows: &str, table: &Table) -> Result<(), CliError> {
+        self.destination.write(|writer| match self.format {
+            Format::Csv => table.listed().csv(writer),
             Format::Json => {
-                let mut text = serde_json::to_vec_pretty(&json()).map_err(io::Error::from)?;
-                text.push(b'\n');
-                text
+                let mut json = serde_json::Serializer::pretty(&mut *writer);
+                let mut document = json.serialize_map(Some(2))?;
+                document.serialize_entry("bands", bands)?;
+                document.serialize_entry(rows, &table.listed())?;
+                document.end()?;
+                writeln!(writer)
             }
-        };
-        self.destination.write(|writer| writer.write_all(&table))
+        })
     }
 
     /// The file of the data, if any, as it was typed.

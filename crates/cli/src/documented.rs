@@ -6,6 +6,8 @@
 //! WRITE_DOCUMENTS=1 cargo test --release -p radiosity-cli documented
 //! ```
 
+mod python;
+
 use std::{env, fs};
 
 use clap::{Arg, Args, Command, CommandFactory, FromArgMatches};

@@ -3,10 +3,8 @@
 use std::{fmt::Write, io, path::PathBuf};
 
 use radiosity_heat::HeatError;
-use radiosity_output::drawings::chart::ChartError;
 use radiosity_published::hierarchy::HierarchyError;
 use radiosity_reading::files::solution_file::SolutionError;
-use radiosity_reading::files::vtu::VtuError;
 use radiosity_request::picture::NoCamera;
 use radiosity_request::{LoadError, Refusal};
 use radiosity_scene::SceneError;
@@ -15,8 +13,6 @@ use radiosity_solve::animation::error::AnimationError;
 use radiosity_solve::solved::RelightError;
 use radiosity_work::ranks::journal::JournalError;
 use thiserror::Error;
-
-use crate::points::PointsError;
 
 /// Why a command ended early.
 #[derive(Debug, Error)]
@@ -30,40 +26,9 @@ pub(crate) enum CliError {
     /// Something is wrong with a solution file.
     #[error(transparent)]
     Solution(#[from] SolutionError),
-    /// A solution, where a verb needs an unsolved scene.
-    #[error("{origin}: this is a solution already")]
-    AlreadySolved {
-        /// The file as typed.
-        origin: String,
-    },
-    /// A scene, where a verb needs a solution.
-    #[error("{origin}: this is no solution")]
-    NotSolved {
-        /// The file as typed.
-        origin: String,
-    },
     /// Light groups of a solution cannot be dimmed.
     #[error(transparent)]
     Relight(#[from] RelightError),
-    /// An option of the method with a scene that is already solved.
-    #[error("{option}: {origin} is a solution, how it was found cannot be changed")]
-    Fixed {
-        /// The file as typed.
-        origin: String,
-        /// The option as typed.
-        option: String,
-    },
-    /// Something is wrong with the points of a probe.
-    #[error(transparent)]
-    Points(#[from] PointsError),
-    /// An output that cannot be written, found before the work.
-    #[error("{}: cannot be written: {reason}", path.display())]
-    Unwritable {
-        /// The output as typed.
-        path: PathBuf,
-        /// The system's error.
-        reason: io::Error,
-    },
     /// An output that failed while it was written; the file is unchanged.
     #[error("{}: writing failed: {reason}", path.display())]
     Unwritten {
@@ -116,47 +81,13 @@ pub(crate) enum CliError {
         /// Number of warnings.
         count: usize,
     },
-    /// A picture was asked of a scene without a camera.
-    #[error(transparent)]
-    NoCamera(#[from] NoCamera),
-    /// A request that cannot be fulfilled.
+    /// A request that cannot be fulfilled, found before the work.
     #[error("{message}")]
     Refused {
         /// The fault, in a sentence.
         message: String,
         /// The way to mend it, in a sentence.
         cure: String,
-    },
-    /// A solution is no grid of VTK.
-    #[error("{}: {reason}", path.display())]
-    Vtu {
-        /// The output as typed.
-        path: PathBuf,
-        /// Reason why it is none.
-        reason: VtuError,
-    },
-    /// A chart could not be drawn.
-    #[error(transparent)]
-    Chart(#[from] ChartError),
-    /// A value of `--pairs` without two names.
-    #[error("--pairs {text}: two names are needed")]
-    NoPair {
-        /// Value of the option as typed.
-        text: String,
-    },
-    /// An output whose ending names no format.
-    #[error("{}: the ending names no format", path.display())]
-    UnknownFormat {
-        /// The output as typed.
-        path: PathBuf,
-        /// The formats there are, such as `csv or json`.
-        known: String,
-    },
-    /// A few pairs were asked for in a format that holds a matrix.
-    #[error("--pairs are no matrix, which is all that {format} holds")]
-    PairsAsArray {
-        /// Name of the format.
-        format: String,
     },
     /// A run cannot be recorded, or does not go on from what was recorded.
     #[error("--checkpoint {0}")]
@@ -177,7 +108,13 @@ impl From<HeatError> for CliError {
 
 impl From<Refusal> for CliError {
     fn from(Refusal { message, cure }: Refusal) -> Self {
-        Self::Refused { message: message.to_string(), cure: cure.to_string() }
+        Self::refused(message.to_string(), cure.to_string())
+    }
+}
+
+impl From<NoCamera> for CliError {
+    fn from(error: NoCamera) -> Self {
+        Self::refused(error.to_string(), error.cure())
     }
 }
 
@@ -185,7 +122,10 @@ impl From<LoadError> for CliError {
     fn from(error: LoadError) -> Self {
         match error {
             LoadError::Scene(error) => Self::Scene(error),
-            LoadError::Solved { origin } => Self::AlreadySolved { origin },
+            LoadError::Solved { origin } => Self::refused(
+                format!("{origin}: this is a solution already"),
+                "give it to render, probe or grid; for anything else, give the scene it was made from",
+            ),
             LoadError::Refused(refusal) => refusal.into(),
         }
     }
@@ -198,19 +138,30 @@ impl From<AnimationError> for CliError {
             AnimationError::Unsolved { moment, failure } => {
                 Self::Frame { moment, cause: Box::new(Self::Solve(*failure)) }
             }
-            AnimationError::ByRays => Self::Refused {
-                message: error.to_string(),
-                cure: "add --transport exact, or choose another --animation".to_owned(),
-            },
-            AnimationError::Masked => Self::Refused {
-                message: error.to_string(),
-                cure: "add --animation selective, or choose other --shadows".to_owned(),
-            },
+            AnimationError::ByRays => {
+                Self::refused(error.to_string(), "add --transport exact, or choose another --animation")
+            }
+            AnimationError::Masked => {
+                Self::refused(error.to_string(), "add --animation selective, or choose other --shadows")
+            }
         }
     }
 }
 
 impl CliError {
+    /// A request that cannot be fulfilled, and the way to mend it.
+    pub(crate) fn refused(message: impl Into<String>, cure: impl Into<String>) -> Self {
+        Self::Refused { message: message.into(), cure: cure.into() }
+    }
+
+    /// An `option` of the method with a scene that is solved, that of the file `origin`.
+    pub(crate) fn fixed(origin: &str, option: &str) -> Self {
+        Self::refused(
+            format!("{option}: {origin} is a solution, how it was found cannot be changed"),
+            "leave the option out, or give the scene instead of its solution",
+        )
+    }
+
     /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached, else 1. A closed
     /// pipe on standard output is no error, nor is a wish for help.
     pub(crate) fn exit_code(&self) -> u8 {
@@ -218,18 +169,8 @@ impl CliError {
             CliError::Typed(error) => error.exit_code() as u8,
             CliError::Scene(_)
             | CliError::Solution(_)
-            | CliError::Points(_)
-            | CliError::AlreadySolved { .. }
-            | CliError::NotSolved { .. }
             | CliError::Relight(_)
-            | CliError::Fixed { .. }
-            | CliError::Unwritable { .. }
-            | CliError::NoCamera(_)
-            | CliError::NoPair { .. }
-            | CliError::UnknownFormat { .. }
-            | CliError::PairsAsArray { .. }
             | CliError::Heat(_)
-            | CliError::Vtu { .. }
             | CliError::Checkpoint(_)
             | CliError::Refused { .. } => 2,
             CliError::Solve(
@@ -253,7 +194,6 @@ impl CliError {
             | CliError::Stopped { .. }
             | CliError::Unwritten { .. }
             | CliError::Solve(_)
-            | CliError::Chart(_)
             | CliError::Stdout(_) => 1,
         }
     }
@@ -278,33 +218,10 @@ impl CliError {
             CliError::Scene(error) => error.cure(),
             CliError::Frame { cause, .. } => cause.cure(),
             CliError::Solution(error) => Some(error.cure().into()),
-            CliError::AlreadySolved { .. } => Some(
-                "give it to render, probe or grid; for anything else, give the scene it was made from".into(),
-            ),
-            CliError::NotSolved { .. } => Some(
-                "solve it first with `radiosity solve`; render, probe and grid take --set for scenes as well"
-                    .into(),
-            ),
             CliError::Relight(RelightError::Scene(error)) => error.cure(),
-            CliError::Fixed { .. } => {
-                Some("leave the option out, or give the scene instead of its solution".into())
-            }
-            CliError::Points(error) => Some(error.cure.clone()),
-            CliError::Unwritable { .. } => {
-                Some("choose a file in a folder that exists and can be written to".into())
-            }
-            CliError::NoCamera(error) => Some(error.cure()),
             CliError::Refused { cure, .. } => Some(cure.clone()),
             CliError::Checkpoint(error) => Some(error.cure().into()),
-            CliError::NoPair { .. } => {
-                Some("write the names of two surfaces, as in --pairs floor,ceiling".into())
-            }
-            CliError::UnknownFormat { known, .. } => {
-                Some(format!("end the name in .{}, or add --format {known}", known.replace("or ", "or .")))
-            }
-            CliError::Vtu { reason, .. } => Some(reason.cure().to_string()),
             CliError::Heat(error) => error.cure().map(|cure| cure.to_string()),
-            CliError::PairsAsArray { .. } => Some("choose --format csv or json".into()),
             CliError::Solve(failure) => failure.cure().map(|cure| cure.to_string()),
             CliError::Typed(_)
             | CliError::LooksWrong { .. }
@@ -313,7 +230,6 @@ impl CliError {
             | CliError::Partial { .. }
             | CliError::Stopped { .. }
             | CliError::Unwritten { .. }
-            | CliError::Chart(_)
             | CliError::Stdout(_) => None,
         }
     }

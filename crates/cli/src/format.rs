@@ -15,6 +15,12 @@ pub(crate) enum Format {
     Json,
 }
 
+/// The form of a picture where there is one alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PictureFormat {
+    Png,
+}
+
 /// The form that was `asked` for, or that `output` ends in; `usual` on standard output.
 ///
 /// # Errors
@@ -26,12 +32,16 @@ pub(crate) fn chosen<F: ValueEnum + PartialEq>(
 ) -> Result<F, CliError> {
     let Some(path) = output else { return Ok(asked.unwrap_or(usual)) };
     match (asked, of_ending(path)) {
-        (Some(asked), Some(ended)) if asked != ended => Err(CliError::Refused {
-            message: format!("{}: --format {} and the ending disagree", path.display(), name(&asked)),
-            cure: "leave out --format, or choose another ending".to_owned(),
-        }),
+        (Some(asked), Some(ended)) if asked != ended => Err(CliError::refused(
+            format!("{}: --format {} and the ending disagree", path.display(), name(&asked)),
+            "leave out --format, or choose another ending",
+        )),
         (Some(form), _) | (None, Some(form)) => Ok(form),
-        (None, None) => Err(CliError::UnknownFormat { path: path.to_owned(), known: known::<F>() }),
+        (None, None) => {
+            let known = known::<F>();
+            let endings = known.replace("or ", "or .");
+            Err(unknown(path, "format", &format!("end the name in .{endings}, or add --format {known}")))
+        }
     }
 }
 
@@ -40,14 +50,24 @@ pub(crate) fn chosen<F: ValueEnum + PartialEq>(
 /// # Errors
 /// An ending that names no form.
 pub(crate) fn of_file<F: ValueEnum>(output: &Path) -> Result<F, CliError> {
-    of_ending(output).ok_or_else(|| CliError::Refused {
-        message: format!("{}: the ending names no format", output.display()),
-        cure: format!("end the name in .{}", known::<F>().replace("or ", "or .")),
-    })
+    of_kind(output, "format", &format!("end the name in .{}", known::<F>().replace("or ", "or .")))
+}
+
+/// The kind of output that `path` ends in; `kind` is the word for it.
+///
+/// # Errors
+/// An ending that names none, with this cure.
+pub(crate) fn of_kind<F: ValueEnum>(path: &Path, kind: &str, cure: &str) -> Result<F, CliError> {
+    of_ending(path).ok_or_else(|| unknown(path, kind, cure))
+}
+
+/// The error of a file whose ending names no output of this kind.
+pub(crate) fn unknown(path: &Path, kind: &str, cure: &str) -> CliError {
+    CliError::refused(format!("{}: the ending names no {kind}", path.display()), cure)
 }
 
 /// The form that `path` ends in, in capitals or not.
-pub(crate) fn of_ending<F: ValueEnum>(path: &Path) -> Option<F> {
+fn of_ending<F: ValueEnum>(path: &Path) -> Option<F> {
     F::from_str(path.extension()?.to_str()?, true).ok()
 }
 

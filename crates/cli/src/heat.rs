@@ -2,7 +2,6 @@
 
 mod picture;
 
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -11,9 +10,7 @@ use radiosity_heat::Heat;
 use radiosity_kernel::WorstError;
 use radiosity_output::documents::heat as output;
 use radiosity_reading::accuracy_warning::{corrected, missed, no_error_of_order};
-use radiosity_reading::checkpoint::Checkpoint;
 use radiosity_reading::digits::significant;
-use radiosity_reading::rank_work::RanksWork;
 use radiosity_request::HeatRequest;
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
@@ -21,16 +18,13 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::{Observer, Progress as Event, Stage, Work};
 
 use crate::{
-    console,
     destination::Destination,
     error::CliError,
     format,
-    heat::picture::{OtherFile, PictureArgs},
+    heat::picture::{HeatPicture, PictureArgs},
     options::SceneArg,
     output_file::OutputFile,
     progress::Progress,
-    run::remarks,
-    table::Table,
     transfers::TransferArgs,
     typed_options::TypedOptions,
 };
@@ -111,86 +105,85 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
     let start = Instant::now();
     args.transfers.request.check()?;
     let scene = args.scene.request().load_lit(ranks)?;
-    let ranks = args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
-    of_scene(args, &scene, start, &ranks)
-}
-
-/// Computes and writes the balance of a scene that was read; the command began at `start`.
-fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant, ranks: &Ranks) -> Result<(), CliError> {
-    let format = format::chosen(args.format, args.output.as_deref(), Format::Text)?;
-    let matrix_format = args.conductances.as_deref().map(format::of_file::<MatrixFormat>);
-    let matrix_format = matrix_format.transpose()?;
-    let reserve = |path: &Path| args.scene.kept_apart(OutputFile::reserve(path, ranks)?);
-    let destination = Destination::of(args.output.as_deref().map(reserve).transpose()?, ranks);
-    let matrix = args.conductances.as_deref().map(reserve).transpose()?;
-    let others = [
-        OtherFile { path: args.output.as_deref(), content: "the figures" },
-        OtherFile { path: args.conductances.as_deref(), content: "the conductances" },
-    ];
-    let picture = args.picture.wanted(scene, reserve, &others)?;
-    let matrix = match (&args.output, matrix) {
-        (Some(output), Some(matrix)) => Some(matrix.apart_from(output, "the figures")?),
-        (_, matrix) => matrix,
-    };
+    let ranks = &args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
+    let files = HeatFiles::reserve(args, &scene, ranks)?;
     let progress = Progress::new(args.transfers.quiet, ranks);
     let show = |event| {
         if let Event::Done { stage: Stage::Blocks | Stage::Comparison, .. } | Event::Rays { .. } = event {
             progress.report(event);
         }
     };
-    let work = Work::among(ranks).observed_by(&show);
-    let wanted = args.request.options(&args.transfers.request, args.conductances.is_some(), ranks);
-    let heat = Heat::of(scene, &wanted, &work)?;
-    destination.write(|writer| write(&heat, format, writer))?;
-    if let (Some(file), Some(format), Some(conductances)) = (matrix, matrix_format, &heat.conductances) {
+    let options = args.request.options(&args.transfers.request, args.conductances.is_some(), ranks);
+    let heat = Heat::of(&scene, &options, &Work::among(ranks).observed_by(&show))?;
+    files.write(&heat)?;
+    if let Some(picture) = files.picture {
+        let visibility = Visibility::new(&scene, (&options.options).into());
+        let take = || picture.take(&scene, &visibility, &heat, ranks);
+        let taken = options.options.in_threads(ranks, take)?;
+        picture.file.write(|writer| taken.write_png(writer))?;
+    }
+    drop(progress);
+    let elapsed = start.elapsed().as_secs_f64();
+    let first = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
+    let written = args.output.iter().chain(&args.conductances).chain(&args.picture.picture);
+    args.transfers.tell(first, &scene, args.findings(&scene, &heat), written, ranks);
+    Ok(())
+}
+
+/// The files of a balance, reserved before the work.
+struct HeatFiles<'a> {
+    format: Format,
+    figures: Destination,
+    matrix: Option<(MatrixFormat, OutputFile)>,
+    picture: Option<HeatPicture<'a>>,
+}
+
+impl<'a> HeatFiles<'a> {
+    /// The files that were asked for, if they can be written and are apart from each other.
+    fn reserve(args: &'a HeatArgs, scene: &Scene, ranks: &Ranks) -> Result<Self, CliError> {
+        let [output, conductances] = [&args.output, &args.conductances].map(Option::as_deref);
+        let format = format::chosen(args.format, output, Format::Text)?;
+        let matrix_format = conductances.map(format::of_file::<MatrixFormat>).transpose()?;
+        let reserve = |path: &Path| args.scene.reserve(path, ranks);
+        let figures = Destination::of(output.map(reserve).transpose()?, ranks);
+        let apart = |path: &Path| reserve(path)?.apart_from(output, "the figures");
+        let matrix = conductances.map(apart).transpose()?;
+        let picture = |path: &Path| apart(path)?.apart_from(conductances, "the conductances");
+        let picture = args.picture.wanted(scene, picture)?;
+        Ok(Self { format, figures, matrix: matrix_format.zip(matrix), picture })
+    }
+
+    /// Writes the figures and the conductances.
+    fn write(&self, heat: &Heat) -> Result<(), CliError> {
+        self.figures.write(|writer| match self.format {
+            Format::Text => write!(writer, "{}", output::table(&heat.surfaces, DIGITS)),
+            Format::Csv => output::csv(&heat.surfaces, writer),
+            Format::Json => output::json(heat, writer),
+        })?;
+        let (Some((format, file)), Some(conductances)) = (&self.matrix, &heat.conductances) else {
+            return Ok(());
+        };
         let names: Vec<&str> = heat.surfaces.iter().map(|surface| surface.name.as_str()).collect();
         file.write(|writer| match format {
             MatrixFormat::Csv => output::conductances_csv(&names, conductances, writer),
             MatrixFormat::Json => output::conductances_json(&names, conductances, writer),
             MatrixFormat::Npy => output::conductances_npy(conductances, writer),
             MatrixFormat::Npz => output::conductances_npz(&heat.surfaces, conductances, writer),
-        })?;
-    }
-    if let Some(picture) = picture {
-        let visibility = Visibility::new(scene, (&wanted.options).into());
-        let take = || picture.take(scene, &visibility, &heat, ranks);
-        let taken = wanted.options.in_threads(ranks, take)?;
-        picture.file.write(|writer| taken.write_png(writer))?;
-    }
-    drop(progress);
-    if !args.transfers.quiet {
-        args.tell(scene, &heat, start, ranks);
-    }
-    Ok(())
-}
-
-fn write(heat: &Heat, format: Format, writer: &mut dyn Write) -> io::Result<()> {
-    match format {
-        Format::Text => write!(writer, "{}", Table::of(&output::table(&heat.surfaces, DIGITS))),
-        Format::Csv => output::csv(&heat.surfaces, writer),
-        Format::Json => output::json(heat, writer),
+        })
     }
 }
 
 impl HeatArgs {
-    /// The summary on stderr.
-    fn tell(&self, scene: &Scene, heat: &Heat, start: Instant, ranks: &Ranks) {
-        let elapsed = start.elapsed().as_secs_f64();
+    /// The lines of the summary on the balance.
+    fn findings(&self, scene: &Scene, heat: &Heat) -> Vec<String> {
         let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
         let (given, taken) = (sum(1.0), sum(-1.0));
-        let mut lines = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
-        let threads = self.transfers.request.threads();
-        lines.extend(RanksWork::so_far(ranks, threads).map(|work| work.to_string()));
-        let checkpoint = Checkpoint::so_far(ranks);
-        lines.extend(checkpoint.as_ref().map(Checkpoint::to_string));
-        lines.extend(remarks(scene));
-        lines.extend(scene.fitted.line());
         let whole = if !heat.is_closed() {
             format!("{} W leave the scene, to surroundings at 0 K", significant(heat.lost, 6))
         } else {
             format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
         };
-        lines.extend(heat.moved.map(corrected));
+        let mut lines: Vec<String> = heat.moved.map(corrected).into_iter().collect();
         lines.push(format!(
             "surfaces send out {} W and take up {} W; {whole}",
             significant(given, 6),
@@ -210,9 +203,6 @@ impl HeatArgs {
         if heat.error_orders.is_empty() {
             lines.push(format!("warning: {}", no_error_of_order(self.request.order())));
         }
-        lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
-        let files = self.output.iter().chain(&self.conductances).chain(&self.picture.picture);
-        lines.extend(files.map(|path| format!("wrote {}", path.display())));
-        console::tell(&(lines.join("\n") + "\n"), ranks);
+        lines
     }
 }

@@ -9,7 +9,7 @@ use std::io::{Write, stderr};
 use std::path::PathBuf;
 use std::process::Child;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Instant;
 
 use radiosity_work::Deadline;
@@ -28,12 +28,12 @@ static EMPLOYED: Mutex<Option<Child>> = Mutex::new(None);
 static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
 /// The deadline of work that the first Ctrl-C asks to finish; None where Ctrl-C ends the program at once.
-static DEADLINE: OnceLock<Deadline> = OnceLock::new();
+static DEADLINE: OnceLock<Arc<Deadline>> = OnceLock::new();
 
 /// The deadline at the instant `at`, if there is one, made once in a process; from now on Ctrl-C lets work that
 /// has this deadline finish with its results so far.
-pub(crate) fn soften(at: Option<Instant>) -> &'static Deadline {
-    DEADLINE.get_or_init(|| Deadline::at(at))
+pub(crate) fn soften(at: Option<Instant>) -> Arc<Deadline> {
+    Arc::clone(DEADLINE.get_or_init(|| Arc::new(Deadline::at(at))))
 }
 
 /// All temporary files; the set has to be locked while one is made, renamed or removed.
@@ -61,7 +61,7 @@ pub(crate) fn watch(ranks: &Ranks) {
     IS_QUIET.store(!ranks.is_first(), Ordering::Relaxed);
     // Where signals cannot be watched Ctrl-C still ends the program, as it always does.
     let _ = ctrlc::set_handler(|| {
-        if DEADLINE.get().is_some_and(Deadline::wish) {
+        if DEADLINE.get().is_some_and(|deadline| deadline.wish()) {
             tell("\nfinishing with the rays sent so far; Ctrl-C again ends at once\n");
             return;
         }

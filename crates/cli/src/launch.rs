@@ -77,10 +77,10 @@ fn same_arguments(ranks: &Ranks) -> Result<(), Failure> {
     let own: Vec<String> =
         args_os().skip(1).map(|argument| argument.to_string_lossy().into_owned()).collect();
     let Some(other) = ranks.differing(own) else { return Ok(()) };
-    let error = CliError::Refused {
-        message: format!("rank {other} was started with other arguments than rank 0"),
-        cure: "start all ranks with the same command line: they share the work of one run".to_owned(),
-    };
+    let error = CliError::refused(
+        format!("rank {other} was started with other arguments than rank 0"),
+        "start all ranks with the same command line: they share the work of one run",
+    );
     Err(Failure { code: error.exit_code(), message: error.explain() })
 }
 
@@ -94,11 +94,10 @@ fn among_others(number: &str) -> ExitCode {
     if count.is_none_or(|count| count < 2) {
         return alone();
     }
-    let error = CliError::Refused {
-        message: "several processes were started, but this program was built without MPI, by which they share their work"
-            .to_owned(),
-        cure: "build it with `cargo build --release --features mpi` (docs/ranks.md), or start one process".to_owned(),
-    };
+    let error = CliError::refused(
+        "several processes were started, but this program was built without MPI, by which they share their work",
+        "build it with `cargo build --release --features mpi` (docs/ranks.md), or start one process",
+    );
     if number == "0" {
         tell(&error);
     }

@@ -2,11 +2,11 @@
 //!
 //! In order: what is typed and told (`console`, `interrupt`, `numbers`, `error`, `given`); options that verbs
 //! share (`checkpoint` to `options`, the masks, planes and colours among them); `forecast`, `destination` and
-//! `progress` of long work; `run` (a scene solved, for every verb that needs light), and what verbs read from
-//! and print to (`read` to `plan`); the verbs, from `grid`, `probe`, `solve` and `relight` over `render`,
-//! `animate`, `convergence`, `check`, `scenes`, `schema` and `convert` to `view_factors`, `heat` and
-//! `report`; `rounds` and `processes` (ranks that MPI connects), and `launch` (one process, or several
-//! ranks).
+//! `progress` of long work; `loaded` (a scene as it was read) and `run` (the scene solved, for every verb that
+//! needs light), and what verbs read from and print to (`read` to `plan`); the verbs, from `grid`, `probe`,
+//! `solve` and `relight` over `render`, `animate`, `convergence`, `check`, `scenes`, `schema` and `convert` to
+//! `view_factors`, `heat` and `report`; `rounds` and `processes` (ranks that MPI connects), and `launch` (one
+//! process, or several ranks).
 //!
 //! The only noun outside is [`launch`], which the binary calls.
 //!
@@ -16,8 +16,8 @@
 mod console;
 mod interrupt;
 mod numbers;
-mod points;
 mod error;
+mod points;
 mod typed_options;
 mod checkpoint;
 mod colours;
@@ -31,6 +31,7 @@ mod options;
 mod forecast;
 mod destination;
 mod progress;
+mod loaded;
 mod run;
 mod read;
 mod reference;
@@ -46,7 +47,6 @@ mod page;
 mod bake;
 mod render;
 mod animate;
-mod table;
 mod convergence;
 mod materials;
 mod check;
@@ -68,12 +68,11 @@ mod documented;
 use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use aim::points_file;
 pub(crate) use error::CliError;
 pub use launch::launch;
+use loaded::Loaded;
 use options::fixing;
 use radiosity_work::ranks::Ranks;
-use run::Loaded;
 use typed_options::TypedOptions;
 
 const EXAMPLES: &str = "\
@@ -153,30 +152,27 @@ impl Cli {
         match &self.verb {
             Verb::Solve(args) => {
                 let loaded = Loaded::lit(&args.scene, ranks)?;
-                let reads = [points_file(&args.method)];
-                let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
+                let ranks = args.run.recording(given, &loaded.inputs(), None, ranks)?;
                 solve::run(args, loaded, &ranks)
             }
             Verb::Relight(args) => relight::run(args, ranks),
             Verb::Render(args) => {
                 let fixing = self.fixing.iter().filter(|option| !(args.importance && *option == "--for"));
                 let loaded = Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>(), ranks)?;
-                let reads = [points_file(&args.method), args.style.difference.as_deref()];
-                let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
+                let ranks =
+                    args.run.recording(given, &loaded.inputs(), args.style.difference.as_deref(), ranks)?;
                 render::run(args, loaded, &ranks)
             }
             Verb::Animate(args) => animate::run(args, Loaded::lit(&args.scene, ranks)?, ranks),
             Verb::Probe(args) => {
                 let points = args.load_points(ranks)?;
                 let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
-                let reads = [points_file(&args.method)];
-                let ranks = args.checkpoint.recording(given, &(loaded.content(), &points), &reads, ranks)?;
+                let ranks = args.run.recording(given, &(loaded.inputs(), &points), None, ranks)?;
                 probe::run(args, points, loaded, &ranks)
             }
             Verb::Grid(args) => {
                 let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
-                let reads = [points_file(&args.method)];
-                let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
+                let ranks = args.run.recording(given, &loaded.inputs(), None, ranks)?;
                 grid::run(args, loaded, &ranks)
             }
             Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene, ranks)?, ranks),
@@ -184,8 +180,7 @@ impl Cli {
             Verb::Heat(args) => heat::run(args, given, ranks),
             Verb::Report(args) => {
                 let loaded = Loaded::dark_or_lit(&args.scene, &self.fixing, ranks)?;
-                let reads = [points_file(&args.method)];
-                let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
+                let ranks = args.run.recording(given, &loaded.inputs(), None, ranks)?;
                 report::run(args, loaded, &ranks)
             }
             Verb::Check(args) => check::run(args, &args.scene.request().load_repaired(ranks)?, ranks),

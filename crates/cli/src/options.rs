@@ -66,15 +66,9 @@ impl SceneArg {
         (self.scene != "-" && !self.request().is_builtin()).then(|| Path::new(&self.scene))
     }
 
-    /// An output, which must not take the place of the scene.
-    ///
-    /// # Errors
-    /// [`CliError::Refused`] if it would.
-    pub(crate) fn kept_apart(&self, output: OutputFile) -> Result<OutputFile, CliError> {
-        match self.path() {
-            Some(path) => output.apart_from(path, "the scene"),
-            None => Ok(output),
-        }
+    /// An output, which must not take the place of the scene; finds out whether it can be written.
+    pub(crate) fn reserve(&self, output: &Path, ranks: &Ranks) -> Result<OutputFile, CliError> {
+        OutputFile::reserve(output, ranks)?.apart_from(self.path(), "the scene")
     }
 }
 

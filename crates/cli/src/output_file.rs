@@ -36,17 +36,18 @@ impl OutputFile {
     /// file behind.
     ///
     /// # Errors
-    /// [`CliError::Refused`] for `-`; [`CliError::Unwritable`] for a folder, or a file in a folder that does
-    /// not exist or cannot be written to.
+    /// [`CliError::Refused`] for `-`, a folder, or a file in a folder that does not exist or cannot be
+    /// written to.
     pub(crate) fn reserve(path: &Path, ranks: &Ranks) -> Result<Self, CliError> {
         if path == Path::new("-") {
-            return Err(CliError::Refused {
-                message: "-: an output needs a name".to_owned(),
-                cure: "without -o tables go to standard output; ./- is a file of that name".to_owned(),
-            });
+            let cure = "without -o tables go to standard output; ./- is a file of that name";
+            return Err(CliError::refused("-: an output needs a name", cure));
         }
         let target = match ranks.is_first() {
-            true => target(path).map_err(|reason| CliError::Unwritable { path: path.to_owned(), reason })?,
+            true => target(path).map_err(|reason| {
+                let cure = "choose a file in a folder that exists and can be written to";
+                CliError::refused(format!("{}: cannot be written: {reason}", path.display()), cure)
+            })?,
             false => Target::Elsewhere,
         };
         // Where the first fails, no other goes on.
@@ -59,20 +60,18 @@ impl OutputFile {
         matches!(self.target, Target::Elsewhere)
     }
 
-    /// This output, if it is another file than `path`, which belongs to `what`.
+    /// This output, if it is another file than `path`, if there is one, which belongs to `what`.
     ///
     /// # Errors
     /// [`CliError::Refused`] if both are one file, through links or not.
-    pub(crate) fn apart_from(self, path: &Path, what: &str) -> Result<Self, CliError> {
-        let is_same = match &self.target {
-            Target::Regular(own) => resolved(path).is_ok_and(|path| path == *own),
-            Target::Special | Target::Elsewhere => false,
+    pub(crate) fn apart_from(self, path: Option<&Path>, what: &str) -> Result<Self, CliError> {
+        let is_same = match (&self.target, path) {
+            (Target::Regular(own), Some(path)) => resolved(path).is_ok_and(|path| path == *own),
+            _ => false,
         };
         if self.ranks.of_first(is_same) {
-            return Err(CliError::Refused {
-                message: format!("{}: this is the file of {what} as well", self.typed.display()),
-                cure: "choose another name".to_owned(),
-            });
+            let message = format!("{}: this is the file of {what} as well", self.typed.display());
+            return Err(CliError::refused(message, "choose another name"));
         }
         Ok(self)
     }
@@ -304,7 +303,7 @@ mod tests {
     fn folders_and_files_in_no_folder_are_refused() {
         let folder = tempfile::tempdir().unwrap();
         for path in [folder.path().to_owned(), folder.path().join("none/out.txt")] {
-            assert!(matches!(OutputFile::reserve(&path, Ranks::alone()), Err(CliError::Unwritable { .. })));
+            assert!(matches!(OutputFile::reserve(&path, Ranks::alone()), Err(CliError::Refused { .. })));
         }
     }
 

@@ -6,19 +6,16 @@ use radiosity_output::documents::viewer::{FirstViewSettings, texels, write_viewe
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::render::usual_read;
 use radiosity_reading::reader::ReadMode;
-use radiosity_request::MethodRequest;
 use radiosity_scene::{Material, Scene};
-use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
     error::CliError,
     forecast,
-    options::ReportArgs,
+    loaded::Loaded,
     output_file::OutputFile,
-    progress::Progress,
-    read::ROUGH,
-    run::{Loaded, Run},
+    read::rough,
+    run::{Run, RunArgs},
 };
 
 /// Pixels of a picture whose light is reckoned to take as long as that of a texel. Chosen: on small and
@@ -37,34 +34,27 @@ pub(crate) struct Page<'a> {
 /// Solves the scene and writes the page of its light, read by `read` or as that takes little time.
 pub(crate) fn write(
     loaded: Loaded,
-    method: &MethodRequest,
-    report: &ReportArgs,
+    args: &RunArgs,
     page: &Page<'_>,
     read: Option<ReadMode>,
     ranks: &Ranks,
 ) -> Result<(), CliError> {
     let Page { path, output, start } = *page;
-    let scene = &loaded.scene;
+    let scene = loaded.scene();
     let reckoned = Lightmap::sizes(scene, texels(scene.light_groups().len().max(1), scene.bands.len()));
     let reckoned = reckoned.iter().map(|[across, down]| across * down).sum();
-    forecast::require_texels(reckoned, scene, method, "choose a file ending in .png", ranks)?;
-    let (progress, deadline) = (Progress::of(report, ranks), method.deadline());
-    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-    let run = Run::solve(loaded, method, report, &work)?;
+    forecast::require_texels(reckoned, scene, &args.method, "choose a file ending in .png", ranks)?;
+    let run = Run::solve(loaded, args, ranks)?;
     let solution = &run.solved.outcome.solution;
     let parts = solution.groups().len().max(1);
     let texels = texels(parts, solution.bands().len());
     let pixels = PIXELS * (texels * parts) as u64;
     let usual = || usual_read(solution, run.solved.visibility(), pixels);
     let read_by = read.unwrap_or_else(usual);
-    let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &work))?;
+    let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &run.work()))?;
     output.write(|writer| write_viewer(&run.solved, &lightmap, start, writer))?;
-    let mut written = path.display().to_string();
-    if read.is_none() && read_by == ReadMode::Direct {
-        written += ROUGH;
-    }
-    written += left_out(&run.solved.scene);
-    run.finish(progress, Some(&written))
+    let notes = [rough(read, read_by), left_out(&run.solved.scene)].concat();
+    run.finish(Some(&format!("{}{notes}", path.display())))
 }
 
 /// Words on the materials of a scene that a page does not show in full; empty for none.

@@ -11,9 +11,10 @@ use radiosity_work::ranks::Ranks;
 use crate::{
     colours::ColourArgs,
     error::CliError,
+    format::{self, PictureFormat},
+    loaded::Loaded,
     options::ReportArgs,
     output_file::OutputFile,
-    run::Loaded,
     sensors::{OnPlane, Sensors},
 };
 
@@ -46,34 +47,19 @@ impl PictureArgs {
         sensors: &Sensors,
         ranks: &Ranks,
     ) -> Result<Option<Drawing<'_>>, CliError> {
-        let Some(path) = &self.picture else { return self.without() };
-        if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
-            return Err(CliError::Refused {
-                message: format!("{}: the ending names no kind of plan", path.display()),
-                cure: "choose a file ending in .png".to_owned(),
-            });
-        }
+        self.colours.require_picture(self.picture.is_some())?;
+        let Some(path) = &self.picture else { return Ok(None) };
+        format::of_kind::<PictureFormat>(path, "kind of plan", "choose a file ending in .png")?;
         if sensors.planes().len() != 1 {
-            return Err(CliError::Refused {
-                message: format!("--picture draws one plane, {} are read", sensors.planes().len()),
-                cure: "choose one with --plane, and run the command once for each".to_owned(),
-            });
+            return Err(CliError::refused(
+                format!("--picture draws one plane, {} are read", sensors.planes().len()),
+                "choose one with --plane, and run the command once for each",
+            ));
         }
         self.colours.check()?;
-        let band = self.colours.band(&loaded.scene)?;
+        let band = self.colours.band(loaded.scene())?;
         let output = loaded.reserve(path, report, ranks)?;
         Ok(Some(Drawing { colours: &self.colours, band, output, written: path.display().to_string() }))
-    }
-
-    /// Refuses options of a picture that is not drawn.
-    fn without(&self) -> Result<Option<Drawing<'_>>, CliError> {
-        match self.colours.typed()[..] {
-            [] => Ok(None),
-            [option, ..] => Err(CliError::Refused {
-                message: format!("{option} speaks of a picture"),
-                cure: "add --picture FILE.png, or leave it out".to_owned(),
-            }),
-        }
     }
 }
 

@@ -32,7 +32,7 @@ impl PlaneArgs {
         if self.planes && scene.planes.is_empty() {
             let message = format!("{}: there are no planes", scene.origin);
             let cure = "define one: [planes.desk] with origin, edges and spacing; or type it with --plane";
-            return Err(CliError::Refused { message, cure: cure.to_owned() });
+            return Err(CliError::refused(message, cure));
         }
         let all = scene.planes.iter().filter(|_| self.planes).cloned().map(Ok);
         let typed = self.plane.iter().enumerate().map(|(index, text)| plane(text, index, scene));
@@ -76,5 +76,5 @@ fn numbers(text: &str) -> Vec<Option<f64>> {
 }
 
 fn refused(text: &str, fault: &str, cure: &str) -> CliError {
-    CliError::Refused { message: format!("--plane \"{text}\": {fault}"), cure: cure.to_owned() }
+    CliError::refused(format!("--plane \"{text}\": {fault}"), cure)
 }

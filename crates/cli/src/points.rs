@@ -10,7 +10,8 @@ use radiosity_language::input;
 use radiosity_reading::probe::Probe;
 use radiosity_scene::ranges::LARGEST;
 use radiosity_work::ranks::Ranks;
-use thiserror::Error;
+
+use crate::error::CliError;
 
 /// Names of the columns.
 pub(crate) const COLUMNS: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
@@ -19,41 +20,25 @@ pub(crate) const COLUMNS: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
 #[derive(Debug)]
 pub(crate) struct Points {
     /// The name shown in messages.
-    pub(crate) origin: String,
+    origin: String,
     /// The points, in the order of the file.
     pub(crate) probes: Vec<Probe>,
     /// The line of each point, from 1.
     pub(crate) lines: Vec<usize>,
 }
 
-/// An error of a file of points.
-#[derive(Debug, Error)]
-#[error("{origin}{}: {fault}", place.map(|line| format!(":{line}")).unwrap_or_default())]
-pub(crate) struct PointsError {
-    /// The file as typed, or `<stdin>`.
-    pub(crate) origin: String,
-    /// The line, from 1.
-    pub(crate) place: Option<usize>,
-    /// The fault, in words.
-    pub(crate) fault: String,
-    /// The way to mend it, in words.
-    pub(crate) cure: String,
-}
-
 impl Points {
     /// Reads a file, or standard input for `-`, which the first of these ranks shares.
-    pub(crate) fn load(source: &str, ranks: &Ranks) -> Result<Self, PointsError> {
+    pub(crate) fn load(source: &str, ranks: &Ranks) -> Result<Self, CliError> {
         let origin = if source == "-" { "<stdin>" } else { source };
-        let text = input::bytes(source, ranks).map_err(|reason| PointsError {
-            origin: origin.to_owned(),
-            place: None,
-            fault: format!("cannot be read: {reason}"),
-            cure: "give the path of a CSV file of points, or - for standard input".to_owned(),
+        let text = input::bytes(source, ranks).map_err(|reason| {
+            let cure = "give the path of a CSV file of points, or - for standard input";
+            CliError::refused(format!("{origin}: cannot be read: {reason}"), cure)
         })?;
         Self::parse(&text, origin)
     }
 
-    fn parse(text: &[u8], origin: &str) -> Result<Self, PointsError> {
+    fn parse(text: &[u8], origin: &str) -> Result<Self, CliError> {
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
         let mut points = Self { origin: origin.to_owned(), probes: Vec::new(), lines: Vec::new() };
         let mut columns: Option<Columns> = None;
@@ -76,36 +61,32 @@ impl Points {
             }
         }
         match points.probes.is_empty() {
-            true => {
-                Err(PointsError { place: None, ..points.error(0, "there are no points in it".into(), FORM) })
-            }
+            true => Err(CliError::refused(format!("{origin}: there are no points in it"), FORM)),
             false => Ok(points),
         }
     }
 
-    fn header(&self, record: &[String], line: usize) -> Result<Columns, PointsError> {
+    fn header(&self, record: &[String], line: usize) -> Result<Columns, CliError> {
         let mut places = [0; 6];
         for (place, name) in places.iter_mut().zip(COLUMNS) {
             let mut found = (0..record.len()).filter(|k| record[*k].eq_ignore_ascii_case(name));
             let missing = || self.error(line, format!("the header has no column '{name}'"), FORM);
             *place = found.next().ok_or_else(missing)?;
             if found.next().is_some() {
-                return Err(self.error(
-                    line,
-                    format!("the header has two columns '{name}'"),
-                    "leave one out",
-                ));
+                let fault = format!("the header has two columns '{name}'");
+                return Err(self.error(line, fault, "leave one out"));
             }
         }
         Ok(Columns { places, count: record.len() })
     }
 
-    fn unreadable(&self, row: &Unreadable) -> PointsError {
+    fn unreadable(&self, row: &Unreadable) -> CliError {
         self.error(row.line, format!("this is no text: {}", row.message), "save the file as UTF-8")
     }
 
-    fn error(&self, line: usize, fault: String, cure: &str) -> PointsError {
-        PointsError { origin: self.origin.clone(), place: Some(line), fault, cure: cure.to_owned() }
+    /// The error of a line.
+    pub(crate) fn error(&self, line: usize, fault: String, cure: &str) -> CliError {
+        CliError::refused(format!("{}:{line}: {fault}", self.origin), cure)
     }
 }
 

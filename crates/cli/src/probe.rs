@@ -1,32 +1,29 @@
 //! `radiosity probe`: irradiance at single points and on planes of sensors.
 
-use std::io;
 use std::path::Path;
 
 use clap::Args;
+use radiosity_output::table::{Column, Table, Value};
 use radiosity_reading::plane_figures::PlaneFigures;
-use radiosity_reading::probe::{ProbeReading, probe};
+use radiosity_reading::probe::{Probe, ProbeReading, probe};
 use radiosity_reading::read_error::ReadError;
-use radiosity_reading::reader::Reader;
-use radiosity_request::MethodRequest;
 use radiosity_request::ReadRequest;
+use radiosity_request::aim::at_probes;
 use radiosity_scene::Scene;
-use radiosity_solve::solved::Solved;
-use radiosity_work::Work;
+use radiosity_solve::studies::adaptation::Goal;
 use radiosity_work::ranks::Ranks;
-use serde::Serialize;
 
 use crate::{
-    checkpoint::CheckpointArgs,
+    aim::wanted,
     data::DataArgs,
     error::CliError,
-    options::{PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    loaded::Loaded,
+    options::{PARAMETER_OR_GROUP, SCENE_OR_SOLUTION, SceneArg},
     output_file::OutputFile,
     plan::PictureArgs,
     planes::PlaneArgs,
-    points::{COLUMNS, Points, PointsError},
-    progress::Progress,
-    run::{Loaded, Run},
+    points::Points,
+    run::{Run, RunArgs},
     sensors::Sensors,
 };
 
@@ -68,13 +65,7 @@ pub(crate) struct ProbeArgs {
     pub(crate) picture: PictureArgs,
 
     #[command(flatten)]
-    pub(crate) method: MethodRequest,
-
-    #[command(flatten)]
-    pub(crate) checkpoint: CheckpointArgs,
-
-    #[command(flatten)]
-    pub(crate) report: ReportArgs,
+    pub(crate) run: RunArgs,
 }
 
 impl ProbeArgs {
@@ -82,38 +73,41 @@ impl ProbeArgs {
     /// work.
     pub(crate) fn load_points(&self, ranks: &Ranks) -> Result<Option<Points>, CliError> {
         let Some(points) = &self.points else {
-            return if self.planes.is_typed() { Ok(None) } else { Err(nowhere()) };
+            let nowhere = CliError::refused(
+                "nothing says where to read",
+                "add --points FILE.csv, --plane NAME, or --plane \"origin; edge; edge; spacing\"",
+            );
+            return self.planes.is_typed().then_some(None).ok_or(nowhere);
         };
         if self.planes.is_typed() {
-            return Err(CliError::Refused {
-                message: "--points and --plane both say where to read".to_owned(),
-                cure: "leave one of them out, or run the command once for each".to_owned(),
-            });
+            return Err(CliError::refused(
+                "--points and --plane both say where to read",
+                "leave one of them out, or run the command once for each",
+            ));
         }
         if points == "-" && self.scene.scene == "-" {
-            return Err(CliError::Points(PointsError {
-                origin: "<stdin>".to_owned(),
-                place: None,
-                fault: "scene and points cannot both come from standard input".to_owned(),
-                cure: "save one of them to a file".to_owned(),
-            }));
+            return Err(CliError::refused(
+                "<stdin>: scene and points cannot both come from standard input",
+                "save one of them to a file",
+            ));
         }
-        Ok(Some(Points::load(points, ranks)?))
+        Points::load(points, ranks).map(Some)
     }
 
     /// `output`, if it is not the file of the points.
     fn apart(&self, output: OutputFile) -> Result<OutputFile, CliError> {
-        match &self.points {
-            Some(points) => output.apart_from(Path::new(points), "the points"),
-            None => Ok(output),
-        }
+        output.apart_from(self.points.as_deref().map(Path::new), "the points")
     }
-}
 
-fn nowhere() -> CliError {
-    CliError::Refused {
-        message: "nothing says where to read".to_owned(),
-        cure: "add --points FILE.csv, --plane NAME, or --plane \"origin; edge; edge; spacing\"".to_owned(),
+    /// The accuracy that is wanted, and its aim, if one is wanted: where nothing says of what, that of the
+    /// light at the sensors.
+    fn goal(&self, sensors: &[Probe], scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
+        let method = &self.run.method;
+        let goal = match (&method.aim, method.wanted_accuracy()) {
+            (None, Some(accuracy)) => Some(at_probes(accuracy, sensors, scene)),
+            _ => wanted(method, scene, ranks)?,
+        };
+        Ok(goal.map(|goal| goal.read_by(self.read.read_by.unwrap_or_default())))
     }
 }
 
@@ -126,32 +120,21 @@ pub(crate) fn run(
 ) -> Result<(), CliError> {
     let sensors = match points {
         Some(points) => Sensors::Points(points),
-        None => Sensors::Planes(args.planes.of(&loaded.scene)?),
+        None => Sensors::Planes(args.planes.of(loaded.scene())?),
     };
-    args.read.check(&loaded.options(&args.method, ranks), &args.method)?;
-    args.report.reserve(ranks)?.map(|report| args.apart(report)).transpose()?;
-    let data = args.data.reserve(&loaded, &args.report, ranks, |output| args.apart(output))?;
-    let picture = args.picture.reserve(&loaded, &args.report, &sensors, ranks)?;
-    let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
-    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-    let mut run = Run::for_sensors(
-        loaded,
-        &sensors.probes(),
-        &args.method,
-        args.read.read_by.unwrap_or_default(),
-        &args.report,
-        &work,
-    )?;
-    let visibility = run.solved.visibility();
-    let Solved { scene, outcome, .. } = &run.solved;
-    let reading = args.read.reading(&args.method, &run.solved, run.is_saved());
-    let readings = run.in_threads(|| {
-        let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
-        probe(&reader, &sensors.probes(), scene.middle, &work)
-    })?;
+    let RunArgs { method, report, .. } = &args.run;
+    args.read.check(&loaded.options(method, ranks), method)?;
+    report.reserve(ranks)?.map(|report| args.apart(report)).transpose()?;
+    let data = args.data.reserve(&loaded, report, ranks, |output| args.apart(output))?;
+    let picture = args.picture.reserve(&loaded, report, &sensors, ranks)?;
+    let goal = args.goal(&sensors.probes(), loaded.scene(), ranks)?;
+    let mut run = Run::to(goal, loaded, &args.run, ranks)?;
+    let scene = &run.solved.scene;
+    let reading = args.read.reading(method, &run.solved, run.is_saved());
+    let read = || probe(&run.reader(&reading), &sensors.probes(), scene.middle, &run.work());
+    let readings = run.in_threads(read)?;
     let readings = readings.map_err(|(index, fault)| sensors.unreadable(index, fault))?;
-    let table = Table { scene, sensors: &sensors, readings: &readings };
-    data.write(|| table.csv(), || table.document())?;
+    data.write(&scene.bands, "points", &table(scene, &sensors, &readings))?;
     let mut written: Vec<&str> = data.written().into_iter().collect();
     if let Some(picture) = &picture {
         picture.write(scene, &sensors, &readings)?;
@@ -161,97 +144,48 @@ pub(crate) fn run(
     let figures = planes.map(|on| PlaneFigures::of(on.plane, &scene.bands, on.items)).collect();
     run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps);
     run.add_planes(figures);
-    run.finish(progress, (!written.is_empty()).then(|| written.join(" and ")).as_deref())
+    run.finish((!written.is_empty()).then(|| written.join(" and ")).as_deref())
 }
 
-/// The readings as a table.
-struct Table<'a> {
-    scene: &'a Scene,
-    sensors: &'a Sensors,
-    readings: &'a [ProbeReading],
+/// A row per point: `x,y,z,nx,ny,nz,E_<band>…,surface,u,v,B_<band>…` in CSV, in JSON with the relative
+/// standard deviation of irradiance that rays gathered; of several planes `plane` comes first.
+fn table<'a>(scene: &'a Scene, sensors: &'a Sensors, readings: &'a [ProbeReading]) -> Table<'a> {
+    let names = plane_names(sensors, readings);
+    let columns = [
+        Column::several("position", ["x", "y", "z"]),
+        Column::several("normal", ["nx", "ny", "nz"]),
+        Column::bands("irradiance", 'E', &scene.bands),
+        Column::several("deviation", [""; 0]),
+        Column::text("surface"),
+        Column::several("parameters", ["u", "v"]),
+        Column::bands("radiosity", 'B', &scene.bands),
+    ];
+    let plane = (!names.is_empty()).then(|| Column::text("plane"));
+    let rows = readings.iter().enumerate().map(|(index, reading)| {
+        let name = names.get(index).map(|name| Value::from(*name));
+        name.into_iter().chain(values(scene, reading))
+    });
+    Table::new(plane.into_iter().chain(columns).collect::<Vec<_>>(), rows)
 }
 
-impl<'a> Table<'a> {
-    /// `x,y,z,nx,ny,nz,E_<band>…,surface,u,v,B_<band>…`, a row per point; of several planes `plane` comes
-    /// first.
-    fn csv(&self) -> io::Result<Vec<u8>> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        let bands = |letter: char| self.scene.bands.iter().map(move |band| format!("{letter}_{band}"));
-        let names = self.plane_names();
-        let plane = (!names.is_empty()).then(|| "plane".to_owned());
-        let header = plane.into_iter().chain(COLUMNS.map(str::to_owned)).chain(bands('E'));
-        writer.write_record(header.chain(["surface", "u", "v"].map(str::to_owned)).chain(bands('B')))?;
-        for (index, reading) in self.readings.iter().enumerate() {
-            let name = names.get(index).map(|name| (*name).to_owned());
-            writer.write_record(name.into_iter().chain(self.cells(reading)))?;
-        }
-        writer.into_inner().map_err(|error| error.into_error())
-    }
-
-    fn cells(&self, reading: &ProbeReading) -> Vec<String> {
-        let [position, normal] = [reading.probe.position, reading.probe.normal].map(|x| x.to_array());
-        let numbers = position.into_iter().chain(normal).chain(reading.irradiance.iter().copied());
-        let on: Vec<String> = match &reading.on {
-            Some(on) => {
-                let values = on.parameters.iter().chain(&on.radiosity).map(f64::to_string);
-                std::iter::once(self.scene.surfaces[on.surface].name.clone()).chain(values).collect()
-            }
-            None => vec![String::new(); 3 + self.scene.bands.len()],
-        };
-        numbers.map(|x| x.to_string()).chain(on).collect()
-    }
-
-    fn document(&self) -> Document<'a> {
-        let names = self.plane_names();
-        let row = |(index, reading): (usize, &'a ProbeReading)| {
-            Row::new(self.scene, names.get(index).copied(), reading)
-        };
-        Document { bands: &self.scene.bands, points: self.readings.iter().enumerate().map(row).collect() }
-    }
-
-    /// The plane of each reading where there are several planes, else nothing.
-    fn plane_names(&self) -> Vec<&'a str> {
-        if self.sensors.planes().len() < 2 {
-            return Vec::new();
-        }
-        let of_plane = self.sensors.by_plane(self.readings);
-        of_plane.flat_map(|on| on.items.iter().map(move |_| on.plane.name())).collect()
-    }
+fn values<'a>(scene: &'a Scene, reading: &'a ProbeReading) -> [Value<'a>; 7] {
+    let on = reading.on.as_ref();
+    [
+        Value::numbers(reading.probe.position.to_array().to_vec()),
+        Value::numbers(reading.probe.normal.to_array().to_vec()),
+        Value::numbers(&reading.irradiance),
+        reading.deviation.map(|deviation| deviation.relative).into(),
+        on.map(|on| scene.surfaces[on.surface].name.as_str()).into(),
+        on.map(|on| Value::numbers(&on.parameters)).into(),
+        on.map(|on| Value::numbers(&on.radiosity)).into(),
+    ]
 }
 
-#[derive(Serialize)]
-struct Document<'a> {
-    bands: &'a [String],
-    points: Vec<Row<'a>>,
-}
-
-/// A reading; bands in the order of the document's.
-#[derive(Serialize)]
-struct Row<'a> {
-    #[serde(skip_serializing_if = "Option::is_none")]
-    plane: Option<&'a str>,
-    position: [f64; 3],
-    normal: [f64; 3],
-    irradiance: &'a [f64],
-    /// Standard deviation of the irradiance, relative to it, where rays gathered it.
-    deviation: Option<f64>,
-    surface: Option<&'a str>,
-    parameters: Option<[f64; 2]>,
-    radiosity: Option<&'a [f64]>,
-}
-
-impl<'a> Row<'a> {
-    fn new(scene: &'a Scene, plane: Option<&'a str>, reading: &'a ProbeReading) -> Self {
-        let on = reading.on.as_ref();
-        Self {
-            plane,
-            position: reading.probe.position.to_array(),
-            normal: reading.probe.normal.to_array(),
-            irradiance: &reading.irradiance,
-            deviation: reading.deviation.map(|deviation| deviation.relative),
-            surface: on.map(|on| scene.surfaces[on.surface].name.as_str()),
-            parameters: on.map(|on| on.parameters),
-            radiosity: on.map(|on| on.radiosity.as_slice()),
-        }
+/// The plane of each reading where there are several planes, else nothing.
+fn plane_names<'a>(sensors: &'a Sensors, readings: &'a [ProbeReading]) -> Vec<&'a str> {
+    if sensors.planes().len() < 2 {
+        return Vec::new();
     }
+    let of_plane = sensors.by_plane(readings);
+    of_plane.flat_map(|on| on.items.iter().map(move |_| on.plane.name())).collect()
 }

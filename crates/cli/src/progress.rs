@@ -15,9 +15,10 @@ use crate::options::ReportArgs;
 #[derive(Debug)]
 pub(crate) struct Progress {
     bar: ProgressBar,
-    quiet: bool,
+    /// Whether nothing is told.
+    pub(crate) quiet: bool,
     /// Whether finished stages are told.
-    verbose: bool,
+    pub(crate) verbose: bool,
     /// Words at the end of every line.
     whole: Mutex<String>,
 }
@@ -96,6 +97,11 @@ impl Progress {
         }
     }
 
+    /// Removes the bar, so that only the summary stays on the screen.
+    pub(crate) fn clear(&self) {
+        self.bar.finish_and_clear();
+    }
+
     fn write(&self, line: String) {
         // A closed stderr is no error: nobody would see a message.
         self.bar.suspend(|| drop(stderr().write_all(line.as_bytes())));
@@ -116,8 +122,7 @@ impl Observer for Progress {
 }
 
 impl Drop for Progress {
-    /// Removes the bar, so that only the summary stays on the screen.
     fn drop(&mut self) {
-        self.bar.finish_and_clear();
+        self.clear();
     }
 }

@@ -13,22 +13,19 @@ use crate::error::CliError;
 
 /// Reads the solution file at `path` with these ranks, which has to have the surfaces and bands of `scene`.
 pub(crate) fn solution(path: &Path, scene: &Scene, ranks: &Ranks) -> Result<Solved, CliError> {
-    let refused = |reason: &str, cure: &str| CliError::Refused {
-        message: format!("{}: {reason}", path.display()),
-        cure: cure.to_owned(),
-    };
     let cure = "give a file that `radiosity solve` wrote for this scene";
+    let refused = |reason: &str| CliError::refused(format!("{}: {reason}", path.display()), cure);
     let text = input::text(&path.to_string_lossy(), ranks);
-    let text = text.map_err(|error| refused(&error.to_string(), cure))?;
+    let text = text.map_err(|error| refused(&error.to_string()))?;
     if !is_solution(&text) {
-        return Err(refused("it is no solution file", cure));
+        return Err(refused("it is no solution file"));
     }
     let solved = read(&Source::new(&path.to_string_lossy(), &text), ranks)?;
     if solved.scene.bands != scene.bands {
-        return Err(refused("it has other bands than the scene", cure));
+        return Err(refused("it has other bands than the scene"));
     }
     if !same_surfaces(&solved.scene, scene) {
-        return Err(refused("it has other surfaces than the scene", cure));
+        return Err(refused("it has other surfaces than the scene"));
     }
     Ok(solved)
 }

@@ -7,9 +7,9 @@ use radiosity_work::ranks::Ranks;
 
 use crate::{
     error::CliError,
+    loaded::Loaded,
     options::{ReportArgs, setting},
-    progress::Progress,
-    run::{Loaded, Run},
+    run::Run,
     solution_format::SolutionFormat,
 };
 
@@ -47,10 +47,9 @@ pub(crate) struct RelightArgs {
 /// Reads the solution and writes it at the new factors.
 pub(crate) fn run(args: &RelightArgs, ranks: &Ranks) -> Result<(), CliError> {
     let loaded = Loaded::solved(&args.solution, &args.settings, ranks)?;
-    let path = args.output.clone().unwrap_or_else(|| format!("{}.relit.json", loaded.scene.name).into());
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.relit.json", loaded.scene().name).into());
     let output = loaded.reserve(&path, &args.report, ranks)?;
-    let progress = Progress::of(&args.report, ranks);
     let run = Run::read(loaded, &args.report, ranks)?;
     let written = SolutionFormat::of(&path).write(&run.solved, &path, &output)?;
-    run.finish(progress, Some(&written))
+    run.finish(Some(&written))
 }

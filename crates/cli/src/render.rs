@@ -10,7 +10,6 @@ use radiosity_reading::pictures::render::{render, usual_read, white_balance};
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quantity::Quantity;
 use radiosity_reading::reader::ReadMode;
-use radiosity_request::MethodRequest;
 use radiosity_request::aim::AccuracyOf;
 use radiosity_request::check_aim;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
@@ -18,20 +17,18 @@ use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solution::Solution;
 use radiosity_solve::studies::adaptation::{Goal, importance};
 use radiosity_visibility::Visibility;
-use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
     aim::goal,
     bake::Bake,
-    checkpoint::CheckpointArgs,
     error::CliError,
-    numbers::Counts,
-    options::{PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    loaded::Loaded,
+    numbers::counts,
+    options::{PARAMETER_OR_GROUP, SCENE_OR_SOLUTION, SceneArg},
     page::{self, Page},
-    progress::Progress,
-    read::ROUGH,
-    run::{Loaded, Run},
+    read::rough,
+    run::{Run, RunArgs},
     style::{PictureFormat, StyleArgs},
 };
 
@@ -51,8 +48,8 @@ pub(crate) struct RenderArgs {
     /// Pixels across and down [default: as the scene's camera says]; of a .glb about so many texels in all,
     /// more where small surfaces are many: each has 2 × 2 at the least, a curved one 9 × 9 [default:
     /// 1024x1024]
-    #[arg(long, value_name = "WxH")]
-    pub(crate) size: Option<Counts>,
+    #[arg(long, value_name = "WxH", value_parser = counts)]
+    pub(crate) size: Option<[u32; 2]>,
 
     /// Camera rays along each side of a pixel: S × S in all [default: 3]
     #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
@@ -72,37 +69,29 @@ pub(crate) struct RenderArgs {
     pub(crate) style: StyleArgs,
 
     #[command(flatten)]
-    pub(crate) method: MethodRequest,
-
-    #[command(flatten)]
-    pub(crate) checkpoint: CheckpointArgs,
-
-    #[command(flatten)]
-    pub(crate) report: ReportArgs,
+    pub(crate) run: RunArgs,
 }
 
 /// Solves the scene and writes a picture.
 pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
-    check_aim(args.read, &args.method)?;
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene().name).into());
+    check_aim(args.read, &args.run.method)?;
     let kind = args.style.kind(&path)?;
     if kind == PictureFormat::Glb {
         return args.bake(&path)?.run(loaded, ranks);
     }
-    let output = loaded.reserve(&path, &args.report, ranks)?;
-    let camera = camera(args.size(), &loaded.scene)?;
+    let output = loaded.reserve(&path, &args.run.report, ranks)?;
+    let camera = camera(args.size, loaded.scene())?;
     if kind == PictureFormat::Html {
-        let start = args.start(&loaded.scene, camera)?;
+        let start = args.start(loaded.scene(), camera)?;
         let page = Page { path: &path, output: &output, start: &start };
-        return page::write(loaded, &args.method, &args.report, &page, args.read, ranks);
+        return page::write(loaded, &args.run, &page, args.read, ranks);
     }
-    require_pixels(&camera, &loaded.scene, args.method.memory, ranks)?;
-    let [quantity, unit] = args.shown(&loaded.scene);
-    let mut style = args.style.prepare(&loaded.scene, &camera, quantity, unit, ranks)?;
-    let wanted = args.wanted(&loaded.scene, ranks)?;
-    let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
-    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-    let run = Run::solve(loaded, &args.method, &args.report, &work)?;
+    require_pixels(&camera, loaded.scene(), args.run.method.memory, ranks)?;
+    let [quantity, unit] = args.shown(loaded.scene());
+    let mut style = args.style.prepare(loaded.scene(), &camera, quantity, unit, ranks)?;
+    let wanted = args.wanted(loaded.scene(), ranks)?;
+    let run = Run::solve(loaded, &args.run, ranks)?;
     let visibility = run.solved.visibility();
     let found = &run.solved.outcome.solution;
     let worth = wanted.map(|goal| importance(found, visibility, &goal, run.threads, ranks));
@@ -117,7 +106,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     };
     let samples = args.samples();
     let take = |solution: &Solution, visibility: &Visibility| {
-        render(solution, visibility, &camera, samples, read, show, &work)
+        render(solution, visibility, &camera, samples, read, show, &run.work())
     };
     let (raster, borders, seen_surfaces) = run.in_threads(|| {
         style.take_other(|other| take(&other.outcome.solution, other.visibility()));
@@ -127,10 +116,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
             (args.style.wireframe.then(borders), args.style.false_colour.then(seen_surfaces));
         (take(solution, visibility), borders, seen_surfaces)
     })?;
-    let mut written = path.display().to_string();
-    if args.read.is_none() && read == ReadMode::Direct {
-        written += ROUGH;
-    }
+    let mut written = format!("{}{}", path.display(), rough(args.read, read));
     if kind == PictureFormat::Exr {
         output.write(|writer| write_exr(&raster, writer))?;
     } else {
@@ -139,18 +125,18 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
         written += &figures;
         output.write(|writer| picture.write_png(writer))?;
     }
-    run.finish(progress, Some(&written))
+    run.finish(Some(&written))
 }
 
 impl RenderArgs {
     /// The light in textures instead of a picture.
     fn bake<'a>(&'a self, path: &'a Path) -> Result<Bake<'a>, CliError> {
-        let Self { size, samples, read, importance, style, method, report, .. } = self;
+        let Self { size, samples, read, importance, style, run, .. } = self;
         let refuse = |reason: &str, option: &str| {
-            Err(CliError::Refused {
-                message: format!("{}: {reason}", path.display()),
-                cure: format!("leave out {option}, or choose a file ending in .png"),
-            })
+            Err(CliError::refused(
+                format!("{}: {reason}", path.display()),
+                format!("leave out {option}, or choose a file ending in .png"),
+            ))
         };
         if *importance {
             return refuse("textures hold light, not its importance", "--importance");
@@ -158,12 +144,7 @@ impl RenderArgs {
         if samples.is_some() {
             return refuse("light is read at the middles of texels, and --samples counts rays", "--samples");
         }
-        Ok(Bake { path, size: *size, read: *read, style, method, report })
-    }
-
-    /// Pixels across and down, if they were typed.
-    fn size(&self) -> Option<[u32; 2]> {
-        self.size.map(|Counts(size)| size)
+        Ok(Bake { path, size: *size, read: *read, style, args: run })
     }
 
     /// Camera rays along each side of a pixel.
@@ -182,17 +163,17 @@ impl RenderArgs {
     /// The first view of a page.
     fn start(&self, scene: &Scene, camera: Camera) -> Result<FirstViewSettings, CliError> {
         if self.importance {
-            return Err(CliError::Refused {
-                message: "--importance: a page to walk through shows light".to_owned(),
-                cure: "leave out --importance, or choose a file ending in .png".to_owned(),
-            });
+            return Err(CliError::refused(
+                "--importance: a page to walk through shows light",
+                "leave out --importance, or choose a file ending in .png",
+            ));
         }
         self.style.start(scene, camera, self.samples())
     }
 
     /// The goal to which light is worth something, where its importance is shown.
     fn wanted(&self, scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
-        let of = self.method.aim.as_ref().unwrap_or(&AccuracyOf::Gathered);
+        let of = self.run.method.aim.as_ref().unwrap_or(&AccuracyOf::Gathered);
         // No accuracy follows from the sensors alone; any stands for none.
         self.importance.then(|| goal(of, 1.0, scene, ranks)).transpose()
     }

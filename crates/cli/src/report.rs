@@ -16,35 +16,34 @@ use radiosity_solve::Options;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress as Event, Stage, Work};
 
-use crate::{console, error::CliError, progress::Progress, run::Loaded};
+use crate::{console, error::CliError, loaded::Loaded, progress::Progress, run::RunArgs};
 pub(crate) use args::ReportPageArgs;
 use light::ReportLight;
 use report_files::ReportFiles;
 
 /// Solves the scene and writes the report.
 pub(crate) fn run(args: &ReportPageArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    let path = args.output.clone().unwrap_or_else(|| format!("{}.html", loaded.scene.name).into());
-    let is_lit = loaded.scene.require_light().is_ok();
-    if !is_lit && Heat::is_known(&loaded.scene) {
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.html", loaded.scene().name).into());
+    let is_lit = loaded.scene().require_light().is_ok();
+    if !is_lit && Heat::is_known(loaded.scene()) {
         return run_in_the_dark(args, &path, &loaded, ranks);
     }
     let loaded = loaded.required()?;
-    let wanted = ReportLight::of(args, &loaded.scene, ranks)?;
-    args.read.check(&loaded.options(&args.method, ranks), &args.method)?;
-    let reserve = |path: &Path| loaded.reserve(path, &args.report, ranks);
+    let wanted = ReportLight::of(args, loaded.scene(), ranks)?;
+    let RunArgs { method, report, .. } = &args.run;
+    args.read.check(&loaded.options(method, ranks), method)?;
+    let reserve = |path: &Path| loaded.reserve(path, report, ranks);
     let files = ReportFiles::reserve(&path, &wanted.figures(), reserve)?;
-    let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
-    let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-    let (run, read) = wanted.read(args, loaded, &work)?;
+    let (run, read) = wanted.read(args, loaded, ranks)?;
     let scene = &run.solved.scene;
-    let heat = Heat::is_known(scene).then(|| heat(args, scene, &progress, ranks));
+    let heat = Heat::is_known(scene).then(|| heat(args, scene, run.progress(), ranks));
     let heat = heat.map(told).transpose()?;
     let command = command();
     let light = Some(read.part(&wanted, &run));
     let heat = heat.as_ref().map(Result::as_ref);
     let document = ReportPage { scene, light, heat, command: &command }.document();
     files.write(&document)?;
-    run.finish(progress, Some(&files.written()))
+    run.finish(Some(&files.written()))
 }
 
 /// Writes the report of a scene that has heat and no light.
@@ -54,25 +53,26 @@ fn run_in_the_dark(
     loaded: &Loaded,
     ranks: &Ranks,
 ) -> Result<(), CliError> {
-    if args.report.report.is_some() {
-        return Err(CliError::Refused {
-            message: "--report has the figures of light, and no surface of this scene emits any".to_owned(),
-            cure: "leave it out; `radiosity heat -o FILE.json` has those of heat".to_owned(),
-        });
+    let report = &args.run.report;
+    if report.report.is_some() {
+        return Err(CliError::refused(
+            "--report has the figures of light, and no surface of this scene emits any",
+            "leave it out; `radiosity heat -o FILE.json` has those of heat",
+        ));
     }
-    let files = ReportFiles::reserve(path, &[], |path| loaded.reserve(path, &args.report, ranks))?;
-    let progress = Progress::of(&args.report, ranks);
-    let heat = heat(args, &loaded.scene, &progress, ranks)?;
+    let files = ReportFiles::reserve(path, &[], |path| loaded.reserve(path, report, ranks))?;
+    let progress = Progress::of(report, ranks);
+    let heat = heat(args, loaded.scene(), &progress, ranks)?;
     let command = command();
-    let page = ReportPage { scene: &loaded.scene, light: None, heat: Some(Ok(&heat)), command: &command };
+    let page = ReportPage { scene: loaded.scene(), light: None, heat: Some(Ok(&heat)), command: &command };
     files.write(&page.document())?;
     drop(progress);
     let checkpoint = Checkpoint::so_far(ranks);
-    if !args.report.quiet {
+    if !report.quiet {
         let mut lines: Vec<String> = checkpoint.iter().map(Checkpoint::to_string).collect();
         lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
-        lines.push(format!("wrote {}\n", files.written()));
-        console::tell(&lines.join("\n"), ranks);
+        lines.push(format!("wrote {}", files.written()));
+        console::tell(&lines, ranks);
     }
     Ok(())
 }
@@ -85,8 +85,8 @@ fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress, ranks: &Ranks
         }
     };
     let usual = HeatOptions::default();
-    let threads = args.method.threads.map_or(usual.options.threads, Threads::count);
-    let memory = allowed(args.method.memory, ranks);
+    let threads = args.run.method.threads.map_or(usual.options.threads, Threads::count);
+    let memory = allowed(args.run.method.memory, ranks);
     let wanted = HeatOptions { options: Options { memory, threads, ..usual.options }, ..usual };
     Heat::of(scene, &wanted, &Work::among(ranks).observed_by(&show))
 }

@@ -3,10 +3,7 @@
 use radiosity_reading::probe::{Probe, ProbeFault};
 use radiosity_scene::SensorPlane;
 
-use crate::{
-    error::CliError,
-    points::{Points, PointsError},
-};
+use crate::{error::CliError, points::Points};
 
 /// Sensors: points of a file, or planes one after the other.
 #[derive(Debug)]
@@ -45,22 +42,16 @@ impl Sensors {
 
     /// The error where the point at `index` cannot be read.
     pub(crate) fn unreadable(&self, index: usize, fault: ProbeFault) -> CliError {
-        let cure = "the polynomials are known on surfaces alone, along their normals: choose --read gather"
-            .to_owned();
+        let cure = "the polynomials are known on surfaces alone, along their normals: choose --read gather";
         match self {
-            Self::Points(points) => CliError::Points(PointsError {
-                origin: points.origin.clone(),
-                place: Some(points.lines[index]),
-                fault: fault.to_string(),
-                cure,
-            }),
+            Self::Points(points) => points.error(points.lines[index], fault.to_string(), cure),
             Self::Planes(_) => {
                 let probes = self.probes();
                 let plane = self.by_plane(&probes).find(|on| index < on.first + on.items.len());
                 let name = plane.map_or("", |on| on.plane.name());
                 let [x, y, z] = probes[index].position.to_array();
                 let place = format!("plane {name:?}: the sensor at ({x:.6}, {y:.6}, {z:.6})");
-                CliError::Refused { message: format!("{place}: {fault}"), cure }
+                CliError::refused(format!("{place}: {fault}"), cure)
             }
         }
     }

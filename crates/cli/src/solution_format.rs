@@ -28,9 +28,7 @@ impl SolutionFormat {
     /// Refuses, before the work, what cannot be written of a solution with these options.
     pub(crate) fn check(self, path: &Path, options: &Options) -> Result<(), CliError> {
         match self {
-            Self::Vtu if options.masks.is_some() => {
-                Err(CliError::Vtu { path: path.to_owned(), reason: VtuError::Masked })
-            }
+            Self::Vtu if options.masks.is_some() => Err(no_grid(path, &VtuError::Masked)),
             _ => Ok(()),
         }
     }
@@ -43,10 +41,15 @@ impl SolutionFormat {
             return Ok(path.display().to_string());
         }
         let grid = Grid::new(&solved.scene, &solved.outcome.solution);
-        let grid = grid.map_err(|reason| CliError::Vtu { path: path.to_owned(), reason })?;
+        let grid = grid.map_err(|reason| no_grid(path, &reason))?;
         output.write(|writer| grid.write(writer))?;
         let (cells, points, deviation) = (grid.cells(), grid.points(), grid.deviation());
         let figures = format!("{cells} cells, {points} points, within {deviation:.1e} of the surfaces");
         Ok(format!("{} ({figures})", path.display()))
     }
+}
+
+/// The error of a solution that is no grid of VTK.
+fn no_grid(path: &Path, reason: &VtuError) -> CliError {
+    CliError::refused(format!("{}: {reason}", path.display()), reason.cure().to_string())
 }

@@ -3,19 +3,15 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use radiosity_request::MethodRequest;
 use radiosity_request::{KEPT, require_all_bounces};
-use radiosity_solve::{Options, Outcome, Sampling};
+use radiosity_solve::{Outcome, Sampling};
 use radiosity_work::ranks::Ranks;
-use radiosity_work::{Deadline, Work};
 
 use crate::{
-    checkpoint::CheckpointArgs,
     error::CliError,
-    interrupt,
-    options::{PARAMETER_OR_GROUP, ReportArgs, SceneArg},
-    progress::Progress,
-    run::{Loaded, Run, options},
+    loaded::Loaded,
+    options::{PARAMETER_OR_GROUP, SceneArg},
+    run::{Run, RunArgs},
     solution_format::SolutionFormat,
 };
 
@@ -40,31 +36,21 @@ pub(crate) struct SolveArgs {
     pub(crate) keep_partial: bool,
 
     #[command(flatten)]
-    pub(crate) method: MethodRequest,
-
-    #[command(flatten)]
-    pub(crate) checkpoint: CheckpointArgs,
-
-    #[command(flatten)]
-    pub(crate) report: ReportArgs,
+    pub(crate) run: RunArgs,
 }
 
 /// Solves the scene and writes the coefficients.
 pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    require_all_bounces(&args.method, KEPT, "type --bounces to render, probe or grid, with the scene")?;
-    let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
+    require_all_bounces(&args.run.method, KEPT, "type --bounces to render, probe or grid, with the scene")?;
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene().name).into());
     let format = SolutionFormat::of(&path);
-    format.check(&path, &options(&args.method, ranks))?;
-    let output = loaded.reserve(&path, &args.report, ranks)?;
-    let (progress, limit) = (Progress::of(&args.report, ranks), args.method.ends_at());
-    let hard = limit.map(|at| Deadline::at(Some(at)));
-    let deadline = if args.keep_partial { Some(interrupt::soften(limit)) } else { hard.as_ref() };
-    let work = Work { ranks, observer: &progress, deadline };
-    let options = Options { keep_partial: args.keep_partial, ..options(&args.method, ranks) };
-    let run = Run::with_options(loaded, &args.method, options, &args.report, &work)?;
+    format.check(&path, &args.run.method.options(ranks))?;
+    let output = loaded.reserve(&path, &args.run.report, ranks)?;
+    let solve = if args.keep_partial { Run::keeping_parts } else { Run::solve };
+    let run = solve(loaded, &args.run, ranks)?;
     let Outcome { converged, residual, sampling, .. } = run.solved.outcome;
     let written = format.write(&run.solved, &path, &output)?;
-    run.finish(progress, Some(&written))?;
+    run.finish(Some(&written))?;
     match sampling {
         _ if !converged => Err(CliError::Partial { path, residual }),
         Some(Sampling { rays, planned, .. }) if rays < planned => {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use radiosity_output::documents::viewer::{FirstViewColours, FirstViewSettings};
 use radiosity_output::drawings::false_colour::{FalseColours, false_colour};
 use radiosity_output::drawings::legend::Legend;
@@ -23,12 +23,7 @@ use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;
 
-use crate::{
-    colours::{ColourArgs, Range},
-    error::CliError,
-    numbers::number,
-    reference,
-};
+use crate::{colours::ColourArgs, error::CliError, format, numbers::number, reference};
 
 /// How a picture looks.
 #[derive(Debug, Args)]
@@ -61,7 +56,7 @@ pub(crate) struct StyleArgs {
 }
 
 /// File format of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PictureFormat {
     /// 8-bit colours.
     Png,
@@ -97,34 +92,28 @@ enum Other {
 impl StyleArgs {
     /// The kind that the ending of `path` names.
     pub(crate) fn kind(&self, path: &Path) -> Result<PictureFormat, CliError> {
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        let cure = "choose a file ending in .png (colours), .exr (values), .html (to walk through) or .glb (surfaces with \
+                    their light)";
+        let kind = format::of_kind(path, "kind of picture", cure)?;
         let drawn = self.false_colour || self.wireframe || self.difference.is_some();
-        match ending.as_deref() {
-            Some("png") => Ok(PictureFormat::Png),
-            Some("exr") if drawn || self.exposure.is_some() => Err(CliError::Refused {
-                message: format!("{}: an .exr holds the values and nothing else", path.display()),
-                cure: "leave out the options of style, or choose a file ending in .png".to_owned(),
-            }),
-            Some("exr") => Ok(PictureFormat::Exr),
-            Some("glb") => {
+        match kind {
+            PictureFormat::Exr if drawn || self.exposure.is_some() => Err(CliError::refused(
+                format!("{}: an .exr holds the values and nothing else", path.display()),
+                "leave out the options of style, or choose a file ending in .png",
+            )),
+            PictureFormat::Glb => {
                 let drawn = ["--false-colour", "--wireframe", "--difference"];
                 let of_colours = ["--range", "--band", "--log", "--isolines"];
                 let unfit = [&drawn[..], &of_colours].concat();
-                self.require_none(path, &unfit, "a .glb holds textures of light, for which there is")?;
-                Ok(PictureFormat::Glb)
+                self.require_none(path, &unfit, "a .glb holds textures of light, for which there is")
             }
-            Some("html") => {
+            PictureFormat::Html => {
                 let unfit = ["--wireframe", "--difference", "--isolines"];
-                self.require_none(path, &unfit, "a page to walk through has")?;
-                Ok(PictureFormat::Html)
+                self.require_none(path, &unfit, "a page to walk through has")
             }
-            _ => Err(CliError::Refused {
-                message: format!("{}: the ending names no kind of picture", path.display()),
-                cure: "choose a file ending in .png (colours), .exr (values), .html (to walk through) or .glb (surfaces with \
-                       their light)"
-                    .to_owned(),
-            }),
-        }
+            PictureFormat::Png | PictureFormat::Exr => Ok(()),
+        }?;
+        Ok(kind)
     }
 
     /// Refuses the first of the options `unfit` that was typed, for a file of which `what` begins to say that
@@ -137,10 +126,10 @@ impl StyleArgs {
         ];
         let drawn = drawn.into_iter().filter(|(_, typed)| *typed).map(|(option, _)| option);
         match drawn.chain(self.colours.typed()).find(|option| unfit.contains(option)) {
-            Some(option) => Err(CliError::Refused {
-                message: format!("{}: {what} no {option}", path.display()),
-                cure: format!("leave out {option}, or choose a file ending in .png"),
-            }),
+            Some(option) => Err(CliError::refused(
+                format!("{}: {what} no {option}", path.display()),
+                format!("leave out {option}, or choose a file ending in .png"),
+            )),
             None => Ok(()),
         }
     }
@@ -155,11 +144,7 @@ impl StyleArgs {
         self.check_colours()?;
         self.colours.check()?;
         let ColourArgs { range, log, .. } = &self.colours;
-        let colours = FirstViewColours {
-            band: self.colours.band(scene)?,
-            range: range.map(|Range(range)| range),
-            log: *log,
-        };
+        let colours = FirstViewColours { band: self.colours.band(scene)?, range: *range, log: *log };
         let false_colours = self.false_colour.then_some(colours);
         Ok(FirstViewSettings { camera, samples, exposure: self.exposure, shown: self.show, false_colours })
     }
@@ -201,10 +186,10 @@ impl StyleArgs {
         if !typed.iter().any(|option| unfit.contains(option)) {
             return Ok(());
         }
-        Err(CliError::Refused {
-            message: format!("{} speak of {message}", unfit.join(", ")),
-            cure: format!("{cure}, or leave them out"),
-        })
+        Err(CliError::refused(
+            format!("{} speak of {message}", unfit.join(", ")),
+            format!("{cure}, or leave them out"),
+        ))
     }
 }
 
@@ -212,10 +197,8 @@ fn other(path: &Path, scene: &Scene, camera: &Camera, ranks: &Ranks) -> Result<O
     if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("exr")) {
         return Ok(Other::Solved(Box::new(reference::solution(path, scene, ranks)?)));
     }
-    let refused = |reason: String, cure: &str| CliError::Refused {
-        message: format!("{}: {reason}", path.display()),
-        cure: cure.to_owned(),
-    };
+    let refused =
+        |reason: String, cure: &str| CliError::refused(format!("{}: {reason}", path.display()), cure);
     let cure = "give a picture of this scene that `radiosity render -o FILE.exr` wrote";
     let file = std::fs::File::open(path).map_err(|error| refused(error.to_string(), cure))?;
     let raster = read_exr(std::io::BufReader::new(file), &scene.bands);
@@ -292,14 +275,13 @@ impl Style<'_> {
         other: &Field,
         wired: impl Fn(Picture) -> Picture,
     ) -> Result<(Picture, String), CliError> {
-        let difference = Difference::new(field, other).ok_or_else(|| CliError::Refused {
-            message: "the picture to compare with is black".to_owned(),
-            cure: "choose another picture or another band".to_owned(),
-        })?;
+        let black = "the picture to compare with is black";
+        let difference = Difference::new(field, other)
+            .ok_or_else(|| CliError::refused(black, "choose another picture or another band"))?;
         let Difference { field, rms, largest } = &difference;
         let size = round_above(field.usual_size());
         let scale = match self.args.colours.range {
-            Some(Range(range)) => Scale::diverging(range[0].abs().max(range[1].abs())),
+            Some(range) => Scale::diverging(range[0].abs().max(range[1].abs())),
             None => Scale::diverging(size),
         };
         let title = ["difference".to_owned()].into_iter().chain(self.band_name.clone());

@@ -10,8 +10,6 @@ use radiosity_kernel::WorstError;
 use radiosity_output::files::view_factors as output;
 use radiosity_output::files::view_factors::Sparse;
 use radiosity_reading::accuracy_warning::missed;
-use radiosity_reading::checkpoint::Checkpoint;
-use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::row_sums::RowSums;
 use radiosity_scene::Scene;
 use radiosity_solve::view_factors::ViewFactors;
@@ -19,8 +17,8 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::{Progress as Event, Work};
 
 use crate::{
-    console, destination::Destination, error::CliError, format, options::SceneArg, output_file::OutputFile,
-    progress::Progress, run::remarks, transfers::TransferArgs, typed_options::TypedOptions,
+    destination::Destination, error::CliError, format, options::SceneArg, progress::Progress,
+    transfers::TransferArgs, typed_options::TypedOptions,
 };
 
 const NOTES: &str = "\
@@ -94,22 +92,10 @@ pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -
     let format = args.format()?;
     args.transfers.request.check()?;
     let scene = args.scene.request().load(ranks)?;
-    let ranks = args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
-    of_scene(args, &scene, format, start, &ranks)
-}
-
-/// Computes and writes the factors of a scene that was read; the command began at `start`.
-fn of_scene(
-    args: &ViewFactorsArgs,
-    scene: &Scene,
-    format: Format,
-    start: Instant,
-    ranks: &Ranks,
-) -> Result<(), CliError> {
-    let pairs: Vec<[usize; 2]> =
-        args.pairs.iter().map(|pair| named_pair(scene, pair)).collect::<Result<_, _>>()?;
-    let reserve = |path| args.scene.kept_apart(OutputFile::reserve(path, ranks)?);
-    let destination = Destination::of(args.output.as_deref().map(reserve).transpose()?, ranks);
+    let ranks = &args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
+    let pairs = args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<Vec<_>, _>>()?;
+    let output = args.output.as_deref().map(|path| args.scene.reserve(path, ranks));
+    let destination = Destination::of(output.transpose()?, ranks);
     let progress = Progress::new(args.transfers.quiet, ranks);
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
@@ -119,14 +105,25 @@ fn of_scene(
         }
     };
     let work = Work::among(ranks).observed_by(&show);
-    let factors = ViewFactors::of_pairs(scene, &wanted, &args.transfers.request.factors(), &work)?;
+    let factors = ViewFactors::of_pairs(&scene, &wanted, &args.transfers.request.factors(), &work)?;
     let form = Form { format, sparse: args.sparse, pairs };
-    destination.write(|writer| form.write(scene, &factors, writer))?;
+    destination.write(|writer| form.write(&scene, &factors, writer))?;
     drop(progress);
-    if !args.transfers.quiet {
-        args.tell(scene, &factors, start, ranks);
-    }
+    let first = costs(&scene, &factors, start.elapsed().as_secs_f64());
+    args.transfers.tell(first, &scene, args.findings(&factors), &args.output, ranks);
     Ok(())
+}
+
+/// The first lines of the summary of a run of so many seconds.
+fn costs(scene: &Scene, factors: &ViewFactors, seconds: f64) -> Vec<String> {
+    let ViewFactors { names, elapsed, samples, rays, .. } = factors;
+    let elapsed = elapsed.as_secs_f64();
+    vec![
+        format!("{}: {} surfaces", scene.name, names.len()),
+        format!(
+            "{seconds:.3} s, of which factors {elapsed:.3} s ({samples} kernel samples, {rays} shadow rays)"
+        ),
+    ]
 }
 
 /// Form in which factors are written, and the pairs.
@@ -179,7 +176,8 @@ fn emittances(scene: &Scene) -> Vec<f64> {
 fn named_pair(scene: &Scene, pair: &str) -> Result<[usize; 2], CliError> {
     let halves = || pair.match_indices(',').map(|(at, _)| (pair[..at].trim(), pair[at + 1..].trim()));
     let Some((first, second)) = halves().next() else {
-        return Err(CliError::NoPair { text: pair.to_owned() });
+        let cure = "write the names of two surfaces, as in --pairs floor,ceiling";
+        return Err(CliError::refused(format!("--pairs {pair}: two names are needed"), cure));
     };
     let found = |(a, b)| Some([scene.surface_named(a).ok()?, scene.surface_named(b).ok()?]);
     match halves().find_map(found) {
@@ -194,7 +192,8 @@ impl ViewFactorsArgs {
         let format = format::chosen(self.format, self.output.as_deref(), Format::Csv)?;
         let named = || format::name(&format).to_uppercase();
         if !format.holds_pairs() && !self.pairs.is_empty() {
-            return Err(CliError::PairsAsArray { format: named() });
+            let message = format!("--pairs are no matrix, which is all that {} holds", named());
+            return Err(CliError::refused(message, "choose --format csv or json"));
         }
         let Some(sparse) = self.sparse else { return Ok(format) };
         let cure = match (format, sparse) {
@@ -203,37 +202,17 @@ impl ViewFactorsArgs {
             (Format::Npy | Format::Txt, _) => "leave out --sparse, or choose a file ending in .npz",
         };
         let message = format!("--sparse {}: {} has no place for it", format::name(&sparse), named());
-        Err(CliError::Refused { message, cure: cure.to_owned() })
+        Err(CliError::refused(message, cure))
     }
 
-    /// The summary on stderr.
-    fn tell(&self, scene: &Scene, factors: &ViewFactors, start: Instant, ranks: &Ranks) {
-        let mut lines = vec![
-            format!("{}: {} surfaces", scene.name, factors.names.len()),
-            format!(
-                "{:.3} s, of which factors {:.3} s ({} kernel samples, {} shadow rays)",
-                start.elapsed().as_secs_f64(),
-                factors.elapsed.as_secs_f64(),
-                factors.samples,
-                factors.rays
-            ),
-        ];
-        let threads = self.transfers.request.threads();
-        lines.extend(RanksWork::so_far(ranks, threads).map(|work| work.to_string()));
-        let checkpoint = Checkpoint::so_far(ranks);
-        lines.extend(checkpoint.as_ref().map(Checkpoint::to_string));
-        lines.extend(remarks(scene));
-        lines.extend(scene.fitted.line());
-        if self.pairs.is_empty() {
-            lines.extend(self.sums(factors));
-        }
+    /// The lines of the summary on the factors.
+    fn findings(&self, factors: &ViewFactors) -> Vec<String> {
+        let mut lines = if self.pairs.is_empty() { self.sums(factors) } else { Vec::new() };
         if let Some(worst) = factors.worst_error.filter(WorstError::is_real) {
             let names = worst.pair.map(|surface| &factors.names[surface][..]);
             lines.push(format!("warning: {}", missed(&worst, names)));
         }
-        lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
-        lines.extend(self.output.as_ref().map(|path| format!("wrote {}", path.display())));
-        console::tell(&(lines.join("\n") + "\n"), ranks);
+        lines
     }
 
     /// Lines on row sums and reciprocity.

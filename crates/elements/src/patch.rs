@@ -206,27 +206,39 @@ impl Patch {
 
     /// The two halves of a cut at the middle of one direction.
     pub fn halves(&self, direction: Direction) -> [Self; 2] {
-        match (self, direction) {
-            (Self::Flat { corners: [a, b, c, d], normal }, Direction::Along) => {
-                let (low, high) = (a.midpoint(*b), d.midpoint(*c));
+        self.cut(direction, 0.5)
+    }
+
+    /// The pairs of the halves of the longer of two patches, across its extent, with the other one.
+    pub fn halve_longer(p: &Self, q: &Self) -> [[Self; 2]; 2] {
+        let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
+        if extent_p >= extent_q {
+            p.halves(direction_p).map(|half| [half, q.clone()])
+        } else {
+            q.halves(direction_q).map(|half| [p.clone(), half])
+        }
+    }
+
+    /// The two parts of a cut at the parameter `at` of one direction.
+    pub fn cut(&self, direction: Direction, at: f64) -> [Self; 2] {
+        match self {
+            Self::Flat { corners: [a, b, c, d], normal } => {
                 let flat = |corners| Self::Flat { corners, normal: *normal };
-                [flat([*a, low, high, *d]), flat([low, *b, *c, high])]
+                if direction == Direction::Along {
+                    let (low, high) = (a.lerp(*b, at), d.lerp(*c, at));
+                    [flat([*a, low, high, *d]), flat([low, *b, *c, high])]
+                } else {
+                    let (left, right) = (a.lerp(*d, at), b.lerp(*c, at));
+                    [flat([*a, *b, right, left]), flat([left, right, *c, *d])]
+                }
             }
-            (Self::Flat { corners: [a, b, c, d], normal }, Direction::Across) => {
-                let (left, right) = (a.midpoint(*d), b.midpoint(*c));
-                let flat = |corners| Self::Flat { corners, normal: *normal };
-                [flat([*a, *b, right, left]), flat([left, right, *c, *d])]
-            }
-            (Self::Curved { surface, origin, along, across }, _) => {
-                let (step, along, across) = match direction {
-                    Direction::Along => (*along * 0.5, *along * 0.5, *across),
-                    Direction::Across => (*across * 0.5, *along, *across * 0.5),
-                };
-                [*origin, *origin + step].map(|origin| Self::Curved {
-                    surface: surface.clone(),
-                    origin,
-                    along,
-                    across,
+            Self::Curved { surface, origin, along, across } => {
+                [[0.0, at], [at, 1.0 - at]].map(|[from, share]| {
+                    let (step, along, across) = match direction {
+                        Direction::Along => (*along * from, *along * share, *across),
+                        Direction::Across => (*across * from, *along, *across * share),
+                    };
+                    Self::Curved { surface: Arc::clone(surface), origin: *origin + step, along, across }
                 })
             }
         }

@@ -11,6 +11,7 @@ pub(crate) mod placed_block;
 pub(crate) mod pair_counts;
 pub(crate) mod reciprocity;
 pub(crate) mod remainder;
+pub(crate) mod account;
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -22,13 +23,9 @@ use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::blocks::pair_counts::PairCounts;
-use block::BlockReport;
+use account::Account;
 use held_rows::HeldRows;
 use placed_block::PlacedBlock;
-use reciprocity::Reciprocity;
-use remainder::Remainder;
-use worst_error::WorstError;
 
 /// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their
 /// results.
@@ -50,26 +47,10 @@ pub struct Blocks {
     numbers: usize,
     /// Whether all blocks of an element's row were computed.
     complete: Vec<bool>,
-    /// Numbers of pairs by contact and by reason of being skipped.
-    pub pairs: PairCounts,
-    /// Terms of all rules; logarithms for contour integrals. Blocks that are copies count like those they
-    /// were copied from.
-    pub samples: u64,
     /// G c as integrated, c the coefficients of the constant 1, where G was corrected afterwards.
     pub integrated: Option<Vec<f64>>,
-    /// Kernel evaluations or logarithms: fewer than the terms where kernel values repeat.
-    pub distinct: u64,
-    /// Segments tested for visibility.
-    pub rays: u64,
-    /// Reciprocity, from a sample of pairs that were integrated both ways.
-    pub reciprocity: Reciprocity,
-    /// Estimate of the largest error of a block that rules or rays leave ([`WorstError::error`]); zero if all
-    /// were resolved.
-    pub accuracy_reached: f64,
-    /// The block whose error is the largest multiple of what was asked of it.
-    pub worst_error: Option<WorstError>,
-    /// Remainders of the blocks that were not integrated.
-    pub remainders: Vec<Remainder>,
+    /// Their counts, costs and errors.
+    pub account: Account,
 }
 
 /// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is
@@ -140,15 +121,8 @@ impl Blocks {
             symmetric,
             values: Vec::new(),
             numbers: 0,
-            pairs: PairCounts::default(),
-            samples: 0,
-            distinct: 0,
             integrated: None,
-            rays: 0,
-            reciprocity: Reciprocity::default(),
-            accuracy_reached: 0.0,
-            worst_error: None,
-            remainders: Vec::new(),
+            account: Account::default(),
         }
     }
 
@@ -199,21 +173,6 @@ impl Blocks {
     /// Whether G is symmetric; it is, except by the rules of 1993 (`published::zatz1993::transfers`).
     pub fn symmetric(&self) -> bool {
         self.symmetric
-    }
-
-    /// Takes the error of a block into account.
-    pub fn record_error(&mut self, error: WorstError) {
-        self.accuracy_reached = self.accuracy_reached.max(error.error);
-        if self.worst_error.is_none_or(|worst| error.excess() > worst.excess()) {
-            self.worst_error = Some(error);
-        }
-    }
-
-    /// Adds what it took to integrate a block.
-    pub fn take_costs(&mut self, block: &BlockReport) {
-        self.samples += block.samples;
-        self.distinct += block.distinct;
-        self.rays += block.rays;
     }
 
     /// Numbers that are stored, by all ranks together, each block counted once.
@@ -284,18 +243,16 @@ impl Blocks {
         }
         let stored = in_order(ranks.all(self.rows(&self.stored, Self::entries)));
         let crosses = in_order(ranks.all(self.rows(&self.crosses, Self::line_and_rest)));
-        let alone = Self::empty(self.starts.clone(), self.symmetric, Ranks::alone());
-        let mut all = Self { complete: self.complete.clone(), ..alone };
+        let mut all = Self {
+            complete: self.complete.clone(),
+            integrated: self.integrated.clone(),
+            account: self.account.clone(),
+            ..Self::empty(self.starts.clone(), self.symmetric, Ranks::alone())
+        };
         stored.iter().for_each(|Row { pair: [row, column], values, .. }| all.keep(*row, *column, values));
         crosses
             .iter()
             .for_each(|Row { pair: [row, column], values, .. }| all.push_cross(*row, *column, values));
-        (all.pairs, all.samples, all.distinct, all.rays) =
-            (self.pairs, self.samples, self.distinct, self.rays);
-        (all.reciprocity, all.accuracy_reached, all.worst_error) =
-            (self.reciprocity, self.accuracy_reached, self.worst_error);
-        all.integrated.clone_from(&self.integrated);
-        all.remainders.clone_from(&self.remainders);
         Cow::Owned(all)
     }
 

@@ -5,5 +5,5 @@ pub mod clip;
 pub mod sectors;
 pub mod orientation;
 pub mod planes;
-pub mod flat;
-pub mod curved;
+pub mod gap;
+pub mod patches;

@@ -16,6 +16,7 @@ pub mod rules;
 pub mod terms;
 
 pub use blocks::Blocks;
+pub use blocks::account::Account;
 pub use blocks::block::Accuracy;
 pub use blocks::block::PairKind;
 pub use blocks::pair_counts::PairCounts;

@@ -12,7 +12,7 @@ use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
 use radiosity_geom::DVec3;
 
-use crate::contact::flat::polygon_distance;
+use crate::contact::gap::polygon_distance;
 use crate::moments::Moments;
 use crate::moments::tensor::Terms;
 use crate::rules::far::{SMALLEST_RATIO, counts};
@@ -52,8 +52,7 @@ impl Demand {
 
     fn divide(&self, p: &Patch, q: &Patch, levels: usize, pairs: &mut Vec<PatchPair>) -> bool {
         let nearest = self.nearest * self.distance(p, q);
-        let ((along_p, extent_p), (along_q, extent_q)) = (p.longest(), q.longest());
-        if nearest >= SMALLEST_RATIO * extent_p.max(extent_q) {
+        if nearest >= SMALLEST_RATIO * p.longest().1.max(q.longest().1) {
             let points = counts(p, q, self.degrees, nearest, self.eps);
             pairs.push(PatchPair { patches: [p.clone(), q.clone()], points });
             return true;
@@ -61,11 +60,7 @@ impl Demand {
         if levels == 0 {
             return false;
         }
-        if extent_p >= extent_q {
-            p.halves(along_p).iter().all(|half| self.divide(half, q, levels - 1, pairs))
-        } else {
-            q.halves(along_q).iter().all(|half| self.divide(p, half, levels - 1, pairs))
-        }
+        Patch::halve_longer(p, q).iter().all(|[p, q]| self.divide(p, q, levels - 1, pairs))
     }
 }
 

@@ -8,7 +8,8 @@ mod teapot;
 mod arcs;
 mod temple;
 
-use radiosity_scene::Fault;
+use radiosity_scene::{Fault, FaultKind};
+use radiosity_work::wording::{command, words};
 
 /// A scene that lives in the binary.
 #[derive(Debug)]
@@ -270,8 +271,10 @@ impl Builtin {
     }
 
     fn unknown(&self, name: &str) -> Fault {
-        let known = self.parameters.iter().map(|parameter| parameter.name).collect();
-        Fault::UnknownParameter { name: name.to_owned(), known }
+        let known: Vec<String> = self.parameters.iter().map(|parameter| parameter.name.to_owned()).collect();
+        let none = words("this scene has no parameters; ") + command("scenes") + " lists those that have";
+        let cause = format!("there is no parameter {name:?}");
+        Fault::unknown_or(cause, name, known, "parameters of this scene", none)
     }
 }
 
@@ -279,11 +282,15 @@ impl Parameter {
     fn checked(&self, value: f64) -> Result<f64, Fault> {
         let [least, most] = self.range;
         if self.whole && value.fract() != 0.0 {
-            return Err(Fault::NotWhole { value });
+            return Err(Fault::not_whole(value));
         }
         match (least..=most).contains(&value) {
             true => Ok(value),
-            false => Err(Fault::ParameterRange { name: self.name, value, least, most }),
+            false => {
+                let name = self.name;
+                let cause = format!("the parameter {name} is {value}, outside {least} ≤ {name} ≤ {most}");
+                Err(Fault::new(FaultKind::OutOfRange, cause, "choose a value in that range"))
+            }
         }
     }
 }

@@ -9,7 +9,7 @@ use radiosity_formats::{
 use radiosity_geom::DVec3;
 use radiosity_scene::{
     Camera, Fault, SceneSurface,
-    error::{Located, surface_title},
+    error::{Located, title},
 };
 
 use crate::instances::PlacedSurface;
@@ -58,9 +58,10 @@ impl<'a> Export<'a> {
     /// Adds the surfaces of an entry of the scene.
     pub(super) fn add(&mut self, placed: &PlacedSurface<'_>) -> Result<(), Located> {
         let PlacedSurface { file, name, motion, .. } = placed;
-        let shapes = file.shape.models(motion).map_err(|error| {
-            Located::at(&file.shape.span, Fault::Shape(error)).within(|| surface_title(name))
-        })?;
+        let shapes = file
+            .shape
+            .models(motion)
+            .map_err(|error| Located::at(&file.shape.span, error.into()).within(|| title("surface", name)))?;
         let Some(shapes) = shapes else {
             self.refused.push(ForeignSurface { name: name.clone(), key: file.shape.kind });
             return Ok(());
@@ -120,10 +121,9 @@ impl<'a> Export<'a> {
                 let spelt = self.refused.iter().take(SPELT).map(spelt);
                 let spelt = spelt.collect::<Vec<_>>().join(", ");
                 let more = if count > SPELT { format!(" and {} more", count - SPELT) } else { String::new() };
-                Err(Located::nowhere(Fault::Foreign {
-                    cause: format!("other programs have no such shapes as {spelt}{more}"),
-                    cure: "write the scene as .toml or .json, or leave these surfaces out".to_owned(),
-                }))
+                let cause = format!("other programs have no such shapes as {spelt}{more}");
+                let cure = "write the scene as .toml or .json, or leave these surfaces out";
+                Err(Located::nowhere(Fault::foreign(cause, cure)))
             }
         }
     }

@@ -1,80 +1,47 @@
-//! Tree → plain values: a table's fields, numbers, points and lists, each refused at its own place.
+//! Tree → plain values: numbers, points and lists, each refused at its own place.
 
 use std::{borrow::Cow, sync::Arc};
 
 use radiosity_geom::{DVec3, ShapeError};
 use radiosity_scene::{
-    Fault,
+    Fault, FaultKind,
     error::Located,
     names::check_text,
-    place::{At, Span},
+    place::At,
     ranges::check_number,
-    tree::{Node, Value, entry},
+    tree::{Node, Value},
 };
-
-/// The fields of one table, all of known names.
-pub(super) struct Fields<'a> {
-    entries: &'a [(At<String>, Node)],
-    span: &'a Span,
-}
-
-impl<'a> Fields<'a> {
-    /// The fields of `node`, which must be a table with no other keys than `known`.
-    pub(super) fn new(node: &'a Node, known: &[&'static str]) -> Result<Self, Located> {
-        let entries = table(node)?;
-        for (key, _) in entries {
-            if !known.contains(&key.value.as_str()) {
-                let fault = Fault::UnknownKey { key: key.value.clone(), known: known.to_vec() };
-                return Err(Located::at(&key.span, fault));
-            }
-        }
-        Ok(Fields { entries, span: &node.span })
-    }
-
-    /// Span of the table in its text.
-    pub(super) fn span(&self) -> &'a Span {
-        self.span
-    }
-
-    /// A field that may be left out.
-    pub(super) fn get(&self, key: &str) -> Option<&'a Node> {
-        entry(self.entries, key)
-    }
-
-    /// A field that has to be there.
-    pub(super) fn node(&self, key: &'static str) -> Result<&'a Node, Located> {
-        self.get(key).ok_or_else(|| Located::at(self.span, Fault::MissingKey { key }))
-    }
-
-    /// A field that has to be there, read by `read`.
-    pub(super) fn require<T>(&self, key: &'static str, read: Reader<T>) -> Result<T, Located> {
-        read(self.node(key)?)
-    }
-
-    /// A field that may be left out, read by `read`.
-    pub(super) fn optional<T>(&self, key: &str, read: Reader<T>) -> Result<Option<T>, Located> {
-        self.get(key).map(read).transpose()
-    }
-}
 
 /// A function that turns a node into a value.
 pub(super) type Reader<T> = fn(&Node) -> Result<T, Located>;
 
-fn wrong(node: &Node, expected: &'static str) -> Located {
-    Located::at(&node.span, Fault::WrongType { expected, found: node.value.kind() })
+/// Cure of a value of the wrong kind.
+const KIND: &str = "write a value of that kind";
+
+fn wrong(node: &Node, expected: &str, cure: &str) -> Located {
+    Located::at(&node.span, wrong_type(expected, &node.value.kind(), cure))
+}
+
+fn wrong_type(expected: &str, found: &str, cure: &str) -> Fault {
+    Fault::new(FaultKind::WrongType, format!("expected {expected}, found {found}"), cure)
+}
+
+/// A value of the kind `found` where a number is expected.
+pub(super) fn not_a_number(found: &str) -> Fault {
+    wrong_type("a number", found, "write it without quotes, e.g. 0.5")
 }
 
 /// The entries of a table.
 pub(super) fn table(node: &Node) -> Result<&[(At<String>, Node)], Located> {
     match &node.value {
         Value::Table(entries) => Ok(entries),
-        _ => Err(wrong(node, "a table")),
+        _ => Err(wrong(node, "a table", KIND)),
     }
 }
 
 /// The items of a list.
 pub(super) fn list(node: &Node) -> Result<Cow<'_, [Node]>, Located> {
-    node.items().ok_or_else(|| wrong(node, "a list"))
+    node.items().ok_or_else(|| wrong(node, "a list", "write it in brackets, e.g. [0, 0, 1]"))
 }
 
 /// A text that is not blank.
@@ -82,7 +49,7 @@ pub(super) fn text(node: &Node) -> Result<At<String>, Located> {
     let text = match &node.value {
         Value::Text(text) => text,
         Value::Formula(formula) => &formula.text,
-        _ => return Err(wrong(node, "a text in quotes")),
+        _ => return Err(wrong(node, "a text in quotes", "write it in quotes, e.g. \"white\"")),
     };
     match check_text(text) {
         Ok(()) => Ok(At::new(text.clone(), &node.span)),
@@ -102,7 +69,7 @@ pub(super) fn texts(node: &Node) -> Result<Vec<At<String>>, Located> {
 pub(super) fn truth(node: &Node) -> Result<bool, Located> {
     match node.value {
         Value::Truth(truth) => Ok(truth),
-        _ => Err(wrong(node, "true or false")),
+        _ => Err(wrong(node, "true or false", KIND)),
     }
 }
 
@@ -113,7 +80,7 @@ pub(super) fn number(node: &Node) -> Result<At<f64>, Located> {
         Value::Formula(formula) => {
             formula.outcome.clone().map_err(|fault| Located::at(&fault.span, fault.value))?
         }
-        _ => return Err(wrong(node, "a number")),
+        _ => return Err(Located::at(&node.span, not_a_number(&node.value.kind()))),
     };
     check_number(value).map_err(|fault| Located::at(&node.span, fault))?;
     Ok(At::new(value, &node.span))
@@ -135,17 +102,38 @@ pub(super) fn angles(node: &Node, key: &'static str) -> Result<[f64; 2], Located
     } else {
         return Ok([low.to_radians(), high.to_radians()]);
     };
-    Err(Located::at(&node.span, Fault::Shape(fault)))
+    Err(Located::at(&node.span, fault.into()))
 }
 
 /// A whole number from 0 to 2³² − 1.
 pub(super) fn whole(node: &Node) -> Result<At<u32>, Located> {
     let number = number(node)?;
     if number.value.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&number.value) {
-        let fault = Fault::NotWhole { value: number.value };
-        return Err(Located::at(&node.span, fault));
+        return Err(Located::at(&node.span, Fault::not_whole(number.value)));
     }
     Ok(At::new(number.value as u32, &node.span))
+}
+
+/// A number that passes `check`.
+pub(super) fn checked(node: &Node, check: fn(f64) -> Result<(), Fault>) -> Result<f64, Located> {
+    let number = real(node)?;
+    check(number).map_err(|fault| Located::at(&node.span, fault))?;
+    Ok(number)
+}
+
+/// The value of a word among those `known`; `unknown` is the cause of a fault, `list` the title of the words.
+pub(super) fn word<T: Copy>(
+    node: &Node,
+    known: &[(&str, T)],
+    unknown: fn(&str) -> String,
+    list: &str,
+) -> Result<T, Located> {
+    let typed = text(node)?;
+    let found = known.iter().find(|(word, _)| *word == typed.value);
+    found.map(|(_, value)| *value).ok_or_else(|| {
+        let known: Vec<String> = known.iter().map(|(word, _)| (*word).to_owned()).collect();
+        Located::at(&typed.span, Fault::unknown(unknown(&typed.value), &typed.value, known, list))
+    })
 }
 
 /// A whole number that passes `check`.
@@ -165,7 +153,7 @@ pub(super) fn exactly<const N: usize, T: Clone>(
 ) -> Result<[T; N], Located> {
     let items = list(node)?;
     if items.len() != N {
-        let fault = Fault::WrongCount { what, expected: format!("{N} {unit}"), found: items.len() };
+        let fault = Fault::wrong_count(what, &format!("{N} {unit}"), items.len());
         return Err(Located::at(&node.span, fault));
     }
     let values = items.iter().map(read).collect::<Result<Vec<_>, _>>()?;

@@ -12,206 +12,139 @@ mod motion;
 
 use radiosity_geom::DVec3;
 use radiosity_scene::{
-    Thermal,
-    animation::{check_frames, check_rate},
-    error::{Located, material_title, plane_title},
-    names::check_text,
+    animation::{MOST_FRAMES, check_frames, check_rate},
+    error::Located,
     place::{At, Span},
-    ranges::{check_fov, check_pixels},
+    ranges::{MAX_PIXELS, check_fov, check_pixels},
     tree::Node,
 };
+use serde_json::{Value, json};
 
 use crate::{
-    fields::{Fields, counted, exactly, list, number, point, real, table, text},
-    include::INCLUDE,
-    variables::VARIABLES,
+    fields::{checked, counted, exactly, list, point, real, text},
+    keys::{ByName, Entries, Fields, Kind, Named, Table, Usual, keys},
+    kinds::{POINT, TEXT, VECTOR},
+    terms,
 };
-use motion::read_motions;
-use part::{read_content, read_parts};
-use pattern::amount;
+use part::INSTANCES;
+use pattern::{amount, amount_schema};
 use per_band::per_band;
-use sky::read_sky;
-use thermal::{CONDITION_KEYS, emissivity, read_condition};
+use thermal::{ConditionFile, EMISSIVITY};
 
-pub(super) use luminaire::{DistributionFile, ExtentFile, LuminaireFile, StrengthFile};
-pub(super) use motion::{MOTION, MotionFile, RotateFile, TranslateFile, TurnsFile};
-pub(super) use part::{ContentFile, CopyRow, InstanceFile, PartFile};
-pub(super) use pattern::{Amount, EachBand, Encoding, PatternFile, PatternKind};
+pub(super) use luminaire::{ExtentFile, LuminaireFile};
+pub(super) use motion::{MotionFile, RotateFile, TranslateFile};
+pub(super) use part::{Content, CopyRow, InstanceFile, PartFile, RowsFile};
+pub(super) use pattern::{Amount, EachBand, PatternFile, PatternKind};
 pub(super) use per_band::PerBand;
 pub(super) use sky::{GlassFile, SkyFile, SunFile};
 pub(super) use surface::SurfaceFile;
 
-/// A scene file as typed.
-#[derive(Debug, Default)]
-pub(super) struct SceneFile {
-    pub title: Option<String>,
-    pub bands: Option<At<Vec<At<String>>>>,
-    pub unit: Option<At<String>>,
-    pub camera: Option<CameraFile>,
-    pub sky: Option<SkyFile>,
-    pub planes: Vec<PlaneFile>,
-    pub materials: Vec<MaterialFile>,
-    pub parts: Vec<PartFile>,
-    pub content: ContentFile,
-    pub frames: FramesFile,
-    pub motions: Vec<MotionFile>,
-}
-
-/// `frames` and `fps`.
-#[derive(Debug, Default)]
-pub(super) struct FramesFile {
-    pub count: Option<At<usize>>,
-    pub rate: Option<At<f64>>,
-}
-
-/// `[camera]`.
-#[derive(Debug)]
-pub(super) struct CameraFile {
-    pub span: Span,
-    pub eye: DVec3,
-    pub target: DVec3,
-    pub up: Option<DVec3>,
-    pub fov: Option<f64>,
-    pub width: Option<u32>,
-    pub height: Option<u32>,
-}
-
-/// `[planes.NAME]`.
-#[derive(Debug)]
-pub(super) struct PlaneFile {
-    pub name: At<String>,
-    pub origin: DVec3,
-    pub edges: At<[DVec3; 2]>,
-    pub spacing: At<[f64; 2]>,
-}
-
-/// `[materials.NAME]`.
-#[derive(Debug)]
-pub(super) struct MaterialFile {
-    pub name: At<String>,
-    /// Diffuse reflectance; none where an emissivity is given instead.
-    pub reflectance: Option<Amount>,
-    pub emission: Option<Amount>,
-    pub transmittance: Option<PerBand>,
-    pub thermal: Thermal,
-    pub group: Option<At<String>>,
-}
-
-const MATERIAL_KEYS: [&str; 5] = ["reflectance", "emission", "transmittance", "emissivity", "group"];
-
-const SCENE_KEYS: [&str; 16] = [
-    INCLUDE,
-    "title",
-    "bands",
-    "unit",
-    "frames",
-    "fps",
-    VARIABLES,
-    "camera",
-    "sky",
-    "planes",
-    "materials",
-    "parts",
-    "surfaces",
-    "luminaires",
-    "instances",
-    MOTION,
-];
-
-impl SceneFile {
-    /// Whether every reflectance, transmittance, emission, flux and intensity is a single number, or a
-    /// pattern alike in all bands.
-    pub(super) fn is_grey(&self) -> bool {
-        let amounts = self.materials.iter().flat_map(|own| [own.reflectance.as_ref(), own.emission.as_ref()]);
-        let amounts = amounts.flatten();
-        let transmittances = self.materials.iter().map(|own| own.transmittance.as_ref());
-        let contents = self.parts.iter().map(|part| &part.content).chain([&self.content]);
-        let fluxes = contents.flat_map(|content| {
-            let luminaires = content.luminaires.iter().map(|own| own.strength.as_ref());
-            let luminaires = luminaires.map(|strength| strength.map(StrengthFile::numbers));
-            content.surfaces.iter().map(|surface| surface.flux.as_ref()).chain(luminaires)
-        });
-        let skies = self.sky.iter().flat_map(|sky| {
-            [Some(&sky.illuminance), sky.sun.as_ref().and_then(|sun| sun.illuminance.as_ref())]
-        });
-        let mut numbers = transmittances.chain(fluxes).chain(skies).flatten();
-        numbers.all(PerBand::is_one_number) && amounts.into_iter().all(Amount::is_one_for_all)
-    }
-
-    /// Reads the tree of a file; `prefix` stands before the names of surfaces and instances that are given
-    /// none.
-    pub(super) fn read(tree: &Node, prefix: &str) -> Result<Self, Located> {
-        let fields = Fields::new(tree, &SCENE_KEYS)?;
-        Ok(SceneFile {
-            title: fields.optional("title", text)?.map(|title| title.value),
-            bands: fields.optional("bands", read_bands)?,
-            unit: fields.optional("unit", text)?,
-            camera: fields
-                .optional("camera", |node| read_camera(node).map_err(|e| e.within(|| "camera".into())))?,
-            sky: fields.optional("sky", |node| read_sky(node).map_err(|e| e.within(|| "sky".into())))?,
-            planes: fields.optional("planes", read_planes)?.unwrap_or_default(),
-            materials: fields.optional("materials", read_materials)?.unwrap_or_default(),
-            parts: fields.optional("parts", read_parts)?.unwrap_or_default(),
-            content: read_content(&fields, prefix)?,
-            frames: FramesFile {
-                count: fields
-                    .optional("frames", |node| Ok(At::new(counted(node, check_frames)?, &node.span)))?,
-                rate: fields.optional("fps", rate)?,
-            },
-            motions: fields.get(MOTION).map_or(Ok(Vec::new()), |node| read_motions(node, prefix))?,
-        })
+keys! {
+    /// A scene file as typed.
+    #[derive(Default)]
+    SceneFile("A scene, or a list of polygons for view factors") {
+        #[expect(dead_code, reason = "files are read before what they are included in")]
+        include: Option<()> = Kind::new(|_| Ok(()), include_schema), "Files whose content belongs to the scene too";
+        title: Option<String> = TEXT, "What the scene is, for people";
+        bands: Option<At<Vec<At<String>>>> = Kind::new(bands, bands_schema),
+            "Names of the bands; grey, or r, g, b where lists are given";
+        unit: Option<At<String>> =
+            Kind::new(|node| Ok(text(node)?.value), || terms::with(terms::text(""), "maxLength", 16.into()))
+                .or(Usual::Word("W/m²")),
+            "Unit of exitance, irradiance and radiosity, as it is printed";
+        frames: Option<At<usize>> =
+            Kind::new(|node| counted(node, check_frames), || terms::whole(1, MOST_FRAMES, "")),
+            "How many frames there are";
+        fps: Option<At<f64>> =
+            Kind::number(|node| checked(node, check_rate), || json!({ "minimum": 1e-6, "maximum": 1e6 }))
+                .or(Usual::Number(1.0)),
+            "Frames in a unit of time";
+        #[expect(dead_code, reason = "variables are evaluated before all else is read")]
+        variables: Option<()> = Kind::new(|_| Ok(()), variables_schema), "Numbers for formulas, by name";
+        camera: Option<CameraFile> = Kind::new(
+            |node| CameraFile::read(node).map_err(|error| error.within(|| "camera".into())),
+            || terms::reference("camera"),
+        ), "";
+        sky: Option<SkyFile> = Kind::new(
+            |node| SkyFile::read(node).map_err(|error| error.within(|| "sky".into())),
+            || terms::reference("sky"),
+        ), "";
+        planes: Vec<Named<PlaneFile>> = ByName("plane"), "Planes of sensors by name";
+        materials: Vec<Named<MaterialFile>> = ByName("material"), "Materials by name";
+        parts: Vec<Named<PartFile>> = ByName("part"), "Parts by name, to be put in many places";
+        surfaces: Vec<SurfaceFile> = Entries::of("surface"), "The surfaces";
+        luminaires: Vec<LuminaireFile> = Entries::of("luminaire"), "Lamps by their intensity in each direction";
+        instances: Vec<InstanceFile> = INSTANCES, "Instances of parts";
+        motion: Vec<MotionFile> = Entries::of("motion"), "What moves, each along a path";
     }
 }
 
-/// Frames in a unit of time.
-fn rate(node: &Node) -> Result<At<f64>, Located> {
-    let rate = number(node)?;
-    check_rate(rate.value).map_err(|fault| Located::at(&rate.span, fault))?;
-    Ok(rate)
+keys! {
+    /// `[camera]`.
+    CameraFile("A pinhole camera") {
+        eye: DVec3 = POINT, "Where the camera is";
+        target: DVec3 = POINT, "What is in the middle of the picture";
+        up: DVec3 = VECTOR.or(Usual::Numbers(&[0.0, 0.0, 1.0])), "What is up in the picture";
+        fov: f64 = Kind::number(
+            |node| checked(node, check_fov),
+            || json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 180 }),
+        ).or(Usual::Number(40.0)), "Angle from the lower to the upper border, degrees";
+        width: u32 = PIXELS.or(Usual::Number(512.0)), "Width of the picture, pixels";
+        height: u32 = PIXELS.or(Usual::Number(512.0)), "Height of the picture, pixels";
+        ..span: Span;
+    }
 }
 
-fn read_bands(node: &Node) -> Result<At<Vec<At<String>>>, Located> {
-    let names = list(node)?.iter().map(text).collect::<Result<_, _>>()?;
-    Ok(At::new(names, &node.span))
+keys! {
+    /// `[planes.NAME]`.
+    PlaneFile("A plane of sensors") {
+        origin: DVec3 = POINT, "A corner";
+        edges: At<[DVec3; 2]> =
+            Kind::new(|node| exactly(node, "edges", "vectors", point), || terms::exactly(2, "vector", ""))
+                .example(", two vectors, each three numbers in brackets"),
+            "Two edges; sensors receive along the first × the second";
+        spacing: At<[f64; 2]> = Kind::new(spacing, spacing_schema).example(", a length, or one along each edge"),
+            "Largest distance of sensors, for both edges or along each";
+    }
 }
 
-fn read_camera(node: &Node) -> Result<CameraFile, Located> {
-    let fields = Fields::new(node, &["eye", "target", "up", "fov", "width", "height"])?;
-    Ok(CameraFile {
-        span: fields.span().clone(),
-        eye: fields.require("eye", point)?,
-        target: fields.require("target", point)?,
-        up: fields.optional("up", point)?,
-        fov: fields.optional("fov", |node| {
-            let fov = number(node)?;
-            check_fov(fov.value).map_err(|fault| Located::at(&fov.span, fault))?;
-            Ok(fov.value)
-        })?,
-        width: fields.optional("width", pixels)?,
-        height: fields.optional("height", pixels)?,
-    })
+keys! {
+    /// `[materials.NAME]`; without a reflectance where an emissivity is given.
+    MaterialFile("A diffuse material", terms::required("anyOf", &["reflectance", "emissivity"]); check_material) {
+        reflectance: Option<Amount> = Kind::new(amount, || amount_schema(below_one())),
+            "Reflectance ρ, for all bands, of each, or as it varies";
+        emission: Amount = Kind::new(amount, || amount_schema(terms::at_least_zero())).or(Usual::Number(0.0)),
+            "Exitance of the surface's own light, W/m²";
+        transmittance: Option<At<PerBand>> =
+            Kind::new(per_band, || terms::per_band(below_one(), "")).or(Usual::Number(0.0)),
+            "Diffuse transmittance τ of two-sided surfaces, ρ + τ < 1";
+        emissivity: Option<f64> = EMISSIVITY, "Emissivity, of all wavelengths together";
+        group: Option<At<String>> = TEXT, "Light group of its surfaces that name none";
+        ..condition: ConditionFile;
+    }
 }
 
-fn pixels(node: &Node) -> Result<u32, Located> {
-    counted(node, check_pixels).map(|pixels| pixels as u32)
+const PIXELS: Kind<u32> =
+    Kind::new(|node| Ok(counted(node, check_pixels)? as u32), || terms::whole(1, MAX_PIXELS, ""));
+
+fn include_schema() -> Value {
+    let file = terms::text("Path of a scene file, from the folder of this one");
+    let files = json!({ "type": "array", "items": file });
+    json!({ "anyOf": [file, files] })
 }
 
-fn read_planes(node: &Node) -> Result<Vec<PlaneFile>, Located> {
-    let read = |(name, node): &(At<String>, Node)| {
-        check_text(&name.value).map_err(|fault| Located::at(&name.span, fault))?;
-        read_plane(name, node).map_err(|error| error.within(|| plane_title(&name.value)))
-    };
-    table(node)?.iter().map(read).collect()
+fn bands(node: &Node) -> Result<Vec<At<String>>, Located> {
+    list(node)?.iter().map(text).collect()
 }
 
-fn read_plane(name: &At<String>, node: &Node) -> Result<PlaneFile, Located> {
-    let fields = Fields::new(node, &["origin", "edges", "spacing"])?;
-    Ok(PlaneFile {
-        name: name.clone(),
-        origin: fields.require("origin", point)?,
-        edges: fields
-            .require("edges", |node| Ok(At::new(exactly(node, "edges", "vectors", point)?, &node.span)))?,
-        spacing: fields.require("spacing", |node| Ok(At::new(spacing(node)?, &node.span)))?,
+fn bands_schema() -> Value {
+    terms::with(terms::list("name", "", 1), "uniqueItems", true.into())
+}
+
+fn variables_schema() -> Value {
+    json!({
+        "type": "object", "additionalProperties": terms::reference("number"),
+        "propertyNames": { "pattern": "^[\\p{L}_][\\p{L}\\p{N}_]*$" },
     })
 }
 
@@ -223,29 +156,48 @@ fn spacing(node: &Node) -> Result<[f64; 2], Located> {
     }
 }
 
-fn read_materials(node: &Node) -> Result<Vec<MaterialFile>, Located> {
-    let read = |(name, node): &(At<String>, Node)| {
-        read_material(name, node).map_err(|error| error.within(|| material_title(&name.value)))
-    };
-    table(node)?.iter().map(read).collect()
+fn spacing_schema() -> Value {
+    let one = terms::positive("A length");
+    let two = terms::with(terms::exactly(2, "number", "Along each edge"), "items", one.clone());
+    json!({ "anyOf": [one["anyOf"][0], one["anyOf"][1], two] })
 }
 
-fn read_material(name: &At<String>, node: &Node) -> Result<MaterialFile, Located> {
-    let known: Vec<&'static str> = MATERIAL_KEYS.into_iter().chain(CONDITION_KEYS).collect();
-    let fields = Fields::new(node, &known)?;
-    let thermal = Thermal {
-        emissivity: fields.optional("emissivity", emissivity)?,
-        condition: read_condition(&fields)?,
-    };
-    Ok(MaterialFile {
-        name: name.clone(),
-        reflectance: match thermal.emissivity {
-            Some(_) => fields.optional("reflectance", amount)?,
-            None => Some(fields.require("reflectance", amount)?),
-        },
-        thermal,
-        emission: fields.optional("emission", amount)?,
-        transmittance: fields.optional("transmittance", per_band)?,
-        group: fields.optional("group", text)?,
-    })
+fn below_one() -> Value {
+    json!({ "minimum": 0, "exclusiveMaximum": 1 })
+}
+
+fn check_material(own: &MaterialFile, fields: &Fields<'_>) -> Result<(), Located> {
+    match own.reflectance.is_some() || own.emissivity.is_some() {
+        true => Ok(()),
+        false => Err(fields.missing(
+            "reflectance",
+            ", a number or one per band, 0 ≤ ρ < 1; 0 is black; or, for heat alone, `emissivity = …`, 0 < ε ≤ 1",
+        )),
+    }
+}
+
+impl SceneFile {
+    /// Whether every reflectance, transmittance, emission, flux and intensity is a single number, or a
+    /// pattern alike in all bands.
+    pub(super) fn is_grey(&self) -> bool {
+        let materials = || self.materials.iter().map(|own| &own.file);
+        let mut amounts = materials().flat_map(|own| own.reflectance.iter().chain([&own.emission]));
+        let transmittances = materials().filter_map(|own| Some(&own.transmittance.as_ref()?.value));
+        let contents = self.parts.iter().map(|part| part.file.content()).chain([self.content()]);
+        let fluxes = contents.flat_map(|content| {
+            let luminaires = content.luminaires.iter().filter_map(LuminaireFile::strength);
+            content.surfaces.iter().filter_map(|surface| surface.flux.as_ref()).chain(luminaires)
+        });
+        let skies = self.sky.iter().flat_map(|sky| {
+            [&sky.illuminance].into_iter().chain(sky.sun.as_ref().map(|sun| &sun.illuminance))
+        });
+        let mut numbers = transmittances.chain(fluxes).chain(skies);
+        numbers.all(PerBand::is_one_number) && amounts.all(Amount::is_one_for_all)
+    }
+
+    /// Its surfaces, luminaires and instances.
+    pub(super) fn content(&self) -> Content<'_> {
+        let SceneFile { surfaces, luminaires, instances, .. } = self;
+        Content { surfaces, luminaires, instances }
+    }
 }

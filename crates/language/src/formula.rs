@@ -9,7 +9,7 @@
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use radiosity_scene::{
-    Fault,
+    Fault, FaultKind,
     place::{At, Span},
     tree::DEEPEST,
 };
@@ -92,7 +92,7 @@ impl<'a> Reader<'a> {
                     let start = self.next;
                     let divisor = self.after(Self::factor)?;
                     if divisor == 0.0 {
-                        return Err(self.from(start, Fault::NoValue { problem: "divides by zero" }));
+                        return Err(self.from(start, no_value("divides by zero")));
                     }
                     value /= divisor;
                 }
@@ -167,8 +167,8 @@ impl<'a> Reader<'a> {
 
     fn function(&mut self, name: &str, start: usize) -> Result<f64, At<Fault>> {
         let Some((_, [least, most], function)) = FUNCTIONS.iter().find(|(known, ..)| *known == name) else {
-            let known = FUNCTIONS.iter().map(|(name, ..)| *name).collect();
-            let fault = Fault::UnknownFunction { name: name.to_owned(), known };
+            let known: Vec<String> = FUNCTIONS.iter().map(|(name, ..)| (*name).to_owned()).collect();
+            let fault = Fault::unknown(format!("there is no function {name:?}"), name, known, "functions");
             return Err(At::new(fault, &(start..start + name.len())));
         };
         self.skip();
@@ -181,7 +181,7 @@ impl<'a> Reader<'a> {
             let problem = format!("{name} takes one number, found {}", arguments.len());
             return Err(self.from(start, syntax(problem)));
         }
-        function(&arguments).map_err(|problem| self.from(start, Fault::NoValue { problem }))
+        function(&arguments).map_err(|problem| self.from(start, no_value(problem)))
     }
 
     fn number(&mut self) -> Result<f64, At<Fault>> {
@@ -242,7 +242,14 @@ impl<'a> Reader<'a> {
 }
 
 fn syntax(problem: String) -> Fault {
-    Fault::FormulaSyntax { problem }
+    let cure = "write it such as \"=2 * (width - 0.1)\": numbers, variables, + - * /, parentheses, pi, and sin, cos, tan \
+                (of degrees), sqrt, abs, min, max";
+    Fault::new(FaultKind::Syntax, format!("the formula cannot be read: {problem}"), cure)
+}
+
+fn no_value(problem: &str) -> Fault {
+    let cause = format!("the formula {problem}");
+    Fault::new(FaultKind::NoValue, cause, "change the formula, or the variables in it")
 }
 
 /// The sine of an angle in degrees, exact where it is 0, ½ or 1.
@@ -277,7 +284,12 @@ mod tests {
         value(text, &|name| match name {
             "width" => Ok(3.0),
             "höhe_2" => Ok(2.5),
-            _ => Err(Fault::UnknownVariable { name: name.to_owned(), known: ["width".to_owned()].into() }),
+            _ => Err(Fault::unknown(
+                format!("there is no variable {name:?}"),
+                name,
+                ["width".to_owned()],
+                "variables of this scene",
+            )),
         })
     }
 

@@ -4,7 +4,7 @@
 //! one surface on a line. The text is that of any other scene from there on: solution files keep it, and need
 //! no other reader.
 
-use std::{fmt, io, path::Path};
+use std::{fmt, path::Path};
 
 use radiosity_formats::{
     colour,
@@ -18,8 +18,11 @@ use radiosity_formats::{
     up::Up,
 };
 use radiosity_photometry::{error::Refusal, file_place::FilePlace, note::Note};
-use radiosity_scene::{Fault, Imported, Notation, SceneError, Source};
-use radiosity_work::ranks::Ranks;
+use radiosity_scene::{Fault, FaultKind, Imported, Notation, SceneError, Source};
+use radiosity_work::{
+    ranks::Ranks,
+    wording::{option, words},
+};
 
 use crate::{input, model_tree};
 
@@ -60,13 +63,8 @@ impl Import {
     /// A file that cannot be read, or is against the rules of the format; with [`Import::strict`] what needs
     /// repairs.
     fn model(&self, file: &str, format: Format, ranks: &Ranks) -> Result<(Model, Imported), SceneError> {
-        let unreadable = |error: io::Error| SceneError {
-            origin: file.to_owned(),
-            place: None,
-            owner: None,
-            fault: Fault::Unreadable { kind: error.kind(), reason: error.to_string() },
-        };
-        let bytes = input::bytes(file, ranks).map_err(unreadable)?;
+        let bytes = input::bytes(file, ranks);
+        let bytes = bytes.map_err(|error| SceneError::of(file, input::unreadable(&error)))?;
         let files: &dyn Files = if file == "-" { &NoFiles } else { &Beside::scene(Path::new(file)) };
         let name = if file == "-" { "<stdin>" } else { file };
         self.of_bytes(name, &bytes, format, files)
@@ -94,8 +92,9 @@ impl Import {
         let options = Options { tolerance: self.tolerance, sides: self.sides, fix_fronts: self.fix_fronts };
         let repairs = repair(&mut model, &options);
         if let Some(refusal) = refusal(&repairs, file).filter(|_| self.strict) {
-            let cause = refusal.cause.clone();
-            return Err(SceneError { fault: Fault::NeedsRepairs { cause }, ..refused(refusal) });
+            let cure = words("mend the file, or let repairs be made by leaving out ") + option("strict");
+            let fault = Fault::new(FaultKind::Foreign, &refusal.cause, cure);
+            return Err(SceneError { fault, ..refused(refusal) });
         }
         let at = |place: Option<FilePlace>| Located { file, place };
         let notes = std::mem::take(&mut model.notes);
@@ -130,12 +129,8 @@ impl Import {
 }
 
 fn refused(refusal: Refusal) -> SceneError {
-    SceneError {
-        origin: Located { file: &refusal.file, place: refusal.place }.to_string(),
-        place: None,
-        owner: None,
-        fault: Fault::Foreign { cause: refusal.cause, cure: refusal.cure },
-    }
+    let origin = Located { file: &refusal.file, place: refusal.place }.to_string();
+    SceneError::of(origin, Fault::foreign(refusal.cause, refusal.cure))
 }
 
 /// Text of a note, with the number of its occurrences if there are several.

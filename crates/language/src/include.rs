@@ -12,7 +12,7 @@ use std::{
 };
 
 use radiosity_scene::{
-    Fault, Source,
+    Fault, FaultKind, Source,
     error::Located,
     place::At,
     tree::{DEEPEST, Node, Value, entry},
@@ -99,14 +99,14 @@ impl Files<'_> {
         let at_name = |fault| Located::at(&name.span, fault).within(|| INCLUDE.to_owned());
         let file = beside(path.last().map_or("", String::as_str), &name.value);
         if let Some(start) = path.iter().position(|open| *open == file) {
-            let files = path[start..].iter().cloned().chain([file]).collect();
-            return Err(at_name(Fault::IncludeCycle { files }));
+            let cause = format!("the file includes itself: {} → {file}", path[start..].join(" → "));
+            return Err(at_name(Fault::new(FaultKind::Cycle, cause, "take one of these includes out")));
         }
         if self.done.contains(&file) {
             return Ok(());
         }
         if path.len() > DEEPEST {
-            return Err(at_name(Fault::TooDeep { what: "files", most: DEEPEST }));
+            return Err(at_name(Fault::too_deep("files", DEEPEST)));
         }
         self.done.push(file.clone());
         let (text, base) = self.text(&file, input::file).map_err(at_name)?;
@@ -127,7 +127,7 @@ impl Files<'_> {
             return Ok(());
         }
         if !self.source.reads_files() {
-            return Err(Fault::NoIncludes { file: file.to_owned() });
+            return Err(no_files(file));
         }
         let bytes = input::of_file(file).map_err(|error| unreadable(file, &error))?;
         self.source.add_picture(file, bytes.into());
@@ -140,16 +140,23 @@ impl Files<'_> {
             return Ok(known);
         }
         if !self.source.reads_files() {
-            return Err(Fault::NoIncludes { file: file.to_owned() });
+            return Err(no_files(file));
         }
         let text = read(file).map_err(|error| unreadable(file, &error))?;
         self.source.include(file, &text);
-        self.source.included_text(file).ok_or_else(|| Fault::NoIncludes { file: file.to_owned() })
+        self.source.included_text(file).ok_or_else(|| no_files(file))
     }
 }
 
 fn unreadable(file: &str, error: &io::Error) -> Fault {
-    Fault::UnreadableInclude { file: file.to_owned(), reason: error.to_string() }
+    let cause = format!("{file:?} cannot be read: {error}");
+    Fault::new(FaultKind::Include, cause, "check the path, which starts from the folder of this file")
+}
+
+/// A file within a scene that is none.
+pub(super) fn no_files(file: &str) -> Fault {
+    let cause = format!("{file:?} cannot be included: the text is not that of a file");
+    Fault::new(FaultKind::Include, cause, "read the scene from its file, such as `radiosity check room.toml`")
 }
 
 /// The pictures of the materials of a tree, as far as they are given rightly.

@@ -5,7 +5,11 @@ use std::io::{self, Read};
 
 use radiosity_formats::tolerances::MOST_BYTES;
 use radiosity_photometry::text::decode_western;
-use radiosity_work::ranks::Ranks;
+use radiosity_scene::{Fault, FaultKind};
+use radiosity_work::{
+    ranks::Ranks,
+    wording::{command, words},
+};
 
 /// The bytes of a file, or of standard input for `-`: that of the first of these ranks, which shares it.
 ///
@@ -56,6 +60,13 @@ fn decoded(bytes: Vec<u8>) -> io::Result<String> {
 /// As [`bytes`], and zero bytes.
 pub(super) fn western(path: &str) -> io::Result<String> {
     decode_western(&of_file(path)?).map_err(|fault| io::Error::new(io::ErrorKind::InvalidData, fault.cause))
+}
+
+/// The fault of a scene whose file or standard input cannot be read.
+pub(super) fn unreadable(error: &io::Error) -> Fault {
+    let cure =
+        words("check the path and its permissions; ") + command("scenes") + " lists scenes that need no file";
+    Fault::new(FaultKind::Unreadable(error.kind()), format!("cannot be read: {error}"), cure)
 }
 
 fn all(input: impl Read, most: u64) -> io::Result<Vec<u8>> {

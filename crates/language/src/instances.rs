@@ -5,9 +5,12 @@
 use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{DVec3, Motion};
-use radiosity_scene::{Fault, Source, error::Located, names::UniqueNames, tree::DEEPEST};
+use radiosity_scene::{Fault, FaultKind, Source, error::Located, names::UniqueNames, tree::DEEPEST};
 
-use crate::file::{ContentFile, CopyRow, InstanceFile, LuminaireFile, PartFile, SurfaceFile};
+use crate::{
+    file::{Content, CopyRow, InstanceFile, LuminaireFile, PartFile, SurfaceFile},
+    keys::Named,
+};
 
 /// Most entries of surfaces and luminaires, and most copies of parts: each takes about a kilobyte.
 const MOST: usize = 1_000_000;
@@ -37,13 +40,13 @@ pub(super) struct Placed<'a> {
 
 /// The content of the scene, then that of its instances.
 pub(super) fn placed<'a>(
-    content: &'a ContentFile,
-    parts: &'a [PartFile],
+    content: Content<'a>,
+    parts: &'a [Named<PartFile>],
     source: &Source,
 ) -> Result<Placed<'a>, Located> {
-    let contents = parts.iter().map(|part| &part.content).chain([content]);
-    contents.into_iter().try_for_each(|content| check_names(&content.instances, source))?;
-    let parts: Parts<'_> = parts.iter().map(|part| (part.name.value.as_str(), part)).collect();
+    let contents = parts.iter().map(|part| part.file.content()).chain([content]);
+    contents.into_iter().try_for_each(|content| check_names(content.instances, source))?;
+    let parts: Parts<'_> = parts.iter().map(|part| (part.name.value.as_str(), part.file.content())).collect();
     check_sizes(content, &parts)?;
     let mut placed = Placed::default();
     let scene = Within { prefix: String::new(), motion: Motion::IDENTITY, instances: Arc::default() };
@@ -51,8 +54,8 @@ pub(super) fn placed<'a>(
     Ok(placed)
 }
 
-/// Parts of the scene by name.
-type Parts<'a> = BTreeMap<&'a str, &'a PartFile>;
+/// Content of the parts of the scene by name.
+type Parts<'a> = BTreeMap<&'a str, Content<'a>>;
 
 /// Refuses two instances of one name in one list.
 fn check_names(instances: &[InstanceFile], source: &Source) -> Result<(), Located> {
@@ -85,39 +88,46 @@ impl Within {
         let mut instances = self.instances.to_vec();
         instances.extend((!index.is_empty()).then_some(plain));
         instances.push(own.clone());
-        let motion = instance.motion.then(offset).then(&self.motion);
+        let own_motion = instance.transform.unwrap_or(Motion::IDENTITY);
+        let motion = own_motion.then(offset).then(&self.motion);
         Self { prefix: own + ".", motion, instances: instances.into() }
     }
 }
 
 /// Adds all surfaces and luminaires of `content` to `all`, where they are in what it is `within`.
 fn place<'a>(
-    content: &'a ContentFile,
+    content: Content<'a>,
     within: &Within,
     parts: &Parts<'a>,
     all: &mut Placed<'a>,
 ) -> Result<(), Located> {
-    for file in &content.surfaces {
-        all.surfaces.push(within.entry(file, &file.name.value, file.motion.then(&within.motion)));
+    for file in content.surfaces {
+        let motion = file.transform.unwrap_or(Motion::IDENTITY).then(&within.motion);
+        all.surfaces.push(within.entry(file, &file.name.value, motion));
     }
-    for file in &content.luminaires {
+    for file in content.luminaires {
         all.luminaires.push(within.entry(file, &file.name.value, within.motion));
     }
-    for instance in &content.instances {
-        let part = part_of(instance, parts)?;
+    for instance in content.instances {
+        let (_, part) = part_of(instance, parts)?;
         for (index, offset) in copies(instance)? {
-            place(&part.content, &within.copy(instance, &index, &offset), parts, all)?;
+            place(part, &within.copy(instance, &index, &offset), parts, all)?;
         }
     }
     Ok(())
 }
 
-fn part_of<'a>(instance: &InstanceFile, parts: &Parts<'a>) -> Result<&'a PartFile, Located> {
-    parts.get(instance.part.value.as_str()).copied().ok_or_else(|| {
-        let (name, known) =
-            (instance.part.value.clone(), parts.keys().map(|name| (*name).to_owned()).collect());
-        Located::at(&instance.part.span, Fault::UnknownPart { name, known })
-    })
+/// Name and content of the part of an instance.
+fn part_of<'a>(instance: &InstanceFile, parts: &Parts<'a>) -> Result<(&'a str, Content<'a>), Located> {
+    let part = parts.get_key_value(instance.part.value.as_str());
+    part.map(|(name, content)| (*name, *content))
+        .ok_or_else(|| Located::at(&instance.part.span, unknown_part(&instance.part.value, parts)))
+}
+
+fn unknown_part(name: &str, parts: &Parts<'_>) -> Fault {
+    let none = format!("define it: [parts.{name}] with a list of surfaces, [[parts.{name}.surfaces]]");
+    let known: Vec<String> = parts.keys().map(|name| (*name).to_owned()).collect();
+    Fault::unknown_or(format!("unknown part {name:?}"), name, known, "parts of this scene", none)
 }
 
 /// The indices of all copies of an instance, as they stand behind its name, and how far each is moved.
@@ -133,7 +143,7 @@ fn copies(instance: &InstanceFile) -> Result<Vec<(String, Motion)>, Located> {
     }
     let moved = |(indices, offset): (Vec<String>, DVec3)| {
         let motion = Motion::new(offset, DVec3::ZERO, 0.0, 1.0);
-        let motion = motion.map_err(|error| Located::at(&array.span, Fault::Shape(error)))?;
+        let motion = motion.map_err(|error| Located::at(&array.span, error.into()))?;
         Ok((format!("[{}]", indices.join(",")), motion))
     };
     copies.into_iter().map(moved).collect()
@@ -149,58 +159,60 @@ struct Size {
 }
 
 /// Refuses parts that contain themselves, are nested too deep, or make too many surfaces.
-fn check_sizes(content: &ContentFile, parts: &Parts<'_>) -> Result<(), Located> {
+fn check_sizes(content: Content<'_>, parts: &Parts<'_>) -> Result<(), Located> {
     let mut known = BTreeMap::new();
-    for part in parts.values() {
-        size(part, parts, &mut known, &mut Vec::new())?;
+    for (name, part) in parts {
+        size((*name, *part), parts, &mut known, &mut Vec::new())?;
     }
     size_of(content, parts, &mut known, &mut Vec::new()).map(|_| ())
 }
 
 fn size<'a>(
-    part: &'a PartFile,
+    (name, part): (&'a str, Content<'a>),
     parts: &Parts<'a>,
     known: &mut BTreeMap<&'a str, Size>,
     path: &mut Vec<&'a str>,
 ) -> Result<Size, Located> {
-    let name = part.name.value.as_str();
     if let Some(size) = known.get(name) {
         return Ok(*size);
     }
     path.push(name);
-    let size = size_of(&part.content, parts, known, path)?;
+    let size = size_of(part, parts, known, path)?;
     path.pop();
     known.insert(name, size);
     Ok(size)
 }
 
 fn size_of<'a>(
-    content: &ContentFile,
+    content: Content<'_>,
     parts: &Parts<'a>,
     known: &mut BTreeMap<&'a str, Size>,
     path: &mut Vec<&'a str>,
 ) -> Result<Size, Located> {
     let mut all = Size { count: content.surfaces.len() + content.luminaires.len(), depth: 0 };
-    for instance in &content.instances {
+    for instance in content.instances {
         let refused = |fault| Err(Located::at(&instance.part.span, fault));
         let part = part_of(instance, parts)?;
-        if let Some(start) = path.iter().position(|name| *name == part.name.value) {
+        if let Some(start) = path.iter().position(|name| *name == part.0) {
             let names = path[start..].iter().chain([&path[start]]);
-            return refused(Fault::PartCycle { names: names.map(|name| (*name).to_owned()).collect() });
+            let names = names.copied().collect::<Vec<_>>().join(" → ");
+            let cause = format!("the part contains itself: {names}");
+            return refused(Fault::new(FaultKind::Cycle, cause, "take one of these instances out"));
         }
         if path.len() >= DEEPEST {
-            return refused(Fault::TooDeep { what: "parts", most: DEEPEST });
+            return refused(Fault::too_deep("parts", DEEPEST));
         }
         let own = size(part, parts, known, path)?;
         all.depth = all.depth.max(own.depth + 1);
         if path.len() + all.depth > DEEPEST {
-            return refused(Fault::TooDeep { what: "parts", most: DEEPEST });
+            return refused(Fault::too_deep("parts", DEEPEST));
         }
         let rows = instance.array.iter().flat_map(|array| &array.rows);
         let copies = rows.fold(1, |copies: usize, row| copies.saturating_mul(row.count));
         all.count = all.count.saturating_add(copies.saturating_mul(own.count.saturating_add(1)));
         if all.count > MOST {
-            return refused(Fault::TooManySurfaces { most: MOST });
+            let cause = format!("the instances make more than {MOST} surfaces");
+            return refused(Fault::new(FaultKind::TooMany, cause, "make fewer copies"));
         }
     }
     Ok(all)

@@ -7,7 +7,7 @@
 use std::fmt;
 
 use radiosity_scene::{
-    Fault,
+    Fault, FaultKind,
     error::Located,
     place::{At, Span},
     tree::{DEEPEST, Node, Value},
@@ -51,7 +51,7 @@ fn entries(text: &str, piece: &str, span: &Span, depth: usize) -> Result<Vec<(At
         let key_span = start..start + key.get().len();
         let key: String = inner(key.get(), &key_span)?;
         if entries.iter().any(|(earlier, _)| earlier.value == key) {
-            return Err(Located::at(&key_span, Fault::RepeatedKey { key }));
+            return Err(Located::at(&key_span, Fault::repeated_key(&key)));
         }
         entries.push((At::new(key, &key_span), node(text, value, depth + 1)?));
     }
@@ -66,8 +66,9 @@ fn inner<'a, T: Deserialize<'a>>(piece: &'a str, span: &Span) -> Result<T, Locat
 fn syntax(span: &Span, message: &dyn fmt::Display) -> Located {
     // serde_json ends its messages with the place, which our messages begin with.
     let message = message.to_string();
-    let message = message.split(" at line ").next().unwrap_or_default().to_owned();
-    Located::at(span, Fault::Syntax { language: "JSON", message })
+    let cause = format!("syntax error: {}", message.split(" at line ").next().unwrap_or_default());
+    let cure = "JSON wants quotes around every key and a comma between items, none after the last";
+    Located::at(span, Fault::new(FaultKind::Syntax, cause, cure))
 }
 
 /// The byte serde_json's line and column mean; its columns count bytes from 1, 0 being the line's start.

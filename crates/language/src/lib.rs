@@ -1,8 +1,8 @@
 //! The language of scenes: texts, trees and built-in scenes in, valid scenes out.
 //!
-//! In order: `csv_rows` and `input` (bytes of files), `builtin` (the scenes that need no file), `fields` (of
-//! a tree, with their types), `formula` and `variables`, `json_text`, `polygon_list`, `language` and
-//! `toml_text` (text → tree), `include` (trees of several files), `model_tree` and `import` (scenes of other
+//! In order: `csv_rows` and `input` (bytes of files), `builtin` (the scenes that need no file), `fields`
+//! (values of a tree), `terms` of schemas, `keys` (each declared once, with reader and schema) and `kinds` of
+//! values, `formula` and `variables`, `json_text`, `polygon_list`, `language` and `toml_text` (text → tree), `include` (trees of several files), `model_tree` and `import` (scenes of other
 //! programs → tree), `shape` and `file` (tree → as typed), `merging`, `instances`, `export` (a scene for
 //! other programs), `textures`, `validation`, `luminaires` and `motions` (as typed → parts of a scene),
 //! `reading` (all of that in its order), and `schema` (the same language for editors).
@@ -13,6 +13,9 @@ pub mod csv_rows;
 pub mod input;
 mod builtin;
 mod fields;
+mod terms;
+mod keys;
+mod kinds;
 mod formula;
 mod variables;
 mod json_text;

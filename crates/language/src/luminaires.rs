@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use radiosity_photometry::{Photometry, luminaire as photometry};
 use radiosity_scene::{
     Distribution, Extent, Fault, Luminaire, Source, Strength, SurfaceDraft,
-    error::{Located, luminaire_title},
+    error::{Located, title},
     luminaire::check_intensity,
     luminous_surface::luminous_surfaces,
     material::check_flux,
@@ -15,7 +15,7 @@ use radiosity_scene::{
 };
 
 use crate::{
-    file::{DistributionFile, ExtentFile, LuminaireFile, StrengthFile},
+    file::{ExtentFile, LuminaireFile, PerBand},
     include,
     instances::PlacedLuminaire,
     validation::spread,
@@ -34,7 +34,7 @@ pub(super) fn luminaires(
         let added = names.add(&placed.name, source.line(span.start));
         let own = added.map_err(|fault| Located::at(span, fault));
         let own = own.and_then(|()| luminaire(placed, bands, &mut tables));
-        own.map_err(|error| error.within(|| luminaire_title(&placed.name)))
+        own.map_err(|error| error.within(|| title("luminaire", &placed.name)))
     };
     let own = files.iter().map(&mut luminaire).collect::<Result<Vec<_>, _>>()?;
     let surfaces = own.iter().zip(files);
@@ -61,19 +61,19 @@ fn luminaire(
     bands: usize,
     tables: &mut Tables<'_>,
 ) -> Result<Luminaire, Located> {
-    let LuminaireFile { span, position, aim, along, distribution, extent, strength, group, dimming, .. } =
-        file;
-    let numbers = strength.as_ref().map_or(span, |strength| strength.numbers().span());
-    let strength = match strength {
-        Some(StrengthFile::Flux(flux)) => Strength::Flux(spread(flux, bands, "the flux", check_flux)?),
-        Some(StrengthFile::Intensity(intensity)) => {
+    let LuminaireFile { span, position, aim, along, extent, group, dimming, .. } = file;
+    let numbers = file.strength().map_or(span, PerBand::span);
+    let strength = match (&file.flux, &file.intensity) {
+        (Some(flux), _) => Strength::Flux(spread(flux, bands, "the flux", check_flux)?),
+        (None, Some(intensity)) => {
             Strength::Intensity(spread(intensity, bands, "the intensity", check_intensity)?)
         }
-        None => Strength::AsMeasured(bands),
+        (None, None) => Strength::AsMeasured(bands),
     };
-    let distribution = match distribution {
-        DistributionFile::Formula(distribution) => distribution.clone(),
-        DistributionFile::Table(file) => Distribution::Table(tables.named(file)?),
+    let distribution = match (&file.spot, &file.photometry) {
+        (Some(spot), _) => spot.clone(),
+        (None, Some(file)) => Distribution::Table(tables.named(file)?),
+        (None, None) => Distribution::Point,
     };
     let own = Luminaire::new(name, *position, distribution, strength);
     let mut own = own.map_err(|fault| Located::at(numbers, fault))?;
@@ -103,7 +103,10 @@ fn extent_of(file: ExtentFile, distribution: &Distribution) -> Result<Extent, Fa
     match (file, distribution) {
         (ExtentFile::Typed(extent), _) => Ok(extent),
         (ExtentFile::OfTable, Distribution::Table(table)) => Extent::of_opening(&table.opening),
-        (ExtentFile::OfTable, _) => Err(Fault::BadExtent { problem: "there is no photometric file" }),
+        (ExtentFile::OfTable, _) => Err(Fault::bad_extent(
+            "there is no photometric file",
+            "give its sides, e.g. extent = [1.2, 0.3], or its diameter, e.g. extent = 0.2",
+        )),
     }
 }
 
@@ -121,12 +124,9 @@ impl Tables<'_> {
             return Ok(Arc::clone(known));
         }
         let text = self.source.included_text(&path);
-        let (text, _) =
-            text.ok_or_else(|| Located::at(&name.span, Fault::NoIncludes { file: path.clone() }))?;
-        let table = photometry::read(&path, text.as_bytes()).map_err(|refusal| {
-            let fault = Fault::Foreign { cause: refusal.to_string(), cure: refusal.cure };
-            Located::at(&name.span, fault)
-        })?;
+        let (text, _) = text.ok_or_else(|| Located::at(&name.span, include::no_files(&path)))?;
+        let table = photometry::read(&path, text.as_bytes())
+            .map_err(|refusal| Located::at(&name.span, Fault::foreign(refusal.to_string(), refusal.cure)))?;
         let table = Arc::new(table);
         self.known.insert(path, Arc::clone(&table));
         Ok(table)

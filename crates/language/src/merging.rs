@@ -2,7 +2,7 @@
 
 use radiosity_scene::{
     Fault, Source,
-    error::{Located, material_title, part_title, plane_title},
+    error::{Located, title},
     names::UniqueNames,
     place::At,
 };
@@ -18,19 +18,19 @@ pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile
         whole.bands = stated(whole.bands.take(), file.bands, "bands", names_of)?;
         whole.unit = stated(whole.unit.take(), file.unit, "units", |unit| vec![unit.value.as_str()])?;
         whole.sky = whole.sky.take().or(file.sky);
-        whole.frames.count = whole.frames.count.take().or(file.frames.count);
-        whole.frames.rate = whole.frames.rate.take().or(file.frames.rate);
-        put_before(&mut whole.motions, file.motions);
+        whole.frames = whole.frames.take().or(file.frames);
+        whole.fps = whole.fps.take().or(file.fps);
+        put_before(&mut whole.motion, file.motion);
         put_before(&mut whole.planes, file.planes);
         put_before(&mut whole.materials, file.materials);
         put_before(&mut whole.parts, file.parts);
-        put_before(&mut whole.content.surfaces, file.content.surfaces);
-        put_before(&mut whole.content.luminaires, file.content.luminaires);
-        put_before(&mut whole.content.instances, file.content.instances);
+        put_before(&mut whole.surfaces, file.surfaces);
+        put_before(&mut whole.luminaires, file.luminaires);
+        put_before(&mut whole.instances, file.instances);
     }
-    once(whole.planes.iter().map(|plane| &plane.name), plane_title, source)?;
-    once(whole.materials.iter().map(|material| &material.name), material_title, source)?;
-    once(whole.parts.iter().map(|part| &part.name), part_title, source)?;
+    once(whole.planes.iter().map(|plane| &plane.name), "plane", source)?;
+    once(whole.materials.iter().map(|material| &material.name), "material", source)?;
+    once(whole.parts.iter().map(|part| &part.name), "part", source)?;
     Ok(whole)
 }
 
@@ -47,10 +47,16 @@ fn stated<T>(
 ) -> Result<Option<At<T>>, Located> {
     match (&own, &other) {
         (Some(own), Some(other)) if texts(own) != texts(other) => {
-            Err(Located::at(&other.span, Fault::OtherThan { what }))
+            Err(Located::at(&other.span, other_than(what)))
         }
         _ => Ok(own.or(other)),
     }
+}
+
+/// Two files that state something differently.
+fn other_than(what: &str) -> Fault {
+    let cause = format!("the {what} of this file are not those of the other files");
+    Fault::conflict(cause, "state it in one of the files only, or alike in all")
 }
 
 fn put_before<T>(list: &mut Vec<T>, mut before: Vec<T>) {
@@ -59,15 +65,11 @@ fn put_before<T>(list: &mut Vec<T>, mut before: Vec<T>) {
 }
 
 /// Refuses a name that is given twice.
-fn once<'a>(
-    names: impl Iterator<Item = &'a At<String>>,
-    title: fn(&str) -> String,
-    source: &Source,
-) -> Result<(), Located> {
+fn once<'a>(names: impl Iterator<Item = &'a At<String>>, kind: &str, source: &Source) -> Result<(), Located> {
     let mut seen = UniqueNames::default();
     for name in names {
         let added = seen.add(&name.value, source.line(name.span.start));
-        added.map_err(|fault| Located::at(&name.span, fault).within(|| title(&name.value)))?;
+        added.map_err(|fault| Located::at(&name.span, fault).within(|| title(kind, &name.value)))?;
     }
     Ok(())
 }

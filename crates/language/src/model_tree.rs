@@ -55,71 +55,63 @@ fn surface(surface: &Surface, model: &Model) -> Tree {
     let mut entries = vec![("name", Tree::text(&surface.name))];
     entries
         .extend(surface.material.map(|material| ("material", Tree::text(&model.materials[material].name))));
-    let ShapeEntry { key, value, flip } = shape(&surface.shape);
+    let ShapeEntry { key, fields, flip } = shape(&surface.shape);
     if flip {
         entries.push(("flip", Tree::flag(true)));
     }
     if surface.sides == Sides::Both {
         entries.push(("two_sided", Tree::flag(true)));
     }
-    entries.push((key, value));
+    entries.push((key, Tree::table(fields)));
     Tree::table(entries)
 }
 
 /// A shape in the table of its surface.
 struct ShapeEntry {
     key: &'static str,
-    value: Tree,
+    fields: Vec<(&'static str, Tree)>,
     /// Whether the surface is to be flipped.
     flip: bool,
 }
 
 fn shape(shape: &Shape) -> ShapeEntry {
+    let number = |value: &f64| Tree::number(*value);
     match shape {
         Shape::Polygon { outline, holes } => {
-            let mut entries = vec![("vertices", points(outline))];
+            let mut fields = vec![("vertices", points(outline))];
             if !holes.is_empty() {
-                entries.push(("holes", Tree::list(holes.iter().map(|hole| points(hole)))));
+                fields.push(("holes", Tree::list(holes.iter().map(|hole| points(hole)))));
             }
-            ShapeEntry { key: polygon_key(outline, holes), value: Tree::table(entries), flip: false }
+            ShapeEntry { key: polygon_key(outline, holes), fields, flip: false }
         }
         Shape::Quad(corners) => {
-            let value = Tree::table(vec![("vertices", points(corners))]);
-            ShapeEntry { key: "quad", value, flip: false }
+            ShapeEntry { key: "quad", fields: vec![("vertices", points(corners))], flip: false }
         }
         Shape::Disk { center, normal, radius, inner } => {
-            let mut entries = vec![
-                ("center", point(*center)),
-                ("normal", point(*normal)),
-                ("radius", Tree::number(*radius)),
-            ];
+            let mut fields =
+                vec![("center", point(*center)), ("normal", point(*normal)), ("radius", number(radius))];
             if *inner > 0.0 {
-                entries.push(("inner_radius", Tree::number(*inner)));
+                fields.push(("inner_radius", number(inner)));
             }
-            ShapeEntry { key: "disk", value: Tree::table(entries), flip: false }
+            ShapeEntry { key: "disk", fields, flip: false }
         }
         Shape::Cylinder { base, axis, radius, inward } => {
-            let entries =
-                vec![("base", point(*base)), ("axis", point(*axis)), ("radius", Tree::number(*radius))];
-            ShapeEntry { key: "cylinder", value: Tree::table(entries), flip: *inward }
+            let fields = vec![("base", point(*base)), ("axis", point(*axis)), ("radius", number(radius))];
+            ShapeEntry { key: "cylinder", fields, flip: *inward }
         }
-        Shape::Cone { base, axis, radii, inward } => {
-            let radii = [("radius1", Tree::number(radii[0])), ("radius2", Tree::number(radii[1]))];
-            let entries = [("base", point(*base)), ("axis", point(*axis))].into_iter().chain(radii);
-            ShapeEntry { key: "cone", value: Tree::table(entries), flip: *inward }
+        Shape::Cone { base, axis, radii: [first, second], inward } => {
+            let radii = [("radius1", number(first)), ("radius2", number(second))];
+            let ends = [("base", point(*base)), ("axis", point(*axis))];
+            ShapeEntry { key: "cone", fields: ends.into_iter().chain(radii).collect(), flip: *inward }
         }
         Shape::Sphere { center, radius, inward } => {
-            let entries = vec![("center", point(*center)), ("radius", Tree::number(*radius))];
-            ShapeEntry { key: "sphere", value: Tree::table(entries), flip: *inward }
+            let fields = vec![("center", point(*center)), ("radius", number(radius))];
+            ShapeEntry { key: "sphere", fields, flip: *inward }
         }
         Shape::Torus { center, axis, major, minor, inward } => {
-            let entries = vec![
-                ("center", point(*center)),
-                ("axis", point(*axis)),
-                ("major", Tree::number(*major)),
-                ("minor", Tree::number(*minor)),
-            ];
-            ShapeEntry { key: "torus", value: Tree::table(entries), flip: *inward }
+            let radii = [("major", number(major)), ("minor", number(minor))];
+            let placed = [("center", point(*center)), ("axis", point(*axis))];
+            ShapeEntry { key: "torus", fields: placed.into_iter().chain(radii).collect(), flip: *inward }
         }
     }
 }

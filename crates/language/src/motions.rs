@@ -4,42 +4,42 @@ use std::sync::Arc;
 
 use radiosity_geom::DVec3;
 use radiosity_scene::{
-    Animation, AxisAngle, Clock, Fault, MoverDraft, RigidPath, Source, TimeFunction, Turn,
-    error::{Located, motion_title},
+    Animation, AxisAngle, Clock, Fault, FaultKind, MoverDraft, RigidPath, Source, TimeFunction, Turn,
+    error::{Located, title},
     mover_draft::{MemberNames, MovableThings, MoverPlaces, NamedMember, movers},
     place::{At, Span},
     surfaces::Maker,
 };
 
 use crate::{
-    file::{FramesFile, MotionFile, RotateFile, TranslateFile, TurnsFile},
+    file::{MotionFile, RotateFile, SceneFile, TranslateFile},
     instances::{PlacedLuminaire, PlacedSurface},
 };
 
 /// The animation of a scene file; none if nothing is said of one.
 pub(super) fn animation(
-    frames: &FramesFile,
-    motions: &[MotionFile],
+    file: &SceneFile,
     movable: &MovableThings,
     source: &Source,
 ) -> Result<Option<Animation>, Located> {
-    let Some(count) = &frames.count else {
-        return match (motions.first(), &frames.rate) {
+    let SceneFile { frames, fps, motion: motions, .. } = file;
+    let Some(count) = frames else {
+        return match (motions.first(), fps) {
             (Some(motion), _) => {
-                let missing = Located::at(&motion.span, Fault::MissingKey { key: "frames" });
-                Err(missing.within(|| motion_title(&motion.name.value)))
+                let missing = Located::at(&motion.span, Fault::no_frame_count());
+                Err(missing.within(|| title("motion", &motion.name.value)))
             }
-            (None, Some(rate)) => Err(Located::at(&rate.span, Fault::MissingKey { key: "frames" })),
+            (None, Some(rate)) => Err(Located::at(&rate.span, Fault::no_frame_count())),
             (None, None) => Ok(None),
         };
     };
     if motions.is_empty() {
-        return Err(Located::at(&count.span, Fault::NothingMoves));
+        return Err(Located::at(&count.span, Fault::nothing_moves()));
     }
-    let rate = frames.rate.as_ref().map_or(1.0, |rate| rate.value);
+    let rate = fps.as_ref().map_or(1.0, |rate| rate.value);
     let clock = Clock::new(count.value, rate).map_err(|fault| Located::at(&count.span, fault))?;
     let drafts = motions.iter().map(|motion| {
-        draft(motion, clock, source).map_err(|error| error.within(|| motion_title(&motion.name.value)))
+        draft(motion, clock, source).map_err(|error| error.within(|| title("motion", &motion.name.value)))
     });
     movers(drafts.collect::<Result<_, _>>()?, clock, movable).map(Some)
 }
@@ -82,7 +82,7 @@ fn draft(file: &MotionFile, clock: Clock, source: &Source) -> Result<MoverDraft,
         .surfaces(chosen(&file.surfaces))
         .instances(chosen(&file.instances))
         .luminaires(chosen(&file.luminaires))
-        .camera_at(file.camera.clone())
+        .camera_at(file.camera.as_ref().filter(|moves| moves.value).map(|moves| moves.span.clone()))
         .typed(typed))
 }
 
@@ -93,8 +93,16 @@ fn path(file: &MotionFile, clock: Clock) -> Result<RigidPath, Located> {
         (Some(turn), Some(shift)) => Ok(RigidPath::turning_along(turn, shift)),
         (Some(turn), None) => Ok(RigidPath::turning(turn)),
         (None, Some(shift)) => Ok(RigidPath::along(shift)),
-        (None, None) => Err(Located::at(&file.span, Fault::NoPath)),
+        (None, None) => Err(Located::at(&file.span, no_path())),
     }
+}
+
+fn no_path() -> Fault {
+    Fault::absent(
+        "nothing says how it moves",
+        "add translate = { points = [[0, 0, 0], [1, 0, 0]] }, rotate = { center = [0, 0, 2], axis = [0, 0, 1], angles = \
+         [0, 90] }, or both",
+    )
 }
 
 fn shift(file: &TranslateFile, clock: Clock) -> Result<TimeFunction<DVec3>, Located> {
@@ -105,22 +113,23 @@ fn shift(file: &TranslateFile, clock: Clock) -> Result<TimeFunction<DVec3>, Loca
 }
 
 fn turn(file: &RotateFile, clock: Clock) -> Result<Turn, Located> {
-    let RotateFile { span, center, times, turns } = file;
-    match turns {
-        TurnsFile::Axis { axis, angles, curve } => {
+    let RotateFile { center, times, curve, span, .. } = file;
+    match (&file.turns, &file.axis, &file.angles) {
+        (None, Some(axis), Some(angles)) => {
             let given = given(times, angles.value.len(), clock);
             let time_function = TimeFunction::new("angles", angles.value.clone(), given, *curve);
             let time_function = time_function.map_err(|fault| located(fault, times, &angles.span))?;
             let turn = Turn::about_axis(*center, axis.value, time_function);
             turn.map_err(|fault| located(fault, &None, &axis.span))
         }
-        TurnsFile::Keys(keys) => {
+        (turns, ..) => {
+            let (keys, place) = turns.as_ref().map_or((&[][..], span), |turns| (&turns.value, &turns.span));
             let rotation =
                 |[x, y, z, degrees]: &[f64; 4]| AxisAngle { axis: DVec3::new(*x, *y, *z), degrees: *degrees };
-            let rotations: Vec<AxisAngle> = keys.value.iter().map(rotation).collect();
-            let given = given(times, keys.value.len(), clock);
+            let rotations: Vec<AxisAngle> = keys.iter().map(rotation).collect();
+            let given = given(times, keys.len(), clock);
             let turn = Turn::by_keys(*center, &rotations, given);
-            turn.map_err(|fault| located(fault, times, if keys.value.is_empty() { span } else { &keys.span }))
+            turn.map_err(|fault| located(fault, times, if keys.is_empty() { span } else { place }))
         }
     }
 }
@@ -132,9 +141,8 @@ fn given(times: &Option<At<Vec<f64>>>, count: usize, clock: Clock) -> Vec<f64> {
 
 /// A fault of the times where they stand, else of the values.
 fn located(fault: Fault, times: &Option<At<Vec<f64>>>, values: &Span) -> Located {
-    let of_times = matches!(fault, Fault::TimesFall { .. } | Fault::WrongCount { what: "times", .. });
     match times {
-        Some(times) if of_times => Located::at(&times.span, fault),
+        Some(times) if fault.kind == FaultKind::Times => Located::at(&times.span, fault),
         _ => Located::at(values, fault),
     }
 }

@@ -5,13 +5,16 @@
 //! are left out.
 
 use radiosity_scene::{
-    Fault,
+    Fault, FaultKind,
     error::Located,
     place::{At, Span},
     tree::{Node, Value},
 };
 
-use crate::csv_rows::{Row, Unreadable, rows};
+use crate::{
+    csv_rows::{Row, Unreadable, rows},
+    fields::not_a_number,
+};
 
 const COLUMNS: [&str; 4] = ["name", "x", "y", "z"];
 
@@ -72,8 +75,8 @@ fn fields(text: &str, row: &Row) -> Result<Vec<At<String>>, Located> {
     };
     let fields: Vec<At<String>> = row.fields.iter().map(place).collect();
     if fields.len() != COLUMNS.len() {
-        let expected = "four fields parted by commas, name,x,y,z".to_owned();
-        let fault = Fault::WrongCount { what: "a row", expected, found: fields.len() };
+        let expected = "four fields parted by commas, name,x,y,z";
+        let fault = Fault::wrong_count("a row", expected, fields.len());
         return Err(Located::at(&line, fault));
     }
     Ok(fields)
@@ -82,9 +85,7 @@ fn fields(text: &str, row: &Row) -> Result<Vec<At<String>>, Located> {
 fn vertex(fields: &[At<String>]) -> Result<Node, Located> {
     let number = |field: &At<String>| match field.value.parse() {
         Ok(number) => Ok(At::new(Value::Number(number), &field.span)),
-        Err(_) => {
-            Err(Located::at(&field.span, Fault::WrongType { expected: "a number", found: "a text".into() }))
-        }
+        Err(_) => Err(Located::at(&field.span, not_a_number("a text"))),
     };
     let point: Vec<Node> = fields[1..].iter().map(number).collect::<Result<_, _>>()?;
     let span = fields[1].span.start..fields[3].span.end;
@@ -108,13 +109,15 @@ fn key(name: &str, span: &Span) -> At<String> {
 }
 
 fn unreadable(row: Unreadable) -> Located {
-    let fault = Fault::Syntax { language: "CSV", message: row.message };
+    let cause = format!("syntax error: {}", row.message);
+    let cure = "a row has a name and three numbers, parted by commas; a text with commas stands in quotes";
+    let fault = Fault::new(FaultKind::Syntax, cause, cure);
     Located::at(&(row.start..row.start + 1), fault)
 }
 
 #[cfg(test)]
 mod tests {
-    use radiosity_scene::{Fault, Source};
+    use radiosity_scene::{FaultKind, Source};
 
     const TRIANGLES: &str = "# two of them\nname,x,y,z\na,0,0,0\na, 1,0,0\na,0,1,0\n\"b, too\",0,0,1\n\"b, too\",0,1,1\n\"b, too\",1,0,1\n";
 
@@ -143,10 +146,8 @@ mod tests {
         assert!(error("a, 1,0,0", "a, 1,0").to_string().starts_with("t.csv:4:1: a row takes four fields"));
         let spaced = "a,0,0,0\n\n# three\n\na, 1,O,0";
         assert!(error("a,0,0,0\na, 1,0,0", spaced).to_string().starts_with("t.csv:7:6: expected a number"));
-        assert!(matches!(error("a, 1,0,0", "a, NaN,0,0").fault, Fault::NotFinite { .. }));
-        assert!(matches!(
-            crate::read(&Source::new("t.csv", "name,x,y,z\n")).unwrap_err().fault,
-            Fault::EmptyScene
-        ));
+        assert_eq!(error("a, 1,0,0", "a, NaN,0,0").fault.kind, FaultKind::NotFinite);
+        let empty = crate::read(&Source::new("t.csv", "name,x,y,z\n")).unwrap_err();
+        assert_eq!(empty.to_string(), "t.csv: the scene has no surface");
     }
 }

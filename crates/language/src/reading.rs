@@ -4,8 +4,9 @@ use std::{collections::BTreeSet, io, path::Path, sync::Arc};
 
 use radiosity_formats::model::Model;
 use radiosity_scene::{
-    Fault, Notation, Scene, SceneError, SceneSurface, Source,
+    Fault, FaultKind, Notation, Scene, SceneError, SceneSurface, Source,
     error::Located,
+    fault::{choice, nearest},
     surfaces::{Surfaces, fitted_surfaces},
     tree::{Node, Value, entry},
 };
@@ -16,6 +17,7 @@ use crate::export::Export;
 use crate::file::SceneFile;
 use crate::import::Import;
 use crate::include::{self, FileTree};
+use crate::keys::Table;
 use crate::language::Language;
 use crate::merging::merged;
 use crate::variables::{self, VARIABLES, Variables};
@@ -32,11 +34,11 @@ pub fn load(name: &str) -> Result<Scene, SceneError> {
 /// Reads the built-in scene `name`, its parameters at their defaults.
 ///
 /// # Errors
-/// [`Fault::UnknownScene`], which lists the names there are.
+/// [`FaultKind::UnknownName`]; the cure lists the names there are.
 pub fn builtin(name: &str) -> Result<Scene, SceneError> {
     match builtin::named(name) {
         Some(_) => load(name),
-        None => Err(whole_file(name, unknown_scene(name))),
+        None => Err(SceneError::of(name, unknown_scene(name))),
     }
 }
 
@@ -48,8 +50,8 @@ pub fn builtin(name: &str) -> Result<Scene, SceneError> {
 /// read in that and repaired.
 ///
 /// # Errors
-/// A file that cannot be read, an unknown name of a scene; [`Fault::UnknownParameter`],
-/// [`Fault::ParameterRange`].
+/// A file that cannot be read, an unknown name of a scene; or of a parameter, a parameter
+/// out of its range.
 pub fn source(name: &str, settings: &[(&str, f64)]) -> Result<Source, SceneError> {
     source_by(name, settings, &Import::default(), Ranks::alone())
 }
@@ -66,7 +68,7 @@ pub fn source_by(
     ranks: &Ranks,
 ) -> Result<Source, SceneError> {
     if let Some(scene) = builtin::named(name) {
-        let text = scene.text(settings).map_err(|fault| whole_file(name, fault))?;
+        let text = scene.text(settings).map_err(|fault| SceneError::of(name, fault))?;
         return Ok(Source::new(name, &text));
     }
     if let Some(format) = import.format_of(name) {
@@ -120,7 +122,7 @@ pub fn read(source: &Source) -> Result<Scene, SceneError> {
 /// [`Scene::dimmed`].
 ///
 /// # Errors
-/// The first fault in the text; [`Fault::UnknownSetting`], [`Fault::VariableAndGroup`] and what
+/// The first fault in the text; [`FaultKind::UnknownName`], [`FaultKind::Conflict`] and what
 /// [`Scene::dimmed`] refuses.
 pub fn read_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
     let mut source = source.clone();
@@ -132,16 +134,16 @@ pub fn read_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, Sce
     let source = source.set(own.iter().copied());
     let scene = built(files, &source).map_err(|located| located.in_source(&source))?;
     let scene = scene.at_moment_of(&source)?;
-    let refused = |fault| Err(whole_file(&source.origin, fault));
+    let refused = |fault| Err(SceneError::of(&*source.origin, fault));
     let known: Vec<String> = scene.light_groups().iter().map(|group| group.name.clone()).collect();
     let has = |name: &str| known.iter().any(|known| known == name);
     if let Some((name, _)) = own.iter().find(|(name, _)| has(name)) {
-        return refused(Fault::VariableAndGroup { name: (*name).to_owned() });
+        return refused(Fault::variable_and_group(name));
     }
     match groups.iter().find(|(name, _)| !has(name)) {
         Some((name, _)) if !scene.variables.is_empty() => {
-            let variables = scene.variables.iter().map(|(name, _)| name.clone()).collect();
-            refused(Fault::UnknownSetting { name: (*name).to_owned(), variables, groups: known.into() })
+            let variables: Vec<&str> = scene.variables.iter().map(|(name, _)| name.as_str()).collect();
+            refused(unknown_setting(name, &variables, &known))
         }
         _ => scene.dimmed(&groups),
     }
@@ -151,7 +153,7 @@ pub fn read_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, Sce
 /// comments. Its text in the language of a scene of another program is that of [`load`].
 ///
 /// # Errors
-/// [`Fault::Foreign`] for a scene of a [`SceneBuilder`](radiosity_scene::SceneBuilder).
+/// [`FaultKind::Foreign`] for a scene of a [`SceneBuilder`](radiosity_scene::SceneBuilder).
 pub fn text(scene: &Scene, notation: Notation) -> Result<String, SceneError> {
     let source = written(scene)?;
     let tree = include::tree_of(source, Language::of(source));
@@ -163,18 +165,14 @@ pub fn text(scene: &Scene, notation: Notation) -> Result<String, SceneError> {
         None => Ok(notation.text(&tree)),
         Some(name) => {
             let cause = format!("the variable {name:?} stands in an included file");
-            let cure = "change it there".to_owned();
-            Err(whole_file(&scene.origin, Fault::Foreign { cause, cure }))
+            Err(SceneError::of(&scene.origin, Fault::foreign(cause, "change it there")))
         }
     }
 }
 
 /// The text it was read from.
 fn written(scene: &Scene) -> Result<&Source, SceneError> {
-    let refused = |cause: &str, cure: &str| {
-        let (cause, cure) = (cause.to_owned(), cure.to_owned());
-        whole_file(&scene.origin, Fault::Foreign { cause, cure })
-    };
+    let refused = |cause, cure| SceneError::of(&scene.origin, Fault::foreign(cause, cure));
     let source = scene.source.as_ref().ok_or_else(|| refused("a scene made in code has no text", ""))?;
     match source.moment {
         None => Ok(source),
@@ -188,7 +186,7 @@ fn written(scene: &Scene) -> Result<&Source, SceneError> {
 /// The scene as another program would hold it, shapes as they were typed.
 ///
 /// # Errors
-/// [`Fault::Foreign`] for shapes that other programs do not have, and for a scene that was made in code.
+/// [`FaultKind::Foreign`] for shapes that other programs do not have, and for a scene that was made in code.
 pub fn model(scene: &Scene) -> Result<Model, SceneError> {
     let mut source = written(scene)?.clone();
     let language = Language::of(&source);
@@ -203,7 +201,7 @@ fn exported(scene: &Scene, files: Vec<FileTree>, source: &Source) -> Result<Mode
     if let Some(camera) = &scene.camera {
         export.camera(camera, scene.middle);
     }
-    let placed = instances::placed(&file.content, &file.parts, source)?;
+    let placed = instances::placed(file.content(), &file.parts, source)?;
     placed.surfaces.iter().try_for_each(|placed| export.add(placed))?;
     let mut model = export.finish()?;
     model.title = scene.title.clone();
@@ -254,31 +252,34 @@ fn built(files: Vec<FileTree>, source: &Source) -> Result<Scene, Located> {
 fn as_typed(mut files: Vec<FileTree>, source: &Source) -> Result<(SceneFile, Vec<(String, f64)>), Located> {
     let variables = Variables::read(variable_tables(&files), source)?;
     files.iter_mut().for_each(|file| variables.fill(&mut file.tree));
-    let files = files.iter().map(|file| SceneFile::read(&file.tree, &file.prefix));
+    let files = files.iter().map(|file| SceneFile::read_in(&file.tree, &file.prefix));
     let file = merged(files.collect::<Result<_, _>>()?, source)?;
     Ok((file, variables.list()))
 }
 
 /// The valid scene of a scene file as typed.
-fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> Result<Scene, Located> {
+fn assemble(mut file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> Result<Scene, Located> {
     let is_grey = file.is_grey();
-    let bands = validation::bands(file.bands, is_grey, source)?;
-    let unit = validation::unit(file.unit)?;
-    let planes = file.planes.into_iter().map(validation::plane).collect::<Result<_, _>>()?;
-    let materials = validation::materials(file.materials, bands.len(), source)?;
+    let bands = validation::bands(file.bands.take(), is_grey, source)?;
+    let unit = validation::unit(file.unit.take())?;
+    let planes =
+        std::mem::take(&mut file.planes).into_iter().map(validation::plane).collect::<Result<_, _>>()?;
+    let materials = validation::materials(std::mem::take(&mut file.materials), bands.len(), source)?;
     let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose();
     let sky = sky.map_err(|error| error.within(|| "sky".into()))?;
     let instances::Placed { surfaces, luminaires: lamps } =
-        instances::placed(&file.content, &file.parts, source)?;
+        instances::placed(file.content(), &file.parts, source)?;
     let (luminaires, luminous) = luminaires::luminaires(&lamps, bands.len(), source)?;
     let drafts = validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source);
     let Surfaces { list, makers, middle, fitted } =
         fitted_surfaces(drafts.chain(luminous.into_iter().map(Ok)), source.tolerance)?;
     if let (Some(sky), false) = (&file.sky, list.iter().any(SceneSurface::is_opening)) {
-        return Err(Located::at(&sky.span, Fault::NoOpening).within(|| "sky".into()));
+        let cure = "give a window opening = true, its front to the room, or leave the sky out";
+        let fault = Fault::absent("no surface is an opening to the sky", cure);
+        return Err(Located::at(&sky.span, fault).within(|| "sky".into()));
     }
     let movable = motions::movable(&surfaces, &makers, &lamps, file.camera.is_some());
-    let animation = motions::animation(&file.frames, &file.motions, &movable, source)?;
+    let animation = motions::animation(&file, &movable, source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
     let mut scene = Scene::empty(stem(&source.origin), bands, unit);
     scene.title = file.title;
@@ -304,22 +305,31 @@ fn stem(origin: &str) -> String {
 /// A name without ending or folder is taken for a built-in scene, not for a file.
 fn unreadable(source: &str, origin: &str, error: &io::Error) -> SceneError {
     let meant_as_name = error.kind() == io::ErrorKind::NotFound && !source.contains(['.', '/', '\\']);
-    whole_file(
+    SceneError::of(
         origin,
         match meant_as_name {
             true => unknown_scene(source),
-            false => Fault::Unreadable { kind: error.kind(), reason: error.to_string() },
+            false => input::unreadable(error),
         },
     )
 }
 
 /// A scene that is not built in.
 fn unknown_scene(name: &str) -> Fault {
-    Fault::UnknownScene { name: name.to_owned(), known: builtins().iter().map(|scene| scene.name).collect() }
+    let known: Vec<&str> = builtins().iter().map(|scene| scene.name).collect();
+    let cure = choice(name, &known, "built-in scenes")
+        + "; a scene file is given by its path, ending in .toml or .json";
+    Fault::new(FaultKind::UnknownName, format!("unknown scene {name:?}"), cure)
 }
 
-fn whole_file(origin: &str, fault: Fault) -> SceneError {
-    SceneError { origin: origin.to_owned(), place: None, owner: None, fault }
+/// A setting of neither a variable nor a light group.
+fn unknown_setting(name: &str, variables: &[&str], groups: &[String]) -> Fault {
+    let names = variables.iter().copied().chain(groups.iter().map(String::as_str));
+    let near = nearest(name, names).map(|near| format!("did you mean {near:?}? ")).unwrap_or_default();
+    let groups = if groups.is_empty() { "none".to_owned() } else { groups.join(", ") };
+    let cure = format!("{near}variables of this scene: {}; light groups: {groups}", variables.join(", "));
+    let cause = format!("there is no variable or light group {name:?}");
+    Fault::new(FaultKind::UnknownName, cause, cure)
 }
 
 #[cfg(test)]

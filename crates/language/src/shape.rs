@@ -8,40 +8,58 @@ mod turned;
 
 use radiosity_geom::Motion;
 use radiosity_scene::{
-    Fault,
+    Fault, FaultKind,
     error::Located,
     place::{At, Span},
     tree::{Node, Value},
 };
+use serde_json::Value as Json;
 
-use crate::fields::{Fields, Reader};
+use crate::{
+    fields::Reader,
+    keys::{Fields, Group, Key, Table},
+    terms,
+};
 use form::{Built, Form, Modelled};
 
-/// A shape key and what reads its value.
-type Entry = (&'static str, Reader<Box<dyn Form>>);
+/// A shape: its key, what reads its value, and the schema of that.
+struct Entry {
+    key: &'static str,
+    read: Reader<Box<dyn Form>>,
+    schema: fn() -> Json,
+}
+
+const fn entry<T: Table + Form + 'static>(key: &'static str) -> Entry {
+    Entry { key, read: |node| Ok(Box::new(T::read(node)?)), schema: T::schema }
+}
 
 /// Every shape, in the order of the manual.
 const SHAPES: [Entry; 15] = [
-    ("parallelogram", flat::parallelogram),
-    ("quad", flat::quad),
-    ("triangle", flat::triangle),
-    ("polygon", flat::polygon),
-    ("box", solid::cuboid),
-    ("disk", turned::disk),
-    ("cylinder", turned::cylinder),
-    ("cone", turned::cone),
-    ("sphere", turned::sphere),
-    ("torus", turned::torus),
-    ("bezier", spline::bezier),
-    ("patches", spline::patches),
-    ("rational", spline::rational),
-    ("extrusion", spline::extrusion),
-    ("revolution", turned::revolution),
+    entry::<flat::ParallelogramFile>("parallelogram"),
+    entry::<flat::QuadFile>("quad"),
+    entry::<flat::TriangleFile>("triangle"),
+    entry::<flat::PolygonFile>("polygon"),
+    entry::<solid::BoxFile>("box"),
+    entry::<turned::DiskFile>("disk"),
+    entry::<turned::CylinderFile>("cylinder"),
+    entry::<turned::ConeFile>("cone"),
+    entry::<turned::SphereFile>("sphere"),
+    entry::<turned::TorusFile>("torus"),
+    entry::<spline::BezierFile>("bezier"),
+    entry::<spline::PatchesFile>("patches"),
+    entry::<spline::RationalFile>("rational"),
+    entry::<spline::ExtrusionFile>("extrusion"),
+    entry::<turned::RevolutionFile>("revolution"),
 ];
 
-/// Keys of all shapes.
-pub(super) fn keys() -> impl Iterator<Item = &'static str> {
-    SHAPES.iter().map(|(key, _)| *key)
+/// Every shape key with the schema of its value.
+pub(super) fn schemas() -> impl Iterator<Item = (&'static str, Json)> {
+    SHAPES.iter().map(|shape| (shape.key, (shape.schema)()))
+}
+
+/// The schema of a table with one shape.
+pub(super) fn one_shape() -> Json {
+    terms::required("oneOf", &SHAPES.map(|shape| shape.key))
 }
 
 /// A shape as typed.
@@ -63,21 +81,36 @@ struct FieldPlaces {
     items: Vec<Span>,
 }
 
-impl ShapeFile {
-    /// Reads the one shape among the fields of a surface.
-    pub(super) fn read(surface: &Fields<'_>) -> Result<Self, Located> {
-        let given = |&(key, read): &Entry| Some((key, surface.get(key)?, read));
+/// The one shape among the keys of a surface.
+impl Group for ShapeFile {
+    fn has(key: &str) -> bool {
+        SHAPES.iter().any(|shape| shape.key == key)
+    }
+
+    fn keys() -> Vec<Key> {
+        let key =
+            |shape: &Entry| Key { name: shape.key, schema: terms::reference(shape.key), is_required: false };
+        SHAPES.iter().map(key).collect()
+    }
+
+    fn take(fields: &Fields<'_>) -> Result<Self, Located> {
+        let given = |shape: &'static Entry| Some((shape, fields.get(shape.key)?));
         match SHAPES.iter().filter_map(given).collect::<Vec<_>>()[..] {
-            [] => Err(Located::at(surface.span(), Fault::MissingShape)),
-            [(kind, node, read)] => {
-                Ok(ShapeFile { kind, span: node.span.clone(), form: read(node)?, fields: field_places(node) })
-            }
-            [(first, ..), (second, node, _), ..] => {
-                Err(Located::at(&node.span, Fault::TwoShapes { first, second }))
+            [] => Err(fields.fault(no_shape())),
+            [(shape, node)] => Ok(ShapeFile {
+                kind: shape.key,
+                span: node.span.clone(),
+                form: (shape.read)(node)?,
+                fields: field_places(node),
+            }),
+            [(first, _), (second, node), ..] => {
+                Err(Located::at(&node.span, two_shapes(first.key, second.key)))
             }
         }
     }
+}
 
+impl ShapeFile {
     /// The surfaces, put where `motion` says; one, but for `box` and `patches`.
     pub(super) fn surfaces(&self, motion: &Motion) -> Built {
         self.form.surfaces(motion)
@@ -104,6 +137,16 @@ impl ShapeFile {
             (Some(own), Some(index)) => own.items.get(index).unwrap_or(&self.span),
         }
     }
+}
+
+fn no_shape() -> Fault {
+    let cure = "add one, e.g. quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }";
+    Fault::absent("no shape is given", cure)
+}
+
+fn two_shapes(first: &str, second: &str) -> Fault {
+    let cause = format!("two shapes are given: {first:?} and {second:?}");
+    Fault::new(FaultKind::Exclusive, cause, "make two surfaces, one for each shape")
 }
 
 /// Spans of all fields of a shape.

@@ -5,11 +5,11 @@ use radiosity_formats::{
     picture::{self, Coding, Picture},
 };
 use radiosity_scene::{
-    Fault, Pattern, Polynomial, Source, Term, error::Located, place::At, ranges::check_number,
+    Fault, FaultKind, Pattern, Polynomial, Source, Term, error::Located, place::At, ranges::check_number,
 };
 
 use crate::{
-    file::{EachBand, Encoding, PatternFile, PatternKind, PerBand},
+    file::{EachBand, PatternFile, PatternKind, PerBand},
     include,
 };
 
@@ -18,9 +18,9 @@ const MOST_KEPT: usize = 1 << 22;
 
 /// The pattern of a table for so many bands; its numbers are in no range yet.
 pub(super) fn pattern(file: &PatternFile, bands: usize, source: &Source) -> Result<Pattern, Located> {
-    let factor = factors(file.factor.as_ref(), bands)?;
+    let factor = factors(&file.factor, bands)?;
     let at_table = |fault| Located::at(&file.span, fault);
-    match &file.kind {
+    match file.kind()? {
         PatternKind::Polynomial(terms) => {
             let terms = spread(terms, bands, "the polynomial").map_err(at_table)?;
             let scaled = |(terms, factor): (&Vec<Term>, f64)| Polynomial::new(terms.clone()).times(factor);
@@ -33,36 +33,33 @@ pub(super) fn pattern(file: &PatternFile, bands: usize, source: &Source) -> Resu
                 rows.iter().rev().flatten().map(|cell| factor * cell.value).collect()
             };
             let values = cells.into_iter().zip(factor).map(scaled).collect();
-            Pattern::texels(columns, values, file.placement).map_err(at_table)
+            Pattern::texels(columns, values, file.placement()).map_err(at_table)
         }
-        PatternKind::Image { path, encoding } => {
+        PatternKind::Image(path) => {
             let at_path = |fault| Located::at(&path.span, fault);
             let file_path = include::beside(source.origin_at(path.span.start), &path.value);
-            let picture = read(&file_path, *encoding, source).map_err(at_path)?;
+            let picture = read(&file_path, file.encoding, source).map_err(at_path)?;
             let (channels, remark) = channels(&picture, bands, &file_path).map_err(at_path)?;
             let values = channels.into_iter().zip(factor).map(|(channel, factor)| {
                 let rows = channel.chunks_exact(picture.columns).rev();
                 rows.flatten().map(|value| factor * value).collect()
             });
             let pattern =
-                Pattern::texels(picture.columns, values.collect(), file.placement).map_err(at_table)?;
+                Pattern::texels(picture.columns, values.collect(), file.placement()).map_err(at_table)?;
             let remarks = picture.remarks.iter().cloned().chain(remark.map(str::to_owned)).collect();
             Ok(pattern.of_file(&file_path, remarks))
         }
     }
 }
 
-fn read(path: &str, encoding: Option<Encoding>, source: &Source) -> Result<Picture, Fault> {
-    let bytes = source.picture(path).ok_or_else(|| Fault::NoIncludes { file: path.to_owned() })?;
-    let coding = encoding.map(|encoding| match encoding {
-        Encoding::Linear => Coding::Linear,
-        Encoding::Srgb => Coding::Srgb,
-    });
-    picture::read(&bytes, coding, MOST_KEPT).map_err(|fault| Fault::BadPicture {
-        path: path.into(),
-        cause: fault.cause.into(),
-        cure: fault.cure.into(),
-    })
+fn read(path: &str, coding: Option<Coding>, source: &Source) -> Result<Picture, Fault> {
+    let bytes = source.picture(path).ok_or_else(|| include::no_files(path))?;
+    picture::read(&bytes, coding, MOST_KEPT).map_err(|fault| bad_picture(path, &fault.cause, &fault.cure))
+}
+
+/// A picture that cannot be taken for a pattern.
+fn bad_picture(path: &str, cause: &str, cure: &str) -> Fault {
+    Fault::new(FaultKind::Foreign, format!("{path:?}: {cause}"), cure)
 }
 
 /// The numbers of each band: red, green and blue of three, the luminance of one (ITU-R BT.709), grey of any;
@@ -80,30 +77,27 @@ fn channels(
             let grey = texels.map(|((red, green), blue)| luminance([*red, *green, *blue])).collect();
             Ok((vec![grey], Some("luminance of its colours")))
         }
-        _ => Err(Fault::BadPicture {
-            path: path.into(),
-            cause: format!("it is coloured, and there are {bands} bands").into(),
-            cure: "give the scene one band, or three for red, green and blue; or take a grey picture, with a factor for \
-                   each band"
-                .into(),
-        }),
+        _ => Err(bad_picture(
+            path,
+            &format!("it is coloured, and there are {bands} bands"),
+            "give the scene one band, or three for red, green and blue; or take a grey picture, with a factor for each \
+             band",
+        )),
     }
 }
 
-/// A finite factor for each band; 1 where none is given.
-fn factors(factor: Option<&PerBand>, bands: usize) -> Result<Vec<f64>, Located> {
+/// A finite factor for each band.
+fn factors(factor: &PerBand, bands: usize) -> Result<Vec<f64>, Located> {
     let check = |number: &At<f64>| match check_number(number.value) {
         Ok(()) if number.value >= 0.0 => Ok(number.value),
-        Ok(()) => Err(Located::at(
-            &number.span,
-            Fault::OutOfRange { what: "the factor", value: number.value, range: "factor ≥ 0" },
-        )),
+        Ok(()) => {
+            Err(Located::at(&number.span, Fault::out_of_range("the factor", number.value, "factor ≥ 0")))
+        }
         Err(fault) => Err(Located::at(&number.span, fault)),
     };
     match factor {
-        None => Ok(vec![1.0; bands]),
-        Some(PerBand::All(number)) => Ok(vec![check(number)?; bands]),
-        Some(PerBand::Each(list)) => {
+        PerBand::All(number) => Ok(vec![check(number)?; bands]),
+        PerBand::Each(list) => {
             let numbers = list.value.iter().map(check).collect::<Result<Vec<_>, _>>()?;
             check_bands("the factor", numbers.len(), bands)
                 .map_err(|fault| Located::at(&list.span, fault))?;
@@ -128,7 +122,7 @@ fn check_bands(what: &'static str, found: usize, bands: usize) -> Result<(), Fau
         true => Ok(()),
         false => {
             let expected = format!("one for all bands or {bands}, one per band");
-            Err(Fault::WrongCount { what, expected, found })
+            Err(Fault::wrong_count(what, &expected, found))
         }
     }
 }

@@ -1,7 +1,7 @@
 //! TOML text → tree.
 
 use radiosity_scene::{
-    Fault,
+    Fault, FaultKind,
     error::Located,
     place::At,
     tree::{Node, Value},
@@ -14,7 +14,9 @@ use toml::{
 /// Parses a TOML document.
 pub(super) fn parse(text: &str) -> Result<Node, Located> {
     let table = DeTable::parse(text).map_err(|error| {
-        let fault = Fault::Syntax { language: "TOML", message: error.message().to_owned() };
+        let cause = format!("syntax error: {}", error.message());
+        let cure = "TOML wants `key = value`, texts in quotes, and lists in brackets with commas";
+        let fault = Fault::new(FaultKind::Syntax, cause, cure);
         Located::at(&error.span().unwrap_or(0..0), fault)
     })?;
     let span = table.span();

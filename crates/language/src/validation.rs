@@ -4,14 +4,14 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{DVec3, Surface};
 use radiosity_scene::{
-    Camera, Fault, Glass, Material, Opening, SensorPlane, Sky, Source, Sun, SurfaceDraft, Thermal,
+    Camera, Fault, FaultKind, Glass, Material, Opening, SensorPlane, Sky, Source, Sun, SurfaceDraft, Thermal,
     bands::check_bands,
     covering::Covering,
-    error::{Located, material_title, plane_title, surface_title},
+    error::{Located, title},
     luminaire::across,
     material::{check_emission, check_flux, check_reflectance, check_transmittance},
     place::At,
-    sky::{check_elevation, check_irradiance},
+    sky::{check_elevation, check_irradiance, no_up},
     surface_draft::{DraftPlaces, NamedShape},
     unit::{self, check_unit},
 };
@@ -19,12 +19,9 @@ use radiosity_scene::{
 use crate::{
     file::{Amount, CameraFile, GlassFile, MaterialFile, PerBand, PlaneFile, SkyFile, SunFile, SurfaceFile},
     instances::PlacedSurface,
+    keys::Named,
     textures::pattern,
 };
-
-/// Index of refraction of window glass, and reflectance of the ground about it, where none is stated.
-const USUAL_INDEX: f64 = 1.52;
-const USUAL_GROUND: f64 = 0.2;
 
 /// Materials by name.
 pub(super) type Materials = BTreeMap<String, Covering>;
@@ -57,35 +54,38 @@ pub(super) fn unit(text: Option<At<String>>) -> Result<String, Located> {
 }
 
 /// A plane of sensors.
-pub(super) fn plane(file: PlaneFile) -> Result<SensorPlane, Located> {
-    let PlaneFile { name, origin, edges, spacing } = file;
-    let title = plane_title(&name.value);
+pub(super) fn plane(Named { name, file }: Named<PlaneFile>) -> Result<SensorPlane, Located> {
+    let PlaneFile { origin, edges, spacing } = file;
+    let title = title("plane", &name.value);
     SensorPlane::new(name.value, origin, edges.value, spacing.value).map_err(|fault| {
-        let span = if matches!(fault, Fault::BadPlane { .. }) { &edges.span } else { &spacing.span };
+        let span = if fault.kind == FaultKind::NoDirection { &edges.span } else { &spacing.span };
         Located::at(span, fault).within(|| title)
     })
 }
 
 /// Every material, checked number by number.
 pub(super) fn materials(
-    files: Vec<MaterialFile>,
+    files: Vec<Named<MaterialFile>>,
     bands: usize,
     source: &Source,
 ) -> Result<Materials, Located> {
-    let checked = |file: MaterialFile| {
-        let name = file.name.value.clone();
-        match covering(file, bands, source) {
-            Ok(material) => Ok((name, material)),
-            Err(error) => Err(error.within(|| material_title(&name))),
-        }
+    let checked = |Named { name, file }: Named<MaterialFile>| match covering(&name, file, bands, source) {
+        Ok(material) => Ok((name.value, material)),
+        Err(error) => Err(error.within(|| title("material", &name.value))),
     };
     files.into_iter().map(checked).collect()
 }
 
-fn covering(file: MaterialFile, bands: usize, source: &Source) -> Result<Covering, Located> {
+fn covering(
+    name: &At<String>,
+    file: MaterialFile,
+    bands: usize,
+    source: &Source,
+) -> Result<Covering, Located> {
     let given = file.transmittance.as_ref();
-    let given =
-        given.map(|given| spread(given, bands, "the transmittance", check_transmittance)).transpose()?;
+    let given = given
+        .map(|given| spread(&given.value, bands, "the transmittance", check_transmittance))
+        .transpose()?;
     let transmittance = given.unwrap_or_else(|| vec![0.0; bands]);
     let mut bare = Material::black(bands);
     bare.transmittance = transmittance;
@@ -93,18 +93,16 @@ fn covering(file: MaterialFile, bands: usize, source: &Source) -> Result<Coverin
         Some(given) => reflecting(bare, given, source)?,
         // A material of an emissivity alone is grey at all wavelengths.
         None => {
-            bare.reflectance = vec![1.0 - file.thermal.emissivity.unwrap_or(1.0); bands];
+            bare.reflectance = vec![1.0 - file.emissivity.unwrap_or(1.0); bands];
             bare
         }
     };
-    let material = match &file.emission {
-        Some(given) => emitting(material, given, source)?,
-        None => material,
-    };
-    let span = file.transmittance.as_ref().map_or(&file.name.span, PerBand::span);
+    let material = emitting(material, &file.emission, source)?;
+    let span = file.transmittance.as_ref().map_or(&name.span, |given| &given.span);
     material.check(bands).map_err(|fault| Located::at(span, fault))?;
     let group = file.group.map(|group| group.value);
-    Ok(Covering { thermal: file.thermal, group, ..Covering::new(file.name.value, material) })
+    let thermal = Thermal { emissivity: file.emissivity, condition: file.condition.condition() };
+    Ok(Covering { thermal, group, ..Covering::new(name.value.clone(), material) })
 }
 
 /// The material with this reflectance.
@@ -115,11 +113,9 @@ fn reflecting(mut material: Material, given: &Amount, source: &Source) -> Result
             material.reflectance = spread(numbers, bands, "the reflectance", check_reflectance)?;
             Ok(material)
         }
-        Amount::Varied(file) => {
-            let pattern = pattern(file, bands, source)?;
-            let patterned = material.with_reflectance_pattern(pattern);
-            patterned.map_err(|fault| Located::at(file.place(), fault))
-        }
+        Amount::Varied(file) => material
+            .with_reflectance_pattern(pattern(file, bands, source)?)
+            .map_err(|fault| Located::at(file.place(), fault)),
     }
 }
 
@@ -131,11 +127,9 @@ fn emitting(mut material: Material, given: &Amount, source: &Source) -> Result<M
             material.emission = spread(numbers, bands, "the emission", check_emission)?;
             Ok(material)
         }
-        Amount::Varied(file) => {
-            let pattern = pattern(file, bands, source)?;
-            let patterned = material.with_emission_pattern(pattern);
-            patterned.map_err(|fault| Located::at(file.place(), fault))
-        }
+        Amount::Varied(file) => material
+            .with_emission_pattern(pattern(file, bands, source)?)
+            .map_err(|fault| Located::at(file.place(), fault)),
     }
 }
 
@@ -155,22 +149,16 @@ pub(super) fn spread(
         PerBand::Each(list) if list.value.len() == bands => list.value.iter().map(checked).collect(),
         PerBand::Each(list) => {
             let expected = format!("one number for all bands or {bands}, one per band");
-            Err(Located::at(&list.span, Fault::WrongCount { what, expected, found: list.value.len() }))
+            Err(Located::at(&list.span, Fault::wrong_count(what, &expected, list.value.len())))
         }
     }
 }
 
-/// The camera; defaults are those of [`Camera::new`].
+/// The camera.
 pub(super) fn camera(file: CameraFile) -> Result<Camera, Located> {
-    let usual = Camera::new(file.eye, file.target);
-    let camera = Camera {
-        up: file.up.unwrap_or(usual.up),
-        fov: file.fov.unwrap_or(usual.fov),
-        width: file.width.unwrap_or(usual.width),
-        height: file.height.unwrap_or(usual.height),
-        ..usual
-    };
-    camera.checked().map_err(|fault| Located::at(&file.span, fault).within(|| "camera".into()))
+    let CameraFile { eye, target, up, fov, width, height, span } = file;
+    let camera = Camera { eye, target, up, fov, width, height };
+    camera.checked().map_err(|fault| Located::at(&span, fault).within(|| "camera".into()))
 }
 
 /// Every surface with its name, shape and material.
@@ -182,7 +170,7 @@ pub(super) fn surfaces(
     source: &Source,
 ) -> impl Iterator<Item = Result<SurfaceDraft, Located>> {
     files.iter().map(move |placed| {
-        let error = |error: Located| error.within(|| surface_title(&placed.name));
+        let error = |error: Located| error.within(|| title("surface", &placed.name));
         let draft = draft(placed, materials, bands, source);
         draft.and_then(|draft| opened(draft, placed.file, sky)).map_err(error)
     })
@@ -205,7 +193,7 @@ fn draft(
         flux: flux(file.flux.as_ref(), bands)?,
         opening: None,
         radiance: None,
-        thermal: Thermal { condition: file.condition, emissivity: None },
+        thermal: Thermal { condition: file.condition.condition(), emissivity: None },
         front: covering(&file.material)?.unwrap_or_else(|| Covering::black(bands)),
         back: covering(&file.back_material)?,
         group: file.group.as_ref().map(|own| own.value.clone()),
@@ -222,19 +210,23 @@ fn draft(
             shape: file.shape.span.clone(),
             materials: [span(&file.material), span(&file.back_material)],
             flux: file.flux.as_ref().map(|flux| flux.span().clone()),
-            opening: file.opening.clone(),
+            opening: file.opening().cloned(),
         }),
     })
 }
 
 /// The draft as an opening to the sky, if it is one.
 fn opened(draft: SurfaceDraft, file: &SurfaceFile, sky: Option<&Arc<Sky>>) -> Result<SurfaceDraft, Located> {
-    let Some(span) = &file.opening else { return Ok(draft) };
-    let no_sky = || Located::at(span, Fault::BadOpening { problem: "there is no sky" });
+    let Some(span) = file.opening() else { return Ok(draft) };
+    let no_sky = || {
+        let cure =
+            "add [sky] with model = \"overcast\" and illuminance = 10000, or leave `opening` and `glass` out";
+        Located::at(span, Fault::bad_opening("there is no sky", cure))
+    };
     let sky = Arc::clone(sky.ok_or_else(no_sky)?);
-    let glass = |own: &GlassFile| {
-        let glass = Glass::new(own.panes.unwrap_or(1), own.index.unwrap_or(USUAL_INDEX), own.transmittance);
-        glass.map_err(|fault| Located::at(&own.span, fault))
+    let glass = |own: &At<GlassFile>| {
+        let GlassFile { panes, index, transmittance } = own.value;
+        Glass::new(panes, index, transmittance).map_err(|fault| Located::at(&own.span, fault))
     };
     let glass = file.glass.as_ref().map(glass).transpose()?;
     Ok(SurfaceDraft { opening: Some(Opening { sky, glass }), ..draft })
@@ -243,27 +235,24 @@ fn opened(draft: SurfaceDraft, file: &SurfaceFile, sky: Option<&Arc<Sky>>) -> Re
 /// The sky. Azimuths are counted from north over east.
 pub(super) fn sky(file: &SkyFile, bands: usize) -> Result<Arc<Sky>, Located> {
     let located = |fault| Located::at(&file.span, fault);
-    let (up, north) = (file.up.unwrap_or(DVec3::Z), file.north.unwrap_or(DVec3::Y));
     let irradiance = spread(&file.illuminance, bands, "the illuminance", check_irradiance)?;
     let sun = file.sun.as_ref().map(|sun| {
         let elevation = &sun.elevation;
         check_elevation(elevation.value).map_err(|fault| Located::at(&elevation.span, fault))?;
-        let direction = sun_direction(sun, up, north);
+        let direction = sun_direction(sun, file.up, file.north);
         let direction = direction.map_err(|fault| Located::at(&sun.span, fault))?;
-        let given = sun.illuminance.as_ref();
-        let given =
-            given.map(|given| spread(given, bands, "the illuminance", check_irradiance)).transpose()?;
-        Ok(Sun { direction, irradiance: given.unwrap_or_else(|| vec![0.0; bands]) })
+        let irradiance = spread(&sun.illuminance, bands, "the illuminance", check_irradiance)?;
+        Ok(Sun { direction, irradiance })
     });
     let sun = sun.transpose()?;
-    let ground = file.ground.as_ref().map_or(USUAL_GROUND, |ground| ground.value);
-    Sky::new(file.model, up, irradiance, ground, sun).map(Arc::new).map_err(located)
+    Sky::new(file.model, file.up, irradiance, file.ground, sun).map(Arc::new).map_err(located)
 }
 
 fn sun_direction(sun: &SunFile, up: DVec3, north: DVec3) -> Result<DVec3, Fault> {
-    let up = up.try_normalize().ok_or(Fault::NoDirection { what: "up" })?;
+    let up = up.try_normalize().ok_or_else(no_up)?;
     let north = north.try_normalize().and_then(|north| across(north, up));
-    let north = north.ok_or(Fault::NoDirection { what: "north" })?;
+    let cure = "give a direction that is not along `up`, e.g. [0, 1, 0] where `up` is [0, 0, 1]";
+    let north = north.ok_or_else(|| Fault::no_direction("north", cure))?;
     let (height, around) = (sun.elevation.value.to_radians().sin_cos(), sun.azimuth.to_radians().sin_cos());
     Ok((height.1 * (around.1 * north + around.0 * north.cross(up)) + height.0 * up).normalize())
 }
@@ -276,7 +265,7 @@ fn flux(flux: Option<&PerBand>, bands: usize) -> Result<Option<Vec<f64>>, Locate
 fn shapes(PlacedSurface { file, name, motion, .. }: &PlacedSurface<'_>) -> Result<Vec<NamedShape>, Located> {
     let shapes = file.shape.surfaces(motion).map_err(|error| {
         let span = file.shape.span_of(error.field()).clone();
-        Located::at(&span, Fault::Shape(error))
+        Located::at(&span, error.into())
     })?;
     let named = |(index, shape): (usize, Box<dyn Surface>)| NamedShape {
         name: file.shape.name(name, index),
@@ -288,6 +277,6 @@ fn shapes(PlacedSurface { file, name, motion, .. }: &PlacedSurface<'_>) -> Resul
 fn covering_named(name: &At<String>, materials: &Materials) -> Result<Covering, Located> {
     materials.get(&name.value).cloned().ok_or_else(|| {
         let known = materials.keys().cloned().collect();
-        Located::at(&name.span, Fault::UnknownMaterial { name: name.value.clone(), known })
+        Located::at(&name.span, Fault::unknown_material(&name.value, known))
     })
 }

@@ -7,8 +7,8 @@ use std::{
 };
 
 use radiosity_scene::{
-    Fault, Source,
-    error::{Located, variable_title},
+    Fault, FaultKind, Source,
+    error::{Located, title},
     names::UniqueNames,
     place::{At, Span},
     ranges::check_number,
@@ -71,7 +71,7 @@ impl Variables {
                 continue;
             }
             let step = self.step(name, definitions);
-            match step.map_err(|error| error.within(|| variable_title(name)))? {
+            match step.map_err(|error| error.within(|| title("variable", name)))? {
                 Step::Known(value) => {
                     self.values.insert(name.clone(), value);
                 }
@@ -120,10 +120,16 @@ impl Variables {
         let Some(name) = settings.keys().find(|name| !self.values.contains_key(*name)) else {
             return Ok(self);
         };
-        let (name, known) = (name.clone(), self.names);
-        Err(Located::nowhere(match known.is_empty() {
-            true => Fault::NoVariables { name },
-            false => Fault::UnknownVariable { name, known },
+        Err(Located::nowhere(match self.names.is_empty() {
+            true => Fault::new(
+                FaultKind::UnknownName,
+                format!("the scene has no variables, yet {name:?} is set"),
+                format!(
+                    "define it: [variables] with {name} = 2.5, and write \"={name}\" in place of a number; light groups are \
+                     set where light is computed"
+                ),
+            ),
+            false => self.unknown(name),
         }))
     }
 
@@ -157,7 +163,9 @@ impl Variables {
     }
 
     fn unknown(&self, name: &str) -> Fault {
-        Fault::UnknownVariable { name: name.to_owned(), known: Arc::clone(&self.names) }
+        let none = format!("define it: [variables] with {name} = 2.5");
+        let cause = format!("there is no variable {name:?}");
+        Fault::unknown_or(cause, name, Arc::clone(&self.names), "variables of this scene", none)
     }
 }
 
@@ -177,8 +185,9 @@ enum Step {
 /// The fault of a path of variables that ends with one of those before.
 fn cycle(path: &[String], place: &Span) -> Located {
     let start = path.iter().position(|name| Some(name) == path.last()).unwrap_or_default();
-    let fault = Fault::VariableCycle { names: path[start..].to_vec() };
-    Located::at(place, fault).within(|| variable_title(&path[start]))
+    let cause = format!("it needs its own value: {}", path[start..].join(" → "));
+    let fault = Fault::new(FaultKind::Cycle, cause, "give one of them a number");
+    Located::at(place, fault).within(|| title("variable", &path[start]))
 }
 
 fn check_name(name: &At<String>) -> Result<(), Located> {
@@ -189,7 +198,9 @@ fn check_name(name: &At<String>) -> Result<(), Located> {
     } else {
         return Ok(());
     };
-    Err(Located::at(&name.span, Fault::BadVariableName { name: name.value.clone(), problem }))
+    let cause = format!("{:?} {problem}", name.value);
+    let fault = Fault::new(FaultKind::BadText, cause, "choose another name, such as width or lamp_2");
+    Err(Located::at(&name.span, fault))
 }
 
 /// The node with the value of its formula, if it is one; `variable` finds the value of a name.

@@ -161,7 +161,7 @@ impl<'a> Shadows<'a> {
         places.iter().map(|place| &self.occluders.obstacles[*place]).any(|surface| {
             let faces = self.visibility.faces(surface);
             let blocks = |face: &usize| {
-                let margin = if self.receiver.surface == Some(*face) { OWN_END } else { END };
+                let margin = if self.stands_on(*face) { OWN_END } else { END };
                 self.visibility.blocks(*face, x, lamp.center, margin)
             };
             !self.visibility.is_apart(*surface, x, lamp.center, 0.0)
@@ -173,8 +173,8 @@ impl<'a> Shadows<'a> {
     /// Adds a curved blocker to the hidden spans `spans`; `is_own`: the plane stands for a piece of that
     /// blocker.
     pub(crate) fn add_curved(&self, spans: &mut HiddenSpans<'a>, other: usize, is_own: bool) {
-        let ReceiverPoint { normal, ground, surface, .. } = *self.receiver;
-        let ground = (surface == Some(other)).then_some(ground.unwrap_or(normal));
+        let ReceiverPoint { normal, ground, .. } = *self.receiver;
+        let ground = self.stands_on(other).then_some(ground.unwrap_or(normal));
         spans.add_curved(self.visibility.silhouette_mesh(other), ground, is_own);
     }
 
@@ -247,7 +247,10 @@ impl<'a> Shadows<'a> {
         for blocker in self.of(before) {
             match blocker {
                 Blocker::Flat(volume) => spans.add_flat(volume),
-                Blocker::Curved(other) => self.add_curved(&mut spans, *other, curved == Some(*other)),
+                Blocker::Curved(other) => {
+                    let is_own = curved.is_some_and(|surface| self.visibility.sheet(surface) == *other);
+                    self.add_curved(&mut spans, *other, is_own);
+                }
             }
         }
         Some(spans)
@@ -255,14 +258,19 @@ impl<'a> Shadows<'a> {
 
     /// Whether the point `y` of `surface` is hidden.
     pub(crate) fn hide(&self, before: BlockerRange, y: DVec3, surface: usize) -> bool {
-        let own = [Some(surface), self.receiver.surface];
+        let sender = self.visibility.sheet(surface);
         self.of(before).any(|blocker| match blocker {
             Blocker::Flat(volume) => volume.hides(y),
             Blocker::Curved(other) => {
-                let margin = if own.contains(&Some(*other)) { OWN_END } else { END };
+                let margin = if *other == sender || self.stands_on(*other) { OWN_END } else { END };
                 self.visibility.blocks(*other, self.receiver.position, y, margin)
             }
         })
+    }
+
+    /// Whether the receiver lies on an obstacle, on either side.
+    fn stands_on(&self, obstacle: usize) -> bool {
+        self.receiver.surface.is_some_and(|surface| self.visibility.sheet(surface) == obstacle)
     }
 
     fn of(&self, before: BlockerRange) -> impl Iterator<Item = &Blocker> {

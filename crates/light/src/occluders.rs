@@ -66,7 +66,9 @@ impl Occluders {
         let rises = |hull: &[DVec3]| reaches_over(hull, ground);
         let is_before = |points: &[DVec3], sender: &Sender| reaches_over(points, sender.plane);
         let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
-        let own = |other: usize, surface: usize| other == surface && !visibility.hides_itself(surface);
+        let own = |other: usize, surface: usize| {
+            other == visibility.sheet(surface) && !visibility.hides_itself(surface)
+        };
         let within =
             |sender: &Sender| surface == Some(sender.surface) && visibility.is_hollow(sender.surface);
         let is_of_body = |other: usize, surface: usize| visibility.are_of_one_body(other, surface);
@@ -82,7 +84,7 @@ impl Occluders {
             let stands = |place: &usize| {
                 let hull = visibility.hull(obstacles[*place]);
                 let reaches = visibility.bounds_of(obstacles[*place]).overlaps(&shaft);
-                let itself = obstacles[*place] == sender.surface && within(&sender);
+                let itself = obstacles[*place] == visibility.sheet(sender.surface) && within(&sender);
                 let touches = || is_of_body(obstacles[*place], sender.surface);
                 reaches
                     && is_before(hull, &sender)

@@ -1,16 +1,16 @@
-//! Drawings in vectors: scales, lines, letters, charts, isolines and plans.
+//! Drawings: scales, lines, letters, diagrams, isolines and plans.
 
-pub mod log_axis;
+pub(crate) mod markup;
 pub mod tick;
 pub mod nice_numbers;
-pub(crate) mod segment;
 pub(crate) mod interpolant;
 pub mod picture;
 pub(crate) mod stroke;
 pub(crate) mod polyline;
 mod isolines;
 pub(crate) mod lettering;
-pub(crate) mod canvas;
+pub mod drawing;
+pub mod diagram;
 pub(crate) mod label;
 mod labelled_isolines;
 pub mod chart;

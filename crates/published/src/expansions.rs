@@ -160,20 +160,11 @@ impl KnownBlocks for Expansions {
         pair.is_integrated = found.is_none();
         locked(&self.pairs).insert(places, pair);
         let (MovedBlock { values, error }, samples) = found?;
-        let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         self.summed.fetch_add(1, Ordering::Relaxed);
-        let block = Block {
-            values,
-            kind: PairKind::Separated,
-            partly_hidden: false,
-            unresolved: false,
-            untried: false,
-            error,
-            samples,
-            distinct: samples,
-            rays: 0,
-        };
-        Some(Known::Block { block, remainder: error + eps * largest })
+        let mut block = Block::exact(values, PairKind::Separated, samples);
+        block.report.error = error;
+        let remainder = error + eps * block.largest();
+        Some(Known::Block { block, remainder })
     }
 }
 

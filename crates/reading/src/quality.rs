@@ -13,11 +13,13 @@
 
 use radiosity_solve::Options;
 use radiosity_solve::gather::gather_method::GatherMethod;
+use radiosity_solve::solution::Solution;
 use radiosity_solve::tolerances::USUAL_EPS;
+use radiosity_visibility::Visibility;
 use serde::Deserialize;
 
 use crate::grid::Rates;
-use crate::reader::ReadMode;
+use crate::reader::{ReadMode, Reader};
 
 /// A preset.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
@@ -46,6 +48,13 @@ pub struct ReadSettings {
     pub eps: f64,
     /// Points along each side of a cell.
     pub rates: Rates,
+}
+
+impl ReadSettings {
+    /// The reader of `solution` among these obstacles.
+    pub fn reader<'a>(&self, solution: &'a Solution, visibility: &'a Visibility) -> Reader<'a> {
+        Reader::by(self.by, solution, visibility, self.read, self.eps)
+    }
 }
 
 impl Quality {

@@ -5,7 +5,13 @@
 
 use radiosity_geom::DVec3;
 
-use crate::{error::Fault, path::RigidPath, place::Place, pose::Pose, ranges::check_range};
+use crate::{
+    fault::{Fault, FaultKind, shown},
+    path::RigidPath,
+    place::Place,
+    pose::Pose,
+    ranges::check_range,
+};
 
 /// Most frames: eleven hours at 25 a second. A larger number is a slip.
 pub const MOST_FRAMES: usize = 1_000_000;
@@ -51,7 +57,7 @@ impl Clock {
     /// A clock of `frames` frames, of which `rate` show a unit of time.
     ///
     /// # Errors
-    /// [`Fault::OutOfRange`] or [`Fault::NotFinite`].
+    /// A number out of range or not finite.
     pub fn new(frames: usize, rate: f64) -> Result<Self, Fault> {
         check_frames(frames)?;
         check_rate(rate)?;
@@ -90,11 +96,12 @@ impl Animation {
     /// The poses of all movers at a moment.
     ///
     /// # Errors
-    /// [`Fault::NoSuchFrame`] for a moment that is not from 0 to the last frame.
+    /// [`FaultKind::OutOfRange`] for a moment that is not from 0 to the last frame.
     pub fn poses(&self, moment: f64) -> Result<Vec<Pose>, Fault> {
         let last = self.frames - 1;
         if !(0.0..=last as f64).contains(&moment) {
-            return Err(Fault::NoSuchFrame { moment, last });
+            let cause = format!("there is no frame {}: frames are counted from 0 to {last}", shown(moment));
+            return Err(Fault::new(FaultKind::OutOfRange, cause, format!("choose one from 0 to {last}")));
         }
         Ok(self.movers.iter().map(|mover| mover.path.pose(moment / self.rate)).collect())
     }
@@ -135,11 +142,10 @@ mod tests {
             let animation = Animation::new(clock, vec![mover]);
             assert!(animation.poses(0.0).unwrap()[0].is_rest());
             assert_eq!(animation.poses((frames - 1) as f64).unwrap()[0].point(DVec3::ZERO), 3.0 * DVec3::X);
-            assert!(matches!(animation.poses(-1.0), Err(Fault::NoSuchFrame { .. })));
-            assert!(matches!(animation.poses(f64::NAN), Err(Fault::NoSuchFrame { .. })));
-            assert!(
-                matches!(animation.poses(frames as f64), Err(Fault::NoSuchFrame { last, .. }) if last == frames - 1)
-            );
+            let kind = |moment| animation.poses(moment).unwrap_err().kind;
+            for moment in [-1.0, f64::NAN, frames as f64] {
+                assert_eq!(kind(moment), FaultKind::OutOfRange, "{moment}");
+            }
         }
     }
 }

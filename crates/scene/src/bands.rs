@@ -1,6 +1,6 @@
 //! The names of bands.
 
-use crate::{error::Fault, names::UniqueNames, place::Line};
+use crate::{fault::Fault, names::UniqueNames, place::Line};
 
 /// Checks the names of bands, each given with its line in a file; an error has the index of the name.
 pub fn check_bands<'a>(
@@ -13,10 +13,7 @@ pub fn check_bands<'a>(
         count += 1;
     }
     match count {
-        0 => {
-            let expected = "at least one name".to_owned();
-            Err((0, Fault::WrongCount { what: "the list of bands", expected, found: 0 }))
-        }
+        0 => Err((0, Fault::wrong_count("the list of bands", "at least one name", 0))),
         _ => Ok(()),
     }
 }

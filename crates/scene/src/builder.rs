@@ -10,7 +10,8 @@ use crate::{
     bands::check_bands,
     camera::Camera,
     covering::Covering,
-    error::{Fault, Located, SceneError, luminaire_title, material_title, plane_title},
+    error::{Located, SceneError, title},
+    fault::Fault,
     luminaire::Luminaire,
     luminous_surface::luminous_surfaces,
     material::Material,
@@ -221,7 +222,7 @@ fn animation(
     match clock {
         Some(clock) => movers(drafts, clock, movable).map(Some),
         None if drafts.is_empty() => Ok(None),
-        None => Err(Located::nowhere(Fault::MissingKey { key: "frames" })),
+        None => Err(Located::nowhere(Fault::no_frame_count())),
     }
 }
 
@@ -230,7 +231,7 @@ fn check_planes(planes: &[SensorPlane]) -> Result<(), Located> {
     let mut names = UniqueNames::default();
     planes.iter().try_for_each(|plane| {
         let added = names.add(plane.name(), None);
-        added.map_err(|fault| Located::nowhere(fault).within(|| plane_title(plane.name())))
+        added.map_err(|fault| Located::nowhere(fault).within(|| title("plane", plane.name())))
     })
 }
 
@@ -239,7 +240,7 @@ fn check_luminaires(luminaires: &[Luminaire], bands: usize) -> Result<(), Locate
     let mut names = UniqueNames::default();
     luminaires.iter().try_for_each(|own| {
         let checked = names.add(&own.name, None).and_then(|()| own.check(bands));
-        checked.map_err(|fault| Located::nowhere(fault).within(|| luminaire_title(&own.name)))
+        checked.map_err(|fault| Located::nowhere(fault).within(|| title("luminaire", &own.name)))
     })
 }
 
@@ -248,7 +249,7 @@ fn check_materials(materials: &[NamedMaterial], bands: usize) -> Result<(), Loca
     let mut names = UniqueNames::default();
     materials.iter().try_for_each(|named| {
         let checked = names.add(named.name(), None).and_then(|()| named.material().check(bands));
-        checked.map_err(|fault| Located::nowhere(fault).within(|| material_title(named.name())))
+        checked.map_err(|fault| Located::nowhere(fault).within(|| title("material", named.name())))
     })
 }
 
@@ -260,12 +261,10 @@ fn check_backs(drafts: &[SurfaceDraft], materials: &[NamedMaterial], bands: usiz
         let name = name.as_deref().unwrap_or_default();
         let checked = check_text(name).and_then(|()| material.check(bands));
         let checked = checked.and_then(|()| match known.insert(name, material) {
-            Some(other) if other != material => {
-                Err(Fault::DuplicateName { name: name.to_owned(), first: None })
-            }
+            Some(other) if other != material => Err(Fault::duplicate_name(name, None)),
             _ => Ok(()),
         });
-        checked.map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))?;
+        checked.map_err(|fault| Located::nowhere(fault).within(|| title("material", name)))?;
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 use radiosity_geom::{DVec3, PARALLEL_DIRECTIONS};
 
 use crate::{
-    error::Fault,
+    fault::{Fault, FaultKind},
     ranges::{check_fov, check_pixels},
 };
 
@@ -41,12 +41,12 @@ impl Camera {
     /// Checks that the camera has a view.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number; [`Fault::BadCamera`] if eye and target
+    /// [`FaultKind::NotFinite`] or [`FaultKind::OutOfRange`] for a number; [`FaultKind::NoDirection`] if eye and target
     /// coincide or `up` lies along the view.
     pub fn checked(self) -> Result<Self, Fault> {
         let numbers = [self.eye, self.target, self.up].into_iter().flat_map(|point| point.to_array());
         if let Some(value) = numbers.chain([self.fov]).find(|value| !value.is_finite()) {
-            return Err(Fault::NotFinite { value });
+            return Err(Fault::not_finite(value));
         }
         check_fov(self.fov)?;
         [self.width, self.height].into_iter().try_for_each(|pixels| check_pixels(pixels as usize))?;
@@ -60,6 +60,6 @@ impl Camera {
             }
             _ => return Ok(self),
         };
-        Err(Fault::BadCamera { problem })
+        Err(Fault::new(FaultKind::NoDirection, problem, "move the eye, the target or the up vector"))
     }
 }

@@ -24,7 +24,7 @@ use std::sync::Arc;
 use radiosity_geom::{DVec3, ROUNDING};
 use radiosity_photometry::Photometry;
 
-use crate::{error::Fault, ranges::check_range};
+use crate::{fault::Fault, ranges::check_range};
 
 /// Largest exponent: half of the peak is left at 0.7°. Chosen.
 const STEEPEST: f64 = 1e4;
@@ -64,7 +64,7 @@ impl Distribution {
     /// Checks the ranges of exponent, angle and edge.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number.
+    /// A number that is not finite or out of range.
     pub fn check(&self) -> Result<(), Fault> {
         match *self {
             Self::Point | Self::Table(_) => Ok(()),

@@ -9,12 +9,22 @@ use radiosity_geom::{DVec2, DVec3};
 use radiosity_photometry::opening::{Form, Opening};
 
 use crate::{
-    error::Fault,
+    fault::Fault,
     ranges::{check_number, check_range},
 };
 
 /// Lengths of an opening that differ by less than this part are the same. Chosen: files round to millimetres.
 const ROUND: f64 = 0.01;
+
+const UPRIGHT: &str = "the opening of the file is upright";
+
+/// Cure of an extent without sides.
+const SIDES: &str = "give two sides, e.g. extent = [1.2, 0.3], of which one may be 0 for a line, or a diameter, e.g. \
+                     extent = 0.2; or leave the extent out for a point";
+
+/// Cure of an opening that no extent is like.
+const NEAREST: &str = "give the rectangle or the disk across the aim that comes nearest, e.g. extent = [1.2, 0.3] or \
+                       extent = 0.2, or leave the extent out for a point";
 
 /// Point, line or area that the light of a luminaire comes out of. Lengths are of the scene; x is along C =
 /// 0, y along C = 90.
@@ -44,14 +54,14 @@ impl Extent {
     /// The rectangle of these sides (scene length) along x and y; a line where one of them is 0.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a side, [`Fault::BadExtent`] where both are 0.
+    /// A side that is not finite or out of range, or both 0.
     pub fn rectangle(sides: [f64; 2]) -> Result<Self, Fault> {
         for side in sides {
             check_number(side)?;
             check_range(side, side >= 0.0, "the side of the extent", "side ≥ 0")?;
         }
         match sides {
-            [0.0, 0.0] => Err(Fault::BadExtent { problem: "both sides are 0" }),
+            [0.0, 0.0] => Err(Fault::bad_extent("both sides are 0", SIDES)),
             [x, y] if x == 0.0 || y == 0.0 => Ok(Self::Line { span: DVec2::new(x, y) }),
             _ => Ok(Self::Rectangle { sides }),
         }
@@ -60,7 +70,7 @@ impl Extent {
     /// The disk of this diameter (scene length).
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for the diameter.
+    /// A diameter that is not finite or out of range.
     pub fn disk(diameter: f64) -> Result<Self, Fault> {
         check_number(diameter)?;
         check_range(diameter, diameter > 0.0, "the diameter of the extent", "diameter > 0")?;
@@ -71,21 +81,19 @@ impl Extent {
     /// across the aim, an upright cylinder its disk, and a lying one its axis.
     ///
     /// # Errors
-    /// [`Fault::BadExtent`] for a point, and for forms that are neither flat across the aim nor lines.
+    /// [`FaultKind::Conflict`](crate::FaultKind::Conflict) for a point, and for forms that are neither flat across the aim nor lines.
     pub fn of_opening(opening: &Opening) -> Result<Self, Fault> {
         let [x, y, z] = opening.extent;
         match opening.form {
-            Form::Point => Err(Fault::BadExtent { problem: "the file states a point" }),
-            Form::Box if z > 0.0 && (x == 0.0 || y == 0.0) => {
-                Err(Fault::BadExtent { problem: "the opening of the file is upright" })
-            }
+            Form::Point => Err(Fault::bad_extent("the file states a point", SIDES)),
+            Form::Box if z > 0.0 && (x == 0.0 || y == 0.0) => Err(Fault::bad_extent(UPRIGHT, NEAREST)),
             Form::Box => Self::rectangle([x, y]),
             Form::Upright if (x - y).abs() <= ROUND * x.max(y) => Self::disk(0.5 * (x + y)),
-            Form::Upright => Err(Fault::BadExtent { problem: "the opening of the file is an ellipse" }),
+            Form::Upright => Err(Fault::bad_extent("the opening of the file is an ellipse", NEAREST)),
             Form::AlongX => Self::rectangle([x, 0.0]),
             Form::AlongY => Self::rectangle([0.0, y]),
-            Form::FacingX => Err(Fault::BadExtent { problem: "the opening of the file is upright" }),
-            Form::Ellipsoid => Err(Fault::BadExtent { problem: "the opening of the file is a ball" }),
+            Form::FacingX => Err(Fault::bad_extent(UPRIGHT, NEAREST)),
+            Form::Ellipsoid => Err(Fault::bad_extent("the opening of the file is a ball", NEAREST)),
         }
     }
 

@@ -20,7 +20,8 @@ use crate::{
     Scene,
     animation::Animation,
     camera::Camera,
-    error::{Fault, SceneError, surface_title},
+    error::{SceneError, title},
+    fault::{Fault, FaultKind, shown},
     fitted::LiesOn,
     pose::Pose,
     radiance::Radiance,
@@ -96,8 +97,8 @@ impl Scene {
     /// and its [`Scene::animation`] is none.
     ///
     /// # Errors
-    /// [`Fault::NoFrames`] for a scene without motions, [`Fault::NoSuchFrame`], [`Fault::MovesInto`] where a
-    /// surface that moves lies in another one, and [`Fault::MovesAway`].
+    /// [`FaultKind::Absent`] for a scene without motions, [`FaultKind::OutOfRange`] for a frame there is not and
+    /// for a surface too far away, [`FaultKind::Coincident`] where a surface that moves lies in another one.
     pub fn at_moment(&self, moment: f64) -> Result<Self, SceneError> {
         Ok(self.placed_at(moment)?.0)
     }
@@ -145,7 +146,7 @@ impl Scene {
     /// rest.
     ///
     /// # Errors
-    /// [`Fault::NoFrames`], [`Fault::NoSuchFrame`].
+    /// [`FaultKind::Absent`] for a scene without motions, [`FaultKind::OutOfRange`] for a frame there is not.
     pub fn movers_at(&self, frame: usize) -> Result<Vec<Option<usize>>, SceneError> {
         let (animation, poses) = self.posed(frame as f64)?;
         Ok(self.moved_by(animation, &poses))
@@ -153,8 +154,8 @@ impl Scene {
 
     /// The animation, and the poses of its movers at a moment.
     fn posed(&self, moment: f64) -> Result<(&Animation, Vec<Pose>), SceneError> {
-        let error = |fault| SceneError { origin: self.origin.clone(), place: None, owner: None, fault };
-        let animation = self.animation.as_ref().ok_or_else(|| error(Fault::NoFrames))?;
+        let error = |fault| SceneError::of(&self.origin, fault);
+        let animation = self.animation.as_ref().ok_or_else(|| error(no_frames()))?;
         Ok((animation, animation.poses(moment).map_err(error)?))
     }
 
@@ -225,12 +226,11 @@ impl Scene {
             let bounds = self.surfaces[own].shape.bounds(&Rect::FULL);
             let distance = bounds.min.abs().max(bounds.max.abs()).max_element();
             if distance * f64::EPSILON > COINCIDENT * bounds.diagonal() {
-                return Err(self.refused(own, Fault::MovesAway { distance, moment }));
+                return Err(self.refused(own, moves_away(distance, moment)));
             }
             let mut others = (0..movers.len()).filter(|other| movers[*other] != movers[own]);
             if let Some(other) = others.find(|other| occupied[own].coincides(&occupied[*other])) {
-                let other = self.surfaces[other].name.clone();
-                return Err(self.refused(own, Fault::MovesInto { other, moment }));
+                return Err(self.refused(own, moves_into(&self.surfaces[other].name, moment)));
             }
         }
         Ok(())
@@ -242,10 +242,30 @@ impl Scene {
         SceneError {
             origin: self.origin.clone(),
             place: surface.place.clone().map(Box::new),
-            owner: Some(surface_title(&surface.name)),
+            owner: Some(title("surface", &surface.name)),
             fault,
         }
     }
+}
+
+fn no_frames() -> Fault {
+    let cure = "leave the frame out, or add frames = 50 and [[motion]] to the scene";
+    Fault::absent("a frame is asked for, yet nothing moves in the scene", cure)
+}
+
+fn moves_away(distance: f64, moment: f64) -> Fault {
+    let moment = shown(moment);
+    let cause = format!("in frame {moment} it is {distance:.1e} away from the origin, too far for its size");
+    let cure = "keep the path near the scene: beyond four million times its size a shape has too few digits";
+    Fault::new(FaultKind::OutOfRange, cause, cure)
+}
+
+fn moves_into(other: &str, moment: f64) -> Fault {
+    let cause = format!("in frame {} it coincides with surface {other:?}", shown(moment));
+    let cure = format!(
+        "lead the path a millionth of its size or more past {other:?}, or start and end it elsewhere"
+    );
+    Fault::new(FaultKind::Coincident, cause, cure)
 }
 
 /// Moves a surface. Its parameters and its front go with it.

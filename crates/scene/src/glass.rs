@@ -18,7 +18,7 @@
 //!
 //! Reference: J. Duffie, W. Beckman, *Solar Engineering of Thermal Processes*, 4th ed., sections 5.1 to 5.3.
 
-use crate::{error::Fault, ranges::check_range};
+use crate::{fault::Fault, ranges::check_range};
 
 /// Panes of glass, one after the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +34,7 @@ impl Glass {
     /// the normal, or all but what is reflected.
     ///
     /// # Errors
-    /// [`Fault::OutOfRange`] or [`Fault::NotFinite`] for a number.
+    /// A number that is out of range or not finite.
     pub fn new(panes: u32, index: f64, transmittance: Option<f64>) -> Result<Self, Fault> {
         check_range(f64::from(panes), (1..=4).contains(&panes), "the number of panes", "1 ≤ panes ≤ 4")?;
         check_range(index, (1.0..=3.0).contains(&index), "the index of refraction", "1 ≤ index ≤ 3")?;

@@ -2,9 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use radiosity_work::wording::{set, words};
+
 use crate::{
     Scene,
-    error::{Fault, Located, SceneError, group_title},
+    error::{Located, SceneError, title},
+    fault::Fault,
     light_group::LightGroup,
     ranges::check_range,
 };
@@ -25,9 +28,7 @@ impl Scene {
     /// state, whatever factors they had before. Groups that are not named keep theirs.
     ///
     /// # Errors
-    /// [`Fault::UnknownGroup`], [`Fault::GroupSetTwice`]; [`Fault::FixedVariable`] and
-    /// [`Fault::VariableAndGroup`] for the name of a variable; [`Fault::NotFinite`] or [`Fault::OutOfRange`]
-    /// for a factor.
+    /// An unknown group, one that is set twice, the name of a variable; a factor that is not finite or below 0.
     pub fn dimmed(&self, settings: &[(&str, f64)]) -> Result<Self, SceneError> {
         let factors = self.factors(settings).map_err(|located| located.in_code(&self.origin))?;
         let mut dimmed = self.clone();
@@ -49,12 +50,13 @@ impl Scene {
                 return Err(Located::nowhere(self.of_variable(name)));
             }
             if !groups.iter().any(|group| group.name == *name) {
-                let known = groups.iter().map(|group| group.name.clone()).collect();
-                return Err(Located::nowhere(Fault::UnknownGroup { name: (*name).to_owned(), known }));
+                return Err(Located::nowhere(unknown_group(name, &groups)));
             }
-            check_factor(*factor).map_err(|fault| Located::nowhere(fault).within(|| group_title(name)))?;
+            check_factor(*factor)
+                .map_err(|fault| Located::nowhere(fault).within(|| title("light group", name)))?;
             if factors.insert(*name, *factor).is_some() {
-                return Err(Located::nowhere(Fault::GroupSetTwice { name: (*name).to_owned() }));
+                let cause = format!("the light group {name:?} is set twice");
+                return Err(Located::nowhere(Fault::conflict(cause, "keep one of them")));
             }
         }
         Ok(factors)
@@ -62,12 +64,24 @@ impl Scene {
 
     /// The fault of a setting that names a variable, which dims nothing.
     fn of_variable(&self, name: &str) -> Fault {
-        let name = name.to_owned();
-        match self.light_groups().iter().any(|group| group.name == name) {
-            true => Fault::VariableAndGroup { name },
-            false => Fault::FixedVariable { name },
+        if self.light_groups().iter().any(|group| group.name == name) {
+            return Fault::variable_and_group(name);
         }
+        let cause = format!("{name:?} is a variable, which is set when the scene is read");
+        let cure = words("give the scene itself with ") + set("set", format!("{name}=…"));
+        Fault::conflict(cause, cure + ", not a solution of it")
     }
+}
+
+/// A light group of which nothing emits.
+fn unknown_group(name: &str, groups: &[&LightGroup]) -> Fault {
+    let none = format!(
+        "this scene has no light groups: give surfaces that emit, or their material, group = {name:?}, and \
+         solve it again"
+    );
+    let known: Vec<String> = groups.iter().map(|group| group.name.clone()).collect();
+    let cause = format!("no light comes from a group {name:?}");
+    Fault::unknown_or(cause, name, known, "light groups of this scene", none)
 }
 
 /// Checks that a factor is finite and ≥ 0.

@@ -5,18 +5,17 @@
 //! two surfaces in one another, every name given once. A fault is a [`SceneError`] with name, cure, and,
 //! where there is a text, line and column.
 //!
-//! In order: errors with their places and cures; patterns, materials, luminaires, skies; poses, paths and
+//! In order: faults with their causes, cures and places; patterns, materials, luminaires, skies; poses, paths and
 //! animations; surfaces as drafts and as fitted; the [`Source`] that a scene was read from; the builder; what
 //! is made of a scene: other factors (`group_factors`), other materials (`with_material`), another moment
 //! (`frame_scenes`).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `photometry`.
 
-mod nearest;
 mod imported;
 pub mod place;
+pub mod fault;
 pub mod error;
-mod cure;
 pub mod ranges;
 pub mod pattern;
 pub mod material;
@@ -57,13 +56,15 @@ mod with_material;
 mod frame_scenes;
 
 use radiosity_geom::DVec3;
+use radiosity_work::wording::{Wording, command, option, set, words};
 
 pub use animation::{Animation, Clock, Mover};
 pub use builder::SceneBuilder;
 pub use camera::Camera;
 pub use distribution::Distribution;
-pub use error::{Fault, SceneError};
+pub use error::SceneError;
 pub use extent::Extent;
+pub use fault::{Fault, FaultKind};
 pub use fitted::{Fitted, LiesOn};
 pub use frame_scenes::FrameScenes;
 pub use glass::Glass;
@@ -91,7 +92,7 @@ pub use thermal::{Condition, Thermal};
 pub use time_function::{Curve, Interpolable, TimeFunction};
 pub use tree::Tree;
 
-use error::surface_title;
+use error::title;
 
 /// A valid scene.
 #[derive(Clone, Debug)]
@@ -160,11 +161,11 @@ impl Scene {
     /// The index of the surface of that name.
     ///
     /// # Errors
-    /// [`Fault::UnknownSurface`], which lists the names there are.
+    /// [`FaultKind::UnknownName`]; the cure lists the names there are.
     pub fn surface_named(&self, name: &str) -> Result<usize, SceneError> {
         let unknown = || {
             let known = self.surfaces.iter().map(|surface| surface.name.clone()).collect();
-            whole_file(&self.origin, Fault::UnknownSurface { name: name.to_owned(), known })
+            SceneError::of(&self.origin, Fault::unknown_surface(name, known))
         };
         self.surfaces.iter().position(|surface| surface.name == name).ok_or_else(unknown)
     }
@@ -172,13 +173,17 @@ impl Scene {
     /// The plane of sensors of that name.
     ///
     /// # Errors
-    /// [`Fault::UnknownPlane`], which lists the names there are.
+    /// [`FaultKind::UnknownName`]; the cure lists the names there are.
     pub fn plane_named(&self, name: &str) -> Result<&SensorPlane, SceneError> {
-        let unknown = || {
-            let known = self.planes.iter().map(|plane| plane.name().to_owned()).collect();
-            whole_file(&self.origin, Fault::UnknownPlane { name: name.to_owned(), known })
-        };
+        let unknown = || SceneError::of(&self.origin, self.unknown_plane(name));
         self.planes.iter().find(|plane| plane.name() == name).ok_or_else(unknown)
+    }
+
+    fn unknown_plane(&self, name: &str) -> Fault {
+        let known: Vec<String> = self.planes.iter().map(|plane| plane.name().to_owned()).collect();
+        let none = words(format!("define it: [planes.{name}] with origin, edges and spacing; or type it: "))
+            + set("plane", "\"origin; edge; edge; spacing\"");
+        Fault::unknown_or(format!("unknown plane {name:?}"), name, known, "planes of this scene", none)
     }
 
     /// Whether a surface or a luminaire of the scene emits light.
@@ -190,30 +195,52 @@ impl Scene {
     /// Checks what only light needs: a material on every surface, and something that emits.
     ///
     /// # Errors
-    /// [`Fault::MissingKey`] for a surface without material, [`Fault::NoMaterials`] if there cannot be any,
-    /// [`Fault::NoEmitter`].
+    /// [`FaultKind::MissingKey`] for a surface without material, [`FaultKind::Absent`] if there cannot be any,
+    /// and if nothing emits.
     pub fn require_light(&self) -> Result<(), SceneError> {
+        let refused = |fault| Err(SceneError::of(&self.origin, fault));
         if self.source.as_ref().is_some_and(Source::is_polygon_list) {
-            return Err(whole_file(&self.origin, Fault::NoMaterials));
+            let cure =
+                " need none; for light write a TOML scene, where each surface has a shape and a material";
+            return refused(Fault::absent(
+                "a list of polygons carries no materials",
+                needing_no_light() + cure,
+            ));
         }
         if self.imported().is_some() && self.surfaces.iter().all(|surface| surface.material_name.is_none()) {
-            return Err(whole_file(&self.origin, Fault::Bare));
+            let cure = needing_no_light()
+                + " need none; for light give them in a file, "
+                + set("materials", "materials.toml")
+                + ", such as [materials.\"*\"] with reflectance = 0.5";
+            return refused(Fault::absent("the file gives its surfaces no materials", cure));
         }
         if let Some(bare) = self.surfaces.iter().find(|surface| surface.material_name.is_none()) {
             return Err(SceneError {
                 origin: self.origin.clone(),
                 place: bare.place.clone().map(Box::new),
-                owner: Some(surface_title(&bare.name)),
-                fault: Fault::MissingKey { key: "material" },
+                owner: Some(title("surface", &bare.name)),
+                fault: Fault::missing_key("material", ", the name of one of [materials.…]"),
             });
         }
         match self.emits() {
             true => Ok(()),
-            false => Err(whole_file(&self.origin, Fault::NoEmitter)),
+            false => refused(no_emitter()),
         }
     }
 }
 
-fn whole_file(origin: &str, fault: Fault) -> SceneError {
-    SceneError { origin: origin.to_owned(), place: None, owner: None, fault }
+/// The commands that compute no light.
+fn needing_no_light() -> Wording {
+    command("view-factors") + " and " + command("check")
+}
+
+fn no_emitter() -> Fault {
+    let cure = words(
+        "give a material an emission above 0, e.g. emission = 10, and use it on a surface, or add ",
+    ) + "[[luminaires]], or a [sky] and a window with opening = true; for a file of another program, in a file for "
+        + option("materials")
+        + "; "
+        + command("heat")
+        + " takes temperatures instead";
+    Fault::absent("nothing emits light", cure)
 }

@@ -14,8 +14,8 @@ use radiosity_geom::{DVec3, Motion, PARALLEL_DIRECTIONS};
 
 use crate::{
     distribution::Distribution,
-    error::Fault,
     extent::Extent,
+    fault::Fault,
     light_group::LightGroup,
     material::{check_count, check_flux},
     names::check_text,
@@ -68,8 +68,8 @@ impl Luminaire {
     /// The luminaire `name` at `position` (scene length), which aims along −z, the plane C = 0 along x.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::EmptyText`] for the name,
-    /// [`Fault::MissingKey`] where no table says how much light it sends.
+    /// A number that is not finite or out of range, a blank name; what is missing where no table says
+    /// how much light it sends.
     pub fn new(
         name: impl Into<String>,
         position: DVec3,
@@ -89,10 +89,10 @@ impl Luminaire {
     /// The luminaire aimed along `aim` of any length; the plane C = 0 contains x, or y where it aims along x.
     ///
     /// # Errors
-    /// [`Fault::NoDirection`] for a vector without a length.
+    /// A vector without a length.
     pub fn aimed(self, aim: DVec3) -> Result<Self, Fault> {
         aim.to_array().into_iter().try_for_each(check_number)?;
-        let aim = aim.try_normalize().ok_or(Fault::NoDirection { what: "aim" })?;
+        let aim = aim.try_normalize().ok_or_else(no_aim)?;
         let along = [DVec3::X, DVec3::Y].into_iter().find_map(|axis| across(axis, aim));
         Ok(Self { aim, along: along.unwrap_or(self.along), ..self })
     }
@@ -100,23 +100,27 @@ impl Luminaire {
     /// The luminaire turned about its aim until `along` lies in the half-plane C = 0.
     ///
     /// # Errors
-    /// [`Fault::NoDirection`] for a vector along the aim, or without a length.
+    /// A vector along the aim, or without a length.
     pub fn turned(self, along: DVec3) -> Result<Self, Fault> {
         along.to_array().into_iter().try_for_each(check_number)?;
-        let fault = Fault::NoDirection { what: "along" };
-        let along = along.try_normalize().and_then(|along| across(along, self.aim)).ok_or(fault)?;
+        let along = along
+            .try_normalize()
+            .and_then(|along| across(along, self.aim))
+            .ok_or_else(|| Fault::no_direction("along", "give a direction across the aim, e.g. [1, 0, 0]"))?;
         Ok(Self { along, ..self })
     }
 
     /// The luminaire with light that comes out of `extent`.
     ///
     /// # Errors
-    /// [`Fault::BadExtent`] for an area where intensity falls so steeply that its light could not be
+    /// An area where intensity falls so steeply that its light could not be
     /// integrated.
     pub fn of_extent(self, extent: Extent) -> Result<Self, Fault> {
         let sides = self.distribution.hemispheres();
         if extent.is_area() && sides.iter().flatten().any(|side| side.scale < STEEP) {
-            return Err(Fault::BadExtent { problem: "its intensity falls to nothing within half a degree" });
+            let cure = "give the spot an edge of 1 degree or more, or its table an angle at which it is dark; or leave the \
+                        extent out for a point";
+            return Err(Fault::bad_extent("its intensity falls to nothing within half a degree", cure));
         }
         Ok(Self { extent, ..self })
     }
@@ -124,7 +128,7 @@ impl Luminaire {
     /// The luminaire at `factor` ≥ 0 of its strength.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for the factor.
+    /// A factor that is not finite or out of range.
     pub fn at_factor(mut self, factor: f64) -> Result<Self, Fault> {
         check_range(factor, factor >= 0.0, "the dimming", "dimming ≥ 0; 1 is full")?;
         self.strength.iter_mut().for_each(|strength| *strength *= factor);
@@ -134,7 +138,7 @@ impl Luminaire {
     /// The luminaire as a member of the light group `name`.
     ///
     /// # Errors
-    /// [`Fault::EmptyText`].
+    /// A blank name.
     pub fn in_group(self, name: impl Into<String>) -> Result<Self, Fault> {
         let name = name.into();
         check_text(&name)?;
@@ -211,6 +215,10 @@ pub fn across(along: DVec3, aim: DVec3) -> Option<DVec3> {
     if across.length() > PARALLEL_DIRECTIONS { across.try_normalize() } else { None }
 }
 
+fn no_aim() -> Fault {
+    Fault::no_direction("aim", "give a direction, e.g. [0, 0, -1], which is down")
+}
+
 impl Strength {
     /// Factors on the relative intensities of a distribution.
     fn factors(self, distribution: &Distribution) -> Result<Vec<f64>, Fault> {
@@ -226,7 +234,7 @@ impl Strength {
             Self::AsMeasured(bands) if matches!(distribution, Distribution::Table(_)) => {
                 (vec![1.0; bands], 1.0)
             }
-            Self::AsMeasured(_) => return Err(Fault::MissingKey { key: "flux" }),
+            Self::AsMeasured(_) => return Err(Fault::no_flux()),
         };
         let factors: Vec<f64> = numbers.into_iter().map(|number| number / over).collect();
         // A table that is dark everywhere cannot be scaled.

@@ -7,8 +7,9 @@ use radiosity_geom::{ShapeError, Surface};
 
 use crate::{
     covering::Covering,
-    error::{Fault, Located, luminaire_title},
+    error::{Located, title},
     extent::Extent,
+    fault::Fault,
     luminaire::Luminaire,
     luminous_area::LuminousArea,
     material::Material,
@@ -27,12 +28,12 @@ pub fn luminous_surfaces(
     typed: impl Fn() -> Option<DraftPlaces>,
 ) -> Result<Vec<SurfaceDraft>, Located> {
     let shape = shape(own).map_err(|error| {
-        let fault = Fault::Shape(error);
+        let fault = Fault::from(error);
         let located = match typed() {
             Some(typed) => Located::at(&typed.shape, fault),
             None => Located::nowhere(fault),
         };
-        located.within(|| luminaire_title(&own.name))
+        located.within(|| title("luminaire", &own.name))
     })?;
     let Some(shape) = shape else { return Ok(Vec::new()) };
     let [front, back] = LuminousArea::sides(own);

@@ -2,7 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::{error::Fault, pattern::Pattern, ranges::check_range};
+use crate::{
+    fault::{Fault, FaultKind, shown},
+    pattern::Pattern,
+    ranges::{check_range, check_range_or},
+};
 
 /// A Lambertian material. [`Material::new`] checks the ranges; scenes hold only checked ones.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,8 +31,8 @@ impl Material {
     /// `reflectance`: 0 ≤ ρ < 1. `emission`: exitance, W m⁻², ≥ 0 and finite.
     ///
     /// # Errors
-    /// [`Fault::OutOfRange`] or [`Fault::NotFinite`] for the first number that is wrong,
-    /// [`Fault::WrongCount`] if the lengths differ.
+    /// [`FaultKind::OutOfRange`] or [`FaultKind::NotFinite`] for the first number that is wrong,
+    /// [`FaultKind::WrongCount`] if the lengths differ.
     pub fn new(reflectance: Vec<f64>, emission: Vec<f64>) -> Result<Self, Fault> {
         let bands = reflectance.len();
         Material { reflectance, emission, ..Material::black(bands) }.checked()
@@ -46,7 +50,7 @@ impl Material {
     /// The material with a reflectance that varies over the surface.
     ///
     /// # Errors
-    /// [`Fault::PatternRange`] for a pattern that leaves 0 ≤ ρ < 1 − τ somewhere, [`Fault::WrongCount`] for
+    /// [`FaultKind::OutOfRange`] for a pattern that leaves 0 ≤ ρ < 1 − τ somewhere, [`FaultKind::WrongCount`] for
     /// one of other bands.
     pub fn with_reflectance_pattern(self, pattern: Pattern) -> Result<Self, Fault> {
         check_pattern_bands("the reflectance", &pattern, self.reflectance.len())?;
@@ -57,7 +61,7 @@ impl Material {
     /// The material with an emission (W m⁻²) that varies over the surface.
     ///
     /// # Errors
-    /// [`Fault::PatternRange`] for a pattern that falls below 0 somewhere, [`Fault::WrongCount`] for one of
+    /// [`FaultKind::OutOfRange`] for a pattern that falls below 0 somewhere, [`FaultKind::WrongCount`] for one of
     /// other bands.
     pub fn with_emission_pattern(self, pattern: Pattern) -> Result<Self, Fault> {
         check_pattern_bands("the emission", &pattern, self.emission.len())?;
@@ -133,12 +137,14 @@ pub(super) fn check_count(what: &'static str, numbers: &[f64], bands: usize) -> 
         1 => "one number, as there is one band".to_owned(),
         _ => format!("{bands} numbers, one per band"),
     };
-    Err(Fault::WrongCount { what, expected, found: numbers.len() })
+    Err(Fault::wrong_count(what, &expected, numbers.len()))
 }
 
 /// Checks that 0 ≤ ρ < 1.
 pub fn check_reflectance(rho: f64) -> Result<(), Fault> {
-    check_range(rho, (0.0..1.0).contains(&rho), "the reflectance", "0 ≤ ρ < 1")
+    let cure = "choose a value in that range; a surface that loses nothing (ρ = 1) has no balance in a closed room, \
+                0.999 comes close";
+    check_range_or(rho, (0.0..1.0).contains(&rho), "the reflectance", "0 ≤ ρ < 1", cure)
 }
 
 /// Checks that 0 ≤ τ < 1.
@@ -157,7 +163,7 @@ fn check_pattern_bands(what: &'static str, pattern: &Pattern, bands: usize) -> R
         true => Ok(()),
         false => {
             let expected = format!("a pattern of {bands} {}", if bands == 1 { "band" } else { "bands" });
-            Err(Fault::WrongCount { what, expected, found: pattern.bands() })
+            Err(Fault::wrong_count(what, &expected, pattern.bands()))
         }
     }
 }
@@ -167,7 +173,7 @@ fn check_means(numbers: &[f64], pattern: Option<&Pattern>, what: &'static str) -
     let means = pattern.map(Pattern::means).unwrap_or_default();
     let mut differing = numbers.iter().zip(means).filter(|(number, mean)| *number != mean);
     match differing.next() {
-        Some((value, _)) => Err(Fault::OutOfRange { what, value: *value, range: "the mean of its pattern" }),
+        Some((value, _)) => Err(Fault::out_of_range(what, *value, "the mean of its pattern")),
         None => Ok(()),
     }
 }
@@ -205,11 +211,25 @@ fn check_pattern(
         match below.or_else(|| above(band, most.value).map(|range| (most, range))) {
             None => Ok(()),
             Some((extreme, range)) => {
-                let (value, place) = (extreme.value, extreme.spot.to_string());
-                Err(Fault::PatternRange { what, value, place: place.into(), range })
+                let (value, place) = (extreme.value, extreme.spot);
+                let cause = format!("{what} is {} {place}, outside {range}", shown(value));
+                Err(Fault::new(FaultKind::OutOfRange, cause, pattern_cure(value)))
             }
         }
     })
+}
+
+/// Cure of a pattern with this value outside its range.
+fn pattern_cure(value: f64) -> String {
+    if value < 0.0 {
+        return "add a constant to the pattern, or choose another one, so that it is nowhere below 0"
+            .to_owned();
+    }
+    // The largest value, e.g. 1 for white, becomes that of a bright paint, 0.9 at most.
+    format!(
+        "scale the pattern down: factor = {:.2}, times the factor that it may have already; white paint has ρ = 0.85 or so",
+        (0.9 / value).min(0.9)
+    )
 }
 
 /// Checks that an emission is finite and ≥ 0.
@@ -221,11 +241,14 @@ pub fn check_emission(exitance: f64) -> Result<(), Fault> {
 /// transmittance.
 pub(super) fn check_sheet(own: &Material, other: Option<&Material>) -> Result<(), Fault> {
     match other {
-        None if own.transmits() => Err(Fault::OneSided { what: "a transmittance" }),
-        Some(other) if own.transmittance != other.transmittance => Err(Fault::OtherTransmittance {
-            front: own.transmittance.clone(),
-            back: other.transmittance.clone(),
-        }),
+        None if own.transmits() => Err(Fault::one_sided("a transmittance")),
+        Some(Material { transmittance, .. }) if own.transmittance != *transmittance => {
+            let own = &own.transmittance;
+            let cause = format!("the transmittances of its two sides differ: {own:?} and {transmittance:?}");
+            let cure =
+                "give both materials the same transmittance: a diffuse sheet lets through as much either way";
+            Err(Fault::conflict(cause, cure))
+        }
         _ => Ok(()),
     }
 }
@@ -245,16 +268,16 @@ mod tests {
         assert!(Material::new(vec![0.0], vec![0.0]).is_ok());
         assert!(Material::new(vec![1.0_f64.next_down()], vec![0.0]).is_ok());
         for rho in [1.0, 1.2, -1e-300] {
-            assert!(matches!(Material::new(vec![rho], vec![0.0]), Err(Fault::OutOfRange { .. })));
+            assert_eq!(Material::new(vec![rho], vec![0.0]).unwrap_err().kind, FaultKind::OutOfRange);
         }
     }
 
     #[test]
     fn numbers_are_finite_and_one_per_band() {
-        assert!(matches!(Material::new(vec![f64::NAN], vec![0.0]), Err(Fault::NotFinite { .. })));
-        assert!(matches!(Material::new(vec![0.5], vec![f64::INFINITY]), Err(Fault::NotFinite { .. })));
-        assert!(matches!(Material::new(vec![0.5], vec![-1.0]), Err(Fault::OutOfRange { .. })));
-        assert!(matches!(Material::new(vec![0.5; 3], vec![1.0]), Err(Fault::WrongCount { .. })));
+        assert_eq!(Material::new(vec![f64::NAN], vec![0.0]).unwrap_err().kind, FaultKind::NotFinite);
+        assert_eq!(Material::new(vec![0.5], vec![f64::INFINITY]).unwrap_err().kind, FaultKind::NotFinite);
+        assert_eq!(Material::new(vec![0.5], vec![-1.0]).unwrap_err().kind, FaultKind::OutOfRange);
+        assert_eq!(Material::new(vec![0.5; 3], vec![1.0]).unwrap_err().kind, FaultKind::WrongCount);
     }
 
     fn polynomial(terms: &[(u32, u32, f64)]) -> Pattern {
@@ -269,13 +292,13 @@ mod tests {
         assert!(grey(0.5, 0.49).is_ok_and(|own| own.transmits() && own.sends()));
         assert!(grey(0.0, 0.9).is_ok_and(|own| own.sends()));
         for (rho, tau) in [(0.5, 0.5), (0.6, 0.6), (0.0, 1.0), (0.1, -0.1)] {
-            assert!(matches!(grey(rho, tau), Err(Fault::OutOfRange { .. })), "{rho} {tau}");
+            assert_eq!(grey(rho, tau).unwrap_err().kind, FaultKind::OutOfRange, "{rho} {tau}");
         }
         let slope = polynomial(&[(0, 0, 0.5), (1, 0, 0.3)]);
         let sheet = grey(0.1, 0.1).and_then(|own| own.with_reflectance_pattern(slope.clone()));
         assert_eq!(sheet.map(|own| own.reflectance), Ok(vec![0.5]));
         let sheet = grey(0.1, 0.2).and_then(|own| own.with_reflectance_pattern(slope));
-        assert!(matches!(sheet, Err(Fault::PatternRange { range: "ρ + τ < 1", .. })), "0.8 + 0.2 at u = 1");
+        assert_eq!(sheet.unwrap_err().kind, FaultKind::OutOfRange, "0.8 + 0.2 at u = 1");
     }
 
     #[test]
@@ -300,10 +323,10 @@ mod tests {
         assert!(fault.to_string().contains("column 2, row 1 from the top"), "{fault}");
         let mut other = wall().with_reflectance_pattern(texels(0.9)).unwrap();
         other.reflectance = vec![0.5];
-        assert!(matches!(other.check(1), Err(Fault::OutOfRange { range: "the mean of its pattern", .. })));
+        assert_eq!(other.check(1).unwrap_err().kind, FaultKind::OutOfRange);
         let dark = Pattern::texels(1, vec![vec![0.0]], Placement::default()).unwrap();
         assert!(wall().with_emission_pattern(dark).is_ok_and(|own| !own.is_patterned() && !own.emits()));
         let two = Material::black(2).with_reflectance_pattern(texels(0.5));
-        assert!(matches!(two, Err(Fault::WrongCount { .. })));
+        assert_eq!(two.unwrap_err().kind, FaultKind::WrongCount);
     }
 }

@@ -4,7 +4,8 @@ use std::{borrow::Borrow, collections::BTreeMap, sync::Arc};
 
 use crate::{
     animation::{Animation, Clock, Mover},
-    error::{Fault, Located, luminaire_title, motion_title, surface_title},
+    error::{Located, title},
+    fault::Fault,
     names::UniqueNames,
     path::RigidPath,
     place::{Line, Place, Span},
@@ -113,7 +114,7 @@ impl MoverDraft {
         let span = span.or(self.typed.as_ref().map(|typed| &typed.span));
         let located =
             span.map_or_else(|| Located::nowhere(fault.clone()), |span| Located::at(span, fault.clone()));
-        located.within(|| motion_title(&self.name))
+        located.within(|| title("motion", &self.name))
     }
 }
 
@@ -174,32 +175,19 @@ pub fn movers(drafts: Vec<MoverDraft>, clock: Clock, movable: &MovableThings) ->
     };
     let movers = drafts.into_iter().map(&mut mover).collect::<Result<Vec<_>, _>>()?;
     match movers.is_empty() {
-        true => Err(Located::nowhere(Fault::NothingMoves)),
+        true => Err(Located::nowhere(Fault::nothing_moves())),
         false => Ok(Animation::new(clock, movers)),
     }
 }
 
 impl MoverDraft {
     fn resolved(&self, movable: &MovableThings) -> Result<Mover, Located> {
-        let surfaces = self.found(
-            &self.surfaces,
-            &movable.surfaces,
-            |own| &own.names,
-            |name, known| Fault::UnknownSurface { name, known },
-        )?;
-        let luminaires = self.found(
-            &self.luminaires,
-            &movable.luminaires,
-            |own| &own.names,
-            |name, known| Fault::UnknownLuminaire { name, known },
-        )?;
+        let surfaces =
+            self.found(&self.surfaces, &movable.surfaces, |own| &own.names, Fault::unknown_surface)?;
+        let luminaires =
+            self.found(&self.luminaires, &movable.luminaires, |own| &own.names, unknown_luminaire)?;
         let all: Vec<&MemberNames> = movable.surfaces.iter().chain(&movable.luminaires).collect();
-        let in_instances = self.found(
-            &self.instances,
-            &all,
-            |own| &own.instances,
-            |name, known| Fault::UnknownInstance { name, known },
-        )?;
+        let in_instances = self.found(&self.instances, &all, |own| &own.instances, unknown_instance)?;
         let count = movable.surfaces.len();
         let (own, lamps): (Vec<_>, Vec<_>) = in_instances.into_iter().partition(|index| *index < count);
         // A luminaire goes with its area, and the area with the luminaire.
@@ -220,9 +208,9 @@ impl MoverDraft {
             place: self.typed.as_ref().and_then(|typed| typed.place.clone()),
         };
         match &self.camera {
-            Some(span) if !movable.camera => Err(self.located(span.as_ref(), Fault::NoCamera)),
+            Some(span) if !movable.camera => Err(self.located(span.as_ref(), no_camera())),
             None if mover.surfaces.is_empty() && mover.luminaires.is_empty() => {
-                Err(self.located(None, Fault::NothingMoves))
+                Err(self.located(None, Fault::nothing_moves()))
             }
             _ => Ok(mover),
         }
@@ -234,7 +222,7 @@ impl MoverDraft {
         chosen: &[NamedMember],
         all: &[H],
         names: fn(&MemberNames) -> &[String],
-        unknown: fn(String, Vec<String>) -> Fault,
+        unknown: fn(&str, Vec<String>) -> Fault,
     ) -> Result<Vec<usize>, Located> {
         let mut found = Vec::new();
         for NamedMember { name, span } in chosen {
@@ -250,11 +238,26 @@ impl MoverDraft {
                     all.iter().flat_map(|own| names(own.borrow()).to_vec()).collect();
                 known.sort_unstable();
                 known.dedup();
-                return Err(self.located(span.as_ref(), unknown(name.clone(), known)));
+                return Err(self.located(span.as_ref(), unknown(name, known)));
             }
         }
         Ok(found)
     }
+}
+
+fn unknown_luminaire(name: &str, known: Vec<String>) -> Fault {
+    let none = "the scene has no luminaires: lamps that are surfaces move by surfaces = [\"lamp\"]";
+    Fault::unknown_or(format!("unknown luminaire {name:?}"), name, known, "luminaires of this scene", none)
+}
+
+fn unknown_instance(name: &str, known: Vec<String>) -> Fault {
+    let none = "the scene has no instances: name its surfaces, surfaces = [\"lamp\"]";
+    Fault::unknown_or(format!("unknown instance {name:?}"), name, known, "instances of this scene", none)
+}
+
+fn no_camera() -> Fault {
+    let cure = "add [camera] with eye and target, or leave camera out";
+    Fault::absent("the scene has no camera to move", cure)
 }
 
 /// Both lists in one, ascending, each index once.
@@ -276,15 +279,18 @@ struct TakenThings {
 impl TakenThings {
     /// Adds a mover; refuses one that moves a thing of another mover.
     fn take(&mut self, mover: &Mover, movable: &MovableThings) -> Result<(), Fault> {
-        let twice = |what: String, first: String| Fault::MovesTwice { what, first };
+        let twice = |what: String, first: String| {
+            let cure = "take it out of one of the two; a path may turn and translate at once";
+            Fault::conflict(format!("{what} moves already: with the motion {first:?}"), cure)
+        };
         for index in &mover.surfaces {
             if let Some(first) = self.surfaces.insert(*index, mover.name.clone()) {
-                return Err(twice(surface_title(&movable.surfaces[*index].names[0]), first));
+                return Err(twice(title("surface", &movable.surfaces[*index].names[0]), first));
             }
         }
         for index in &mover.luminaires {
             if let Some(first) = self.luminaires.insert(*index, mover.name.clone()) {
-                return Err(twice(luminaire_title(&movable.luminaires[*index].names[0]), first));
+                return Err(twice(title("luminaire", &movable.luminaires[*index].names[0]), first));
             }
         }
         match self.camera.take() {

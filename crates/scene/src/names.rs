@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::{error::Fault, place::Line};
+use crate::{fault::Fault, place::Line};
 
 /// Refuses a blank text.
 pub fn check_text(text: &str) -> Result<(), Fault> {
-    if text.trim().is_empty() { Err(Fault::EmptyText) } else { Ok(()) }
+    if text.trim().is_empty() { Err(Fault::empty_text()) } else { Ok(()) }
 }
 
 /// Names seen so far, each with its line where it stands in a file.
@@ -19,7 +19,7 @@ impl UniqueNames {
         check_text(name)?;
         match self.0.insert(name.to_owned(), line) {
             None => Ok(()),
-            Some(first) => Err(Fault::DuplicateName { name: name.to_owned(), first }),
+            Some(first) => Err(Fault::duplicate_name(name, first.as_ref())),
         }
     }
 }

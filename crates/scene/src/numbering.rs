@@ -7,7 +7,7 @@
 use std::collections::HashSet;
 
 use crate::{
-    error::Fault,
+    fault::Fault,
     place::At,
     tree::{DEEPEST, Node, PLACES_OF_POINT, Value},
 };
@@ -21,7 +21,7 @@ const PARTS: &str = "parts";
 /// Numbers a tree from 0 on.
 ///
 /// # Errors
-/// [`Fault::TooDeep`].
+/// Refuses more levels than [`DEEPEST`].
 pub(super) fn numbered(tree: &mut Node) -> Result<(), Fault> {
     number(tree, 0, DEEPEST)?;
     Ok(())
@@ -30,7 +30,7 @@ pub(super) fn numbered(tree: &mut Node) -> Result<(), Fault> {
 /// Numbers a value from `next` on, in which at most so many `levels` are nested. Returns the number that
 /// follows.
 fn number(node: &mut Node, next: usize, levels: usize) -> Result<usize, Fault> {
-    let below = || levels.checked_sub(1).ok_or(Fault::TooDeep { what: "lists and tables", most: DEEPEST });
+    let below = || levels.checked_sub(1).ok_or_else(|| Fault::too_deep("lists and tables", DEEPEST));
     let inner = next + 1;
     let end = match &mut node.value {
         Value::List(items) => items.iter_mut().try_fold(inner, |next, item| number(item, next, below()?))?,

@@ -3,7 +3,7 @@
 use radiosity_geom::{DQuat, DVec3};
 
 use crate::{
-    error::Fault,
+    fault::Fault,
     pose::Pose,
     ranges::check_number,
     time_function::{TimeFunction, Times},
@@ -84,15 +84,19 @@ impl RigidPath {
     }
 }
 
+fn no_axis() -> Fault {
+    Fault::no_direction("axis", "give the direction of the axis, e.g. [0, 0, 1]")
+}
+
 impl Turn {
     /// Rotations about the axis through `center` along `axis` of any length, by the degrees of a track,
     /// right-handed.
     ///
     /// # Errors
-    /// [`Fault::NoDirection`] for an axis without a length; a number that is not finite or out of range.
+    /// [`FaultKind::NoDirection`](crate::FaultKind::NoDirection) for an axis without a length; a number that is not finite or out of range.
     pub fn about_axis(center: DVec3, axis: DVec3, degrees: TimeFunction<f64>) -> Result<Self, Fault> {
         [center, axis].into_iter().try_for_each(check_point)?;
-        let axis = axis.try_normalize().ok_or(Fault::NoDirection { what: "axis" })?;
+        let axis = axis.try_normalize().ok_or_else(no_axis)?;
         Ok(Self { center, kind: TurnForm::Axis(axis, degrees) })
     }
 
@@ -100,7 +104,7 @@ impl Turn {
     /// the shorter way about one axis at constant speed.
     ///
     /// # Errors
-    /// [`Fault::NoDirection`] for degrees about an axis without a length; a number that is not finite or out
+    /// [`FaultKind::NoDirection`](crate::FaultKind::NoDirection) for degrees about an axis without a length; a number that is not finite or out
     /// of range; what [`TimeFunction::new`] refuses.
     pub fn by_keys(center: DVec3, rotations: &[AxisAngle], times: Vec<f64>) -> Result<Self, Fault> {
         let times = Times::new(times, "turns", rotations.len())?;
@@ -111,7 +115,7 @@ impl Turn {
             match axis.try_normalize() {
                 Some(axis) => Ok(rotation(axis, *degrees)),
                 None if *degrees == 0.0 => Ok(DQuat::IDENTITY),
-                None => Err(Fault::NoDirection { what: "axis" }),
+                None => Err(no_axis()),
             }
         };
         let keys = rotations.iter().map(key).collect::<Result<_, _>>()?;

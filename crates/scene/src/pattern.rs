@@ -27,7 +27,7 @@ use texels::Texels;
 use std::{fmt, sync::Arc};
 
 use crate::{
-    error::Fault,
+    fault::Fault,
     ranges::{MAX_ORDER, check_number, check_range},
 };
 use extremes::maximum;
@@ -98,7 +98,7 @@ impl Pattern {
     /// each along u.
     ///
     /// # Errors
-    /// [`Fault::OutOfRange`] where a band has another count of numbers, or none; [`Fault::NotFinite`].
+    /// A band with another count of numbers, or none; a number that is not finite.
     pub fn texels(columns: usize, values: Vec<Vec<f64>>, placement: Placement) -> Result<Self, Fault> {
         let count = values.first().map_or(0, Vec::len);
         let is_full = columns > 0 && count > 0 && count.is_multiple_of(columns);

@@ -1,6 +1,6 @@
 //! Ranges of numbers in files and code; those of materials are in [`Material`](crate::Material).
 
-use crate::error::Fault;
+use crate::fault::Fault;
 
 /// The highest order of a basis: 231 functions an element and 53 361 numbers a block, which grow with its
 /// fourth power.
@@ -27,19 +27,29 @@ pub(super) fn check_range(
     range: &'static str,
 ) -> Result<(), Fault> {
     match (value.is_finite(), inside) {
-        (false, _) => Err(Fault::NotFinite { value }),
-        (true, false) => Err(Fault::OutOfRange { what, value, range }),
+        (false, _) => Err(Fault::not_finite(value)),
+        (true, false) => Err(Fault::out_of_range(what, value, range)),
         (true, true) => Ok(()),
     }
+}
+
+/// As [`check_range`], with the cure of a number outside the range.
+pub(super) fn check_range_or(
+    value: f64,
+    inside: bool,
+    what: &'static str,
+    range: &'static str,
+    cure: &'static str,
+) -> Result<(), Fault> {
+    check_range(value, inside, what, range)
+        .map_err(|fault| if value.is_finite() { fault.cured(cure) } else { fault })
 }
 
 /// Checks that a number is finite and at most 1e30 in magnitude, so that it can be computed with.
 pub fn check_number(value: f64) -> Result<(), Fault> {
     match value {
-        _ if !value.is_finite() => Err(Fault::NotFinite { value }),
-        _ if value.abs() > LARGEST => {
-            Err(Fault::OutOfRange { what: "the number", value, range: "−1e30 ≤ x ≤ 1e30" })
-        }
+        _ if !value.is_finite() => Err(Fault::not_finite(value)),
+        _ if value.abs() > LARGEST => Err(Fault::out_of_range("the number", value, "−1e30 ≤ x ≤ 1e30")),
         _ => Ok(()),
     }
 }
@@ -69,7 +79,7 @@ pub fn check_fov(fov: f64) -> Result<(), Fault> {
     if fov > 0.0 && fov < 180.0 {
         return Ok(());
     }
-    Err(Fault::OutOfRange { what: "the angle of view", value: fov, range: "0 < fov < 180 degrees" })
+    Err(Fault::out_of_range("the angle of view", fov, "0 < fov < 180 degrees"))
 }
 
 fn counted(
@@ -81,6 +91,6 @@ fn counted(
 ) -> Result<(), Fault> {
     match (least..=most).contains(&count) {
         true => Ok(()),
-        false => Err(Fault::OutOfRange { what, value: count as f64, range }),
+        false => Err(Fault::out_of_range(what, count as f64, range)),
     }
 }

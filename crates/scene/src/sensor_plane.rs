@@ -11,7 +11,10 @@
 
 use radiosity_geom::{DVec3, PARALLEL_DIRECTIONS};
 
-use crate::{error::Fault, ranges::check_number};
+use crate::{
+    fault::{Fault, FaultKind},
+    ranges::{check_number, check_range},
+};
 
 /// Most sensors of a plane: some gigabytes of readings. Chosen.
 const MOST: f64 = 1e7;
@@ -45,8 +48,8 @@ impl SensorPlane {
     /// `spacing` long along either edge.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::BadPlane`] for edges that span no
-    /// plane, [`Fault::TooManySensors`] for more than 10⁷ cells.
+    /// [`FaultKind::NotFinite`] or [`FaultKind::OutOfRange`] for a number, [`FaultKind::NoDirection`] for edges
+    /// that span no plane, [`FaultKind::TooMany`] for more than 10⁷ cells.
     pub fn new(
         name: impl Into<String>,
         origin: DVec3,
@@ -104,15 +107,12 @@ fn check_edges(edges: [DVec3; 2]) -> Result<(), Fault> {
         [Some(a), Some(b)] if a.cross(b).length() < PARALLEL_DIRECTIONS => "the edges are parallel",
         _ => return Ok(()),
     };
-    Err(Fault::BadPlane { problem })
+    let cure = "give two edges, vectors along two sides of the plane, each with a length and not parallel to the other";
+    Err(Fault::new(FaultKind::NoDirection, problem, cure))
 }
 
 fn check_spacing(value: f64) -> Result<(), Fault> {
-    match value {
-        _ if !value.is_finite() => Err(Fault::NotFinite { value }),
-        _ if value <= 0.0 => Err(Fault::OutOfRange { what: "the spacing", value, range: "spacing > 0" }),
-        _ => Ok(()),
-    }
+    check_range(value, value > 0.0, "the spacing", "spacing > 0")
 }
 
 fn counts(edges: [DVec3; 2], spacing: [f64; 2]) -> Result<[usize; 2], Fault> {
@@ -123,7 +123,9 @@ fn counts(edges: [DVec3; 2], spacing: [f64; 2]) -> Result<[usize; 2], Fault> {
         return Ok(counts.map(|cells| cells as usize));
     }
     let least = (edges[0].length() / MOST.sqrt() * edges[1].length() / MOST.sqrt()).sqrt();
-    Err(Fault::TooManySensors { count, least: 1.01 * least })
+    let cause = format!("there are {count:.1e} sensors, more than 10⁷");
+    let cure = format!("choose a larger spacing: {:.1e} for both edges makes few enough", 1.01 * least);
+    Err(Fault::new(FaultKind::TooMany, cause, cure))
 }
 
 #[cfg(test)]
@@ -167,7 +169,8 @@ mod tests {
         ] {
             assert!(plane(edges, spacing).is_err(), "{edges:?} {spacing:?}");
         }
-        let Err(Fault::TooManySensors { least, .. }) = plane([x, y], [1e-9, 1e-9]) else { panic!("refused") };
+        let cure = plane([x, y], [1e-9, 1e-9]).unwrap_err().cure().expect("there is a cure");
+        let least = cure.split(' ').find_map(|word| word.parse::<f64>().ok()).expect("it tells a spacing");
         assert!(plane([x, y], [least, least]).is_ok(), "the spacing that is told serves");
     }
 }

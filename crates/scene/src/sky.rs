@@ -22,9 +22,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use radiosity_geom::DVec3;
 
 use crate::{
-    error::Fault,
+    fault::Fault,
     material::{check_count, check_reflectance},
-    ranges::{check_number, check_range},
+    ranges::{check_number, check_range, check_range_or},
 };
 
 /// Distribution of radiance over the sky.
@@ -67,9 +67,8 @@ impl Sky {
     /// `up` is any vector to the zenith.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::WrongCount`] for other bands of
-    /// the sun, [`Fault::NoDirection`] for `up`, [`Fault::MissingKey`] for a clear sky without sun,
-    /// [`Fault::SunBelow`].
+    /// A number that is not finite or out of range, other bands of the sun, `up` without a length, a clear sky
+    /// without sun, a sun below the horizon.
     pub fn new(
         model: SkyModel,
         up: DVec3,
@@ -78,23 +77,27 @@ impl Sky {
         sun: Option<Sun>,
     ) -> Result<Self, Fault> {
         up.to_array().into_iter().try_for_each(check_number)?;
-        let up = up.try_normalize().ok_or(Fault::NoDirection { what: "up" })?;
+        let up = up.try_normalize().ok_or_else(no_up)?;
         irradiance.iter().try_for_each(|value| check_irradiance(*value))?;
         check_reflectance(ground)?;
         if let Some(sun) = &sun {
             check_count("the irradiance of the sun", &sun.irradiance, irradiance.len())?;
             sun.irradiance.iter().try_for_each(|value| check_irradiance(*value))?;
             if sun.direction.dot(up) <= 0.0 {
-                return Err(Fault::SunBelow);
+                let cure = "give a direction above the horizon, or leave the sun out";
+                return Err(Fault::conflict("the sun is not above the horizon", cure));
             }
         }
         if model == SkyModel::Clear && sun.is_none() {
-            return Err(Fault::MissingKey { key: "sun" });
+            return Err(Fault::missing_key("sun", ", where the sun is: { elevation = 40, azimuth = 180 }"));
         }
         let all: f64 = irradiance.iter().sum();
         if all <= 0.0 {
-            let range = "illuminance > 0 in a band";
-            return Err(Fault::OutOfRange { what: "the illuminance of the sky", value: all, range });
+            let fault = Fault::out_of_range("the illuminance of the sky", all, "illuminance > 0 in a band");
+            return Err(fault.cured(
+                "give what level ground gets from the sky without the sun, e.g. 10000 lx; at night leave the sky and its \
+                 openings out",
+            ));
         }
         let beam = sun.as_ref().map_or(0.0, |sun| sun.irradiance.iter().sum::<f64>() * sun.direction.dot(up));
         let below = ground * (1.0 + beam / all) / PI;
@@ -168,6 +171,11 @@ pub(crate) fn over_hemisphere(normal: DVec3, f: impl Fn(DVec3, f64) -> f64) -> f
     2.0 * PI / (RINGS * TURNS) as f64 * (0..RINGS).map(ring).sum::<f64>()
 }
 
+/// A vector to the zenith without a length.
+pub fn no_up() -> Fault {
+    Fault::no_direction("up", "give the direction to the zenith, e.g. [0, 0, 1]")
+}
+
 /// Checks that an irradiance is finite and ≥ 0.
 pub fn check_irradiance(value: f64) -> Result<(), Fault> {
     check_range(value, value >= 0.0, "the illuminance", "illuminance ≥ 0")
@@ -176,7 +184,8 @@ pub fn check_irradiance(value: f64) -> Result<(), Fault> {
 /// Checks that 0 < elevation ≤ 90 degrees.
 pub fn check_elevation(value: f64) -> Result<(), Fault> {
     let range = "0 < elevation ≤ 90 degrees";
-    check_range(value, value > 0.0 && value <= 90.0, "the elevation of the sun", range)
+    let cure = "choose a value in that range; a sun at or below the horizon sends no light: leave it out";
+    check_range_or(value, value > 0.0 && value <= 90.0, "the elevation of the sun", range, cure)
 }
 
 #[cfg(test)]

@@ -3,7 +3,8 @@
 use std::{borrow::Cow, collections::BTreeMap, sync::Arc};
 
 use crate::{
-    error::{Fault, Located, SceneError},
+    error::{Located, SceneError},
+    fault::Fault,
     imported::Imported,
     numbering::{numbered, path, repeated_key},
     place::{Line, LineIndex, Place, Span},
@@ -70,13 +71,12 @@ impl Source {
     /// A scene made in code, called `name` in messages, which find values by the names that lead to them.
     ///
     /// # Errors
-    /// [`Fault::TooDeep`], [`Fault::RepeatedKey`].
+    /// [`FaultKind::TooMany`](crate::FaultKind::TooMany) levels, [`FaultKind::RepeatedKey`](crate::FaultKind::RepeatedKey).
     pub fn of_tree(name: &str, tree: Tree) -> Result<Self, SceneError> {
         let Tree(mut tree) = tree;
         numbered(&mut tree).map_err(|fault| Located::nowhere(fault).in_code(name))?;
         let repeated = repeated_key(&tree);
-        let repeated =
-            repeated.map(|key| Located::at(&key.span, Fault::RepeatedKey { key: key.value.clone() }));
+        let repeated = repeated.map(|key| Located::at(&key.span, Fault::repeated_key(&key.value)));
         let source = Source::of(name, Content::Tree(Arc::new(tree)));
         match repeated {
             None => Ok(source),

@@ -9,7 +9,8 @@ use radiosity_geom::{Flipped, Rect, Surface};
 
 use crate::{
     covering::Covering,
-    error::{Fault, Located, surface_title},
+    error::{Located, title},
+    fault::Fault,
     light_group::LightGroup,
     material::{Material, check_count, check_flux, check_sheet},
     named_material::NamedMaterial,
@@ -178,7 +179,7 @@ impl SurfaceDraft {
                 self.coverings_mut().for_each(|own| own.material.emission.clone_from(&emission));
                 Ok(self)
             }
-            Err(fault) => Err(self.located(span.as_ref(), fault).within(|| surface_title(&self.name))),
+            Err(fault) => Err(self.located(span.as_ref(), fault).within(|| title("surface", &self.name))),
         }
     }
 
@@ -196,12 +197,12 @@ impl SurfaceDraft {
         let [front, back] = self.typed.as_ref().map_or([None, None], |typed| typed.materials.clone());
         let other = self.back.as_ref().map(|own| &own.material);
         let (span, checked) = match other {
-            Some(_) if !self.two_sided => (back, Err(Fault::OneSided { what: "a back material" })),
+            Some(_) if !self.two_sided => (back, Err(Fault::one_sided("a back material"))),
             Some(other) => (back, check_sheet(&self.front.material, Some(other))),
             None if self.two_sided => return Ok(()),
             None => (front, check_sheet(&self.front.material, None)),
         };
-        checked.map_err(|fault| self.located(span.as_ref(), fault).within(|| surface_title(&self.name)))
+        checked.map_err(|fault| self.located(span.as_ref(), fault).within(|| title("surface", &self.name)))
     }
 
     /// The exitance of each band (W m⁻²) that makes this flux (W).
@@ -209,8 +210,20 @@ impl SurfaceDraft {
         check_count("the flux", flux, self.front.material.reflectance.len())?;
         flux.iter().try_for_each(|flux| check_flux(*flux))?;
         if let Some(Covering { material, name, .. }) = self.coverings().find(|own| own.material.emits()) {
-            let is_patterned = material.emission_pattern.is_some();
-            return Err(Fault::FluxAndEmission { material: name.clone().unwrap_or_default(), is_patterned });
+            let name = name.as_deref().unwrap_or_default();
+            let cause = format!("a flux is given, yet the material {name:?} emits as well");
+            return Err(Fault::conflict(
+                cause,
+                match material.emission_pattern {
+                    Some(_) => {
+                        "leave the flux out, and scale the pattern by its `factor`: the mean exitance is the flux over \
+                            the area"
+                    }
+                    None => {
+                        "leave the flux out, or give the surface a material of the same reflectance without emission"
+                    }
+                },
+            ));
         }
         let sides = if self.two_sided { 2.0 } else { 1.0 };
         let area = sides * self.shapes.iter().map(|own| own.shape.area()).sum::<f64>();
@@ -225,17 +238,20 @@ impl SurfaceDraft {
         let span = self.typed.as_ref().and_then(|typed| typed.opening.clone());
         let is_flat = self.shapes.iter().all(|own| own.shape.region().is_some());
         let bands = self.front.material.reflectance.len();
+        let own_light = "leave the flux out, and give it a material without emission: the sky is its light";
         let fault = match () {
-            () if !is_flat => Fault::BadOpening { problem: "it is curved" },
-            () if self.two_sided => Fault::BadOpening { problem: "it has two sides" },
-            () if self.flux.is_some() => Fault::BadOpening { problem: "it has a flux" },
-            () if self.front.material.emits() => Fault::BadOpening { problem: "its material emits" },
+            () if !is_flat => Fault::bad_opening("it is curved", "make it of flat surfaces"),
+            () if self.two_sided => {
+                Fault::bad_opening("it has two sides", "leave two_sided out: its front faces the room")
+            }
+            () if self.flux.is_some() => Fault::bad_opening("it has a flux", own_light),
+            () if self.front.material.emits() => Fault::bad_opening("its material emits", own_light),
             () => match check_count("the illuminance of the sky", opening.sky.irradiance(), bands) {
                 Ok(()) => return Ok(()),
                 Err(fault) => fault,
             },
         };
-        Err(self.located(span.as_ref(), fault).within(|| surface_title(&self.name)))
+        Err(self.located(span.as_ref(), fault).within(|| title("surface", &self.name)))
     }
 
     /// Angular distribution of the light of one of its shapes, and its material, which for an opening emits
@@ -254,7 +270,7 @@ impl SurfaceDraft {
     pub(super) fn located(&self, span: Option<&Span>, fault: Fault) -> Located {
         match span {
             Some(span) => Located::at(span, fault),
-            None => Located::nowhere(fault).within(|| surface_title(&self.name)),
+            None => Located::nowhere(fault).within(|| title("surface", &self.name)),
         }
     }
 
@@ -263,7 +279,7 @@ impl SurfaceDraft {
         let span = self.typed.as_ref().map(|typed| &typed.shape);
         self.shapes.iter().try_for_each(|own| {
             check_extent(&own.shape)
-                .map_err(|fault| self.located(span, fault).within(|| surface_title(&self.name)))
+                .map_err(|fault| self.located(span, fault).within(|| title("surface", &self.name)))
         })
     }
 
@@ -305,5 +321,5 @@ fn check_extent(shape: &dyn Surface) -> Result<(), Fault> {
     if (1e-30..=1e30).contains(&value) {
         return Ok(());
     }
-    Err(Fault::OutOfRange { what: "the extent of the surface", value, range: "1e-30 ≤ extent ≤ 1e30" })
+    Err(Fault::out_of_range("the extent of the surface", value, "1e-30 ≤ extent ≤ 1e30"))
 }

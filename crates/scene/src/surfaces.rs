@@ -5,7 +5,8 @@ use radiosity_geom::{Aabb, Bvh, DVec3};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::{
-    error::{Fault, Located, surface_title},
+    error::{Located, title},
+    fault::{Fault, FaultKind},
     fitted::{self, Fitted},
     names::UniqueNames,
     outlook::KnownOutlooks,
@@ -48,7 +49,10 @@ pub fn fitted_surfaces(
     let fitted = fitted::fit(&mut drafts, middle, tolerance);
     let (list, makers) = named(&drafts)?;
     if list.is_empty() {
-        Err(Located::nowhere(Fault::EmptyScene))
+        Err(Located::nowhere(Fault::absent(
+            "the scene has no surface",
+            "add a [[surfaces]] entry with a name, a material and a shape",
+        )))
     } else {
         Ok(Surfaces { list, makers, middle, fitted })
     }
@@ -94,7 +98,7 @@ fn check_tolerance(value: f64) -> Result<(), Located> {
     match value.is_finite() && value >= 0.0 {
         true => Ok(()),
         false => {
-            let fault = Fault::OutOfRange { what: "the tolerance length", value, range: "0 ≤ length" };
+            let fault = Fault::out_of_range("the tolerance length", value, "0 ≤ length");
             Err(Located::nowhere(fault))
         }
     }
@@ -114,6 +118,15 @@ impl OccupiedSpace {
     }
 }
 
+fn coincident(other: &str) -> Fault {
+    let cause = format!("coincides with surface {other:?}");
+    let cure = format!(
+        "remove one of the two, move them apart by a millionth of their size or more, or cut a hole into {other:?} where \
+         this one lies; for both sides of one surface use two_sided = true"
+    );
+    Fault::new(FaultKind::Coincident, cause, cure)
+}
+
 /// Refuses the first surface that lies in an earlier one, except backs.
 fn check_apart(occupied: &[OccupiedSpace]) -> Result<(), Located> {
     let boxes: Vec<Aabb> = occupied.iter().map(|space| *space.occupied.bounds()).collect();
@@ -128,12 +141,12 @@ fn check_apart(occupied: &[OccupiedSpace]) -> Result<(), Located> {
             other.occupied.coincides(&own.occupied) && !own.is_back_of(other) && !other.is_back_of(own)
         };
         if let Some(other) = near.iter().map(|other| &occupied[*other]).find(clashes) {
-            let fault = Fault::Coincident { other: other.name.clone() };
+            let fault = coincident(&other.name);
             let located = match &own.span {
                 Some(span) => Located::at(span, fault),
                 None => Located::nowhere(fault),
             };
-            return Err(located.within(|| surface_title(&own.name)));
+            return Err(located.within(|| title("surface", &own.name)));
         }
     }
     Ok(())

@@ -10,7 +10,7 @@
 //! Either T is known, or the net flux q that leaves the surface as radiation; the other one follows from the
 //! balance of the scene (`radiosity_heat`). Reference: Modest, Radiative Heat Transfer, chapter 5.
 
-use crate::{error::Fault, ranges::check_range};
+use crate::{fault::Fault, ranges::check_range_or};
 
 /// Emissivity and condition of a surface, of all wavelengths together: bands have no part in them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,7 +37,7 @@ impl Thermal {
         self.emissivity.map_or(Ok(()), check_emissivity)?;
         match self.condition {
             Some(Condition::Temperature(kelvin)) => check_temperature(kelvin),
-            Some(Condition::HeatFlux(value)) if !value.is_finite() => Err(Fault::NotFinite { value }),
+            Some(Condition::HeatFlux(value)) if !value.is_finite() => Err(Fault::not_finite(value)),
             _ => Ok(()),
         }
     }
@@ -45,10 +45,12 @@ impl Thermal {
 
 /// Checks that 0 < ε ≤ 1.
 pub fn check_emissivity(value: f64) -> Result<(), Fault> {
-    check_range(value, value > 0.0 && value <= 1.0, "the emissivity", "0 < ε ≤ 1")
+    let cure = "choose a value in that range; a surface that neither absorbs nor emits has adiabatic = true";
+    check_range_or(value, value > 0.0 && value <= 1.0, "the emissivity", "0 < ε ≤ 1", cure)
 }
 
 /// Checks that 0 ≤ T ≤ 1e6 K: the fourth power stays a number to compute with.
 pub fn check_temperature(value: f64) -> Result<(), Fault> {
-    check_range(value, (0.0..=1e6).contains(&value), "the temperature", "0 ≤ T ≤ 1e6 kelvin")
+    let cure = "write it in kelvin, which are degrees Celsius + 273.15: 20 °C is temperature = 293.15";
+    check_range_or(value, (0.0..=1e6).contains(&value), "the temperature", "0 ≤ T ≤ 1e6 kelvin", cure)
 }

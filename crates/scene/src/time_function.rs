@@ -13,7 +13,10 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::{error::Fault, ranges::check_number};
+use crate::{
+    fault::{Fault, FaultKind, shown},
+    ranges::check_number,
+};
 
 /// Interpolation between two given values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,15 +53,20 @@ impl Times {
     /// The times of `count` values, which messages call `what`.
     pub(super) fn new(times: Vec<f64>, what: &'static str, count: usize) -> Result<Self, Fault> {
         if count < 2 {
-            return Err(Fault::WrongCount { what, expected: "at least two".to_owned(), found: count });
+            return Err(Fault::wrong_count(what, "at least two", count));
         }
         if times.len() != count {
             let expected = format!("one number for each of the {count} {what}");
-            return Err(Fault::WrongCount { what: "times", expected, found: times.len() });
+            let fault = Fault::wrong_count("times", &expected, times.len());
+            return Err(Fault { kind: FaultKind::Times, ..fault });
         }
         times.iter().try_for_each(|time| check_number(*time))?;
         match times.windows(2).find(|pair| pair[0] >= pair[1]) {
-            Some(pair) => Err(Fault::TimesFall { before: pair[0], after: pair[1] }),
+            Some(pair) => {
+                let cause = format!("the times do not ascend: {} follows {}", shown(pair[1]), shown(pair[0]));
+                let cure = "give times of which each is larger than the one before";
+                Err(Fault::new(FaultKind::Times, cause, cure))
+            }
             None => Ok(Self(times)),
         }
     }
@@ -86,8 +94,8 @@ impl<T: Interpolable> TimeFunction<T> {
     /// The `values` at these `times`, which ascend; `what` names the values in messages.
     ///
     /// # Errors
-    /// [`Fault::WrongCount`] for fewer than two values, or another number of times; [`Fault::TimesFall`];
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a time.
+    /// [`FaultKind::WrongCount`] for fewer than two values, [`FaultKind::Times`],
+    /// [`FaultKind::NotFinite`] or [`FaultKind::OutOfRange`] for a time.
     pub fn new(what: &'static str, values: Vec<T>, times: Vec<f64>, curve: Curve) -> Result<Self, Fault> {
         let times = Times::new(times, what, values.len())?;
         let bends = match curve {
@@ -215,10 +223,14 @@ mod tests {
         let new = |values: &[f64], times: &[f64]| {
             TimeFunction::new("points", values.to_vec(), times.to_vec(), Curve::Line)
         };
-        assert!(matches!(new(&[1.0], &[0.0]), Err(Fault::WrongCount { what: "points", found: 1, .. })));
-        assert!(matches!(new(&[1.0, 2.0], &[0.0]), Err(Fault::WrongCount { what: "times", found: 1, .. })));
-        assert_eq!(new(&[1.0, 2.0], &[3.0, 2.0]), Err(Fault::TimesFall { before: 3.0, after: 2.0 }));
-        assert_eq!(new(&[1.0, 2.0], &[3.0, 3.0]), Err(Fault::TimesFall { before: 3.0, after: 3.0 }));
-        assert!(matches!(new(&[1.0, 2.0], &[3.0, f64::NAN]), Err(Fault::NotFinite { .. })));
+        let fault = |values: &[f64], times: &[f64]| new(values, times).expect_err("it is refused");
+        assert_eq!(fault(&[1.0], &[0.0]), Fault::wrong_count("points", "at least two", 1));
+        let count = fault(&[1.0, 2.0], &[0.0]);
+        assert_eq!(count.to_string(), "times takes one number for each of the 2 points, found 1");
+        assert_eq!(fault(&[1.0, 2.0], &[3.0, 2.0]).to_string(), "the times do not ascend: 2 follows 3");
+        for times in [[0.0, 0.0], [3.0, 2.0], [3.0, 3.0]] {
+            assert_eq!(fault(&[1.0, 2.0], &times).kind, FaultKind::Times);
+        }
+        assert_eq!(fault(&[1.0, 2.0], &[3.0, f64::NAN]).kind, FaultKind::NotFinite);
     }
 }

@@ -6,7 +6,7 @@ use std::{borrow::Cow, sync::Arc};
 use radiosity_geom::DVec3;
 
 use crate::{
-    error::Fault,
+    fault::Fault,
     place::{At, Span},
 };
 

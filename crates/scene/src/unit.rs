@@ -1,6 +1,9 @@
 //! The unit of exitance, irradiance and radiosity: a text that is printed and never computed with.
 
-use crate::{error::Fault, names::check_text};
+use crate::{
+    fault::{Fault, FaultKind},
+    names::check_text,
+};
 
 /// The unit of scenes that state none.
 pub const USUAL: &str = "W/m²";
@@ -13,12 +16,16 @@ const LONGEST: usize = 16;
 pub fn check_unit(text: &str) -> Result<(), Fault> {
     check_text(text)?;
     if text.chars().any(char::is_control) {
-        return Err(Fault::BadUnit { problem: "the unit is more than one line" });
+        return Err(bad_unit("the unit is more than one line"));
     }
     match text.chars().count() {
         0..=LONGEST => Ok(()),
-        _ => Err(Fault::BadUnit { problem: "the unit is longer than 16 characters" }),
+        _ => Err(bad_unit("the unit is longer than 16 characters")),
     }
+}
+
+fn bad_unit(cause: &str) -> Fault {
+    Fault::new(FaultKind::BadText, cause, "write a short text, e.g. \"lx\" or \"W/m²\"")
 }
 
 #[cfg(test)]

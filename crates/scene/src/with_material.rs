@@ -2,7 +2,8 @@
 
 use crate::{
     Scene,
-    error::{Fault, Located, SceneError, material_title, surface_title},
+    error::{Located, SceneError, title},
+    fault::Fault,
     material::{Material, check_sheet},
     surface::SceneSurface,
 };
@@ -12,9 +13,9 @@ impl Scene {
     /// a given flux keep this flux, and openings the light of their sky. The copy has no `source`.
     ///
     /// # Errors
-    /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range;
-    /// [`Fault::OneSided`] and [`Fault::OtherTransmittance`] where a surface cannot let through what the
-    /// material does.
+    /// [`FaultKind::UnknownName`](crate::FaultKind::UnknownName), which lists the materials of the surfaces; a
+    /// number out of range; [`FaultKind::Conflict`](crate::FaultKind::Conflict) where a surface cannot let
+    /// through what the material does.
     pub fn with_material(&self, name: &str, material: Material) -> Result<Self, SceneError> {
         self.painted(name, &material).map_err(|located| located.in_code(&self.origin))
     }
@@ -22,7 +23,7 @@ impl Scene {
     fn painted(&self, name: &str, material: &Material) -> Result<Self, Located> {
         material
             .check(self.bands.len())
-            .map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))?;
+            .map_err(|fault| Located::nowhere(fault).within(|| title("material", name)))?;
         let mut painted = Self { source: None, ..self.clone() };
         let own = painted.surfaces.iter_mut().filter(|own| own.material_name.as_deref() == Some(name));
         if own.map(|own| paint(own, material)).count() == 0 {
@@ -38,7 +39,7 @@ impl Scene {
             |own| {
                 let other = own.other_side.map(|index| &self.surfaces[index].material);
                 check_sheet(&own.material, other)
-                    .map_err(|fault| Located::nowhere(fault).within(|| surface_title(&own.name)))
+                    .map_err(|fault| Located::nowhere(fault).within(|| title("surface", &own.name)))
             },
         )
     }
@@ -48,7 +49,7 @@ impl Scene {
             self.surfaces.iter().filter_map(|surface| surface.material_name.clone()).collect();
         known.sort_unstable();
         known.dedup();
-        Fault::UnknownMaterial { name: name.to_owned(), known }
+        Fault::unknown_material(name, known)
     }
 }
 

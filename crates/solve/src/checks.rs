@@ -264,7 +264,11 @@ mod tests {
         let outcome = solve(&scene, &options, &Work::alone()).expect("a solution");
         let elements = outcome.solution.elements();
         let visibility = Visibility::new(&scene, Shadows::Off);
-        let whole = transport::assemble(elements, &visibility, options.accuracy(), &Work::alone());
+        let whole = transport::assemble(
+            transport::Demand::all(elements, &visibility, options.accuracy()),
+            None,
+            &Work::alone(),
+        );
         let mut blocks = Blocks::empty(elements.starts(), true, Ranks::alone());
         for PlacedBlock { row, column, values } in whole.iter() {
             let scaled: Vec<f64> = values.iter().map(|value| factor(row, column) * value).collect();

@@ -27,12 +27,11 @@ pub(crate) mod unreached;
 mod assembly;
 mod carrier;
 
-pub use assembly::assemble_again;
-pub use assembly::{assemble, assemble_factors, assemble_pairs, assemble_senders};
+pub use assembly::assemble;
 pub use carrier::Carrier;
 pub use kept_blocks::KeptBlocks;
 pub use kept_blocks::kept_rays::RayCounts;
 pub use known::{Known, KnownBlocks};
 pub use sampled::{Rays, SampledTransport};
-pub use schedule::{BlockWork, Cost, shared, work};
+pub use schedule::{BlockWork, Cost, Demand, Whole, shared, work};
 pub use unreached::FINEST as FINEST_BY_RAYS;

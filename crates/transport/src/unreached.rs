@@ -25,17 +25,16 @@ mod wholes;
 use std::collections::{HashMap, HashSet};
 
 use radiosity_elements::Element;
-use radiosity_kernel::{Blocks, blocks::FirstEntry};
-use radiosity_kernel::{PlacedBlock, WorstError};
+use radiosity_kernel::blocks::FirstEntry;
+use radiosity_kernel::{Accuracy, Blocks, PlacedBlock, WorstError};
 use radiosity_work::{Stage, Work};
 
 use crate::kept_blocks::KeptBlocks;
 use crate::sampled::{Fixed, SampledTransport};
 use crate::schedule::order::Precedence;
-use crate::schedule::{BlockByRules, Demand, UnreachedPair};
+use crate::schedule::{BlockByRules, Demand, UnreachedPair, asked};
 use crate::tolerances::{AGREED_BY_RAYS, BATCHES, DEVIATIONS, MISSED_BY_RULES};
 use ray_block::RayBlock;
-pub(crate) use wholes::Whole;
 use wholes::Wholes;
 
 /// Rays of each element and batch in the first round: 16 384 of an element in all, which tell a factor of ½
@@ -71,71 +70,51 @@ pub(crate) fn add(
     blocks: &mut Blocks,
     left: &[UnreachedPair],
     demand: Demand,
-    whole: Whole,
     mut kept: Option<&mut KeptBlocks>,
     work: &Work<'_>,
 ) {
-    let Demand { elements, visibility, accuracy, .. } = demand;
-    let wholes = Wholes::new(elements.list(), whole);
-    let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
-    let places = places(elements.list());
-    let mut batch = |batch: usize| {
-        let numbers: Vec<u64> = places.iter().map(|place| (batch * places.len() + place) as u64).collect();
-        let rays = SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers, work.ranks);
-        rays.with_kept(kept.as_mut().and_then(|kept| kept.take_rays(batch, BATCHES, numbers, work.ranks)))
-    };
-    let mut batches: Vec<SampledTransport> = (0..BATCHES).map(&mut batch).collect();
-    let touched: HashSet<usize> = left.iter().flat_map(|pair| [pair.row, pair.column]).collect();
-    let most = most_rays(accuracy.eps, touched.len());
-    let goal =
-        |pair: &UnreachedPair| if pair.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
-    let error = accuracy.eps.max(accuracy.shadow_eps).max(blocks.accuracy_reached);
+    let Demand { elements, accuracy, whole, .. } = demand;
+    let mut batches = batches(left, demand, kept.as_deref_mut(), work);
     let sums = blocks.apply(&elements.constant());
-    let firsts = blocks.first_entries();
-    let (mut sent, mut rays) = (0, FIRST);
-    let mut open: Vec<&UnreachedPair> = left.iter().collect();
-    let found = loop {
-        let senders: HashSet<usize> = open.iter().flat_map(|pair| [pair.row, pair.column]).collect();
-        let now: Vec<u64> =
-            (0..elements.list().len()).map(|index| if senders.contains(&index) { rays } else { 0 }).collect();
-        for batch in &mut batches {
-            batch.send(&now, &mut |_| true);
-            sent += senders.len() as u64 * rays;
-            work.report_done(Stage::Blocks, (left.len() as u64 * sent / most.max(sent)) as usize, left.len());
-        }
-        let each = (BATCHES * senders.len()) as u64;
-        let fixed = Fixed { sums: &sums, error, blocks };
-        let found = judged(elements.list(), &wholes, &firsts, &fixed, left, &batches);
-        // Rays cannot better a value by rules that is as good as they become.
-        let may_fall = |found: &RayBlock| !found.is_by_rules || found.relative > REACHED;
-        let is_open = |(pair, found): &(&UnreachedPair, &RayBlock)| {
-            found.relative > goal(pair).max(ENOUGH) && may_fall(found)
-        };
-        let missing = left.iter().zip(&found).filter(is_open);
-        open = missing.map(|(pair, _)| pair).collect();
-        // Twice those of this round, as far as there are any left.
-        let next = (2 * rays).min(most.saturating_sub(sent) / each);
-        if open.is_empty() || next < rays / 2 {
-            break found;
-        }
-        rays = next;
+    let error = accuracy.eps.max(accuracy.shadow_eps).max(blocks.account.accuracy_reached);
+    let judge = Judge {
+        list: elements.list(),
+        left,
+        wholes: Wholes::new(elements.list(), whole),
+        firsts: blocks.first_entries(),
+        fixed: Fixed { sums: &sums, error, blocks },
+        accuracy,
     };
+    let (found, sent) = judge.found(&mut batches, work);
     if let Some(kept) = kept {
         let rays = batches.into_iter().map(SampledTransport::into_kept).enumerate();
         rays.filter_map(|(batch, rays)| Some((batch, rays?)))
             .for_each(|(batch, rays)| kept.put_rays(batch, rays, work.ranks));
     }
-    blocks.rays += sent;
-    blocks.pairs.by_rays += left.len();
+    blocks.account.rays += sent;
+    blocks.account.pairs.by_rays += left.len();
     for (RayBlock { row, column, values, relative, .. }, pair) in found.into_iter().zip(left) {
         blocks.push(row, column, &values);
-        blocks.record_error(WorstError {
-            pair: [row, column],
-            error: relative,
-            asked: goal(pair),
-            by_rays: true,
-        });
+        let (pair, asked) = ([row, column], asked(pair.partly_hidden, accuracy));
+        blocks.account.record_error(WorstError { pair, error: relative, asked, by_rays: true });
     }
+}
+
+/// The batches of rays for these pairs, before any is sent.
+fn batches<'a>(
+    left: &[UnreachedPair],
+    Demand { elements, visibility, .. }: Demand<'a>,
+    mut kept: Option<&mut KeptBlocks>,
+    work: &Work<'a>,
+) -> Vec<SampledTransport<'a>> {
+    let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
+    let places = places(elements.list());
+    let batch = |batch: usize| {
+        let numbers: Vec<u64> = places.iter().map(|place| (batch * places.len() + place) as u64).collect();
+        let rays = SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers, work.ranks);
+        rays.with_kept(kept.as_mut().and_then(|kept| kept.take_rays(batch, BATCHES, numbers, work.ranks)))
+    };
+    (0..BATCHES).map(batch).collect()
 }
 
 /// The place of each element in an order that does not depend on how the scene lists its surfaces.
@@ -154,69 +133,128 @@ fn most_rays(eps: f64, elements: usize) -> u64 {
     (MOST * share * (MOST_AT / eps.max(FINEST)).powf(MOST_POWER)) as u64
 }
 
-/// The block of each pair as the batches estimate it, given the first entries of the other blocks.
-fn judged(
-    list: &[Element],
-    wholes: &Wholes,
-    others_firsts: &[FirstEntry],
-    others: &Fixed,
-    left: &[UnreachedPair],
-    batches: &[SampledTransport],
-) -> Vec<RayBlock> {
-    let sizes = |pair: &UnreachedPair| list[pair.row].basis.len() * list[pair.column].basis.len();
-    let places: HashMap<(usize, usize), usize> =
-        left.iter().enumerate().map(|(place, pair)| ((pair.row, pair.column), place)).collect();
-    let mut sums: Vec<[Vec<f64>; 2]> =
-        left.iter().map(|pair| [vec![0.0; sizes(pair)], vec![0.0; sizes(pair)]]).collect();
-    let mut firsts = vec![[0.0; BATCHES]; left.len()];
-    for (number, batch) in batches.iter().enumerate() {
-        for PlacedBlock { row, column, values } in batch.beside(others).iter() {
-            let place = places[&(row, column)];
-            let [sum, squares] = &mut sums[place];
-            firsts[place][number] = values[0];
-            for ((sum, square), value) in sum.iter_mut().zip(squares).zip(values.iter()) {
-                *sum += value;
-                *square += value * value;
+/// The pairs that are left, and what is known of the blocks of all others.
+struct Judge<'a> {
+    list: &'a [Element],
+    left: &'a [UnreachedPair],
+    wholes: Wholes,
+    /// First entries of the other blocks.
+    firsts: Vec<FirstEntry>,
+    fixed: Fixed<'a>,
+    accuracy: Accuracy,
+}
+
+/// What the batches sum of one pair.
+struct BatchSums {
+    /// Sums of the entries, and of their squares.
+    values: Vec<f64>,
+    squares: Vec<f64>,
+    /// The first entry by each batch.
+    firsts: [f64; BATCHES],
+}
+
+impl Judge<'_> {
+    /// Sends rays until all blocks are accurate enough, or as many as they may take; returns the blocks, and
+    /// the number of rays.
+    fn found(&self, batches: &mut [SampledTransport], work: &Work<'_>) -> (Vec<RayBlock>, u64) {
+        let ends = |pairs: &[&UnreachedPair]| -> HashSet<usize> {
+            pairs.iter().flat_map(|pair| [pair.row, pair.column]).collect()
+        };
+        let mut open: Vec<&UnreachedPair> = self.left.iter().collect();
+        let most = most_rays(self.accuracy.eps, ends(&open).len());
+        let (mut sent, mut rays) = (0, FIRST);
+        loop {
+            let senders = ends(&open);
+            let now = |index: usize| if senders.contains(&index) { rays } else { 0 };
+            let now: Vec<u64> = (0..self.list.len()).map(now).collect();
+            for batch in batches.iter_mut() {
+                batch.send(&now, &mut |_| true);
+                sent += senders.len() as u64 * rays;
+                let done = (self.left.len() as u64 * sent / most.max(sent)) as usize;
+                work.report_done(Stage::Blocks, done, self.left.len());
+            }
+            let found = self.judged(batches);
+            let missing = self.left.iter().zip(&found).filter(|(pair, found)| self.is_open(pair, found));
+            open = missing.map(|(pair, _)| pair).collect();
+            // Twice those of this round, as far as there are any left.
+            let next = (2 * rays).min(most.saturating_sub(sent) / (BATCHES * senders.len()) as u64);
+            if open.is_empty() || next < rays / 2 {
+                return (found, sent);
+            }
+            rays = next;
+        }
+    }
+
+    /// Whether more rays are wanted for a pair. They cannot better a value by rules that is as good as they
+    /// become.
+    fn is_open(&self, pair: &UnreachedPair, found: &RayBlock) -> bool {
+        found.relative > asked(pair.partly_hidden, self.accuracy).max(ENOUGH)
+            && (!found.is_by_rules || found.relative > REACHED)
+    }
+
+    /// The block of each pair as the batches estimate it, or as the rules do where rays agree.
+    fn judged(&self, batches: &[SampledTransport]) -> Vec<RayBlock> {
+        let mut sums = self.sums(batches);
+        let density = |element: usize| {
+            batches.iter().map(|batch| batch.sent()[element] as f64).sum::<f64>() / self.list[element].area
+        };
+        let estimate = |(pair, sums): (&UnreachedPair, &BatchSums)| {
+            let unit = (self.list[pair.row].area * self.list[pair.column].area).sqrt();
+            sums.estimate(pair, 1.0 / ((density(pair.row) + density(pair.column)) * unit))
+        };
+        let mut found: Vec<RayBlock> = self.left.iter().zip(&sums).map(estimate).collect();
+        let rows = self.wholes.largest_factors(self.list, &self.firsts, &found);
+        for ((found, pair), sums) in found.iter_mut().zip(self.left).zip(&mut sums) {
+            if let Some(BlockByRules { values, error }) = &pair.by_rules
+                && MISSED_BY_RULES * error < found.error
+                && self.wholes.relative(self.list, &rows, found) <= CHECKED
+                && agree(values, &found.values, found.error)
+            {
+                found.values.clone_from(values);
+                (found.error, found.one, found.is_by_rules) =
+                    (MISSED_BY_RULES * error, MISSED_BY_RULES * error, true);
+                sums.firsts = [values[0]; BATCHES];
             }
         }
+        let firsts: Vec<[f64; BATCHES]> = sums.iter().map(|sums| sums.firsts).collect();
+        self.wholes.judge(self.list, &rows, &mut found, &firsts);
+        found
     }
-    let n = BATCHES as f64;
-    let density = |element: usize| {
-        batches.iter().map(|batch| batch.sent()[element] as f64).sum::<f64>() / list[element].area
-    };
-    let found = left.iter().zip(sums).map(|(pair, [sum, squares])| {
-        let values: Vec<f64> = sum.iter().map(|sum| sum / n).collect();
+
+    /// The sums of each pair over the batches.
+    fn sums(&self, batches: &[SampledTransport]) -> Vec<BatchSums> {
+        let places: HashMap<(usize, usize), usize> =
+            self.left.iter().enumerate().map(|(place, pair)| ((pair.row, pair.column), place)).collect();
+        let nothing = |pair: &UnreachedPair| {
+            let size = self.list[pair.row].basis.len() * self.list[pair.column].basis.len();
+            BatchSums { values: vec![0.0; size], squares: vec![0.0; size], firsts: [0.0; BATCHES] }
+        };
+        let mut all: Vec<BatchSums> = self.left.iter().map(nothing).collect();
+        for (number, batch) in batches.iter().enumerate() {
+            for PlacedBlock { row, column, values } in batch.beside(&self.fixed).iter() {
+                let own = &mut all[places[&(row, column)]];
+                own.firsts[number] = values[0];
+                for ((sum, square), value) in own.values.iter_mut().zip(&mut own.squares).zip(values.iter()) {
+                    *sum += value;
+                    *square += value * value;
+                }
+            }
+        }
+        all
+    }
+}
+
+impl BatchSums {
+    /// The block of a pair by these sums, to an entry of which one ray adds `one`.
+    fn estimate(&self, &UnreachedPair { row, column, .. }: &UnreachedPair, one: f64) -> RayBlock {
+        let n = BATCHES as f64;
+        let values: Vec<f64> = self.values.iter().map(|sum| sum / n).collect();
         let deviation =
             |(mean, square): (&f64, &f64)| ((square / n - mean * mean).max(0.0) / (n - 1.0)).sqrt();
-        let largest = values.iter().zip(&squares).map(deviation).fold(0.0, f64::max);
-        let unit = (list[pair.row].area * list[pair.column].area).sqrt();
-        let one = 1.0 / ((density(pair.row) + density(pair.column)) * unit);
-        RayBlock {
-            row: pair.row,
-            column: pair.column,
-            values,
-            one,
-            error: DEVIATIONS * largest + one,
-            is_by_rules: false,
-            relative: 0.0,
-        }
-    });
-    let mut found: Vec<RayBlock> = found.collect();
-    let rows = wholes.largest_factors(list, others_firsts, &found);
-    for ((found, pair), firsts) in found.iter_mut().zip(left).zip(&mut firsts) {
-        if let Some(BlockByRules { values, error }) = &pair.by_rules
-            && MISSED_BY_RULES * error < found.error
-            && wholes.relative(list, &rows, found) <= CHECKED
-            && agree(values, &found.values, found.error)
-        {
-            found.values.clone_from(values);
-            (found.error, found.one, found.is_by_rules) =
-                (MISSED_BY_RULES * error, MISSED_BY_RULES * error, true);
-            *firsts = [values[0]; BATCHES];
-        }
+        let largest = values.iter().zip(&self.squares).map(deviation).fold(0.0, f64::max);
+        let error = DEVIATIONS * largest + one;
+        RayBlock { row, column, values, one, error, is_by_rules: false, relative: 0.0 }
     }
-    wholes.judge(list, &rows, &mut found, &firsts);
-    found
 }
 
 /// Whether values by rules and by rays are as near as they should be: one in two thousand is not, by chance

@@ -233,11 +233,12 @@ impl Quad {
         (PAIRS.into_iter().map(sagitta).fold(0.0, f64::max) / TURN).min(self.size())
     }
 
-    /// Whether all normals lean from `normal` by a smaller sine than `least`.
+    /// Whether all normals lean from the line along `normal` by a smaller sine than `least`: the mesh of a
+    /// sheet may be of its other side.
     fn leans_less(&self, ground: &Ground) -> bool {
         let Ground { normal, least } = *ground;
         let lean = |knot: &Knot| knot.normal.cross(normal).length();
-        self.knots.iter().all(|knot| knot.normal.dot(normal) > 0.0 && lean(knot) < least)
+        self.knots.iter().all(|knot| lean(knot) < least)
     }
 
     /// Largest sine of the angle between two of its normals.

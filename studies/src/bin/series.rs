@@ -18,7 +18,10 @@ use radiosity::published::series::{BlockSeries, Settings, TranslatedPair};
 use radiosity::solve::in_threads;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity::{Material, Scene, SceneBuilder, Work};
-use radiosity::{kernel::Accuracy, transport::assemble};
+use radiosity::{
+    kernel::Accuracy,
+    transport::{Demand, assemble},
+};
 
 /// Polynomials of total degree 4: blocks of 15 × 15.
 const DEGREE: usize = 4;
@@ -149,7 +152,7 @@ fn costs() {
         let visibility = Visibility::new(&scene(quads), Shadows::Off);
         let accuracy = Accuracy { eps: 0.5 * USUAL, shadow_eps: 3e-3 };
         let integral = seconds(|| {
-            black_box(assemble(&elements, &visibility, accuracy, &Work::alone()));
+            black_box(assemble(Demand::all(&elements, &visibility, accuracy), None, &Work::alone()));
         });
         let pair = pair(&elements, DVec3::X);
         for orders in ORDERS {

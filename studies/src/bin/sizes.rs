@@ -141,7 +141,11 @@ fn measure(grid: [usize; 3], order: usize) {
     let elements = Elements::new(&scene, &how(order)).expect("all have area");
     let visibility = Visibility::new(&scene, (&options).into());
     let start = processor();
-    let blocks = transport::assemble(&elements, &visibility, options.accuracy(), &Work::alone());
+    let blocks = transport::assemble(
+        transport::Demand::all(&elements, &visibility, options.accuracy()),
+        None,
+        &Work::alone(),
+    );
     let integrated = processor();
     let coating = Coating::of(&scene, elements.list(), 0);
     let system = System::new(elements.list(), &blocks, &coating);
@@ -152,7 +156,7 @@ fn measure(grid: [usize; 3], order: usize) {
     let solved = options.solver.solver.solve(&matrix, &right, &mut unknowns, &settings, &mut |_| {});
     solved.expect("walls of reflectance ½ converge");
     let seconds = [integrated - start, processor() - integrated].map(|time| time.as_secs_f64());
-    let pairs = &blocks.pairs;
+    let pairs = &blocks.account.pairs;
     let skipped = pairs.skipped_behind + pairs.skipped_coplanar + pairs.skipped_hidden;
     let stored: usize = blocks.iter().map(|block| 8 * block.values.len()).sum();
     println!(

@@ -33,7 +33,9 @@ fn measure(cuts: usize, order: usize, eps: f64) {
     let how = Discretization::uniform(order, cuts);
     let elements = Elements::new(&scene, &how).expect("a box has area");
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
-    let assemble = || transport::assemble(&elements, &visibility, accuracy, &Work::alone());
+    let assemble = || {
+        transport::assemble(transport::Demand::all(&elements, &visibility, accuracy), None, &Work::alone())
+    };
     let (blocks, seconds) = in_threads(1, || {
         let warm = assemble();
         let start = Instant::now();
@@ -44,11 +46,11 @@ fn measure(cuts: usize, order: usize, eps: f64) {
     .expect("one thread can be started");
     println!(
         "| empty box, {cuts} × {cuts} a wall | {order} | {eps:.0e} | {} | {} | {} | {:.2} | {:.1} |",
-        blocks.pairs.total,
-        blocks.samples,
-        blocks.distinct,
+        blocks.account.pairs.total,
+        blocks.account.samples,
+        blocks.account.distinct,
         1e3 * seconds,
-        1e9 * seconds / blocks.distinct as f64
+        1e9 * seconds / blocks.account.distinct as f64
     );
 }
 
@@ -68,7 +70,13 @@ quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }";
         let start = Instant::now();
         let mut samples = 0;
         for _ in 0..TIMES {
-            samples += transport::assemble(&elements, &visibility, accuracy, &Work::alone()).distinct;
+            samples += transport::assemble(
+                transport::Demand::all(&elements, &visibility, accuracy),
+                None,
+                &Work::alone(),
+            )
+            .account
+            .distinct;
         }
         (samples, start.elapsed().as_secs_f64())
     })

@@ -27,7 +27,7 @@ pub fn elements_of(scene: &Scene, order: usize, parts: usize) -> Elements {
 
 /// All blocks between elements.
 pub fn blocks_of(elements: &Elements, visibility: &Visibility, accuracy: Accuracy) -> Blocks {
-    transport::assemble(elements, visibility, accuracy, &Work::alone())
+    transport::assemble(transport::Demand::all(elements, visibility, accuracy), None, &Work::alone())
 }
 
 /// The view factors of a scene, its surfaces cut as they are by default.

@@ -18,7 +18,11 @@ fn row_sum(text: &str, name: &str, order: usize) -> f64 {
     let elements = elements_of(&scene, order, 1);
     let row = elements.of_surface(scene.surface_named(name).expect("it is there")).start;
     let wanted = |i: usize, j: usize| i == row || j == row;
-    let blocks = transport::assemble_pairs(&elements, &wanted, &visibility, accuracy, &Work::alone());
+    let blocks = transport::assemble(
+        transport::Demand::all(&elements, &visibility, accuracy).of(&wanted),
+        None,
+        &Work::alone(),
+    );
     let transported = blocks.apply(&elements.constant());
     let element = &elements.list()[row];
     let own = &transported[blocks.starts()[row]..];

@@ -242,7 +242,7 @@ fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
     let elements = Elements::new(scene, &how).expect("all have area");
     let blocks = |accuracy: Accuracy| {
         let visibility = Visibility::new(scene, Shadows::Outlines(accuracy.shadow_eps));
-        transport::assemble_pairs(&elements, &|_, _| true, &visibility, accuracy, &Work::alone())
+        transport::assemble(transport::Demand::all(&elements, &visibility, accuracy), None, &Work::alone())
     };
     let usual = blocks(Accuracy { eps: 1e-3, shadow_eps: 3e-3 });
     let exact = blocks(Accuracy { eps: finest, shadow_eps: finest });

@@ -65,12 +65,11 @@ pub(super) fn require_program(film: &Path) -> Result<(), CliError> {
         Err(error) if error.kind() == io::ErrorKind::NotFound => "it was not found".to_owned(),
         Err(error) => error.to_string(),
     };
-    Err(CliError::Refused {
-        message: format!("{}: films other than .gif are made by {PROGRAM}: {reason}", film.display()),
-        cure: "install it so that it is on the PATH (apt install ffmpeg, brew install ffmpeg, winget install ffmpeg), or choose \
-               a film ending in .gif or pictures such as frame-####.png, which need nothing else"
-            .to_owned(),
-    })
+    Err(CliError::refused(
+        format!("{}: films other than .gif are made by {PROGRAM}: {reason}", film.display()),
+        "install it so that it is on the PATH (apt install ffmpeg, brew install ffmpeg, winget install ffmpeg), or choose \
+               a film ending in .gif or pictures such as frame-####.png, which need nothing else",
+    ))
 }
 
 impl Encoder {

@@ -11,8 +11,8 @@ use radiosity_work::ranks::Ranks;
 
 use super::encoder::{Container, Encoder, require_program};
 use crate::error::CliError;
+use crate::loaded::Loaded;
 use crate::output_file::OutputFile;
-use crate::run::Loaded;
 
 /// Pictures a second where nothing says how long a frame lasts.
 const FPS: f64 = 25.0;
@@ -61,10 +61,7 @@ impl FrameFiles {
         let fps = typed.or(of_scene).unwrap_or(FPS);
         let ending = name.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let refused = |message: String, cure: &str| {
-            Err(CliError::Refused {
-                message: format!("{}: {message}", name.display()),
-                cure: cure.to_owned(),
-            })
+            Err(CliError::refused(format!("{}: {message}", name.display()), cure))
         };
         match ending.as_deref() {
             Some("gif") if fps > FASTEST => refused(

@@ -1,11 +1,9 @@
 //! Irradiance at points, frame after frame.
 
-use std::io;
-
+use radiosity_output::table::{Column, Table, Value};
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality;
 use radiosity_reading::read_error::ReadError;
-use radiosity_reading::reader::Reader;
 use radiosity_solve::animation::frame::Frame;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
@@ -39,8 +37,7 @@ impl Readings {
 
     /// Reads the points in a frame.
     pub(super) fn read(&mut self, number: usize, frame: &Frame, ranks: &Ranks) -> Result<(), CliError> {
-        let how = &self.how;
-        let reader = Reader::by(how.by, &frame.solution, &frame.visibility, how.read, how.eps);
+        let reader = self.how.reader(&frame.solution, &frame.visibility);
         let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, &Work::among(ranks));
         let read = read.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
         self.frames.push(FrameReadings { frame: number, readings: read });
@@ -55,19 +52,19 @@ impl Readings {
 
     /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…`, a row for each frame and point.
     pub(super) fn write(&self, bands: &[String], ranks: &Ranks) -> Result<(), CliError> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        let names = ["frame", "point"].into_iter().chain(COLUMNS).map(str::to_owned);
-        let light = bands.iter().map(|band| format!("E_{band}"));
-        writer.write_record(names.chain(light)).map_err(io::Error::from)?;
-        for FrameReadings { frame, readings } in &self.frames {
-            for (point, ProbeReading { probe, irradiance, .. }) in readings.iter().enumerate() {
-                let place = probe.position.to_array().into_iter().chain(probe.normal.to_array());
-                let numbers = place.chain(irradiance.iter().copied()).map(|x| x.to_string());
-                let row = [frame.to_string(), point.to_string()].into_iter().chain(numbers);
-                writer.write_record(row).map_err(io::Error::from)?;
-            }
-        }
-        let table = writer.into_inner().map_err(|error| error.into_error())?;
-        Destination::of(None, ranks).write(|writer| writer.write_all(&table))
+        let columns = [
+            Column::numbers("frame", ""),
+            Column::numbers("point", ""),
+            Column::several("place", COLUMNS),
+            Column::bands("irradiance", 'E', bands),
+        ];
+        let rows = self.frames.iter().flat_map(|FrameReadings { frame, readings }| {
+            readings.iter().enumerate().map(move |(point, ProbeReading { probe, irradiance, .. })| {
+                let place = [probe.position.to_array(), probe.normal.to_array()].concat();
+                [Value::from(*frame), point.into(), Value::numbers(place), Value::numbers(irradiance)]
+            })
+        });
+        let table = Table::new(columns, rows);
+        Destination::of(None, ranks).write(|writer| table.listed().csv(writer))
     }
 }

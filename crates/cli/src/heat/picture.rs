@@ -17,7 +17,11 @@ use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
-    colours::ColourArgs, error::CliError, format, numbers::Counts, output_file::OutputFile,
+    colours::ColourArgs,
+    error::CliError,
+    format::{self, PictureFormat},
+    numbers::counts,
+    output_file::OutputFile,
     style::with_legend,
 };
 
@@ -34,8 +38,8 @@ pub(crate) struct PictureArgs {
     show: HeatQuantity,
 
     /// Pixels across and down [default: as the scene's camera says]
-    #[arg(long, value_name = "WxH", requires = "picture")]
-    size: Option<Counts>,
+    #[arg(long, value_name = "WxH", requires = "picture", value_parser = counts)]
+    size: Option<[u32; 2]>,
 
     #[command(flatten)]
     colours: ColourArgs,
@@ -50,20 +54,6 @@ enum HeatQuantity {
     Exitance,
 }
 
-/// The kind of file that a picture is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum PictureFormat {
-    Png,
-}
-
-/// A file that the command writes beside the picture.
-pub(crate) struct OtherFile<'a> {
-    /// Its path, if it is wanted.
-    pub(crate) path: Option<&'a Path>,
-    /// Its content in a word.
-    pub(crate) content: &'static str,
-}
-
 /// A picture about to be taken.
 pub(crate) struct HeatPicture<'a> {
     args: &'a PictureArgs,
@@ -72,38 +62,21 @@ pub(crate) struct HeatPicture<'a> {
 }
 
 impl PictureArgs {
-    /// The picture, if one is wanted; `reserve` opens its file, which has to be none of the `others`.
+    /// The picture, if one is wanted; `reserve` opens its file.
     pub(crate) fn wanted(
         &self,
         scene: &Scene,
         reserve: impl FnOnce(&Path) -> Result<OutputFile, CliError>,
-        others: &[OtherFile<'_>],
     ) -> Result<Option<HeatPicture<'_>>, CliError> {
-        let refuse = |message: &str, cure: &str| {
-            Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
-        };
-        let typed = self.colours.typed();
-        let Some(path) = &self.picture else {
-            return match typed.first() {
-                Some(option) => refuse(
-                    &format!("{option} speaks of a picture"),
-                    "add --picture FILE.png, or leave it out",
-                ),
-                None => Ok(None),
-            };
-        };
-        if typed.contains(&"--band") {
-            return refuse("--band: heat is of all wavelengths together", "leave it out");
+        self.colours.require_picture(self.picture.is_some())?;
+        let Some(path) = &self.picture else { return Ok(None) };
+        if self.colours.band.is_some() {
+            return Err(CliError::refused("--band: heat is of all wavelengths together", "leave it out"));
         }
         self.colours.check()?;
         format::of_file::<PictureFormat>(path)?;
-        let camera = camera(self.size.map(|Counts(size)| size), scene)?;
-        let mut known = others.iter().filter(|other| other.path.is_some());
-        let file = known.try_fold(reserve(path)?, |file, other| match other.path {
-            Some(path) => file.apart_from(path, other.content),
-            None => Ok(file),
-        })?;
-        Ok(Some(HeatPicture { args: self, camera, file }))
+        let camera = camera(self.size, scene)?;
+        Ok(Some(HeatPicture { args: self, camera, file: reserve(path)? }))
     }
 }
 

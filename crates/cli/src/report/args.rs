@@ -1,15 +1,15 @@
 //! The options of `radiosity report`.
 
-use radiosity_request::{MethodRequest, ReadRequest};
 use std::path::PathBuf;
 
 use clap::Args;
+use radiosity_request::ReadRequest;
 
 use crate::{
-    checkpoint::CheckpointArgs,
     colours::ColourArgs,
-    numbers::Counts,
-    options::{PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    numbers::counts,
+    options::{PARAMETER_OR_GROUP, SCENE_OR_SOLUTION, SceneArg},
+    run::RunArgs,
 };
 
 /// Solves a scene and writes a report for people: picture, planes of sensors, surfaces, checks and settings
@@ -37,12 +37,12 @@ pub(crate) struct ReportPageArgs {
 
     /// Cells along u and v of every surface for least and greatest values [default: 8x8, fewer of many
     /// surfaces]
-    #[arg(long, value_name = "NxM")]
-    pub(crate) cells: Option<Counts>,
+    #[arg(long, value_name = "NxM", value_parser = counts)]
+    pub(crate) cells: Option<[u32; 2]>,
 
     /// Pixels of the picture across and down [default: as the scene's camera says]
-    #[arg(long, value_name = "WxH")]
-    pub(crate) size: Option<Counts>,
+    #[arg(long, value_name = "WxH", value_parser = counts)]
+    pub(crate) size: Option<[u32; 2]>,
 
     #[command(flatten)]
     pub(crate) read: ReadRequest,
@@ -51,11 +51,5 @@ pub(crate) struct ReportPageArgs {
     pub(crate) colours: ColourArgs,
 
     #[command(flatten)]
-    pub(crate) method: MethodRequest,
-
-    #[command(flatten)]
-    pub(crate) checkpoint: CheckpointArgs,
-
-    #[command(flatten)]
-    pub(crate) report: ReportArgs,
+    pub(crate) run: RunArgs,
 }

@@ -11,23 +11,16 @@ use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::quality::ReadSettings;
 use radiosity_reading::quantity::{Quantity, band_name, of_bands};
 use radiosity_reading::read_error::ReadError;
-use radiosity_reading::reader::Reader;
 use radiosity_reading::surface_light::SurfaceLight;
 use radiosity_reading::uniformity::Uniformity;
 use radiosity_request::picture::{SAMPLES, pixels, require_pixels, sized};
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solved::Solved;
-use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
 use super::args::ReportPageArgs;
 use crate::{
-    colours::ColourArgs,
-    error::CliError,
-    numbers::Counts,
-    planes::plane,
-    run::{Loaded, Run},
-    sensors::Sensors,
+    colours::ColourArgs, error::CliError, loaded::Loaded, planes::plane, run::Run, sensors::Sensors,
 };
 
 /// Cells along each side of a surface, and most cells of all. Chosen: seconds in rooms of a thousand
@@ -58,8 +51,8 @@ impl<'a> ReportLight<'a> {
     /// The light of `scene` that was asked for.
     pub(super) fn of(args: &'a ReportPageArgs, scene: &Scene, ranks: &Ranks) -> Result<Self, CliError> {
         args.colours.check()?;
-        let camera = scene.camera.clone().map(|camera| sized(camera, args.size.map(|Counts(size)| size)));
-        camera.iter().try_for_each(|camera| require_pixels(camera, scene, args.method.memory, ranks))?;
+        let camera = scene.camera.clone().map(|camera| sized(camera, args.size));
+        camera.iter().try_for_each(|camera| require_pixels(camera, scene, args.run.method.memory, ranks))?;
         let mut planes = scene.planes.clone();
         for (index, text) in args.plane.iter().enumerate() {
             let typed = plane(text, index, scene)?;
@@ -69,7 +62,7 @@ impl<'a> ReportLight<'a> {
             }
         }
         let side = (MOST / scene.surfaces.len().max(1)).isqrt().clamp(1, SIDE);
-        let cells = args.cells.map_or([side; 2], |cells| cells.0.map(|count| count as usize));
+        let cells = args.cells.map_or([side; 2], |cells| cells.map(|count| count as usize));
         let band = args.colours.band(scene)?;
         Ok(Self { camera, sensors: Sensors::Planes(planes), band, cells, colours: &args.colours })
     }
@@ -85,21 +78,19 @@ impl<'a> ReportLight<'a> {
         &self,
         args: &ReportPageArgs,
         loaded: Loaded,
-        work: &Work<'_>,
+        ranks: &Ranks,
     ) -> Result<(Run, ReadLight), CliError> {
-        let mut run = Run::solve(loaded, &args.method, &args.report, work)?;
-        let reading = args.read.reading(&args.method, &run.solved, run.is_saved());
-        let visibility = run.solved.visibility();
+        let mut run = Run::solve(loaded, &args.run, ranks)?;
+        let reading = args.read.reading(&args.run.method, &run.solved, run.is_saved());
         let Solved { scene, outcome, .. } = &run.solved;
-        let solution = &outcome.solution;
         let (sensed, cells) = run.in_threads(|| {
-            let reader = Reader::by(reading.by, solution, visibility, reading.read, reading.eps);
-            let sensed = probe(&reader, &self.sensors.probes(), scene.middle, work);
-            (sensed, grid(&reader, self.cells, reading.rates, work))
+            let (reader, work) = (run.reader(&reading), run.work());
+            let sensed = probe(&reader, &self.sensors.probes(), scene.middle, &work);
+            (sensed, grid(&reader, self.cells, reading.rates, &work))
         })?;
         let sensed = sensed.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
-        let picture = self.camera.as_ref().map(|camera| picture(&run, camera, work)).transpose()?;
-        let surfaces = SurfaceLight::of(solution, &cells);
+        let picture = self.camera.as_ref().map(|camera| picture(&run, camera)).transpose()?;
+        let surfaces = SurfaceLight::of(&outcome.solution, &cells);
         let planes = self.sensors.by_plane(&sensed);
         let figures = planes.map(|on| PlaneFigures::of(on.plane, &scene.bands, on.items)).collect();
         let deviations = sensed.iter().map(|reading| reading.deviation);
@@ -111,10 +102,10 @@ impl<'a> ReportLight<'a> {
 }
 
 /// The picture through the camera, as `radiosity render` takes it.
-fn picture(run: &Run, camera: &Camera, work: &Work<'_>) -> Result<Picture, CliError> {
+fn picture(run: &Run, camera: &Camera) -> Result<Picture, CliError> {
     let (solution, visibility) = (&run.solved.outcome.solution, run.solved.visibility());
     let read = usual_read(solution, visibility, pixels(camera));
-    let take = || render(solution, visibility, camera, SAMPLES, read, Quantity::Radiosity, work);
+    let take = || render(solution, visibility, camera, SAMPLES, read, Quantity::Radiosity, &run.work());
     let raster = run.in_threads(take)?;
     Ok(Image::new(&raster, white_balance(solution)).photograph())
 }

@@ -2,10 +2,12 @@
 
 use std::path::Path;
 
+use clap::ValueEnum;
 use radiosity_output::documents::document::{Block, Document};
 use radiosity_output::documents::{html, markdown};
 
 use crate::error::CliError;
+use crate::format;
 use crate::output_file::OutputFile;
 
 /// The files of a report, reserved before the work.
@@ -26,6 +28,14 @@ enum ReportFormat {
     },
 }
 
+/// What the name of a report ends in.
+#[derive(Clone, Copy, ValueEnum)]
+enum Ending {
+    #[value(alias = "htm")]
+    Html,
+    Md,
+}
+
 /// The file of a figure.
 #[derive(Debug)]
 struct FigureFile {
@@ -42,10 +52,10 @@ impl ReportFiles {
         figures: &[String],
         reserve: impl Fn(&Path) -> Result<OutputFile, CliError>,
     ) -> Result<Self, CliError> {
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        let kind = match ending.as_deref() {
-            Some("html" | "htm") => ReportFormat::Html,
-            Some("md") => {
+        let cure = "choose a file ending in .html (one file with all) or .md (with pictures beside it)";
+        let kind = match format::of_kind(path, "kind of report", cure)? {
+            Ending::Html => ReportFormat::Html,
+            Ending::Md => {
                 let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
                 let file = |figure: &String| {
                     let path = path.with_file_name(markdown::picture_name(&stem, figure));
@@ -53,14 +63,6 @@ impl ReportFiles {
                 };
                 let figures = figures.iter().map(file).collect::<Result<_, CliError>>()?;
                 ReportFormat::Markdown { stem, figures }
-            }
-            _ => {
-                return Err(CliError::Refused {
-                    message: format!("{}: the ending names no kind of report", path.display()),
-                    cure:
-                        "choose a file ending in .html (one file with all) or .md (with pictures beside it)"
-                            .to_owned(),
-                });
             }
         };
         Ok(Self { kind, page: reserve(path)?, path: path.display().to_string() })

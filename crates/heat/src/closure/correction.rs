@@ -115,9 +115,7 @@ fn copied(elements: &Elements, blocks: &Blocks, values: impl Fn(usize, usize, &[
     }
     let open = (0..elements.list().len()).filter(|element| !blocks.is_complete(*element));
     open.for_each(|element| copy.leave_open(element));
-    (copy.pairs, copy.reciprocity, copy.worst_error) = (blocks.pairs, blocks.reciprocity, blocks.worst_error);
-    (copy.samples, copy.distinct, copy.rays) = (blocks.samples, blocks.distinct, blocks.rays);
-    copy.accuracy_reached = blocks.accuracy_reached;
+    copy.account = blocks.account.clone();
     copy
 }
 

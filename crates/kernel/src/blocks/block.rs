@@ -50,34 +50,9 @@ pub enum PairKind {
     Same,
 }
 
-/// Cost, error and contact of a block, without its values.
+/// Contact, error and cost of a block, without its values.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct BlockReport {
-    /// Hardest contact met.
-    pub kind: PairKind,
-    /// As [`Block::partly_hidden`].
-    pub partly_hidden: bool,
-    /// As [`Block::unresolved`].
-    pub unresolved: bool,
-    /// As [`Block::untried`].
-    pub untried: bool,
-    /// As [`Block::error`].
-    pub error: f64,
-    /// Largest absolute value; NaN if one of them is.
-    pub largest: f64,
-    /// As [`Block::samples`].
-    pub samples: u64,
-    /// As [`Block::distinct`].
-    pub distinct: u64,
-    /// As [`Block::rays`].
-    pub rays: u64,
-}
-
-/// One block and what it cost.
-#[derive(Debug, Serialize, Deserialize)]
-pub struct Block {
-    /// G_kl, row-major, receiver functions by emitter functions.
-    pub values: Vec<f64>,
     /// Hardest contact met.
     pub kind: PairKind,
     /// Whether something hides a part of one element from the other.
@@ -86,7 +61,7 @@ pub struct Block {
     pub unresolved: bool,
     /// Whether the rules did not try: the values say nothing.
     pub untried: bool,
-    /// Estimate of the largest absolute error of `values` from unresolved parts.
+    /// Estimate of the largest absolute error of a value from unresolved parts.
     pub error: f64,
     /// Terms of the rules, or logarithms of contour integrals.
     pub samples: u64,
@@ -96,34 +71,48 @@ pub struct Block {
     pub rays: u64,
 }
 
-impl Block {
-    /// Cost, error and contact of the block.
-    pub fn report(&self) -> BlockReport {
-        let Self { kind, partly_hidden, unresolved, untried, error, samples, distinct, rays, .. } = *self;
-        let largest = self.values.iter().map(|value| value.abs()).fold(0.0, larger);
-        BlockReport { kind, partly_hidden, unresolved, untried, error, largest, samples, distinct, rays }
-    }
+/// One block and what it cost.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Block {
+    /// G_kl, row-major, receiver functions by emitter functions.
+    pub values: Vec<f64>,
+    /// What it cost, and how well it is known.
+    pub report: BlockReport,
+}
 
-    /// The block of these values.
-    pub fn from_report(values: Vec<f64>, report: &BlockReport) -> Self {
-        let BlockReport { kind, partly_hidden, unresolved, untried, error, samples, distinct, rays, .. } =
-            *report;
-        Self { values, kind, partly_hidden, unresolved, untried, error, samples, distinct, rays }
+impl Block {
+    /// The block of these values, without an error, of so many terms of a pair that nothing hides.
+    pub fn exact(values: Vec<f64>, kind: PairKind, samples: u64) -> Self {
+        let report = BlockReport {
+            kind,
+            partly_hidden: false,
+            unresolved: false,
+            untried: false,
+            error: 0.0,
+            samples,
+            distinct: samples,
+            rays: 0,
+        };
+        Self { values, report }
     }
 
     /// The block with these moments and no known error.
     pub fn of(moments: Moments, kind: PairKind, partly_hidden: bool) -> Self {
-        Self {
-            samples: moments.samples,
-            distinct: moments.distinct,
-            rays: moments.rays,
-            values: moments.into_block(),
-            kind,
-            partly_hidden,
-            unresolved: false,
-            untried: false,
-            error: 0.0,
-        }
+        let Moments { samples, distinct, rays, .. } = moments;
+        let Self { values, report } = Self::exact(moments.into_block(), kind, samples);
+        Self { values, report: BlockReport { partly_hidden, distinct, rays, ..report } }
+    }
+
+    /// A block of `size` entries that the rules leave to rays, after so many probing rays.
+    pub fn untried(size: usize, kind: PairKind, rays: u64) -> Self {
+        let Self { values, report } = Self::hidden(size, rays);
+        Self { values, report: BlockReport { untried: true, kind, ..report } }
+    }
+
+    /// The zero block of `size` entries of a pair of which all `rays` probing rays were blocked.
+    pub fn hidden(size: usize, rays: u64) -> Self {
+        let Self { values, report } = Self::exact(vec![0.0; size], PairKind::Separated, 0);
+        Self { values, report: BlockReport { partly_hidden: true, rays, ..report } }
     }
 
     /// The block with receiver and emitter exchanged; `rows` is the number of the receiver's functions
@@ -134,24 +123,9 @@ impl Block {
         self
     }
 
-    /// A block of `size` entries that the rules leave to rays, after so many probing rays.
-    pub fn untried(size: usize, kind: PairKind, rays: u64) -> Self {
-        Self { untried: true, kind, ..Self::hidden(size, rays) }
-    }
-
-    /// The zero block of `size` entries of a pair of which all `rays` probing rays were blocked.
-    pub fn hidden(size: usize, rays: u64) -> Self {
-        Self {
-            values: vec![0.0; size],
-            kind: PairKind::Separated,
-            partly_hidden: true,
-            unresolved: false,
-            untried: false,
-            error: 0.0,
-            samples: 0,
-            distinct: 0,
-            rays,
-        }
+    /// Largest absolute value; NaN if one of them is.
+    pub fn largest(&self) -> f64 {
+        self.values.iter().map(|value| value.abs()).fold(0.0, larger)
     }
 }
 

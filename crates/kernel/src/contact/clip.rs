@@ -5,6 +5,7 @@
 //! meet. Both are then cut across that line wherever either has a corner on it, so that every contact is one
 //! whole common edge or one common corner. A box that stands on a floor needs no rule of its own.
 
+use radiosity_elements::patch::Patch;
 use radiosity_geom::{DVec3, clip_polygon};
 
 /// A convex planar polygon with the unit normal of its front.
@@ -17,6 +18,11 @@ pub struct Facet {
 }
 
 impl Facet {
+    /// A flat patch as a facet.
+    pub fn of(patch: &Patch) -> Self {
+        Self { corners: patch.polygon(), normal: patch.node(0.0, 0.0).normal }
+    }
+
     /// The part of the facet in front of the plane of `other`; None if there is none.
     pub fn in_front_of(&self, other: &Self, tolerance: f64) -> Option<Self> {
         let heights = self.corners.iter().map(|c| (c - other.corners[0]).dot(other.normal));

@@ -126,7 +126,7 @@ pub fn integrate_flat(
     q: &Patch,
     degrees: [usize; 2],
     eps: f64,
-) -> Option<Vec<(Patch, Patch)>> {
+) -> Option<Vec<[Patch; 2]>> {
     if p.is_parallelogram() && q.is_parallelogram() {
         let table = EdgeTable::of(degrees);
         let (angular, samples) = ParallelogramPair::new(p, q).moments(degrees, eps)?;
@@ -142,7 +142,7 @@ pub fn integrate_flat(
         return None;
     }
     let rest = [(&beyond_p, &at_q), (&at_p, &beyond_q), (&beyond_p, &beyond_q)];
-    Some(rest.into_iter().filter_map(|(a, b)| Some((a.clone()?, b.clone()?))).collect())
+    Some(rest.into_iter().filter_map(|(a, b)| Some([a.clone()?, b.clone()?])).collect())
 }
 
 /// Cuts a flat patch with its edge at t = 0 by the shorter diagonal: the triangle at that edge, and the other

@@ -3,39 +3,61 @@
 use radiosity_geom::DVec3;
 use radiosity_scene::{
     Distribution, Extent, Fault,
-    error::{Located, luminaire_title},
+    error::Located,
     place::{At, Span},
-    tree::{Node, Value, entry},
+    tree::{Node, Value},
 };
+use serde_json::json;
 
 use crate::{
-    fields::{Fields, exactly, list, number, point, real, table, text},
-    file::per_band::{PerBand, per_band},
-    include::PHOTOMETRY,
+    fields::{exactly, real, text},
+    file::per_band::{AMOUNTS, PerBand},
+    keys::{Fields, Kind, Name, Table, Usual, keys},
+    kinds::{POINT, TEXT, VECTOR},
+    terms,
 };
 
-/// `[[luminaires]]`.
-#[derive(Debug)]
-pub(crate) struct LuminaireFile {
-    pub name: At<String>,
-    pub span: Span,
-    pub position: DVec3,
-    pub aim: Option<At<DVec3>>,
-    pub along: Option<At<DVec3>>,
-    pub distribution: DistributionFile,
-    pub extent: Option<At<ExtentFile>>,
-    /// Flux or intensity; none where a photometric file states it.
-    pub strength: Option<StrengthFile>,
-    pub group: Option<At<String>>,
-    pub dimming: Option<At<f64>>,
+keys! {
+    /// `[[luminaires]]`.
+    LuminaireFile("A lamp by its intensity in each direction", terms::required("oneOf", &DISTRIBUTIONS); check) {
+        name: At<String> = Name, "Its name, given once in its list";
+        position: DVec3 = POINT, "Where it is";
+        aim: Option<At<DVec3>> = VECTOR.or(Usual::Numbers(&[0.0, 0.0, -1.0])), "Where it aims";
+        along: Option<At<DVec3>> = VECTOR, "The direction of the plane C = 0 of its photometric file";
+        extent: Option<At<ExtentFile>> = Kind::new(extent, extent_schema),
+            "What its light comes out of, across the aim: a disk, a rectangle, a line, or the opening of its photometric file";
+        flux: Option<PerBand> = AMOUNTS, "All its light, W or lm";
+        intensity: Option<PerBand> = AMOUNTS, "The peak of its intensity, W/sr or cd, instead of the flux";
+        group: Option<At<String>> = TEXT, "Its light group";
+        dimming: Option<At<f64>> =
+            Kind::number(real, terms::at_least_zero).or(Usual::Number(1.0)),
+            "Factor on its light";
+        point: Option<PointFile> = Kind::new(PointFile::read, PointFile::schema), "";
+        spot: Option<Distribution> = Kind::new(spot, SpotFile::schema), "";
+        photometry: Option<At<String>> = TEXT, "Path of a photometric file, .ies or .ldt, from the folder of this one";
+        ..span: Span;
+    }
 }
 
-/// Distribution of a luminaire's light over directions.
-#[derive(Debug)]
-pub(crate) enum DistributionFile {
-    Formula(Distribution),
-    /// The path of a photometric file.
-    Table(At<String>),
+keys! {
+    /// `point = {}`.
+    PointFile("The same intensity all around") {}
+}
+
+keys! {
+    /// `{ angle = 40, edge = 5 }` or `{ exponent = 2 }`.
+    SpotFile("A cone of light, or a power of the cosine"; check_spot) {
+        angle: Option<f64> =
+            Kind::number(real, || json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 360 })),
+            "Angle across the cone, to half the peak, degrees";
+        edge: f64 =
+            Kind::number(real, || json!({ "minimum": 0, "maximum": 179 })).or(Usual::Number(0.0)),
+            "Angle over which the peak falls to nothing, degrees";
+        exponent: Option<f64> =
+            Kind::number(real, || json!({ "minimum": 0, "maximum": 10000 })),
+            "Exponent n of the cosine, instead of angle and edge";
+        ..span: Span;
+    }
 }
 
 /// Extent that the light of a luminaire comes out of.
@@ -46,146 +68,75 @@ pub(crate) enum ExtentFile {
     OfTable,
 }
 
-/// Strength of a luminaire: flux, or intensity, per band.
-#[derive(Debug)]
-pub(crate) enum StrengthFile {
-    Flux(PerBand),
-    Intensity(PerBand),
-}
-
-impl StrengthFile {
-    /// The numbers of the bands.
-    pub(crate) fn numbers(&self) -> &PerBand {
-        match self {
-            Self::Flux(numbers) | Self::Intensity(numbers) => numbers,
-        }
-    }
-}
+/// The keys that say how light is spread, of which one is given.
+const DISTRIBUTIONS: [&str; 3] = ["point", "spot", "photometry"];
 
 /// The extent that is that of the photometric file.
 const OF_TABLE: &str = "file";
 
-const LUMINAIRE_KEYS: [&str; 12] = [
-    "name",
-    "position",
-    "aim",
-    "along",
-    "extent",
-    "flux",
-    "intensity",
-    "group",
-    "dimming",
-    "point",
-    "spot",
-    PHOTOMETRY,
-];
-
-/// The list of luminaires; `prefix` stands before the names of those that are given none.
-pub(crate) fn read_luminaires(node: &Node, prefix: &str) -> Result<Vec<LuminaireFile>, Located> {
-    let read = |(index, node)| {
-        let name = format!("{prefix}luminaire-{}", index + 1);
-        read_luminaire(node, &name)
-            .map_err(|error| error.within(|| luminaire_title(&given(node).unwrap_or(name))))
-    };
-    list(node)?.iter().enumerate().map(read).collect()
+/// Light is spread in one way, and a table alone tells how much there is.
+fn check(own: &LuminaireFile, fields: &Fields<'_>) -> Result<(), Located> {
+    if own.point.is_none() && own.spot.is_none() && own.photometry.is_none() {
+        let fault = Fault::absent(
+            "nothing says how the light is spread over directions",
+            "add point = {} for the same intensity all around, spot = { angle = 40, edge = 5 }, or photometry = \"lamp.ies\"",
+        );
+        return Err(Located::at(&own.span, fault));
+    }
+    fields.at_most_one(&DISTRIBUTIONS)?;
+    fields.at_most_one(&["flux", "intensity"])?;
+    match own.strength().is_some() || own.photometry.is_some() {
+        true => Ok(()),
+        false => Err(Located::at(&own.span, Fault::no_flux())),
+    }
 }
 
-/// The name in a table that may be wrong otherwise.
-fn given(node: &Node) -> Option<String> {
-    let name = text(entry(table(node).ok()?, "name")?).ok()?;
-    Some(name.value)
-}
-
-/// A luminaire, called `unnamed` if it is given no name.
-fn read_luminaire(node: &Node, unnamed: &str) -> Result<LuminaireFile, Located> {
-    let fields = Fields::new(node, &LUMINAIRE_KEYS)?;
-    let distribution = read_distribution(&fields)?;
-    Ok(LuminaireFile {
-        name: fields.optional("name", text)?.unwrap_or_else(|| At::new(unnamed.to_owned(), fields.span())),
-        span: fields.span().clone(),
-        position: fields.require("position", point)?,
-        aim: fields.optional("aim", direction)?,
-        along: fields.optional("along", direction)?,
-        extent: fields.optional("extent", extent)?,
-        strength: read_strength(&fields, matches!(distribution, DistributionFile::Table(_)))?,
-        distribution,
-        group: fields.optional("group", text)?,
-        dimming: fields.optional("dimming", number)?,
-    })
-}
-
-fn direction(node: &Node) -> Result<At<DVec3>, Located> {
-    Ok(At::new(point(node)?, &node.span))
+impl LuminaireFile {
+    /// The numbers of its flux or of its intensity; none where a photometric file states them.
+    pub(crate) fn strength(&self) -> Option<&PerBand> {
+        self.flux.as_ref().or(self.intensity.as_ref())
+    }
 }
 
 /// A diameter, two sides, or the word that stands for those of the photometric file.
-fn extent(node: &Node) -> Result<At<ExtentFile>, Located> {
+fn extent(node: &Node) -> Result<ExtentFile, Located> {
     let typed = match &node.value {
         Value::Text(_) => {
             let word = text(node)?.value;
-            let fault = Fault::UnknownKey { key: word.clone(), known: vec![OF_TABLE] };
             return match word == OF_TABLE {
-                true => Ok(At::new(ExtentFile::OfTable, &node.span)),
-                false => Err(Located::at(&node.span, fault)),
+                true => Ok(ExtentFile::OfTable),
+                false => Err(Located::at(&node.span, Fault::unknown_key(&word, &[OF_TABLE]))),
             };
         }
         Value::List(_) | Value::Points(_) => Extent::rectangle(exactly(node, "an extent", "sides", real)?),
         _ => Extent::disk(real(node)?),
     };
-    let typed = typed.map_err(|fault| Located::at(&node.span, fault))?;
-    Ok(At::new(ExtentFile::Typed(typed), &node.span))
+    typed.map(ExtentFile::Typed).map_err(|fault| Located::at(&node.span, fault))
 }
 
-/// Exactly one of the keys that say how its light is spread.
-fn read_distribution(fields: &Fields<'_>) -> Result<DistributionFile, Located> {
-    let given = ["point", "spot", PHOTOMETRY].into_iter().filter_map(|key| Some((key, fields.get(key)?)));
-    let given: Vec<(&'static str, &Node)> = given.collect();
-    let (key, node) = match given[..] {
-        [] => return Err(Located::at(fields.span(), Fault::NoDistribution)),
-        [one] => one,
-        [(first, _), (second, node), ..] => {
-            return Err(Located::at(&node.span, Fault::Exclusive { first, second }));
-        }
-    };
-    let distribution = match key {
-        "point" => Fields::new(node, &[]).map(|_| Distribution::Point)?,
-        "spot" => read_spot(node)?,
-        _ => return Ok(DistributionFile::Table(text(node)?)),
-    };
-    distribution.check().map_err(|fault| Located::at(&node.span, fault))?;
-    Ok(DistributionFile::Formula(distribution))
+fn extent_schema() -> serde_json::Value {
+    let diameter = terms::positive("");
+    let side =
+        terms::ranged(terms::at_least_zero(), "Side along C = 0, then along C = 90; one of 0 makes a line");
+    let sides = terms::with(terms::exactly(2, "number", "Sides"), "items", side);
+    json!({ "anyOf": [diameter["anyOf"][0], diameter["anyOf"][1], sides, { "const": OF_TABLE }] })
 }
 
-/// `{ angle = 40, edge = 5 }` or `{ exponent = 2 }`.
-fn read_spot(node: &Node) -> Result<Distribution, Located> {
-    let fields = Fields::new(node, &["angle", "edge", "exponent"])?;
-    match fields.get("exponent") {
-        None => {
-            let edge = fields.optional("edge", real)?.unwrap_or(0.0);
-            Ok(Distribution::Cone { angle: fields.require("angle", real)?, edge })
-        }
-        Some(exponent) => {
-            for other in ["angle", "edge"] {
-                if let Some(given) = fields.get(other) {
-                    let fault = Fault::Exclusive { first: other, second: "exponent" };
-                    return Err(Located::at(&given.span, fault));
-                }
-            }
-            Ok(Distribution::Power { exponent: real(exponent)? })
-        }
+fn check_spot(own: &SpotFile, fields: &Fields<'_>) -> Result<(), Located> {
+    let other = ["angle", "edge"].into_iter().find_map(|key| Some((key, fields.get(key)?)));
+    match (own.exponent, other) {
+        (Some(_), Some((first, node))) => Err(Located::at(&node.span, Fault::exclusive(first, "exponent"))),
+        _ => Ok(()),
     }
 }
 
-/// The flux or the intensity, which may be left out where it `is_measured`.
-fn read_strength(fields: &Fields<'_>, is_measured: bool) -> Result<Option<StrengthFile>, Located> {
-    match (fields.get("flux"), fields.get("intensity")) {
-        (Some(_), Some(second)) => {
-            let fault = Fault::Exclusive { first: "flux", second: "intensity" };
-            Err(Located::at(&second.span, fault))
-        }
-        (None, Some(node)) => Ok(Some(StrengthFile::Intensity(per_band(node)?))),
-        (Some(node), None) => Ok(Some(StrengthFile::Flux(per_band(node)?))),
-        (None, None) if is_measured => Ok(None),
-        (None, None) => Err(Located::at(fields.span(), Fault::MissingKey { key: "flux" })),
-    }
+fn spot(node: &Node) -> Result<Distribution, Located> {
+    let SpotFile { angle, edge, exponent, span } = SpotFile::read(node)?;
+    let spot = match (exponent, angle) {
+        (Some(exponent), _) => Distribution::Power { exponent },
+        (None, Some(angle)) => Distribution::Cone { angle, edge },
+        (None, None) => return Err(Located::at(&span, Fault::missing_key("angle", ""))),
+    };
+    spot.check().map_err(|fault| Located::at(&node.span, fault))?;
+    Ok(spot)
 }

@@ -5,141 +5,136 @@ use std::sync::Arc;
 use radiosity_geom::DVec3;
 use radiosity_scene::{
     Curve, Fault,
-    error::{Located, motion_title},
+    error::Located,
     place::{At, Span},
-    tree::{Node, entry},
+    tree::Node,
+};
+use serde_json::{Value, json};
+
+use crate::{
+    fields::{exactly, list, points, real, texts, word},
+    keys::{Fields, Group, Key, Kind, Name, Or, OrEmpty, Table, Usual, keys},
+    kinds::{POINT, TRUTH, VECTOR},
+    terms,
 };
 
-use crate::fields::{Fields, exactly, list, point, points, real, table, text, texts, truth};
-
-/// The key of the list of motions.
-pub(crate) const MOTION: &str = "motion";
-
-/// `[[motion]]`.
-#[derive(Debug)]
-pub(crate) struct MotionFile {
-    pub name: At<String>,
-    pub span: Span,
-    pub surfaces: Vec<At<String>>,
-    pub instances: Vec<At<String>>,
-    pub luminaires: Vec<At<String>>,
-    /// Span of `camera = true`; none where the camera does not move along.
-    pub camera: Option<Span>,
-    pub translate: Option<TranslateFile>,
-    pub rotate: Option<RotateFile>,
-}
-
-/// `translate = { … }`.
-#[derive(Debug)]
-pub(crate) struct TranslateFile {
-    pub points: At<Arc<Vec<DVec3>>>,
-    pub times: Option<At<Vec<f64>>>,
-    pub curve: Curve,
-}
-
-/// `rotate = { … }`.
-#[derive(Debug)]
-pub(crate) struct RotateFile {
-    pub span: Span,
-    pub center: DVec3,
-    pub turns: TurnsFile,
-    pub times: Option<At<Vec<f64>>>,
-}
-
-/// Rotations of a motion, in one of two notations.
-#[derive(Debug)]
-pub(crate) enum TurnsFile {
-    /// Degrees about one axis.
-    Axis { axis: At<DVec3>, angles: At<Vec<f64>>, curve: Curve },
-    /// An axis and degrees each time.
-    Keys(At<Vec<[f64; 4]>>),
-}
-
-const MOTION_KEYS: [&str; 7] =
-    ["name", "surfaces", "instances", "luminaires", "camera", "translate", "rotate"];
-
-/// The list of motions; `prefix` stands before the names of those that are given none.
-pub(crate) fn read_motions(node: &Node, prefix: &str) -> Result<Vec<MotionFile>, Located> {
-    let read = |(index, node)| {
-        let unnamed = format!("{prefix}motion-{}", index + 1);
-        read_motion(node, &unnamed).map_err(|error| error.within(|| motion_title(&unnamed)))
-    };
-    list(node)?.iter().enumerate().map(read).collect()
-}
-
-fn read_motion(node: &Node, unnamed: &str) -> Result<MotionFile, Located> {
-    if let Some(scale) = entry(table(node)?, "scale") {
-        return Err(Located::at(&scale.span, Fault::NotRigid));
+keys! {
+    /// `[[motion]]`.
+    MotionFile("What moves together along a rigid path", terms::required("anyOf", &["translate", "rotate"])) {
+        name: At<String> = Name, "Its name, given once in the scene";
+        surfaces: Vec<At<String>> = NAMES, "Surfaces that move, by name; a * stands for any ending";
+        instances: Vec<At<String>> = NAMES, "Instances that move with all that is in them";
+        luminaires: Vec<At<String>> = NAMES, "Luminaires that move";
+        camera: Option<At<bool>> = TRUTH, "The camera moves along";
+        translate: Option<TranslateFile> = Kind::new(TranslateFile::read, TranslateFile::schema), "";
+        rotate: Option<RotateFile> = Kind::new(RotateFile::read, RotateFile::schema), "";
+        .._rigid: Rigid;
+        ..span: Span;
     }
-    let fields = Fields::new(node, &MOTION_KEYS)?;
-    let name = fields.optional("name", text)?.unwrap_or_else(|| At::new(unnamed.to_owned(), fields.span()));
-    let rest = || {
-        Ok(MotionFile {
-            span: fields.span().clone(),
-            surfaces: fields.optional("surfaces", texts)?.unwrap_or_default(),
-            instances: fields.optional("instances", texts)?.unwrap_or_default(),
-            luminaires: fields.optional("luminaires", texts)?.unwrap_or_default(),
-            camera: match fields.get("camera") {
-                Some(node) => truth(node)?.then(|| node.span.clone()),
-                None => None,
-            },
-            translate: fields.optional("translate", read_translate)?,
-            rotate: fields.optional("rotate", read_rotate)?,
-            name: name.clone(),
-        })
-    };
-    rest().map_err(|error: Located| error.within(|| motion_title(&name.value)))
 }
 
-fn read_translate(node: &Node) -> Result<TranslateFile, Located> {
-    let fields = Fields::new(node, &["points", "times", "curve"])?;
-    Ok(TranslateFile {
-        points: fields.require("points", |node| Ok(At::new(points(node)?, &node.span)))?,
-        times: fields.optional("times", numbers)?,
-        curve: fields.optional("curve", curve)?.unwrap_or_default(),
-    })
+keys! {
+    /// `translate = { … }`.
+    TranslateFile("How far it is moved") {
+        points: At<Arc<Vec<DVec3>>> = Kind::new(points, || terms::list("vector", "", 2)).example(
+            ", how far it has moved from where it rests, at least two points, each three numbers in brackets",
+        ), "How far it is from where it rests";
+        times: Option<At<Vec<f64>>> = TIMES, WHEN;
+        curve: Curve = BETWEEN, "What is between two of them";
+    }
 }
 
-fn read_rotate(node: &Node) -> Result<RotateFile, Located> {
-    let fields = Fields::new(node, &["center", "axis", "angles", "turns", "times", "curve"])?;
-    Ok(RotateFile {
-        span: fields.span().clone(),
-        center: fields.require("center", point)?,
-        times: fields.optional("times", numbers)?,
-        turns: match fields.get("turns") {
-            Some(node) => read_turns(&fields, node)?,
-            None => TurnsFile::Axis {
-                axis: fields.require("axis", |node| Ok(At::new(point(node)?, &node.span)))?,
-                angles: fields.require("angles", numbers)?,
-                curve: fields.optional("curve", curve)?.unwrap_or_default(),
-            },
-        },
-    })
+keys! {
+    /// `rotate = { … }`, by degrees about one axis, or by an axis and degrees each time.
+    RotateFile("How far it is turned", one_notation(); check_turns) {
+        center: DVec3 = POINT, "It stays where it is";
+        axis: Option<At<DVec3>> = VECTOR, "The axis through the centre";
+        angles: Option<At<Vec<f64>>> = Kind::new(numbers, || terms::list("number", "", 2)),
+            "How far it is turned from where it rests, degrees";
+        turns: Option<At<Vec<[f64; 4]>>> = Kind::new(turns, turns_schema), "Rotations about several axes";
+        times: Option<At<Vec<f64>>> = TIMES, WHEN;
+        curve: Curve = BETWEEN, "What is between two of them";
+        ..span: Span;
+    }
 }
 
-/// Rotations about several axes, which go without the keys of one axis.
-fn read_turns(fields: &Fields<'_>, node: &Node) -> Result<TurnsFile, Located> {
-    for other in ["axis", "angles", "curve"] {
-        if let Some(other_node) = fields.get(other) {
-            let fault = Fault::Exclusive { first: "turns", second: other };
-            return Err(Located::at(&other_node.span, fault));
+const NAMES: OrEmpty<Vec<At<String>>> = Kind::new(texts, names_schema).or_empty();
+
+const TIMES: Kind<Vec<f64>> = Kind::new(numbers, || {
+    let time = terms::with(terms::reference("number"), "description", "A time".into());
+    json!({ "type": "array", "items": time })
+});
+
+const WHEN: &str = "When, in ascending order; at equal steps unless given";
+
+const CURVES: [(&str, Curve); 2] = [("line", Curve::Line), ("spline", Curve::Spline)];
+
+/// The curve between the values of a path.
+const BETWEEN: Or<Curve> =
+    Kind::new(curve, || terms::words(&CURVES.map(|(name, _)| name))).or(Usual::Word("line"));
+
+fn names_schema() -> Value {
+    let name = terms::text("A name");
+    json!({ "anyOf": [name, { "type": "array", "items": name }] })
+}
+
+fn turns_schema() -> Value {
+    let turn = terms::exactly(4, "number", "Axis x, y, z and degrees about it");
+    json!({ "type": "array", "minItems": 2, "items": turn })
+}
+
+fn one_notation() -> Value {
+    let angles = json!({ "required": ["axis", "angles"], "not": { "required": ["turns"] } });
+    let turns = json!({
+        "required": ["turns"],
+        "not": { "anyOf": [{ "required": ["axis"] }, { "required": ["angles"] }, { "required": ["curve"] }] },
+    });
+    json!({ "oneOf": [angles, turns] })
+}
+
+/// Rotations about several axes go without the keys of one axis, which has to be given otherwise.
+fn check_turns(own: &RotateFile, fields: &Fields<'_>) -> Result<(), Located> {
+    fields.without("turns", &["axis", "angles", "curve"])?;
+    match own {
+        RotateFile { turns: None, axis: None, .. } => {
+            Err(fields.missing("axis", ", three numbers in brackets"))
         }
+        RotateFile { turns: None, angles: None, .. } => {
+            Err(fields.missing("angles", ", degrees, at least two numbers in brackets"))
+        }
+        _ => Ok(()),
     }
-    let turn = |node: &Node| exactly(node, "a turn", "numbers, an axis and degrees", real);
-    let turns = list(node)?.iter().map(turn).collect::<Result<_, _>>()?;
-    Ok(TurnsFile::Keys(At::new(turns, &node.span)))
 }
 
-fn numbers(node: &Node) -> Result<At<Vec<f64>>, Located> {
-    let numbers = list(node)?.iter().map(real).collect::<Result<_, _>>()?;
-    Ok(At::new(numbers, &node.span))
+/// The lack of the key `scale`, which shapes and instances have and no motion.
+#[derive(Debug)]
+pub(crate) struct Rigid;
+
+impl Group for Rigid {
+    fn has(key: &str) -> bool {
+        key == "scale"
+    }
+
+    fn keys() -> Vec<Key> {
+        Vec::new()
+    }
+
+    fn take(fields: &Fields<'_>) -> Result<Self, Located> {
+        let Some(scale) = fields.get("scale") else { return Ok(Rigid) };
+        let cure = "leave scale out; what moves keeps its size and shape";
+        Err(Located::at(&scale.span, Fault::conflict("a motion keeps all sizes", cure)))
+    }
+}
+
+fn turns(node: &Node) -> Result<Vec<[f64; 4]>, Located> {
+    let turn = |node: &Node| exactly(node, "a turn", "numbers, an axis and degrees", real);
+    list(node)?.iter().map(turn).collect()
+}
+
+fn numbers(node: &Node) -> Result<Vec<f64>, Located> {
+    list(node)?.iter().map(real).collect()
 }
 
 fn curve(node: &Node) -> Result<Curve, Located> {
-    let name = text(node)?;
-    match name.value.as_str() {
-        "line" => Ok(Curve::Line),
-        "spline" => Ok(Curve::Spline),
-        _ => Err(Located::at(&name.span, Fault::UnknownCurve { name: name.value })),
-    }
+    word(node, &CURVES, |name| format!("there is no curve {name:?}"), "curves")
 }

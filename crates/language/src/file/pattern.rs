@@ -1,5 +1,6 @@
 //! Patterns of materials as typed: pictures, cells and polynomials.
 
+use radiosity_formats::picture::Coding;
 use radiosity_scene::{
     Fault, Placement, Term, Wrap,
     error::Located,
@@ -7,11 +8,15 @@ use radiosity_scene::{
     place::{At, Span},
     tree::{Node, Value},
 };
+use serde_json::{Value as Json, json};
 
 use crate::{
-    fields::{Fields, exactly, list, number, real, text, whole},
-    file::per_band::{PerBand, per_band},
+    fields::{exactly, list, number, real, whole, word},
+    file::per_band::{AMOUNTS, PerBand, per_band},
     include::IMAGE,
+    keys::{Fields, Kind, Table, Usual, keys},
+    kinds::TEXT,
+    terms,
 };
 
 /// Numbers of a material that are the same all over a surface, or vary over it.
@@ -21,33 +26,43 @@ pub(crate) enum Amount {
     Varied(PatternFile),
 }
 
-/// A table in place of numbers.
-#[derive(Debug)]
-pub(crate) struct PatternFile {
-    pub span: Span,
-    pub kind: PatternKind,
-    pub placement: Placement,
-    /// Factors by which the pattern's numbers are multiplied, per band.
-    pub factor: Option<PerBand>,
+keys! {
+    /// A table in place of numbers.
+    PatternFile("What varies over a surface", terms::required("oneOf", &KINDS); check) {
+        image: Option<At<String>> = TEXT, "Path of a picture, PNG or OpenEXR, from the folder of this file";
+        cells: Option<EachBand<Vec<Vec<At<f64>>>>> = Kind::new(|node| each_band(node, cells), cells_schema),
+            "Rows of numbers from the top, v = 1, for all bands or for each";
+        polynomial: Option<EachBand<Vec<Term>>> = Kind::new(|node| each_band(node, terms), polynomial_schema),
+            "Terms [i, j, c] of the sum of c u^i v^j, for all bands or for each";
+        scale: [f64; 2] = Kind::new(scale, scale_schema).or(Usual::Number(1.0)), "How often it fits along u and v";
+        offset: [f64; 2] = Kind::new(
+            |node| exactly(node, "the offset", "numbers, along u and along v", real),
+            || terms::exactly(2, "number", ""),
+        ).or(Usual::Numbers(&[0.0; 2])), "How much of it is passed at u = −1, v = −1";
+        wrap: Wrap = Kind::new(wrap, || terms::words(&WRAPS.map(|(name, _)| name))).or(Usual::Word("repeat")),
+            "What is beyond its border";
+        encoding: Option<Coding> = Kind::new(encoding, || terms::words(&ENCODINGS.map(|(name, _)| name))),
+            "How the numbers of a picture stand for light";
+        factor: PerBand = AMOUNTS.or(Usual::Number(1.0)), "Times its numbers";
+        ..span: Span;
+    }
 }
+
+/// The keys of which one is given.
+const KINDS: [&str; 3] = [IMAGE, "cells", "polynomial"];
+
+const WRAPS: [(&str, Wrap); 3] = [("repeat", Wrap::Repeat), ("mirror", Wrap::Mirror), ("clamp", Wrap::Clamp)];
+
+/// Relations of the numbers of a picture to light.
+const ENCODINGS: [(&str, Coding); 2] = [("srgb", Coding::Srgb), ("linear", Coding::Linear)];
 
 /// Source of the numbers of a pattern.
 #[derive(Debug)]
-pub(crate) enum PatternKind {
-    Image {
-        path: At<String>,
-        encoding: Option<Encoding>,
-    },
+pub(crate) enum PatternKind<'a> {
+    Image(&'a At<String>),
     /// Rows from the top, each from the left.
-    Cells(EachBand<Vec<Vec<At<f64>>>>),
-    Polynomial(EachBand<Vec<Term>>),
-}
-
-/// Relation of the numbers of an image to light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Encoding {
-    Linear,
-    Srgb,
+    Cells(&'a EachBand<Vec<Vec<At<f64>>>>),
+    Polynomial(&'a EachBand<Vec<Term>>),
 }
 
 /// A value for all bands, or a list with one per band.
@@ -57,20 +72,37 @@ pub(crate) enum EachBand<T> {
     Each(Vec<T>),
 }
 
-/// The keys of which one is given.
-const KINDS: [&str; 3] = [IMAGE, "cells", "polynomial"];
-
-/// The keys of pictures and cells.
-const PLACEMENT_KEYS: [&str; 3] = ["scale", "offset", "wrap"];
-
 impl PatternFile {
+    /// Its kind; refused where none is given.
+    pub(crate) fn kind(&self) -> Result<PatternKind<'_>, Located> {
+        let PatternFile { image, cells, polynomial, .. } = self;
+        let image = image.as_ref().map(PatternKind::Image);
+        let cells = cells.as_ref().map(PatternKind::Cells);
+        let polynomial = polynomial.as_ref().map(PatternKind::Polynomial);
+        image.or(cells).or(polynomial).ok_or_else(|| {
+            let example =
+                " for a picture, `cells = …` for rows of numbers or `polynomial = …` for terms [i, j, c] of u^i v^j";
+            Located::at(&self.span, Fault::missing_key(IMAGE, example))
+        })
+    }
+
+    /// Relation of the pattern to the parameters of the surface.
+    pub(crate) fn placement(&self) -> Placement {
+        Placement { scale: self.scale, offset: self.offset, wrap: self.wrap }
+    }
+
     /// Span that faults of the pattern's numbers are shown at.
     pub(crate) fn place(&self) -> &Span {
-        match &self.kind {
-            PatternKind::Image { path, .. } => &path.span,
-            PatternKind::Cells(_) | PatternKind::Polynomial(_) => &self.span,
-        }
+        self.image.as_ref().map_or(&self.span, |path| &path.span)
     }
+}
+
+/// Patterns are of one kind, without the keys that say nothing of it.
+fn check(own: &PatternFile, fields: &Fields<'_>) -> Result<(), Located> {
+    fields.at_most_one(&KINDS)?;
+    own.kind()?;
+    fields.without("cells", &["encoding"])?;
+    fields.without("polynomial", &["encoding", "scale", "offset", "wrap"])
 }
 
 impl Amount {
@@ -78,13 +110,10 @@ impl Amount {
     pub(crate) fn is_one_for_all(&self) -> bool {
         match self {
             Amount::Even(numbers) => numbers.is_one_number(),
-            Amount::Varied(PatternFile { kind, factor, .. }) => {
-                let is_one = match kind {
-                    PatternKind::Image { .. } => true,
-                    PatternKind::Cells(own) => matches!(own, EachBand::All(_)),
-                    PatternKind::Polynomial(own) => matches!(own, EachBand::All(_)),
-                };
-                is_one && factor.as_ref().is_none_or(PerBand::is_one_number)
+            Amount::Varied(PatternFile { cells, polynomial, factor, .. }) => {
+                !matches!(cells, Some(EachBand::Each(_)))
+                    && !matches!(polynomial, Some(EachBand::Each(_)))
+                    && factor.is_one_number()
             }
         }
     }
@@ -93,56 +122,38 @@ impl Amount {
 /// Reads numbers or a table.
 pub(crate) fn amount(node: &Node) -> Result<Amount, Located> {
     match &node.value {
-        Value::Table(_) => read_pattern(node).map(Amount::Varied),
+        Value::Table(_) => PatternFile::read(node).map(Amount::Varied),
         _ => per_band(node).map(Amount::Even),
     }
 }
 
-fn read_pattern(node: &Node) -> Result<PatternFile, Located> {
-    let known: Vec<&'static str> =
-        KINDS.into_iter().chain(PLACEMENT_KEYS).chain(["encoding", "factor"]).collect();
-    let fields = Fields::new(node, &known)?;
-    let given: Vec<&'static str> = KINDS.into_iter().filter(|key| fields.get(key).is_some()).collect();
-    if let [first, second, ..] = given[..] {
-        return Err(Located::at(&fields.node(second)?.span, Fault::Exclusive { first, second }));
-    }
-    let kind = match given.first() {
-        None => return Err(Located::at(fields.span(), Fault::MissingKey { key: IMAGE })),
-        Some(&"cells") => PatternKind::Cells(fields.require("cells", |node| each_band(node, cells))?),
-        Some(&"polynomial") => {
-            PatternKind::Polynomial(fields.require("polynomial", |node| each_band(node, terms))?)
-        }
-        Some(_) => PatternKind::Image {
-            path: fields.require(IMAGE, text)?,
-            encoding: fields.optional("encoding", encoding)?,
-        },
-    };
-    refuse_others(&fields, &kind)?;
-    Ok(PatternFile {
-        span: fields.span().clone(),
-        kind,
-        placement: Placement {
-            scale: fields.optional("scale", scale)?.unwrap_or([1.0; 2]),
-            offset: fields
-                .optional("offset", |node| exactly(node, "the offset", "numbers, along u and along v", real))?
-                .unwrap_or([0.0; 2]),
-            wrap: fields.optional("wrap", wrap)?.unwrap_or_default(),
-        },
-        factor: fields.optional("factor", per_band)?,
-    })
+/// The schema of numbers, in whose place a pattern may stand.
+pub(crate) fn amount_schema(range: Json) -> Json {
+    let numbers = terms::per_band(range, "");
+    let mut kinds = numbers["anyOf"].as_array().cloned().unwrap_or_default();
+    kinds.push(terms::reference("pattern"));
+    terms::with(numbers, "anyOf", kinds.into())
 }
 
-/// Refuses keys that say nothing of such a pattern.
-fn refuse_others(fields: &Fields<'_>, kind: &PatternKind) -> Result<(), Located> {
-    let (own, idle) = match kind {
-        PatternKind::Image { .. } => return Ok(()),
-        PatternKind::Cells(_) => ("cells", &["encoding"][..]),
-        PatternKind::Polynomial(_) => ("polynomial", &["encoding", "scale", "offset", "wrap"][..]),
-    };
-    match idle.iter().find_map(|key| Some((*key, fields.get(key)?))) {
-        Some((second, node)) => Err(Located::at(&node.span, Fault::Exclusive { first: own, second })),
-        None => Ok(()),
-    }
+fn scale_schema() -> Json {
+    let scale = terms::ranged(json!({ "exclusiveMinimum": 0, "maximum": 1e6 }), "How often it fits");
+    let two = terms::with(terms::exactly(2, "number", "Along u and along v"), "items", scale.clone());
+    json!({ "anyOf": [scale["anyOf"][0], scale["anyOf"][1], two] })
+}
+
+fn cells_schema() -> Json {
+    let row = json!({ "type": "array", "items": terms::reference("number"), "minItems": 1 });
+    one_or_each(json!({ "type": "array", "items": row, "minItems": 1 }))
+}
+
+fn polynomial_schema() -> Json {
+    let term = terms::exactly(3, "number", "Powers of u and v, and a factor");
+    one_or_each(json!({ "type": "array", "items": term }))
+}
+
+fn one_or_each(one: Json) -> Json {
+    let list = json!({ "type": "array", "items": one, "minItems": 1 });
+    json!({ "anyOf": [one, list] })
 }
 
 /// One list for all bands, or a list of such with one per band: lists of numbers are in it, or lists of
@@ -162,8 +173,7 @@ fn cells(node: &Node) -> Result<Vec<Vec<At<f64>>>, Located> {
     let nodes = list(node)?;
     let rows = nodes.iter().map(row).collect::<Result<Vec<_>, _>>()?;
     let count = rows.first().map_or(0, Vec::len);
-    let wrong =
-        |what, expected: &str, found| Fault::WrongCount { what, expected: expected.to_owned(), found };
+    let wrong = |what, expected: &str, found| Fault::wrong_count(what, expected, found);
     if count == 0 {
         let fault = wrong("the list of cells", "rows of numbers, such as [[0.2, 0.8], [0.8, 0.2]]", 0);
         return Err(Located::at(&node.span, fault));
@@ -186,10 +196,7 @@ fn term(node: &Node) -> Result<Term, Located> {
     let items = list(node)?;
     let [u, v, factor] = &items[..] else {
         let expected = "three numbers, the powers of u and of v and a factor".to_owned();
-        return Err(Located::at(
-            &node.span,
-            Fault::WrongCount { what: "a term", expected, found: items.len() },
-        ));
+        return Err(Located::at(&node.span, Fault::wrong_count("a term", &expected, items.len())));
     };
     let term = Term { u: whole(u)?.value, v: whole(v)?.value, factor: real(factor)? };
     check_term(&term).map_err(|fault| Located::at(&node.span, fault))?;
@@ -205,19 +212,9 @@ fn scale(node: &Node) -> Result<[f64; 2], Located> {
 }
 
 fn wrap(node: &Node) -> Result<Wrap, Located> {
-    word(node, "wrap", &[("repeat", Wrap::Repeat), ("mirror", Wrap::Mirror), ("clamp", Wrap::Clamp)])
+    word(node, &WRAPS, |name| format!("there is no wrap {name:?}"), "known words for wrap")
 }
 
-fn encoding(node: &Node) -> Result<Encoding, Located> {
-    word(node, "encoding", &[("srgb", Encoding::Srgb), ("linear", Encoding::Linear)])
-}
-
-/// The value of a word: `words` are the known ones; `what` names the key in messages.
-fn word<T: Copy>(node: &Node, what: &'static str, words: &[(&'static str, T)]) -> Result<T, Located> {
-    let typed = text(node)?;
-    let found = words.iter().find(|(word, _)| *word == typed.value);
-    found.map(|(_, value)| *value).ok_or_else(|| {
-        let known = words.iter().map(|(word, _)| *word).collect();
-        Located::at(&typed.span, Fault::UnknownWord { what, name: typed.value.into(), known })
-    })
+fn encoding(node: &Node) -> Result<Coding, Located> {
+    word(node, &ENCODINGS, |name| format!("there is no encoding {name:?}"), "known words for encoding")
 }

@@ -6,7 +6,7 @@ use radiosity_scene::{
     tree::Node,
 };
 
-use crate::fields::number;
+use crate::{fields::number, keys::Kind, terms};
 
 /// One number for all bands, or a list with one per band.
 #[derive(Debug)]
@@ -14,6 +14,9 @@ pub(crate) enum PerBand {
     All(At<f64>),
     Each(At<Vec<At<f64>>>),
 }
+
+/// Numbers from 0 on.
+pub(crate) const AMOUNTS: Kind<PerBand> = Kind::new(per_band, || terms::per_band(terms::at_least_zero(), ""));
 
 impl PerBand {
     /// Span of the number or of the list.

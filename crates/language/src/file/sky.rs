@@ -2,87 +2,64 @@
 
 use radiosity_geom::DVec3;
 use radiosity_scene::{
-    Fault, SkyModel,
-    error::Located,
+    SkyModel,
     place::{At, Span},
-    tree::Node,
 };
+use serde_json::json;
 
 use crate::{
-    fields::{Fields, number, point, text, whole},
-    file::per_band::{PerBand, per_band},
+    fields::{real, whole, word},
+    file::per_band::{AMOUNTS, PerBand},
+    keys::{Kind, Table, Usual, keys},
+    kinds::{REAL, VECTOR},
+    terms,
 };
 
-/// `[sky]`.
-#[derive(Debug)]
-pub(crate) struct SkyFile {
-    pub span: Span,
-    pub model: SkyModel,
-    pub illuminance: PerBand,
-    pub ground: Option<At<f64>>,
-    pub up: Option<DVec3>,
-    pub north: Option<DVec3>,
-    pub sun: Option<SunFile>,
+const MODELS: [(&str, SkyModel); 3] =
+    [("uniform", SkyModel::Uniform), ("overcast", SkyModel::Overcast), ("clear", SkyModel::Clear)];
+
+keys! {
+    /// `[sky]`.
+    SkyFile("The sky behind openings") {
+        model: SkyModel = Kind::new(
+            |node| word(node, &MODELS, |name| format!("there is no sky {name:?}"), "models of the sky"),
+            || terms::words(&MODELS.map(|(name, _)| name)),
+        ).example(": uniform, overcast or clear"), "How bright the sky is where";
+        illuminance: PerBand = AMOUNTS.example(", of level ground under the sky, in lx"),
+            "Of level ground under the sky, the sun left out";
+        ground: f64 =
+            Kind::number(real, || json!({ "minimum": 0, "exclusiveMaximum": 1 }))
+                .or(Usual::Number(0.2)),
+            "Reflectance of the ground";
+        up: DVec3 = VECTOR.or(Usual::Numbers(&[0.0, 0.0, 1.0])), "Where the zenith is";
+        north: DVec3 = VECTOR.or(Usual::Numbers(&[0.0, 1.0, 0.0])), "Where north is";
+        sun: Option<SunFile> = Kind::new(SunFile::read, SunFile::schema), "";
+        ..span: Span;
+    }
 }
 
-/// `sun = { … }`.
-#[derive(Debug)]
-pub(crate) struct SunFile {
-    pub span: Span,
-    pub elevation: At<f64>,
-    pub azimuth: f64,
-    pub illuminance: Option<PerBand>,
+keys! {
+    /// `sun = { … }`.
+    SunFile("Where the sun is, and how bright") {
+        elevation: At<f64> =
+            Kind::number(real, || json!({ "exclusiveMinimum": 0, "maximum": 90 }))
+                .example(", in degrees"),
+            "Above the horizon, degrees";
+        azimuth: f64 = REAL.example(", in degrees"), "From north over east, degrees";
+        illuminance: PerBand = AMOUNTS.or(Usual::Number(0.0)), "Across its beam";
+        ..span: Span;
+    }
 }
 
-/// `glass = { … }`.
-#[derive(Debug)]
-pub(crate) struct GlassFile {
-    pub span: Span,
-    pub panes: Option<u32>,
-    pub index: Option<f64>,
-    pub transmittance: Option<f64>,
-}
-
-pub(crate) fn read_sky(node: &Node) -> Result<SkyFile, Located> {
-    let fields = Fields::new(node, &["model", "illuminance", "ground", "up", "north", "sun"])?;
-    Ok(SkyFile {
-        span: fields.span().clone(),
-        model: fields.require("model", model)?,
-        illuminance: fields.require("illuminance", per_band)?,
-        ground: fields.optional("ground", number)?,
-        up: fields.optional("up", point)?,
-        north: fields.optional("north", point)?,
-        sun: fields.optional("sun", read_sun)?,
-    })
-}
-
-fn model(node: &Node) -> Result<SkyModel, Located> {
-    let name = text(node)?;
-    let models =
-        [("uniform", SkyModel::Uniform), ("overcast", SkyModel::Overcast), ("clear", SkyModel::Clear)];
-    let found = models.iter().find(|(own, _)| *own == name.value);
-    found.map(|(_, model)| *model).ok_or_else(|| {
-        let known = models.iter().map(|(own, _)| *own).collect();
-        Located::at(&name.span, Fault::UnknownSky { name: name.value, known })
-    })
-}
-
-fn read_sun(node: &Node) -> Result<SunFile, Located> {
-    let fields = Fields::new(node, &["elevation", "azimuth", "illuminance"])?;
-    Ok(SunFile {
-        span: fields.span().clone(),
-        elevation: fields.require("elevation", number)?,
-        azimuth: fields.require("azimuth", number)?.value,
-        illuminance: fields.optional("illuminance", per_band)?,
-    })
-}
-
-pub(crate) fn read_glass(node: &Node) -> Result<GlassFile, Located> {
-    let fields = Fields::new(node, &["panes", "index", "transmittance"])?;
-    Ok(GlassFile {
-        span: fields.span().clone(),
-        panes: fields.optional("panes", whole)?.map(|panes| panes.value),
-        index: fields.optional("index", number)?.map(|index| index.value),
-        transmittance: fields.optional("transmittance", number)?.map(|own| own.value),
-    })
+keys! {
+    /// `glass = { … }`.
+    GlassFile("Glass in an opening to the sky") {
+        panes: u32 = Kind::new(|node| Ok(whole(node)?.value), || terms::whole(1, 4, "")).or(Usual::Number(1.0)),
+            "Panes";
+        index: f64 = Kind::number(real, || json!({ "minimum": 1, "maximum": 3 })).or(Usual::Number(1.52)),
+            "Index of refraction";
+        transmittance: Option<f64> =
+            Kind::number(real, || json!({ "exclusiveMinimum": 0, "maximum": 1 })),
+            "Part of the light along the normal that is let through";
+    }
 }

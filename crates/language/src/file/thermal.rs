@@ -1,50 +1,45 @@
 //! Thermal conditions as typed.
 
 use radiosity_scene::{
-    Condition, Fault,
+    Condition,
     error::Located,
     thermal::{check_emissivity, check_temperature},
-    tree::Node,
+};
+use serde_json::json;
+
+use crate::{
+    fields::{checked, real},
+    keys::{Fields, Kind, keys},
+    kinds::TRUTH,
 };
 
-use crate::fields::{Fields, Reader, number, truth};
-
-/// The keys of which at most one is given.
-pub(crate) const CONDITION_KEYS: [&str; 3] = ["temperature", "heat_flux", "adiabatic"];
-
-/// The temperature or the flux of a surface, or of a material's surfaces.
-pub(crate) fn read_condition(fields: &Fields<'_>) -> Result<Option<Condition>, Located> {
-    let readers: [Reader<Option<Condition>>; 3] = [temperature, heat_flux, adiabatic];
-    let mut found: Option<(&'static str, Condition)> = None;
-    for (key, read) in CONDITION_KEYS.into_iter().zip(readers) {
-        let Some(node) = fields.get(key) else { continue };
-        let Some(condition) = read(node)? else { continue };
-        if let Some((first, _)) = found {
-            return Err(Located::at(&node.span, Fault::Exclusive { first, second: key }));
-        }
-        found = Some((key, condition));
-    }
-    Ok(found.map(|(_, condition)| condition))
-}
-
 /// The emissivity of a material.
-pub(crate) fn emissivity(node: &Node) -> Result<f64, Located> {
-    let value = number(node)?.value;
-    check_emissivity(value).map_err(|fault| Located::at(&node.span, fault))?;
-    Ok(value)
-}
+pub(crate) const EMISSIVITY: Kind<f64> =
+    Kind::number(|node| checked(node, check_emissivity), || json!({ "exclusiveMinimum": 0, "maximum": 1 }));
 
-fn temperature(node: &Node) -> Result<Option<Condition>, Located> {
-    let value = number(node)?.value;
-    check_temperature(value).map_err(|fault| Located::at(&node.span, fault))?;
-    Ok(Some(Condition::Temperature(value)))
-}
-
-fn heat_flux(node: &Node) -> Result<Option<Condition>, Located> {
-    Ok(Some(Condition::HeatFlux(number(node)?.value)))
+keys! {
+    /// The temperature or the flux of a surface, or of a material's surfaces: one of them, or none.
+    ConditionFile("What is known of its heat"; check) {
+        temperature: Option<f64> =
+            Kind::number(|node| checked(node, check_temperature), || json!({ "minimum": 0, "maximum": 1e6 })),
+            "Temperature, K";
+        heat_flux: Option<f64> =
+            Kind::number(real, || json!({ "minimum": -1e30, "maximum": 1e30 })),
+            "Heat that it is given and sends out as radiation, W/m²";
+        adiabatic: Option<bool> = TRUTH, "It sends out as much as it receives";
+    }
 }
 
 /// `adiabatic = false` says nothing.
-fn adiabatic(node: &Node) -> Result<Option<Condition>, Located> {
-    Ok(truth(node)?.then_some(Condition::HeatFlux(0.0)))
+fn check(own: &ConditionFile, fields: &Fields<'_>) -> Result<(), Located> {
+    let adiabatic: &[&'static str] = if own.adiabatic == Some(true) { &["adiabatic"] } else { &[] };
+    fields.at_most_one(&[&["temperature", "heat_flux"], adiabatic].concat())
+}
+
+impl ConditionFile {
+    pub(crate) fn condition(&self) -> Option<Condition> {
+        let adiabatic = self.adiabatic.filter(|is| *is).map(|_| 0.0);
+        let flux = self.heat_flux.or(adiabatic).map(Condition::HeatFlux);
+        self.temperature.map(Condition::Temperature).or(flux)
+    }
 }

@@ -9,71 +9,60 @@ use radiosity_geom::{
     DVec3, Motion, Surface,
     shapes::{Bilinear, Parallelogram, Polygon, Triangle, Trimmed},
 };
-use radiosity_scene::{error::Located, tree::Node};
 
 use crate::{
-    fields::{Fields, corners, list, point, points},
+    fields::{corners, list, points},
+    keys::{Kind, OrEmpty, keys},
+    kinds::{POINT, VECTOR},
     shape::form::{Built, Form, Modelled, one},
+    terms,
 };
 
 /// Corners of an outline, shared with the tree where it holds them as such.
 type Outline = Arc<Vec<DVec3>>;
 
-#[derive(Debug)]
-struct ParallelogramFile {
-    origin: DVec3,
-    edge1: DVec3,
-    edge2: DVec3,
-    holes: Vec<Outline>,
+const OUTLINE: &str = "Corners in order around the outline";
+
+const HOLES: OrEmpty<Vec<Outline>> = Kind::new(
+    |node| list(node)?.iter().map(points).collect(),
+    || terms::list("outline", "Outlines of holes, in the plane and inside the outline", 0),
+)
+.or_empty();
+
+const VERTICES: &str = ", a list of points, each three numbers in brackets";
+
+keys! {
+    ParallelogramFile("A parallelogram; its front is edge1 × edge2") {
+        origin: DVec3 = POINT, "A corner";
+        edge1: DVec3 = VECTOR, "From the corner along u";
+        edge2: DVec3 = VECTOR, "From the corner along v";
+        holes: Vec<Outline> = HOLES, "";
+    }
 }
 
-#[derive(Debug)]
-struct QuadFile {
-    vertices: [DVec3; 4],
-    holes: Vec<Outline>,
+keys! {
+    QuadFile("Four corners, in a plane or not") {
+        vertices: [DVec3; 4] =
+            Kind::new(|node| corners(node, "a quad", "vertices"), || terms::exactly(4, "point", OUTLINE))
+                .example(VERTICES), "";
+        holes: Vec<Outline> = HOLES, "";
+    }
 }
 
-#[derive(Debug)]
-struct TriangleFile {
-    vertices: [DVec3; 3],
+keys! {
+    TriangleFile("Three corners") {
+        vertices: [DVec3; 3] =
+            Kind::new(|node| corners(node, "a triangle", "vertices"), || terms::exactly(3, "point", OUTLINE))
+                .example(VERTICES), "";
+    }
 }
 
-#[derive(Debug)]
-struct PolygonFile {
-    vertices: Outline,
-    holes: Vec<Outline>,
-}
-
-pub(super) fn parallelogram(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["origin", "edge1", "edge2", "holes"])?;
-    Ok(Box::new(ParallelogramFile {
-        origin: fields.require("origin", point)?,
-        edge1: fields.require("edge1", point)?,
-        edge2: fields.require("edge2", point)?,
-        holes: holes(&fields)?,
-    }))
-}
-
-pub(super) fn quad(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["vertices", "holes"])?;
-    let vertices = fields.require("vertices", |node| corners(node, "a quad", "vertices"))?;
-    Ok(Box::new(QuadFile { vertices, holes: holes(&fields)? }))
-}
-
-pub(super) fn triangle(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["vertices"])?;
-    let vertices = fields.require("vertices", |node| corners(node, "a triangle", "vertices"))?;
-    Ok(Box::new(TriangleFile { vertices }))
-}
-
-pub(super) fn polygon(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["vertices", "holes"])?;
-    Ok(Box::new(PolygonFile { vertices: fields.require("vertices", points)?, holes: holes(&fields)? }))
-}
-
-fn holes(fields: &Fields<'_>) -> Result<Vec<Outline>, Located> {
-    let holes = fields.optional("holes", |node| list(node)?.iter().map(points).collect())?;
-    Ok(holes.unwrap_or_default())
+keys! {
+    PolygonFile("A flat polygon") {
+        vertices: Outline = Kind::new(points, || terms::reference("outline")).example(VERTICES),
+            "Corners in order around the outline, counter-clockwise seen from the front";
+        holes: Vec<Outline> = HOLES, "";
+    }
 }
 
 impl Form for ParallelogramFile {

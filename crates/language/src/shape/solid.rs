@@ -3,15 +3,19 @@
 use radiosity_formats::model::Shape;
 use radiosity_geom::{DVec3, Motion, ShapeError, Surface, shapes::Parallelogram};
 use radiosity_scene::{Fault, error::Located, place::At, tree::Node};
+use serde_json::{Value as Json, json};
 
 use crate::{
-    fields::{Fields, exactly, list, point, text, truth},
+    fields::{exactly, list, point, text},
+    keys::{Fields, Kind, keys},
+    kinds::{FLAG, POINT},
     shape::form::{Built, Form, Modelled},
+    terms,
 };
 
 /// A face of a box: the axis that it is normal to, and whether it lies at the high end of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Face {
+pub(crate) struct Face {
     name: &'static str,
     axis: usize,
     high: bool,
@@ -26,76 +30,86 @@ const FACES: [Face; 6] = [
     Face { name: "top", axis: 2, high: true },
 ];
 
-/// Extent of a box as typed (length): a corner and a size, or two corners.
-#[derive(Debug)]
-enum Extent {
-    Sized { origin: DVec3, size: DVec3 },
-    Between([DVec3; 2]),
-}
-
-#[derive(Debug)]
-struct BoxFile {
-    extent: Extent,
-    inward: bool,
-    faces: Vec<Face>,
-}
-
-pub(super) fn cuboid(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["origin", "size", "corners", "inward", "open"])?;
-    let open = fields.optional("open", |node| list(node)?.iter().map(face).collect::<Result<Vec<_>, _>>())?;
-    let open = open.unwrap_or_default();
-    let faces: Vec<Face> = FACES.into_iter().filter(|face| !open.contains(face)).collect();
-    if let (true, Some(node)) = (faces.is_empty(), fields.get("open")) {
-        let expected = "at least one face that is not open".to_owned();
-        return Err(Located::at(&node.span, Fault::WrongCount { what: "a box", expected, found: 0 }));
+keys! {
+    BoxFile("A cuboid along the axes, six surfaces", one_extent(); check) {
+        origin: Option<DVec3> = POINT, "The corner of the lowest coordinates";
+        size: Option<DVec3> = Kind::new(point, size_schema), "Lengths along x, y and z";
+        corners: Option<[DVec3; 2]> =
+            Kind::new(|node| exactly(node, "corners", "points", point), || terms::exactly(2, "point", "")),
+            "Two opposite corners, instead of origin and size";
+        inward: bool = FLAG, "Fronts inside, as in a room";
+        open: Vec<Face> = Kind::new(|node| list(node)?.iter().map(face).collect(), open_schema).or_empty(),
+            "Faces that are left out";
     }
-    let inward = fields.optional("inward", truth)?.unwrap_or(false);
-    Ok(Box::new(BoxFile { extent: extent(&fields)?, inward, faces }))
 }
 
-/// `corners`, or `origin` and `size`.
-fn extent(fields: &Fields<'_>) -> Result<Extent, Located> {
-    let corners = fields.optional("corners", |node| exactly(node, "corners", "points", point))?;
-    let Some(corners) = corners else {
-        return Ok(Extent::Sized {
-            origin: fields.require("origin", point)?,
-            size: fields.require("size", point)?,
-        });
-    };
-    let other = ["origin", "size"].into_iter().find_map(|key| Some((key, fields.get(key)?)));
-    match other {
-        None => Ok(Extent::Between(corners)),
-        Some((second, node)) => Err(Located::at(&node.span, Fault::Exclusive { first: "corners", second })),
+fn size_schema() -> Json {
+    terms::with(terms::exactly(3, "number", ""), "items", terms::positive("A length"))
+}
+
+fn open_schema() -> Json {
+    json!({ "type": "array", "items": { "enum": FACES.map(|face| face.name) } })
+}
+
+fn one_extent() -> Json {
+    let none_of = |key: &str| json!({ "not": { "required": [key] } });
+    json!({ "oneOf": [
+        { "required": ["origin", "size"], "not": { "required": ["corners"] } },
+        { "required": ["corners"], "allOf": [none_of("origin"), none_of("size")] },
+    ] })
+}
+
+/// A box has a face, and `corners` or else `origin` and `size`.
+fn check(own: &BoxFile, fields: &Fields<'_>) -> Result<(), Located> {
+    if let (None, Some(node)) = (own.faces().next(), fields.get("open")) {
+        let fault = Fault::wrong_count("a box", "at least one face that is not open", 0);
+        return Err(Located::at(&node.span, fault));
+    }
+    match own {
+        BoxFile { corners: Some(_), .. } => fields.without("corners", &["origin", "size"]),
+        BoxFile { origin: None, .. } => Err(fields.missing("origin", ", three numbers in brackets")),
+        BoxFile { size: None, .. } => {
+            Err(fields.missing("size", ", three lengths in brackets; or give two corners"))
+        }
+        _ => Ok(()),
     }
 }
 
 fn face(node: &Node) -> Result<Face, Located> {
     let At { value: name, span } = text(node)?;
     FACES.into_iter().find(|face| face.name == name).ok_or_else(|| {
-        let known = FACES.iter().map(|face| face.name).collect();
-        Located::at(&span, Fault::UnknownFace { name, known })
+        let known = FACES.map(|face| face.name.to_owned());
+        Located::at(
+            &span,
+            Fault::unknown(format!("a box has no face {name:?}"), &name, known, "faces of a box"),
+        )
     })
 }
 
-impl Extent {
+impl BoxFile {
+    /// The faces that are not open.
+    fn faces(&self) -> impl Iterator<Item = Face> {
+        FACES.into_iter().filter(|face| !self.open.contains(face))
+    }
+
     /// The corners with the lowest and the highest coordinates.
-    fn corners(&self) -> Result<[DVec3; 2], ShapeError> {
-        match *self {
-            Extent::Sized { origin, size } => match size.to_array().into_iter().find(|side| *side <= 0.0) {
-                Some(value) => Err(ShapeError::NotPositive { field: "size".into(), value }),
-                None => Ok([origin, origin + size]),
-            },
-            Extent::Between([a, b]) if a.cmpne(b).all() => Ok([a.min(b), a.max(b)]),
-            Extent::Between(_) => Err(ShapeError::NoArea { field: "corners".into() }),
+    fn bounds(&self) -> Result<[DVec3; 2], ShapeError> {
+        if let Some([a, b]) = self.corners {
+            return match a.cmpne(b).all() {
+                true => Ok([a.min(b), a.max(b)]),
+                false => Err(ShapeError::NoArea { field: "corners".into() }),
+            };
+        }
+        let [origin, size] = [self.origin, self.size].map(Option::unwrap_or_default);
+        match size.to_array().into_iter().find(|side| *side <= 0.0) {
+            Some(value) => Err(ShapeError::NotPositive { field: "size".into(), value }),
+            None => Ok([origin, origin + size]),
         }
     }
 
     /// The field that says how large the box is.
     fn field(&self) -> &'static str {
-        match self {
-            Extent::Sized { .. } => "size",
-            Extent::Between(_) => "corners",
-        }
+        if self.corners.is_some() { "corners" } else { "size" }
     }
 }
 
@@ -120,12 +134,12 @@ impl Face {
 
 impl Form for BoxFile {
     fn surfaces(&self, motion: &Motion) -> Built {
-        let corners = self.extent.corners()?;
-        let surface = |face: &Face| match face.surface(corners, self.inward, motion) {
+        let corners = self.bounds()?;
+        let surface = |face: Face| match face.surface(corners, self.inward, motion) {
             Ok(face) => Ok(Box::new(face) as Box<dyn Surface>),
-            Err(_) => Err(ShapeError::NoArea { field: self.extent.field().into() }),
+            Err(_) => Err(ShapeError::NoArea { field: self.field().into() }),
         };
-        self.faces.iter().map(surface).collect()
+        self.faces().map(surface).collect()
     }
 
     fn models(&self, motion: &Motion) -> Modelled {
@@ -134,6 +148,7 @@ impl Form for BoxFile {
     }
 
     fn name(&self, base: &str, index: usize) -> String {
-        format!("{base}-{}", self.faces[index].name)
+        let face = self.faces().nth(index).map_or("", |face| face.name);
+        format!("{base}-{face}")
     }
 }

@@ -2,98 +2,93 @@
 //!
 //! A motion is applied to the control points: these shapes commute with it.
 
+use std::sync::Arc;
+
 use radiosity_geom::{
     DVec3, Motion, ShapeError, Surface,
     shapes::{Bezier, Extrusion, Rational},
 };
-use radiosity_scene::{Fault, error::Located, place::At, tree::Node};
+use radiosity_scene::{Fault, FaultKind, error::Located, place::At, tree::Node};
 
 use crate::{
-    fields::{Fields, exactly, list, point, points, real, whole},
+    fields::{exactly, list, point, points, real, whole},
+    keys::{Fields, Kind, keys},
+    kinds::VECTOR,
     shape::form::{Built, Form, one},
+    terms,
 };
 
 /// Control points or their weights, `net[i][j]` with i along u and j along v.
 type Net<T> = [[T; 4]; 4];
 
-#[derive(Debug)]
-struct BezierFile {
-    points: Net<DVec3>,
-}
+const NET: Kind<Net<DVec3>> = Kind::new(net_of_points, || terms::exactly(4, "row", ""))
+    .example(", four rows of four points, each three numbers in brackets");
 
-#[derive(Debug)]
-struct PatchesFile {
-    nets: Vec<Net<DVec3>>,
-}
+/// The control points of a cubic curve.
+pub(super) const CURVE: Kind<[DVec3; 4]> =
+    Kind::new(|node| exactly(node, "a curve", "control points", point), || terms::exactly(4, "point", ""))
+        .example(", four control points, each three numbers in brackets");
 
-#[derive(Debug)]
-struct RationalFile {
-    points: Net<DVec3>,
-    weights: Net<f64>,
-}
-
-#[derive(Debug)]
-struct ExtrusionFile {
-    curve: [DVec3; 4],
-    direction: DVec3,
-}
-
-pub(super) fn bezier(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["points"])?;
-    Ok(Box::new(BezierFile { points: fields.require("points", net_of_points)? }))
-}
-
-pub(super) fn patches(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["points", "patches"])?;
-    let points = fields.require("points", points)?;
-    let patches = fields.node("patches")?;
-    let items = list(patches)?;
-    if items.is_empty() {
-        let expected = "at least one patch".to_owned();
-        return Err(Located::at(
-            &patches.span,
-            Fault::WrongCount { what: "the list of patches", expected, found: 0 },
-        ));
+keys! {
+    BezierFile("A bicubic Bézier patch") {
+        points: Net<DVec3> = NET, "Four rows of four control points";
     }
-    let nets = items.iter().map(|item| patch(item, &points)).collect::<Result<_, _>>()?;
-    Ok(Box::new(PatchesFile { nets }))
 }
 
-pub(super) fn rational(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["points", "weights"])?;
-    Ok(Box::new(RationalFile {
-        points: fields.require("points", net_of_points)?,
-        weights: fields.require("weights", |node| {
-            exactly(node, "a net", "rows of weights", |row| exactly(row, "a row", "weights", real))
-        })?,
-    }))
+keys! {
+    PatchesFile("Bicubic Bézier patches, each a surface"; check_patches) {
+        points: Arc<Vec<DVec3>> = Kind::new(points, || terms::list("point", "", 0))
+            .example(", a list of points, each three numbers in brackets"),
+            "Control points, shared by the patches";
+        patches: At<Vec<[At<u32>; 16]>> =
+            Kind::new(patches, || terms::list("patch", "", 1))
+                .example(", a list of patches, each 16 indices of points, counted from 0"),
+            "The patches, each of 16 points";
+    }
 }
 
-pub(super) fn extrusion(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["curve", "direction"])?;
-    Ok(Box::new(ExtrusionFile {
-        curve: fields.require("curve", |node| exactly(node, "a curve", "control points", point))?,
-        direction: fields.require("direction", point)?,
-    }))
+keys! {
+    RationalFile("A rational bicubic Bézier patch") {
+        points: Net<DVec3> = NET, "Four rows of four control points";
+        weights: Net<f64> = Kind::new(weights, || terms::exactly(4, "weights", ""))
+            .example(", four rows of four numbers above 0"),
+            "Four rows of four weights";
+    }
+}
+
+keys! {
+    ExtrusionFile("A curve moved along a straight line") {
+        curve: [DVec3; 4] = CURVE, "Control points of a cubic Bézier curve";
+        direction: DVec3 = VECTOR, "By this the curve is moved";
+    }
 }
 
 fn net_of_points(node: &Node) -> Result<Net<DVec3>, Located> {
     exactly(node, "a net", "rows of control points", |row| exactly(row, "a row", "control points", point))
 }
 
-/// The control points that 16 indices choose, row after row of the net.
-fn patch(node: &Node, points: &[DVec3]) -> Result<Net<DVec3>, Located> {
-    let indices = exactly::<16, _>(node, "a patch", "indices of points", whole)?;
-    let chosen = |index: &_| chosen(index, points);
-    let points = indices.iter().map(chosen).collect::<Result<Vec<_>, _>>()?;
-    Ok(std::array::from_fn(|i| std::array::from_fn(|j| points[4 * i + j])))
+fn weights(node: &Node) -> Result<Net<f64>, Located> {
+    exactly(node, "a net", "rows of weights", |row| exactly(row, "a row", "weights", real))
 }
 
-fn chosen(index: &At<u32>, points: &[DVec3]) -> Result<DVec3, Located> {
-    points.get(index.value as usize).copied().ok_or_else(|| {
-        let fault = Fault::NoSuchPoint { index: index.value, count: points.len() };
-        Located::at(&index.span, fault)
-    })
+fn patches(node: &Node) -> Result<Vec<[At<u32>; 16]>, Located> {
+    list(node)?.iter().map(|node| exactly(node, "a patch", "indices of points", whole)).collect()
+}
+
+/// There is a patch, and all points are there.
+fn check_patches(PatchesFile { points, patches }: &PatchesFile, _: &Fields<'_>) -> Result<(), Located> {
+    if patches.value.is_empty() {
+        let fault = Fault::wrong_count("the list of patches", "at least one patch", 0);
+        return Err(Located::at(&patches.span, fault));
+    }
+    match patches.value.iter().flatten().find(|index| index.value as usize >= points.len()) {
+        None => Ok(()),
+        Some(At { value, span }) => {
+            let cause = format!("there is no point {value}: the list has {}", points.len());
+            let cure = "count the points from 0, the last index is one less than their number";
+            Err(Located::at(span, Fault::new(FaultKind::OutOfRange, cause, cure)))
+        }
+    }
 }
 
 impl Form for BezierFile {
@@ -104,16 +99,19 @@ impl Form for BezierFile {
 
 impl Form for PatchesFile {
     fn surfaces(&self, motion: &Motion) -> Built {
-        let patch = |(index, net): (usize, &Net<DVec3>)| {
+        let patch = |(index, indices): (usize, &[At<u32>; 16])| {
             let field = format!("patches[{index}]");
-            match Bezier::new(forth(net, motion)) {
+            // Row after row of the net.
+            let point = |i: usize, j: usize| self.points[indices[4 * i + j].value as usize];
+            let net = std::array::from_fn(|i| std::array::from_fn(|j| point(i, j)));
+            match Bezier::new(forth(&net, motion)) {
                 Ok(patch) => Ok(Box::new(patch) as Box<dyn Surface>),
                 Err(ShapeError::NoArea { .. }) => Err(ShapeError::NoArea { field }),
                 Err(ShapeError::TurnsBack { .. }) => Err(ShapeError::TurnsBack { field }),
                 Err(error) => Err(error),
             }
         };
-        self.nets.iter().enumerate().map(patch).collect()
+        self.patches.value.iter().enumerate().map(patch).collect()
     }
 
     fn name(&self, base: &str, index: usize) -> String {

@@ -7,136 +7,98 @@ use std::f64::consts::TAU;
 use radiosity_formats::model::Shape;
 use radiosity_geom::{
     DVec3, Motion,
-    shapes::{Cone, Cylinder, Disk, FULL_TURN, Revolution, Sphere, Torus},
+    shapes::{Cone, Cylinder, Disk, Revolution, Sphere, Torus},
 };
-use radiosity_scene::{error::Located, tree::Node};
+use serde_json::json;
 
 use crate::{
-    fields::{Fields, angles, exactly, point, real},
-    shape::form::{Built, Form, Modelled, moved},
+    fields::{Reader, angles, exactly, real},
+    keys::{Kind, Or, Usual, keys},
+    kinds::{POINT, POSITIVE, VECTOR},
+    shape::{
+        form::{Built, Form, Modelled, moved},
+        spline::CURVE,
+    },
+    terms,
 };
 
-#[derive(Debug)]
-struct DiskFile {
-    center: DVec3,
-    normal: DVec3,
-    radius: f64,
-    inner_radius: f64,
-    angle: [f64; 2],
-}
-
-#[derive(Debug)]
-struct CylinderFile {
-    base: DVec3,
-    axis: DVec3,
-    radius: f64,
-    angle: [f64; 2],
-}
-
-#[derive(Debug)]
-struct ConeFile {
-    base: DVec3,
-    axis: DVec3,
-    radius1: f64,
-    radius2: f64,
-    angle: [f64; 2],
-}
-
-#[derive(Debug)]
-struct SphereFile {
-    center: DVec3,
-    radius: f64,
-    axis: DVec3,
-    z: Option<[f64; 2]>,
-    angle: [f64; 2],
-}
-
-#[derive(Debug)]
-struct TorusFile {
-    center: DVec3,
-    axis: DVec3,
-    major: f64,
-    minor: f64,
-    angle: [f64; 2],
-    tube_angle: [f64; 2],
-}
-
-#[derive(Debug)]
-struct RevolutionFile {
-    curve: [DVec3; 4],
-    center: DVec3,
-    axis: DVec3,
-    angle: [f64; 2],
-}
-
-pub(super) fn disk(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["center", "normal", "radius", "inner_radius", "angle"])?;
-    Ok(Box::new(DiskFile {
-        center: fields.require("center", point)?,
-        normal: fields.require("normal", point)?,
-        radius: fields.require("radius", real)?,
-        inner_radius: fields.optional("inner_radius", real)?.unwrap_or(0.0),
-        angle: turn(&fields, "angle")?,
-    }))
-}
-
-pub(super) fn cylinder(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["base", "axis", "radius", "angle"])?;
-    Ok(Box::new(CylinderFile {
-        base: fields.require("base", point)?,
-        axis: fields.require("axis", point)?,
-        radius: fields.require("radius", real)?,
-        angle: turn(&fields, "angle")?,
-    }))
-}
-
-pub(super) fn cone(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["base", "axis", "radius1", "radius2", "angle"])?;
-    Ok(Box::new(ConeFile {
-        base: fields.require("base", point)?,
-        axis: fields.require("axis", point)?,
-        radius1: fields.require("radius1", real)?,
-        radius2: fields.require("radius2", real)?,
-        angle: turn(&fields, "angle")?,
-    }))
-}
-
-pub(super) fn sphere(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["center", "radius", "axis", "z", "angle"])?;
-    Ok(Box::new(SphereFile {
-        center: fields.require("center", point)?,
-        radius: fields.require("radius", real)?,
-        axis: fields.optional("axis", point)?.unwrap_or(DVec3::Z),
-        z: fields.optional("z", |node| exactly(node, "z", "heights, lowest first", real))?,
-        angle: turn(&fields, "angle")?,
-    }))
-}
-
-pub(super) fn torus(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["center", "axis", "major", "minor", "angle", "tube_angle"])?;
-    Ok(Box::new(TorusFile {
-        center: fields.require("center", point)?,
-        axis: fields.require("axis", point)?,
-        major: fields.require("major", real)?,
-        minor: fields.require("minor", real)?,
-        angle: turn(&fields, "angle")?,
-        tube_angle: turn(&fields, "tube_angle")?,
-    }))
-}
-
-pub(super) fn revolution(node: &Node) -> Result<Box<dyn Form>, Located> {
-    let fields = Fields::new(node, &["curve", "center", "axis", "angle"])?;
-    Ok(Box::new(RevolutionFile {
-        curve: fields.require("curve", |node| exactly(node, "a curve", "control points", point))?,
-        center: fields.require("center", point)?,
-        axis: fields.require("axis", point)?,
-        angle: turn(&fields, "angle")?,
-    }))
-}
+const MIDDLE: &str = "The middle";
+const END: &str = "The middle of one end";
+const TO_END: &str = "From the base to the other end";
+const AXIS: &str = "Direction and, where it has one, height of the axis";
+const TURN: &str = "From and to about the axis, degrees, at most once round";
 
 /// A range of angles in radians; all the way round if it is not given.
-fn turn(fields: &Fields<'_>, key: &'static str) -> Result<[f64; 2], Located> {
-    fields.get(key).map_or(Ok(FULL_TURN), |node| angles(node, key))
+const ANGLE: Or<[f64; 2]> = turn(|node| angles(node, "angle"));
+const TUBE_ANGLE: Or<[f64; 2]> = turn(|node| angles(node, "tube_angle"));
+
+const fn turn(read: Reader<[f64; 2]>) -> Or<[f64; 2]> {
+    Kind::new(read, || terms::exactly(2, "number", "")).or(Usual::Numbers(&[0.0, 360.0]))
+}
+
+/// A radius that may be 0.
+const RADIUS_OR_NONE: Kind<f64> = Kind::number(real, || json!({ "minimum": 0 })).example(", a length");
+
+keys! {
+    DiskFile("A disk, a ring or a sector") {
+        center: DVec3 = POINT, MIDDLE;
+        normal: DVec3 = VECTOR, "Direction of the front";
+        radius: f64 = POSITIVE, "Radius";
+        inner_radius: f64 = RADIUS_OR_NONE.or(Usual::Number(0.0)), "Radius of a round hole in the middle";
+        angle: [f64; 2] = ANGLE, TURN;
+    }
+}
+
+keys! {
+    CylinderFile("The side of a cylinder, its front outside") {
+        base: DVec3 = POINT, END;
+        axis: DVec3 = VECTOR, TO_END;
+        radius: f64 = POSITIVE, "Radius";
+        angle: [f64; 2] = ANGLE, TURN;
+    }
+}
+
+keys! {
+    ConeFile("The side of a cone or a part of it, its front outside") {
+        base: DVec3 = POINT, END;
+        axis: DVec3 = VECTOR, TO_END;
+        radius1: f64 = RADIUS_OR_NONE, "Radius at the base; not both are 0";
+        radius2: f64 = RADIUS_OR_NONE, "Radius at the other end; not both are 0";
+        angle: [f64; 2] = ANGLE, TURN;
+    }
+}
+
+keys! {
+    SphereFile("A sphere or a zone of it, its front outside") {
+        center: DVec3 = POINT, MIDDLE;
+        radius: f64 = POSITIVE, "Radius";
+        axis: DVec3 = VECTOR.or(Usual::Numbers(&[0.0, 0.0, 1.0])), AXIS;
+        z: Option<[f64; 2]> = Kind::new(
+            |node| exactly(node, "z", "heights, lowest first", real),
+            || terms::exactly(2, "number", ""),
+        ), "Lowest and highest height along the axis, from the middle";
+        angle: [f64; 2] = ANGLE, TURN;
+    }
+}
+
+keys! {
+    TorusFile("A torus or a part of it, its front outside") {
+        center: DVec3 = POINT, MIDDLE;
+        axis: DVec3 = VECTOR, AXIS;
+        major: f64 = POSITIVE, "Radius of the circle along which the tube runs";
+        minor: f64 = POSITIVE, "Radius of the tube";
+        angle: [f64; 2] = ANGLE, TURN;
+        tube_angle: [f64; 2] = TUBE_ANGLE, TURN;
+    }
+}
+
+keys! {
+    RevolutionFile("A curve turned about an axis") {
+        curve: [DVec3; 4] = CURVE, "Control points of a cubic Bézier curve";
+        center: DVec3 = POINT, "A point of the axis";
+        axis: DVec3 = VECTOR, AXIS;
+        angle: [f64; 2] = ANGLE, TURN;
+    }
 }
 
 /// Angles nearer to a full turn than this are one, radians: degrees leave some roundings. With a larger value

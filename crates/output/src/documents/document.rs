@@ -2,6 +2,7 @@
 //! [`markdown`](super::markdown) write them.
 
 use crate::drawings::picture::Picture;
+use crate::table::Table;
 
 /// A document.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +31,7 @@ pub enum Block {
     /// Items of a list without numbers.
     List(Vec<String>),
     /// A table.
-    Table(Table),
+    Table(Table<'static>),
     /// A picture.
     Figure(Figure),
     /// A command as it is typed.
@@ -46,65 +47,6 @@ pub struct Highlight {
     pub(super) value: String,
     /// Note in small letters; empty for none.
     pub(super) note: String,
-}
-
-/// A column of a table.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Column {
-    /// Heading of the column.
-    pub(super) head: String,
-    /// The unit of its numbers; empty where they have none.
-    pub(super) unit: String,
-    /// Whether the cells hold numbers, which are set to the right.
-    pub(super) is_numeric: bool,
-}
-
-impl Column {
-    /// A column of texts.
-    pub(super) fn text(head: &str) -> Self {
-        Self { head: head.to_owned(), unit: String::new(), is_numeric: false }
-    }
-
-    /// A column of numbers in `unit`.
-    pub(super) fn numbers(head: &str, unit: &str) -> Self {
-        Self { head: head.to_owned(), unit: unit.to_owned(), is_numeric: true }
-    }
-
-    /// Head and unit in a line.
-    pub fn line(&self) -> String {
-        match self.unit.as_str() {
-            "" => self.head.clone(),
-            unit => format!("{} {unit}", self.head),
-        }
-    }
-}
-
-/// A table. Every row has a cell for each column.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Table {
-    /// Its columns.
-    pub columns: Vec<Column>,
-    /// Its rows.
-    pub rows: Vec<Vec<String>>,
-    /// A row that sums up the others.
-    pub total: Option<Vec<String>>,
-}
-
-impl Table {
-    /// A table without rows.
-    pub(super) fn new(columns: impl Into<Vec<Column>>) -> Self {
-        Self { columns: columns.into(), rows: Vec::new(), total: None }
-    }
-
-    /// Adds a row at the end.
-    ///
-    /// # Panics
-    /// If `cells` has not one entry for each column.
-    pub(super) fn row(&mut self, cells: impl Into<Vec<String>>) {
-        let cells = cells.into();
-        assert_eq!(cells.len(), self.columns.len(), "a cell for each column");
-        self.rows.push(cells);
-    }
 }
 
 /// A picture with its caption.

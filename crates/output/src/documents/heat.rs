@@ -5,9 +5,9 @@ use std::io::{self, Write};
 use radiosity_heat::{Conductances, Heat, SurfaceHeat};
 use serde::Serialize;
 
-use crate::documents::document::{Column, Table};
 use crate::files::npy;
 use crate::files::npz::Archive;
+use crate::table::{Column, Listed, Table, Value};
 use radiosity_reading::digits::significant;
 
 /// CSV with a row for each surface; an emissivity that is not known is left empty.
@@ -15,9 +15,8 @@ use radiosity_reading::digits::significant;
 /// # Errors
 /// Errors of writing to `out`.
 pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(["surface", "area", "emissivity", "T", "T_error", "q", "Q", "Q_error", "J", "H"])?;
-    for own in surfaces {
+    let names = ["surface", "area", "emissivity", "T", "T_error", "q", "Q", "Q_error", "J", "H"];
+    let rows = surfaces.iter().map(|own| {
         let numbers = [
             own.temperature,
             own.temperature_error,
@@ -27,37 +26,36 @@ pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
             own.radiosity,
             own.irradiance,
         ];
-        let emissivity = own.emissivity.map(|emissivity| emissivity.to_string()).unwrap_or_default();
-        let head = [own.name.clone(), own.area.to_string(), emissivity];
-        writer.write_record(head.into_iter().chain(numbers.map(|number| number.to_string())))?;
-    }
-    writer.flush()
+        let head = [Value::from(own.name.as_str()), own.area.into(), own.emissivity.into()];
+        head.into_iter().chain(numbers.map(Value::from))
+    });
+    Table::new(names.map(Column::text), rows).listed().csv(out)
 }
 
 /// Digits of given figures. Chosen.
 const GIVEN: usize = 6;
 
 /// The figures for people: given ones as they are, others to so many digits with their errors.
-pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table {
+pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table<'static> {
     let columns = [("area", "m²"), ("ε", ""), ("T", "K"), ("±", "K"), ("q", "W/m²"), ("Q", "W"), ("±", "W")];
     let columns = columns.map(|(head, unit)| Column::numbers(head, unit));
-    let mut table = Table::new([vec![Column::text("surface")], columns.to_vec()].concat());
+    let columns = [vec![Column::text("surface")], columns.to_vec()].concat();
     let figure = |is_given: bool, value: f64| significant(value, if is_given { GIVEN } else { digits });
-    for own in surfaces {
-        let error =
-            |is_given: bool, error: f64| if is_given { "given".to_owned() } else { significant(error, 2) };
-        table.row([
-            own.name.clone(),
-            significant(own.area, GIVEN),
-            own.emissivity.map_or_else(|| "–".to_owned(), |emissivity| significant(emissivity, GIVEN)),
-            figure(own.is_temperature_known, own.temperature),
-            error(own.is_temperature_known, own.temperature_error),
-            figure(own.is_flow_known, own.flux),
-            figure(own.is_flow_known, own.flow),
-            error(own.is_flow_known, own.flow_error),
-        ]);
-    }
-    table
+    let error =
+        |is_given: bool, error: f64| if is_given { "given".to_owned() } else { significant(error, 2) };
+    let row = |own: &SurfaceHeat| {
+        [
+            Value::from(own.name.clone()),
+            significant(own.area, GIVEN).into(),
+            own.emissivity.map(|emissivity| significant(emissivity, GIVEN)).into(),
+            figure(own.is_temperature_known, own.temperature).into(),
+            error(own.is_temperature_known, own.temperature_error).into(),
+            figure(own.is_flow_known, own.flux).into(),
+            figure(own.is_flow_known, own.flow).into(),
+            error(own.is_flow_known, own.flow_error).into(),
+        ]
+    };
+    Table::new(columns, surfaces.iter().map(row))
 }
 
 /// JSON with the figures of each surface, the balance and how good it is.
@@ -96,13 +94,14 @@ struct Document<'a> {
 /// # Errors
 /// Errors of writing to `out`.
 pub fn conductances_csv(names: &[&str], conductances: &Conductances, out: impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(["surface"].iter().chain(names).chain(&["(surroundings)"]))?;
-    for ((name, row), lost) in names.iter().zip(&conductances.rows).zip(&conductances.lost) {
-        let numbers = row.iter().chain([lost]).map(f64::to_string);
-        writer.write_record([(*name).to_owned()].into_iter().chain(numbers))?;
-    }
-    writer.flush()
+    let columns = [
+        Column::text("surface"),
+        Column::several("conductances", names.iter().copied()),
+        Column::text("(surroundings)"),
+    ];
+    let rows = names.iter().zip(&conductances.rows).zip(&conductances.lost);
+    let rows = rows.map(|((name, row), lost)| [Value::from(*name), Value::numbers(row), (*lost).into()]);
+    Listed { columns: &columns, rows }.csv(out)
 }
 
 /// JSON with the names, the matrix, the conductances to the surroundings and the largest asymmetry.

@@ -5,7 +5,9 @@ use std::io::{self, Write};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::document::{Block, Column, Document, Figure, Highlight, Table};
+use super::document::{Block, Document, Figure, Highlight};
+use crate::drawings::markup::escaped;
+use crate::table::{Column, Table, Value};
 
 /// Style sheet of the page: for screens, light and dark, and for paper of the size A4.
 const STYLE: &str = include_str!("html/style.css");
@@ -82,8 +84,10 @@ fn write_table(table: &Table, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "</table></div>")
 }
 
-fn write_row(columns: &[Column], cells: &[String], out: &mut impl Write) -> io::Result<()> {
-    let cell = |(column, text): (&Column, &String)| format!("<td{}>{}</td>", class(column), escaped(text));
+fn write_row(columns: &[Column], cells: &[Value], out: &mut impl Write) -> io::Result<()> {
+    let cell = |(column, value): (&Column, &Value)| {
+        format!("<td{}>{}</td>", class(column), escaped(&value.told(column)))
+    };
     let cells: String = columns.iter().zip(cells).map(cell).collect();
     writeln!(out, "<tr>{cells}</tr>")
 }
@@ -100,30 +104,4 @@ fn write_figure(figure: &Figure, out: &mut impl Write) -> io::Result<()> {
     write!(out, "<figure><img width=\"{width}\" height=\"{height}\" alt=\"{alternative}\" ")?;
     writeln!(out, "src=\"data:image/png;base64,{}\">", STANDARD.encode(&png))?;
     writeln!(out, "<figcaption>{caption}</figcaption></figure>")
-}
-
-/// The text with the characters that HTML reads otherwise as references.
-fn escaped(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
-            character => escaped.push(character),
-        }
-    }
-    escaped
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn markup_in_texts_is_text() {
-        assert_eq!(escaped("<b a=\"1\">'&amp;'"), "&lt;b a=&quot;1&quot;&gt;&#39;&amp;amp;&#39;");
-    }
 }

@@ -4,7 +4,8 @@ use std::io::{self, Write};
 
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 
-use super::document::{Block, Column, Document, Figure, Table};
+use super::document::{Block, Document, Figure};
+use crate::table::{Column, Table, Value};
 
 /// Characters that are percent-encoded in the name of a picture's file within a link.
 const ENCODED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'_').remove(b'.').remove(b'~');
@@ -60,7 +61,9 @@ fn write_table(table: &Table, out: &mut impl Write) -> io::Result<()> {
     write_row(table.columns.iter().map(head), out)?;
     let rule = |column: &Column| if column.is_numeric { "---:" } else { "---" };
     writeln!(out, "| {} |", table.columns.iter().map(rule).collect::<Vec<_>>().join(" | "))?;
-    table.rows.iter().chain(&table.total).try_for_each(|row| write_row(row.iter().cloned(), out))
+    let told = |(value, column): (&Value, &Column)| value.told(column);
+    let mut rows = table.rows.iter().chain(&table.total);
+    rows.try_for_each(|row| write_row(row.iter().zip(&table.columns).map(told), out))
 }
 
 fn write_row(cells: impl Iterator<Item = String>, out: &mut impl Write) -> io::Result<()> {
@@ -99,8 +102,8 @@ mod tests {
 
     #[test]
     fn numbers_stand_at_the_right() {
-        let mut table = Table::new([Column::text("surface"), Column::numbers("area", "m²")]);
-        table.row(["a|b".to_owned(), "2".to_owned()]);
+        let columns = [Column::text("surface"), Column::numbers("area", "m²")];
+        let table = Table::new(columns, [["a|b", "2"]]);
         let mut out = Vec::new();
         write_table(&table, &mut out).unwrap();
         let text = String::from_utf8(out).unwrap();

@@ -80,8 +80,8 @@ impl PlanPage<'_> {
         let foot = TICK + LINE as i32 + MARGIN;
         let size = [(corner[0] + width + MARGIN).max(titles), (corner[1] + height + foot).max(LEAST)];
         let mut page = Picture::filled(size[0] as u32, size[1] as u32, PAPER);
-        lettering(self.name, NAME).draw(&mut page, [MARGIN, MARGIN]);
-        lettering(self.figures, LINE).draw(&mut page, [MARGIN, MARGIN + NAME as i32 + 4]);
+        Lettering::level(self.name, NAME).draw(&mut page, [MARGIN, MARGIN]);
+        Lettering::level(self.figures, LINE).draw(&mut page, [MARGIN, MARGIN + NAME as i32 + 4]);
         page.paste(drawing, corner);
         let [columns, rows] = [[corner[0], corner[0] + width - 1], [corner[1] + height - 1, corner[1]]];
         ruler_below(
@@ -128,14 +128,14 @@ impl Ruler {
 }
 
 fn broad(text: &str, size: u32) -> i32 {
-    lettering(text, size).extent()[0]
+    Lettering::level(text, size).extent()[0]
 }
 
 fn ruler_below(page: &mut Picture, ruler: &Ruler, top: i32) {
     for tick in ruler.spaced_ticks(|tick| broad(&tick.text, LINE) + 10) {
         let x = ruler.pixel(tick);
         page.fill([x, x + 1], [top, top + TICK], INK);
-        lettering(&tick.text, LINE).draw(page, [x - broad(&tick.text, LINE) / 2, top + TICK]);
+        Lettering::level(&tick.text, LINE).draw(page, [x - broad(&tick.text, LINE) / 2, top + TICK]);
     }
 }
 
@@ -143,11 +143,7 @@ fn ruler_beside(page: &mut Picture, ruler: &Ruler, right: i32) {
     for tick in ruler.spaced_ticks(|_| LINE as i32 + 4) {
         let y = ruler.pixel(tick);
         page.fill([right - TICK + 1, right + 1], [y, y + 1], INK);
-        lettering(&tick.text, LINE)
+        Lettering::level(&tick.text, LINE)
             .draw(page, [right - TICK - 3 - broad(&tick.text, LINE), y - LINE as i32 / 2]);
     }
-}
-
-fn lettering(text: &str, size: u32) -> Lettering<'_> {
-    Lettering { text, size, colour: INK, upright: false }
 }

@@ -97,7 +97,7 @@ impl Label<'_> {
     }
 
     fn lettering(&self) -> Lettering<'_> {
-        Lettering { text: self.text, size: LARGE, colour: INK, upright: false }
+        Lettering::level(self.text, LARGE)
     }
 
     /// Pixels of the picture per pixel of the large letters.

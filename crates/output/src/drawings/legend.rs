@@ -30,17 +30,17 @@ impl Legend<'_> {
         let [width, height] = picture.size().map(|x| x as i32);
         let letters = if height >= 900 { 24 } else { 16 };
         let ticks = self.scale.ticks();
-        let broad = |text: &String| line(text, letters).extent()[0];
+        let broad = |text: &String| Lettering::level(text, letters).extent()[0];
         let labels = ticks.iter().map(|tick| BAR + TICK + 4 + broad(&tick.text)).max().unwrap_or(0);
         let texts = self.title.iter().chain(&self.note).map(broad).max().unwrap_or(0);
         let mut whole =
             Picture::filled((width + 2 * MARGIN + labels.max(texts)) as u32, height as u32, PAPER);
         whole.paste(picture, [0, 0]);
         let x = width + MARGIN;
-        let step = line("", letters).extent()[1] + 2;
+        let step = Lettering::level("", letters).extent()[1] + 2;
         let mut write = |lines: &[String], top: i32| {
             for (k, text) in lines.iter().enumerate() {
-                line(text, letters).draw(&mut whole, [x, top + k as i32 * step]);
+                Lettering::level(text, letters).draw(&mut whole, [x, top + k as i32 * step]);
             }
         };
         write(&self.title, MARGIN);
@@ -55,7 +55,7 @@ impl Legend<'_> {
             whole.fill([x, x + BAR], [y, y + 1], INK);
         }
         for tick in &ticks {
-            let (y, label) = (self.row(tick.value, ends), line(&tick.text, letters));
+            let (y, label) = (self.row(tick.value, ends), Lettering::level(&tick.text, letters));
             whole.fill([x + BAR, x + BAR + TICK], [y, y + 1], INK);
             label.draw(&mut whole, [x + BAR + TICK + 4, y - step / 2 + 1]);
         }
@@ -73,8 +73,4 @@ impl Legend<'_> {
     fn row(&self, value: f64, [top, foot]: [i32; 2]) -> i32 {
         (f64::from(foot - 1) - self.scale.place(value) * f64::from(foot - 1 - top)).round() as i32
     }
-}
-
-fn line(text: &str, size: u32) -> Lettering<'_> {
-    Lettering { text, size, colour: INK, upright: false }
 }

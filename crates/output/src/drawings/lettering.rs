@@ -18,7 +18,12 @@ pub(crate) struct Lettering<'a> {
     pub upright: bool,
 }
 
-impl Lettering<'_> {
+impl<'a> Lettering<'a> {
+    /// Black text from left to right.
+    pub(crate) fn level(text: &'a str, size: u32) -> Self {
+        Self { text, size, colour: [0; 3], upright: false }
+    }
+
     /// Width and height of the line before it is turned (pixels).
     pub(crate) fn extent(&self) -> [i32; 2] {
         let width: usize = self.text.chars().map(|c| advance(c, raster(self.size))).sum();
@@ -107,7 +112,7 @@ mod tests {
 
     #[test]
     fn letters_lie_in_their_extent() {
-        let line = Lettering { text: "10⁻³ W/m²", size: 24, colour: [0; 3], upright: false };
+        let line = Lettering::level("10⁻³ W/m²", 24);
         let [width, height] = line.extent();
         let ink = inked(line.text, false);
         assert!(!ink.is_empty());

@@ -1,13 +1,11 @@
 //! A picture of 8-bit sRGB pixels, to draw on and to write as PNG.
 //!
-//! Pixel (x, y) covers [x, x + 1] × [y, y + 1], y down. Lines and disks are anti-aliased: a pixel takes the
+//! Pixel (x, y) covers [x, x + 1] × [y, y + 1], y down. Disks are anti-aliased: a pixel takes the
 //! colour by the part c ≈ clamp(½ + r − d, 0, 1) that a shape of half width r covers, with d the distance of
 //! the pixel's middle from the shape's. Colours are mixed as they are encoded, which keeps thin dark letters
 //! on white dark.
 
 use std::io::{self, Write};
-
-use super::segment::Segment;
 
 /// An sRGB colour.
 pub type Colour = [u8; 3];
@@ -65,20 +63,16 @@ impl Picture {
         }
     }
 
-    /// A line of the given width between two points; `opacity` in [0, 1].
-    pub(super) fn line(&mut self, from: [f64; 2], to: [f64; 2], width: f64, colour: Colour, opacity: f64) {
-        let segment = Segment { from, to };
-        self.cover(segment.bounds(0.5 * width + 1.0), colour, |x, y| {
-            opacity * (0.5 + 0.5 * width - segment.distance([x, y])).clamp(0.0, 1.0)
-        });
-    }
-
     /// A disk.
     pub(super) fn disk(&mut self, center: [f64; 2], radius: f64, colour: Colour) {
-        let bounds = center.map(|c| [c - radius - 1.0, c + radius + 1.0]);
-        self.cover(bounds, colour, |x, y| {
-            (0.5 + radius - (x - center[0]).hypot(y - center[1])).clamp(0.0, 1.0)
-        });
+        let range = |k: usize| {
+            let [low, high] = [center[k] - radius - 1.0, center[k] + radius + 1.0];
+            low.floor() as i32..high.ceil() as i32
+        };
+        for (row, column) in range(1).flat_map(|row| range(0).map(move |column| (row, column))) {
+            let distance = (f64::from(column) + 0.5 - center[0]).hypot(f64::from(row) + 0.5 - center[1]);
+            self.blend(column, row, colour, (0.5 + radius - distance).clamp(0.0, 1.0));
+        }
     }
 
     /// Lets the pixels of the left upper corner take `colour` by the parts `coverage`, in rows of `width`.
@@ -113,20 +107,6 @@ impl Picture {
         Ok(())
     }
 
-    fn cover(&mut self, [x, y]: [[f64; 2]; 2], colour: Colour, part: impl Fn(f64, f64) -> f64) {
-        let range = |[low, high]: [f64; 2], end: u32| {
-            (low.max(0.0) as i32)..(high.ceil().clamp(0.0, f64::from(end)) as i32)
-        };
-        for row in range(y, self.height) {
-            for column in range(x, self.width) {
-                let coverage = part(f64::from(column) + 0.5, f64::from(row) + 0.5);
-                if coverage > 0.0 {
-                    self.blend(column, row, colour, coverage);
-                }
-            }
-        }
-    }
-
     fn index(&self, x: i32, y: i32) -> Option<usize> {
         let (x, y) = (u32::try_from(x).ok()?, u32::try_from(y).ok()?);
         (x < self.width && y < self.height).then_some(y as usize * self.width as usize + x as usize)
@@ -150,15 +130,12 @@ mod tests {
     }
 
     #[test]
-    fn shapes_cover_their_area() {
+    fn disks_cover_their_area() {
         let darkness =
             |picture: &Picture| -> f64 { picture.pixels.iter().map(|p| 1.0 - f64::from(p[0]) / 255.0).sum() };
         let mut disk = Picture::filled(64, 64, [255; 3]);
         disk.disk([31.3, 32.9], 20.0, [0; 3]);
         assert!((darkness(&disk) / (std::f64::consts::PI * 400.0) - 1.0).abs() < 0.01);
-        let mut line = Picture::filled(64, 64, [255; 3]);
-        line.line([-9.0, 20.0], [80.0, 20.0], 3.0, [0; 3], 1.0);
-        assert!((darkness(&line) - 64.0 * 3.0).abs() < 0.5);
     }
 
     #[test]

@@ -10,20 +10,17 @@ use serde::ser::{SerializeSeq, Serializer};
 
 use crate::files::npy;
 use crate::files::npz::Archive;
+use crate::table::{Column, Listed, Value};
 
 /// CSV with the names as header and as first column.
 ///
 /// # Errors
 /// Errors of writing to `out`.
 pub fn csv(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(out);
-    let header = ["surface"].into_iter().chain(factors.names.iter().map(String::as_str));
-    writer.write_record(header)?;
-    for (i, name) in factors.names.iter().enumerate() {
-        let numbers = factors.row(i).into_iter().map(|factor| factor.to_string());
-        writer.write_record([name.clone()].into_iter().chain(numbers))?;
-    }
-    writer.flush()
+    let columns = [Column::text("surface"), Column::several("factors", &factors.names)];
+    let names = factors.names.iter().enumerate();
+    let rows = names.map(|(i, name)| [Value::from(name.as_str()), Value::numbers(factors.row(i))]);
+    Listed { columns: &columns, rows }.csv(out)
 }
 
 /// NPY, an array of shape (N, N).
@@ -139,13 +136,8 @@ pub fn json(factors: &ViewFactors, mut out: impl Write) -> io::Result<()> {
 /// # Errors
 /// Errors of writing to `out`.
 pub fn pairs_csv(factors: &ViewFactors, pairs: &[[usize; 2]], out: impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(["from", "to", "F"])?;
-    for [i, j] in pairs {
-        let factor = format!("{:.16e}", factors.factor(*i, *j));
-        writer.write_record([&factors.names[*i], &factors.names[*j], &factor])?;
-    }
-    writer.flush()
+    let rows = pairs.iter().map(|pair| named_factor(factors, pair, |factor| format!("{factor:.16e}").into()));
+    Listed { columns: &["from", "to", "F"].map(Column::text), rows }.csv(out)
 }
 
 /// The pairs (i, j) only, as JSON.
@@ -153,20 +145,18 @@ pub fn pairs_csv(factors: &ViewFactors, pairs: &[[usize; 2]], out: impl Write) -
 /// # Errors
 /// Errors of writing to `out`.
 pub fn pairs_json(factors: &ViewFactors, pairs: &[[usize; 2]], mut out: impl Write) -> io::Result<()> {
-    let pair = |[i, j]: &[usize; 2]| Pair {
-        from: &factors.names[*i],
-        to: &factors.names[*j],
-        factor: factors.factor(*i, *j),
-    };
-    serde_json::to_writer(&mut out, &pairs.iter().map(pair).collect::<Vec<_>>())?;
+    let rows = pairs.iter().map(|pair| named_factor(factors, pair, Value::from));
+    serde_json::to_writer(&mut out, &Listed { columns: &["from", "to", "factor"].map(Column::text), rows })?;
     writeln!(out)
 }
 
-#[derive(Serialize)]
-struct Pair<'a> {
-    from: &'a str,
-    to: &'a str,
-    factor: f64,
+/// The names of a pair, and its factor.
+fn named_factor<'a>(
+    factors: &'a ViewFactors,
+    [i, j]: &[usize; 2],
+    told: impl Fn(f64) -> Value<'a>,
+) -> [Value<'a>; 3] {
+    [factors.names[*i].as_str().into(), factors.names[*j].as_str().into(), told(factors.factor(*i, *j))]
 }
 
 #[derive(Serialize)]

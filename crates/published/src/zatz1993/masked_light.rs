@@ -119,9 +119,14 @@ impl MaskedLight {
         let is_masked = |i: usize, h: usize| masks[i].iter().any(|(other, _)| *other == h);
         let either = |i: usize, h: usize| is_masked(i, h) || is_masked(h, i);
         let emits = |i: usize| coatings.iter().any(|coating| coating.exitance[i] > 0.0);
-        let free = transport::assemble_pairs(elements, &either, open, accuracy, &work);
+        let free =
+            transport::assemble(transport::Demand::all(elements, open, accuracy).of(&either), None, &work);
         let sends = |i: usize, h: usize| emits(i) && !is_masked(h, i) || emits(h) && !is_masked(i, h);
-        let rest = transport::assemble_pairs(elements, &sends, visibility, accuracy, &work);
+        let rest = transport::assemble(
+            transport::Demand::all(elements, visibility, accuracy).of(&sends),
+            None,
+            &work,
+        );
         let mut light = Self::dark(list, coatings.len());
         for emitter in (0..list.len()).filter(|i| emits(*i)) {
             let exitance: Vec<f64> = coatings.iter().map(|coating| coating.exitance[emitter]).collect();

@@ -6,7 +6,7 @@ use radiosity_published::bases::basis::Ground;
 use radiosity_published::zatz1993::transfers;
 use radiosity_scene::Scene;
 use radiosity_transport as transport;
-use radiosity_transport::KeptBlocks;
+use radiosity_transport::{Demand, KeptBlocks};
 use radiosity_visibility::Visibility;
 
 use super::failure::Failure;
@@ -43,11 +43,9 @@ fn blocks(scene: &Scene, subject: &Subject, kept: Option<&mut KeptBlocks>) -> Re
     let Subject { elements, visibility, options, work, .. } = *subject;
     let Some(rules) = options.kernel else {
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
-        let accuracy = options.accuracy();
-        return Ok(match kept {
-            Some(kept) => transport::assemble_again(elements, &sends, visibility, accuracy, kept, work),
-            None => transport::assemble_senders(elements, &sends, visibility, accuracy, work),
-        });
+        let wanted = |a, b| sends(a) || sends(b);
+        let demand = Demand::all(elements, visibility, options.accuracy()).of(&wanted);
+        return Ok(transport::assemble(demand, kept, work));
     };
     transfers::assemble(elements, visibility, rules, transfers::EXTRA_POINTS, work)
         .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })

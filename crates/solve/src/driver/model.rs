@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use radiosity_elements::mesh::Mesh;
 use radiosity_elements::{Discretization, Elements};
-use radiosity_kernel::Blocks;
+use radiosity_kernel::{Account, Blocks};
 use radiosity_published::bases::Subspace;
 use radiosity_published::bases::basis::Ground;
 use radiosity_scene::{Scene, SceneSurface};
@@ -280,7 +280,8 @@ impl Model {
         let powers = solution.powers().unwrap_or_default();
         let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
         let checks = Checks::with_powers(&solution, &self.blocks, powers, work.ranks);
-        let Blocks { pairs, samples, distinct, rays, accuracy_reached, worst_error, .. } = self.blocks;
+        let Account { pairs, samples, distinct, rays, accuracy_reached, worst_error, .. } =
+            self.blocks.account;
         Ok(Outcome {
             solution,
             checks,

@@ -17,11 +17,11 @@
 //! * a constant kernel (two parts of the inside of one sphere) → κ ∫ φ_k dA ∫ φ_l dA, exact;
 //! * apart, g ≥ H/4 → a tensor rule, or [`radiosity_kernel::rules::horizon`] where a horizon may cut the
 //!   pair;
-//! * touching → cut or halved until a rule covers the contact ([`radiosity_kernel::contact::curved`]), then
+//! * touching → cut or halved until a rule covers the contact ([`radiosity_kernel::contact::patches`]), then
 //!   [`radiosity_kernel::rules::common_edge`], [`radiosity_kernel::rules::common_edge::unequal_speed`] or
 //!   [`radiosity_kernel::rules::common_vertex`];
 //! * near, 0 < g < H/4, or a contact without a rule, or touching and cut by a horizon → halved;
-//! * with blockers → sampled: large parts apart as for planar pairs ([`blocked_parts`]), others by the rules
+//! * with blockers → sampled: large parts apart as for flat pairs ([`crate::occlusion::sampled`]), others by the rules
 //!   of their contacts after a few halvings; a single ball, outside which both elements lie, is left to
 //!   [`radiosity_kernel::rules::horizon`].
 //!
@@ -68,34 +68,40 @@
 
 mod plane_clip;
 mod points;
-mod size;
-mod budget;
-mod job;
 mod attempt;
 mod constant;
 mod fan;
 mod same_element;
 mod pair;
-mod blocked_parts;
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use radiosity_elements::Element;
+use radiosity_elements::patch::Patch;
 use radiosity_geom::COINCIDENT;
-use radiosity_kernel::contact::curved::CurvedContact;
+use radiosity_kernel::contact::patches::Contact;
 use radiosity_kernel::contact::planes::plane_of;
 use radiosity_kernel::contact::sectors::sectors;
-use radiosity_kernel::estimates::coarse::scale;
-use radiosity_kernel::rules::horizon::Front;
+use radiosity_kernel::estimates::coarse::{largest_kernel, scale};
+use radiosity_kernel::estimates::entry_bounds::SMALLEST_ENTRY;
+use radiosity_kernel::rules::horizon::{Ball, Front};
 use radiosity_kernel::{PairKind, blocks::block::Block};
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
 
+use crate::pair::job::{BallBlocker, Job, State, Task};
+use crate::pair::size::area;
 use crate::pair::tolerance::Tolerance;
-use crate::tolerances::BELOW_ESTIMATE;
+use crate::tolerances::ABOVE_ESTIMATE;
 use attempt::DOUBT;
 use constant::constant;
-use job::{Job, Task};
+
+/// Ratio of areas below which a coarse estimate is trusted to find a block negligible: on an element that is
+/// much larger few of its nodes are near the other one.
+const LARGEST_AREA_RATIO: f64 = 100.0;
+/// Smallest scale of the block of a surface with itself: what it sends to others is larger, and errors of
+/// less show nowhere.
+const SMALLEST_OWN_SCALE: f64 = 5e-3;
 
 /// Samples, about, for all parts left when the samples are spent: 2 ms at 10 ns each.
 const LEFT_SAMPLES: f64 = 2e5;
@@ -113,10 +119,10 @@ pub(crate) fn block(
     visibility: &Visibility,
     tolerance: Tolerance,
 ) -> Block {
-    let mut job = Job::new(receiver, emitter, visibility, tolerance);
+    let mut job = Job::new([receiver, emitter], visibility, tolerance);
     let parts = [sectors(receiver), sectors(emitter)];
     let planes = [plane_of(&parts[0]), plane_of(&parts[1])];
-    let [receivers, emitters] = plane_clip::clipped(parts, planes, COINCIDENT * job.size);
+    let [receivers, emitters] = plane_clip::clipped(parts, planes, job.tolerance);
     if let [Some(first), Some(second)] = planes {
         job.fronts = Some([Front::of(second), Front::of(first)]);
     }
@@ -143,7 +149,7 @@ pub(crate) fn self_block(
     visibility: &Visibility,
     tolerance: Tolerance,
 ) -> Block {
-    let mut job = Job::new(element, element, visibility, tolerance);
+    let mut job = Job::new([element, element], visibility, tolerance);
     let parts = sectors(element);
     let rough = scale(&parts, &parts, job.budget.unit);
     job.budget.scale = rough.max(tolerance.least).max(job.smallest_scale());
@@ -173,7 +179,7 @@ pub(crate) fn self_block(
     let mut block = job.finish();
     add_transpose(&mut block.values, element.basis.len());
     // The error stands in both halves.
-    block.error *= 2.0;
+    block.report.error *= 2.0;
     block
 }
 
@@ -188,25 +194,57 @@ fn add_transpose(values: &mut [f64], count: usize) {
 }
 
 impl Job<'_> {
-    fn run(&mut self) {
-        while let Some(task) = self.tasks.pop_front() {
-            check_interrupt();
-            if self.budget.overdrawn(&self.moments) {
-                self.tasks.push_front(task);
-                return self.leave();
+    fn smallest_scale(&self) -> f64 {
+        let [a, b] = self.elements.map(|element| element.surface);
+        if a == b { SMALLEST_OWN_SCALE } else { SMALLEST_ENTRY }
+    }
+
+    /// Whether the whole block is below its allowed error, as of a nearly flat surface with itself. Elements
+    /// of very different sizes are excluded, where a coarse estimate may miss corners that alone see each
+    /// other.
+    fn carries_nothing(&mut self, rough: f64, [receivers, emitters]: [&[Patch]; 2]) -> bool {
+        let [a, b] = self.elements.map(|element| element.area);
+        let may_err = self.budget.may_err();
+        let nothing = a.max(b) < LARGEST_AREA_RATIO * a.min(b)
+            && ABOVE_ESTIMATE * rough < may_err
+            && self.budget.unit * largest_kernel(receivers, emitters) < may_err;
+        if nothing {
+            self.error += rough;
+        }
+        nothing
+    }
+
+    /// The only blocker, if it is a ball and both elements lie outside it.
+    fn ball_between(&self, blockers: &[usize]) -> Option<BallBlocker> {
+        let (center, radius) = self.visibility.only_ball(blockers)?;
+        let outside = |patch: &Patch| {
+            let corners = patch.corners();
+            let inner = patch.cell_nodes(6);
+            let points = corners.iter().copied().chain(inner.iter().map(|x| x.position));
+            points.into_iter().all(|x| x.distance(center) >= radius * (1.0 - COINCIDENT))
+        };
+        let all = self.elements.iter().flat_map(|element| sectors(element)).all(|patch| outside(&patch));
+        all.then_some(BallBlocker { surface: blockers[0], ball: Ball { center, radius } })
+    }
+
+    /// The state of a pair of sectors: being a sector counts as the halvings that would make a part of the
+    /// same size.
+    fn state(&self, p: &Patch, q: &Patch, blockers: &[usize]) -> State {
+        let halved = -(area(p) * area(q) / (self.budget.unit * self.budget.unit)).log2();
+        let levels = self.budget.accuracy.shadow_levels().saturating_sub(halved.max(0.0) as u32);
+        State { touching: true, levels, blockers: blockers.to_vec() }
+    }
+
+    fn sectors(&mut self, receivers: &[Patch], emitters: &[Patch], blockers: &[usize]) {
+        for p in receivers {
+            for q in emitters {
+                self.tasks.push_back(Task::Pair(p.clone(), q.clone(), self.state(p, q, blockers)));
             }
-            match task {
-                Task::Same(patch, state) => self.same(&patch, state),
-                Task::Pair(p, q, state) => self.pair(&p, &q, state),
-                Task::Fan(outer, inner) => self.fan(&outer, inner),
-            }
-            // As κ ≥ 0, the sum so far bounds the first entry from below, except for its own error.
-            self.budget.scale = self.budget.scale.max(BELOW_ESTIMATE * self.first_entry(&self.moments));
         }
     }
 
     /// Sums all parts that are left, by as few points as the block can still afford.
-    fn leave(&mut self) {
+    pub(in crate::pair) fn leave(&mut self) {
         let mut left = Vec::new();
         for task in std::mem::take(&mut self.tasks) {
             match task {
@@ -225,7 +263,7 @@ impl Job<'_> {
         let n = (each.sqrt().sqrt() as usize).clamp(FEWEST_LEFT, MOST_LEFT);
         for (p, q, blockers, factor) in left {
             check_interrupt();
-            let mut part = self.tentative(&p, &q, Some(&CurvedContact::Apart(0.0)), n, &blockers);
+            let mut part = self.tentative(&p, &q, Some(&Contact::Apart(0.0)), n, &blockers);
             part.scale(factor);
             self.error += DOUBT * self.first_entry(&part);
             self.moments.merge(&part, true);

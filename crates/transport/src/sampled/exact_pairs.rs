@@ -8,9 +8,8 @@
 use std::collections::HashSet;
 
 use radiosity_elements::Elements;
-use radiosity_kernel::Accuracy;
-use radiosity_kernel::Blocks;
 use radiosity_kernel::blocks::held_rows::HeldRows;
+use radiosity_kernel::{Account, Accuracy, Blocks};
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 use radiosity_work::interruption::check_interrupt;
@@ -70,8 +69,8 @@ impl ExactPairs {
             return Self::default();
         }
         let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
-        let demand = Demand { elements, wanted: &wanted, visibility, accuracy, unreached: Unreached::Left };
-        let (blocks, left) = by_rules(demand, kept, work);
+        let demand = Demand::all(elements, visibility, accuracy).of(&wanted);
+        let (blocks, left) = by_rules(demand, Unreached::Left, kept, work);
         for pair in left {
             pairs.remove(&(pair.row as u32, pair.column as u32));
         }
@@ -83,9 +82,9 @@ impl ExactPairs {
         self.pairs.contains(&pair)
     }
 
-    /// Largest error of the exact blocks, as [`Blocks::accuracy_reached`].
+    /// Largest error of the exact blocks, as [`Account::accuracy_reached`].
     pub(super) fn accuracy_reached(&self) -> f64 {
-        self.blocks.as_ref().map_or(0.0, |blocks| blocks.accuracy_reached)
+        self.blocks.as_ref().map_or(0.0, |blocks| blocks.account.accuracy_reached)
     }
 
     /// Number of pairs.
@@ -93,12 +92,10 @@ impl ExactPairs {
         self.pairs.len()
     }
 
-    /// Adds what the exact blocks cost, and what they miss, to the statistics of `blocks`.
+    /// The account of `blocks`: what the exact blocks cost, without rays, and what they miss.
     pub(super) fn add_reports(&self, blocks: &mut Blocks) {
         if let Some(exact) = &self.blocks {
-            (blocks.pairs, blocks.samples, blocks.distinct) = (exact.pairs, exact.samples, exact.distinct);
-            blocks.reciprocity = exact.reciprocity;
-            (blocks.accuracy_reached, blocks.worst_error) = (exact.accuracy_reached, exact.worst_error);
+            blocks.account = Account { rays: 0, remainders: Vec::new(), ..exact.account.clone() };
         }
     }
 

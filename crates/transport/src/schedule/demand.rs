@@ -21,13 +21,37 @@ impl Unreached {
     }
 }
 
+/// Things between which view factors are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Whole {
+    /// Single elements.
+    Element,
+    /// Surfaces.
+    Surface,
+}
+
 /// The pairs of elements whose blocks are asked for, and how accurate these have to be.
 #[derive(Clone, Copy)]
-pub(crate) struct Demand<'a> {
+pub struct Demand<'a> {
+    /// The elements.
     pub elements: &'a Elements,
     /// Whether the block of two elements, in ascending order, is asked for.
     pub wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
+    /// Visibility between the elements.
     pub visibility: &'a Visibility,
+    /// Accuracy of the blocks.
     pub accuracy: Accuracy,
-    pub unreached: Unreached,
+    /// Things whose view factors have to be accurate where rays carry blocks.
+    pub whole: Whole,
+}
+
+impl<'a> Demand<'a> {
+    /// All pairs, accurate for the view factors of elements.
+    pub fn all(elements: &'a Elements, visibility: &'a Visibility, accuracy: Accuracy) -> Self {
+        Self { elements, wanted: &|_, _| true, visibility, accuracy, whole: Whole::Element }
+    }
+    /// The pairs that are `wanted` of it: a question about two elements, in ascending order.
+    pub fn of(self, wanted: &'a (dyn Fn(usize, usize) -> bool + Sync)) -> Self {
+        Self { wanted, ..self }
+    }
 }

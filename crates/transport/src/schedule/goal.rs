@@ -159,7 +159,7 @@ impl Schedule<'_> {
     fn largest(&self, tasks: &[Task], entry: impl Fn(&Task, [usize; 2]) -> f64) -> Vec<f64> {
         let mut rows = vec![0.0f64; self.list.len()];
         for task in tasks {
-            let [row, column] = [task.row, task.column].map(|index| index as usize);
+            let [row, column] = task.pair();
             for pair in [[row, column], [column, row]] {
                 rows[pair[0]] = rows[pair[0]].max(entry(task, pair));
             }
@@ -175,7 +175,7 @@ impl Schedule<'_> {
     /// The first entry at which a view factor of the task would reach the largest of its row in `factors`;
     /// the smaller of the two rows.
     fn tolerable(&self, task: &Task, factors: &[f64]) -> f64 {
-        let [row, column] = [task.row, task.column].map(|index| index as usize);
+        let [row, column] = task.pair();
         let entry = |pair: [usize; 2]| factors[pair[0]] / self.factor_scale(pair);
         entry([row, column]).min(entry([column, row]))
     }

@@ -10,13 +10,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::kept_blocks::IntegratedBlock;
 use crate::schedule::balance::{Balance, WorkItem, rounds};
-use crate::schedule::source::Source;
-use crate::schedule::task::Task;
+use crate::schedule::plan::Planned;
 
 /// A block as all ranks know it, without its values.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) struct IntegratedReport {
     pub(super) block: BlockReport,
+    /// Largest absolute value; NaN if one of them is.
+    pub(super) largest: f64,
     /// Bound of the norm of the block's difference from the integrated one ([`IntegratedBlock::remainder`]).
     pub(super) remainder: f64,
 }
@@ -29,7 +30,7 @@ pub(super) struct Integrated {
     pub(super) makers: Vec<usize>,
     reports: Vec<Option<IntegratedReport>>,
     /// Blocks that this rank made, and after [`Integrated::deliver`] those that it needs.
-    pub(super) blocks: Vec<Option<Arc<IntegratedBlock>>>,
+    blocks: Vec<Option<Arc<IntegratedBlock>>>,
 }
 
 impl Integrated {
@@ -82,7 +83,8 @@ impl Integrated {
         let own = places.iter().zip(makers).filter(|(_, maker)| **maker == me);
         let made = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), make);
         let report = |block: &Arc<IntegratedBlock>| IntegratedReport {
-            block: block.block.report(),
+            block: block.block.report,
+            largest: block.block.largest(),
             remainder: block.remainder,
         };
         let reports = self.ranks.merged(makers, made.iter().map(report).collect());
@@ -99,30 +101,22 @@ impl Integrated {
         self.reports[place].as_ref().expect("all blocks were made")
     }
 
-    /// Sends the values of each block to the ranks that hold its row or its column; to all ranks where its
-    /// task is `left`.
-    pub(super) fn deliver(
-        &mut self,
-        tasks: &[Task],
-        sources: &[Source],
-        is_left: &dyn Fn(&Task, &BlockReport) -> bool,
-        held: &HeldRows,
-    ) {
+    /// Sends the values of each block to the ranks that hold its row or its column; to all ranks where the
+    /// task of this number `is_left`.
+    pub(super) fn deliver(&mut self, plan: &[Planned], is_left: &dyn Fn(usize) -> bool, held: &HeldRows) {
         if self.ranks.are_alone() {
             return;
         }
         let me = self.ranks.number();
         let mut wanted: Vec<(usize, usize)> = Vec::new();
-        for (task, source) in
-            tasks.iter().zip(sources).filter(|(_, source)| self.makers[source.place()] == me)
-        {
-            let place = source.place();
-            match is_left(task, &self.report(place).block) {
+        for (index, planned) in plan.iter().enumerate() {
+            let place = planned.source.place();
+            if self.makers[place] != me {
+                continue;
+            }
+            match is_left(index) {
                 true => wanted.extend((0..self.ranks.count()).map(|rank| (rank, place))),
-                false => {
-                    wanted
-                        .extend([task.row, task.column].map(|element| (held.rank(element as usize), place)));
-                }
+                false => wanted.extend(planned.task.pair().map(|element| (held.rank(element), place))),
             }
         }
         wanted.sort_unstable();
@@ -132,9 +126,9 @@ impl Integrated {
             parcels[rank].push((place, self.values(place).to_vec()));
         }
         for (place, values) in self.ranks.exchange(parcels).into_iter().flatten() {
-            let IntegratedReport { block, remainder } = *self.report(place);
-            self.blocks[place] =
-                Some(Arc::new(IntegratedBlock::known(Block::from_report(values, &block), remainder)));
+            let IntegratedReport { block: report, remainder, .. } = *self.report(place);
+            let block = IntegratedBlock::known(Block { values, report }, remainder);
+            self.blocks[place] = Some(Arc::new(block));
         }
     }
 
@@ -146,5 +140,10 @@ impl Integrated {
     /// The values of the block at `place`, row-major.
     pub(super) fn values(&self, place: usize) -> &[f64] {
         &self.block(place).block.values
+    }
+    /// The blocks that this rank made, in order; None in place of the others.
+    pub(super) fn into_made(self) -> impl Iterator<Item = Option<Arc<IntegratedBlock>>> {
+        let me = self.ranks.number();
+        self.blocks.into_iter().zip(self.makers).map(move |(block, maker)| block.filter(|_| maker == me))
     }
 }

@@ -21,7 +21,7 @@ impl Schedule<'_> {
             return Some(Arc::clone(block));
         }
         let known = kept.known()?;
-        let places = [task.row, task.column].map(|index| index as usize);
+        let places = task.pair();
         let pair = places.map(|index| &self.list[index]);
         let is_free = task.blockers.is_empty() && task.own.is_empty();
         let are_flat = pair.iter().all(|element| element.plane.is_some() && element.contact.is_none());

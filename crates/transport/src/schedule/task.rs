@@ -32,8 +32,8 @@ pub(super) struct Schedule<'a> {
 
 impl<'a> Schedule<'a> {
     /// The elements between which the blocks of a demand are to be found.
-    pub(super) fn new(demand: Demand<'a>) -> Self {
-        let Demand { elements, wanted, visibility, accuracy, unreached } = demand;
+    pub(super) fn new(demand: Demand<'a>, unreached: Unreached) -> Self {
+        let Demand { elements, wanted, visibility, accuracy, .. } = demand;
         let list = elements.list();
         Self {
             list,
@@ -80,5 +80,10 @@ impl Task {
             blockers: Vec::new(),
             own: Vec::new(),
         }
+    }
+
+    /// Its elements.
+    pub(super) fn pair(&self) -> [usize; 2] {
+        [self.row as usize, self.column as usize]
     }
 }

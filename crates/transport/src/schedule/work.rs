@@ -35,15 +35,18 @@ pub fn work(
     accuracy: Accuracy,
 ) -> Vec<BlockWork> {
     let wanted = |a: usize, b: usize| sends(a) || sends(b);
-    let unreached = Unreached::of(visibility);
-    let schedule = Schedule::new(Demand { elements, wanted: &wanted, visibility, accuracy, unreached });
+    let demand = Demand::all(elements, visibility, accuracy).of(&wanted);
+    let schedule = Schedule::new(demand, Unreached::of(visibility));
     let (tasks, _) = schedule.sort(Ranks::alone());
-    let goals = schedule.goals(&tasks);
-    let sources = schedule.share(&tasks, &goals);
+    let plan = schedule.plan(tasks);
     let held = HeldRows::of(Ranks::alone(), &elements.starts());
-    let integrated = schedule.integrate(&tasks, &goals, &sources, None, &held, &Work::alone());
-    let items = schedule.items(&tasks, &sources).into_iter().enumerate();
-    items.map(|(place, item)| BlockWork { item, report: integrated.report(place).block }).collect()
+    let integrated = schedule.integrate(&plan, None, &held, &Work::alone());
+    let own = plan.iter().filter(|planned| planned.source.is_own()).enumerate();
+    own.map(|(place, planned)| BlockWork {
+        item: schedule.item(&planned.task),
+        report: integrated.report(place).block,
+    })
+    .collect()
 }
 
 /// Cost of the blocks of each of so many ranks that share this work, round by round: ranks wait for each

@@ -9,16 +9,8 @@ use radiosity_elements::Element;
 use radiosity_kernel::blocks::FirstEntry;
 
 use super::ray_block::RayBlock;
+use crate::schedule::Whole;
 use crate::tolerances::{BATCHES, DEVIATIONS};
-
-/// Things between which view factors are asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Whole {
-    /// Single elements.
-    Element,
-    /// Surfaces.
-    Surface,
-}
 
 /// The wholes of a scene.
 pub(super) struct Wholes {

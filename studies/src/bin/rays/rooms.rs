@@ -8,8 +8,7 @@ use radiosity::Scene;
 use radiosity::Work;
 use radiosity::solve::{Options, Outcome, Transport, solve};
 
-use crate::diagram;
-use crate::diagram::{Line, Panel};
+use crate::diagram::{self, Line};
 use crate::judge::Points;
 
 /// Rays of the rooms.
@@ -57,9 +56,9 @@ pub(crate) fn rooms(folder: &Path, file: &Path) -> Result<(), Box<dyn Error>> {
             .map(|(label, places)| Line { label: label.to_owned(), places });
         let others =
             HIERARCHICAL.map(|(label, places)| Line { label: label.to_owned(), places: places.to_vec() });
-        panels.push(Panel { title: name, lines: own.into_iter().chain(others).collect() });
+        panels.push(diagram::panel(&name, "relative error", own.into_iter().chain(others)));
     }
-    diagram::write(file, "relative error of the irradiance at points", &panels)
+    diagram::write(file, "errors of the irradiance at points", panels)
 }
 
 /// A solution by so many rays, and its time.

@@ -10,6 +10,7 @@ use std::time::Instant;
 use radiosity::Scene;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::{Discretization, Elements};
+use radiosity::output::drawings::diagram::Panel;
 use radiosity::solve::system::{Coefficients, System};
 use radiosity::solvers::Settings;
 use radiosity::solvers::method::Method;
@@ -18,12 +19,11 @@ use radiosity::work::ranks::Ranks;
 use radiosity::{
     Work,
     kernel::{Accuracy, Blocks},
-    transport::{Rays, SampledTransport, assemble},
+    transport::{Demand, Rays, SampledTransport, assemble},
 };
 
 use crate::apart::{apart, means};
-use crate::diagram;
-use crate::diagram::{Line, Panel};
+use crate::diagram::{self, Line};
 
 const SCENES: [&str; 2] = ["cornell-box", "two-boxes"];
 
@@ -106,7 +106,7 @@ pub(crate) fn sooner(file: &Path) -> Result<(), Box<dyn Error>> {
         }
         panels.push(panel(name, &runs));
     }
-    diagram::write(file, "relative error of mean irradiances", &panels)
+    diagram::write(file, "errors of mean irradiances", panels)
 }
 
 /// A line for each way.
@@ -115,7 +115,7 @@ fn panel(name: &str, runs: &[Run]) -> Panel {
         let own = runs.iter().filter(|run| run.way == way);
         Line { label: way.label().to_owned(), places: own.map(|run| (run.seconds, run.error)).collect() }
     };
-    Panel { title: name.to_owned(), lines: Way::ALL.map(line).into() }
+    diagram::panel(name, "relative error", Way::ALL.map(line))
 }
 
 fn tell(name: &str, what: &str, run: Run) -> Run {
@@ -129,8 +129,11 @@ impl Subject {
         let visibility = Visibility::new(scene, Shadows::Outlines(TRUE));
         let elements = Elements::new(scene, &Discretization::uniform(2, 2))?;
         let coating = Coating::of(scene, elements.list(), 0);
-        let blocks =
-            assemble(&elements, &visibility, Accuracy { eps: TRUE, shadow_eps: TRUE }, &Work::alone());
+        let blocks = assemble(
+            Demand::all(&elements, &visibility, Accuracy { eps: TRUE, shadow_eps: TRUE }),
+            None,
+            &Work::alone(),
+        );
         let truth = solved(&elements, &coating, &blocks)?;
         Ok(Self { elements, coating, visibility, truth })
     }
@@ -148,7 +151,7 @@ impl Subject {
 
     fn exact(&self, accuracy: f64) -> Blocks {
         let accuracy = Accuracy { eps: accuracy, shadow_eps: accuracy };
-        assemble(&self.elements, &self.visibility, accuracy, &Work::alone())
+        assemble(Demand::all(&self.elements, &self.visibility, accuracy), None, &Work::alone())
     }
 
     fn sampled(&self, way: Way, rays: u64) -> Carried {

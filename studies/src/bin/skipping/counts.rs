@@ -33,7 +33,14 @@ fn naive_samples(subject: &Subject, pairs: usize) -> u64 {
     let wanted = |i, j| (sends(i) || sends(j)) && is_taken([i, j], elements.list().len(), every);
     let open = Visibility::new(scene, Shadows::Off);
     let accuracy = Options::default().accuracy();
-    every as u64 * transport::assemble_pairs(elements, &wanted, &open, accuracy, &Work::alone()).samples
+    every as u64
+        * transport::assemble(
+            transport::Demand::all(elements, &open, accuracy).of(&wanted),
+            None,
+            &Work::alone(),
+        )
+        .account
+        .samples
 }
 
 /// A row of the table, less its name.

@@ -121,9 +121,13 @@ impl<'a> Judged<'a> {
         let wanted =
             |i: usize, j: usize| is_taken([i, j], list.len(), self.every) && (self.all || is_apart(i, j));
         let start = ProcessTime::now();
-        let blocks = transport::assemble_pairs(elements, &wanted, &visibility, accuracy, &Work::alone());
+        let blocks = transport::assemble(
+            transport::Demand::all(elements, &visibility, accuracy).of(&wanted),
+            None,
+            &Work::alone(),
+        );
         let seconds = start.elapsed().as_secs_f64();
-        let rays = blocks.rays;
+        let rays = blocks.account.rays;
         Found {
             blocks: blocks.iter().map(|block| ((block.row, block.column), block.values.to_vec())).collect(),
             rays,

@@ -95,7 +95,8 @@ fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
     let elements = Elements::new(&scene, &how).expect("squares have area");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-3 };
-    let blocks = transport::assemble(&elements, &visibility, accuracy, &Work::alone());
+    let blocks =
+        transport::assemble(transport::Demand::all(&elements, &visibility, accuracy), None, &Work::alone());
     let [receiver, source] = elements.list() else { panic!("one element a square") };
     let emitted = [vec![0.0; receiver.basis.len()], source.constant.clone()].concat();
     let raw = receiver.basis.to_raw(&blocks.apply(&emitted)[..receiver.basis.len()]);

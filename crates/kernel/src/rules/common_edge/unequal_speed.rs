@@ -15,7 +15,7 @@ use radiosity_elements::rule::UnitRule;
 use radiosity_geom::DVec3;
 use radiosity_work::interruption::check_interrupt;
 
-use crate::contact::curved::sides;
+use crate::contact::patches::sides;
 use crate::moments::Moments;
 use crate::moments::integrand::Sees;
 

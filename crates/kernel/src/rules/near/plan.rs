@@ -5,17 +5,19 @@
 //! projections of near edges, so that the layers of width ≈ gap along these lie at sides of cells.
 
 use radiosity_elements::basis::AreaBasis;
-use radiosity_elements::patch::Patch;
+use radiosity_elements::patch::{Direction, Patch};
 use radiosity_elements::rule::UnitRule;
 use radiosity_geom::{DVec3, clip_polygon};
 use radiosity_work::interruption::check_interrupt;
+use smallvec::SmallVec;
 
-use crate::contact::flat::gap;
+use crate::contact::gap::gap;
+use crate::irradiance::lambert;
 use crate::rules::far;
 use crate::rules::far::SMALLEST_RATIO;
 use crate::rules::near::emitter::Emitter;
 use crate::rules::near::line::{LineRule, Request, StretchedRule};
-use crate::rules::near::polar::{Edge, Polar, edges, fraction};
+use crate::rules::near::polar::{Edge, edges, fraction};
 use crate::tolerances::MOST_CUTS_OF_CELL;
 
 /// Distance, relative to the pair's size, below which nothing is resolved: 500 rounding errors; for touching
@@ -87,7 +89,7 @@ impl<'a> Planner<'a> {
         let parts = cut_along(outer, &edges);
         // The inner integral's error counts relative to its mean, the transfer; where that is small the inner
         // integral is small on part of the receiver. √ of the transfer was enough in all cases measured.
-        let transfer = mean_irradiance(&parts, &Polar::new(inner, self.inner, self.eps));
+        let transfer = mean_irradiance(&parts, &inner.polygon());
         self.eps *= transfer.clamp(LEAST_TRANSFER, 1.0).sqrt();
         let emitter = Emitter::new(inner, self.inner, self.eps);
         parts.iter().for_each(|part| self.cell(part, &emitter, 0));
@@ -126,7 +128,8 @@ impl<'a> Planner<'a> {
         if let Some(at) = rules[worst].cut
             && depth < MOST_CUTS_OF_CELL
         {
-            cut(cell, worst, at.place).iter().for_each(|part| self.cell(part, emitter, depth + 1));
+            let direction = [Direction::Along, Direction::Across][worst];
+            cell.cut(direction, at.place).iter().for_each(|part| self.cell(part, emitter, depth + 1));
             return;
         }
         let polar = self.polar(cell, emitter, rules.map(|line| line.rule));
@@ -162,32 +165,20 @@ impl<'a> Planner<'a> {
     }
 }
 
-/// Mean irradiance over coplanar parts from an emitter of radiosity 1, to some ten percent (3 × 3 points on
-/// each part).
-fn mean_irradiance(parts: &[Patch], emitter: &Polar) -> f64 {
+/// Mean irradiance over coplanar parts from an emitter of radiosity 1 with these corners, to some ten percent
+/// (3 × 3 points on each part).
+fn mean_irradiance(parts: &[Patch], emitter: &[DVec3]) -> f64 {
     let rule = UnitRule::of(3);
     let (mut sum, mut area) = (0.0, 0.0);
     for part in parts {
         for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
             let node = part.node(s, t);
-            sum += ws * wt * node.area * emitter.irradiance(&node);
+            let seen: SmallVec<[DVec3; 4]> = emitter.iter().map(|corner| corner - node.position).collect();
+            sum += ws * wt * node.area * lambert::polygon(node.normal, &seen);
             area += ws * wt * node.area;
         }
     }
     sum / area
-}
-
-/// The two parts of a flat cell, cut at the parameter `place` of direction 0 (along) or 1 (across).
-fn cut(cell: &Patch, direction: usize, place: f64) -> [Patch; 2] {
-    let ([a, b, c, d], normal) = (cell.corners(), cell.node(0.5, 0.5).normal);
-    let flat = |corners| Patch::Flat { corners, normal };
-    if direction == 0 {
-        let (low, high) = (a.lerp(b, place), d.lerp(c, place));
-        [flat([a, low, high, d]), flat([low, b, c, high])]
-    } else {
-        let (left, right) = (a.lerp(d, place), b.lerp(c, place));
-        [flat([a, b, right, left]), flat([left, right, c, d])]
-    }
 }
 
 /// The parts of a flat patch, cut along the projections of near `edges`.
@@ -230,22 +221,16 @@ fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) 
 /// Tensor samples if the longest extent is halved until every part is far enough apart; infinite above
 /// `limit`.
 pub(super) fn split_cost(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, limit: f64) -> f64 {
-    let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
     let gap = gap(p, q);
     if gap == 0.0 {
         return f64::INFINITY;
     }
-    if gap >= SMALLEST_RATIO * extent_p.max(extent_q) {
+    if gap >= SMALLEST_RATIO * p.longest().1.max(q.longest().1) {
         return far::counts(p, q, degrees, gap, eps).iter().map(|n| *n as f64).product();
     }
-    let pairs: Vec<(Patch, Patch)> = if extent_p >= extent_q {
-        p.halves(direction_p).into_iter().map(|half| (half, q.clone())).collect()
-    } else {
-        q.halves(direction_q).into_iter().map(|half| (p.clone(), half)).collect()
-    };
     let mut cost = 0.0;
-    for (a, b) in &pairs {
-        cost += split_cost(a, b, degrees, eps, limit - cost);
+    for [a, b] in Patch::halve_longer(p, q) {
+        cost += split_cost(&a, &b, degrees, eps, limit - cost);
         if cost > limit {
             return f64::INFINITY;
         }

@@ -142,18 +142,6 @@ impl<'a> Polar<'a> {
         inside.then_some(Complex64::from(place))
     }
 
-    /// Irradiance at x from the emitter with radiosity 1, by Lambert's formula (1760): E = 1/(2π) |Σ_edges θ
-    /// n_x·(a × b)/|a × b||, a and b the vectors from x to an edge's ends and θ the angle between them.
-    pub(super) fn irradiance(&self, x: &Node) -> f64 {
-        let edge = |BorderEdge { edge, outward }: &BorderEdge| {
-            let (a, moment) = (edge.start - x.position, edge.along * edge.length);
-            let (cross, turn) = (a.cross(moment), edge.along.cross(self.normal).dot(*outward));
-            let angle = cross.length().atan2(a.dot(a + moment));
-            -turn * angle * x.normal.dot(cross.normalize_or_zero())
-        };
-        (0.5 * core::f64::consts::FRAC_1_PI * self.edges.iter().map(edge).sum::<f64>()).abs()
-    }
-
     fn edge(&mut self, ray: &Rays, piece: &Piece, n: usize) {
         let place = |point: DVec3| DVec2::from_array(self.basis.frame().locate(point, DVec2::ZERO));
         let origin = place(ray.foot);

@@ -3,16 +3,14 @@
 use radiosity_scene::Scene;
 
 use super::light_part::LightPart;
-use crate::documents::document::{Block, Column, Table};
+use crate::documents::document::Block;
+use crate::table::{Column, Table};
 use radiosity_reading::digits::{decimals, error, significant};
 use radiosity_reading::quantity::power_unit;
 
 pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
-    let mut table =
-        Table::new([Column::text("check"), Column::numbers("found", ""), Column::text("without errors")]);
-    for [check, found, ideal] in rows(scene, light) {
-        table.row([check, found, ideal]);
-    }
+    let columns = [Column::text("check"), Column::numbers("found", ""), Column::text("without errors")];
+    let table = Table::new(columns, rows(scene, light));
     vec![Block::Heading("Checks".to_owned()), Block::Table(table)]
 }
 

@@ -3,7 +3,8 @@
 use radiosity_scene::{Scene, SensorPlane};
 
 use super::light_part::{LightPart, ReportedPlane, plan_name};
-use crate::documents::document::{Block, Column, Figure, Table};
+use crate::documents::document::{Block, Figure};
+use crate::table::{Column, Table};
 use radiosity_reading::digits::{column, short, significant};
 use radiosity_reading::plane_figures::{BandFigures, PlaneFigures};
 use radiosity_reading::quantity::Quantity;
@@ -34,26 +35,26 @@ pub(super) fn blocks(scene: &Scene, light: &LightPart) -> Vec<Block> {
 }
 
 /// A row for each plane and band.
-fn table(scene: &Scene, light: &LightPart) -> Table {
+fn table(scene: &Scene, light: &LightPart) -> Table<'static> {
     let rows: Vec<Row> =
         light.plans.iter().zip(&light.report.planes).flat_map(|(plan, own)| rows(plan, own)).collect();
     let heads = ["mean", "min", "max"].map(|head| Column::numbers(head, &scene.unit));
     let ratios = ["U0", "Ud"].map(|head| Column::numbers(head, ""));
     let band = (scene.bands.len() > 1).then(|| Column::text("band"));
     let names = [Column::text("plane")].into_iter().chain(band).chain([Column::numbers("sensors", "")]);
-    let mut table = Table::new(names.chain(heads).chain(ratios).collect::<Vec<_>>());
     let part = |part: Option<f64>| part.map_or_else(|| "–".to_owned(), |part| format!("{part:.2}"));
     let values: Vec<f64> =
         rows.iter().flat_map(|row| [row.figures.mean, row.figures.min, row.figures.max]).collect();
-    for (row, values) in rows.iter().zip(column(&values).chunks(3)) {
+    let texts = column(&values);
+    let cells = rows.iter().zip(texts.chunks(3)).map(|(row, values)| {
         let mut cells = vec![row.plane.name.clone()];
         cells.extend(row.band.clone());
         cells.push(row.plane.points.to_string());
         cells.extend_from_slice(values);
         cells.extend([part(row.figures.u0), part(row.figures.ud)]);
-        table.row(cells);
-    }
-    table
+        cells
+    });
+    Table::new(names.chain(heads).chain(ratios).collect::<Vec<_>>(), cells)
 }
 
 /// The figures of a plane in a band, which is named where there are several.

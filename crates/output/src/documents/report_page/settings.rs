@@ -4,16 +4,15 @@
 use radiosity_scene::Scene;
 
 use super::light_part::LightPart;
-use crate::documents::document::{Block, Column, Table};
+use crate::documents::document::Block;
+use crate::table::{Column, Table};
 use radiosity_reading::digits::short;
 use radiosity_reading::reader::ReadMode;
 
 pub(super) fn blocks(scene: &Scene, light: Option<&LightPart>, command: &str) -> Vec<Block> {
     let mut blocks = vec![Block::Heading("Settings".to_owned())];
-    let rows: Vec<[String; 2]> =
-        of_scene(scene).into_iter().chain(light.into_iter().flat_map(of_light)).collect();
-    let mut table = Table::new([Column::text("setting"), Column::text("value")]);
-    rows.into_iter().for_each(|row| table.row(row));
+    let rows = of_scene(scene).into_iter().chain(light.into_iter().flat_map(of_light));
+    let table = Table::new([Column::text("setting"), Column::text("value")], rows);
     blocks.push(Block::Table(table));
     let done: Vec<String> = scene
         .imported()

@@ -3,7 +3,8 @@
 use radiosity_scene::{Scene, SceneSurface};
 
 use super::light_part::LightPart;
-use crate::documents::document::{Block, Column, Table};
+use crate::documents::document::Block;
+use crate::table::{Column, Table};
 use radiosity_reading::digits::{column, significant};
 use radiosity_reading::quantity::{Quantity, of_bands, power_unit};
 use radiosity_reading::surface_light::SurfaceLight;
@@ -77,18 +78,17 @@ impl TotalledColumn {
 }
 
 /// The columns side by side.
-fn table(columns: Vec<TotalledColumn>) -> Table {
+fn table(columns: Vec<TotalledColumn>) -> Table<'static> {
     let rows = columns.first().map_or(0, |first| first.cells.len());
-    let mut table = Table::new(columns.iter().map(|own| own.column.clone()).collect::<Vec<_>>());
-    for row in 0..rows {
-        table.row(columns.iter().map(|own| own.cells[row].clone()).collect::<Vec<_>>());
-    }
+    let row = |row: usize| columns.iter().map(move |own| own.cells[row].clone());
+    let heads: Vec<Column> = columns.iter().map(|own| own.column.clone()).collect();
+    let mut table = Table::new(heads, (0..rows).map(row));
     let has_total = columns.iter().any(|own| !own.total.is_empty());
-    table.total = has_total.then(|| columns.into_iter().map(|own| own.total).collect());
+    table.total = has_total.then(|| columns.into_iter().map(|own| own.total.into()).collect());
     table
 }
 
-fn powers(scene: &Scene, all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Table {
+fn powers(scene: &Scene, all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Table<'static> {
     let [mut names, materials] = names(scene, listed);
     names.total = "all surfaces".to_owned();
     let mut columns = vec![names, materials];
@@ -107,7 +107,7 @@ fn powers(scene: &Scene, all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Tabl
     table(columns)
 }
 
-fn by_band(scene: &Scene, listed: &[&SurfaceLight]) -> Table {
+fn by_band(scene: &Scene, listed: &[&SurfaceLight]) -> Table<'static> {
     let bands = scene.bands.iter().enumerate();
     let reflectances =
         bands.clone().map(|(band, name)| reflectance(scene, listed, band, &format!("ρ {name}")));

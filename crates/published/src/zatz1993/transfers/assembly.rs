@@ -56,9 +56,7 @@ pub fn assemble(
             count(&mut blocks, row == column, &outcome);
         }
         if let Outcome::Integrated(block) = outcome {
-            blocks.samples += block.samples;
-            blocks.distinct += block.distinct;
-            blocks.rays += block.rays;
+            blocks.account.take_costs(&block.report);
             blocks.push(row, column, &block.values);
         }
     }
@@ -66,13 +64,13 @@ pub fn assemble(
 }
 
 fn count(blocks: &mut Blocks, same: bool, outcome: &Outcome) {
-    let pairs = &mut blocks.pairs;
+    let pairs = &mut blocks.account.pairs;
     pairs.total += usize::from(!same || matches!(outcome, Outcome::Integrated(_)));
     match outcome {
         Outcome::Coplanar => pairs.skipped_coplanar += usize::from(!same),
         Outcome::Behind => pairs.skipped_behind += 1,
         Outcome::Hidden => pairs.skipped_hidden += 1,
-        Outcome::Integrated(block) => pairs.take(&block.report()),
+        Outcome::Integrated(block) => pairs.take(&block.report),
     }
 }
 
@@ -106,15 +104,7 @@ fn integrate(
         (false, true) => PairKind::Edge,
         (false, false) => PairKind::Separated,
     };
-    Outcome::Integrated(Block {
-        values: receiver.block(emitter, &transfer.values),
-        kind,
-        partly_hidden: !blockers.is_empty(),
-        unresolved: false,
-        untried: false,
-        error: 0.0,
-        samples: transfer.samples,
-        distinct: transfer.samples,
-        rays: transfer.rays,
-    })
+    let mut block = Block::exact(receiver.block(emitter, &transfer.values), kind, transfer.samples);
+    (block.report.partly_hidden, block.report.rays) = (!blockers.is_empty(), transfer.rays);
+    Outcome::Integrated(block)
 }

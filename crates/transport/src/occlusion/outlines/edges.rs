@@ -16,7 +16,7 @@
 
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{COINCIDENT, DVec3, extreme_points, separated};
-use radiosity_kernel::contact::flat::segment_distance;
+use radiosity_kernel::contact::gap::segment_distance;
 use radiosity_visibility::Visibility;
 use radiosity_visibility::blocker_edges::BlockerEdge;
 

@@ -8,7 +8,7 @@ use radiosity_elements::Element;
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{DVec3, Plane, clip_polygon, touching};
 use radiosity_kernel::contact::clip::Facet;
-use radiosity_kernel::contact::flat::{polygon_distance, segment_distance};
+use radiosity_kernel::contact::gap::{polygon_distance, segment_distance};
 use radiosity_kernel::contact::sectors::sectors;
 use radiosity_kernel::moments::Side;
 use radiosity_visibility::Visibility;

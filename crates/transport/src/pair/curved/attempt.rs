@@ -2,16 +2,15 @@
 
 use radiosity_elements::measure::WeightedNode;
 use radiosity_elements::patch::{Node, Patch};
-use radiosity_kernel::contact::curved::CurvedContact;
+use radiosity_kernel::contact::patches::Contact;
 use radiosity_kernel::estimates::coarse::scale;
 use radiosity_kernel::moments::integrand::{Sees, visible_kernel};
 use radiosity_kernel::moments::{Moments, Side};
 use radiosity_kernel::rules::common_edge::EdgePair;
-use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon::Front;
 use radiosity_kernel::rules::{common_edge, common_vertex};
 
-use crate::pair::curved::job::{Job, State};
+use crate::pair::job::{Job, State};
 use crate::tolerances::{ABOVE_ESTIMATE, MISSED_BY_ATTEMPTS};
 
 /// Points per direction for degree 0: the least whose difference from two more says something. With more each
@@ -41,13 +40,7 @@ impl<'a> Job<'a> {
     /// Attempts a part that no rule covers: one cut by a horizon, or a contact of another kind. The error is
     /// the difference of the rule with n and n + 2 points. `contact` is None for a patch with itself. Returns
     /// whether the result is kept: because it is accurate enough, or because the samples are spent.
-    pub(super) fn attempt(
-        &mut self,
-        p: &Patch,
-        q: &Patch,
-        contact: Option<&CurvedContact>,
-        state: &State,
-    ) -> bool {
+    pub(super) fn attempt(&mut self, p: &Patch, q: &Patch, contact: Option<&Contact>, state: &State) -> bool {
         let share = self.budget.share(p, q);
         if !self.spent() && self.carried(p, q, share) > LARGEST_ATTEMPT * self.budget.scale {
             return false;
@@ -65,8 +58,7 @@ impl<'a> Job<'a> {
             // Two rules may miss one horizon alike: an attempt that missed its accuracy has at least this
             // error.
             let doubt = if enough { 0.0 } else { DOUBT * self.first_entry(&fine) };
-            let reach = SMALLEST_RATIO * p.longest().1.max(q.longest().1);
-            let is_near = matches!(contact, Some(CurvedContact::Apart(gap)) if *gap < reach);
+            let is_near = matches!(contact, Some(Contact::Apart(gap)) if Self::is_near(p, q, *gap));
             self.error += doubt.max(if is_near { MISSED_BY_ATTEMPTS * error } else { error });
             self.unresolved |= !enough;
         }
@@ -80,7 +72,7 @@ impl<'a> Job<'a> {
     }
 
     /// Sums a part whose shadows are sampled although the rays are spent.
-    pub(super) fn roughly(&mut self, p: &Patch, q: &Patch, contact: Option<&CurvedContact>, state: &State) {
+    pub(super) fn roughly(&mut self, p: &Patch, q: &Patch, contact: Option<&Contact>, state: &State) {
         let n = POINTS_WHEN_SPENT + self.bends(self.budget.share(p, q));
         let part = self.tentative(p, q, contact, n, &state.blockers);
         self.moments.merge(&part, true);
@@ -95,13 +87,12 @@ impl<'a> Job<'a> {
         &self,
         p: &Patch,
         q: &Patch,
-        contact: Option<&CurvedContact>,
+        contact: Option<&Contact>,
         n: usize,
         blockers: &[usize],
     ) -> Moments<'a> {
         let mut moments = Moments::new(&self.elements[0].basis, &self.elements[1].basis);
-        let own = self.surfaces();
-        let free = |x, y| self.visibility.free_between(own, blockers, x, y);
+        let free = self.sees(blockers);
         let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
         let plain = [n, n, n + 1, n + 1];
         match contact {
@@ -110,10 +101,10 @@ impl<'a> Job<'a> {
                 moments.tensor(p, p, plain, sees);
                 moments.scale(0.5);
             }
-            Some(CurvedContact::Edge { p, q, matched: true }) if EdgePair::of(p, q).cosine > SMOOTH => {
+            Some(Contact::Edge { p, q, matched: true }) if EdgePair::of(p, q).cosine > SMOOTH => {
                 common_edge::integrate(&mut moments, p, q, [n; 3], sees);
             }
-            Some(CurvedContact::Vertex(p, q)) => common_vertex::integrate(&mut moments, p, q, [n; 2], sees),
+            Some(Contact::Vertex(p, q)) => common_vertex::integrate(&mut moments, p, q, [n; 2], sees),
             Some(_) => match &self.fronts {
                 Some(fronts) if fronts[0].cuts(p) || fronts[1].cuts(q) => {
                     before_planes(&mut moments, [p, q], fronts, n, sees);

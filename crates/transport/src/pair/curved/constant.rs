@@ -10,7 +10,7 @@ use radiosity_elements::rule::UnitRule;
 use radiosity_kernel::kernel;
 use radiosity_kernel::rules::orders::chart_orders;
 
-use crate::pair::curved::job::Job;
+use crate::pair::job::Job;
 
 impl Job<'_> {
     /// Adds a pair of patches with a constant kernel: the product of their own moments.

@@ -6,24 +6,27 @@
 use std::collections::VecDeque;
 
 use radiosity_elements::patch::Patch;
-use radiosity_geom::COINCIDENT;
 use radiosity_kernel::PairKind;
-use radiosity_kernel::contact::curved::{CurvedContact, classify};
-use radiosity_kernel::contact::flat::gap;
+use radiosity_kernel::contact::gap::gap;
 use radiosity_kernel::contact::orientation::{Facing, facing};
+use radiosity_kernel::contact::patches::Contact;
 use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::horizon;
 use radiosity_kernel::rules::horizon::{InnerPatch, Side};
 use radiosity_work::interruption::check_interrupt;
 
 use crate::pair::curved::constant::constant;
-use crate::pair::curved::job::{Job, SMALL_PART, State, Task};
 use crate::pair::curved::points::quartered;
+use crate::pair::job::{Job, State, Task};
 
 /// Share of the block's error for the horizons of one outer part: three spend all of it. With a larger value
 /// blocks of many outer parts may miss their accuracy, with a smaller one each takes more samples.
 const HORIZON_SHARE: f64 = 0.3;
 
+/// Largest share, relative to the block's scale, of parts that are attempted before they are halved or cut at
+/// horizons: a rule that errs by half of such a part errs by a hundredth of the block. With a larger value
+/// more attempts fail.
+pub(super) const SMALL_PART: f64 = 0.02;
 /// A part of the inner element of a fan.
 pub(super) struct InnerPart {
     pub part: Patch,
@@ -32,83 +35,39 @@ pub(super) struct InnerPart {
     pub gap: f64,
 }
 
+/// The parts of the inner element of a fan, while they are sorted.
+#[derive(Default)]
+struct InnerParts {
+    open: VecDeque<Patch>,
+    /// Parts that are near a longer outer part.
+    near: Vec<Patch>,
+    /// Parts that a horizon or a ball may cut.
+    clipped: Vec<InnerPart>,
+    /// Parts that the outer part sees wholly.
+    whole: Vec<InnerPart>,
+}
+
 impl Job<'_> {
-    /// Sorts the inner parts of a fan. Touching and negligible parts become pairs; parts all wholly visible
-    /// and apart take tensor rules; near ones are halved, or the outer part is, if it is longer. The rest is
-    /// cut at its horizons together.
-    pub(super) fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
-        let reach = outer.longest().1;
-        let mut open: VecDeque<Patch> = inner.into();
-        let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
-        while let Some(part) = open.pop_front() {
+    /// Sorts the inner parts of a fan. Parts all wholly visible and apart take tensor rules; where some are
+    /// near, the outer part is halved; the rest is cut at its horizons together. Beside parts cut by horizons,
+    /// wholly visible ones are treated alike: the sum of all is smoother than any of them.
+    pub(in crate::pair) fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
+        let mut parts = InnerParts { open: inner.into(), ..InnerParts::default() };
+        while let Some(part) = parts.open.pop_front() {
             check_interrupt();
             self.budget.looks += 1;
             if self.budget.overdrawn(&self.moments) {
-                let seen = clipped.into_iter().chain(whole).map(|seen: InnerPart| seen.part);
-                let rest = near.into_iter().chain(seen).chain(open).chain([part]).collect();
-                return self.tasks.push_front(Task::Fan(outer.clone(), rest));
+                let InnerParts { open, mut near, clipped, whole } = parts;
+                near.extend(clipped.into_iter().chain(whole).map(|seen| seen.part));
+                near.extend(open.into_iter().chain([part]));
+                return self.tasks.push_front(Task::Fan(outer.clone(), near));
             }
-            let (p, q) = (outer, &part);
-            let share = self.budget.share(p, q);
-            let gap = gap(p, q);
-            let tolerance = COINCIDENT * self.size;
-            let touching = gap <= tolerance && !matches!(classify(p, q, tolerance), CurvedContact::Apart(_));
-            let facing = facing(p, q, touching, self.budget.slight(share));
-            if facing == Facing::Away {
-                continue;
-            }
-            let blockers = self.between(p, q);
-            self.partly_hidden |= !blockers.is_empty();
-            if !blockers.is_empty() && constant(p, q).is_some() {
-                // The kernel is constant: no contact makes it singular.
-                clipped.push(InnerPart { part, gap: gap.max(SMALLEST_RATIO * reach) });
-                continue;
-            }
-            if touching || self.budget.neglects(share) {
-                let state = State { touching: true, levels: self.budget.accuracy.shadow_levels(), blockers };
-                self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state));
-                continue;
-            }
-            let close = gap < SMALLEST_RATIO * reach.max(part.longest().1);
-            if close || facing != Facing::Wholly {
-                let state = State { touching: false, levels: 0, blockers: blockers.clone() };
-                let spent = if close { self.spent() } else { self.budget.horizons_spent() };
-                if (spent || share <= SMALL_PART * self.budget.scale)
-                    && self.attempt(p, q, Some(&CurvedContact::Apart(gap)), &state)
-                {
-                    continue;
-                }
-            }
-            if close {
-                self.kind = self.kind.max(PairKind::Split);
-                if reach > part.longest().1 {
-                    near.push(part);
-                } else {
-                    open.extend(part.halves(part.longest().0));
-                }
-            } else if facing == Facing::Wholly && blockers.is_empty() {
-                whole.push(InnerPart { part, gap });
-            } else {
-                clipped.push(InnerPart { part, gap });
-            }
+            self.sort(outer, part, &mut parts);
         }
+        let InnerParts { mut near, mut clipped, whole, .. } = parts;
         if near.is_empty() && clipped.is_empty() {
             return whole.iter().for_each(|seen| self.apart(outer, seen));
         }
-        self.cut_or_halve(outer, near, clipped, whole);
-    }
-
-    /// Cuts the inner parts of a fan at their horizons together; where some are near, halves the outer part
-    /// instead.
-    fn cut_or_halve(
-        &mut self,
-        outer: &Patch,
-        mut near: Vec<Patch>,
-        mut clipped: Vec<InnerPart>,
-        whole: Vec<InnerPart>,
-    ) {
-        // Beside parts cut by horizons, wholly visible ones are treated the same way: the sum of all is
-        // smoother than any of them.
         clipped.extend(whole);
         if near.is_empty() {
             return self.horizon(outer, &clipped);
@@ -116,6 +75,55 @@ impl Job<'_> {
         near.extend(clipped.into_iter().map(|clipped| clipped.part));
         let halves = outer.halves(outer.longest().0);
         self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
+    }
+
+    /// Sorts an inner part. Touching and negligible parts become pairs; near ones are halved, unless the outer
+    /// part is longer; small ones are attempted.
+    fn sort(&mut self, outer: &Patch, part: Patch, parts: &mut InnerParts) {
+        let (reach, extent) = (outer.longest().1, part.longest().1);
+        let share = self.budget.share(outer, &part);
+        let gap = gap(outer, &part);
+        let touching = gap <= self.tolerance && Contact::of(outer, &part, self.tolerance).touches();
+        let facing = facing(outer, &part, touching, self.budget.slight(share));
+        if facing == Facing::Away {
+            return;
+        }
+        let blockers = self.between(outer, &part);
+        self.partly_hidden |= !blockers.is_empty();
+        if !blockers.is_empty() && constant(outer, &part).is_some() {
+            // The kernel is constant: no contact makes it singular.
+            return parts.clipped.push(InnerPart { part, gap: gap.max(SMALLEST_RATIO * reach) });
+        }
+        if touching || self.budget.neglects(share) {
+            let state = State { touching: true, levels: self.budget.accuracy.shadow_levels(), blockers };
+            return self.tasks.push_back(Task::Pair(outer.clone(), part, state));
+        }
+        let is_free = facing == Facing::Wholly && blockers.is_empty();
+        let close = gap < SMALLEST_RATIO * reach.max(extent);
+        if close || facing != Facing::Wholly {
+            let state = State { touching: false, levels: 0, blockers };
+            let spent = if close { self.spent() } else { self.budget.horizons_spent() };
+            if (spent || share <= SMALL_PART * self.budget.scale)
+                && self.attempt(outer, &part, Some(&Contact::Apart(gap)), &state)
+            {
+                return;
+            }
+        }
+        if close {
+            self.kind = self.kind.max(PairKind::Split);
+        }
+        match close {
+            true if reach > extent => parts.near.push(part),
+            true => parts.open.extend(part.halves(part.longest().0)),
+            false if is_free => parts.whole.push(InnerPart { part, gap }),
+            false => parts.clipped.push(InnerPart { part, gap }),
+        }
+    }
+
+    /// The ball of fans, if it may stand between these two patches.
+    pub(super) fn between(&self, p: &Patch, q: &Patch) -> Vec<usize> {
+        let between = |surface: &usize| self.visibility.reaches(*surface, &p.hull(), &q.hull());
+        self.ball.map(|ball| ball.surface).filter(between).into_iter().collect()
     }
 
     /// An inner part that the outer part sees wholly, by a tensor rule.

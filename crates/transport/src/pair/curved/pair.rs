@@ -1,65 +1,51 @@
 //! Two parts of curved elements in any position.
 
 use radiosity_elements::patch::Patch;
-use radiosity_geom::COINCIDENT;
 use radiosity_kernel::PairKind;
-use radiosity_kernel::contact::curved::{CurvedContact, classify};
-use radiosity_kernel::contact::flat::gap;
 use radiosity_kernel::contact::orientation::{Facing, facing};
+use radiosity_kernel::contact::patches::Contact;
 use radiosity_kernel::moments::Moments;
 use radiosity_kernel::moments::integrand::Sees;
 use radiosity_kernel::rules::common_edge::{EdgePair, LARGEST_ASPECT, unequal_speed};
-use radiosity_kernel::rules::far::SMALLEST_RATIO;
 use radiosity_kernel::rules::orders::by_trial::Trial;
 use radiosity_kernel::rules::{common_edge, common_vertex};
 
+use crate::occlusion::sampled::SummedPoints;
 use crate::pair::curved::constant::constant;
-use crate::pair::curved::fan::InnerPart;
-use crate::pair::curved::job::{Job, SMALL_PART, State};
+use crate::pair::curved::fan::{InnerPart, SMALL_PART};
+use crate::pair::job::{Job, State};
 use crate::tolerances::MISSED_BY_TRIALS;
 
+/// A pair of parts, and how they lie to each other.
+struct Parts<'p> {
+    p: &'p Patch,
+    q: &'p Patch,
+    contact: Contact,
+    facing: Facing,
+    /// Whether the pair carries little of the block.
+    is_small: bool,
+    /// Whether it is nearer than the tensor rule allows.
+    is_near: bool,
+}
+
 impl Job<'_> {
-    pub(super) fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
+    pub(in crate::pair) fn curved(&mut self, p: &Patch, q: &Patch, state: State) {
         let share = self.budget.share(p, q);
         if self.budget.neglects(share) {
             self.error += share;
             return;
         }
-        if !state.blockers.is_empty() {
-            let (hull_p, hull_q) = (p.hull(), q.hull());
-            state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);
-            if self.visibility.hidden(&state.blockers, &hull_p, &hull_q) {
-                return;
-            }
-        }
-        let tolerance = COINCIDENT * self.size;
-        let contact =
-            if state.touching { classify(p, q, tolerance) } else { CurvedContact::Apart(gap(p, q)) };
-        let gap = if let CurvedContact::Apart(gap) = contact { gap } else { 0.0 };
-        state.touching = gap <= 0.0;
-        let facing = facing(p, q, !matches!(contact, CurvedContact::Apart(_)), self.budget.slight(share));
+        let Some(mut state) = self.narrowed(p, q, state) else { return };
+        let contact = self.contact(p, q, &mut state);
+        let facing = facing(p, q, contact.touches(), self.budget.slight(share));
         if facing == Facing::Away {
             return;
         }
         let is_small = share <= SMALL_PART * self.budget.scale;
-        let is_near = gap < SMALLEST_RATIO * p.longest().1.max(q.longest().1);
-        if !state.blockers.is_empty() {
-            let spent = self.budget.shadows_spent(&self.moments);
-            // The rules of horizons already leave out what a ball hides: it must not be subtracted twice.
-            let is_scattered = !is_small && !is_near && self.ball.is_none();
-            if state.levels > 0 && !spent && !is_scattered {
-                state.levels -= 1;
-                return self.halve(p, q, &contact, &state);
-            }
-            self.partly_hidden = true;
-            if is_scattered {
-                if !self.scatter(p, q, facing, &state.blockers) {
-                    return;
-                }
-                state.blockers.clear();
-            } else if spent && (is_small || !is_near) {
-                return self.roughly(p, q, Some(&contact), &state);
-            }
+        let is_near = Self::is_near(p, q, contact.gap());
+        let parts = Parts { p, q, contact, facing, is_small, is_near };
+        if !state.blockers.is_empty() && self.is_shadowed(&parts, &mut state) {
+            return;
         }
         if state.blockers.is_empty()
             && let Some(value) = constant(p, q)
@@ -67,23 +53,51 @@ impl Job<'_> {
             return self.constant(p, q, value);
         }
         let is_doubtful = is_near || facing == Facing::Partly;
-        if gap > 0.0 && is_small && is_doubtful && self.attempt(p, q, Some(&contact), &state) {
+        let is_apart = parts.contact.gap() > 0.0;
+        if is_apart && is_small && is_doubtful && self.attempt(p, q, Some(&parts.contact), &state) {
             return;
         }
         match facing {
-            Facing::Partly if state.blockers.is_empty() => self.clipped(p, q, &contact, gap, &state),
-            _ => self.smooth(p, q, &contact, gap, &state),
+            Facing::Partly if state.blockers.is_empty() => self.clipped(&parts, &state),
+            _ => self.smooth(&parts, &state),
         }
     }
 
+    /// Whether a pair with blockers is done: halved, or summed with its shadows. Where only what they hide was
+    /// subtracted, the state is left without blockers.
+    fn is_shadowed(&mut self, parts: &Parts, state: &mut State) -> bool {
+        let Parts { p, q, contact, facing, is_small, is_near } = parts;
+        let spent = self.budget.shadows_spent(&self.moments);
+        // The rules of horizons already leave out what a ball hides: it must not be subtracted twice.
+        let is_scattered = !is_small && !is_near && self.ball.is_none();
+        if state.levels > 0 && !spent && !is_scattered {
+            state.levels -= 1;
+            self.halve(p, q, contact, state);
+            return true;
+        }
+        self.partly_hidden = true;
+        if is_scattered {
+            let summed = if *facing == Facing::Wholly { SummedPoints::Rarer } else { SummedPoints::Seen };
+            let is_hidden = self.scatter(p, q, summed, &state.blockers);
+            state.blockers.clear();
+            return !is_hidden;
+        }
+        let is_rough = spent && (*is_small || !is_near);
+        if is_rough {
+            self.roughly(p, q, Some(contact), state);
+        }
+        is_rough
+    }
+
     /// A pair that a horizon may cut.
-    fn clipped(&mut self, p: &Patch, q: &Patch, contact: &CurvedContact, gap: f64, state: &State) {
-        let longest = p.longest().1.max(q.longest().1);
-        if gap >= SMALLEST_RATIO * longest {
+    fn clipped(&mut self, parts: &Parts, state: &State) {
+        let Parts { p, q, contact, .. } = parts;
+        let gap = contact.gap();
+        if !parts.is_near {
             if self.budget.horizons_spent() && self.attempt(p, q, Some(contact), state) {
                 return;
             }
-            return self.horizon(p, &[InnerPart { part: q.clone(), gap }]);
+            return self.horizon(p, &[InnerPart { part: Patch::clone(q), gap }]);
         }
         self.kind = self.kind.max(if gap > 0.0 { PairKind::Split } else { PairKind::Contact });
         if !self.attempt(p, q, Some(contact), state) {
@@ -103,12 +117,12 @@ impl Job<'_> {
     }
 
     /// A pair that faces each other wholly, or whose horizons are left to the rays.
-    fn smooth(&mut self, p: &Patch, q: &Patch, contact: &CurvedContact, gap: f64, state: &State) {
-        let (visibility, blockers, own) = (self.visibility, state.blockers.clone(), self.surfaces());
-        let free = |x, y| visibility.free_between(own, &blockers, x, y);
-        let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+    fn smooth(&mut self, parts: &Parts, state: &State) {
+        let Parts { p, q, contact, .. } = parts;
+        let free = self.sees(&state.blockers);
+        let sees: Option<Sees> = if state.blockers.is_empty() { None } else { Some(&free) };
         match contact {
-            CurvedContact::Edge { p: a, q: b, matched } => {
+            Contact::Edge { p: a, q: b, matched } => {
                 self.kind = self.kind.max(PairKind::Edge);
                 let edge_pair = EdgePair::of(a, b);
                 if edge_pair.aspect() > LARGEST_ASPECT && !self.spent() {
@@ -118,7 +132,7 @@ impl Job<'_> {
                 let rule = if *matched { common_edge::integrate } else { unequal_speed::integrate };
                 self.by_rule(missed, |moments| rule(moments, a, b, points, sees));
             }
-            CurvedContact::Vertex(a, b) => {
+            Contact::Vertex(a, b) => {
                 self.kind = self.kind.max(PairKind::Vertex);
                 if common_vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
@@ -126,14 +140,14 @@ impl Job<'_> {
                 let Trial { points, missed } = self.points(a, b).corner(a, b);
                 self.by_rule(missed, |moments| common_vertex::integrate(moments, a, b, points, sees));
             }
-            CurvedContact::Apart(_) if gap >= SMALLEST_RATIO * p.longest().1.max(q.longest().1) => {
-                let points = self.points(p, q).apart(p, q, gap);
+            Contact::Apart(gap) if !parts.is_near => {
+                let points = self.points(p, q).apart(p, q, *gap);
                 self.moments.tensor(p, q, points, sees);
             }
             _ => {
-                self.kind = self.kind.max(if gap > 0.0 { PairKind::Split } else { PairKind::Contact });
-                let by_halving =
-                    gap > 0.0 || matches!(contact, CurvedContact::Cut(_) | CurvedContact::Tip(_));
+                let is_apart = contact.gap() > 0.0;
+                self.kind = self.kind.max(if is_apart { PairKind::Split } else { PairKind::Contact });
+                let by_halving = is_apart || matches!(contact, Contact::Cut(_) | Contact::Tip(_));
                 if by_halving && !self.spent() || !self.attempt(p, q, Some(contact), state) {
                     self.halve(p, q, contact, state);
                 }

@@ -28,7 +28,7 @@ fn in_front(patches: Vec<Patch>, plane: Option<Plane>, tolerance: f64) -> Vec<Pa
     let horizon = Facet { corners: vec![point], normal };
     let seen = |patch: Patch| {
         let Patch::Flat { normal, .. } = patch else { return vec![patch] };
-        let whole = Facet { corners: patch.polygon(), normal };
+        let whole = Facet::of(&patch);
         match whole.in_front_of(&horizon, tolerance) {
             None => Vec::new(),
             Some(part) if part.corners == whole.corners => vec![patch],

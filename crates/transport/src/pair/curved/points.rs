@@ -10,6 +10,7 @@ use radiosity_kernel::rules::orders::{by_trial, chart_orders};
 use radiosity_kernel::rules::{common_edge, common_vertex, far};
 use radiosity_kernel::tolerances::MOST_QUARTERINGS;
 
+use crate::pair::job::Job;
 use crate::tolerances::MOST_CORNER_POINTS;
 
 /// The degrees and the accuracy that decide the numbers of points, with the shapes of the parts.
@@ -18,6 +19,18 @@ pub(super) struct Points {
     /// Degrees of receiver and emitter.
     pub degrees: [usize; 2],
     pub eps: f64,
+}
+
+impl Job<'_> {
+    /// The data for the numbers of points of a pair of parts.
+    pub(super) fn points(&self, p: &Patch, q: &Patch) -> Points {
+        Points { degrees: self.degrees, eps: self.budget.part_eps(p, q) }
+    }
+
+    /// Whether contacts are refined no more.
+    pub(super) fn spent(&self) -> bool {
+        self.budget.spent(&self.moments)
+    }
 }
 
 impl Points {

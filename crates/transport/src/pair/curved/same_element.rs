@@ -1,20 +1,20 @@
 //! A part of a curved element with itself.
 
 use radiosity_elements::patch::{Direction, Patch};
-use radiosity_kernel::contact::curved::collapsed;
 use radiosity_kernel::contact::orientation;
 use radiosity_kernel::contact::orientation::Facing;
+use radiosity_kernel::contact::patches::collapsed;
 use radiosity_kernel::moments::integrand::Sees;
 use radiosity_kernel::rules::common_edge::LARGEST_ASPECT;
 use radiosity_kernel::rules::identical;
 
 use crate::pair::curved::constant::constant;
-use crate::pair::curved::job::{Job, State, Task};
 use crate::pair::curved::points::contact_chart;
-use crate::pair::curved::size::area;
+use crate::pair::job::{Job, State, Task};
+use crate::pair::size::area;
 
 impl Job<'_> {
-    pub(super) fn same(&mut self, patch: &Patch, mut state: State) {
+    pub(in crate::pair) fn same(&mut self, patch: &Patch, mut state: State) {
         let share = area(patch) / self.budget.unit;
         let facing = orientation::own(patch);
         if facing == Facing::Away {
@@ -43,33 +43,35 @@ impl Job<'_> {
         {
             return self.constant(patch, patch, 0.5 * value);
         }
-        let [along, across] = patch.extents();
         let tips = collapsed(patch);
-        let direction = match tips.first() {
-            Some(side) => Some(if side % 2 == 0 { Direction::Across } else { Direction::Along }),
-            _ if along.max(across) > LARGEST_ASPECT * along.min(across) || doubtful => {
-                Some(patch.longest().0)
-            }
-            _ => None,
-        };
-        match direction {
-            Some(direction) => {
-                let ready = (doubtful || self.spent()) && tips.is_empty();
-                if ready && self.attempt(patch, patch, None, &state) {
-                    return;
-                }
-                let [a, b] = patch.halves(direction);
-                self.product(std::slice::from_ref(&a), std::slice::from_ref(&b), &state);
-                self.tasks.extend([Task::Same(a, state.clone()), Task::Same(b, state)]);
-            }
-            None => {
-                let eps = self.budget.eps(share);
-                let points = identical::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
-                let (visibility, blockers, own) = (self.visibility, state.blockers, self.surfaces());
-                let free = |x, y| visibility.free_between(own, &blockers, x, y);
-                let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
-                identical::integrate(&mut self.moments, patch, points, sees);
-            }
+        let direction = cut_of(patch, &tips, doubtful);
+        let Some(direction) = direction else { return self.identical(patch, share, &state) };
+        let is_ready = (doubtful || self.spent()) && tips.is_empty();
+        if is_ready && self.attempt(patch, patch, None, &state) {
+            return;
         }
+        let [a, b] = patch.halves(direction);
+        self.product(std::slice::from_ref(&a), std::slice::from_ref(&b), &state);
+        self.tasks.extend([Task::Same(a, state.clone()), Task::Same(b, state)]);
+    }
+
+    /// A patch with itself that its rule covers.
+    fn identical(&mut self, patch: &Patch, share: f64, state: &State) {
+        let eps = self.budget.eps(share);
+        let points = identical::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
+        let free = self.sees(&state.blockers);
+        let sees: Option<Sees> = if state.blockers.is_empty() { None } else { Some(&free) };
+        identical::integrate(&mut self.moments, patch, points, sees);
+    }
+}
+
+/// The direction in which to halve a patch: towards its tips, where it is slender, or where it is doubtful;
+/// None where its rule covers it.
+fn cut_of(patch: &Patch, tips: &[usize], doubtful: bool) -> Option<Direction> {
+    let [along, across] = patch.extents();
+    match tips.first() {
+        Some(side) => Some(if side % 2 == 0 { Direction::Across } else { Direction::Along }),
+        _ if along.max(across) > LARGEST_ASPECT * along.min(across) || doubtful => Some(patch.longest().0),
+        _ => None,
     }
 }

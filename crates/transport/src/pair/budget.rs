@@ -4,7 +4,7 @@ use radiosity_elements::patch::Patch;
 use radiosity_kernel::Accuracy;
 use radiosity_kernel::moments::Moments;
 
-use crate::pair::curved::size::area;
+use crate::pair::size::area;
 use crate::tolerances::{LOOSEST_OF_PARTS, NEGLIGIBLE};
 
 /// Samples of a block after which contacts are refined no more, per squared digit of 1/ε: 5 ms at 10 ns each.

@@ -1,64 +1,7 @@
-//! Contact of two patches: a common edge, a common corner, or none.
-//!
-//! The contact alone decides the rule. Flat pairs come already cut, so that contacts are whole edges or
-//! corners ([`crate::contact::clip`]); for pairs with a curved patch see [`crate::contact::curved`].
+//! Distances of patches and of polygons.
 
 use radiosity_elements::patch::Patch;
 use radiosity_geom::{DVec3, distance_to_segment, sides};
-
-/// Contact of two flat patches, which are oriented inside as the rule needs them.
-#[derive(Clone, Debug)]
-pub enum FlatContact {
-    /// A whole common edge: at t = 0 in both charts, run through in the same sense.
-    Edge(Patch, Patch),
-    /// One common corner: at (0, 0) in both charts.
-    Vertex(Patch, Patch),
-    /// No common point, and the distance; zero where no rule covers the contact.
-    Apart(f64),
-}
-
-/// Classifies two patches; points closer than `tolerance` coincide.
-pub fn classify(p: &Patch, q: &Patch, tolerance: f64) -> FlatContact {
-    let (corners_p, corners_q) = (p.polygon(), q.polygon());
-    match shared_corners(&corners_p, &corners_q, tolerance)[..] {
-        [] => FlatContact::Apart(gap(p, q)),
-        [(i, j)] if !overlapping_sides(&corners_p, i, &corners_q, j, tolerance) => FlatContact::Vertex(
-            p.oriented(i, (i + 1) % corners_p.len()),
-            q.oriented(j, (j + 1) % corners_q.len()),
-        ),
-        [(i, j), (k, l)] if neighbours(i, k, corners_p.len()) && neighbours(j, l, corners_q.len()) => {
-            FlatContact::Edge(p.oriented(i, k), q.oriented(j, l))
-        }
-        _ => FlatContact::Apart(0.0),
-    }
-}
-
-/// The pairs of corners of two polygons that coincide, by their indices.
-pub(crate) fn shared_corners(p: &[DVec3], q: &[DVec3], tolerance: f64) -> Vec<(usize, usize)> {
-    let pairs = (0..p.len()).flat_map(|i| (0..q.len()).map(move |j| (i, j)));
-    pairs.filter(|(i, j)| p[*i].distance(q[*j]) <= tolerance).collect()
-}
-
-/// Whether two of `count` corners are the ends of one side.
-pub(crate) fn neighbours(i: usize, j: usize, count: usize) -> bool {
-    (i + 1) % count == j || (j + 1) % count == i
-}
-
-/// Whether two sides that leave a common corner lie along each other.
-fn overlapping_sides(p: &[DVec3], i: usize, q: &[DVec3], j: usize, tolerance: f64) -> bool {
-    let around = |points: &[DVec3], k: usize| {
-        let n = points.len();
-        [points[(k + 1) % n], points[(k + n - 1) % n]]
-    };
-    let corner = p[i];
-    let (sides_p, sides_q) = (around(p, i), around(q, j));
-    sides_p.iter().any(|a| {
-        sides_q.iter().any(|b| {
-            distance_to_segment(*a, [corner, *b]) <= tolerance
-                || distance_to_segment(*b, [corner, *a]) <= tolerance
-        })
-    })
-}
 
 /// Distance between two patches: exact for flat ones, a lower bound where one is curved.
 ///
@@ -150,40 +93,6 @@ fn segment_to_segment([a, b]: [DVec3; 2], [c, d]: [DVec3; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn quad(corners: [[f64; 3]; 4]) -> Patch {
-        let corners = corners.map(DVec3::from_array);
-        let normal = (corners[1] - corners[0]).cross(corners[3] - corners[0]).normalize();
-        Patch::Flat { corners, normal }
-    }
-
-    #[test]
-    fn hinge_is_an_edge_run_the_same_way() {
-        let floor = quad([[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]]);
-        let wall = quad([[0., 0., 1.], [1., 0., 1.], [1., 0., 0.], [0., 0., 0.]]);
-        let FlatContact::Edge(p, q) = classify(&floor, &wall, 1e-12) else { panic!("they share an edge") };
-        for s in [0.0, 0.3, 1.0] {
-            assert!(p.node(s, 0.0).position.distance(q.node(s, 0.0).position) < 1e-15);
-        }
-    }
-
-    #[test]
-    fn corner_and_gap() {
-        let floor = quad([[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]]);
-        let beyond = quad([[1., 1., 0.], [2., 1., 0.], [2., 1., 1.], [1., 1., 1.]]);
-        assert!(matches!(classify(&floor, &beyond, 1e-12), FlatContact::Vertex(..)));
-        let above = quad([[0.2, 0.2, 0.5], [0.8, 0.2, 0.7], [0.8, 0.8, 0.7], [0.2, 0.8, 0.5]]);
-        let FlatContact::Apart(gap) = classify(&floor, &above, 1e-12) else { panic!("apart") };
-        assert!((gap - 0.5).abs() < 1e-15);
-    }
-
-    #[test]
-    fn partly_common_sides_are_no_vertex_contact() {
-        let floor = quad([[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]]);
-        let low = quad([[0., 0., 0.], [0.5, 0., 0.], [0.5, 0., 1.], [0., 0., 1.]]);
-        let FlatContact::Apart(gap) = classify(&floor, &low, 1e-12) else { panic!("no rule covers it") };
-        assert_eq!(gap, 0.0);
-    }
 
     #[test]
     fn crossing_segments_are_close_in_the_middle() {

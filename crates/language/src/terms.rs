@@ -1,16 +1,6 @@
 //! Terms that schemas are made of: texts, numbers, points, tables.
 
-use serde_json::{Map, Value, json};
-
-/// A table with these keys and no others; `required` of them have to be there.
-pub(super) fn table(description: &str, required: &[&str], keys: Vec<(&str, Value)>) -> Value {
-    let properties: Map<String, Value> =
-        keys.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
-    json!({
-        "description": description, "type": "object", "properties": properties, "required": required,
-        "additionalProperties": false,
-    })
-}
+use serde_json::{Value, json};
 
 /// A table of any names, all of whose values are of one kind.
 pub(super) fn by_name(description: &str, kind: &str) -> Value {
@@ -23,11 +13,6 @@ pub(super) fn by_name(description: &str, kind: &str) -> Value {
 /// A definition of the schema.
 pub(super) fn reference(name: &str) -> Value {
     json!({ "$ref": format!("#/$defs/{name}") })
-}
-
-/// A value of a kind that is defined.
-pub(super) fn of(kind: &str, description: &str) -> Value {
-    with(reference(kind), "description", description.into())
 }
 
 /// A list of values of a kind that is defined, at least `least` of them.
@@ -74,13 +59,32 @@ pub(super) fn per_band(range: Value, description: &str) -> Value {
     json!({ "description": description, "anyOf": [number["anyOf"][0], number["anyOf"][1], list] })
 }
 
-/// A value with what it is if it is not given.
-pub(super) fn or(default: Value, value: Value) -> Value {
-    with(value, "default", default)
-}
-
 /// An object with one more entry.
 pub(super) fn with(mut object: Value, key: &str, value: Value) -> Value {
     object[key] = value;
     object
+}
+
+/// An object with the entries of another one.
+pub(super) fn and(mut object: Value, more: Value) -> Value {
+    for (key, value) in more.as_object().into_iter().flatten() {
+        object[key] = value.clone();
+    }
+    object
+}
+
+/// The range of numbers from 0 on.
+pub(super) fn at_least_zero() -> Value {
+    json!({ "minimum": 0, "maximum": 1e30 })
+}
+
+/// Of the keys of a table `how` many have to be there: `oneOf` them or `anyOf` them.
+pub(super) fn required(how: &str, keys: &[&str]) -> Value {
+    let alternatives: Vec<Value> = keys.iter().map(|key| json!({ "required": [key] })).collect();
+    json!({ how: alternatives })
+}
+
+/// A word among those known.
+pub(super) fn words(known: &[&str]) -> Value {
+    json!({ "type": "string", "enum": known })
 }

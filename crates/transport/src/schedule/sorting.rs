@@ -1,0 +1,131 @@
+//! Sorting of all pairs: into those that exchange nothing, by reasons, and those whose blocks are to be found.
+
+use radiosity_kernel::PairCounts;
+use radiosity_kernel::contact::planes;
+use radiosity_kernel::contact::planes::Planes;
+use radiosity_work::interruption::check_interrupt;
+use radiosity_work::ranks::{PartName, Ranks};
+
+use crate::schedule::task::{Schedule, Task};
+use crate::tolerances::BELOW_ESTIMATE;
+
+/// Share of a pair assumed visible, for its lower bound, where blockers may hide some of it. An assumption:
+/// with a larger value rows that are nearly all hidden get too coarse a scale, with a smaller one the blocks
+/// of most rows get more digits than they need.
+const VISIBLE_SHARE: f64 = 0.1;
+
+/// Decisions of sorting about a pair.
+enum Sorted {
+    Behind,
+    Coplanar,
+    Hidden,
+    Black,
+    Task(Task),
+}
+
+impl Schedule<'_> {
+    /// Sorts all pairs and counts those that need no block.
+    pub(super) fn sort(&self, ranks: &Ranks) -> (Vec<Task>, PairCounts) {
+        let lengths: Vec<f64> = (1..=self.list.len()).rev().map(|length| length as f64).collect();
+        let rows: Vec<(Vec<Task>, PairCounts)> =
+            ranks.map(PartName::SortedPairs, &lengths, |row| self.sort_row(row));
+        let mut tasks = Vec::with_capacity(rows.iter().map(|(row, _)| row.len()).sum());
+        let mut pairs = PairCounts::default();
+        for (row, counts) in rows {
+            tasks.extend(row);
+            pairs.total += counts.total;
+            pairs.skipped_behind += counts.skipped_behind;
+            pairs.skipped_coplanar += counts.skipped_coplanar;
+            pairs.skipped_hidden += counts.skipped_hidden;
+            pairs.skipped_black += counts.skipped_black;
+        }
+        (tasks, pairs)
+    }
+
+    /// The elements some of whose pairs are not wanted.
+    pub(super) fn open_rows(&self) -> Vec<usize> {
+        let all = 0..self.list.len();
+        let is_open = |i: &usize| {
+            check_interrupt();
+            all.clone().any(|j| !(self.wanted)(*i.min(&j), *i.max(&j)))
+        };
+        all.clone().filter(is_open).collect()
+    }
+
+    fn sort_row(&self, row: usize) -> (Vec<Task>, PairCounts) {
+        let (mut tasks, mut counts) = (Vec::new(), PairCounts::default());
+        for column in row..self.list.len() {
+            let sorted = self.sorted(row, column);
+            counts.total += usize::from(row != column || matches!(sorted, Sorted::Task(_) | Sorted::Black));
+            match sorted {
+                Sorted::Coplanar => counts.skipped_coplanar += usize::from(row != column),
+                Sorted::Behind => counts.skipped_behind += 1,
+                Sorted::Hidden => counts.skipped_hidden += 1,
+                Sorted::Black => counts.skipped_black += 1,
+                Sorted::Task(task) => tasks.push(task),
+            }
+        }
+        (tasks, counts)
+    }
+
+    fn sorted(&self, row: usize, column: usize) -> Sorted {
+        check_interrupt();
+        if !(self.wanted)(row, column) {
+            return Sorted::Black;
+        }
+        let (receiver, emitter) = (&self.list[row], &self.list[column]);
+        if let Some(skipped) = self.planes_exchange_nothing(row, column) {
+            return skipped;
+        }
+        if receiver.contact != emitter.contact {
+            return Sorted::Hidden;
+        }
+        if receiver.contact.is_some() {
+            return Sorted::Task(Task::of_contact(row, column));
+        }
+        let surfaces = [receiver.surface, emitter.surface];
+        let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
+        if row != column && self.visibility.hidden(&blockers, &receiver.hull, &emitter.hull) {
+            return Sorted::Hidden;
+        }
+        let estimate = if self.is_estimated { self.estimate(row, column) } else { 0.0 };
+        let own = self.visibility.hiding_themselves(surfaces, [&receiver.hull, &emitter.hull]);
+        let entries = self.entries(row, column, estimate, !blockers.is_empty());
+        let is_posed = row != column && blockers.is_empty();
+        let hash = is_posed.then(|| self.pose_of(row, column)).flatten().map(|pose| pose.hash());
+        let (row, column) = (row as u32, column as u32);
+        Sorted::Task(Task { row, column, entries, estimate, hash, blockers, own })
+    }
+
+    /// Bounds of the entries of a block from below and above, given the coarse estimate of its first one.
+    fn entries(&self, row: usize, column: usize, estimate: f64, may_be_hidden: bool) -> [f64; 2] {
+        if row == column {
+            return [0.0, f64::INFINITY];
+        }
+        let [mut least, most] = self.bounds[row].entries(&self.bounds[column]);
+        if [row, column].iter().any(|element| self.list[*element].plane.is_none()) {
+            least = BELOW_ESTIMATE * estimate;
+        }
+        [if may_be_hidden { VISIBLE_SHARE * least } else { least }, most]
+    }
+
+    /// Coarse estimate of the first entry of the block of two elements, without blockers.
+    fn estimate(&self, row: usize, column: usize) -> f64 {
+        let [first, other] = if self.comes_later(row, column) { [column, row] } else { [row, column] };
+        self.estimates[first].entry(&self.estimates[other])
+    }
+
+    /// Whether the first of two elements is the inner one ([`crate::schedule::order`]).
+    pub(super) fn comes_later(&self, first: usize, other: usize) -> bool {
+        self.precedence[first].order(&self.precedence[other]).is_gt()
+    }
+
+    /// Why the planes of the two elements leave nothing to exchange, if they do.
+    fn planes_exchange_nothing(&self, row: usize, column: usize) -> Option<Sorted> {
+        match planes::of(&self.list[row], &self.list[column]) {
+            Planes::Exchanging => None,
+            Planes::Behind => Some(Sorted::Behind),
+            Planes::Coplanar => Some(Sorted::Coplanar),
+        }
+    }
+}
