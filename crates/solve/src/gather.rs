@@ -14,9 +14,10 @@
 
 pub mod surface_point;
 mod mean_radiosity;
+pub(crate) mod walks;
+pub mod read_irradiance;
 pub mod ray_gather;
 pub mod gather_method;
-pub(crate) mod walks;
 
 use radiosity_elements::patch::Node;
 use radiosity_light::direct::DirectLight;

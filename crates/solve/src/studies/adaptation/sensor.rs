@@ -8,8 +8,8 @@ use radiosity_visibility::Visibility;
 use crate::gather::surface_point::SurfacePoint;
 use crate::solution::{Band, Solution};
 
-use super::goal::{Aim, Goal};
 use super::points::{Point, points};
+use crate::goal::{Aim, Goal};
 
 /// Most sensors of those asked for at which errors are estimated, one of each of as many equal stretches of
 /// their list: they tell a mean square to some five percent where errors are alike.
