@@ -46,7 +46,6 @@ use radiosity_transport::tolerances::BATCHES;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt_at;
 
-use crate::gather::mean_radiosity::mean_radiosity;
 use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
 use crate::gather::walks::front_met;
 use crate::solution::{Solution, SurfacePlace};
@@ -155,7 +154,7 @@ impl<'a> RayGather<'a> {
     /// The light of `solution`, gathered once or twice, to about the relative accuracy `eps`; once where the
     /// number of reflections is limited.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
-        let scale = mean_radiosity(solution);
+        let scale = solution.mean_radiosity();
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
         let touching = COINCIDENT * visibility.bounds().diagonal();
         let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);

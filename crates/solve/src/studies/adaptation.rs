@@ -11,7 +11,6 @@
 //! where rays carry the pairs, by more of them (`rays`); for polynomials all alike (`rungs`); for
 //! hierarchical radiosity by weaker links (`links`).
 
-mod points;
 mod sensor;
 mod error_estimate;
 mod importance;
@@ -24,6 +23,7 @@ mod smoothness;
 mod local;
 
 use radiosity_scene::Scene;
+use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 
 use crate::driver::{Failure, LightMethod, Options, Transport, TransportChoice};
@@ -64,14 +64,16 @@ impl Solved {
         if options.method == LightMethod::Hierarchical {
             return by_links(scene, options, &adaptation);
         }
-        let choice = options.in_threads(work.ranks, || TransportChoice::of(&scene, options))?;
+        let visibility = Visibility::new(&scene, options.into());
+        let choose = || TransportChoice::of(&scene, options, &visibility);
+        let choice = options.in_threads(work.ranks, choose)?;
         if is_by_rays(&scene, options, goal, &choice) {
             return by_rays(scene, options, &adaptation);
         }
         let why = if choice.sampled { NO_ERROR_OF_ELEMENTS } else { &choice.why };
         let exactly = Adaptation { why: Some(why), ..adaptation };
         match goal.of {
-            Aim::Solution => by_rungs(scene, options, &exactly),
+            Aim::Solution => by_rungs(scene, options, &visibility, &exactly),
             Aim::Gathered | Aim::Points | Aim::Seen => locally(scene, options, &exactly),
         }
     }

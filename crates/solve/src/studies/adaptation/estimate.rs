@@ -14,7 +14,7 @@
 //! ‖B − B_h‖² ≈ ∫ ρ² (E_g − E_h)² dA ≈ Σ_patches 1/n Σ_k (ρ (E_g − E_h))²(x_k) J(x_k) ,
 //! ```
 //!
-//! at [points](super::points) x_k; J is the area element. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks,
+//! at [points](super::sensor) x_k; J is the area element. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks,
 //! shadow edges and corners count wherever they lie, as no rate of convergence is assumed; a detail between
 //! the points is missed.
 //!
@@ -30,8 +30,7 @@ use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 
 use super::error_estimate::{ErrorEstimate, error_estimate};
-use super::points::{Point, points};
-use super::sensor::Sensor;
+use super::sensor::{Point, Sensor, points};
 use crate::driver::{Failure, Options, Outcome};
 use crate::gather::Gather;
 use crate::goal::{Aim, Goal};

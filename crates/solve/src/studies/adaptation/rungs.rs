@@ -50,8 +50,12 @@ const EVEN: [Rung; 6] = [
 ];
 
 /// Solves `scene` by exact blocks on the finest rung that the goal needs.
-pub(super) fn by_rungs(scene: Scene, options: &Options, adaptation: &Adaptation) -> Result<Solved, Failure> {
-    let visibility = Visibility::new(&scene, options.into());
+pub(super) fn by_rungs(
+    scene: Scene,
+    options: &Options,
+    visibility: &Visibility,
+    adaptation: &Adaptation,
+) -> Result<Solved, Failure> {
     let occluded = visibility.any_shadow();
     let rungs: &[Rung] = if occluded || visibility.any_horizon() { &EVEN } else { &GRADED };
     let rung = |(k, rung): (usize, &Rung)| rung.options(k, options, adaptation.goal.accuracy);
