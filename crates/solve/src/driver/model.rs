@@ -21,7 +21,7 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set};
 use radiosity_work::{Progress, Stage, Work};
 
-use crate::checks::{Balance, BandLight, Checks};
+use crate::checks::{Balance, Checks};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
@@ -345,20 +345,7 @@ impl Model {
         let balance = Balance::of(&self.elements, &self.blocks);
         let lit = emissions.into_iter().zip(first).zip(light);
         let group = |((emission, first), light): ((Emission, EnteringLight), Vec<_>)| {
-            let Emission { group, coatings, points, .. } = emission;
-            let own: Vec<BandLight<'_>> = coatings
-                .iter()
-                .zip(&light)
-                .enumerate()
-                .map(|(band, (coating, coefficients))| BandLight {
-                    coating,
-                    flux: points.flux(band),
-                    coefficients,
-                })
-                .collect();
-            let powers = balance.powers(&own, &first.entry);
-            let bands = light.into_iter().map(Coefficients::into).collect();
-            GroupLight { group, bands, powers, masked: first.masked }
+            emission.lit(&balance, &first.entry, light, first.masked)
         };
         lit.map(group).collect()
     }
