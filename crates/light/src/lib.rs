@@ -36,9 +36,9 @@
 //!
 //! | way | who asks | error | cost at a point |
 //! | --- | --- | --- | --- |
-//! | cells ([`direct`]) | first bounce, masks, gathering | none where all is flat, else ε | a form each cell |
-//! | shadow volumes ([`penumbra`]) | pictures, light maps | none behind ≤ 8 flat things | n ≤ 1024 rays, ~ ε^(−4/3) |
-//! | rays ([`lamps`]) | gathering by rays | its deviation is told | a ray, ~ ε^(−4/3) in all |
+//! | cells ([`direct`]) | first bounce, masks, gathering | none if all is flat, else ε | a form each cell |
+//! | shadow volumes ([`penumbra`]) | pictures | none behind ≤ 8 flat things, else ε | rays, ~ ε^(−4/3) |
+//! | rays ([`lamps`]) | gathering by rays | ε, its deviation is told | rays, ~ ε^(−4/3) |
 //!
 //! In order: [`tolerances`], [`occluders`], `cells` (trees of cells), [`receiver_point`], [`lamps`] (targets
 //! of rays), `lines` (scan lines), `luminous_line`, [`point_lights`] and [`emitters`], `area_light`,
