@@ -76,7 +76,7 @@ fn unknowns(asked: &[String]) {
         }
         for wanted in [3e-2, 1e-2, 5e-3, 3e-3, 2e-3, 1.5e-3, 1e-3] {
             let begun = Instant::now();
-            let adapted = adapted(case, wanted);
+            let adapted = adapted(&case, wanted);
             let solution = adapted.expect("the scene can be solved").outcome.solution;
             row(name, &format!("refined to {wanted:.1e}"), begun, &solution, &truth);
         }
