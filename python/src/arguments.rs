@@ -1,16 +1,17 @@
 //! Arguments by name: checked, and taken one by one; what is left was not known.
 
 use std::collections::BTreeMap;
-use std::fmt::Display;
-use std::ops::RangeInclusive;
+use std::fmt::{self, Display, Formatter};
+use std::marker::PhantomData;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyString};
-use radiosity::request::ranges;
-use serde::de::value::Error as Unknown;
-use serde::de::{DeserializeOwned, IntoDeserializer};
+use pyo3::types::{PyDict, PyFloat};
+use serde::Deserializer;
+use serde::de::{self, DeserializeOwned, DeserializeSeed, Error as _, IntoDeserializer, MapAccess, Visitor};
+use serde::forward_to_deserialize_any;
 
 use crate::error::Trouble;
 
@@ -30,81 +31,38 @@ impl<'py> Arguments<'py> {
         Ok(Self { given: named.collect::<PyResult<_>>()? })
     }
 
-    /// The number of an argument, if `check` lets it pass.
-    pub(crate) fn number(
-        &mut self,
-        name: &str,
-        check: fn(f64) -> Result<f64, &'static str>,
-    ) -> PyResult<Option<f64>> {
+    /// What those arguments say that are fields of `T`; fields that are not given stay as they usually are.
+    pub(crate) fn fields<T: DeserializeOwned>(&mut self) -> PyResult<T> {
+        T::deserialize(Fields(&mut self.given)).map_err(|fault| fault.told("arguments", "…"))
+    }
+
+    /// The value of an argument.
+    pub(crate) fn value<T: DeserializeOwned>(&mut self, name: &str) -> PyResult<Option<T>> {
+        let value = self.given.remove(name);
+        value.map(|value| Argument { name, value: &value }.read(PhantomData)).transpose()
+    }
+
+    /// The value of an argument that a text says, or the written form of a number.
+    pub(crate) fn parsed<T: FromStr<Err: Display>>(&mut self, name: &str) -> PyResult<Option<T>> {
         let Some(value) = self.given.remove(name) else { return Ok(None) };
-        let number = value.extract::<f64>().map_err(|_| wrong_type(name, "a number", &value))?;
-        Ok(Some(check(number).map_err(|expected| out_of_range(name, &value, expected))?))
+        let parsed = text(&value)?.parse();
+        parsed.map(Some).map_err(|expected: T::Err| Fault::custom(expected).told(name, &shown(&value)))
     }
 
-    /// The whole number of an argument, within a range.
-    pub(crate) fn whole(&mut self, name: &str, range: &RangeInclusive<u64>) -> PyResult<Option<u64>> {
+    /// The two values of an argument.
+    pub(crate) fn pair<T: DeserializeOwned>(&mut self, name: &str) -> PyResult<Option<[T; 2]>> {
         let Some(value) = self.given.remove(name) else { return Ok(None) };
-        let expected = ranges::whole(range);
-        let number = whole(&value).ok_or_else(|| wrong_type(name, "a whole number", &value))?;
-        let number = u64::try_from(number).ok().filter(|number| range.contains(number));
-        Ok(Some(number.ok_or_else(|| out_of_range(name, &value, &expected))?))
-    }
-
-    /// The bytes of an argument: a whole number, or a text such as "2G".
-    pub(crate) fn bytes(&mut self, name: &str) -> PyResult<Option<u64>> {
-        match self.given.get(name).is_some_and(|value| value.is_instance_of::<PyString>()) {
-            true => self.read(name, ranges::bytes),
-            false => self.whole(name, &(1..=u64::MAX)),
-        }
-    }
-
-    /// The path of a file in an argument.
-    pub(crate) fn path(&mut self, name: &str) -> PyResult<Option<PathBuf>> {
-        let Some(value) = self.given.remove(name) else { return Ok(None) };
-        Ok(Some(value.extract().map_err(|_| wrong_type(name, "a path", &value))?))
-    }
-
-    /// The two whole numbers of an argument, both within a range.
-    pub(crate) fn pair(&mut self, name: &str, range: &RangeInclusive<u64>) -> PyResult<Option<[usize; 2]>> {
-        let Some(value) = self.given.remove(name) else { return Ok(None) };
-        let both: [Bound<'py, PyAny>; 2] =
-            value.extract().map_err(|_| wrong_type(name, "two whole numbers", &value))?;
-        for (place, one) in ["0", "1"].into_iter().zip(both) {
-            self.given.insert(format!("{name}[{place}]"), one);
-        }
-        let mut one = |place| self.count(&format!("{name}[{place}]"), range);
-        Ok(one(0)?.zip(one(1)?).map(<[usize; 2]>::from))
-    }
-
-    /// The whole number of an argument, within a range, as an index.
-    pub(crate) fn count(&mut self, name: &str, range: &RangeInclusive<u64>) -> PyResult<Option<usize>> {
-        // On machines of fewer bits no range is so wide.
-        Ok(self.whole(name, range)?.map(|number| number as usize))
+        let pair: [Bound<'py, PyAny>; 2] =
+            value.extract().map_err(|_| Fault::Type("two whole numbers").told(name, &shown(&value)))?;
+        let read = |place: usize| {
+            Argument { name: &format!("{name}[{place}]"), value: &pair[place] }.read(PhantomData)
+        };
+        Ok(Some([read(0)?, read(1)?]))
     }
 
     /// The truth value of an argument; false where it is not given.
     pub(crate) fn flag(&mut self, name: &str) -> PyResult<bool> {
-        let Some(value) = self.given.remove(name) else { return Ok(false) };
-        value.extract::<bool>().map_err(|_| wrong_type(name, "True or False", &value))
-    }
-
-    /// The value of an argument that names one of several modes.
-    pub(crate) fn named<T: DeserializeOwned>(&mut self, name: &str) -> PyResult<Option<T>> {
-        self.read(name, |text| {
-            T::deserialize(IntoDeserializer::<Unknown>::into_deserializer(text))
-                .map_err(|unknown| unknown.to_string())
-        })
-    }
-
-    /// The value that `read` gives an argument, which is a text, or a number in its written form.
-    pub(crate) fn read<T, E: Display>(
-        &mut self,
-        name: &str,
-        read: impl FnOnce(&str) -> Result<T, E>,
-    ) -> PyResult<Option<T>> {
-        let Some(value) = self.given.remove(name) else { return Ok(None) };
-        let text = value.str()?.to_string();
-        Ok(Some(read(&text).map_err(|expected| out_of_range(name, &value, &expected.to_string()))?))
+        Ok(self.value(name)?.unwrap_or_default())
     }
 
     /// Refuses what was not taken, as Python refuses arguments that a function does not know.
@@ -118,6 +76,167 @@ impl<'py> Arguments<'py> {
     }
 }
 
+/// An argument by its name.
+struct Argument<'a, 'py> {
+    name: &'a str,
+    value: &'a Bound<'py, PyAny>,
+}
+
+impl Argument<'_, '_> {
+    /// What the argument says.
+    fn read<'de, S: DeserializeSeed<'de>>(&self, seed: S) -> PyResult<S::Value> {
+        seed.deserialize(Value(self.value)).map_err(|fault| fault.told(self.name, &shown(self.value)))
+    }
+}
+
+/// Reads a structure from the arguments that are its fields, and takes them.
+struct Fields<'a, 'py>(&'a mut BTreeMap<String, Bound<'py, PyAny>>);
+
+impl<'de> Deserializer<'de> for Fields<'_, '_> {
+    type Error = Fault;
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        let given = fields.iter().filter_map(|name| Some((*name, self.0.remove(*name)?))).collect();
+        visitor.visit_map(GivenFields { given, value: None })
+    }
+
+    fn deserialize_any<V: Visitor<'de>>(self, _: V) -> Result<V::Value, Fault> {
+        Err(Fault::custom("expected a structure of fields"))
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option unit
+        unit_struct newtype_struct seq tuple tuple_struct map enum identifier ignored_any
+    }
+}
+
+/// The fields that are given, and the one whose value comes next.
+struct GivenFields<'py> {
+    given: Vec<(&'static str, Bound<'py, PyAny>)>,
+    value: Option<(&'static str, Bound<'py, PyAny>)>,
+}
+
+impl<'de> MapAccess<'de> for GivenFields<'_> {
+    type Error = Fault;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Fault> {
+        self.value = self.given.pop();
+        let name = self.value.as_ref().map(|(name, _)| seed.deserialize((*name).into_deserializer()));
+        name.transpose()
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Fault> {
+        let (name, value) = self.value.take().ok_or_else(|| Fault::custom("expected a value"))?;
+        Ok(Argument { name, value: &value }.read(seed)?)
+    }
+}
+
+/// The value of an argument: a number, a truth value, a path, or what its text says.
+struct Value<'a, 'py>(&'a Bound<'py, PyAny>);
+
+impl<'de> Deserializer<'de> for Value<'_, '_> {
+    type Error = Fault;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        visitor.visit_string(text(self.0)?)
+    }
+
+    fn deserialize_bool<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        visitor.visit_bool(self.0.extract().map_err(|_| Fault::Type("True or False"))?)
+    }
+
+    fn deserialize_f64<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        visitor.visit_f64(self.0.extract().map_err(|_| Fault::Type("a number"))?)
+    }
+
+    fn deserialize_i128<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        visitor.visit_i128(whole(self.0).ok_or(Fault::Type("a whole number"))?)
+    }
+
+    fn deserialize_string<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        let path: PathBuf = self.0.extract().map_err(|_| Fault::Type("a path"))?;
+        visitor
+            .visit_string(path.into_os_string().into_string().map_err(|_| Fault::Type("a path in Unicode"))?)
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Fault> {
+        visitor.visit_some(self)
+    }
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        _: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        visitor.visit_enum(text(self.0)?.into_deserializer())
+    }
+
+    forward_to_deserialize_any! {
+        i8 i16 i32 i64 u8 u16 u32 u64 u128 f32 char str bytes byte_buf unit unit_struct newtype_struct seq
+        tuple tuple_struct map struct identifier ignored_any
+    }
+}
+
+/// Fault of an argument.
+#[derive(Debug)]
+enum Fault {
+    /// The value is of another type than this.
+    Type(&'static str),
+    /// What is expected in place of the value.
+    Expected(String),
+    /// The error that Python gets.
+    Told(PyErr),
+}
+
+impl Fault {
+    /// The error of the argument that was given as `name=shown`.
+    fn told(self, name: &str, shown: &str) -> PyErr {
+        match self {
+            Self::Type(expected) => PyTypeError::new_err(format!("{name}={shown}: expected {expected}")),
+            Self::Expected(expected) => Trouble::new(format!("{name}={shown} cannot be"), expected).into(),
+            Self::Told(error) => error,
+        }
+    }
+}
+
+impl Display for Fault {
+    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Type(expected) => expected.fmt(to),
+            Self::Expected(expected) => expected.fmt(to),
+            Self::Told(error) => error.fmt(to),
+        }
+    }
+}
+
+impl std::error::Error for Fault {}
+
+impl de::Error for Fault {
+    fn custom<T: Display>(expected: T) -> Self {
+        Self::Expected(expected.to_string())
+    }
+}
+
+impl From<PyErr> for Fault {
+    fn from(error: PyErr) -> Self {
+        Self::Told(error)
+    }
+}
+
+/// The text of a value, or the written form of a number: 8e9 without a fraction.
+fn text(value: &Bound<'_, PyAny>) -> PyResult<String> {
+    match whole(value).filter(|_| value.is_instance_of::<PyFloat>()) {
+        Some(number) => Ok(number.to_string()),
+        None => Ok(value.str()?.to_string()),
+    }
+}
+
 /// A whole number, or a float that is one, such as 1e6.
 fn whole(value: &Bound<'_, PyAny>) -> Option<i128> {
     let of_float =
@@ -128,12 +247,4 @@ fn whole(value: &Bound<'_, PyAny>) -> Option<i128> {
 /// The argument as it was given.
 fn shown(value: &Bound<'_, PyAny>) -> String {
     value.repr().map_or_else(|_| "…".to_owned(), |text| text.to_string())
-}
-
-fn wrong_type(name: &str, expected: &str, value: &Bound<'_, PyAny>) -> PyErr {
-    PyTypeError::new_err(format!("{name}={}: expected {expected}", shown(value)))
-}
-
-fn out_of_range(name: &str, value: &Bound<'_, PyAny>, expected: &str) -> PyErr {
-    Trouble::new(format!("{name}={} cannot be", shown(value)), expected).into()
 }

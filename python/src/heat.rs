@@ -7,13 +7,13 @@ use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
 use radiosity::kernel::WorstError;
 use radiosity::reading::accuracy_warning::{corrected, missed, no_error_of_order};
+use radiosity::request::{HeatRequest, TransferRequest};
 use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
 
 use crate::arguments::Arguments;
 use crate::arrays::array;
 use crate::error::{Trouble, warn};
-use crate::requests;
 use crate::scene::{Scene, remarks};
 use crate::work::work;
 
@@ -33,13 +33,15 @@ pub(crate) fn heat_of(
     observer: Option<Bound<'_, PyAny>>,
 ) -> PyResult<Heat> {
     let mut given = Arguments::of(given)?;
-    let request = requests::heat(&mut given)?;
+    let transfers: TransferRequest = given.fields()?;
+    let conductances = given.flag("conductances")?;
+    let request: HeatRequest = given.fields()?;
     given.finish("heat")?;
-    request.transfers.check().map_err(Trouble::from)?;
+    transfers.check().map_err(Trouble::from)?;
     let heat = work(py, observer.as_ref(), |progress| {
         library::Heat::of(
             &scene.scene,
-            &request.options(Ranks::alone()),
+            &request.options(&transfers, conductances, Ranks::alone()),
             &Work::alone().observed_by(progress),
         )
     })?;
@@ -51,7 +53,7 @@ pub(crate) fn heat_of(
         )?;
     }
     if heat.error_orders.is_empty() {
-        warn(py, &no_error_of_order(request.order))?;
+        warn(py, &no_error_of_order(request.order()))?;
     }
     let moved = heat.moved.map(corrected);
     let remarks = remarks(&scene.scene).into_iter().chain(moved).collect();

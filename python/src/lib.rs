@@ -9,7 +9,6 @@ mod arrays;
 mod progress;
 mod work;
 mod tree;
-mod requests;
 mod core;
 mod mesh;
 mod scene;

@@ -19,7 +19,6 @@ use radiosity::work::ranks::Ranks;
 use crate::arguments::Arguments;
 use crate::error::Trouble;
 use crate::progress::Progress;
-use crate::requests;
 
 /// A camera as it is given: eye, target, up, and the vertical angle of view in degrees.
 #[derive(FromPyObject)]
@@ -54,19 +53,21 @@ impl Shot {
     ) -> PyResult<Self> {
         let mut given = Arguments::of(given)?;
         let scene = &solved.scene;
-        let size = given.pair("size", &ranges::PIXELS)?.map(|size| size.map(|pixels| pixels as u32));
+        let size = given.pair::<ranges::Pixels>("size")?.map(|size| size.map(|pixels| pixels.count() as u32));
         let camera = match through {
             Some(own) => sized(own.of(scene)?, size),
             None => camera(size, scene).map_err(Trouble::from)?,
         };
         let shot = Self {
-            samples: given.whole("samples", &ranges::SAMPLES)?.map_or(SAMPLES, |samples| samples as u32),
-            read: given.named("read")?,
-            show: given.named("show")?.unwrap_or_default(),
-            threads: requests::threads(&mut given)?.unwrap_or(solved.options.threads),
+            samples: given
+                .value::<ranges::Samples>("samples")?
+                .map_or(SAMPLES, |samples| samples.count() as u32),
+            read: given.value("read")?,
+            show: given.value("show")?.unwrap_or_default(),
+            threads: given.value("threads")?.map_or(solved.options.threads, ranges::Threads::count),
             camera,
         };
-        let memory = given.bytes("memory")?.or(method.memory);
+        let memory = given.parsed("memory")?.or(method.memory);
         given.finish("render")?;
         check_aim(shot.read, method).map_err(Trouble::from)?;
         require_pixels(&shot.camera, scene, memory, Ranks::alone()).map_err(Trouble::from)?;

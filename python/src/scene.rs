@@ -8,14 +8,14 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
 use radiosity::reading::probe::Probe;
-use radiosity::request::{SceneRequest, ranges};
+use radiosity::request::SceneRequest;
+use radiosity::request::ranges::{Finite, Length, Number};
 use radiosity::scene;
 use radiosity::scene::Notation;
 use radiosity::work::ranks::Ranks;
 
 use crate::arguments::Arguments;
 use crate::error::Trouble;
-use crate::requests;
 use crate::tree;
 use crate::work::work;
 
@@ -38,14 +38,13 @@ pub(crate) fn load(
     given: &Bound<'_, PyDict>,
 ) -> PyResult<Scene> {
     let mut given = Arguments::of(given)?;
-    let any = |number: f64| if number.is_finite() { Ok(number) } else { Err("expected a finite number") };
     let request = SceneRequest {
         source,
         settings: settings.into_iter().collect(),
-        frame: given.number("frame", any)?,
-        tolerance: given.number("tolerance_length", ranges::not_negative)?,
+        frame: given.value::<Number<Finite>>("frame")?.map(f64::from),
+        tolerance: given.value::<Number<Length>>("tolerance_length")?.map(f64::from),
         strict: given.flag("strict")?,
-        import: requests::import(&mut given)?,
+        import: given.fields()?,
     };
     given.finish("load")?;
     Ok(Scene { scene: work(py, None, |_| request.load_lit(Ranks::alone()))? })

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::reading::files::solution_file::{self, SolutionFile, is_solution};
 use radiosity::reading::files::vtu::Grid as Cells;
-use radiosity::reading::grid::{Cell, grid};
+use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::probe::{Probe, ProbeReading, probe};
 use radiosity::reading::quality::ReadSettings;
 use radiosity::reading::read_error::ReadError;
@@ -31,7 +31,6 @@ use crate::grid::Grid;
 use crate::picture;
 use crate::plane::{self, Plane};
 use crate::progress::Progress;
-use crate::requests;
 use crate::scene::Scene;
 use crate::work::work;
 
@@ -105,7 +104,7 @@ impl Solution {
 
     /// Reading of the solution as `given`, and number of threads.
     fn reading(&self, given: &mut Arguments<'_>, request: ReadRequest) -> PyResult<(ReadSettings, usize)> {
-        let threads = requests::threads(given)?.unwrap_or(self.solved.options.threads);
+        let threads = given.value("threads")?.map_or(self.solved.options.threads, ranges::Threads::count);
         request.check(&self.solved.options, &self.method).map_err(Trouble::from)?;
         Ok((request.reading(&self.method, &self.solved, self.is_saved), threads))
     }
@@ -131,7 +130,7 @@ impl Solution {
         observer: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Vec<ProbeReading>> {
         let mut given = given;
-        let request = requests::reading(&mut given)?;
+        let request = given.fields()?;
         let (how, threads) = self.reading(&mut given, request)?;
         given.finish(function)?;
         let readings = self.read(py, observer, threads, |progress| {
@@ -243,9 +242,13 @@ impl Solution {
         observer: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Grid> {
         let mut given = Arguments::of(given)?;
-        let sides = given.pair("cells", &ranges::PIXELS)?.unwrap_or([16, 16]);
-        let memory = given.bytes("memory")?.or(self.method.memory);
-        let request = requests::reading_of_cells(&mut given)?;
+        let sides =
+            given.pair::<ranges::Pixels>("cells")?.map_or([16, 16], |cells| cells.map(ranges::Pixels::count));
+        let memory = given.parsed("memory")?.or(self.method.memory);
+        let samples =
+            given.pair::<ranges::Samples>("read_samples")?.map(|samples| samples.map(ranges::Samples::count));
+        let samples = samples.map(|[direct, indirect]| Rates { direct, indirect });
+        let request = ReadRequest { samples, ..given.fields()? };
         let (how, threads) = self.reading(&mut given, request)?;
         given.finish("grid")?;
         let scene = &self.solved.scene;

@@ -3,20 +3,18 @@
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use radiosity::reading::probe::Probe;
 use radiosity::request::MethodRequest;
-use radiosity::request::aim::{at_probes, of_picture};
+use radiosity::request::aim::AccuracyOf;
 use radiosity::scene;
 use radiosity::solve::solved::Solved;
-use radiosity::solve::studies::adaptation::{Aim, Goal};
+use radiosity::solve::studies::adaptation::Goal;
 use radiosity::solve::{Failure, Options};
+use radiosity::work::Work;
 use radiosity::work::ranks::Ranks;
-use radiosity::work::{Deadline, Work};
 
 use crate::arguments::Arguments;
 use crate::arrays::probes;
 use crate::error::Trouble;
-use crate::requests;
 use crate::scene::Scene;
 use crate::solution::{ReportedSolution, Solution};
 use crate::work::work;
@@ -34,10 +32,9 @@ pub(crate) fn solution_of(
 ) -> PyResult<Solution> {
     let mut given = Arguments::of(given)?;
     let keep_partial = given.flag("keep_partial")?;
-    let mut method = requests::method(&mut given)?;
+    let mut method: MethodRequest = given.fields()?;
     given.finish("solve")?;
-    let wanted = AimArgument::of(aim, sensors)?;
-    method.aim = aim.is_some().then_some(wanted.aim());
+    method.aim = aim.map(|aim| accuracy_of(aim, sensors.is_some())).transpose()?;
     if method.aim.is_some() && method.wanted_accuracy().is_none() {
         let cure = "add accuracy=, such as accuracy=1e-2, or leave aim= out";
         return Err(Trouble::new("aim= does nothing without an accuracy that is wanted", cure).into());
@@ -47,10 +44,14 @@ pub(crate) fn solution_of(
     let options = Options { keep_partial, ..method.options(Ranks::alone()) };
     // Shapes, patterns and what it was read from are shared; names and numbers of the surfaces are copied.
     let own = scene.scene.clone();
+    let sensors = sensors.map(|(points, normals)| probes(&points, &normals)).transpose()?.unwrap_or_default();
+    let of = method.aim.as_ref().unwrap_or(&AccuracyOf::Gathered);
+    let goal = |accuracy| of.goal::<Trouble>(accuracy, &scene.scene, || Ok(sensors));
+    let goal = method.wanted_accuracy().map(goal).transpose()?;
     let found = work(py, observer.as_ref(), |progress| -> Result<_, Trouble> {
-        let deadline = method.deadline().map(|at| Deadline::at(Some(at)));
+        let deadline = method.deadline();
         let work = Work { deadline: deadline.as_ref(), ..Work::alone().observed_by(progress) };
-        Ok(ReportedSolution::of(solved(own, options, wanted.goal(&method, &scene.scene)?, &work)?)?)
+        Ok(ReportedSolution::of(solved(own, options, goal.as_ref(), &work)?)?)
     })?;
     Solution::new(py, found, method, false)
 }
@@ -58,57 +59,25 @@ pub(crate) fn solution_of(
 fn solved(
     scene: scene::Scene,
     options: Options,
-    goal: Option<Goal>,
+    goal: Option<&Goal>,
     work: &Work<'_>,
 ) -> Result<Solved, Failure> {
     match goal {
-        Some(goal) => Solved::to_accuracy(scene, &options, &goal, work),
+        Some(goal) => Solved::to_accuracy(scene, &options, goal, work),
         None => Solved::new(scene, options, work),
     }
 }
 
-/// Quantity that an accuracy is wanted of.
-enum AimArgument {
-    Gathered,
-    Solution,
-    Picture,
-    At(Vec<Probe>),
-}
-
-impl AimArgument {
-    fn of(
-        aim: Option<&str>,
-        sensors: Option<(PyReadonlyArray2<'_, f64>, PyReadonlyArray2<'_, f64>)>,
-    ) -> Result<Self, Trouble> {
-        match (aim.unwrap_or("gathered"), sensors) {
-            ("points", Some((points, normals))) => Ok(Self::At(probes(&points, &normals)?)),
-            ("gathered", _) => Ok(Self::Gathered),
-            ("solution", _) => Ok(Self::Solution),
-            ("picture", _) => Ok(Self::Picture),
-            (other, _) => Err(Trouble::new(
-                format!("aim={other:?} cannot be"),
-                "expected gathered, solution, picture, (\"plane\", name) or (\"points\", points, normals)",
-            )),
-        }
-    }
-
-    fn aim(&self) -> Aim {
-        match self {
-            Self::Gathered => Aim::Gathered,
-            Self::Solution => Aim::Solution,
-            Self::Picture => Aim::Seen,
-            Self::At(_) => Aim::Points,
-        }
-    }
-
-    /// The goal in a scene, if an accuracy is wanted.
-    fn goal(&self, method: &MethodRequest, scene: &scene::Scene) -> Result<Option<Goal>, Trouble> {
-        let Some(accuracy) = method.wanted_accuracy() else { return Ok(None) };
-        Ok(Some(match self {
-            Self::Gathered => Goal::new(accuracy, Aim::Gathered),
-            Self::Solution => Goal::new(accuracy, Aim::Solution),
-            Self::Picture => of_picture(accuracy, scene)?,
-            Self::At(probes) => at_probes(accuracy, probes, scene),
-        }))
+/// Light that an accuracy is wanted of, by its name; there are sensors where it is light at points.
+fn accuracy_of(aim: &str, has_sensors: bool) -> Result<AccuracyOf, Trouble> {
+    match (aim, has_sensors) {
+        ("points", true) => Ok(AccuracyOf::Points(aim.to_owned())),
+        ("gathered", _) => Ok(AccuracyOf::Gathered),
+        ("solution", _) => Ok(AccuracyOf::Solution),
+        ("picture", _) => Ok(AccuracyOf::Picture),
+        (other, _) => Err(Trouble::new(
+            format!("aim={other:?} cannot be"),
+            "expected gathered, solution, picture, (\"plane\", name) or (\"points\", points, normals)",
+        )),
     }
 }

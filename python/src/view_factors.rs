@@ -18,7 +18,6 @@ use radiosity::{SceneBuilder, solve::view_factors as library};
 use crate::arguments::Arguments;
 use crate::arrays::{array, points};
 use crate::error::{Trouble, warn};
-use crate::requests;
 use crate::scene::{Scene, remarks};
 use crate::work::work;
 
@@ -91,7 +90,7 @@ fn factors(
     observer: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<ViewFactors> {
     let mut given = Arguments::of(given)?;
-    let request = requests::transfers(&mut given, TransferRequest::FACTORS)?;
+    let request: TransferRequest = given.fields()?;
     given.finish(function)?;
     request.check().map_err(Trouble::from)?;
     let indices = |(one, other): &Pair| Ok([scene.surface_named(one)?, scene.surface_named(other)?]);

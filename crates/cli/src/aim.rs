@@ -1,74 +1,39 @@
 //! `--for`: the light of which an accuracy is wanted.
 
 use std::ffi::OsString;
-use std::str::FromStr;
+use std::path::Path;
 
 use radiosity_reading::probe::Probe;
-use radiosity_request::aim::{at_probes, of_picture};
+use radiosity_request::MethodRequest;
+use radiosity_request::aim::AccuracyOf;
 use radiosity_scene::Scene;
-use radiosity_solve::studies::adaptation::{Aim, Goal};
+use radiosity_solve::studies::adaptation::Goal;
 use radiosity_work::ranks::Ranks;
 
 use crate::error::CliError;
 use crate::planes::plane;
 use crate::points::Points;
 
-/// Forms that are accepted.
-const FORM: &str = "expected gathered, solution, picture, points FILE or plane NAME";
-
-/// Light that is to be accurate.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum AimOption {
-    /// Light as sensors and pictures read it, on all surfaces.
-    Gathered,
-    /// The polynomials, as `--read basis` shows them.
-    Solution,
-    /// Light at the points of this file.
-    Points(String),
-    /// Light at the sensors of this plane.
-    Plane(String),
-    /// Light that the scene's camera sees.
-    Picture,
+/// The goal of this accuracy in a scene.
+pub(crate) fn goal(of: &AccuracyOf, accuracy: f64, scene: &Scene, ranks: &Ranks) -> Result<Goal, CliError> {
+    of.goal(accuracy, scene, || match of {
+        AccuracyOf::Points(file) => Ok(Points::load(file, ranks)?.probes),
+        AccuracyOf::Plane(name) => Ok(Probe::of_plane(&plane(name, 0, scene)?).collect()),
+        AccuracyOf::Gathered | AccuracyOf::Solution | AccuracyOf::Picture => Ok(Vec::new()),
+    })
 }
 
-impl FromStr for AimOption {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text.split_once('=') {
-            Some(("points", file)) if !file.is_empty() => Ok(Self::Points(file.to_owned())),
-            Some(("plane", name)) if !name.is_empty() => Ok(Self::Plane(name.to_owned())),
-            None if text == "gathered" => Ok(Self::Gathered),
-            None if text == "solution" => Ok(Self::Solution),
-            None if text == "picture" => Ok(Self::Picture),
-            _ => Err(FORM.to_owned()),
-        }
-    }
+/// The accuracy that is wanted in a scene, and of what, if one is wanted.
+pub(crate) fn wanted(method: &MethodRequest, scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
+    let of = method.aim.as_ref().unwrap_or(&AccuracyOf::Gathered);
+    method.wanted_accuracy().map(|accuracy| goal(of, accuracy, scene, ranks)).transpose()
 }
 
-impl AimOption {
-    /// The aim of the accuracy.
-    pub(crate) fn aim(&self) -> Aim {
-        match self {
-            Self::Gathered => Aim::Gathered,
-            Self::Solution => Aim::Solution,
-            Self::Points(_) | Self::Plane(_) => Aim::Points,
-            Self::Picture => Aim::Seen,
-        }
-    }
-
-    /// The goal of this accuracy in a scene.
-    pub(crate) fn goal(&self, accuracy: f64, scene: &Scene, ranks: &Ranks) -> Result<Goal, CliError> {
-        match self {
-            Self::Gathered => Ok(Goal::new(accuracy, Aim::Gathered)),
-            Self::Solution => Ok(Goal::new(accuracy, Aim::Solution)),
-            Self::Points(file) => Ok(at_probes(accuracy, &Points::load(file, ranks)?.probes, scene)),
-            Self::Plane(name) => {
-                let sensors: Vec<Probe> = Probe::of_plane(&plane(name, 0, scene)?).collect();
-                Ok(at_probes(accuracy, &sensors, scene))
-            }
-            Self::Picture => Ok(of_picture(accuracy, scene)?),
-        }
+/// The file of points where light is to be accurate, if there is one.
+pub(crate) fn points_file(method: &MethodRequest) -> Option<&Path> {
+    match &method.aim {
+        Some(AccuracyOf::Points(file)) => Some(Path::new(file)),
+        _ => None,
     }
 }
 
@@ -111,10 +76,10 @@ mod tests {
 
     #[test]
     fn what_is_wanted_is_told_apart() {
-        assert_eq!("points=a=b".parse(), Ok(AimOption::Points("a=b".to_owned())));
-        assert_eq!("plane=desk".parse(), Ok(AimOption::Plane("desk".to_owned())));
+        assert_eq!("points=a=b".parse(), Ok(AccuracyOf::Points("a=b".to_owned())));
+        assert_eq!("plane=desk".parse(), Ok(AccuracyOf::Plane("desk".to_owned())));
         for wrong in ["points", "plane=", "all", "picture=x"] {
-            assert!(wrong.parse::<AimOption>().is_err(), "{wrong}");
+            assert!(wrong.parse::<AccuracyOf>().is_err(), "{wrong}");
         }
     }
 }

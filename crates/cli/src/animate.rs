@@ -18,7 +18,10 @@ use radiosity_reading::pictures::render::{render, usual_read, white_balance};
 use radiosity_reading::quantity::Quantity;
 use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::reader::ReadMode;
+use radiosity_request::MethodRequest;
+use radiosity_request::ReadRequest;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
+use radiosity_request::ranges::{Fraction, Positive};
 use radiosity_request::require_all_bounces;
 use radiosity_solve::animation::follower::{FollowMode, Follower};
 use radiosity_solve::animation::frame::Frame;
@@ -29,11 +32,10 @@ use radiosity_work::ranks::Ranks;
 use crate::{
     console,
     error::CliError,
-    numbers::{Counts, fraction, positive},
-    options::{MethodArgs, SceneArg},
+    numbers::{Counts, number},
+    options::SceneArg,
     points::Points,
     progress::Progress,
-    read::ReadArgs,
     run::{Loaded, options},
 };
 use frame_files::FrameFiles;
@@ -80,7 +82,7 @@ pub(crate) struct AnimateArgs {
 
     /// Relative error that light interpolated along a path may have; by rays 0.3 of the error that these
     /// leave, if that is more. With series that of a block, relative to its largest entry
-    #[arg(long, value_name = "E", default_value = "1e-4", value_parser = fraction)]
+    #[arg(long, value_name = "E", default_value = "1e-4", value_parser = number::<Fraction>)]
     path_eps: f64,
 
     /// Pixels across and down [default: as the scene's camera says]
@@ -93,18 +95,18 @@ pub(crate) struct AnimateArgs {
 
     /// Exposure of all pictures: the radiosity that is white is 1 over it [default: that of the first
     /// picture, as render would]
-    #[arg(long, value_name = "X", value_parser = positive)]
+    #[arg(long, value_name = "X", value_parser = number::<Positive>)]
     exposure: Option<f64>,
 
     /// Pictures a second of a film [default: those of the scene's time, if it has any; else 25]
-    #[arg(long, value_name = "N", value_parser = positive)]
+    #[arg(long, value_name = "N", value_parser = number::<Positive>)]
     fps: Option<f64>,
 
     #[command(flatten)]
-    read: ReadArgs,
+    read: ReadRequest,
 
     #[command(flatten)]
-    method: MethodArgs,
+    method: MethodRequest,
 
     /// Prints neither progress nor a summary
     #[arg(short, long, help_heading = "Messages")]
@@ -140,7 +142,7 @@ impl AnimateArgs {
         let refuse = |message: &str, cure: &str| {
             Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
         };
-        if self.method.request().wanted_accuracy().is_some() {
+        if self.method.wanted_accuracy().is_some() {
             return refuse(
                 "--accuracy: elements that one frame needs are not those of another",
                 "leave it out and choose --quality, or --order and --eps, which hold for all frames",
@@ -215,9 +217,9 @@ impl Shutter<'_> {
 pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let begun = Instant::now();
     let scene = &loaded.scene;
-    args.method.request().check()?;
+    args.method.check()?;
     let frames = "frames that follow each other hold all light";
-    require_all_bounces(&args.method.request(), frames, "take single frames: render --frame K --bounces …")?;
+    require_all_bounces(&args.method, frames, "take single frames: render --frame K --bounces …")?;
     let asked = options(&args.method, ranks);
     args.refuse_methods(&asked)?;
     let range = FrameRange::within(args.frames, scene)?;

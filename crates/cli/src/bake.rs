@@ -12,6 +12,7 @@ use radiosity_output::pictures::tone::Tone;
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::render::{usual_read, white_balance};
 use radiosity_reading::reader::ReadMode;
+use radiosity_request::MethodRequest;
 use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
 use radiosity_work::Work;
@@ -22,7 +23,7 @@ use crate::{
     error::CliError,
     forecast,
     numbers::Counts,
-    options::{MethodArgs, ReportArgs},
+    options::ReportArgs,
     progress::Progress,
     read::ROUGH,
     run::{Loaded, Run},
@@ -46,7 +47,7 @@ pub(crate) struct Bake<'a> {
     /// Source of the light.
     pub(crate) read: Option<ReadMode>,
     pub(crate) style: &'a StyleArgs,
-    pub(crate) method: &'a MethodArgs,
+    pub(crate) method: &'a MethodRequest,
     pub(crate) report: &'a ReportArgs,
 }
 

@@ -7,6 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use radiosity_output::drawings::chart::Chart;
 use radiosity_published::bases::Basis;
+use radiosity_request::MethodRequest;
 use radiosity_request::check_series;
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
@@ -21,7 +22,7 @@ use crate::{
     destination::Destination,
     error::CliError,
     format::of_ending,
-    options::{MethodArgs, PARAMETER_OR_GROUP, SceneArg},
+    options::{PARAMETER_OR_GROUP, SceneArg},
     output_file::OutputFile,
     progress::Progress,
     reference,
@@ -70,7 +71,7 @@ pub(crate) struct ConvergenceArgs {
     pub(crate) quiet: bool,
 
     #[command(flatten)]
-    pub(crate) method: MethodArgs,
+    pub(crate) method: MethodRequest,
 }
 
 /// `--format` of the table.
@@ -85,15 +86,15 @@ pub(crate) enum Format {
 /// Solves the scene again and again, prints the table and draws the errors.
 pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let scene = &loaded.scene;
-    if args.method.request().wanted_accuracy().is_some() {
+    if args.method.wanted_accuracy().is_some() {
         return Err(CliError::Refused {
             message: "convergence runs every order and chooses none".to_owned(),
             cure: "leave out --accuracy, and give --max-order a number".to_owned(),
         });
     }
     args.check_basis()?;
-    args.method.request().check()?;
-    check_series(&args.method.request(), &args.other_series())?;
+    args.method.check()?;
+    check_series(&args.method, &args.other_series())?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = kind(&path)?;
     let output = args.scene.kept_apart(OutputFile::reserve(&path, ranks)?)?;
@@ -133,7 +134,7 @@ impl ConvergenceArgs {
 
     /// Refuses a basis without orders, and one of those that are all compared.
     fn check_basis(&self) -> Result<(), CliError> {
-        let basis = self.method.basis;
+        let basis = self.method.basis.unwrap_or_default();
         let has_no_order = matches!(basis, Basis::Constant | Basis::Linear);
         if has_no_order || (self.bases && basis != Basis::Legendre) {
             return Err(CliError::Refused {
@@ -201,7 +202,7 @@ fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &'a [Converg
         None => format!("the finest run, {finest}"),
         Some(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
     };
-    let accuracy = match args.method.kernel.rules() {
+    let accuracy = match args.method.kernel.unwrap_or_default().rules() {
         Some(_) => "the rules of 1993".to_owned(),
         None => format!("transfers to {eps:e}"),
     };

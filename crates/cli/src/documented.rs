@@ -8,7 +8,10 @@
 
 use std::{env, fs};
 
-use clap::{Arg, Args, Command, CommandFactory};
+use clap::{Arg, Args, Command, CommandFactory, FromArgMatches};
+use radiosity_request::MethodRequest;
+use radiosity_solve::Options;
+use radiosity_work::ranks::Ranks;
 
 use crate::Cli;
 use crate::options::SceneArg;
@@ -32,6 +35,32 @@ fn the_page_has_the_options_of_the_command() {
     let cure = "`WRITE_DOCUMENTS=1 cargo test --release -p radiosity-cli documented` mends docs/command.md";
     assert_eq!(differing, None, "{cure}");
     assert_eq!(made.trim().lines().count(), fresh.trim().lines().count(), "{cure}");
+}
+
+/// The defaults that the help states are those of the library: typed, they change no option.
+#[test]
+fn defaults_are_true() {
+    let command = MethodRequest::augment_args(Command::new("method"));
+    let options = |request: &MethodRequest| {
+        let options = Options { memory: None, ..request.options(Ranks::alone()) };
+        format!("{options:?}")
+    };
+    let usual = options(&MethodRequest::default());
+    let mut stated = 0;
+    for arg in command.get_arguments() {
+        let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
+        let Some((_, default)) = help.split_once("[default: ") else { continue };
+        let value = default.trim_end_matches(']').split(';').next().unwrap_or_default();
+        let typed = format!("--{}={value}", arg.get_long().expect("options are long"));
+        // Typed, --eps is the accuracy of shadows as well where that is not typed.
+        let typed = ["method", &typed, "--shadow-eps=3e-3"];
+        // Defaults that follow from the scene or the machine are words.
+        let Ok(matches) = command.clone().try_get_matches_from(typed) else { continue };
+        let request = MethodRequest::from_arg_matches(&matches).expect("what is typed is read");
+        assert_eq!(options(&request), usual, "--{} {value}", arg.get_id());
+        stated += 1;
+    }
+    assert!(stated > 15, "{stated} defaults");
 }
 
 /// Options under one heading.

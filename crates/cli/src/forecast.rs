@@ -1,11 +1,11 @@
 //! Memory that results will need, reckoned before the work.
 
+use radiosity_request::MethodRequest;
 use radiosity_request::memory::require;
 use radiosity_scene::Scene;
 use radiosity_work::ranks::Ranks;
 
 use crate::error::CliError;
-use crate::options::MethodArgs;
 
 /// Bytes of a texel beside its bands, of each band, and of each band of a light group. Measured in textures:
 /// 150 for three bands without groups; pages take less.
@@ -18,7 +18,7 @@ const OF_GROUP: u64 = 4;
 pub(crate) fn require_texels(
     texels: usize,
     scene: &Scene,
-    method: &MethodArgs,
+    method: &MethodRequest,
     less: &str,
     ranks: &Ranks,
 ) -> Result<(), CliError> {

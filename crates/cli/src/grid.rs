@@ -6,6 +6,7 @@ use clap::Args;
 use radiosity_reading::grid::{Cell, grid};
 use radiosity_reading::read_error::ReadError;
 use radiosity_reading::reader::Reader;
+use radiosity_request::MethodRequest;
 use radiosity_request::ReadRequest;
 use radiosity_request::cells::require_cells;
 use radiosity_scene::Scene;
@@ -19,9 +20,9 @@ use crate::{
     data::DataArgs,
     error::CliError,
     numbers::Counts,
-    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    options::{PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
-    read::{ReadArgs, Samples},
+    read::Samples,
     run::{Loaded, Run},
 };
 
@@ -41,7 +42,7 @@ pub(crate) struct GridArgs {
     pub(crate) cells: Counts,
 
     #[command(flatten)]
-    pub(crate) read: ReadArgs,
+    pub(crate) read: ReadRequest,
 
     /// Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as
     /// --quality says; light is then gathered by cells]
@@ -52,7 +53,7 @@ pub(crate) struct GridArgs {
     data: DataArgs,
 
     #[command(flatten)]
-    pub(crate) method: MethodArgs,
+    pub(crate) method: MethodRequest,
 
     #[command(flatten)]
     pub(crate) checkpoint: CheckpointArgs,
@@ -64,7 +65,7 @@ pub(crate) struct GridArgs {
 impl GridArgs {
     /// The request for reading.
     fn request(&self) -> ReadRequest {
-        ReadRequest { samples: self.read_samples.map(|samples| samples.0), ..self.read.request() }
+        ReadRequest { samples: self.read_samples.map(|samples| samples.0), ..self.read }
     }
 }
 
@@ -72,12 +73,13 @@ impl GridArgs {
 pub(crate) fn run(args: &GridArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let sides = args.cells.0.map(|count| count as usize);
     require_cells(sides, &loaded.scene, args.method.memory, ranks)?;
-    let (method, request) = (args.method.request(), args.request());
-    request.check(&loaded.options(&args.method, ranks), &method)?;
+    let (method, request) = (&args.method, args.request());
+    request.check(&loaded.options(method, ranks), method)?;
     let data = args.data.reserve(&loaded, &args.report, ranks, Ok)?;
     let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-    let mut run = Run::to_gather(loaded, &args.method, args.read.by(), &args.report, &work)?;
+    let mut run =
+        Run::to_gather(loaded, &args.method, args.read.read_by.unwrap_or_default(), &args.report, &work)?;
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
     let reading = request.reading(&method, &run.solved, run.is_saved());

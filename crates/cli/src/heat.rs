@@ -14,10 +14,8 @@ use radiosity_reading::accuracy_warning::{corrected, missed, no_error_of_order};
 use radiosity_reading::checkpoint::Checkpoint;
 use radiosity_reading::digits::significant;
 use radiosity_reading::rank_work::RanksWork;
-use radiosity_request::{HeatRequest, ranges};
-use radiosity_scene::{MAX_ORDER, Scene};
-use radiosity_solve::Transport;
-use radiosity_solvers::method::Method;
+use radiosity_request::HeatRequest;
+use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Observer, Progress as Event, Stage, Work};
@@ -28,7 +26,7 @@ use crate::{
     error::CliError,
     format,
     heat::picture::{OtherFile, PictureArgs},
-    options::{SceneArg, solver},
+    options::SceneArg,
     output_file::OutputFile,
     progress::Progress,
     run::remarks,
@@ -52,8 +50,10 @@ are left out; where they are known, they are a heat_flux.";
 #[derive(Debug, Args)]
 #[command(
     mut_arg("scene", |scene| scene.default_value("oven")),
-    mut_arg("eps", |eps| eps.default_value("1e-4").help("Accuracy of the transfers between elements, between 0 and 1")),
-    mut_arg("subdivide", |cuts| cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs")),
+    mut_arg("eps", |eps| eps.help("Accuracy of the transfers between elements, between 0 and 1 [default: 1e-4]")),
+    mut_arg("subdivide", |cuts| {
+        cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs [default: auto]")
+    }),
     after_help = NOTES
 )]
 pub(crate) struct HeatArgs {
@@ -73,31 +73,14 @@ pub(crate) struct HeatArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) conductances: Option<PathBuf>,
 
-    /// Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do
-    #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
-    pub(crate) order: u64,
-
-    /// How the pairs of elements are carried
-    #[arg(long, value_name = "MODE", default_value = "exact")]
-    pub(crate) transport: Transport,
-
-    /// Solver of the linear system
-    #[arg(long, value_name = "NAME", default_value = "auto", value_parser = solver())]
-    pub(crate) solver: &'static Method,
-
-    /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
-    #[arg(long, value_name = "BYTES", value_parser = ranges::bytes)]
-    memory: Option<u64>,
+    #[command(flatten)]
+    request: HeatRequest,
 
     #[command(flatten)]
     transfers: TransferArgs,
 
     #[command(flatten)]
     picture: PictureArgs,
-}
-
-fn order() -> clap::builder::RangedU64ValueParser<u64> {
-    clap::builder::RangedU64ValueParser::new().range(0..=MAX_ORDER as u64)
 }
 
 /// `--format` of the figures.
@@ -126,7 +109,7 @@ const DIGITS: usize = 6;
 /// Computes the balance of heat and writes it.
 pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
-    args.transfers.request().check()?;
+    args.transfers.request.check()?;
     let scene = args.scene.request().load_lit(ranks)?;
     let ranks = args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
     of_scene(args, &scene, start, &ranks)
@@ -156,7 +139,7 @@ fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant, ranks: &Ranks) -> Re
         }
     };
     let work = Work::among(ranks).observed_by(&show);
-    let wanted = args.request().options(ranks);
+    let wanted = args.request.options(&args.transfers.request, args.conductances.is_some(), ranks);
     let heat = Heat::of(scene, &wanted, &work)?;
     destination.write(|writer| write(&heat, format, writer))?;
     if let (Some(file), Some(format), Some(conductances)) = (matrix, matrix_format, &heat.conductances) {
@@ -190,25 +173,13 @@ fn write(heat: &Heat, format: Format, writer: &mut dyn Write) -> io::Result<()> 
 }
 
 impl HeatArgs {
-    /// The request for a balance of heat.
-    fn request(&self) -> HeatRequest {
-        HeatRequest {
-            transfers: self.transfers.request(),
-            order: self.order as usize,
-            transport: self.transport,
-            solver: self.solver,
-            memory: self.memory,
-            conductances: self.conductances.is_some(),
-        }
-    }
-
     /// The summary on stderr.
     fn tell(&self, scene: &Scene, heat: &Heat, start: Instant, ranks: &Ranks) {
         let elapsed = start.elapsed().as_secs_f64();
         let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
         let (given, taken) = (sum(1.0), sum(-1.0));
         let mut lines = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
-        let threads = self.transfers.request().threads();
+        let threads = self.transfers.request.threads();
         lines.extend(RanksWork::so_far(ranks, threads).map(|work| work.to_string()));
         let checkpoint = Checkpoint::so_far(ranks);
         lines.extend(checkpoint.as_ref().map(Checkpoint::to_string));
@@ -237,7 +208,7 @@ impl HeatArgs {
             lines.push(format!("warning: {}", missed(&worst, names)));
         }
         if heat.error_orders.is_empty() {
-            lines.push(format!("warning: {}", no_error_of_order(self.order as usize)));
+            lines.push(format!("warning: {}", no_error_of_order(self.request.order())));
         }
         lines.extend(checkpoint.and_then(|own| own.warning()).map(|warning| warning.to_string()));
         let files = self.output.iter().chain(&self.conductances).chain(&self.picture.picture);

@@ -15,8 +15,6 @@
 
 mod console;
 mod interrupt;
-mod masks;
-mod subdivide;
 mod numbers;
 mod points;
 mod error;
@@ -29,7 +27,6 @@ mod sensors;
 mod completions;
 mod format;
 mod output_file;
-mod import;
 mod options;
 mod forecast;
 mod destination;
@@ -71,9 +68,10 @@ mod documented;
 use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use aim::points_file;
 pub(crate) use error::CliError;
 pub use launch::launch;
-use options::MethodArgs;
+use options::fixing;
 use radiosity_work::ranks::Ranks;
 use run::Loaded;
 use typed_options::TypedOptions;
@@ -143,7 +141,7 @@ impl Cli {
         let mut command = Self::command();
         let matches = command.try_get_matches_from_mut(joined(std::env::args_os()))?;
         let mut cli = Self::from_arg_matches(&matches)?;
-        cli.fixing = matches.subcommand().map(|(_, typed)| MethodArgs::fixing(typed)).unwrap_or_default();
+        cli.fixing = matches.subcommand().map(|(_, typed)| fixing(typed)).unwrap_or_default();
         cli.given = TypedOptions::of(&command, &matches);
         Ok(cli)
     }
@@ -155,7 +153,7 @@ impl Cli {
         match &self.verb {
             Verb::Solve(args) => {
                 let loaded = Loaded::lit(&args.scene, ranks)?;
-                let reads = [args.method.points_file()];
+                let reads = [points_file(&args.method)];
                 let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
                 solve::run(args, loaded, &ranks)
             }
@@ -163,7 +161,7 @@ impl Cli {
             Verb::Render(args) => {
                 let fixing = self.fixing.iter().filter(|option| !(args.importance && *option == "--for"));
                 let loaded = Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>(), ranks)?;
-                let reads = [args.method.points_file(), args.style.difference.as_deref()];
+                let reads = [points_file(&args.method), args.style.difference.as_deref()];
                 let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
                 render::run(args, loaded, &ranks)
             }
@@ -171,13 +169,13 @@ impl Cli {
             Verb::Probe(args) => {
                 let points = args.load_points(ranks)?;
                 let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
-                let reads = [args.method.points_file()];
+                let reads = [points_file(&args.method)];
                 let ranks = args.checkpoint.recording(given, &(loaded.content(), &points), &reads, ranks)?;
                 probe::run(args, points, loaded, &ranks)
             }
             Verb::Grid(args) => {
                 let loaded = Loaded::readable(&args.scene, &self.fixing, ranks)?;
-                let reads = [args.method.points_file()];
+                let reads = [points_file(&args.method)];
                 let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
                 grid::run(args, loaded, &ranks)
             }
@@ -186,7 +184,7 @@ impl Cli {
             Verb::Heat(args) => heat::run(args, given, ranks),
             Verb::Report(args) => {
                 let loaded = Loaded::dark_or_lit(&args.scene, &self.fixing, ranks)?;
-                let reads = [args.method.points_file()];
+                let reads = [points_file(&args.method)];
                 let ranks = args.checkpoint.recording(given, &loaded.content(), &reads, ranks)?;
                 report::run(args, loaded, &ranks)
             }

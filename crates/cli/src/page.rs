@@ -6,6 +6,7 @@ use radiosity_output::documents::viewer::{FirstViewSettings, texels, write_viewe
 use radiosity_reading::pictures::lightmap::Lightmap;
 use radiosity_reading::pictures::render::usual_read;
 use radiosity_reading::reader::ReadMode;
+use radiosity_request::MethodRequest;
 use radiosity_scene::{Material, Scene};
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
@@ -13,7 +14,7 @@ use radiosity_work::ranks::Ranks;
 use crate::{
     error::CliError,
     forecast,
-    options::{MethodArgs, ReportArgs},
+    options::ReportArgs,
     output_file::OutputFile,
     progress::Progress,
     read::ROUGH,
@@ -36,7 +37,7 @@ pub(crate) struct Page<'a> {
 /// Solves the scene and writes the page of its light, read by `read` or as that takes little time.
 pub(crate) fn write(
     loaded: Loaded,
-    method: &MethodArgs,
+    method: &MethodRequest,
     report: &ReportArgs,
     page: &Page<'_>,
     read: Option<ReadMode>,

@@ -8,6 +8,8 @@ use radiosity_reading::plane_figures::PlaneFigures;
 use radiosity_reading::probe::{ProbeReading, probe};
 use radiosity_reading::read_error::ReadError;
 use radiosity_reading::reader::Reader;
+use radiosity_request::MethodRequest;
+use radiosity_request::ReadRequest;
 use radiosity_scene::Scene;
 use radiosity_solve::solved::Solved;
 use radiosity_work::Work;
@@ -18,13 +20,12 @@ use crate::{
     checkpoint::CheckpointArgs,
     data::DataArgs,
     error::CliError,
-    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    options::{PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     output_file::OutputFile,
     plan::PictureArgs,
     planes::PlaneArgs,
     points::{COLUMNS, Points, PointsError},
     progress::Progress,
-    read::ReadArgs,
     run::{Loaded, Run},
     sensors::Sensors,
 };
@@ -58,7 +59,7 @@ pub(crate) struct ProbeArgs {
     pub(crate) planes: PlaneArgs,
 
     #[command(flatten)]
-    pub(crate) read: ReadArgs,
+    pub(crate) read: ReadRequest,
 
     #[command(flatten)]
     data: DataArgs,
@@ -67,7 +68,7 @@ pub(crate) struct ProbeArgs {
     pub(crate) picture: PictureArgs,
 
     #[command(flatten)]
-    pub(crate) method: MethodArgs,
+    pub(crate) method: MethodRequest,
 
     #[command(flatten)]
     pub(crate) checkpoint: CheckpointArgs,
@@ -133,11 +134,17 @@ pub(crate) fn run(
     let picture = args.picture.reserve(&loaded, &args.report, &sensors, ranks)?;
     let (progress, deadline) = (Progress::of(&args.report, ranks), args.method.deadline());
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
-    let mut run =
-        Run::for_sensors(loaded, &sensors.probes(), &args.method, args.read.by(), &args.report, &work)?;
+    let mut run = Run::for_sensors(
+        loaded,
+        &sensors.probes(),
+        &args.method,
+        args.read.read_by.unwrap_or_default(),
+        &args.report,
+        &work,
+    )?;
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
-    let reading = args.read.reading(&args.method, &run);
+    let reading = args.read.reading(&args.method, &run.solved, run.is_saved());
     let readings = run.in_threads(|| {
         let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
         probe(&reader, &sensors.probes(), scene.middle, &work)

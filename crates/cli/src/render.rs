@@ -10,6 +10,8 @@ use radiosity_reading::pictures::render::{render, usual_read, white_balance};
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quantity::Quantity;
 use radiosity_reading::reader::ReadMode;
+use radiosity_request::MethodRequest;
+use radiosity_request::aim::AccuracyOf;
 use radiosity_request::check_aim;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_scene::{Camera, Scene};
@@ -20,12 +22,12 @@ use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
 use crate::{
-    aim::AimOption,
+    aim::goal,
     bake::Bake,
     checkpoint::CheckpointArgs,
     error::CliError,
     numbers::Counts,
-    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    options::{PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     page::{self, Page},
     progress::Progress,
     read::ROUGH,
@@ -70,7 +72,7 @@ pub(crate) struct RenderArgs {
     pub(crate) style: StyleArgs,
 
     #[command(flatten)]
-    pub(crate) method: MethodArgs,
+    pub(crate) method: MethodRequest,
 
     #[command(flatten)]
     pub(crate) checkpoint: CheckpointArgs,
@@ -82,7 +84,7 @@ pub(crate) struct RenderArgs {
 /// Solves the scene and writes a picture.
 pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
-    check_aim(args.read, &args.method.request())?;
+    check_aim(args.read, &args.method)?;
     let kind = args.style.kind(&path)?;
     if kind == PictureFormat::Glb {
         return args.bake(&path)?.run(loaded, ranks);
@@ -190,8 +192,8 @@ impl RenderArgs {
 
     /// The goal to which light is worth something, where its importance is shown.
     fn wanted(&self, scene: &Scene, ranks: &Ranks) -> Result<Option<Goal>, CliError> {
-        let aim = self.method.aim.as_ref().unwrap_or(&AimOption::Gathered);
+        let of = self.method.aim.as_ref().unwrap_or(&AccuracyOf::Gathered);
         // No accuracy follows from the sensors alone; any stands for none.
-        self.importance.then(|| aim.goal(1.0, scene, ranks)).transpose()
+        self.importance.then(|| goal(of, 1.0, scene, ranks)).transpose()
     }
 }

@@ -9,7 +9,8 @@ use std::path::Path;
 use radiosity_heat::{Heat, HeatError, HeatOptions};
 use radiosity_output::documents::report_page::ReportPage;
 use radiosity_reading::checkpoint::Checkpoint;
-use radiosity_request::memory::usable;
+use radiosity_request::memory::allowed;
+use radiosity_request::ranges::Threads;
 use radiosity_scene::Scene;
 use radiosity_solve::Options;
 use radiosity_work::ranks::Ranks;
@@ -84,8 +85,8 @@ fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress, ranks: &Ranks
         }
     };
     let usual = HeatOptions::default();
-    let threads = args.method.threads.unwrap_or(usual.options.threads);
-    let memory = args.method.memory.or_else(|| usable(ranks));
+    let threads = args.method.threads.map_or(usual.options.threads, Threads::count);
+    let memory = allowed(args.method.memory, ranks);
     let wanted = HeatOptions { options: Options { memory, threads, ..usual.options }, ..usual };
     Heat::of(scene, &wanted, &Work::among(ranks).observed_by(&show))
 }

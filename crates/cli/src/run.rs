@@ -16,6 +16,7 @@ use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::read_error::ReadError;
 use radiosity_reading::report::Report;
 use radiosity_reading::warning::Warning;
+use radiosity_request::MethodRequest;
 use radiosity_request::aim::at_probes;
 use radiosity_scene::{LightGroup, Scene};
 use radiosity_solve::checks::Checks;
@@ -26,9 +27,10 @@ use radiosity_solve::{Functional, Options, Outcome, in_threads};
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
 
+use crate::aim::wanted;
 use crate::console;
 use crate::error::CliError;
-use crate::options::{MethodArgs, ReportArgs, SceneArg, borrowed};
+use crate::options::{ReportArgs, SceneArg, borrowed};
 use crate::output_file::OutputFile;
 use crate::progress::Progress;
 
@@ -122,7 +124,7 @@ impl Loaded {
     }
 
     /// The options that the scene was or will be solved with.
-    pub(crate) fn options(&self, method: &MethodArgs, ranks: &Ranks) -> Options {
+    pub(crate) fn options(&self, method: &MethodRequest, ranks: &Ranks) -> Options {
         self.saved.as_ref().map_or_else(|| options(method, ranks), |saved| saved.options)
     }
 
@@ -227,7 +229,7 @@ impl Run {
     /// Solves the scene, unless its solution was read.
     pub(crate) fn solve(
         loaded: Loaded,
-        method: &MethodArgs,
+        method: &MethodRequest,
         report: &ReportArgs,
         work: &Work<'_>,
     ) -> Result<Self, CliError> {
@@ -237,12 +239,12 @@ impl Run {
     /// Solves as [`Run::solve`], for light that is then gathered by cells or rays.
     pub(crate) fn to_gather(
         loaded: Loaded,
-        method: &MethodArgs,
+        method: &MethodRequest,
         by: GatherMethod,
         report: &ReportArgs,
         work: &Work<'_>,
     ) -> Result<Self, CliError> {
-        let goal = method.goal(&loaded.scene, work.ranks)?.map(|goal| goal.read_by(by));
+        let goal = wanted(method, &loaded.scene, work.ranks)?.map(|goal| goal.read_by(by));
         Self::to(goal, loaded, method, options(method, work.ranks), report, work)
     }
 
@@ -251,14 +253,14 @@ impl Run {
     pub(crate) fn for_sensors(
         loaded: Loaded,
         sensors: &[Probe],
-        method: &MethodArgs,
+        method: &MethodRequest,
         by: GatherMethod,
         report: &ReportArgs,
         work: &Work<'_>,
     ) -> Result<Self, CliError> {
-        let goal = match (&method.aim, method.request().wanted_accuracy()) {
+        let goal = match (&method.aim, method.wanted_accuracy()) {
             (None, Some(accuracy)) => Some(at_probes(accuracy, sensors, &loaded.scene)),
-            _ => method.goal(&loaded.scene, work.ranks)?,
+            _ => wanted(method, &loaded.scene, work.ranks)?,
         };
         let asked = options(method, work.ranks);
         Self::to(goal.map(|goal| goal.read_by(by)), loaded, method, asked, report, work)
@@ -267,12 +269,12 @@ impl Run {
     /// As [`Run::solve`], with options that no longer follow from the command line alone.
     pub(crate) fn with_options(
         loaded: Loaded,
-        method: &MethodArgs,
+        method: &MethodRequest,
         asked: Options,
         report: &ReportArgs,
         work: &Work<'_>,
     ) -> Result<Self, CliError> {
-        let goal = method.goal(&loaded.scene, work.ranks)?;
+        let goal = wanted(method, &loaded.scene, work.ranks)?;
         Self::to(goal, loaded, method, asked, report, work)
     }
 
@@ -280,12 +282,12 @@ impl Run {
     fn to(
         goal: Option<Goal>,
         loaded: Loaded,
-        method: &MethodArgs,
+        method: &MethodRequest,
         asked: Options,
         report: &ReportArgs,
         work: &Work<'_>,
     ) -> Result<Self, CliError> {
-        method.request().check()?;
+        method.check()?;
         let start = RunStart::of(&loaded, asked.threads, report, work.ranks)?;
         let scene = loaded.scene;
         let solved = match (loaded.saved, goal) {
@@ -508,6 +510,6 @@ fn groups(groups: &[LightGroup]) -> Option<String> {
 }
 
 /// The library's options of a method as typed, on these ranks.
-pub(crate) fn options(method: &MethodArgs, ranks: &Ranks) -> Options {
-    method.request().options(ranks)
+pub(crate) fn options(method: &MethodRequest, ranks: &Ranks) -> Options {
+    method.options(ranks)
 }

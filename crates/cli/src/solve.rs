@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use radiosity_request::MethodRequest;
 use radiosity_request::{KEPT, require_all_bounces};
 use radiosity_solve::{Options, Outcome, Sampling};
 use radiosity_work::ranks::Ranks;
@@ -12,7 +13,7 @@ use crate::{
     checkpoint::CheckpointArgs,
     error::CliError,
     interrupt,
-    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SceneArg},
+    options::{PARAMETER_OR_GROUP, ReportArgs, SceneArg},
     progress::Progress,
     run::{Loaded, Run, options},
     solution_format::SolutionFormat,
@@ -39,7 +40,7 @@ pub(crate) struct SolveArgs {
     pub(crate) keep_partial: bool,
 
     #[command(flatten)]
-    pub(crate) method: MethodArgs,
+    pub(crate) method: MethodRequest,
 
     #[command(flatten)]
     pub(crate) checkpoint: CheckpointArgs,
@@ -50,16 +51,12 @@ pub(crate) struct SolveArgs {
 
 /// Solves the scene and writes the coefficients.
 pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    require_all_bounces(
-        &args.method.request(),
-        KEPT,
-        "type --bounces to render, probe or grid, with the scene",
-    )?;
+    require_all_bounces(&args.method, KEPT, "type --bounces to render, probe or grid, with the scene")?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
     let format = SolutionFormat::of(&path);
     format.check(&path, &options(&args.method, ranks))?;
     let output = loaded.reserve(&path, &args.report, ranks)?;
-    let (progress, limit) = (Progress::of(&args.report, ranks), args.method.request().deadline());
+    let (progress, limit) = (Progress::of(&args.report, ranks), args.method.ends_at());
     let hard = limit.map(|at| Deadline::at(Some(at)));
     let deadline = if args.keep_partial { Some(interrupt::soften(limit)) } else { hard.as_ref() };
     let work = Work { ranks, observer: &progress, deadline };

@@ -18,6 +18,7 @@ use radiosity_reading::field::Field;
 use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quantity::{Quantity, band_name};
+use radiosity_request::ranges::Positive;
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::solved::Solved;
 use radiosity_work::ranks::Ranks;
@@ -25,7 +26,7 @@ use radiosity_work::ranks::Ranks;
 use crate::{
     colours::{ColourArgs, Range},
     error::CliError,
-    numbers::positive,
+    numbers::number,
     reference,
 };
 
@@ -35,7 +36,7 @@ use crate::{
 pub(crate) struct StyleArgs {
     /// Factor on the values before they become colours, in proportion up to white [default: chosen for the
     /// picture, with a soft approach to white]
-    #[arg(long, value_name = "X", value_parser = positive, conflicts_with_all = ["false_colour", "difference"])]
+    #[arg(long, value_name = "X", value_parser = number::<Positive>, conflicts_with_all = ["false_colour", "difference"])]
     pub(crate) exposure: Option<f64>,
 
     /// Shows numbers in false colours, with a legend in the scene's unit

@@ -92,7 +92,7 @@ impl Format {
 pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
     let format = args.format()?;
-    args.transfers.request().check()?;
+    args.transfers.request.check()?;
     let scene = args.scene.request().load(ranks)?;
     let ranks = args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
     of_scene(args, &scene, format, start, &ranks)
@@ -119,7 +119,7 @@ fn of_scene(
         }
     };
     let work = Work::among(ranks).observed_by(&show);
-    let factors = ViewFactors::of_pairs(scene, &wanted, &args.transfers.request().factors(), &work)?;
+    let factors = ViewFactors::of_pairs(scene, &wanted, &args.transfers.request.factors(), &work)?;
     let form = Form { format, sparse: args.sparse, pairs };
     destination.write(|writer| form.write(scene, &factors, writer))?;
     drop(progress);
@@ -218,7 +218,7 @@ impl ViewFactorsArgs {
                 factors.rays
             ),
         ];
-        let threads = self.transfers.request().threads();
+        let threads = self.transfers.request.threads();
         lines.extend(RanksWork::so_far(ranks, threads).map(|work| work.to_string()));
         let checkpoint = Checkpoint::so_far(ranks);
         lines.extend(checkpoint.as_ref().map(Checkpoint::to_string));
@@ -238,7 +238,7 @@ impl ViewFactorsArgs {
 
     /// Lines on row sums and reciprocity.
     fn sums(&self, factors: &ViewFactors) -> Vec<String> {
-        let sums = RowSums::of(factors, self.transfers.request().accuracy());
+        let sums = RowSums::of(factors, self.transfers.request.accuracy());
         let [range, closed] = sums.lines();
         let reciprocity = format!(
             "reciprocity: of {} pairs integrated from either side A_i F_ij and A_j F_ji differ by {:.1e} at the most",

@@ -48,11 +48,16 @@ pub(super) fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> Coat)
         surface.flux = None;
         surface.radiance = None;
         surface.group = match role {
-            Role::Shield { shield, .. } => Some(LightGroup::new(format!("shield-{shield}"))),
+            Role::Shield { shield, .. } => Some(LightGroup::new(group_of_shield(*shield))),
             _ => None,
         };
     }
     scene
+}
+
+/// Name of the light group of a shield.
+pub(super) fn group_of_shield(shield: usize) -> String {
+    format!("shield {shield}")
 }
 
 /// The scene with its shields at these levels σ T⁴.

@@ -7,10 +7,13 @@
 //! q A = Σ_s ε (A x_k − P_s − Σ_l P_s^(l) x_l) .
 //! ```
 
+use std::collections::BTreeMap;
+
 use radiosity_solve::solution::Solution;
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Partition, Settings};
 
+use super::coats::group_of_shield;
 use super::figures::{areas, received};
 use super::roles::{Role, Roles};
 
@@ -25,12 +28,12 @@ pub(super) fn levels(roles: &Roles, solution: &Solution) -> Vec<f64> {
     let areas = areas(elements);
     let mut others = vec![0.0; elements.surfaces()];
     let mut at_one = vec![vec![0.0; elements.surfaces()]; count];
+    let shields: BTreeMap<String, usize> =
+        (0..count).map(|shield| (group_of_shield(shield), shield)).collect();
     for group in solution.groups() {
         let light = received(elements, &group.bands[0].irradiance);
-        let shield =
-            group.group.as_deref().and_then(|name| name.strip_prefix("shield-")?.parse::<usize>().ok());
-        match shield {
-            Some(shield) => at_one[shield] = light,
+        match group.group.as_ref().and_then(|name| shields.get(name)) {
+            Some(shield) => at_one[*shield] = light,
             None => others = light,
         }
     }

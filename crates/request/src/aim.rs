@@ -1,14 +1,69 @@
-//! Goals of adaptation: the points at which an accuracy is wanted.
+//! Goals of adaptation: the light of which an accuracy is wanted.
+
+use std::str::FromStr;
 
 use radiosity_geom::DVec3;
 use radiosity_reading::pictures::pinhole::Pinhole;
 use radiosity_reading::probe::Probe;
 use radiosity_scene::{Camera, Scene};
-use radiosity_solve::studies::adaptation::Goal;
+use radiosity_solve::studies::adaptation::{Aim, Goal};
 use radiosity_visibility::{Shadows, Visibility};
 use radiosity_work::wording::{set, words};
 
 use super::refusal::Refusal;
+
+/// Forms that are accepted.
+const FORM: &str = "expected gathered, solution, picture, points FILE or plane NAME";
+
+/// Light of which an accuracy is wanted, as `--for` states it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum AccuracyOf {
+    /// Light as sensors and pictures read it, on all surfaces.
+    Gathered,
+    /// The polynomials, as `--read basis` shows them.
+    Solution,
+    /// Light at the points of this file.
+    Points(String),
+    /// Light at the sensors of this plane.
+    Plane(String),
+    /// Light that the scene's camera sees.
+    Picture,
+}
+
+impl FromStr for AccuracyOf {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.split_once('=') {
+            Some(("points", file)) if !file.is_empty() => Ok(Self::Points(file.to_owned())),
+            Some(("plane", name)) if !name.is_empty() => Ok(Self::Plane(name.to_owned())),
+            None if text == "gathered" => Ok(Self::Gathered),
+            None if text == "solution" => Ok(Self::Solution),
+            None if text == "picture" => Ok(Self::Picture),
+            _ => Err(FORM.to_owned()),
+        }
+    }
+}
+
+impl AccuracyOf {
+    /// The goal of this accuracy in a scene; `sensors` are those of the points or the plane.
+    ///
+    /// # Errors
+    /// Errors of `sensors`; of a picture, a scene without a camera, or with one that sees no front.
+    pub fn goal<E: From<Refusal>>(
+        &self,
+        accuracy: f64,
+        scene: &Scene,
+        sensors: impl FnOnce() -> Result<Vec<Probe>, E>,
+    ) -> Result<Goal, E> {
+        match self {
+            Self::Gathered => Ok(Goal::new(accuracy, Aim::Gathered)),
+            Self::Solution => Ok(Goal::new(accuracy, Aim::Solution)),
+            Self::Points(_) | Self::Plane(_) => Ok(at_probes(accuracy, &sensors()?, scene)),
+            Self::Picture => Ok(of_picture(accuracy, scene)?),
+        }
+    }
+}
 
 /// Points of a picture along each of its sides. Chosen: about as many as errors are estimated at.
 const ACROSS: u32 = 16;
@@ -23,7 +78,7 @@ pub fn at_probes(accuracy: f64, probes: &[Probe], scene: &Scene) -> Goal {
 ///
 /// # Errors
 /// A scene without a camera, or with one that sees no front.
-pub fn of_picture(accuracy: f64, scene: &Scene) -> Result<Goal, Refusal> {
+fn of_picture(accuracy: f64, scene: &Scene) -> Result<Goal, Refusal> {
     let Some(camera) = &scene.camera else {
         return Err(Refusal::new(
             format!("{}: there is no camera, so nothing says what the picture shows", scene.origin),

@@ -5,6 +5,7 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, words};
 
 use super::memory;
+use super::ranges::Bytes;
 use super::refusal::Refusal;
 
 /// Bytes of a cell beside its bands, and of each band, with the text that is written of them. Measured: 395
@@ -20,7 +21,7 @@ const BAND: u64 = 85;
 pub fn require_cells(
     sides: [usize; 2],
     scene: &Scene,
-    allowed: Option<u64>,
+    allowed: Option<Bytes>,
     ranks: &Ranks,
 ) -> Result<(), Refusal> {
     let cells = (sides[0] * sides[1] * scene.surfaces.len()) as u64;

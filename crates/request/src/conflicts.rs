@@ -8,7 +8,8 @@ use radiosity_solve::{Direct, LightMethod, Preconditioning, Transport};
 use radiosity_work::wording::{Wording, option, set, value, words};
 
 use super::method::MethodRequest;
-use super::modes::{Order, Shadows};
+use super::modes::Shadows;
+use super::ranges::Order;
 use super::refusal::Refusal;
 
 impl MethodRequest {
@@ -46,20 +47,12 @@ fn check_time_limit(method: &MethodRequest) -> Result<(), Refusal> {
 
 /// Refuses numbers that say how something is done that is not asked for.
 fn check_idle(method: &MethodRequest) -> Result<(), Refusal> {
-    let has_ratio = method.layers.ratio != Layers::NONE.ratio;
-    let usual = Masking::default();
+    let (layers, masking, usual) = (method.graded_layers(), method.masking(), Masking::default());
+    let has_masks = method.shadows == Some(Shadows::Mask);
     let idle = [
-        (has_ratio && method.layers.count == 0, "ratio", option("layers")),
-        (
-            method.masks.cells != usual.cells && method.shadows != Shadows::Mask,
-            "mask-cells",
-            set("shadows", "mask"),
-        ),
-        (
-            method.masks.average != usual.average && method.shadows != Shadows::Mask,
-            "mask-average",
-            set("shadows", "mask"),
-        ),
+        (layers.ratio != Layers::NONE.ratio && layers.count == 0, "ratio", option("layers")),
+        (masking.cells != usual.cells && !has_masks, "mask-cells", set("shadows", "mask")),
+        (masking.average != usual.average && !has_masks, "mask-average", set("shadows", "mask")),
     ];
     match idle.into_iter().find(|(is_idle, ..)| *is_idle) {
         Some((_, name, needed)) => Err(Refusal::new(
@@ -76,17 +69,17 @@ fn check_hierarchical(method: &MethodRequest) -> Result<(), Refusal> {
     let unknown = [
         (is_higher, option("order") + " above 0"),
         (method.tensor, option("tensor")),
-        (method.subdivide.is_some(), option("subdivide")),
-        (method.layers.count > 0, option("layers")),
-        (method.kernel.rules().is_some(), option("kernel")),
-        (method.transport != Transport::Auto, option("transport")),
+        (method.subdivide.unwrap_or_default().0.is_some(), option("subdivide")),
+        (method.graded_layers().count > 0, option("layers")),
+        (method.kernel.unwrap_or_default().rules().is_some(), option("kernel")),
+        (method.transport.unwrap_or_default() != Transport::Auto, option("transport")),
         (method.rays.is_some(), option("rays")),
-        (method.shadows != Shadows::Auto, option("shadows")),
+        (method.shadows.unwrap_or_default() != Shadows::Auto, option("shadows")),
         (method.shadow_eps.is_some(), option("shadow-eps")),
-        (method.direct != Direct::Auto, option("direct")),
+        (method.direct.is_some_and(|direct| direct != Direct::Auto), option("direct")),
     ];
     match unknown.into_iter().find(|(is_typed, _)| *is_typed) {
-        Some((_, name)) if method.method == LightMethod::Hierarchical => Err(Refusal::new(
+        Some((_, name)) if method.method == Some(LightMethod::Hierarchical) => Err(Refusal::new(
             set("method", "hierarchical") + " knows no " + name.clone() + ": it links constants",
             words("leave ") + name + " out, or leave " + option("method") + " out",
         )),
@@ -97,25 +90,25 @@ fn check_hierarchical(method: &MethodRequest) -> Result<(), Refusal> {
 /// Refuses rays together with the methods of 1993, which know none.
 fn check_rays(method: &MethodRequest) -> Result<(), Refusal> {
     let rays = match (method.transport, method.rays) {
-        (Transport::Sampled, _) => set("transport", "sampled"),
+        (Some(Transport::Sampled), _) => set("transport", "sampled"),
         (_, Some(_)) => option("rays"),
         _ => return Ok(()),
     };
     let others = [
-        method.kernel.rules().map(|_| option("kernel")),
-        (method.shadows == Shadows::Mask).then(|| set("shadows", "mask")),
-        (method.shadows == Shadows::Off).then(|| set("shadows", "off")),
-        (method.transport == Transport::Exact).then(|| set("transport", "exact")),
+        method.kernel.unwrap_or_default().rules().map(|_| option("kernel")),
+        (method.shadows == Some(Shadows::Mask)).then(|| set("shadows", "mask")),
+        (method.shadows == Some(Shadows::Off)).then(|| set("shadows", "off")),
+        (method.transport == Some(Transport::Exact)).then(|| set("transport", "exact")),
     ];
     refuse(rays, others)
 }
 
 /// Refuses a preconditioner for a solver that takes none.
 fn check_preconditioner(method: &MethodRequest) -> Result<(), Refusal> {
-    let iterates = ["auto", "cg", "gmres"].contains(&method.solver.name);
-    if method.preconditioner == Preconditioning::None && !iterates {
+    let solver = method.solver.map_or("auto", |solver| solver.name);
+    if method.preconditioner == Some(Preconditioning::None) && !["auto", "cg", "gmres"].contains(&solver) {
         return Err(Refusal::new(
-            option("preconditioner") + " does nothing with " + set("solver", method.solver.name),
+            option("preconditioner") + " does nothing with " + set("solver", solver),
             words("take ")
                 + set("solver", "cg")
                 + " or "
@@ -129,7 +122,7 @@ fn check_preconditioner(method: &MethodRequest) -> Result<(), Refusal> {
 }
 
 fn check_basis(method: &MethodRequest) -> Result<(), Refusal> {
-    let basis = method.basis;
+    let basis = method.basis.unwrap_or_default();
     let name = basis.name();
     if basis == Basis::Legendre {
         return Ok(());
@@ -161,7 +154,7 @@ fn check_bounces(method: &MethodRequest) -> Result<(), Refusal> {
         return Ok(());
     }
     let unknown = [
-        (method.method == LightMethod::Hierarchical).then(|| set("method", "hierarchical")),
+        (method.method == Some(LightMethod::Hierarchical)).then(|| set("method", "hierarchical")),
         method.wanted_accuracy().map(|_| option("accuracy")),
     ];
     refuse(option("bounces"), unknown)
@@ -180,7 +173,7 @@ pub fn check_series(method: &MethodRequest, series: &[RunSeries]) -> Result<(), 
             RunSeries::Hierarchical | RunSeries::Hp | RunSeries::Sampled => refuse(
                 name,
                 [
-                    (method.basis != Basis::Legendre).then(|| option("basis")),
+                    (method.basis.unwrap_or_default() != Basis::Legendre).then(|| option("basis")),
                     method.bounces.filter(|_| *series != RunSeries::Sampled).map(|_| option("bounces")),
                 ],
             )?,
@@ -191,14 +184,14 @@ pub fn check_series(method: &MethodRequest, series: &[RunSeries]) -> Result<(), 
 
 /// The typed ones of options that know polynomials on elements only.
 fn others(method: &MethodRequest) -> [Option<Wording>; 8] {
-    let has_no_degree = matches!(method.basis, Basis::Constant | Basis::Linear);
+    let has_no_degree = matches!(method.basis, Some(Basis::Constant | Basis::Linear));
     [
-        (method.method == LightMethod::Hierarchical).then(|| set("method", "hierarchical")),
+        (method.method == Some(LightMethod::Hierarchical)).then(|| set("method", "hierarchical")),
         method.wanted_accuracy().map(|_| option("accuracy")),
         method.aim.as_ref().map(|_| option("for")),
-        method.kernel.rules().map(|_| option("kernel")),
-        (method.shadows == Shadows::Mask).then(|| set("shadows", "mask")),
-        (method.transport == Transport::Sampled).then(|| set("transport", "sampled")),
+        method.kernel.unwrap_or_default().rules().map(|_| option("kernel")),
+        (method.shadows == Some(Shadows::Mask)).then(|| set("shadows", "mask")),
+        (method.transport == Some(Transport::Sampled)).then(|| set("transport", "sampled")),
         method.rays.as_ref().map(|_| option("rays")),
         (method.tensor && has_no_degree).then(|| option("tensor")),
     ]
@@ -226,6 +219,6 @@ pub fn require_all_bounces(
 ) -> Result<(), Refusal> {
     match method.bounces {
         None => Ok(()),
-        Some(bounces) => Err(Refusal::new(set("bounces", bounces) + format!(": {verb}"), cure)),
+        Some(bounces) => Err(Refusal::new(set("bounces", bounces.count()) + format!(": {verb}"), cure)),
     }
 }

@@ -4,7 +4,7 @@
 //! Either front end turns what it is given into a request. Refusals hold options as data
 //! ([`Wording`](radiosity_work::wording::Wording)), so that each front end spells them as its own.
 //!
-//! In order: [`Refusal`]; `modes` (names of kernels, orders, shadows), [`ranges`] (of numbers), [`memory`]
+//! In order: [`Refusal`]; `modes` (names of kernels, shadows, solvers), [`ranges`] (of numbers), [`memory`]
 //! and [`aim`] (of an accuracy); [`MethodRequest`] and `conflicts` (how light is computed), [`ReadRequest`]
 //! (how it is read), [`TransferRequest`] and [`HeatRequest`], [`SceneRequest`] (which scene), [`picture`] and
 //! [`cells`] (what results need of memory).
@@ -27,7 +27,7 @@ pub mod cells;
 
 pub use conflicts::{KEPT, check_series, require_all_bounces};
 pub use method::MethodRequest;
-pub use modes::{Kernel, Order, Shadows};
+pub use modes::{Kernel, Shadows};
 pub use reading::{ReadRequest, check_aim};
 pub use refusal::Refusal;
 pub use scene::{ImportRequest, LoadError, SceneRequest};

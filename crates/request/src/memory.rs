@@ -6,6 +6,7 @@ use std::path::Path;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{Wording, option};
 
+use super::ranges::Bytes;
 use super::refusal::Refusal;
 
 /// Part of the free memory that is used unless the user says otherwise. Chosen.
@@ -21,6 +22,11 @@ pub fn usable(ranks: &Ranks) -> Option<u64> {
     Some((SHARE * free as f64) as u64)
 }
 
+/// The bytes that were asked for, or those that are usable.
+pub fn allowed(asked: Option<Bytes>, ranks: &Ranks) -> Option<u64> {
+    asked.map(|Bytes(bytes)| bytes).or_else(|| usable(ranks))
+}
+
 /// Refuses to begin on results of so many bytes where there is no room for them in what is `allowed`, or
 /// usable; `what` they are, and how to need less.
 ///
@@ -28,12 +34,12 @@ pub fn usable(ranks: &Ranks) -> Option<u64> {
 /// Where there is no room.
 pub fn require(
     needed: u64,
-    allowed: Option<u64>,
+    allowed: Option<Bytes>,
     what: &str,
     less: impl Into<Wording>,
     ranks: &Ranks,
 ) -> Result<(), Refusal> {
-    match allowed.or_else(|| usable(ranks)) {
+    match self::allowed(allowed, ranks) {
         Some(allowed) if allowed < needed => Err(Refusal::new(
             format!(
                 "not enough memory: {what} need about {:.0} MB, {:.0} MB allowed",

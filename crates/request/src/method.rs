@@ -1,152 +1,211 @@
 //! Requests for the computation of light, and the library's options that follow.
 
+use std::num::NonZeroUsize;
 use std::time::{Duration, Instant};
 
 use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
 use radiosity_published::bases::Basis;
-use radiosity_published::zatz1993::masked_light::Masking;
+use radiosity_published::zatz1993::masked_light::{Average, Masking};
 use radiosity_reading::quality::Quality;
-use radiosity_solve::studies::adaptation::Aim;
 use radiosity_solve::{Direct, LightMethod, Options, Preconditioning, Transport};
 use radiosity_solvers::method::Method;
+use radiosity_work::Deadline;
 use radiosity_work::ranks::Ranks;
+use serde::Deserialize;
 
+use super::aim::AccuracyOf;
 use super::memory;
-use super::modes::{Kernel, Order, Shadows};
+use super::modes::{self, Kernel, Shadows};
+use super::ranges::{self, Accuracy, Bytes, Fraction, Number, Order, Positive, Seconds, Subdivide, by_text};
 
 /// The accuracy that `--order auto` means. Chosen.
 const AUTO_ACCURACY: f64 = 1e-2;
 
-/// Request for the computation of light; None where nothing was said. Numbers are in their
-/// [ranges](super::ranges).
-#[derive(Clone, Debug)]
+/// How light is computed; None where nothing is said.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+#[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Method"))]
 pub struct MethodRequest {
-    /// Preset of order, accuracies and points read.
-    pub quality: Quality,
-    /// Method that finds the light.
-    pub method: LightMethod,
-    /// Functions whose sums the light on surfaces is.
-    pub basis: Basis,
-    /// Degree of the polynomials on each element.
-    pub order: Option<Order>,
-    /// Wanted relative error, above 0 and below 1.
-    pub accuracy: Option<f64>,
-    /// Quantity that the accuracy is wanted of.
-    pub aim: Option<Aim>,
-    /// Time (s) after which no finer run begins.
-    pub time_limit: Option<f64>,
-    /// Whether the polynomials are of that degree in each coordinate, not in total.
-    pub tensor: bool,
-    /// Cuts each surface into K × K elements; None chooses.
-    pub subdivide: Option<usize>,
-    /// Graded layers of elements.
-    pub layers: Layers,
-    /// Relative accuracy of the transfers.
-    pub eps: Option<f64>,
-    /// Rules of the transfers.
-    pub kernel: Kernel,
-    /// Transport of light between pairs of elements.
-    pub transport: Transport,
-    /// Number of rays of the sampled transport.
-    pub rays: Option<u64>,
-    /// Solver of the linear system.
-    pub solver: &'static Method,
-    /// Preconditioner of cg and gmres.
-    pub preconditioner: Preconditioning,
-    /// Light that was reflected so many times at the most before it arrives; None for all.
-    pub bounces: Option<usize>,
-    /// Relative residual at which an iterative solver stops.
-    pub tolerance: f64,
-    /// Iterations after which an iterative solver gives up.
-    pub max_iterations: usize,
-    /// Method that finds out whether surfaces hide each other.
-    pub shadows: Shadows,
-    /// Treatment of light that comes straight from emitters.
-    pub direct: Direct,
-    /// Relative accuracy of shadows.
-    pub shadow_eps: Option<f64>,
-    /// Cells and averages of shadow masks, with [`Shadows::Mask`].
-    pub masks: Masking,
-    /// Most bytes of memory; None for 80 % of what is free.
-    pub memory: Option<u64>,
-    /// Number of threads; None for all.
-    pub threads: Option<usize>,
-}
+    /// Preset of order and accuracies, and of how finely probe, grid and report read; single options go
+    /// before it [default: default]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "Q"))]
+    pub quality: Option<Quality>,
 
-impl Default for MethodRequest {
-    fn default() -> Self {
-        let usual = Options::default();
-        Self {
-            quality: Quality::Default,
-            method: usual.method,
-            basis: usual.basis,
-            order: None,
-            accuracy: None,
-            aim: None,
-            time_limit: None,
-            tensor: false,
-            subdivide: None,
-            layers: Layers::NONE,
-            eps: None,
-            kernel: Kernel::Default,
-            transport: usual.transport,
-            rays: None,
-            solver: usual.solver,
-            preconditioner: usual.preconditioner,
-            bounces: None,
-            tolerance: usual.tolerance,
-            max_iterations: usual.max_iterations,
-            shadows: Shadows::Auto,
-            direct: usual.direct,
-            shadow_eps: None,
-            masks: Masking::default(),
-            memory: None,
-            threads: None,
-        }
-    }
+    /// Which algorithm finds the light [default: galerkin]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    pub method: Option<LightMethod>,
+
+    /// Functions whose sums the light on surfaces is; those other than legendre are for comparison [default:
+    /// legendre]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    pub basis: Option<Basis>,
+
+    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default:
+    /// 3; as --quality says]
+    #[serde(deserialize_with = "by_text")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N|auto"))]
+    pub order: Option<Order>,
+
+    /// Wanted relative error: raises order, layers, cuts and accuracies until it is reached
+    #[cfg_attr(feature = "clap", arg(long, value_name = "A"))]
+    pub accuracy: Option<Number<Fraction>>,
+
+    /// Of what the accuracy is wanted: gathered (light on all surfaces, as sensors and pictures read it),
+    /// solution (the polynomials), picture (what the scene's camera sees), points FILE.csv, or plane NAME
+    /// [default: gathered; the sensors that probe reads]
+    #[serde(skip)]
+    #[cfg_attr(feature = "clap", arg(long = "for", id = "for", value_name = "WHAT"))]
+    pub aim: Option<AccuracyOf>,
+
+    /// Seconds after which no finer run begins, and rays end, where an accuracy is wanted; what there is is
+    /// written, with exit code 3
+    #[cfg_attr(feature = "clap", arg(long, value_name = "SECONDS"))]
+    pub time_limit: Option<Number<Seconds>>,
+
+    /// Polynomials of that degree in each coordinate, not in both together
+    #[cfg_attr(feature = "clap", arg(long))]
+    pub tensor: bool,
+
+    /// Cuts each surface into K × K elements; auto looks at what the scene needs [default: auto]
+    #[serde(deserialize_with = "by_text")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "auto|K"))]
+    pub subdivide: Option<Subdivide>,
+
+    /// Layers of elements graded towards the sides of every surface [default: 0]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "L"))]
+    pub layers: Option<ranges::Layers>,
+
+    /// Size of each layer against the next, between 0 and 1 [default: 0.25]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "Q"))]
+    pub ratio: Option<Number<Fraction>>,
+
+    /// Accuracy of the transfers between elements, between 0 and 1 [default: 1e-3; as --quality says]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
+    pub eps: Option<Number<Accuracy>>,
+
+    /// Rules of the transfers between elements; those of 1993 ignore --eps [default: default]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
+    pub kernel: Option<Kernel>,
+
+    /// How the pairs of elements are carried [default: auto]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
+    pub transport: Option<Transport>,
+
+    /// Rays of the sampled transport [default: by the number of surfaces and --shadow-eps]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub rays: Option<ranges::Rays>,
+
+    /// Solver of the linear system [default: auto]
+    #[serde(deserialize_with = "modes::solver")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME", value_parser = modes::solvers()))]
+    pub solver: Option<&'static Method>,
+
+    /// How cg and gmres precondition [default: block]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
+    pub preconditioner: Option<Preconditioning>,
+
+    /// Light that was reflected K times at the most before it arrives: 0 for light straight from emitters
+    /// [default: all]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "K", allow_negative_numbers = true))]
+    pub bounces: Option<ranges::Bounces>,
+
+    /// Relative residual at which an iterative solver stops [default: 1e-8]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "T"))]
+    pub tolerance: Option<Number<Positive>>,
+
+    /// Iterations after which an iterative solver gives up [default: 1000]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "K"))]
+    pub max_iterations: Option<ranges::Iterations>,
+
+    /// How it is found out what surfaces hide from each other [default: auto]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
+    pub shadows: Option<Shadows>,
+
+    /// How light straight from emitters enters the solution [default: auto]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
+    pub direct: Option<Direct>,
+
+    /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1
+    /// [default: --eps where that is given, else 3e-3, as --quality says]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
+    pub shadow_eps: Option<Number<Accuracy>>,
+
+    /// Cells of a shadow mask along each side, with --shadows mask [default: 40]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "M"))]
+    pub mask_cells: Option<ranges::MaskCells>,
+
+    /// Values of a mask [default: weighted]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
+    pub mask_average: Option<Average>,
+
+    /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
+    #[serde(deserialize_with = "by_text")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "BYTES"))]
+    pub memory: Option<Bytes>,
+
+    /// Threads to use, all by default; results do not depend on it
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub threads: Option<ranges::Threads>,
 }
 
 impl MethodRequest {
     /// The relative error wanted, if one is.
     pub fn wanted_accuracy(&self) -> Option<f64> {
-        self.accuracy.or_else(|| (self.order == Some(Order::Auto)).then_some(AUTO_ACCURACY))
+        let of_order = || (self.order == Some(Order::Auto)).then_some(AUTO_ACCURACY);
+        self.accuracy.map(f64::from).or_else(of_order)
     }
 
     /// The library's options on these ranks.
     pub fn options(&self, ranks: &Ranks) -> Options {
-        let usual = self.quality.options();
+        let usual = self.quality.unwrap_or_default().options();
+        let shadows = self.shadows.unwrap_or_default();
         Options {
-            method: self.method,
-            basis: self.basis,
+            method: self.method.unwrap_or(usual.method),
+            basis: self.basis.unwrap_or(usual.basis),
             order: self.degree(usual.order),
             space: if self.tensor { Space::Tensor } else { Space::Total },
-            subdivide: self.subdivide,
-            layers: self.layers,
-            eps: self.eps.unwrap_or(usual.eps),
-            kernel: self.kernel.rules(),
-            transport: self.transport,
-            rays: self.rays,
-            shadow_eps: self.shadow_eps.or(self.eps).unwrap_or(usual.shadow_eps),
-            shadows: self.shadows.hiding(),
-            masks: (self.shadows == Shadows::Mask).then_some(self.masks),
-            direct: self.direct,
-            solver: self.solver,
-            preconditioner: self.preconditioner,
-            bounces: self.bounces,
-            tolerance: self.tolerance,
-            max_iterations: self.max_iterations,
-            memory: self.memory.or_else(|| memory::usable(ranks)),
-            threads: self.threads.unwrap_or(usual.threads),
+            subdivide: self.subdivide.unwrap_or_default().0,
+            layers: self.graded_layers(),
+            eps: self.eps.map_or(usual.eps, f64::from),
+            kernel: self.kernel.unwrap_or_default().rules(),
+            transport: self.transport.unwrap_or(usual.transport),
+            rays: self.rays.map(u64::from),
+            shadow_eps: self.shadow_eps.or(self.eps).map_or(usual.shadow_eps, f64::from),
+            shadows: shadows.hiding(),
+            masks: (shadows == Shadows::Mask).then(|| self.masking()),
+            direct: self.direct.unwrap_or(usual.direct),
+            solver: self.solver.unwrap_or(usual.solver),
+            preconditioner: self.preconditioner.unwrap_or(usual.preconditioner),
+            bounces: self.bounces.map(ranges::Bounces::count),
+            tolerance: self.tolerance.map_or(usual.tolerance, f64::from),
+            max_iterations: self.max_iterations.map_or(usual.max_iterations, ranges::Iterations::count),
+            memory: memory::allowed(self.memory, ranks),
+            threads: self.threads.map_or(usual.threads, ranges::Threads::count),
             ..usual
         }
+    }
+
+    /// Graded layers of elements.
+    pub(super) fn graded_layers(&self) -> Layers {
+        Layers {
+            count: self.layers.map_or(Layers::NONE.count, ranges::Layers::count),
+            ratio: self.ratio.map_or(Layers::NONE.ratio, f64::from),
+        }
+    }
+
+    /// Cells and averages of shadow masks.
+    pub(super) fn masking(&self) -> Masking {
+        let usual = Masking::default();
+        let cells = self.mask_cells.and_then(|cells| NonZeroUsize::new(cells.count()));
+        Masking { cells: cells.unwrap_or(usual.cells), average: self.mask_average.unwrap_or(usual.average) }
     }
 
     /// The degree to begin with.
     fn degree(&self, usual: usize) -> usize {
         match (self.basis, self.order) {
-            (Basis::Constant, _) => 0,
-            (Basis::Linear, _) => 1,
+            (Some(Basis::Constant), _) => 0,
+            (Some(Basis::Linear), _) => 1,
             (_, Some(Order::Degree(order))) => order,
             (_, None) if self.wanted_accuracy().is_none() => usual,
             (_, Some(Order::Auto) | None) => 0,
@@ -154,8 +213,13 @@ impl MethodRequest {
     }
 
     /// Time at which the time limit ends, from now on; none without a limit.
-    pub fn deadline(&self) -> Option<Instant> {
-        let limit = Duration::try_from_secs_f64(self.time_limit?).ok()?;
+    pub fn ends_at(&self) -> Option<Instant> {
+        let limit = Duration::try_from_secs_f64(self.time_limit?.into()).ok()?;
         Instant::now().checked_add(limit)
+    }
+
+    /// The deadline of the time limit, from now on; none without a limit.
+    pub fn deadline(&self) -> Option<Deadline> {
+        self.ends_at().map(|at| Deadline::at(Some(at)))
     }
 }

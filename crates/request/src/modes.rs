@@ -1,30 +1,12 @@
 //! Modes that options may be set to by name, and their translation to options of the library.
 
-use std::str::FromStr;
-
+use radiosity_formats::format::Format;
 use radiosity_published::zatz1993::transfers::{HybridReading, PaperRules};
-use radiosity_scene::MAX_ORDER;
+use radiosity_solvers::method::Method;
 use radiosity_visibility::Hiding;
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 
-/// Degree of the polynomials on elements, as `--order` states it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
-    /// The degree that the wanted accuracy needs.
-    Auto,
-    /// This degree; with `--accuracy`, the least degree.
-    Degree(usize),
-}
-
-impl FromStr for Order {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let degree = || text.parse().ok().filter(|degree| *degree <= MAX_ORDER).map(Order::Degree);
-        let order = if text == "auto" { Some(Order::Auto) } else { degree() };
-        order.ok_or_else(|| format!("expected a whole number from 0 to {MAX_ORDER}, or auto"))
-    }
-}
+use super::ranges::parsed;
 
 /// `--shadows`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
@@ -80,4 +62,39 @@ impl Kernel {
             Kernel::PaperHybrid => Some(PaperRules::Hybrid(HybridReading::H1)),
         }
     }
+}
+
+/// The solver of a name.
+pub(super) fn solver<'de, D: Deserializer<'de>>(from: D) -> Result<Option<&'static Method>, D::Error> {
+    parsed(from, Method::named)
+}
+
+/// The format of scenes of other programs of a name.
+pub(super) fn format<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Format>, D::Error> {
+    parsed(from, format_named)
+}
+
+fn format_named(name: &str) -> Result<Format, String> {
+    let expected = || format!("expected one of {}", Format::ALL.map(Format::name).join(", "));
+    Format::ALL.into_iter().find(|format| format.name() == name).ok_or_else(expected)
+}
+
+/// The formats by their names.
+#[cfg(feature = "clap")]
+pub(super) fn formats() -> impl clap::builder::TypedValueParser<Value = Format> {
+    use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+    PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(|name| format_named(&name))
+}
+
+/// The solvers by their names, with what they do.
+#[cfg(feature = "clap")]
+pub(super) fn solvers() -> impl clap::builder::TypedValueParser<Value = &'static Method> {
+    use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+    let summary = |method: &Method| {
+        PossibleValue::new(method.name).aliases(method.aliases).help(method.summary_with_aliases())
+    };
+    PossibleValuesParser::new(Method::ALL.iter().map(summary))
+        .map(|name| Method::named(&name).expect("the parser lets only listed names pass"))
 }

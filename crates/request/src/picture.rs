@@ -6,6 +6,7 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, words};
 
 use super::memory;
+use super::ranges::Bytes;
 use super::refusal::Refusal;
 
 /// Camera rays along each side of a pixel unless told otherwise. Chosen.
@@ -65,7 +66,7 @@ pub fn pixels(camera: &Camera) -> u64 {
 pub fn require_pixels(
     camera: &Camera,
     scene: &Scene,
-    allowed: Option<u64>,
+    allowed: Option<Bytes>,
     ranks: &Ranks,
 ) -> Result<(), Refusal> {
     let pixels = pixels(camera);

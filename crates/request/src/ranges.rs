@@ -1,90 +1,279 @@
-//! Ranges of the numbers that options take, with what is expected where one is refused.
+//! Numbers that options take: each type holds those of its range, whichever front end reads it.
 
-use std::fmt::Display;
-use std::ops::RangeInclusive;
+use std::fmt::{self, Display, Formatter};
+use std::marker::PhantomData;
+use std::str::FromStr;
 
 use bytesize::ByteSize;
+use radiosity_scene::{MAX_ORDER, MAX_PARTS};
+use radiosity_solve::MOST_RAYS;
+use serde::de::{self, Visitor};
+use serde::{Deserialize, Deserializer};
 
 /// Number of graded layers.
-pub const LAYERS: RangeInclusive<u64> = 0..=8;
+pub type Layers = Whole<0, 8>;
+
+/// Degree of polynomials.
+pub type Degree = Whole<0, { MAX_ORDER as u64 }>;
 
 /// Number of reflections that are counted. Chosen: all but 5e-5 of the light of a closed room of reflectance
 /// 0.99.
-pub const BOUNCES: RangeInclusive<u64> = 0..=1000;
+pub type Bounces = Whole<0, 1000>;
+
+/// Number of rays of the sampled transport.
+pub type Rays = Whole<1, MOST_RAYS>;
 
 /// Threads: more would bring any machine to a standstill. Chosen.
-pub const THREADS: RangeInclusive<u64> = 1..=1024;
+pub type Threads = Whole<1, 1024>;
 
 /// Number of iterations of a solver.
-pub const ITERATIONS: RangeInclusive<u64> = 1..=u32::MAX as u64;
+pub type Iterations = Whole<1, { u32::MAX as u64 }>;
 
 /// Number of cells along a side of a mask.
-pub const MASK_CELLS: RangeInclusive<u64> = 1..=1000;
+pub type MaskCells = Whole<1, 1000>;
 
 /// Number of pixels along a side of a picture, and of cells along a side of a surface, as in scenes.
-pub const PIXELS: RangeInclusive<u64> = 1..=16384;
+pub type Pixels = Whole<1, 16384>;
 
-/// Number of camera rays along a side of a pixel.
-pub const SAMPLES: RangeInclusive<u64> = 1..=64;
+/// Number of camera rays along a side of a pixel, or of points along a side of a cell.
+pub type Samples = Whole<1, 64>;
 
-/// Number of points along a side of a cell.
-pub const POINTS: RangeInclusive<u64> = 1..=64;
+/// Whole number from `LEAST` to `MOST`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Whole<const LEAST: u64, const MOST: u64>(u64);
 
-/// A number above 0.
-///
-/// # Errors
-/// Text of the expected range.
-pub fn positive(x: f64) -> Result<f64, &'static str> {
-    checked(x, x > 0.0, "expected a number above 0, such as 1e-8")
+impl<const LEAST: u64, const MOST: u64> Whole<LEAST, MOST> {
+    /// Message for a number out of the range.
+    pub fn expected() -> String {
+        format!("expected a whole number from {LEAST} to {MOST}")
+    }
+
+    /// The number as a count; on machines of fewer bits no range is so wide.
+    pub fn count(self) -> usize {
+        self.0 as usize
+    }
 }
 
-/// A time in seconds.
-///
-/// # Errors
-/// Text of the expected range.
-pub fn seconds(x: f64) -> Result<f64, &'static str> {
-    checked(x, x > 0.0, "expected seconds, above 0, such as 30")
+impl<const LEAST: u64, const MOST: u64> TryFrom<i128> for Whole<LEAST, MOST> {
+    type Error = String;
+
+    fn try_from(number: i128) -> Result<Self, String> {
+        let number = u64::try_from(number).ok().filter(|number| (LEAST..=MOST).contains(number));
+        number.map(Self).ok_or_else(Self::expected)
+    }
 }
 
-/// A length that is not negative.
-///
-/// # Errors
-/// Text of the expected range.
-pub fn not_negative(x: f64) -> Result<f64, &'static str> {
-    checked(x, x >= 0.0, "expected a length of 0 or more, such as 1e-6")
+impl<const LEAST: u64, const MOST: u64> FromStr for Whole<LEAST, MOST> {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        text.parse::<i128>().map_err(|_| Self::expected())?.try_into()
+    }
 }
 
-/// A number between 0 and 1.
-///
-/// # Errors
-/// Text of the expected range.
-pub fn fraction(x: f64) -> Result<f64, &'static str> {
-    checked(x, x > 0.0 && x < 1.0, "expected a number above 0 and below 1, such as 1e-3")
+impl<const LEAST: u64, const MOST: u64> From<Whole<LEAST, MOST>> for u64 {
+    fn from(number: Whole<LEAST, MOST>) -> Self {
+        number.0
+    }
 }
 
-/// A relative accuracy: below 1e-14 rounding decides, and work would never end.
-///
-/// # Errors
-/// Text of the expected range.
-pub fn accuracy(x: f64) -> Result<f64, &'static str> {
-    let expected = "expected a number from 1e-14, near rounding, to below 1, such as 1e-3";
-    checked(x, (1e-14..1.0).contains(&x), expected)
+impl<'de, const LEAST: u64, const MOST: u64> Deserialize<'de> for Whole<LEAST, MOST> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        i128::deserialize(from)?.try_into().map_err(de::Error::custom)
+    }
 }
 
-/// A number of bytes such as `500M`, `2G` or `1.5GiB`.
-///
-/// # Errors
-/// Text of the expected range.
-pub fn bytes(text: &str) -> Result<u64, String> {
-    let parsed = text.parse::<ByteSize>().map(|size| size.as_u64()).ok().filter(|size| *size > 0);
-    parsed.ok_or_else(|| "expected a number of bytes, such as 500M, 2G or 2GiB".to_owned())
+/// Range of real numbers.
+pub trait Range {
+    /// Message for a number out of the range.
+    const EXPECTED: &'static str;
+
+    /// Whether the range has the number `x`, which is finite.
+    fn has(x: f64) -> bool;
 }
 
-fn checked(x: f64, is_inside: bool, expected: &'static str) -> Result<f64, &'static str> {
-    if x.is_finite() && is_inside { Ok(x) } else { Err(expected) }
+/// Finite number in the range `R`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Number<R>(f64, PhantomData<R>);
+
+impl<R: Range> TryFrom<f64> for Number<R> {
+    type Error = &'static str;
+
+    fn try_from(x: f64) -> Result<Self, &'static str> {
+        if x.is_finite() && R::has(x) { Ok(Self(x, PhantomData)) } else { Err(R::EXPECTED) }
+    }
 }
 
-/// Message for a number that is no whole number of this range.
-pub fn whole(range: &RangeInclusive<impl Display>) -> String {
-    format!("expected a whole number from {} to {}", range.start(), range.end())
+impl<R: Range> FromStr for Number<R> {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, &'static str> {
+        text.parse().unwrap_or(f64::NAN).try_into()
+    }
+}
+
+impl<R> From<Number<R>> for f64 {
+    fn from(number: Number<R>) -> Self {
+        number.0
+    }
+}
+
+impl<'de, R: Range> Deserialize<'de> for Number<R> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        f64::deserialize(from)?.try_into().map_err(de::Error::custom)
+    }
+}
+
+/// Finite numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Finite {}
+
+impl Range for Finite {
+    const EXPECTED: &'static str = "expected a finite number";
+
+    fn has(_: f64) -> bool {
+        true
+    }
+}
+
+/// Numbers above 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Positive {}
+
+impl Range for Positive {
+    const EXPECTED: &'static str = "expected a number above 0, such as 1e-8";
+
+    fn has(x: f64) -> bool {
+        x > 0.0
+    }
+}
+
+/// Times (s) above 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Seconds {}
+
+impl Range for Seconds {
+    const EXPECTED: &'static str = "expected seconds, above 0, such as 30";
+
+    fn has(x: f64) -> bool {
+        x > 0.0
+    }
+}
+
+/// Lengths that are not negative.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Length {}
+
+impl Range for Length {
+    const EXPECTED: &'static str = "expected a length of 0 or more, such as 1e-6";
+
+    fn has(x: f64) -> bool {
+        x >= 0.0
+    }
+}
+
+/// Numbers between 0 and 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fraction {}
+
+impl Range for Fraction {
+    const EXPECTED: &'static str = "expected a number above 0 and below 1, such as 1e-3";
+
+    fn has(x: f64) -> bool {
+        x > 0.0 && x < 1.0
+    }
+}
+
+/// Relative accuracies: below 1e-14 rounding decides, and work would never end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Accuracy {}
+
+impl Range for Accuracy {
+    const EXPECTED: &'static str = "expected a number from 1e-14, near rounding, to below 1, such as 1e-3";
+
+    fn has(x: f64) -> bool {
+        (1e-14..1.0).contains(&x)
+    }
+}
+
+/// Number of bytes such as `500M`, `2G` or `1.5GiB`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Bytes(pub u64);
+
+impl FromStr for Bytes {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, &'static str> {
+        let bytes = text.parse::<ByteSize>().map(|size| size.as_u64()).ok().filter(|size| *size > 0);
+        bytes.map(Self).ok_or("expected a number of bytes, such as 500M, 2G or 2GiB")
+    }
+}
+
+/// Degree of the polynomials on elements, as `--order` states it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// The degree that the wanted accuracy needs.
+    Auto,
+    /// This degree; with `--accuracy`, the least degree.
+    Degree(usize),
+}
+
+impl FromStr for Order {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let degree = count_or_auto::<0, { MAX_ORDER as u64 }>(text)?;
+        Ok(degree.map_or(Self::Auto, Self::Degree))
+    }
+}
+
+/// Elements along u and along v of each surface; None, written `auto`, is as the scene needs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Subdivide(pub Option<usize>);
+
+impl FromStr for Subdivide {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        count_or_auto::<1, { MAX_PARTS as u64 }>(text).map(Self)
+    }
+}
+
+/// A count in a range, or none where the text is `auto`.
+fn count_or_auto<const LEAST: u64, const MOST: u64>(text: &str) -> Result<Option<usize>, String> {
+    if text == "auto" {
+        return Ok(None);
+    }
+    let number = text.parse::<Whole<LEAST, MOST>>();
+    number.map(|number| Some(number.count())).map_err(|expected| expected + ", or auto")
+}
+
+/// A value that its text says, or the written form of a number; front ends leave out options without a value.
+pub(super) fn by_text<'de, D: Deserializer<'de>, T: FromStr<Err: Display>>(
+    from: D,
+) -> Result<Option<T>, D::Error> {
+    parsed(from, str::parse)
+}
+
+/// What `parse` makes of a text, or of the written form of a number.
+pub(super) fn parsed<'de, D: Deserializer<'de>, T, E: Display>(
+    from: D,
+    parse: impl FnOnce(&str) -> Result<T, E>,
+) -> Result<Option<T>, D::Error> {
+    parse(&from.deserialize_any(Text)?).map(Some).map_err(de::Error::custom)
+}
+
+/// Any text.
+struct Text;
+
+impl Visitor<'_> for Text {
+    type Value = String;
+
+    fn expecting(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        to.write_str("a text")
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<String, E> {
+        Ok(text.to_owned())
+    }
 }

@@ -6,27 +6,41 @@ use radiosity_reading::reader::ReadMode;
 use radiosity_solve::Options;
 use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solved::Solved;
-use radiosity_solve::studies::adaptation::{Aim, Goal};
+use radiosity_solve::studies::adaptation::Goal;
 use radiosity_visibility::Hiding;
 use radiosity_work::wording::{Wording, option, set, value, words};
+use serde::Deserialize;
 
+use super::aim::AccuracyOf;
 use super::method::MethodRequest;
+use super::ranges::{Accuracy, Number};
 use super::refusal::Refusal;
 
 /// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which
 /// this adds little.
 const BY_RAYS: f64 = 1e-2;
 
-/// Request for the reading of a solution; None where nothing was said.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// How a solution is read; None where nothing is said.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(default)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct ReadRequest {
-    /// Source of irradiance: polynomials or recomputed light.
+    /// Light that is read [default: gather; with --quality finest gather-twice]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
     pub read: Option<ReadMode>,
-    /// Method of gathering: by cells or by rays.
-    pub by: Option<GatherMethod>,
-    /// Relative accuracy of recomputed light.
-    pub eps: Option<f64>,
+
+    /// By what light is gathered [default: auto]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "WAY"))]
+    pub read_by: Option<GatherMethod>,
+
+    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 1e-2 of
+    /// a solution by rays; less for a wanted accuracy below 4e-3: 0.3 of that]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
+    pub read_eps: Option<Number<Accuracy>>,
+
     /// Points along each side of a cell; light is then gathered by cells.
+    #[serde(skip)]
+    #[cfg_attr(feature = "clap", arg(skip))]
     pub samples: Option<Rates>,
 }
 
@@ -40,14 +54,14 @@ impl ReadRequest {
         check_aim(self.read, method)?;
         let refuse = |message: Wording, cure: Wording| Err(Refusal::new(message, cure));
         match self.read {
-            Some(ReadMode::Basis) if self.eps.is_some() => refuse(
+            Some(ReadMode::Basis) if self.read_eps.is_some() => refuse(
                 option("read-eps")
                     + " is the accuracy of recomputed light, and "
                     + set("read", "basis")
                     + " recomputes none",
                 words("leave one of them out"),
             ),
-            Some(ReadMode::Basis | ReadMode::Direct) if self.by.is_some() => refuse(
+            Some(ReadMode::Basis | ReadMode::Direct) if self.read_by.is_some() => refuse(
                 option("read-by")
                     + " says by what light is gathered, and "
                     + set("read", "basis")
@@ -56,7 +70,7 @@ impl ReadRequest {
                     + " gather none",
                 words("leave one of them out, or take ") + set("read", "gather"),
             ),
-            _ if self.by == Some(GatherMethod::Rays)
+            _ if self.read_by == Some(GatherMethod::Rays)
                 && (options.masks.is_some() || options.shadows == Hiding::Off) =>
             {
                 refuse(
@@ -68,7 +82,7 @@ impl ReadRequest {
                     words("take ") + set("read-by", "cells") + ", or solve with other shadows",
                 )
             }
-            _ if self.by == Some(GatherMethod::Rays) && self.samples.is_some() => refuse(
+            _ if self.read_by == Some(GatherMethod::Rays) && self.samples.is_some() => refuse(
                 option("read-samples")
                     + " counts points, and "
                     + set("read-by", "rays")
@@ -81,8 +95,8 @@ impl ReadRequest {
 
     /// The reading that was asked for; the rest as the quality says.
     pub fn plain(&self, method: &MethodRequest) -> ReadSettings {
-        let usual = method.quality.reading();
-        self.asked(usual, method.eps.unwrap_or(usual.eps))
+        let usual = method.quality.unwrap_or_default().reading();
+        self.asked(usual, method.eps.map_or(usual.eps, f64::from))
     }
 
     /// The reading that was asked for; the accuracy `eps` where none was, and the rest as in `usual`.
@@ -90,8 +104,8 @@ impl ReadRequest {
         ReadSettings {
             read: self.read.unwrap_or(usual.read),
             // Rays count no points.
-            by: if self.samples.is_some() { GatherMethod::Cells } else { self.by.unwrap_or_default() },
-            eps: self.eps.unwrap_or(eps),
+            by: if self.samples.is_some() { GatherMethod::Cells } else { self.read_by.unwrap_or_default() },
+            eps: self.read_eps.map_or(eps, f64::from),
             rates: self.samples.unwrap_or(usual.rates),
         }
     }
@@ -99,11 +113,13 @@ impl ReadRequest {
     /// The reading that was asked for; the rest as the quality and the solution say; no coarser than the
     /// accuracy of the solution, where one was asked for. `is_saved`: the solution was read from a file.
     pub fn reading(&self, method: &MethodRequest, solved: &Solved, is_saved: bool) -> ReadSettings {
-        let usual = method.quality.reading();
+        let usual = method.quality.unwrap_or_default().reading();
         let is_sampled = solved.outcome.sampling.is_some();
         let of_solution = if is_sampled { usual.eps.max(BY_RAYS) } else { usual.eps };
         let saved = if is_saved { saved_accuracy(solved) } else { None };
-        let asked = [method.eps, method.wanted_accuracy().map(Goal::reading), saved].into_iter().flatten();
+        let asked = [method.eps.map(f64::from), method.wanted_accuracy().map(Goal::reading), saved]
+            .into_iter()
+            .flatten();
         self.asked(usual, asked.fold(of_solution, f64::min))
     }
 }
@@ -122,7 +138,7 @@ fn saved_accuracy(solved: &Solved) -> Option<f64> {
 /// # Errors
 /// If that is what was asked for.
 pub fn check_aim(read: Option<ReadMode>, method: &MethodRequest) -> Result<(), Refusal> {
-    let is_of_gathered = method.wanted_accuracy().is_some() && method.aim != Some(Aim::Solution);
+    let is_of_gathered = method.wanted_accuracy().is_some() && method.aim != Some(AccuracyOf::Solution);
     match read {
         Some(ReadMode::Basis | ReadMode::Direct) if is_of_gathered => Err(Refusal::new(
             option("accuracy")

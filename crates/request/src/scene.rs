@@ -9,25 +9,56 @@ use radiosity_scene::{Scene, SceneError, Source};
 use radiosity_work::ranks::Ranks;
 use radiosity_work::ranks::journal::fingerprint;
 use radiosity_work::wording::{option, set, words};
+use serde::Deserialize;
 
+use super::modes;
+use super::ranges::by_text;
 use super::refusal::Refusal;
 
-/// Options of the import of a scene of another program.
-#[derive(Clone, Debug, Default)]
+/// Heading of the options in the help of the command. It stands at each of them: a heading for what follows
+/// would reach the options of the verb too.
+#[cfg(feature = "clap")]
+const HEADING: &str = "Scenes of other programs";
+
+/// How a scene of another program is read.
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(default)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct ImportRequest {
-    /// Format of the file; None for that of the file's ending.
-    pub format: Option<Format>,
-    /// Sides that reflect and emit, of all surfaces, whatever the file says.
-    pub sides: Option<Sides>,
-    /// Path of a file of materials by name.
+    /// Format of the scene [default: that of the ending of its name]
+    #[serde(rename = "format", deserialize_with = "modes::format")]
+    #[cfg_attr(feature = "clap", arg(long, help_heading = HEADING, value_name = "FORMAT", value_parser = modes::formats()))]
+    pub from: Option<Format>,
+
+    /// Only fronts reflect and emit, whatever the file says
+    #[cfg_attr(feature = "clap", arg(long, help_heading = HEADING, conflicts_with = "two_sided"))]
+    pub one_sided: bool,
+
+    /// Fronts and backs reflect and emit, whatever the file says
+    #[cfg_attr(feature = "clap", arg(long, help_heading = HEADING))]
+    pub two_sided: bool,
+
+    /// Materials by name, of the scene and of its surfaces: [materials.NAME] with reflectance and emission,
+    /// and [surfaces] with "lamp*" = "NAME"
+    #[cfg_attr(feature = "clap", arg(long, help_heading = HEADING, value_name = "FILE.toml"))]
     pub materials: Option<PathBuf>,
-    /// Unit of the lengths in the file.
+
+    /// Unit of the lengths in the file, which become metres: mm, cm, dm, m, in, ft or yd
+    #[serde(deserialize_with = "by_text")]
+    #[cfg_attr(feature = "clap", arg(long, help_heading = HEADING, value_name = "UNIT"))]
     pub unit: Option<Unit>,
-    /// The axis that points upwards in the file.
+
+    /// Axis that points upwards in the file, y or z; z will [default: y in glTF, else z]
+    #[serde(deserialize_with = "by_text")]
+    #[cfg_attr(feature = "clap", arg(long, help_heading = HEADING, value_name = "AXIS"))]
     pub up: Option<Up>,
-    /// Whether fronts that seem to point the wrong way are turned.
+
+    /// Turns fronts that seem to point the wrong way; else they are only told
+    #[cfg_attr(feature = "clap", arg(long, help_heading = HEADING))]
     pub fix_fronts: bool,
-    /// Whether red, green and blue become one band.
+
+    /// Red, green and blue become one band of their luminance
+    #[cfg_attr(feature = "clap", arg(long, help_heading = HEADING))]
     pub grey: bool,
 }
 
@@ -157,8 +188,8 @@ impl SceneRequest {
     fn import(&self, strict: bool, ranks: &Ranks) -> Result<Import, Refusal> {
         let own = &self.import;
         let import = Import {
-            format: own.format,
-            sides: own.sides,
+            format: own.from,
+            sides: own.sides()?,
             materials: own.materials.as_deref().map(|path| side_file(path, ranks)).transpose()?,
             unit: own.unit,
             up: own.up,
@@ -180,12 +211,25 @@ impl SceneRequest {
 }
 
 impl ImportRequest {
+    /// Sides that reflect and emit, of all surfaces; None for what the file says.
+    fn sides(&self) -> Result<Option<Sides>, Refusal> {
+        match (self.one_sided, self.two_sided) {
+            (true, true) => Err(Refusal::new(
+                option("one-sided") + " does not go with " + option("two-sided"),
+                "leave one of them out",
+            )),
+            (true, false) => Ok(Some(Sides::Front)),
+            (false, true) => Ok(Some(Sides::Both)),
+            (false, false) => Ok(None),
+        }
+    }
+
     /// Name of the first option of the import that was given; none if none was.
     fn first(&self) -> Option<&'static str> {
         let given = [
-            (self.format.is_some(), "from"),
-            (self.sides == Some(Sides::Front), "one-sided"),
-            (self.sides == Some(Sides::Both), "two-sided"),
+            (self.from.is_some(), "from"),
+            (self.one_sided, "one-sided"),
+            (self.two_sided, "two-sided"),
             (self.materials.is_some(), "materials"),
             (self.unit.is_some(), "unit"),
             (self.up.is_some(), "up"),

@@ -7,46 +7,63 @@ use radiosity_solve::{Options, Transport};
 use radiosity_solvers::method::Method;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::set;
+use serde::Deserialize;
 
 use super::memory;
-use super::modes::Shadows;
+use super::modes::{self, Shadows};
+use super::ranges::{self, Bytes, Number, Subdivide, by_text};
 use super::refusal::Refusal;
 
-/// Request for the integration of transfers; None where nothing was said.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Accuracy of view factors unless told otherwise.
+const FACTORS: f64 = 1e-3;
+
+/// Accuracy of the transfers of heat unless told otherwise.
+const HEAT: f64 = 1e-4;
+
+/// How transfers are integrated; None where nothing is said.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(default)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct TransferRequest {
-    /// Cuts each surface into K × K elements, which are summed; None chooses.
-    pub subdivide: Option<usize>,
-    /// Relative accuracy of each factor.
-    pub eps: f64,
-    /// Relative accuracy of shadows; None for that of factors.
-    pub shadow_eps: Option<f64>,
-    /// Method that finds out whether surfaces hide each other.
-    pub shadows: Shadows,
-    /// Number of threads; None for all.
-    pub threads: Option<usize>,
+    /// Cuts each surface into K × K elements, which are summed: sharper shadows; auto looks at what the scene
+    /// needs [default: auto]
+    #[serde(deserialize_with = "by_text")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "auto|K"))]
+    pub subdivide: Option<Subdivide>,
+
+    /// Accuracy of each factor, relative to itself or a hundredth of the largest of its row; to the largest
+    /// of its row where rays carry it [default: 1e-3]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
+    pub eps: Option<Number<ranges::Accuracy>>,
+
+    /// Accuracy of shadows [default: as --eps]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
+    pub shadow_eps: Option<Number<ranges::Accuracy>>,
+
+    /// How it is found out what surfaces hide from each other [default: auto]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
+    pub shadows: Option<Shadows>,
+
+    /// Threads to use, all by default; results do not depend on it
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub threads: Option<ranges::Threads>,
 }
 
 impl TransferRequest {
-    /// Accuracy of view factors unless told otherwise.
-    pub const FACTORS: f64 = 1e-3;
-
-    /// Accuracy of the transfers of heat unless told otherwise.
-    pub const HEAT: f64 = 1e-4;
-
-    /// The usual request with the accuracy `eps`.
-    pub fn new(eps: f64) -> Self {
-        Self { subdivide: None, eps, shadow_eps: None, shadows: Shadows::Auto, threads: None }
+    /// Accuracies of view factors and their shadows.
+    pub fn accuracy(&self) -> Accuracy {
+        self.accuracy_or(FACTORS)
     }
 
-    /// Relative accuracies of factors and of shadows.
-    pub fn accuracy(&self) -> Accuracy {
-        Accuracy { eps: self.eps, shadow_eps: self.shadow_eps.unwrap_or(self.eps) }
+    /// Accuracies of transfers and shadows; `usual` unless told otherwise.
+    fn accuracy_or(&self, usual: f64) -> Accuracy {
+        let eps = self.eps.map_or(usual, f64::from);
+        Accuracy { eps, shadow_eps: self.shadow_eps.map_or(eps, f64::from) }
     }
 
     /// Number of threads to use, 0 for all.
     pub fn threads(&self) -> usize {
-        self.threads.unwrap_or(0)
+        self.threads.map_or(0, ranges::Threads::count)
     }
 
     /// Refuses masks, which carry light.
@@ -54,7 +71,7 @@ impl TransferRequest {
     /// # Errors
     /// If they were asked for.
     pub fn check(&self) -> Result<(), Refusal> {
-        if self.shadows != Shadows::Mask {
+        if self.shadows != Some(Shadows::Mask) {
             return Ok(());
         }
         Err(Refusal::new(
@@ -66,57 +83,62 @@ impl TransferRequest {
     /// The options of view factors.
     pub fn factors(&self) -> view_factors::Options {
         view_factors::Options {
-            subdivide: self.subdivide,
+            subdivide: self.subdivide.unwrap_or_default().0,
             accuracy: self.accuracy(),
-            shadows: self.shadows.hiding(),
+            shadows: self.shadows.unwrap_or_default().hiding(),
             threads: self.threads(),
         }
     }
 }
 
-/// Request for a balance of heat.
-#[derive(Clone, Copy, Debug)]
+/// How a balance of heat is computed from transfers; None where nothing is said.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(default)]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
 pub struct HeatRequest {
-    /// Integration of transfers.
-    pub transfers: TransferRequest,
-    /// Degree of the polynomials on each element.
-    pub order: usize,
-    /// Transport of radiation between pairs of elements.
-    pub transport: Transport,
-    /// Solver of the linear system.
-    pub solver: &'static Method,
-    /// Most bytes of memory; None for 80 % of what is free.
-    pub memory: Option<u64>,
-    /// Whether conductances are computed.
-    pub conductances: bool,
-}
+    /// Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do
+    /// [default: 3]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub order: Option<ranges::Degree>,
 
-impl Default for HeatRequest {
-    fn default() -> Self {
-        let HeatOptions { options, conductances } = HeatOptions::default();
-        let transfers = TransferRequest::new(TransferRequest::HEAT);
-        let Options { order, transport, solver, .. } = options;
-        Self { transfers, order, transport, solver, memory: None, conductances }
-    }
+    /// How the pairs of elements are carried [default: exact]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
+    pub transport: Option<Transport>,
+
+    /// Solver of the linear system [default: auto]
+    #[serde(deserialize_with = "modes::solver")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME", value_parser = modes::solvers()))]
+    pub solver: Option<&'static Method>,
+
+    /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
+    #[serde(deserialize_with = "by_text")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "BYTES"))]
+    pub memory: Option<Bytes>,
 }
 
 impl HeatRequest {
-    /// The library's options of a balance of heat on these ranks.
-    pub fn options(&self, ranks: &Ranks) -> HeatOptions {
+    /// Degree of the polynomials.
+    pub fn order(&self) -> usize {
+        self.order.map_or_else(|| HeatOptions::default().options.order, ranges::Degree::count)
+    }
+
+    /// The library's options of a balance by these transfers on these ranks, and whether `conductances` are
+    /// computed.
+    pub fn options(&self, transfers: &TransferRequest, conductances: bool, ranks: &Ranks) -> HeatOptions {
         let usual = HeatOptions::default().options;
-        let Accuracy { eps, shadow_eps } = self.transfers.accuracy();
+        let Accuracy { eps, shadow_eps } = transfers.accuracy_or(HEAT);
         let options = Options {
-            order: self.order,
-            subdivide: self.transfers.subdivide,
+            order: self.order(),
+            subdivide: transfers.subdivide.unwrap_or_default().0,
             eps,
             shadow_eps,
-            shadows: self.transfers.shadows.hiding(),
-            transport: self.transport,
-            solver: self.solver,
-            memory: self.memory.or_else(|| memory::usable(ranks)),
-            threads: self.transfers.threads(),
+            shadows: transfers.shadows.unwrap_or_default().hiding(),
+            transport: self.transport.unwrap_or(usual.transport),
+            solver: self.solver.unwrap_or(usual.solver),
+            memory: memory::allowed(self.memory, ranks),
+            threads: transfers.threads(),
             ..usual
         };
-        HeatOptions { options, conductances: self.conductances }
+        HeatOptions { options, conductances }
     }
 }

@@ -1,5 +1,6 @@
 //! The options of `radiosity report`.
 
+use radiosity_request::{MethodRequest, ReadRequest};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -8,8 +9,7 @@ use crate::{
     checkpoint::CheckpointArgs,
     colours::ColourArgs,
     numbers::Counts,
-    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
-    read::ReadArgs,
+    options::{PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
 };
 
 /// Solves a scene and writes a report for people: picture, planes of sensors, surfaces, checks and settings
@@ -45,13 +45,13 @@ pub(crate) struct ReportPageArgs {
     pub(crate) size: Option<Counts>,
 
     #[command(flatten)]
-    pub(crate) read: ReadArgs,
+    pub(crate) read: ReadRequest,
 
     #[command(flatten)]
     pub(crate) colours: ColourArgs,
 
     #[command(flatten)]
-    pub(crate) method: MethodArgs,
+    pub(crate) method: MethodRequest,
 
     #[command(flatten)]
     pub(crate) checkpoint: CheckpointArgs,

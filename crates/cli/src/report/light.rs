@@ -88,7 +88,7 @@ impl<'a> ReportLight<'a> {
         work: &Work<'_>,
     ) -> Result<(Run, ReadLight), CliError> {
         let mut run = Run::solve(loaded, &args.method, &args.report, work)?;
-        let reading = args.read.reading(&args.method, &run);
+        let reading = args.read.reading(&args.method, &run.solved, run.is_saved());
         let visibility = run.solved.visibility();
         let Solved { scene, outcome, .. } = &run.solved;
         let solution = &outcome.solution;
