@@ -113,7 +113,7 @@ struct Peaks<'a> {
 }
 
 impl Peaks<'_> {
-    /// Those of light from surfaces, which peaks nowhere.
+    /// Light from surfaces peaks nowhere.
     const NONE: Self = Self { lamps: &[], halvings: DIRECT_HALVINGS };
 }
 

@@ -2,8 +2,8 @@
 //!
 //! In order: `tolerances`, `system` (one per band), `solution` (what it was solved to), `gather` (light at
 //! points), `checks` (of energy), `driver` (scene → solution, timed), `goal` (accuracy that is asked for),
-//! `solved` (a scene with its solution), `studies` (adaptation to a goal, convergence), `animation` (light that follows moving things) and
-//! `view_factors`.
+//! `solved` (a scene with its solution), `studies` (adaptation to a goal, convergence), `animation` (light
+//! that follows moving things) and `view_factors`.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `visibility`, `elements`, `kernel`, `transport`,
 //! `light` and `published`.
