@@ -19,6 +19,10 @@ use super::smooth::ComputedLight;
 /// without rays. Chosen.
 const FEW: usize = 2000;
 
+/// Relative accuracy of recomputed light in pictures and textures: finer than the steps of eight bits, 1/255.
+/// A finer one takes longer and shows in none.
+pub(crate) const GATHERED_FOR_PICTURES: f64 = 3e-3;
+
 /// Error of gathered light by rays, over the accuracy asked for: ten or so values are averaged where light is
 /// interpolated. Chosen.
 pub(crate) const AVERAGED: f64 = 2.0;
