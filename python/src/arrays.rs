@@ -5,7 +5,7 @@ use numpy::{IntoPyArray, PyArrayDyn, PyReadonlyArray2};
 use pyo3::prelude::*;
 use radiosity::geom::DVec3;
 use radiosity::reading::probe::Probe;
-use radiosity::solve::gather::ray_gather::Deviation;
+use radiosity::solve::gather::read_irradiance::Deviation;
 
 use crate::error::Trouble;
 

@@ -10,7 +10,8 @@ use radiosity::solve::Options;
 use radiosity::solve::gather::Gather;
 use radiosity::solve::gather::surface_point::SurfacePoint;
 use radiosity::solve::solution::Solution;
-use radiosity::solve::studies::adaptation::{Aim, Goal, adapt};
+use radiosity::solve::solved::Solved;
+use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::studies::error_norm::distance;
 use radiosity::visibility::Visibility;
 
@@ -77,9 +78,10 @@ impl Case {
     /// Estimate and error of the run that is taken for `accuracy`; prints them.
     fn run(&self, accuracy: f64) -> [f64; 2] {
         let options = Options { order: 0, ..Options::default() };
-        let adapted = adapt(&self.scene, &options, &Goal::new(accuracy, Aim::Solution), &Work::alone())
+        let goal = Goal::new(accuracy, Aim::Solution);
+        let adapted = Solved::to_accuracy(self.scene.clone(), &options, &goal, &Work::alone())
             .expect("it can be solved");
-        let estimate = adapted.achieved.estimate.expect("the solver converges");
+        let estimate = adapted.achieved.and_then(|own| own.estimate).expect("the solver converges");
         let solution = &adapted.outcome.solution;
         let error = (self.error)(solution);
         println!(

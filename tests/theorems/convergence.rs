@@ -14,7 +14,8 @@ use radiosity::scene::Scene;
 use radiosity::solve::driver::memory_estimate::MemoryEstimate;
 use radiosity::solve::gather::Gather;
 use radiosity::solve::solution::{Band, Solution, SurfacePlace};
-use radiosity::solve::studies::adaptation::{Achieved, Adapted, Aim, EndReason, Goal, adapt};
+use radiosity::solve::solved::Solved;
+use radiosity::solve::studies::adaptation::{Achieved, Aim, EndReason, Goal};
 use radiosity::solve::studies::convergence::{Reference, convergence};
 use radiosity::solve::studies::error_norm::{Incomparable, distance};
 use radiosity::solve::system::Coefficients;
@@ -177,13 +178,17 @@ fn the_finest_run_has_no_error_of_its_own() {
     assert!(runs[..3].iter().all(|run| run.error.is_some_and(|error| error < 1e-2)));
 }
 
-fn adapted(name: &str, goal: Goal) -> Adapted {
+fn adapted(name: &str, goal: Goal) -> Solved {
     let scene = builtin(name);
     let options = Options { order: 0, threads: 2, ..Options::default() };
-    adapt(&scene, &options, &goal, &Work::alone()).expect("it can be solved")
+    Solved::to_accuracy(scene, &options, &goal, &Work::alone()).expect("it can be solved")
 }
 
-fn radiosity(adapted: &Adapted, surface: usize, position: [f64; 3]) -> f64 {
+fn achieved(adapted: &Solved) -> Achieved {
+    adapted.achieved.expect("an accuracy was wanted")
+}
+
+fn radiosity(adapted: &Solved, surface: usize, position: [f64; 3]) -> f64 {
     let solution = &adapted.outcome.solution;
     let position = DVec3::from_array(position);
     let hit = |element: &&usize| {
@@ -200,7 +205,7 @@ fn radiosity(adapted: &Adapted, surface: usize, position: [f64; 3]) -> f64 {
 fn the_furnace_is_met_to_the_accuracy_wanted() {
     for accuracy in [1e-2, 1e-4] {
         let adapted = adapted("furnace-cube", Goal::new(accuracy, Aim::Solution));
-        assert!(adapted.achieved.reached() && adapted.achieved.estimate.unwrap() <= accuracy);
+        assert!(achieved(&adapted).reached() && achieved(&adapted).estimate.unwrap() <= accuracy);
         for surface in 0..6 {
             let element = &adapted.outcome.solution.elements().list()
                 [adapted.outcome.solution.elements().of_surface(surface).start];
@@ -217,7 +222,7 @@ fn the_empty_box_is_met_to_the_accuracy_wanted() {
     let points = file["scenes"][0]["points"].as_array().expect("points are listed");
     for accuracy in [3e-2, 1e-2, 3e-3] {
         let adapted = adapted("empty-box", Goal::new(accuracy, Aim::Solution));
-        assert!(adapted.achieved.reached() && adapted.achieved.estimate.unwrap() <= accuracy);
+        assert!(achieved(&adapted).reached() && achieved(&adapted).estimate.unwrap() <= accuracy);
         let squares: Vec<[f64; 2]> = points
             .iter()
             .map(|point| {
@@ -264,7 +269,8 @@ fn gathered_light_of_the_empty_box_is_met_to_the_accuracy_wanted_with_fewer_unkn
     let exact = gathered(&outcome_of(&scene, &fine).solution, &fine, 1e-5);
     for accuracy in [1e-2, 3e-3, 1e-3, 3e-4] {
         let adapted = |of| adapted("empty-box", Goal::new(accuracy, of));
-        let Adapted { outcome, options, achieved } = adapted(Aim::Gathered);
+        let gathered_to = adapted(Aim::Gathered);
+        let (achieved, Solved { outcome, options, .. }) = (achieved(&gathered_to), gathered_to);
         assert!(achieved.reached() && achieved.of == Aim::Gathered);
         let found = gathered(&outcome.solution, &options, 1e-5);
         let squares = |value: &dyn Fn(usize) -> f64| (0..exact.len()).map(|k| value(k).powi(2)).sum::<f64>();
@@ -298,7 +304,7 @@ fn light_at_points_is_met_with_fewer_unknowns_than_on_all_surfaces() {
     for accuracy in [1e-3, 3e-4] {
         let points = places.iter().map(|place| [*place - scene.middle, DVec3::Z]).collect();
         let here = adapted("empty-box", Goal::at(accuracy, points));
-        assert!(here.achieved.reached() && here.achieved.of == Aim::Points);
+        assert!(achieved(&here).reached() && achieved(&here).of == Aim::Points);
         let found = read(&here.outcome.solution);
         let off = found.iter().zip(&known).map(|(found, known)| (found / known - 1.0).powi(2));
         let error = (off.sum::<f64>() / 20.0).sqrt();
@@ -312,8 +318,8 @@ fn light_at_points_is_met_with_fewer_unknowns_than_on_all_surfaces() {
 #[test]
 fn what_cannot_be_reached_is_told() {
     let adapted = adapted("empty-box", Goal { most_unknowns: 200, ..Goal::new(1e-3, Aim::Solution) });
-    assert_eq!(adapted.achieved.end, EndReason::Unknowns);
-    let estimate = adapted.achieved.estimate.unwrap();
+    assert_eq!(achieved(&adapted).end, EndReason::Unknowns);
+    let estimate = achieved(&adapted).estimate.unwrap();
     assert!(estimate > 1e-3 && estimate < 0.1);
     assert!(adapted.outcome.solution.elements().coefficients() <= 200);
 }
@@ -334,9 +340,9 @@ fn a_finer_run_that_fails_leaves_the_one_before() {
     let memory = Some(whole(3));
     assert!(whole(2) < whole(3) && whole(3) < whole(4));
     let options = Options { order: 2, subdivide: Some(1), memory, ..Options::default() };
-    let adapted =
-        adapt(&scene, &options, &Goal::new(1e-6, Aim::Solution), &Work::alone()).expect("the first run fits");
-    let Achieved { estimate, end, .. } = adapted.achieved;
+    let goal = Goal::new(1e-6, Aim::Solution);
+    let adapted = Solved::to_accuracy(scene, &options, &goal, &Work::alone()).expect("the first run fits");
+    let Achieved { estimate, end, .. } = achieved(&adapted);
     assert!(end == EndReason::Memory && estimate.is_some());
     assert_eq!(adapted.options.order, 2);
 }

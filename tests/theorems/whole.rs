@@ -19,6 +19,7 @@ use radiosity::visibility::{Shadows, Visibility};
 use radiosity::work::ranks::Ranks;
 use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
+use radiosity_test_support::direct::ACCURACY;
 use radiosity_test_support::scenes::builtin;
 use radiosity_test_support::solved::{blocks_of, outcome_of};
 
@@ -174,7 +175,7 @@ fn direct_light_is_exact_at_a_point() {
     let scene = builtin("empty-box");
     let outcome = solved("empty-box", &Options { eps: 1e-6, ..options(8, "auto") });
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
-    let direct = DirectLight::new(&outcome.solution.emitters(), &visibility);
+    let direct = DirectLight::within(&outcome.solution.emitters(), &visibility, ACCURACY);
     let floor = scene.surfaces.iter().position(|surface| surface.name == "floor").expect("there is a floor");
     let jet = scene.surfaces[floor].shape.jet(0.0, 0.0);
     let lit: f64 = direct.at(floor, jet.position, jet.normal)[0];

@@ -8,8 +8,8 @@
 //! a diffuse emitter would ([`radiosity_scene::Radiance`]), and from luminaires at p_l of the intensity I_l
 //! ([`super::point_lights`]). Polynomials smear shadow edges, D does not. D is exact for planar emitters
 //! behind planar blockers ([`radiosity_kernel::irradiance::visible_polygon`]). Where an emitter or a blocker
-//! is curved, the cells of [`crate`] are refined until D is accurate to about [`ACCURACY`]. A curved emitter
-//! that hides nothing of itself and stands free is taken as a whole (`area_light`).
+//! is curved, the cells of [`crate`] are refined until D is as accurate as was asked for. A curved emitter that
+//! hides nothing of itself and stands free is taken as a whole (`area_light`).
 
 use radiosity_elements::Element;
 use radiosity_elements::patch::Node;
@@ -25,10 +25,6 @@ use crate::occluders::{Occluders, Site};
 use crate::point_lights::PointLights;
 use crate::receiver_point::ReceiverPoint;
 use crate::traversal::Traversal;
-
-/// Accuracy of direct light that is not exact, over all emitters' light without blockers: a quarter of the
-/// step between two of 256 levels. A finer one takes more cells, and shows in no picture.
-pub const ACCURACY: f64 = 1e-3;
 
 /// Error that one cell may contribute, over the accuracy of the sum: the errors of some ten cells, of either
 /// sign, then add up to it. With a larger value the sum may miss its accuracy where more cells are divided no
@@ -68,12 +64,8 @@ struct Emitter {
 }
 
 impl<'a> DirectLight<'a> {
-    /// The direct light of `sources`, accurate to [`ACCURACY`] where it is not exact.
-    pub fn new(sources: &Emitters<'a>, visibility: &'a Visibility) -> Self {
-        Self::within(sources, visibility, ACCURACY)
-    }
-
-    /// As [`DirectLight::new`], accurate to `eps` where it is not exact.
+    /// The direct light of `sources`; where it is not exact it errs by about `eps` times all emitters' light
+    /// without blockers.
     pub fn within(sources: &Emitters<'a>, visibility: &'a Visibility, eps: f64) -> Self {
         let Emitters { elements, ref coatings, radiances, points } = *sources;
         let emitter = |element: usize| {

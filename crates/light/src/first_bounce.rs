@@ -80,29 +80,27 @@ pub enum DirectLightEntry {
 /// The coefficients of the irradiance from luminaires on `elements`, per band (W m⁻² times scene length).
 pub fn lit_by(sources: &Emitters<'_>, visibility: &Visibility, ranks: &Ranks) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, points, .. } = *sources;
-    let peaks = Peaks {
-        lamps: &points.ends().collect::<Vec<_>>(),
-        halvings: if points.has_sun() { SUNNY_HALVINGS } else { DIRECT_HALVINGS },
+    let lamps: Vec<[DVec3; 2]> = points.ends().collect();
+    let halvings = if points.has_sun() { SUNNY_HALVINGS } else { DIRECT_HALVINGS };
+    let lit = |index: usize, node: &Node| {
+        let mut lit = vec![0.0; coatings.len()];
+        let receiver = ReceiverPoint::on(elements[index].surface, node.position, node.normal);
+        points.add(&receiver, visibility, &mut lit);
+        lit
     };
-    let bands = coatings.len();
-    let of_element = |index: usize| {
-        let lit = |node: &Node| {
-            let mut lit = vec![0.0; bands];
-            let receiver = ReceiverPoint::on(elements[index].surface, node.position, node.normal);
-            points.add(&receiver, visibility, &mut lit);
-            lit
-        };
-        of_direct(&elements[index], &peaks, bands, &lit)
-    };
-    projected(elements.len(), bands, &of_element, ranks)
+    coefficients(sources, &Peaks { lamps: &lamps, halvings }, &lit, ranks)
 }
 
-/// The coefficients of the irradiance `lit`, from elements, per band (W m⁻² times scene length).
-fn coefficients(sources: &Emitters<'_>, lit: IrradianceAt<'_>, ranks: &Ranks) -> Vec<Vec<f64>> {
+/// The coefficients of the direct irradiance `lit` per band (W m⁻² times scene length).
+fn coefficients(
+    sources: &Emitters<'_>,
+    peaks: &Peaks<'_>,
+    lit: IrradianceAt<'_>,
+    ranks: &Ranks,
+) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, .. } = *sources;
     let bands = coatings.len();
-    let peaks = Peaks { lamps: &[], halvings: DIRECT_HALVINGS };
-    let of_element = |index: usize| of_direct(&elements[index], &peaks, bands, &|node| lit(index, node));
+    let of_element = |index: usize| of_direct(&elements[index], peaks, bands, &|node| lit(index, node));
     projected(elements.len(), bands, &of_element, ranks)
 }
 
@@ -112,6 +110,11 @@ struct Peaks<'a> {
     lamps: &'a [[DVec3; 2]],
     /// Halvings of all patches in each direction.
     halvings: usize,
+}
+
+impl Peaks<'_> {
+    /// Light from surfaces peaks nowhere.
+    const NONE: Self = Self { lamps: &[], halvings: DIRECT_HALVINGS };
 }
 
 /// For each channel the coefficients that `project` finds, element by element.
@@ -144,7 +147,7 @@ impl CoatedBounce {
         let direct = DirectLight::within(sources, visibility, eps);
         let lit = |element: usize, node: &Node| direct.at(element, node.position, node.normal);
         let of_elements = |element: usize, node: &Node| direct.of_elements_at(element, node);
-        let mut d = coefficients(sources, &of_elements, ranks);
+        let mut d = coefficients(sources, &Peaks::NONE, &of_elements, ranks);
         if !sources.points.is_empty() {
             let of_points = lit_by(sources, visibility, ranks);
             let pairs = d.iter_mut().flatten().zip(of_points.iter().flatten());
@@ -161,7 +164,8 @@ impl CoatedBounce {
         eps: f64,
         ranks: &Ranks,
     ) -> Self {
-        Self::reflected(sources, visibility, lit, coefficients(sources, lit, ranks), eps, ranks)
+        let d = coefficients(sources, &Peaks::NONE, lit, ranks);
+        Self::reflected(sources, visibility, lit, d, eps, ranks)
     }
 
     /// The first bounce of the direct light `lit` with the coefficients d.

@@ -31,6 +31,15 @@
 //! listed once per site, which is a point or a small piece of a surface (`occluders`); from cell to cell of a
 //! tree only those that may still hide a part of it are kept.
 //!
+//! Direct light of elements is made in three ways. `solve::gather::gather_method` chooses between the first
+//! and the last by their cost at the accuracy asked, pictures between the first two by what is flat.
+//!
+//! | way | who asks | error | cost at a point |
+//! | --- | --- | --- | --- |
+//! | cells ([`direct`]) | first bounce, masks, gathering | none if all is flat, else ε | a form each cell |
+//! | shadow volumes ([`penumbra`]) | pictures | none behind ≤ 8 flat things, else ε | rays, ~ ε^(−4/3) |
+//! | rays ([`lamps`]) | gathering by rays | ε, its deviation is told | rays, ~ ε^(−4/3) |
+//!
 //! In order: [`tolerances`], [`occluders`], `cells` (trees of cells), [`receiver_point`], [`lamps`] (targets
 //! of rays), `lines` (scan lines), `luminous_line`, [`point_lights`] and [`emitters`], `area_light`,
 //! `blockers`, `traversal`, [`direct`], `lamp_cells`, `light_sources` and [`penumbra`] (direct light by

@@ -38,6 +38,15 @@ const HALVINGS: usize = 14;
 /// Distance from a line's axis over half its length below which all angles to it are one, to nine digits.
 const ON_AXIS: f64 = 1e-9;
 
+/// d cos θ / r² of the light that a luminaire sends from a point of it; 0 below the horizon of the receiver.
+pub(super) fn irradiance(luminaire: &Luminaire, from: DVec3, receiver: &ReceiverPoint) -> f64 {
+    let step = from - receiver.position;
+    let square = step.length_squared();
+    let direction = step / square.sqrt();
+    let cosine = receiver.normal.dot(direction);
+    if cosine > 0.0 && square > 0.0 { luminaire.relative(-direction) * cosine / square } else { 0.0 }
+}
+
 /// A luminaire that is a line, as a point sees it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LuminousLine<'a> {
@@ -80,15 +89,7 @@ impl<'a> LuminousLine<'a> {
 
     /// ½ d cos θ / r².
     fn density(&self, t: f64) -> f64 {
-        let step = self.at(t) - self.receiver.position;
-        let square = step.length_squared();
-        let direction = step / square.sqrt();
-        let cosine = self.receiver.normal.dot(direction);
-        if cosine > 0.0 && square > 0.0 {
-            0.5 * self.luminaire.relative(-direction) * cosine / square
-        } else {
-            0.0
-        }
+        0.5 * irradiance(self.luminaire, self.at(t), self.receiver)
     }
 
     /// The part above the horizons of the point.

@@ -18,7 +18,7 @@ use radiosity_geom::{DVec3, Encounter};
 use radiosity_scene::{Luminaire, Radiance, Scene, SceneSurface};
 use radiosity_visibility::Visibility;
 
-use crate::luminous_line::LuminousLine;
+use crate::luminous_line::{LuminousLine, irradiance};
 use crate::receiver_point::ReceiverPoint;
 
 /// The luminaires that shine and are no areas, and the sun.
@@ -136,15 +136,9 @@ impl PointLight {
     /// `part` of its length; None where it is 0.
     fn factor(&self, receiver: &ReceiverPoint, part: f64) -> Option<f64> {
         let step = self.at(part) - receiver.position;
-        let square = step.length_squared();
-        let direction = step / square.sqrt();
-        let cosine = receiver.normal.dot(direction);
-        let is_below = receiver.ground.is_some_and(|ground| ground.dot(direction) <= 0.0);
-        if is_below || !(cosine > 0.0 && square > 0.0) {
-            return None;
-        }
-        let factor = self.luminaire.relative(-direction) * cosine / square;
-        (factor > 0.0).then_some(factor)
+        let is_below = receiver.ground.is_some_and(|ground| ground.dot(step / step.length()) <= 0.0);
+        let factor = irradiance(&self.luminaire, self.at(part), receiver);
+        (!is_below && factor > 0.0).then_some(factor)
     }
 
     /// Whether nothing stands between its point at a `part` of its length and a point.

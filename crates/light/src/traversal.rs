@@ -223,7 +223,7 @@ impl<'a> Traversal<'a> {
             self.coarsest = self.coarsest.max(error);
             let weights = match estimate.error.is_finite() {
                 true => estimate.weights,
-                false => self.seen(pass, cell, estimate.weights, before),
+                false => self.visible(pass, cell, estimate.weights, before),
             };
             pass.take(cell, &weights);
             return;

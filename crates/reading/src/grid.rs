@@ -24,13 +24,15 @@ use radiosity_light::direct::DirectLight;
 use radiosity_light::occluders::Site;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::reflected::Reflection;
-use radiosity_solve::gather::ray_gather::{Deviation, Receiver};
+use radiosity_solve::gather::gather_method::Gathering;
+use radiosity_solve::gather::ray_gather::Receiver;
+use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance};
 use radiosity_solve::solution::SurfacePlace;
 use radiosity_work::ranks::{PartName, vector};
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
-use crate::reader::{ReadIrradiance, Reader, RecomputedLight};
+use crate::reader::{Reader, RecomputedLight};
 
 /// Means over one cell of one surface.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -228,10 +230,10 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> R
             sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))
                 .into()
         }
-        RecomputedLight::Rays(gather) => {
-            gather.read(&Receiver::Patch { surface: owner.surface, patch }).into()
+        RecomputedLight::Gathered(Gathering::Rays(gather)) => {
+            gather.read(&Receiver::over(owner.surface, patch))
         }
-        RecomputedLight::Gather(gather) => {
+        RecomputedLight::Gathered(Gathering::Cells(gather)) => {
             let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
             let gathered = gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);
             sum(lit, &gathered).into()

@@ -8,7 +8,6 @@
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `language`, `visibility`, `elements`, `kernel`,
 //! `transport`, `light`, `published` and `solve`.
 
-mod tolerances;
 pub mod digits;
 pub mod field;
 pub mod warning;
@@ -22,7 +21,6 @@ pub mod read_error;
 pub mod plane_figures;
 pub mod quality;
 pub mod accuracy_warning;
-mod peak_memory;
 pub mod rank_work;
 pub mod checkpoint;
 pub mod report;

@@ -5,14 +5,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use radiosity_geom::DVec3;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_scene::SensorPlane;
-use radiosity_solve::gather::ray_gather::Deviation;
+use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance};
 use radiosity_solve::gather::surface_point::SurfacePoint;
 use radiosity_solve::solution::SurfacePlace;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
-use crate::reader::{ReadIrradiance, Reader, RecomputedLight};
+use crate::reader::{Reader, RecomputedLight};
 
 /// Least cosine between a probe's normal and its surface's for which they count as equal where only
 /// polynomials are known (0.8°): normals of probes are typed with few digits.

@@ -5,8 +5,6 @@ use std::fmt;
 use radiosity_work::ranks::{Ranks, Traffic};
 use serde::{Deserialize, Serialize};
 
-use crate::peak_memory::peak_bytes;
-
 /// Work done and bytes sent by one rank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RankWork {
@@ -61,6 +59,14 @@ impl RanksWork {
         let off = counts.iter().map(|count| (count - mean).abs()).fold(0.0, f64::max);
         (mean > 0.0).then(|| off / mean)
     }
+}
+
+/// Peak resident memory of this process as Linux reports it; None elsewhere.
+pub(crate) fn peak_bytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(1024 * kibibytes)
 }
 
 /// A count of a rank.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use radiosity_solve::gather::ray_gather::Deviation;
+use radiosity_solve::gather::read_irradiance::Deviation;
 use radiosity_work::wording::{option, words};
 use serde::Serialize;
 

@@ -3,9 +3,8 @@
 use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
 use radiosity_light::receiver_point::ReceiverPoint;
-use radiosity_solve::gather::Gather;
-use radiosity_solve::gather::gather_method::GatherMethod;
-use radiosity_solve::gather::ray_gather::{Deviation, RayEstimate, RayGather, Receiver};
+use radiosity_solve::gather::gather_method::{GatherMethod, Gathering};
+use radiosity_solve::gather::read_irradiance::ReadIrradiance;
 use radiosity_solve::solution::{Solution, SurfacePlace};
 use radiosity_visibility::Visibility;
 use serde::Deserialize;
@@ -40,31 +39,8 @@ pub(super) enum RecomputedLight<'a> {
     Basis,
     /// Direct light.
     Direct(DirectLight<'a>),
-    /// All light, by cells.
-    Gather(Gather<'a>),
-    /// All light, by rays.
-    Rays(RayGather<'a>),
-}
-
-/// Irradiance as it was read.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ReadIrradiance {
-    /// Irradiance per band (W m⁻²).
-    pub irradiance: Vec<f64>,
-    /// Standard deviation of what was gathered by rays; None otherwise.
-    pub deviation: Option<Deviation>,
-}
-
-impl From<Vec<f64>> for ReadIrradiance {
-    fn from(irradiance: Vec<f64>) -> Self {
-        Self { irradiance, deviation: None }
-    }
-}
-
-impl From<RayEstimate> for ReadIrradiance {
-    fn from(RayEstimate { irradiance, deviation }: RayEstimate) -> Self {
-        Self { irradiance, deviation: Some(deviation) }
-    }
+    /// All light.
+    Gathered(Gathering<'a>),
 }
 
 impl<'a> Reader<'a> {
@@ -81,23 +57,15 @@ impl<'a> Reader<'a> {
         read: ReadMode,
         eps: f64,
     ) -> Self {
+        let twice = read == ReadMode::GatherTwice;
         let light = match read {
-            ReadMode::Gather | ReadMode::GatherTwice
-                if by.rays(solution, visibility, eps, read == ReadMode::GatherTwice) =>
-            {
-                RecomputedLight::Rays(RayGather::new(
-                    solution,
-                    visibility,
-                    eps,
-                    read == ReadMode::GatherTwice,
-                ))
-            }
             ReadMode::Basis => RecomputedLight::Basis,
             ReadMode::Direct => {
                 RecomputedLight::Direct(DirectLight::within(&solution.emitters(), visibility, eps))
             }
-            ReadMode::Gather => RecomputedLight::Gather(Gather::new(solution, visibility, eps)),
-            ReadMode::GatherTwice => RecomputedLight::Gather(Gather::twice(solution, visibility, eps)),
+            ReadMode::Gather | ReadMode::GatherTwice => {
+                RecomputedLight::Gathered(by.gathering(solution, visibility, eps, 1.0, twice))
+            }
         };
         Self { solution, visibility, light }
     }
@@ -114,7 +82,7 @@ impl<'a> Reader<'a> {
 
     /// Whether all light is gathered.
     pub(super) fn gathers(&self) -> bool {
-        matches!(self.light, RecomputedLight::Gather(_) | RecomputedLight::Rays(_))
+        matches!(self.light, RecomputedLight::Gathered(_))
     }
 
     /// The light that is recomputed.
@@ -143,9 +111,8 @@ impl<'a> Reader<'a> {
                 let lit = direct.at_beside(element, place.position, normal, &rest);
                 lit.iter().zip(rest).map(|(d, s)| d + s).collect::<Vec<f64>>().into()
             }
-            RecomputedLight::Gather(_) | RecomputedLight::Rays(_) => {
-                let receiver = ReceiverPoint::on(place.surface, place.position, normal);
-                self.gathered(&receiver).expect("light is gathered")
+            RecomputedLight::Gathered(light) => {
+                light.read(&ReceiverPoint::on(place.surface, place.position, normal))
             }
         }
     }
@@ -163,8 +130,7 @@ impl<'a> Reader<'a> {
     pub fn gathered(&self, receiver: &ReceiverPoint) -> Option<ReadIrradiance> {
         match &self.light {
             RecomputedLight::Basis | RecomputedLight::Direct(_) => None,
-            RecomputedLight::Gather(gather) => Some(gather.at(receiver).into()),
-            RecomputedLight::Rays(gather) => Some(gather.read(&Receiver::Point(*receiver)).into()),
+            RecomputedLight::Gathered(light) => Some(light.read(receiver)),
         }
     }
 }

@@ -12,9 +12,8 @@ use radiosity_solve::{Functional, Outcome};
 use serde::Serialize;
 
 use crate::checkpoint::Checkpoint;
-use crate::peak_memory::peak_bytes;
 use crate::plane_figures::PlaneFigures;
-use crate::rank_work::RanksWork;
+use crate::rank_work::{RanksWork, peak_bytes};
 use crate::read_error::ReadError;
 pub use crate::warning::Warning;
 use warnings::warnings;

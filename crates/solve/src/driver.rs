@@ -34,7 +34,6 @@ pub mod memory_estimate;
 mod memory_reduction;
 mod failure;
 mod in_threads;
-mod timed;
 mod light_method;
 mod transport_choice;
 mod options;
@@ -44,7 +43,6 @@ mod emission;
 mod solve_band;
 mod sampling;
 mod assembly;
-mod layout;
 mod first_light;
 mod outcome;
 mod band_systems;
@@ -55,20 +53,20 @@ use radiosity_elements::mesh::Mesh;
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
+pub(crate) use assembly::Layout;
 use by_links::solve_by_links;
 pub use direct::Direct;
 pub use failure::Failure;
 pub use first_light::masked_light;
 pub use in_threads::in_threads;
-pub(crate) use layout::Layout;
 pub use light_method::LightMethod;
 pub use memory_reduction::MemoryReduction;
 pub use model::Model;
 pub use options::Options;
+pub(crate) use outcome::timed;
 pub use outcome::{Functional, Outcome, Stages};
 pub use preconditioning::Preconditioning;
 pub use sampling::Sampling;
-pub(crate) use timed::timed;
 pub use transport_choice::{MOST_RAYS, Transport, TransportChoice};
 
 /// Solves `scene`.

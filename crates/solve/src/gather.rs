@@ -13,10 +13,10 @@
 //! Reference: I. H. Sloan, *Improvement by iteration for compact operator equations*, Math. Comp. 30 (1976).
 
 pub mod surface_point;
-mod mean_radiosity;
+pub(crate) mod walks;
+pub mod read_irradiance;
 pub mod ray_gather;
 pub mod gather_method;
-pub(crate) mod walks;
 
 use radiosity_elements::patch::Node;
 use radiosity_light::direct::DirectLight;
@@ -27,7 +27,6 @@ use radiosity_visibility::Visibility;
 
 use crate::solution::{Solution, SurfacePlace};
 use crate::tolerances::FIRST_OVER_SECOND;
-use mean_radiosity::mean_radiosity;
 
 /// A solution prepared for gathering.
 #[derive(Debug)]
@@ -56,7 +55,7 @@ impl<'a> Gather<'a> {
             add_indirect(sent, element, node, &mut lit);
             lit
         };
-        let scale = mean_radiosity(solution);
+        let scale = solution.mean_radiosity();
         let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
         Self { direct, reflection }
     }
@@ -77,7 +76,7 @@ impl<'a> Gather<'a> {
             let indirect = reflection.irradiance(&receiver, &around[element], &lit);
             lit.iter().zip(indirect).map(|(d, s)| d + s).collect()
         };
-        let scale = mean_radiosity(solution);
+        let scale = solution.mean_radiosity();
         let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
         Self { direct, reflection }
     }

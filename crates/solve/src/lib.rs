@@ -1,9 +1,9 @@
 //! Solving: elements and blocks → systems → solutions, and what is asked of them.
 //!
 //! In order: `tolerances`, `system` (one per band), `solution` (what it was solved to), `gather` (light at
-//! points), `checks` (of energy), `driver` (scene → solution, timed), `studies` (accuracy that is asked for,
-//! convergence), `solved` (a scene with its solution), `animation` (light that follows moving things) and
-//! `view_factors`.
+//! points), `checks` (of energy), `driver` (scene → solution, timed), `goal` (accuracy that is asked for),
+//! `solved` (a scene with its solution), `studies` (adaptation to a goal, convergence), `animation` (light
+//! that follows moving things) and `view_factors`.
 //!
 //! Imports `core`, `geom`, `solvers`, `work`, `scene`, `visibility`, `elements`, `kernel`, `transport`,
 //! `light` and `published`.
@@ -14,8 +14,9 @@ pub mod solution;
 pub mod gather;
 pub mod checks;
 pub mod driver;
-pub mod studies;
+pub(crate) mod goal;
 pub mod solved;
+pub mod studies;
 pub mod animation;
 pub mod view_factors;
 

@@ -18,6 +18,7 @@ use radiosity_elements::coating::Coating;
 use radiosity_geom::DVec3;
 use radiosity_light::emitters::{Emitters, Radiances};
 use radiosity_light::point_lights::PointLights;
+use radiosity_light::reflected::scale;
 use radiosity_published::zatz1993::masked_light::MaskedLight;
 use radiosity_scene::Scene;
 use radiosity_work::ranks::vector;
@@ -241,6 +242,12 @@ impl Solution {
     /// ([`Solution::new`]).
     pub(crate) fn powers(&self) -> Option<Powers> {
         self.powers
+    }
+
+    /// Mean radiosity (W m⁻²) of each band over the scene, by which errors are judged; 1 where nothing shines.
+    pub(crate) fn mean_radiosity(&self) -> Vec<f64> {
+        let sent = |band: &Band| scale(self.elements.list(), band.coefficients.radiosity.iter().copied());
+        self.bands.iter().map(sent).collect()
     }
 
     /// Direct light with its shadow masks, where there are any.

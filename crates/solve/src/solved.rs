@@ -10,8 +10,8 @@ use radiosity_work::Work;
 
 use crate::driver::{Failure, Options, Outcome, solve};
 use crate::gather::Gather;
+use crate::goal::Achieved;
 use crate::solution::SurfacePlace;
-use crate::studies::adaptation::{Achieved, Adapted, Goal, adapt};
 use crate::tolerances::AT_A_POINT;
 
 /// Why the groups of a solution could not be dimmed.
@@ -54,20 +54,6 @@ impl Solved {
     pub fn new(scene: Scene, options: Options, work: &Work<'_>) -> Result<Self, Failure> {
         let outcome = solve(&scene, &options, work)?;
         Ok(Self::of(scene, options, outcome, None))
-    }
-
-    /// Solves `scene` to a wanted accuracy; see [`adapt`].
-    ///
-    /// # Errors
-    /// As for [`adapt`].
-    pub fn to_accuracy(
-        scene: Scene,
-        options: &Options,
-        goal: &Goal,
-        work: &Work<'_>,
-    ) -> Result<Self, Failure> {
-        let Adapted { outcome, options, achieved } = adapt(&scene, options, goal, work)?;
-        Ok(Self::of(scene, options, outcome, Some(achieved)))
     }
 
     /// The solved scene with its light groups at other factors (≥ 0) of the emission that its materials

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use radiosity::light::direct::{ACCURACY, DirectLight};
+use radiosity::light::direct::DirectLight;
 use radiosity::scene::Scene;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{Bezier, Cylinder, Disk, FULL_TURN, Sphere, Torus};
 use radiosity_geom::{DVec3, Surface};
+use radiosity_test_support::direct::ACCURACY;
 use radiosity_test_support::given::even;
 use radiosity_test_support::scenes::builtin;
 use radiosity_test_support::scenes::shining;
@@ -41,7 +42,7 @@ fn lit_by(scene: &Scene, lamp: usize, x: DVec3, n: DVec3) -> Vec<(DVec3, f64)> {
 fn errors(scene: &Scene, places: &[(usize, f64, f64)]) -> Vec<f64> {
     let solution = even(scene, 1, 0.0, 0.0);
     let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
-    let direct = DirectLight::new(&solution.emitters(), &visibility);
+    let direct = DirectLight::within(&solution.emitters(), &visibility, ACCURACY);
     let emits = |surface: &usize| scene.surfaces[*surface].material.emission[0] > 0.0;
     let lamps: Vec<usize> = (0..scene.surfaces.len()).filter(emits).collect();
     let error = |(surface, u, v): &(usize, f64, f64)| {
@@ -113,7 +114,7 @@ fn a_ball_shines_as_its_cone() {
     let scene = scene(vec![floor, Arc::new(ball)], |index| index == 1);
     let solution = even(&scene, 1, 0.0, 0.0);
     let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
-    let direct = DirectLight::new(&solution.emitters(), &visibility);
+    let direct = DirectLight::within(&solution.emitters(), &visibility, ACCURACY);
     for (_, u, v) in scattered(0, 20) {
         let jet = scene.surfaces[0].shape.jet(u, v);
         let found = direct.factors(0, jet.position, jet.normal)[0].1;

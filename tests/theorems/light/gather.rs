@@ -20,6 +20,7 @@ use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::Disk;
 use radiosity_geom::{DVec3, PlanarRegion, Surface, shapes::Polygon};
 use radiosity_test_support::data::{number, table};
+use radiosity_test_support::direct::ACCURACY;
 use radiosity_test_support::given::even;
 use radiosity_test_support::scenes::shining;
 use radiosity_test_support::scenes::{builtin, material};
@@ -48,7 +49,7 @@ fn lit_at_origin(shapes: Shapes) -> f64 {
     let scene = scene(shapes);
     let solution = even(&scene, 2, 0.0, 0.0);
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
-    let direct = DirectLight::new(&solution.emitters(), &visibility);
+    let direct = DirectLight::within(&solution.emitters(), &visibility, ACCURACY);
     let receiver = ReceiverPoint::free(DVec3::ZERO, DVec3::Z);
     direct.irradiance(&receiver, &direct.around(&receiver.site()))[0]
 }

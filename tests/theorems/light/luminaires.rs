@@ -13,6 +13,7 @@ use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::{Direct, Options, Transport};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
+use radiosity_test_support::direct::ACCURACY;
 use radiosity_test_support::scenes::{parsed, typed};
 use radiosity_test_support::shapes::{disk, plate};
 use radiosity_test_support::solved::{outcome_of, solved_of};
@@ -39,7 +40,7 @@ fn floor(half: f64, luminaire: Luminaire) -> SceneBuilder {
 fn direct(scene: &Scene, points: &[(DVec3, DVec3)]) -> Vec<f64> {
     let outcome = outcome_of(scene, &Options::default());
     let visibility = Visibility::new(scene, Shadows::Rays(3e-3));
-    let direct = DirectLight::new(&outcome.solution.emitters(), &visibility);
+    let direct = DirectLight::within(&outcome.solution.emitters(), &visibility, ACCURACY);
     let read = |(x, n): &(DVec3, DVec3)| {
         let receiver = if x.z == 0.0 { ReceiverPoint::on(0, *x, *n) } else { ReceiverPoint::free(*x, *n) };
         direct.irradiance(&receiver, &direct.around(&receiver.site()))[0]

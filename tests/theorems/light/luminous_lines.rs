@@ -1,10 +1,9 @@
 //! The light of luminaires that are lines, against closed forms.
 
-use radiosity::light::direct::ACCURACY;
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
 use radiosity_geom::DVec3 as V;
-use radiosity_test_support::direct::in_the_open;
+use radiosity_test_support::direct::{ACCURACY, in_the_open};
 use radiosity_test_support::scenes::typed;
 use radiosity_test_support::solved::outcome_of;
 

@@ -10,6 +10,7 @@ use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome};
 use radiosity::visibility::{Hiding, Visibility};
+use radiosity_test_support::direct::ACCURACY;
 use radiosity_test_support::scenes::builtin;
 use radiosity_test_support::solved::outcome_of;
 
@@ -76,7 +77,7 @@ fn nodes_carry_the_share_that_is_seen() {
     let list = solution.elements().list();
     let [visibility, open] = [Hiding::Auto, Hiding::Off]
         .map(|shadows| Visibility::new(&scene, (&Options { shadows, ..Options::default() }).into()));
-    let [seen, free] = [&visibility, &open].map(|v| DirectLight::new(&solution.emitters(), v));
+    let [seen, free] = [&visibility, &open].map(|v| DirectLight::within(&solution.emitters(), v, ACCURACY));
     let floor = scene.surface_named("floor").expect("there is a floor");
     let element = solution.elements().of_surface(floor).start;
     let normal = list[element].plane.expect("it is flat").normal;

@@ -77,6 +77,18 @@ pub(super) struct Estimate {
     pub(super) error: f64,
 }
 
+/// A cell as the point sees it.
+#[derive(Clone, Copy)]
+struct SeenCell<'c> {
+    cell: &'c Cell,
+    /// The blockers before it.
+    before: BlockerRange,
+    /// Weights of the Gauss rule, without blockers.
+    weights: [f64; POINTS],
+    /// Width over distance.
+    width: f64,
+}
+
 impl Traversal<'_> {
     /// The rule for a cell with the blockers `before` it.
     pub(super) fn estimate(&self, pass: &Pass, cell: &Cell, before: BlockerRange) -> Estimate {
@@ -86,14 +98,13 @@ impl Traversal<'_> {
         }
         let weights = self.weights(cell);
         let width = 2.0 * cell.radius / self.distance(cell);
+        let seen = SeenCell { cell, before, weights, width };
         match (self.is_like_flat(cell), before.is_empty()) {
-            (true, true) => self.clear_flat(pass, cell, weights, width),
-            (true, false) if self.shadows.are_flat(before) => {
-                self.hidden_flat(pass, cell, weights, width, before)
-            }
-            (true, false) if cell.is_flat() => self.by_lines(pass, cell, weights, width, before),
+            (true, true) => self.clear_flat(pass, &seen),
+            (true, false) if self.shadows.are_flat(before) => self.hidden_flat(pass, &seen),
+            (true, false) if cell.is_flat() => self.by_lines(pass, &seen),
             _ if pass.dome.is_some() && before.is_empty() => self.under_dome(pass, cell),
-            _ => self.curved(pass, cell, weights, width, before),
+            _ => self.curved(pass, &seen),
         }
     }
 
@@ -104,7 +115,8 @@ impl Traversal<'_> {
     }
 
     /// No blockers: the Gauss rule far away, Lambert's formula near by.
-    fn clear_flat(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], width: f64) -> Estimate {
+    fn clear_flat(&self, pass: &Pass, seen: &SeenCell) -> Estimate {
+        let SeenCell { cell, weights, width, .. } = *seen;
         let sum: f64 = weights.iter().sum();
         let error = sum * gauss_error(cell, width);
         let overlooks =
@@ -122,78 +134,63 @@ impl Traversal<'_> {
 
     /// Flat blockers: Lambert's formula for the visible pieces, or the visible points of a cell that sends
     /// little.
-    fn hidden_flat(
-        &self,
-        pass: &Pass,
-        cell: &Cell,
-        weights: [f64; POINTS],
-        width: f64,
-        before: BlockerRange,
-    ) -> Estimate {
+    fn hidden_flat(&self, pass: &Pass, seen: &SeenCell) -> Estimate {
+        let SeenCell { cell, before, weights, width } = *seen;
         if width >= 1.0 || cell.spread == 0.0 {
-            return self.pieces(pass, cell, weights, before);
+            return self.pieces(pass, seen);
         }
         let sum: f64 = weights.iter().sum();
         let geometry = sum * gauss_error(cell, width);
         let at_stake = sum * cell.brightness;
         if at_stake > SHADED * pass.tolerance {
-            let seen = self.seen(pass, cell, weights, before);
-            let is_sure =
-                at_stake <= AGREED * pass.tolerance && self.agrees(pass, cell, &weights, &seen, before);
+            let visible = self.visible(pass, cell, weights, before);
+            let is_sure = at_stake <= AGREED * pass.tolerance && self.agrees(pass, seen, &visible);
             if is_sure && geometry <= pass.tolerance {
-                return Estimate { weights: seen, error: geometry };
+                return Estimate { weights: visible, error: geometry };
             }
-            return self.pieces(pass, cell, weights, before);
+            return self.pieces(pass, seen);
         }
         if geometry > pass.tolerance {
             return Estimate { weights, error: f64::INFINITY };
         }
-        Estimate { weights: self.seen(pass, cell, weights, before), error: geometry.max(at_stake / SHADED) }
+        Estimate {
+            weights: self.visible(pass, cell, weights, before),
+            error: geometry.max(at_stake / SHADED),
+        }
     }
 
     /// Lambert's formula for the visible pieces of a flat cell behind flat blockers.
-    fn pieces(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], before: BlockerRange) -> Estimate {
+    fn pieces(&self, pass: &Pass, seen: &SeenCell) -> Estimate {
+        let SeenCell { cell, before, weights, .. } = *seen;
         let factor = self.receiver.factor(&cell.hull, self.shadows.volumes(before));
-        let seen = if cell.spread == 0.0 { weights } else { self.seen(pass, cell, weights, before) };
-        Estimate { weights: scaled(cell, seen, factor), error: factor * (cell.spread + cell.detail) }
+        let visible = if cell.spread == 0.0 { weights } else { self.visible(pass, cell, weights, before) };
+        Estimate { weights: scaled(cell, visible, factor), error: factor * (cell.spread + cell.detail) }
     }
 
     /// Whether the points of a cell, its corners and its centre are all visible, or all hidden.
-    fn agrees(
-        &self,
-        pass: &Pass,
-        cell: &Cell,
-        weights: &[f64; POINTS],
-        seen: &[f64; POINTS],
-        before: BlockerRange,
-    ) -> bool {
-        let hides = |y: &DVec3| self.shadows.hide(before, *y, pass.tree.surface);
+    fn agrees(&self, pass: &Pass, seen: &SeenCell, visible: &[f64; POINTS]) -> bool {
+        let SeenCell { cell, before, weights, .. } = seen;
+        let hides = |y: &DVec3| self.shadows.hide(*before, *y, pass.tree.surface);
         let mut others = cell.hull.iter().chain([&cell.center]);
-        match seen.iter().any(|weight| *weight > 0.0) {
-            true => weights == seen && !others.any(hides),
+        match visible.iter().any(|weight| *weight > 0.0) {
+            true => weights == visible && !others.any(hides),
             false => others.all(hides),
         }
     }
 
     /// Curved blockers before a flat cell: line quadrature.
-    fn by_lines(
-        &self,
-        pass: &Pass,
-        cell: &Cell,
-        weights: [f64; POINTS],
-        width: f64,
-        before: BlockerRange,
-    ) -> Estimate {
+    fn by_lines(&self, pass: &Pass, seen: &SeenCell) -> Estimate {
+        let SeenCell { cell, before, weights, width } = *seen;
         let Some(spans) = self.shadows.hidden_spans(before, &cell.hull, &cell.hull, None) else {
             return Estimate { weights: [0.0; POINTS], error: 0.0 };
         };
         if spans.is_empty() {
-            return self.clear_flat(pass, cell, weights, width);
+            return self.clear_flat(pass, seen);
         }
         let factor = self.receiver.factor(&cell.hull, iter::empty());
         let stake = factor * cell.brightness;
         if width < 1.0 && stake <= pass.tolerance {
-            return Estimate { weights: self.seen(pass, cell, weights, before), error: pass.tolerance };
+            return Estimate { weights: self.visible(pass, cell, weights, before), error: pass.tolerance };
         }
         let shares = LineQuadrature::new(self.receiver, &spans).shares(pass.tolerance / stake);
         let sum: f64 = shares.iter().sum();
@@ -210,18 +207,12 @@ impl Traversal<'_> {
     }
 
     /// A curved cell: the Gauss rule times the visible part by line quadrature.
-    fn curved(
-        &self,
-        pass: &Pass,
-        cell: &Cell,
-        weights: [f64; POINTS],
-        width: f64,
-        before: BlockerRange,
-    ) -> Estimate {
+    fn curved(&self, pass: &Pass, seen: &SeenCell) -> Estimate {
+        let SeenCell { cell, before, weights, width } = *seen;
         let whole: f64 = weights.iter().sum();
         let stake = whole * cell.brightness;
         if self.most_from(cell, width) <= pass.tolerance {
-            return Estimate { weights: self.seen(pass, cell, weights, before), error: pass.tolerance };
+            return Estimate { weights: self.visible(pass, cell, weights, before), error: pass.tolerance };
         }
         if cell.bend < COSINE_OF_CELL || (width > NEAR && !pass.own) {
             return Estimate { weights, error: f64::INFINITY };
@@ -235,12 +226,12 @@ impl Traversal<'_> {
             return Estimate { weights, error: f64::INFINITY };
         }
         if stake <= pass.tolerance {
-            return Estimate { weights: self.seen(pass, cell, weights, before), error: form };
+            return Estimate { weights: self.visible(pass, cell, weights, before), error: form };
         }
         let Some(spans) =
             self.shadows.hidden_spans(before, &cell.outline(), &cell.hull, Some(pass.tree.surface))
         else {
-            return Estimate { weights: self.seen(pass, cell, weights, before), error: form };
+            return Estimate { weights: self.visible(pass, cell, weights, before), error: form };
         };
         if spans.is_empty() {
             return Estimate { weights, error: form };
@@ -314,7 +305,7 @@ impl Traversal<'_> {
     }
 
     /// The weights of the visible points; 0 for hidden ones.
-    pub(super) fn seen(
+    pub(super) fn visible(
         &self,
         pass: &Pass,
         cell: &Cell,

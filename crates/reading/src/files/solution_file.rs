@@ -6,10 +6,8 @@
 //! digits as they need.
 
 mod figures;
-mod version;
 mod error;
 mod element;
-mod group;
 mod tree;
 mod reading;
 

@@ -18,7 +18,7 @@ use direct_pass::lit;
 use eye::SeenPlace;
 use frame::Frame;
 use picture_light::PictureLight;
-use smooth::{ComputedLight, Smooth, SmoothSource};
+use smooth::Smooth;
 
 /// The irradiance of a frame.
 pub(crate) struct FrameLight<'a> {
@@ -30,30 +30,13 @@ pub(crate) struct FrameLight<'a> {
     smooth: Option<Smooth<'a>>,
 }
 
-/// The light of places beside their direct light.
-struct SmoothPart<'a> {
-    light: &'a PictureLight<'a>,
-    /// Direct irradiance per place and band (W m⁻²).
-    direct: &'a [Vec<f64>],
-}
-
-impl SmoothSource for SmoothPart<'_> {
-    fn smooth(&self, place: usize, seen: &SeenPlace) -> ComputedLight {
-        self.light.rest(seen, &self.direct[place])
-    }
-
-    fn other(&self, place: usize) -> f64 {
-        self.direct[place].iter().sum()
-    }
-}
-
 impl<'a> FrameLight<'a> {
     /// The light of all places of a frame.
     pub(crate) fn over(frame: &'a Frame, light: &'a PictureLight<'a>, work: &Work<'_>) -> Self {
         let direct = lit(frame, light, work);
-        let smooth_part = SmoothPart { light, direct: &direct };
+        let rest = |place: usize, seen: &SeenPlace| light.rest(seen, &direct[place]);
         let bands = light.solution().bands().len();
-        let smooth = light.gathers().then(|| Smooth::over(frame, bands, &smooth_part, work));
+        let smooth = light.gathers().then(|| Smooth::over(frame, bands, &rest, &direct, work));
         Self { frame, light, direct, smooth }
     }
 

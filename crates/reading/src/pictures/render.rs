@@ -19,7 +19,7 @@ use super::frame_light::FrameLight;
 use super::frame_light::eye::Eye;
 use super::frame_light::forecast::{INTERPOLATED, seconds};
 use super::frame_light::frame::Frame;
-use super::frame_light::picture_light::{AVERAGED, PictureLight};
+use super::frame_light::picture_light::{AVERAGED, GATHERED_FOR_PICTURES, PictureLight};
 use super::frame_light::pixel_count::PixelCount;
 use super::frame_light::smooth::COARSEST;
 use super::pinhole::Pinhole;
@@ -27,7 +27,6 @@ use super::pixel_samples::PixelSamples;
 use super::raster::Raster;
 use crate::quantity::Quantity;
 pub use crate::reader::ReadMode;
-use crate::tolerances::GATHERED_FOR_PICTURES;
 
 /// Relative difference of the radiosities of two pixels from which both are sampled finely. Chosen: four
 /// steps of eight bits, and twice the error in penumbrae.

@@ -5,7 +5,6 @@ use radiosity_work::Work;
 
 use crate::driver::Options;
 
-use super::break_even::BreakEven;
 use super::error::AnimationError;
 use super::frame::Frame;
 use super::path_interpolation::PathInterpolation;
@@ -130,4 +129,41 @@ impl<'a> Follower<'a> {
 /// The larger one of two errors that are known.
 fn larger(own: Option<f64>, other: Option<f64>) -> Option<f64> {
     own.into_iter().chain(other).reduce(f64::max)
+}
+
+/// Cost of frames, in solutions of a single frame that is solved alone.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct BreakEven {
+    frames: usize,
+    repaid: Option<usize>,
+}
+
+impl BreakEven {
+    /// Takes note of a frame more, after all of them together cost `spent` solutions.
+    fn add_frame(&mut self, spent: f64) {
+        self.frames += 1;
+        let is_repaid = spent < self.frames as f64;
+        self.repaid = is_repaid.then(|| self.repaid.unwrap_or(self.frames));
+    }
+
+    /// The number of frames from which on all together cost less than if each were solved alone; None if they
+    /// cost as much.
+    fn repaid(&self) -> Option<usize> {
+        self.repaid
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_repaid_and_lent_again_is_repaid_later() {
+        let mut break_even = BreakEven::default();
+        let repaid = [5.0, 5.0, 5.0, 5.0, 5.0, 5.0, 8.0, 8.0, 8.0].map(|spent| {
+            break_even.add_frame(spent);
+            break_even.repaid()
+        });
+        assert_eq!(repaid, [None, None, None, None, None, Some(6), None, None, Some(9)]);
+    }
 }

@@ -25,7 +25,7 @@ use std::sync::Arc;
 
 use radiosity_core::dot;
 use radiosity_elements::{Element, Elements};
-use radiosity_scene::Animation;
+use radiosity_scene::{Animation, Scene};
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 
@@ -145,9 +145,7 @@ impl<'a> PathInterpolation<'a> {
             let elements = elements.map_err(|source| AnimationError::of(moment, source.into()))?;
             if carry_alike(&elements, &segment.nodes[0].elements) {
                 let solution = Solution::of_groups(Arc::new(elements), &scene, segment.light(moment));
-                let visibility = Visibility::new(&scene, self.sequence.options().into());
-                let rays = segment.noise();
-                return Ok(Frame { scene, visibility, solution, interpolated: segment.error, rays });
+                return Ok(self.lit(scene, solution, segment.error, segment.noise()));
             }
         }
         self.alone(moment, work)
@@ -158,10 +156,15 @@ impl<'a> PathInterpolation<'a> {
         if let Some(node) = self.nodes.get(&moment.to_bits()) {
             let scene = self.sequence.scene().at_moment(moment)?;
             let solution = Solution::of_groups(Arc::clone(&node.elements), &scene, node.light.clone());
-            let visibility = Visibility::new(&scene, self.sequence.options().into());
-            return Ok(Frame { scene, visibility, solution, interpolated: None, rays: node.noise });
+            return Ok(self.lit(scene, solution, None, node.noise));
         }
         self.sequence.at(moment, work)
+    }
+
+    /// The frame of a scene with its light, the error of interpolation and the one that rays left.
+    fn lit(&self, scene: Scene, solution: Solution, interpolated: Option<f64>, rays: f64) -> Frame {
+        let visibility = Visibility::new(&scene, self.sequence.options().into());
+        Frame { scene, visibility, solution, interpolated, rays }
     }
 
     /// Solves a segment, or halves it.

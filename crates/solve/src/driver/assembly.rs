@@ -1,6 +1,8 @@
-//! The elements of a scene, and the blocks between them.
+//! The layout of a scene, what carries its pairs and how its surfaces are cut, and the blocks between its
+//! elements.
 
-use radiosity_elements::{Discretization, Subdivide};
+use radiosity_elements::mesh::Mesh;
+use radiosity_elements::{Discretization, Subdivide, usual_mesh};
 use radiosity_kernel::Blocks;
 use radiosity_published::bases::basis::Ground;
 use radiosity_published::zatz1993::transfers;
@@ -12,6 +14,7 @@ use radiosity_visibility::Visibility;
 use super::failure::Failure;
 use super::options::Options;
 use super::sampling::{Sampling, Subject};
+use super::transport_choice::TransportChoice;
 
 /// The cuts of the scene, given the rays that carry its pairs, if any: into elements that hold the functions
 /// of the basis.
@@ -23,6 +26,32 @@ pub(super) fn ground(scene: &Scene, visibility: &Visibility, options: &Options, 
     let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
     let Options { basis, order, space, layers, eps, .. } = *options;
     basis.ground(scene, &Discretization { order, space, subdivide, layers }, eps)
+}
+
+/// The carrier of the pairs of a scene, and the cuts of its surfaces. Scenes that differ only in the places
+/// of some things share a layout: what carries the light of things that turn does not depend on how they
+/// stand to the axes.
+#[derive(Clone, Debug)]
+pub(crate) struct Layout {
+    pub(super) choice: TransportChoice,
+    pub(super) how: Discretization,
+    pub(super) mesh: Mesh,
+}
+
+impl Layout {
+    /// Whether rays carry the pairs.
+    pub(crate) fn is_by_rays(&self) -> bool {
+        self.choice.sampled
+    }
+
+    /// The layout of `scene` by these options.
+    pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
+        let visibility = Visibility::new(scene, options.into());
+        let choice = TransportChoice::of(scene, options, &visibility);
+        let rays = choice.sampled.then(|| options.ray_budget(scene));
+        let Ground { how, mesh } = ground(scene, &visibility, options, rays);
+        Self { choice, how, mesh: mesh.unwrap_or_else(|| usual_mesh(scene, &how)) }
+    }
 }
 
 /// The blocks, by that many rays or exactly; from `kept`, as far as it holds them.

@@ -7,6 +7,7 @@ use radiosity_elements::Elements;
 use radiosity_elements::coating::Coating;
 use radiosity_kernel::PairCounts;
 use radiosity_light::first_bounce::DirectLightEntry;
+use radiosity_light::point_lights::PointLights;
 use radiosity_published::hierarchy::{
     BandSystem, Hierarchy, HierarchyOptions, LinkedElements, leaf_elements, solve_hierarchically,
 };
@@ -19,11 +20,10 @@ use radiosity_work::{Progress, Stage, Work};
 use super::emission::Emission;
 use super::failure::Failure;
 use super::options::Options;
-use super::outcome::{Outcome, Stages};
+use super::outcome::{Outcome, Stages, timed};
 use super::solve_band::SolveCost;
-use super::timed::timed;
 use super::transport_choice::TransportChoice;
-use crate::checks::{Balance, BandLight, Checks};
+use crate::checks::{Balance, Checks};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
@@ -116,21 +116,16 @@ impl Run<'_> {
     fn groups(&self) -> Result<(Vec<GroupLight>, Vec<SolveCost>), Failure> {
         let balance = Balance::of(self.elements, self.links);
         let (mut groups, mut costs) = (Vec::new(), Vec::new());
-        for Emission { group, coatings, .. } in Emission::all(self.scene, self.elements.list()) {
-            let mut light = Vec::with_capacity(coatings.len());
-            for (band, coating) in coatings.iter().enumerate() {
+        for emission in Emission::all(self.scene, self.elements.list()) {
+            let mut light = Vec::with_capacity(emission.coatings.len());
+            for (band, coating) in emission.coatings.iter().enumerate() {
                 let (coefficients, cost) = self.band(band, coating)?;
                 light.push(coefficients);
                 costs.push(cost);
             }
-            let lit: Vec<BandLight<'_>> = coatings
-                .iter()
-                .zip(&light)
-                .map(|(coating, coefficients)| BandLight { coating, flux: 0.0, coefficients })
-                .collect();
-            let powers = balance.powers(&lit, &DirectLightEntry::Carried);
-            let bands = light.into_iter().map(Coefficients::into).collect();
-            groups.push(GroupLight { group, bands, powers, masked: None });
+            // Links carry the light of surfaces alone.
+            let of_surfaces = Emission { points: PointLights::default(), ..emission };
+            groups.push(of_surfaces.lit(&balance, &DirectLightEntry::Carried, light, None));
         }
         Ok((groups, costs))
     }

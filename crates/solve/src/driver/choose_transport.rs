@@ -33,7 +33,7 @@ const LOOKED_AT: usize = 2_000;
 
 impl TransportChoice {
     /// The carrier of the pairs of `scene` by these options.
-    pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
+    pub(crate) fn of(scene: &Scene, options: &Options, visibility: &Visibility) -> Self {
         let exact = |why: &str| Self { sampled: false, why: why.to_owned() };
         let sampled = |why: &str| Self { sampled: true, why: why.to_owned() };
         match options.transport {
@@ -47,17 +47,17 @@ impl TransportChoice {
             Transport::Exact => exact("asked for"),
             Transport::Sampled => sampled("asked for"),
             Transport::Auto if options.rays.is_some() => sampled("a number of rays is given"),
-            Transport::Auto => Self::by_price(scene, options),
+            Transport::Auto => Self::by_price(scene, options, visibility),
         }
     }
 
-    fn by_price(scene: &Scene, options: &Options) -> Self {
+    fn by_price(scene: &Scene, options: &Options, visibility: &Visibility) -> Self {
         let usual = usual_rays(scene.surfaces.len(), USUAL_ACCURACY) as f64;
         let finer = (USUAL_ACCURACY / options.accuracy().shadow_eps).max(1.0);
         let limit = AS_GOOD * finer * usual;
         let (price, about) = match exact_price_at_least(scene) {
             price if price > limit => (price, "more than"),
-            _ => (exact_price(scene, options), "about"),
+            _ => (exact_price(scene, options, visibility), "about"),
         };
         let why = format!("exact blocks take as long as {about} {price:.0e} rays, the limit is {limit:.0e}");
         Self { sampled: price > limit, why }
@@ -70,8 +70,7 @@ fn exact_price_at_least(scene: &Scene) -> f64 {
 }
 
 /// The price of exact blocks, in rays, from some of the pairs of surfaces.
-fn exact_price(scene: &Scene, options: &Options) -> f64 {
-    let visibility = Visibility::new(scene, options.into());
+fn exact_price(scene: &Scene, options: &Options, visibility: &Visibility) -> f64 {
     let subdivide = match options.subdivide {
         Some(cuts) => Subdivide::Uniform(cuts),
         None => Subdivide::Auto { occluded: visibility.any_shadow() },
@@ -89,7 +88,7 @@ fn exact_price(scene: &Scene, options: &Options) -> f64 {
         }
         let pair =
             ElementPair { surfaces: [i, j], hulls: [&a.hull, &b.hull], are_flat: a.is_flat() && b.is_flat() };
-        (sizes[i].elements * sizes[j].elements) as f64 * price(&pair, &visibility)
+        (sizes[i].elements * sizes[j].elements) as f64 * price(&pair, visibility)
     };
     (0..looked_at).map(of_pair).fold(0.0, |sum, price| sum + price) * pairs as f64 / looked_at.max(1) as f64
 }

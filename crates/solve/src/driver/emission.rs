@@ -1,10 +1,18 @@
 //! Emission: what surfaces and luminaires of a scene emit, one light group after the other.
 
+use std::sync::Arc;
+
 use radiosity_elements::Element;
 use radiosity_elements::coating::Coating;
 use radiosity_light::emitters::{Emitters, Radiances};
+use radiosity_light::first_bounce::DirectLightEntry;
 use radiosity_light::point_lights::PointLights;
+use radiosity_published::zatz1993::masked_light::MaskedLight;
 use radiosity_scene::Scene;
+
+use crate::checks::{Balance, BandLight};
+use crate::solution::group_light::GroupLight;
+use crate::system::Coefficients;
 
 /// The emission of one light group, not dimmed.
 #[derive(Debug)]
@@ -52,6 +60,26 @@ impl Emission {
     /// The emitters, whose surfaces are cut into `elements`.
     pub(super) fn emitters<'a>(&'a self, elements: &'a [Element]) -> Emitters<'a> {
         Emitters { elements, coatings: self.list(), radiances: &self.radiances, points: &self.points }
+    }
+
+    /// The light of this emission, which entered by `entry`, with the balance of its power.
+    pub(super) fn lit(
+        self,
+        balance: &Balance,
+        entry: &DirectLightEntry,
+        light: Vec<Coefficients>,
+        masked: Option<Arc<MaskedLight>>,
+    ) -> GroupLight {
+        let bands = self.coatings.iter().zip(&light).enumerate();
+        let own: Vec<BandLight<'_>> = bands
+            .map(|(band, (coating, coefficients))| {
+                let flux = self.points.flux(band);
+                BandLight { coating, flux, coefficients }
+            })
+            .collect();
+        let powers = balance.powers(&own, entry);
+        let bands = light.into_iter().map(Coefficients::into).collect();
+        GroupLight { group: self.group, bands, powers, masked }
     }
 
     /// Whether the same elements and luminaires emit as much in `other`.

@@ -21,23 +21,21 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set};
 use radiosity_work::{Progress, Stage, Work};
 
-use crate::checks::{Balance, BandLight, Checks};
+use crate::checks::{Balance, Checks};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
 
-use super::assembly::{carried, ground};
+use super::assembly::{Layout, carried, ground};
 use super::band_systems::{BandSystems, SolvedLight};
 use super::direct::Direct;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::{EnteringLight, FirstLight, LitScene};
-use super::layout::Layout;
 use super::memory_need::{MemoryNeed, peak_of_mesh, require_memory_of_mesh};
 use super::options::Options;
-use super::outcome::{Outcome, Stages};
+use super::outcome::{Outcome, Stages, timed};
 use super::sampling::{Sampling, Subject};
-use super::timed::timed;
 use super::transport_choice::TransportChoice;
 
 /// The elements of a scene and the blocks between them.
@@ -81,10 +79,8 @@ impl Model {
     /// A scene that cannot be cut into elements, memory that does not suffice, or threads that cannot be
     /// started.
     pub fn assemble(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Self, Failure> {
-        let choice = TransportChoice::of(scene, options);
-        options.in_threads(work.ranks, || {
-            Self::assembled(scene, options, AssemblyPlan::of(choice), None, work)
-        })?
+        let plan = AssemblyPlan::default();
+        options.in_threads(work.ranks, || Self::assembled(scene, options, plan, None, work))?
     }
 
     /// A model of this layout; blocks and rays that `kept` holds of earlier scenes, in which some surfaces
@@ -99,15 +95,20 @@ impl Model {
         kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        let plan =
-            AssemblyPlan { choice: layout.choice.clone(), how: Some(layout.how), mesh: Some(&layout.mesh) };
+        let plan = AssemblyPlan {
+            choice: Some(layout.choice.clone()),
+            how: Some(layout.how),
+            mesh: Some(&layout.mesh),
+        };
         options.in_threads(work.ranks, || Self::assembled(scene, options, plan, kept, work))?
     }
 
     /// Bytes that the model of `scene` and its solution take at the most on each of these ranks, estimated.
     pub fn peak_memory(scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
-        let rays = TransportChoice::of(scene, options).sampled.then(|| options.ray_budget(scene));
-        let Ground { how, mesh } = ground(scene, &Visibility::new(scene, options.into()), options, rays);
+        let visibility = Visibility::new(scene, options.into());
+        let choice = TransportChoice::of(scene, options, &visibility);
+        let rays = choice.sampled.then(|| options.ray_budget(scene));
+        let Ground { how, mesh } = ground(scene, &visibility, options, rays);
         match mesh {
             Some(mesh) => peak_of_mesh(scene, &how, &mesh, options, ranks),
             None => (MemoryNeed { scene, how, options, rays, is_kept: false, ranks }).peak(),
@@ -122,10 +123,8 @@ impl Model {
         mesh: Option<&Mesh>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        let plan = AssemblyPlan {
-            mesh,
-            ..AssemblyPlan::of(TransportChoice { sampled: false, why: why.to_owned() })
-        };
+        let choice = Some(TransportChoice { sampled: false, why: why.to_owned() });
+        let plan = AssemblyPlan { choice, how: None, mesh };
         options.in_threads(work.ranks, || Self::assembled(scene, options, plan, None, work))?
     }
 
@@ -137,17 +136,18 @@ impl Model {
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
-        // The choice may depend on time or memory, which no fingerprint holds.
-        work.ranks.note_choice(&(options.neutral(), choice.sampled));
         let mut seconds = Stages::default();
-        let rays = choice.sampled.then(|| options.ray_budget(scene));
         let is_known = how.is_some();
-        let (visibility, Ground { how, mesh: own }) = timed(&mut seconds.visibility, || {
+        let (visibility, choice, rays, Ground { how, mesh: own }) = timed(&mut seconds.visibility, || {
             let visibility = Visibility::new(scene, options.into());
+            let choice = choice.unwrap_or_else(|| TransportChoice::of(scene, options, &visibility));
+            let rays = choice.sampled.then(|| options.ray_budget(scene));
             let known = how.map(|how| Ground { how, mesh: None });
             let ground = known.unwrap_or_else(|| ground(scene, &visibility, options, rays));
-            (visibility, ground)
+            (visibility, choice, rays, ground)
         });
+        // The choice may depend on time or memory, which no fingerprint holds.
+        work.ranks.note_choice(&(options.neutral(), choice.sampled));
         let is_refined = (mesh.is_some() && !is_known) || own.is_some();
         let mesh = mesh.or(own.as_ref());
         work.report(Progress::Finished { stage: Stage::Visibility, took: seconds.visibility });
@@ -346,39 +346,21 @@ impl Model {
         let balance = Balance::of(&self.elements, &self.blocks);
         let lit = emissions.into_iter().zip(first).zip(light);
         let group = |((emission, first), light): ((Emission, EnteringLight), Vec<_>)| {
-            let Emission { group, coatings, points, .. } = emission;
-            let own: Vec<BandLight<'_>> = coatings
-                .iter()
-                .zip(&light)
-                .enumerate()
-                .map(|(band, (coating, coefficients))| BandLight {
-                    coating,
-                    flux: points.flux(band),
-                    coefficients,
-                })
-                .collect();
-            let powers = balance.powers(&own, &first.entry);
-            let bands = light.into_iter().map(Coefficients::into).collect();
-            GroupLight { group, bands, powers, masked: first.masked }
+            emission.lit(&balance, &first.entry, light, first.masked)
         };
         lit.map(group).collect()
     }
 }
 
 /// Decisions before a model is assembled.
+#[derive(Default)]
 struct AssemblyPlan<'a> {
-    choice: TransportChoice,
+    /// The carrier of the pairs, if it is not left to the scene.
+    choice: Option<TransportChoice>,
     /// Cuts of surfaces, if not those that the scene needs.
     how: Option<Discretization>,
     /// Cells of the surfaces, if not those that follow from `how`.
     mesh: Option<&'a Mesh>,
-}
-
-impl AssemblyPlan<'_> {
-    /// The plan of a scene of which nothing else is decided.
-    fn of(choice: TransportChoice) -> Self {
-        Self { choice, how: None, mesh: None }
-    }
 }
 
 /// Refuses what cannot carry the light of luminaires or of a sky.

@@ -1,6 +1,6 @@
 //! The solution with its cost and self-checks.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use radiosity_kernel::{PairCounts, WorstError};
 use radiosity_published::hierarchy::Counts;
@@ -107,4 +107,12 @@ pub struct Stages {
     pub solve: Duration,
     /// Estimation of the error from gathered light, where an accuracy is wanted.
     pub estimate: Duration,
+}
+
+/// Runs `work`, and stores its wall time in `stage`.
+pub(crate) fn timed<T>(stage: &mut Duration, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = work();
+    *stage = start.elapsed();
+    result
 }

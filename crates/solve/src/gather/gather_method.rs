@@ -5,10 +5,13 @@
 //! ([`crate::gather::ray_gather`]) cost about the same whatever the scene is, and ε^(−4/3).
 
 use radiosity_elements::Element;
+use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
 
-use crate::gather::ray_gather::usual_rays;
+use crate::gather::Gather;
+use crate::gather::ray_gather::{RayGather, Receiver, usual_rays};
+use crate::gather::read_irradiance::ReadIrradiance;
 use crate::solution::Solution;
 
 /// Seconds of a ray; of a flat element behind flat things, and for each of those; of one that is curved or
@@ -36,9 +39,58 @@ pub enum GatherMethod {
     Rays,
 }
 
+/// Light that is gathered at points in one of the ways.
+#[derive(Debug)]
+pub enum Gathering<'a> {
+    /// By cells.
+    Cells(Gather<'a>),
+    /// By rays.
+    Rays(RayGather<'a>),
+}
+
+impl Gathering<'_> {
+    /// All light of a point.
+    pub fn read(&self, receiver: &ReceiverPoint) -> ReadIrradiance {
+        match self {
+            Self::Cells(gather) => gather.at(receiver).into(),
+            Self::Rays(gather) => gather.read(&Receiver::Point(*receiver)),
+        }
+    }
+
+    /// The reflected light of a point, one of many, beside the direct light `lit` (W m⁻² per band).
+    pub fn reflected(&self, receiver: &ReceiverPoint, lit: &[f64]) -> ReadIrradiance {
+        match self {
+            Self::Cells(gather) => {
+                let around = gather.reflection().around(&receiver.site());
+                gather.reflection().irradiance(receiver, &around, lit).into()
+            }
+            Self::Rays(gather) => gather.reflected(receiver, lit),
+        }
+    }
+}
+
 impl GatherMethod {
+    /// The light of `solution`, gathered `twice` or once by what this method chooses: by cells to about the
+    /// relative accuracy `eps`, by rays to `rougher` times that.
+    pub fn gathering<'a>(
+        self,
+        solution: &'a Solution,
+        visibility: &'a Visibility,
+        eps: f64,
+        rougher: f64,
+        twice: bool,
+    ) -> Gathering<'a> {
+        match twice {
+            _ if self.rays(solution, visibility, rougher * eps, twice) => {
+                Gathering::Rays(RayGather::new(solution, visibility, rougher * eps, twice))
+            }
+            true => Gathering::Cells(Gather::twice(solution, visibility, eps)),
+            false => Gathering::Cells(Gather::new(solution, visibility, eps)),
+        }
+    }
+
     /// Whether rays gather light to the relative accuracy `eps`, `twice` or once.
-    pub fn rays(self, solution: &Solution, visibility: &Visibility, eps: f64, twice: bool) -> bool {
+    pub(crate) fn rays(self, solution: &Solution, visibility: &Visibility, eps: f64, twice: bool) -> bool {
         // Rays always meet what stands in their way, and know no masks.
         let is_plain = visibility.casts() && solution.masked().is_none();
         let is_cheaper = || {

@@ -36,7 +36,7 @@ use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
-use radiosity_geom::{COINCIDENT, DVec3, Encounter, Ray};
+use radiosity_geom::{COINCIDENT, DVec3};
 use radiosity_light::emitters::Radiances;
 use radiosity_light::lamps::{Lamps, Shares, Target};
 use radiosity_light::point_lights::PointLights;
@@ -45,9 +45,9 @@ use radiosity_light::tolerances::DARK;
 use radiosity_transport::tolerances::BATCHES;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt_at;
-use serde::{Deserialize, Serialize};
 
-use crate::gather::mean_radiosity::mean_radiosity;
+use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
+use crate::gather::walks::front_met;
 use crate::solution::{Solution, SurfacePlace};
 
 /// Cosine-distributed rays of each sequence before the error is first looked at; in pictures, where readings
@@ -86,36 +86,13 @@ const ROUGHNESS: f64 = 1.5;
 const PATIENCE: f64 = 16.0;
 const MOST: f64 = 1.6e7;
 
-/// Where light is read.
+/// Where light is read, and its rays start.
 #[derive(Debug)]
-pub enum Receiver<'a> {
+pub enum Receiver {
     /// Irradiance at a point.
     Point(ReceiverPoint),
-    /// The mean over a patch of a surface.
-    Patch {
-        /// Index of the surface.
-        surface: usize,
-        /// The patch that the mean is over.
-        patch: &'a Patch,
-    },
-}
-
-/// Irradiance by rays.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RayEstimate {
-    /// Irradiance per band (W m⁻²).
-    pub irradiance: Vec<f64>,
-    /// Standard deviation of the irradiance.
-    pub deviation: Deviation,
-}
-
-/// Standard deviation of an irradiance by rays.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Deviation {
-    /// Over the irradiance, root mean square over the bands.
-    pub relative: f64,
-    /// Whether a band has less than 2 % of the scene's mean radiosity, and it is relative to these 2 %.
-    pub is_dark: bool,
+    /// The mean over a patch of the surface of this index.
+    Patch(usize, AreaPreservingMap),
 }
 
 /// A solution whose light is gathered by rays.
@@ -163,12 +140,6 @@ struct ToLamps<'a> {
     ratio: f64,
 }
 
-/// Where the rays of a receiver start.
-enum RayOrigin {
-    Point(ReceiverPoint),
-    Patch(usize, AreaPreservingMap),
-}
-
 /// Cosine-distributed rays that an error of `eps` takes.
 pub(super) fn usual_rays(eps: f64) -> f64 {
     (ROUGHNESS / eps).powf(4.0 / 3.0)
@@ -183,7 +154,7 @@ impl<'a> RayGather<'a> {
     /// The light of `solution`, gathered once or twice, to about the relative accuracy `eps`; once where the
     /// number of reflections is limited.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
-        let scale = mean_radiosity(solution);
+        let scale = solution.mean_radiosity();
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
         let touching = COINCIDENT * visibility.bounds().diagonal();
         let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);
@@ -192,16 +163,15 @@ impl<'a> RayGather<'a> {
     }
 
     /// All light of a receiver. It depends on nothing but the receiver.
-    pub fn read(&self, receiver: &Receiver) -> RayEstimate {
-        let origin = RayOrigin::of(receiver);
+    pub fn read(&self, origin: &Receiver) -> ReadIrradiance {
         let shares = self.lamps.seen_from(&origin.middle());
-        self.gathered(&origin, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
+        self.gathered(origin, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
     }
 
     /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W
     /// m⁻² per band).
-    pub fn reflected(&self, receiver: &ReceiverPoint, other: &[f64]) -> RayEstimate {
-        self.gathered(&RayOrigin::Point(*receiver), None, FIRST_OF_MANY, other)
+    pub fn reflected(&self, receiver: &ReceiverPoint, other: &[f64]) -> ReadIrradiance {
+        self.gathered(&Receiver::Point(*receiver), None, FIRST_OF_MANY, other)
     }
 
     /// Error of readings from `distance` away, per band (W m⁻²), at a place of an element, because they take
@@ -233,11 +203,11 @@ impl<'a> RayGather<'a> {
     /// `other` light (W m⁻² per band) arrives too.
     fn gathered(
         &self,
-        origin: &RayOrigin,
+        origin: &Receiver,
         shares: Option<&Shares>,
         first: u64,
         other: &[f64],
-    ) -> RayEstimate {
+    ) -> ReadIrradiance {
         let middle = origin.middle();
         let [position, normal] = [middle.position, middle.normal].map(|vector| vector.to_array());
         let number = number_of(position.into_iter().chain(normal));
@@ -258,11 +228,10 @@ impl<'a> RayGather<'a> {
                 }
             }
             sent += now;
-            let estimate = self.estimate(&sums, sent, other);
-            if CAUTION * estimate.deviation.relative <= self.eps
-                || BATCHES as u64 * 2 * sent > most_rays(self.eps)
-            {
-                return estimate;
+            let (irradiance, deviation) = self.estimate(&sums, sent, other);
+            let is_last = BATCHES as u64 * 2 * sent > most_rays(self.eps);
+            if CAUTION * deviation.relative <= self.eps || is_last {
+                return ReadIrradiance { irradiance, deviation: Some(deviation) };
             }
             now = sent;
         }
@@ -271,7 +240,7 @@ impl<'a> RayGather<'a> {
     /// Sends the cosine-distributed rays of these numbers.
     fn send_around(
         &self,
-        origin: &RayOrigin,
+        origin: &Receiver,
         shares: Option<&Shares>,
         number: u64,
         rays: Range<u64>,
@@ -281,11 +250,11 @@ impl<'a> RayGather<'a> {
         let mut radiosity = vec![0.0; sums.len()];
         for index in rays {
             let (place, direction) = match origin {
-                RayOrigin::Point(_) => {
+                Receiver::Point(_) => {
                     let [a, b, ..] = offset;
                     ([0.5; 2], shifted(kronecker::point(index), &[a, b]))
                 }
-                RayOrigin::Patch(..) => {
+                Receiver::Patch(..) => {
                     let [s, t, polar, turn] = shifted(kronecker::point(index), &offset);
                     ([s, t], [polar, turn])
                 }
@@ -316,15 +285,7 @@ impl<'a> RayGather<'a> {
         end_light: EndLight,
         radiosity: &mut [f64],
     ) {
-        if receiver.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
-            return;
-        }
-        let x = receiver.position;
-        let met = match receiver.surface {
-            Some(surface) => self.visibility.nearest_from(surface, x, direction),
-            None => self.visibility.nearest(&Ray::new(x, direction)),
-        };
-        let Some(Encounter { surface, hit, front: true }) = met else { return };
+        let Some((surface, hit)) = front_met(self.visibility, receiver, direction) else { return };
         let elements = self.solution.elements();
         let Some(element) = elements.at(surface, [hit.u, hit.v]) else { return };
         let own = &elements.list()[element];
@@ -332,7 +293,7 @@ impl<'a> RayGather<'a> {
         if own.contact.is_some() && hit.t > self.touching {
             return;
         }
-        let position = x + hit.t * direction;
+        let position = receiver.position + hit.t * direction;
         let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position };
         let normal = || {
             own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |plane| plane.normal)
@@ -446,8 +407,8 @@ impl<'a> RayGather<'a> {
     }
 
     /// The light of the luminaires at a receiver that is a point.
-    fn lit(&self, origin: &RayOrigin) -> Option<Vec<f64>> {
-        let RayOrigin::Point(receiver) = origin else { return None };
+    fn lit(&self, origin: &Receiver) -> Option<Vec<f64>> {
+        let Receiver::Point(receiver) = origin else { return None };
         let mut lit = vec![0.0; self.scale.len()];
         self.points.add(receiver, self.visibility, &mut lit);
         Some(lit)
@@ -457,7 +418,7 @@ impl<'a> RayGather<'a> {
     /// over a patch that of a ray from each point where one of those starts.
     fn add_points(
         &self,
-        origin: &RayOrigin,
+        origin: &Receiver,
         lit: Option<&[f64]>,
         number: u64,
         rays: Range<u64>,
@@ -479,7 +440,7 @@ impl<'a> RayGather<'a> {
     /// Sends rays to the emitters, those that belong to the cosine-distributed ones of these numbers.
     fn send_to_lamps(
         &self,
-        origin: &RayOrigin,
+        origin: &Receiver,
         shares: &Shares,
         number: u64,
         rays: Range<u64>,
@@ -511,7 +472,7 @@ impl<'a> RayGather<'a> {
     }
 
     /// Irradiance and deviation by the sums of the batches.
-    fn estimate(&self, sums: &[f64], sent: u64, other: &[f64]) -> RayEstimate {
+    fn estimate(&self, sums: &[f64], sent: u64, other: &[f64]) -> (Vec<f64>, Deviation) {
         let bands = self.scale.len();
         let (n, rays) = (BATCHES as f64, sent as f64);
         let (mut irradiance, mut squares, mut is_dark) = (Vec::with_capacity(bands), 0.0, false);
@@ -528,7 +489,7 @@ impl<'a> RayGather<'a> {
             irradiance.push(mean);
         }
         let relative = (squares / bands as f64).sqrt();
-        RayEstimate { irradiance, deviation: Deviation { relative, is_dark } }
+        (irradiance, Deviation { relative, is_dark })
     }
 }
 
@@ -537,14 +498,10 @@ fn is_small(element: &Element, width: f64) -> bool {
     element.area < width * width
 }
 
-impl RayOrigin {
-    fn of(receiver: &Receiver) -> Self {
-        match receiver {
-            Receiver::Point(receiver) => Self::Point(*receiver),
-            Receiver::Patch { surface, patch } => {
-                Self::Patch(*surface, AreaPreservingMap::of(std::slice::from_ref(*patch)))
-            }
-        }
+impl Receiver {
+    /// The mean over a patch of the surface of this index.
+    pub fn over(surface: usize, patch: &Patch) -> Self {
+        Self::Patch(surface, AreaPreservingMap::of(std::slice::from_ref(patch)))
     }
 
     fn middle(&self) -> ReceiverPoint {

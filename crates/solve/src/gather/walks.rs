@@ -11,7 +11,7 @@
 
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift};
-use radiosity_geom::{DVec3, Encounter, Ray};
+use radiosity_geom::{DVec3, Encounter, Hit, Ray};
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt;
@@ -56,6 +56,23 @@ impl SendingSide {
     }
 }
 
+/// The surface whose front a ray from a point meets first, and where; None where it begins below the horizon
+/// of the ground, and where it meets a back first.
+pub(super) fn front_met(
+    visibility: &Visibility,
+    from: &ReceiverPoint,
+    direction: DVec3,
+) -> Option<(usize, Hit)> {
+    if from.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
+        return None;
+    }
+    let met = match from.surface {
+        Some(surface) => visibility.nearest_from(surface, from.position, direction),
+        None => visibility.nearest(&Ray::new(from.position, direction)),
+    };
+    met.filter(|met| met.front).map(|Encounter { surface, hit, .. }| (surface, hit))
+}
+
 impl<'a> Walks<'a> {
     pub(crate) fn new(solution: &'a Solution, visibility: &'a Visibility) -> Self {
         Self { solution, visibility }
@@ -89,15 +106,8 @@ impl<'a> Walks<'a> {
 
     /// Where a ray meets the front of an element.
     fn end(&self, from: &ReceiverPoint, direction: DVec3, chance: u64) -> Option<WalkEnd> {
-        if from.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
-            return None;
-        }
         check_interrupt();
-        let met = match from.surface {
-            Some(surface) => self.visibility.nearest_from(surface, from.position, direction),
-            None => self.visibility.nearest(&Ray::new(from.position, direction)),
-        };
-        let Some(Encounter { surface, hit, front: true }) = met else { return None };
+        let (surface, hit) = front_met(self.visibility, from, direction)?;
         let elements = self.solution.elements();
         let element = elements.at(surface, [hit.u, hit.v])?;
         let jet = elements.shape(surface).jet(hit.u, hit.v);

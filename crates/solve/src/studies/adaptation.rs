@@ -11,9 +11,6 @@
 //! where rays carry the pairs, by more of them (`rays`); for polynomials all alike (`rungs`); for
 //! hierarchical radiosity by weaker links (`links`).
 
-mod goal;
-mod achieved;
-mod points;
 mod sensor;
 mod error_estimate;
 mod importance;
@@ -26,17 +23,17 @@ mod smoothness;
 mod local;
 
 use radiosity_scene::Scene;
+use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 
 use crate::driver::{Failure, LightMethod, Options, Transport, TransportChoice};
-
-pub use achieved::{Achieved, Adapted, EndReason};
-pub use goal::{Aim, Goal};
+pub use crate::goal::{Achieved, Aim, EndReason, Goal};
+use crate::solved::Solved;
 pub use importance::importance;
-
 use links::by_links;
 use local::locally;
 use rays::by_rays;
+use run::Adaptation;
 use rungs::by_rungs;
 
 /// Most surfaces of a small scene, whose exact blocks take seconds to minutes. An arbitrary choice: with a
@@ -47,27 +44,38 @@ const FEW: usize = 300;
 const NO_ERROR_OF_ELEMENTS: &str =
     "an accuracy of the polynomials is asked for, and rays do not tell the error of elements";
 
-/// Solves `scene` on finer and finer discretisations until the estimated error is small enough, or the next
-/// run would be too large or end too late. A finer run that does not fit into memory, or whose solver does
-/// not converge, also ends the sequence.
-///
-/// Order and layers in `options` are lower bounds, `eps` and `shadow_eps` upper bounds; given cuts stay.
-/// Every run is told from its beginning.
-///
-/// # Errors
-/// Any error of the first run; of later runs those that do not end the sequence.
-pub fn adapt(scene: &Scene, options: &Options, goal: &Goal, work: &Work<'_>) -> Result<Adapted, Failure> {
-    if options.method == LightMethod::Hierarchical {
-        return by_links(scene, options, goal, work);
-    }
-    let choice = options.in_threads(work.ranks, || TransportChoice::of(scene, options))?;
-    if is_by_rays(scene, options, goal, &choice) {
-        return by_rays(scene, options, goal, work);
-    }
-    let why = if choice.sampled { NO_ERROR_OF_ELEMENTS } else { &choice.why };
-    match goal.of {
-        Aim::Solution => by_rungs(scene, options, goal, why, work),
-        Aim::Gathered | Aim::Points | Aim::Seen => locally(scene, options, goal, why, work),
+impl Solved {
+    /// Solves `scene` on finer and finer discretisations until the estimated error is small enough, or the
+    /// next run would be too large or end too late. A finer run that does not fit into memory, or whose
+    /// solver does not converge, also ends the sequence.
+    ///
+    /// Order and layers in `options` are lower bounds, `eps` and `shadow_eps` upper bounds; given cuts stay.
+    /// Every run is told from its beginning.
+    ///
+    /// # Errors
+    /// Any error of the first run; of later runs those that do not end the sequence.
+    pub fn to_accuracy(
+        scene: Scene,
+        options: &Options,
+        goal: &Goal,
+        work: &Work<'_>,
+    ) -> Result<Self, Failure> {
+        let adaptation = Adaptation { goal, work, why: None };
+        if options.method == LightMethod::Hierarchical {
+            return by_links(scene, options, &adaptation);
+        }
+        let visibility = Visibility::new(&scene, options.into());
+        let choose = || TransportChoice::of(&scene, options, &visibility);
+        let choice = options.in_threads(work.ranks, choose)?;
+        if is_by_rays(&scene, options, goal, &choice) {
+            return by_rays(scene, options, &adaptation);
+        }
+        let why = if choice.sampled { NO_ERROR_OF_ELEMENTS } else { &choice.why };
+        let exactly = Adaptation { why: Some(why), ..adaptation };
+        match goal.of {
+            Aim::Solution => by_rungs(scene, options, &visibility, &exactly),
+            Aim::Gathered | Aim::Points | Aim::Seen => locally(scene, options, &exactly),
+        }
     }
 }
 

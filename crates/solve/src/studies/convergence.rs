@@ -26,7 +26,8 @@ use radiosity_work::{Progress, Stage, Work};
 
 use crate::driver::{Failure, LightMethod, Options, Outcome, Transport, solve};
 use crate::solution::Solution;
-use crate::studies::adaptation::{Aim, Goal, adapt};
+use crate::solved::Solved;
+use crate::studies::adaptation::{Aim, Goal};
 use crate::studies::error_norm::distance;
 
 /// Powers of the strongest links of the hierarchical runs, in parts of the largest. Chosen: from a tenth of a
@@ -217,7 +218,7 @@ impl PlannedRun {
             return Ok(FinishedRun { outcome, seconds: seconds.as_secs_f64() });
         };
         let goal = Goal::new(wanted, Aim::Gathered);
-        let outcome = adapt(scene, &self.options, &goal, work)?.outcome;
+        let outcome = Solved::to_accuracy(scene.clone(), &self.options, &goal, work)?.outcome;
         Ok(FinishedRun { outcome, seconds: begun.elapsed().as_secs_f64() })
     }
 }

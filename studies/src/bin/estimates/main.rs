@@ -25,8 +25,8 @@ use radiosity::scene::Scene;
 use radiosity::solve::gather::Gather;
 use radiosity::solve::gather::ray_gather::{RayGather, Receiver};
 use radiosity::solve::solution::Solution;
-use radiosity::solve::studies::adaptation::{Adapted, adapt};
-use radiosity::solve::{Options, Transport, solve};
+use radiosity::solve::solved::Solved;
+use radiosity::solve::{Failure, Options, Transport, solve};
 use radiosity::visibility::Visibility;
 use radiosity::work::Deadline;
 use rayon::prelude::*;
@@ -76,7 +76,7 @@ fn unknowns(asked: &[String]) {
         }
         for wanted in [3e-2, 1e-2, 5e-3, 3e-3, 2e-3, 1.5e-3, 1e-3] {
             let begun = Instant::now();
-            let adapted = until_limit(|work| adapt(&case.scene, &options(), &case.goal(wanted), work));
+            let adapted = adapted(&case, wanted);
             let solution = adapted.expect("the scene can be solved").outcome.solution;
             row(name, &format!("refined to {wanted:.1e}"), begun, &solution, &truth);
         }
@@ -93,8 +93,8 @@ fn rows(case: &Case) {
     let truth = Truth::of(case);
     for wanted in WANTED {
         let begun = Instant::now();
-        let adapted = until_limit(|work| adapt(&case.scene, &options(), &case.goal(wanted), work));
-        let Adapted { outcome, achieved, .. } = match adapted {
+        let adapted = adapted(case, wanted);
+        let Solved { outcome, achieved, .. } = match adapted {
             Ok(adapted) => adapted,
             Err(failure) => {
                 println!("| {} | {wanted:.0e} | {failure} | | | | |", case.name);
@@ -103,8 +103,8 @@ fn rows(case: &Case) {
         };
         let seconds = begun.elapsed().as_secs_f64();
         let error = truth.error(&outcome.solution);
-        let estimate = achieved.estimate.unwrap_or(f64::NAN);
-        let mark = if achieved.reached() { "" } else { " (not reached)" };
+        let estimate = achieved.and_then(|own| own.estimate).unwrap_or(f64::NAN);
+        let mark = if achieved.is_some_and(|own| own.reached()) { "" } else { " (not reached)" };
         println!(
             "| {} | {wanted:.0e}{mark} | {} | {seconds:.2} | {estimate:.1e} | {error:.1e} | {:.2} |",
             case.name,
@@ -112,6 +112,12 @@ fn rows(case: &Case) {
             estimate / error
         );
     }
+}
+
+/// The case, solved to a wanted accuracy or until the time limit.
+fn adapted(case: &Case, wanted: f64) -> Result<Solved, Failure> {
+    let goal = case.goal(wanted);
+    until_limit(|work| Solved::to_accuracy(case.scene.clone(), &options(), &goal, work))
 }
 
 /// Options as the command line has them where an accuracy is asked for.

@@ -4,7 +4,8 @@ use std::error::Error;
 use std::time::Instant;
 
 use radiosity::Work;
-use radiosity::solve::studies::adaptation::{Aim, Goal, adapt};
+use radiosity::solve::solved::Solved;
+use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::{Options, Transport};
 
 use radiosity_studies::boxes::room;
@@ -24,12 +25,13 @@ pub(crate) fn halls() -> Result<(), Box<dyn Error>> {
         let scene = room(grid);
         let options = Options { transport: Transport::Sampled, ..Options::default() };
         let start = Instant::now();
-        let adapted = adapt(&scene, &options, &Goal::new(WANTED, Aim::Solution), &Work::alone())?;
+        let goal = Goal::new(WANTED, Aim::Solution);
+        let adapted = Solved::to_accuracy(scene, &options, &goal, &Work::alone())?;
         let seconds = start.elapsed().as_secs_f64();
         let sampling = adapted.outcome.sampling.ok_or("rays were asked for")?;
         println!(
             "| {} | {} | {seconds:.1} | {:.0} | {:.1} % |",
-            scene.surfaces.len(),
+            adapted.scene.surfaces.len(),
             sampling.rays,
             most_memory(),
             100.0 * sampling.error.unwrap_or(f64::NAN)

@@ -4,7 +4,8 @@ use radiosity_elements::ElementError;
 use radiosity_scene::SceneError;
 use thiserror::Error;
 
-use super::version::VERSION;
+/// Value of the key `format_version`: the only version that is written and read.
+pub(super) const VERSION: u32 = 6;
 
 /// A solution file that cannot be used. Displays as `file: message`; the cure is separate, see
 /// [`SolutionError::cure`].

@@ -19,10 +19,8 @@ use radiosity_work::ranks::Ranks;
 use serde::Deserialize;
 
 use super::element::{SavedElement, same};
-use super::error::{Mismatch, SolutionError, SolutionFault};
-use super::group::SavedGroup;
-use super::tree::{SavedScene, SolutionFile};
-use super::version::{FORMAT, VERSION};
+use super::error::{Mismatch, SolutionError, SolutionFault, VERSION};
+use super::tree::{FORMAT, SavedGroup, SavedScene, SolutionFile};
 
 /// The keys that identify a solution file of any version.
 #[derive(Deserialize)]

@@ -7,13 +7,17 @@ use radiosity_elements::Discretization;
 use radiosity_elements::mesh::Mesh;
 use radiosity_scene::{Scene, Source};
 use radiosity_solve::Options;
+use radiosity_solve::solution::group_light::GroupLight;
+use radiosity_solve::solution::powers::Powers;
 use radiosity_solve::solved::Solved;
 use serde::{Deserialize, Serialize};
 
 use super::element::{self, SavedElement};
+use super::error::VERSION;
 use super::figures::Figures;
-use super::group::SavedGroup;
-use super::version::{FORMAT, VERSION};
+
+/// Value of the key `format`, by which a solution file is recognised.
+pub(super) const FORMAT: &str = "radiosity-solution";
 
 /// Instructions for reading the numbers, for whoever opens the file.
 const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1, 1]^2, irradiance = sum over k of \
@@ -50,6 +54,24 @@ pub struct SolutionFile {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) groups: Vec<SavedGroup>,
     pub(super) elements: Vec<SavedElement>,
+}
+
+/// A light group, not dimmed; its coefficients stand with the elements.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct SavedGroup {
+    /// Null for the light of surfaces without a group.
+    pub(super) name: Option<String>,
+    /// Relative residual of each band.
+    pub(super) residuals: Vec<f64>,
+    pub(super) powers: Powers,
+}
+
+impl SavedGroup {
+    /// The file's entry of a solution's light group.
+    pub(super) fn of(light: &GroupLight) -> Self {
+        let residuals = light.bands.iter().map(|band| band.residual).collect();
+        Self { name: light.group.clone(), residuals, powers: light.powers }
+    }
 }
 
 /// The scene as it was read.

@@ -3,9 +3,8 @@
 use radiosity_geom::DVec3;
 use radiosity_light::direct::DirectLight;
 use radiosity_light::penumbra::{EmitterFactor, Penumbra, RayEffort, VisibleEmitters};
-use radiosity_solve::gather::Gather;
-use radiosity_solve::gather::gather_method::GatherMethod;
-use radiosity_solve::gather::ray_gather::{RayEstimate, RayGather};
+use radiosity_solve::gather::gather_method::{GatherMethod, Gathering};
+use radiosity_solve::gather::read_irradiance::ReadIrradiance;
 use radiosity_solve::solution::Solution;
 use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
@@ -19,6 +18,10 @@ use super::smooth::ComputedLight;
 /// Pairs of an emitter and something that may stand before it, at most, for which direct light is computed
 /// without rays. Chosen.
 const FEW: usize = 2000;
+
+/// Relative accuracy of recomputed light in pictures and textures: finer than the steps of eight bits, 1/255.
+/// A finer one takes longer and shows in none.
+pub(crate) const GATHERED_FOR_PICTURES: f64 = 3e-3;
 
 /// Error of gathered light by rays, over the accuracy asked for: ten or so values are averaged where light is
 /// interpolated. Chosen.
@@ -48,7 +51,8 @@ pub(crate) struct PictureLight<'a> {
     /// Point that it is seen from, in a picture (scene length).
     eye: Option<DVec3>,
     direct: DirectSource<'a>,
-    rest: ReflectedSource<'a>,
+    /// Where the rest is gathered; None where it is read from the polynomials.
+    rest: Option<Gathering<'a>>,
 }
 
 #[derive(Debug)]
@@ -59,24 +63,13 @@ enum DirectSource<'a> {
     Rays(Penumbra<'a>),
 }
 
-#[derive(Debug)]
-enum ReflectedSource<'a> {
-    Polynomials,
-    Cells(Gather<'a>),
-    Rays(RayGather<'a>),
-}
-
 impl<'a> PictureLight<'a> {
     /// The light of `solution`, as it is read to about the relative accuracy `eps`.
     pub(crate) fn new(solution: &'a Solution, visibility: &'a Visibility, read: ReadMode, eps: f64) -> Self {
         let twice = read == ReadMode::GatherTwice;
         let rest = match read {
-            ReadMode::Basis | ReadMode::Direct => ReflectedSource::Polynomials,
-            _ if GatherMethod::Auto.rays(solution, visibility, AVERAGED * eps, twice) => {
-                ReflectedSource::Rays(RayGather::new(solution, visibility, AVERAGED * eps, twice))
-            }
-            _ if twice => ReflectedSource::Cells(Gather::twice(solution, visibility, eps)),
-            _ => ReflectedSource::Cells(Gather::new(solution, visibility, eps)),
+            ReadMode::Basis | ReadMode::Direct => None,
+            _ => Some(GatherMethod::Auto.gathering(solution, visibility, eps, AVERAGED, twice)),
         };
         let emitters = solution.emitters();
         let direct = match read {
@@ -96,7 +89,7 @@ impl<'a> PictureLight<'a> {
 
     /// Whether the rest is gathered: then it is dear, and smooth across elements.
     pub(crate) fn gathers(&self) -> bool {
-        !matches!(self.rest, ReflectedSource::Polynomials)
+        self.rest.is_some()
     }
 
     /// Direct light at a place.
@@ -127,19 +120,12 @@ impl<'a> PictureLight<'a> {
 
     /// The rest of the light beside the direct light `lit` (W m⁻² per band).
     pub(crate) fn rest(&self, seen: &SeenPlace, lit: &[f64]) -> ComputedLight {
-        match &self.rest {
-            ReflectedSource::Polynomials => ComputedLight { bands: self.polynomials(seen), error: 0.0 },
-            ReflectedSource::Cells(gather) => {
-                let receiver = seen.receiver_point();
-                let around = gather.reflection().around(&receiver.site());
-                ComputedLight { bands: gather.reflection().irradiance(&receiver, &around, lit), error: 0.0 }
-            }
-            ReflectedSource::Rays(gather) => {
-                let RayEstimate { irradiance, deviation } = gather.reflected(&seen.receiver_point(), lit);
-                let all: f64 = irradiance.iter().chain(lit).sum();
-                ComputedLight { bands: irradiance, error: deviation.relative * all }
-            }
-        }
+        let Some(gathering) = &self.rest else {
+            return ComputedLight { bands: self.polynomials(seen), error: 0.0 };
+        };
+        let ReadIrradiance { irradiance, deviation } = gathering.reflected(&seen.receiver_point(), lit);
+        let all: f64 = irradiance.iter().chain(lit).sum();
+        ComputedLight { bands: irradiance, error: deviation.map_or(0.0, |own| own.relative * all) }
     }
 
     /// Irradiance per band (W m⁻²) by the polynomials: all of it, or the part that was reflected at least

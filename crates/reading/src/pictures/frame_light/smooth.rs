@@ -49,14 +49,8 @@ const BETWEEN: f64 = 2.5;
 const DEAR: usize = 1;
 const CHEAP: usize = 256;
 
-/// Light that is computed where it is wanted.
-pub(crate) trait SmoothSource: Sync {
-    /// The smooth light at a pixel and what it sees.
-    fn smooth(&self, pixel: usize, seen: &SeenPlace) -> ComputedLight;
-
-    /// Other light at the pixel, all bands together.
-    fn other(&self, pixel: usize) -> f64;
-}
+/// Smooth light at a pixel and the place that it sees.
+pub(crate) type SmoothAt<'a> = &'a (dyn Fn(usize, &SeenPlace) -> ComputedLight + Sync);
 
 /// Light that was computed.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -77,8 +71,15 @@ pub(crate) struct Smooth<'a> {
 }
 
 impl<'a> Smooth<'a> {
-    /// The light of all pixels of a frame in so many bands; those computed at one spacing are told.
-    pub(crate) fn over(frame: &'a Frame, bands: usize, source: &impl SmoothSource, work: &Work<'_>) -> Self {
+    /// The light `smooth` of all pixels of a frame in so many bands, where each has other light per band (W
+    /// m⁻²) as well; those computed at one spacing are told.
+    pub(crate) fn over(
+        frame: &'a Frame,
+        bands: usize,
+        smooth: SmoothAt<'_>,
+        other: &[Vec<f64>],
+        work: &Work<'_>,
+    ) -> Self {
         let mut known: Vec<Option<ComputedLight>> = vec![None; frame.len()];
         let mut values = vec![0.0; frame.len() * bands];
         let mut open: Vec<usize> = (0..frame.len()).filter(|pixel| frame.seen(*pixel).is_some()).collect();
@@ -89,14 +90,15 @@ impl<'a> Smooth<'a> {
             let pixel_count = PixelCount::new(wanted.len(), Stage::GatheredPixels, work);
             let compute = |place: usize| {
                 let pixel = wanted[place];
-                let known = frame.seen(pixel).map(|seen| source.smooth(pixel, seen));
+                let known = frame.seen(pixel).map(|seen| smooth(pixel, seen));
                 pixel_count.add();
                 known
             };
             let computed: Vec<Option<ComputedLight>> =
                 ranks.map_even(PartName::GatheredLight, wanted.len(), DEAR, compute);
             wanted.into_iter().zip(computed).for_each(|(pixel, value)| known[pixel] = value);
-            let fit = |place: usize| fitted(frame, &known, open[place], spacing, source.other(open[place]));
+            let beside = |pixel: usize| other[pixel].iter().sum();
+            let fit = |place: usize| fitted(frame, &known, open[place], spacing, beside(open[place]));
             let found: Vec<Option<Vec<f64>>> = ranks.map_even(PartName::FittedLight, open.len(), CHEAP, fit);
             let mut left = Vec::new();
             for (pixel, value) in open.into_iter().zip(found) {

@@ -41,13 +41,13 @@ use radiosity_work::ranks::{PartName, shares};
 use radiosity_work::{Stage, Work};
 use serde::{Deserialize, Serialize};
 
-use super::goal::Goal;
 use super::sensor::Sensor;
-use crate::driver::Outcome;
 use crate::gather::Gather;
 use crate::gather::ray_gather::{RayGather, Receiver};
 use crate::gather::walks::{SendingSide, WalkEnd, Walks};
+use crate::goal::Goal;
 use crate::solution::{Band, Solution};
+use crate::solved::Solved;
 use crate::tolerances::{LOOSEST_FOR_GATHERED, OF_ERROR, USUAL_EPS};
 
 /// Numbers of walks, and the fewest per half and sensor. Chosen: with four times the first number of rays
@@ -109,8 +109,8 @@ impl WalkCounts {
 #[derive(Debug)]
 pub(super) struct ErrorEstimate {
     /// ‖e‖ / ‖E_g‖ over the sensors, all bands pooled; 0 without sensors, infinite where light is
-    /// missed and none is gathered.
-    pub error: f64,
+    /// missed and none is gathered, None where nothing tells it.
+    pub error: Option<f64>,
     /// Part of the square of `error` that each element is responsible for; noise makes some negative.
     pub shares: Vec<f64>,
 }
@@ -191,17 +191,15 @@ struct MissedLight<'a> {
 /// The estimated error of what `sensors` read; no better than tells whether it is below `wanted`, and not
 /// much worse. Light is gathered as an error of about `expected` needs it, until the deadline.
 pub(super) fn error_estimate(
-    outcome: &Outcome,
-    visibility: &Visibility,
+    run: &Solved,
     sensors: &[Sensor],
     goal: &Goal,
     expected: f64,
     work: &Work<'_>,
 ) -> ErrorEstimate {
-    let solution = &outcome.solution;
+    let solution = &run.outcome.solution;
     let unknowns = solution.elements().coefficients();
-    let missed_light =
-        MissedLight::of(outcome, visibility, goal, (OF_ERROR * expected).min(LOOSEST_FOR_GATHERED));
+    let missed_light = MissedLight::of(run, goal, (OF_ERROR * expected).min(LOOSEST_FOR_GATHERED));
     let ranks = work.ranks;
     let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
     let gathered =
@@ -228,16 +226,16 @@ pub(super) fn error_estimate(
         made += now;
         let sums = SensorSums::of(&found, made, solution);
         if !finishes || 2 * made > per_half(numbers.allowed(&sums, goal.accuracy)) {
-            return ErrorEstimate { error: sums.error(), shares: sums.shares(&found, made) };
+            return ErrorEstimate { error: Some(sums.error()), shares: sums.shares(&found, made) };
         }
         now = made;
     }
 }
 
 impl<'a> MissedLight<'a> {
-    fn of(outcome: &'a Outcome, visibility: &'a Visibility, goal: &Goal, eps: f64) -> Self {
-        let solution = &outcome.solution;
-        let rays = outcome.sampling.map_or(0, |sampling| sampling.rays);
+    fn of(run: &'a Solved, goal: &Goal, eps: f64) -> Self {
+        let (solution, visibility) = (&run.outcome.solution, run.visibility());
+        let rays = run.outcome.sampling.map_or(0, |sampling| sampling.rays);
         let ends =
             match goal.by.rays(solution, visibility, Goal::reading(goal.accuracy).min(USUAL_EPS), false) {
                 true => EndGather::Rays(RayGather::new(solution, visibility, OF_SIZE, false)),

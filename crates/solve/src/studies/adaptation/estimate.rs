@@ -14,7 +14,7 @@
 //! ‖B − B_h‖² ≈ ∫ ρ² (E_g − E_h)² dA ≈ Σ_patches 1/n Σ_k (ρ (E_g − E_h))²(x_k) J(x_k) ,
 //! ```
 //!
-//! at [points](super::points) x_k; J is the area element. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks,
+//! at [points](super::sensor) x_k; J is the area element. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks,
 //! shadow edges and corners count wherever they lie, as no rate of convergence is assumed; a detail between
 //! the points is missed.
 //!
@@ -25,18 +25,17 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_light::occluders::Site;
-use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::PartName;
 use radiosity_work::{Stage, Work};
 
 use super::error_estimate::{ErrorEstimate, error_estimate};
-use super::goal::{Aim, Goal};
-use super::points::{Point, points};
-use super::sensor::Sensor;
+use super::sensor::{Point, Sensor, points};
 use crate::driver::{Failure, Options, Outcome};
 use crate::gather::Gather;
+use crate::goal::{Aim, Goal};
 use crate::solution::Solution;
+use crate::solved::Solved;
 use crate::tolerances::{LOOSEST_FOR_POLYNOMIALS, OF_ERROR, SHARPENING_OF_GATHERING};
 
 /// Least accuracy of gathering, over the wanted error: below it the polynomials are good enough whatever it
@@ -46,44 +45,44 @@ const OF_WANTED: f64 = 0.1;
 /// Part of the transfers' error that reaches the radiosity unseen by E_g: a guess, see the header.
 const TRANSFERRED: f64 = 0.1;
 
-/// Estimated ‖B − B_h‖/‖B − E₀‖ of the run `outcome`, all bands pooled, accurate enough to compare with the
+/// Estimated ‖B − B_h‖/‖B − E₀‖ of a run, all bands pooled, accurate enough to compare with the
 /// goal; B_h are the polynomials, or E₀ + ρ E_g where gathered light is the goal
 /// ([`error_estimate`](super::error_estimate)).
 ///
 /// # Errors
 /// Threads that cannot be started.
 pub(super) fn estimate(
-    scene: &Scene,
-    outcome: &Outcome,
-    options: &Options,
+    run: &Solved,
     goal: &Goal,
     expected: f64,
     work: &Work<'_>,
 ) -> Result<ErrorEstimate, Failure> {
-    let visibility = Visibility::new(scene, options.into());
-    let solution = &outcome.solution;
-    let at = |sensors: &[Sensor]| error_estimate(outcome, &visibility, sensors, goal, expected, work);
-    match goal.of {
-        Aim::Gathered => return options.in_threads(work.ranks, || at(&Sensor::of_surfaces(solution))),
-        Aim::Points | Aim::Seen => {
-            let sensors = Sensor::at(goal, solution, &visibility);
-            return options.in_threads(work.ranks, || at(&sensors));
+    let (solution, visibility) = (&run.outcome.solution, run.visibility());
+    let sensors = match goal.of {
+        Aim::Solution => {
+            let of_polynomials = || of_polynomials(solution, visibility, goal.accuracy, work);
+            let error = run.options.in_threads(work.ranks, of_polynomials)?;
+            let error = error.hypot(TRANSFERRED * missed(&run.outcome, &run.options));
+            return Ok(ErrorEstimate { error: Some(error), shares: Vec::new() });
         }
-        Aim::Solution => {}
+        Aim::Gathered => None,
+        Aim::Points | Aim::Seen => Some(Sensor::at(goal, solution, visibility)),
+    };
+    run.options.in_threads(work.ranks, || {
+        let sensors = sensors.unwrap_or_else(|| Sensor::of_surfaces(solution));
+        error_estimate(run, &sensors, goal, expected, work)
+    })
+}
+
+/// Error of the polynomials, by light gathered as accurately as it needs to be compared with `wanted`.
+fn of_polynomials(solution: &Solution, visibility: &Visibility, wanted: f64, work: &Work<'_>) -> f64 {
+    let mut eps = LOOSEST_FOR_POLYNOMIALS;
+    let mut error = unresolved(solution, visibility, eps, work);
+    while error > 0.0 && eps > OF_ERROR * error && eps > OF_WANTED * wanted {
+        eps = (SHARPENING_OF_GATHERING * eps).max(OF_WANTED * wanted);
+        error = unresolved(solution, visibility, eps, work);
     }
-    let wanted = goal.accuracy;
-    let error = options.in_threads(work.ranks, || {
-        let (mut eps, mut error) = (
-            LOOSEST_FOR_POLYNOMIALS,
-            unresolved(&outcome.solution, &visibility, LOOSEST_FOR_POLYNOMIALS, work),
-        );
-        while error > 0.0 && eps > OF_ERROR * error && eps > OF_WANTED * wanted {
-            eps = (SHARPENING_OF_GATHERING * eps).max(OF_WANTED * wanted);
-            error = unresolved(&outcome.solution, &visibility, eps, work);
-        }
-        error
-    })?;
-    Ok(ErrorEstimate { error: error.hypot(TRANSFERRED * missed(outcome, options)), shares: Vec::new() })
+    error
 }
 
 /// Error of the polynomials, by light gathered to `eps`.

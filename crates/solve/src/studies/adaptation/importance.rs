@@ -24,8 +24,8 @@ use crate::gather::walks::Walks;
 use crate::solution::{Band, Solution};
 use crate::system::Coefficients;
 
-use super::goal::{Aim, Goal};
 use super::sensor::Sensor;
+use crate::goal::{Aim, Goal};
 
 /// Walks in all, at the least, and fewest from each sensor. Chosen: 2 % of noise in the mean over a
 /// thousandth of all surfaces.

@@ -5,18 +5,15 @@
 //! are. (W. Dörfler, *A convergent adaptive algorithm for Poisson's equation*, SIAM J. Numer. Anal. 33
 //! (1996), for the choice by a part of the whole.)
 
-use std::time::Instant;
-
 use radiosity_elements::mesh::{CellRefinement, Mesh};
 use radiosity_scene::Scene;
-use radiosity_work::Work;
 
-use super::achieved::{Achieved, Adapted, EndReason};
-use super::goal::Goal;
-use super::run::{FIRST_ORDER, advise, estimated, finer};
+use super::run::{Adaptation, FIRST_ORDER, PlannedRun};
 use super::smoothness::refinement;
-use crate::driver::{Failure, Options, solve_exactly};
+use crate::driver::{Failure, Options};
+use crate::goal::EndReason;
 use crate::solution::Solution;
+use crate::solved::Solved;
 use crate::tolerances::SHARPENING_IN_VAIN;
 
 /// Part of the squared error that the refined elements bear, at the least and at the most: less would take
@@ -44,77 +41,40 @@ const FIRST: f64 = 3e-3;
 /// Chosen: refined where 95 % of the squared error is borne, errors fell by a factor of 1.5 to 4.
 const NEXT: f64 = 0.25;
 
-/// Solves `scene` by exact blocks, for the reason `why`, on elements refined where the goal needs it.
-pub(super) fn locally(
-    scene: &Scene,
-    options: &Options,
-    goal: &Goal,
-    why: &str,
-    work: &Work<'_>,
-) -> Result<Adapted, Failure> {
-    let accurate = |accuracy: f64, sharper: f64| Options {
-        order: options.order.max(FIRST_ORDER),
-        eps: sharper * options.eps.min(OF_BLOCKS * accuracy),
-        shadow_eps: sharper * options.shadow_eps.min(OF_SHADOWS * accuracy),
-        ..*options
-    };
-    let mut expected = goal.accuracy.max(FIRST);
-    let mut sharper = 1.0;
-    let mut chosen = accurate(expected, sharper);
-    let mut begun = Instant::now();
-    let mut outcome = solve_exactly(scene, &chosen, why, None, work).map_err(advise)?;
-    if !outcome.converged {
-        let achieved = Achieved::new(goal, None, EndReason::NotConverged);
-        return Ok(Adapted { outcome, options: chosen, achieved });
-    }
-    let mut error;
-    let (mut least, mut vain) = (f64::INFINITY, 0);
-    let end = loop {
-        let estimate = estimated(scene, &mut outcome, &chosen, goal, expected, work)?;
-        error = estimate.error;
-        if error <= goal.accuracy && expected > goal.accuracy {
-            // Light gathered for a larger error may hide as much as is wanted.
-            expected = goal.accuracy;
-            continue;
-        }
-        if error <= goal.accuracy {
-            break EndReason::Reached;
-        }
-        let left = (LEFT * (goal.accuracy / error).powi(2)).clamp(1.0 - BORNE[1], 1.0 - BORNE[0]);
-        let Some(mesh) = refined(scene, &outcome.solution, &estimate.shares, 1.0 - left) else {
-            break EndReason::Finest;
+/// Solves `scene` by exact blocks on elements refined where the goal needs it.
+pub(super) fn locally(scene: Scene, options: &Options, adaptation: &Adaptation) -> Result<Solved, Failure> {
+    let accuracy = adaptation.goal.accuracy;
+    let planned = |expected: f64, sharper: f64| {
+        let options = Options {
+            order: options.order.max(FIRST_ORDER),
+            eps: sharper * options.eps.min(OF_BLOCKS * expected),
+            shadow_eps: sharper * options.shadow_eps.min(OF_SHADOWS * expected),
+            ..*options
         };
-        expected = goal.accuracy.max(NEXT * error);
+        PlannedRun { expected, ..adaptation.first(options) }
+    };
+    let (mut sharper, mut least, mut vain) = (1.0, f64::INFINITY, 0);
+    adaptation.refined(scene, planned(accuracy.max(FIRST), sharper), |run, found| {
+        let (solution, error) = (&run.outcome.solution, found.error.expect("the solver converged"));
+        let left = (LEFT * (accuracy / error).powi(2)).clamp(1.0 - BORNE[1], 1.0 - BORNE[0]);
+        let Some(mesh) = refined(&run.scene, solution, &found.shares, 1.0 - left) else {
+            return Ok(Err(EndReason::Finest));
+        };
         vain = if error < least { 0 } else { vain + 1 };
         least = least.min(error);
         if vain == VAIN {
             (sharper, vain) = (SHARPENING_IN_VAIN * sharper, 0);
         }
-        let next = accurate(expected, sharper);
-        let elements = outcome.solution.elements();
+        let next = planned(accuracy.max(NEXT * error), sharper);
+        let elements = solution.elements();
         // Cuts may leave cells too thin for their order.
-        let Ok(unknowns) =
-            next.elements(scene, elements.discretization(), Some(&mesh)).map(|new| new.coefficients())
-        else {
-            break EndReason::Finest;
-        };
-        if unknowns == elements.coefficients() && sharper == 1.0 {
-            break EndReason::Finest;
-        }
-        if unknowns > goal.most_unknowns {
-            break EndReason::Unknowns;
-        }
-        let growth = unknowns as f64 / elements.coefficients() as f64;
-        if !work.fits(begun.elapsed().mul_f64(growth.powi(2))) {
-            break EndReason::Time;
-        }
-        begun = Instant::now();
-        match finer(solve_exactly(scene, &next, why, Some(&mesh), work))? {
-            Ok(finer) => (outcome, chosen) = (finer, next),
-            Err(end) => break end,
-        }
-    };
-    Ok(Adapted { outcome, options: chosen, achieved: Achieved::new(goal, Some(error), end) })
+        let cut = next.options.elements(&run.scene, elements.discretization(), Some(&mesh));
+        let unknowns = cut.ok().map(|cut| cut.coefficients());
+        let is_finer = |unknowns: &usize| *unknowns != elements.coefficients() || sharper != 1.0;
+        let Some(unknowns) = unknowns.filter(is_finer) else { return Ok(Err(EndReason::Finest)) };
+        let growth = adaptation.growth(run, unknowns);
+        Ok(growth.map(|growth| PlannedRun { mesh: Some(mesh), growth, ..next }))
+    })
 }
 
 /// The mesh with those elements refined that bear this part of what all bear; None where none of them may be.

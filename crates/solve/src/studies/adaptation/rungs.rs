@@ -4,19 +4,16 @@
 //! towards them converge fastest. Shadow edges lie anywhere, and so do the kinks on a surface that bends away
 //! from its light, where the light crosses its horizon: there the elements are cut evenly.
 
-use std::time::Instant;
-
 use radiosity_elements::basis::HIGHEST_ORDER;
 use radiosity_elements::cells::Layers;
 use radiosity_elements::{Discretization, Subdivide};
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
-use radiosity_work::Work;
 
-use super::achieved::{Achieved, Adapted, EndReason};
-use super::goal::Goal;
-use super::run::{FIRST_ORDER, advise, estimated, finer};
-use crate::driver::{Failure, Options, solve_exactly};
+use super::run::{Adaptation, FIRST_ORDER, PlannedRun};
+use crate::driver::{Failure, Options};
+use crate::goal::EndReason;
+use crate::solved::Solved;
 use crate::tolerances::SHARPENING_OF_RUNGS;
 
 /// A discretisation of the sequence.
@@ -52,51 +49,26 @@ const EVEN: [Rung; 6] = [
     Rung { order: 8, layers: 0, cuts: Some(8) },
 ];
 
-/// Solves `scene` by exact blocks, for the reason `why`, on the finest rung that the goal needs.
+/// Solves `scene` by exact blocks on the finest rung that the goal needs.
 pub(super) fn by_rungs(
-    scene: &Scene,
+    scene: Scene,
     options: &Options,
-    goal: &Goal,
-    why: &str,
-    work: &Work<'_>,
-) -> Result<Adapted, Failure> {
-    let exactly = |options: &Options| solve_exactly(scene, options, why, None, work);
-    let visibility = Visibility::new(scene, options.into());
+    visibility: &Visibility,
+    adaptation: &Adaptation,
+) -> Result<Solved, Failure> {
     let occluded = visibility.any_shadow();
     let rungs: &[Rung] = if occluded || visibility.any_horizon() { &EVEN } else { &GRADED };
-    let mut plan: Vec<Options> =
-        rungs.iter().enumerate().map(|(k, rung)| rung.options(k, options, goal.accuracy)).collect();
+    let rung = |(k, rung): (usize, &Rung)| rung.options(k, options, adaptation.goal.accuracy);
+    let mut plan: Vec<Options> = rungs.iter().enumerate().map(rung).collect();
     plan.dedup_by_key(|o| (o.order, o.layers.count, o.subdivide));
     let mut plan = plan.into_iter();
-    let mut chosen = plan.next().expect("there is a first rung");
-    let mut begun = Instant::now();
-    let mut outcome = exactly(&chosen).map_err(advise)?;
-    if !outcome.converged {
-        let achieved = Achieved::new(goal, None, EndReason::NotConverged);
-        return Ok(Adapted { outcome, options: chosen, achieved });
-    }
-    let mut error;
-    let end = loop {
-        error = estimated(scene, &mut outcome, &chosen, goal, goal.accuracy, work)?.error;
-        if error <= goal.accuracy {
-            break EndReason::Reached;
-        }
-        let Some(options) = plan.next() else { break EndReason::Finest };
-        let unknowns = unknowns(scene, &options, occluded)?;
-        if unknowns > goal.most_unknowns {
-            break EndReason::Unknowns;
-        }
-        let growth = unknowns as f64 / outcome.solution.elements().coefficients() as f64;
-        if !work.fits(begun.elapsed().mul_f64(growth.powi(2))) {
-            break EndReason::Time;
-        }
-        begun = Instant::now();
-        match finer(exactly(&options))? {
-            Ok(finer) => (outcome, chosen) = (finer, options),
-            Err(end) => break end,
-        }
-    };
-    Ok(Adapted { outcome, options: chosen, achieved: Achieved::new(goal, Some(error), end) })
+    let first = plan.next().expect("there is a first rung");
+    adaptation.refined(scene, adaptation.first(first), |run, _| {
+        let Some(options) = plan.next() else { return Ok(Err(EndReason::Finest)) };
+        let unknowns = unknowns(&run.scene, &options, occluded)?;
+        let growth = adaptation.growth(run, unknowns);
+        Ok(growth.map(|growth| PlannedRun { growth, ..adaptation.first(options) }))
+    })
 }
 
 impl Rung {

@@ -1,0 +1,27 @@
+//! Irradiance as it was gathered.
+
+use serde::{Deserialize, Serialize};
+
+/// Irradiance at a point, or its mean over a patch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadIrradiance {
+    /// Irradiance per band (W m⁻²).
+    pub irradiance: Vec<f64>,
+    /// Standard deviation of what was gathered by rays; None otherwise.
+    pub deviation: Option<Deviation>,
+}
+
+/// Standard deviation of an irradiance by rays.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Deviation {
+    /// Over the irradiance, root mean square over the bands.
+    pub relative: f64,
+    /// Whether a band has less than 2 % of the scene's mean radiosity, and it is relative to these 2 %.
+    pub is_dark: bool,
+}
+
+impl From<Vec<f64>> for ReadIrradiance {
+    fn from(irradiance: Vec<f64>) -> Self {
+        Self { irradiance, deviation: None }
+    }
+}
