@@ -176,9 +176,13 @@ fn grid(axes: &[Axis; 2]) -> Vec<Shape> {
     let told = |axis: &Axis| ratios(axis.range).into_iter().map(|tick| tick.value).collect();
     let lines = [both(&Axis::between, LIGHT), both(&told, BOLD), both(&|axis| vec![axis.range[0]], INK)];
     let [across, up] = [&axes[0], &axes[1]];
-    let below = ratios(across.range)
-        .into_iter()
-        .map(|tick| words(&tick.text, SMALL, [across.at(tick.value), up.ends[0] + 12.0], 0.5));
+    let mut last = f64::NEG_INFINITY;
+    let below = ratios(across.range).into_iter().filter_map(|tick| {
+        let (place, half) = (across.at(tick.value), 0.25 * SMALL * (tick.text.chars().count() + 1) as f64);
+        let is_free = place - half > last;
+        last = if is_free { place + half } else { last };
+        is_free.then(|| words(&tick.text, SMALL, [place, up.ends[0] + 12.0], 0.5))
+    });
     let beside = ratios(up.range)
         .into_iter()
         .map(|tick| words(&tick.text, SMALL, [across.ends[0] - 6.0, up.at(tick.value)], 1.0));
