@@ -31,7 +31,7 @@ impl<'py> Arguments<'py> {
         Ok(Self { given: named.collect::<PyResult<_>>()? })
     }
 
-    /// What those arguments say that are fields of `T`; fields that are not given stay as they usually are.
+    /// A request made of the arguments that are its fields; fields that are not given stay as they usually are.
     pub(crate) fn fields<T: DeserializeOwned>(&mut self) -> PyResult<T> {
         T::deserialize(Fields(&mut self.given)).map_err(|fault| fault.told("arguments", "…"))
     }
@@ -83,7 +83,7 @@ struct Argument<'a, 'py> {
 }
 
 impl Argument<'_, '_> {
-    /// What the argument says.
+    /// The value that the argument states.
     fn read<'de, S: DeserializeSeed<'de>>(&self, seed: S) -> PyResult<S::Value> {
         seed.deserialize(Value(self.value)).map_err(|fault| fault.told(self.name, &shown(self.value)))
     }

@@ -4,7 +4,7 @@
 //! Either front end turns what it is given into a request. Refusals hold options as data
 //! ([`Wording`](radiosity_work::wording::Wording)), so that each front end spells them as its own.
 //!
-//! In order: [`Refusal`]; `modes` (names of kernels, shadows, solvers), [`ranges`] (of numbers), [`memory`]
+//! In order: [`Refusal`]; [`ranges`] (of numbers), `modes` (names of kernels, shadows, solvers), [`memory`]
 //! and [`aim`] (of an accuracy); [`MethodRequest`] and `conflicts` (how light is computed), [`ReadRequest`]
 //! (how it is read), [`TransferRequest`] and [`HeatRequest`], [`SceneRequest`] (which scene), [`picture`] and
 //! [`cells`] (what results need of memory).
@@ -13,8 +13,8 @@
 //! `published`, `solve`, `reading` and `heat`.
 
 mod refusal;
-mod modes;
 pub mod ranges;
+mod modes;
 pub mod memory;
 pub mod aim;
 mod method;

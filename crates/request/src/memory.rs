@@ -15,7 +15,7 @@ const SHARE: f64 = 0.8;
 /// 80 % of the free memory of the machine, or of the control group of this process, whichever is less; None
 /// if unknown. These ranks share it where they are on one machine, and all take what the one with the least
 /// has.
-pub fn usable(ranks: &Ranks) -> Option<u64> {
+fn usable(ranks: &Ranks) -> Option<u64> {
     let free = [machine(), confined()].into_iter().flatten().min();
     let own = free.map(|free| free / ranks.machine_share().ranks as u64);
     let free = ranks.all(own).into_iter().flatten().min()?;

@@ -22,7 +22,7 @@ use super::ranges::{self, Accuracy, Bytes, Fraction, Number, Order, Positive, Se
 /// The accuracy that `--order auto` means. Chosen.
 const AUTO_ACCURACY: f64 = 1e-2;
 
-/// How light is computed; None where nothing is said.
+/// Options of the computation of light; None where nothing is said.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default)]
 #[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Method"))]

@@ -255,7 +255,7 @@ pub(super) fn by_text<'de, D: Deserializer<'de>, T: FromStr<Err: Display>>(
     parsed(from, str::parse)
 }
 
-/// What `parse` makes of a text, or of the written form of a number.
+/// A value that `parse` reads in a text, or in the written form of a number.
 pub(super) fn parsed<'de, D: Deserializer<'de>, T, E: Display>(
     from: D,
     parse: impl FnOnce(&str) -> Result<T, E>,

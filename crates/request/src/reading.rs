@@ -20,7 +20,7 @@ use super::refusal::Refusal;
 /// this adds little.
 const BY_RAYS: f64 = 1e-2;
 
-/// How a solution is read; None where nothing is said.
+/// Options of the reading of a solution; None where nothing is said.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(default)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]

@@ -20,7 +20,7 @@ use super::refusal::Refusal;
 #[cfg(feature = "clap")]
 const HEADING: &str = "Scenes of other programs";
 
-/// How a scene of another program is read.
+/// Options of the import of a scene of another program.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]

@@ -20,7 +20,7 @@ const FACTORS: f64 = 1e-3;
 /// Accuracy of the transfers of heat unless told otherwise.
 const HEAT: f64 = 1e-4;
 
-/// How transfers are integrated; None where nothing is said.
+/// Options of the integration of transfers; None where nothing is said.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(default)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
@@ -91,7 +91,7 @@ impl TransferRequest {
     }
 }
 
-/// How a balance of heat is computed from transfers; None where nothing is said.
+/// Options of a balance of heat by transfers; None where nothing is said.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(default)]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
