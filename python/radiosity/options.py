@@ -37,10 +37,10 @@ class Import(TypedDict, total=False):
         Materials by name, of the scene and of its surfaces: [materials.NAME] with reflectance and emission, and [surfaces] with
         "lamp*" = "NAME".
 
-    unit: str
+    unit: "mm", "cm", "dm", "m", "in", "ft" or "yd"
         Unit of the lengths in the file, which become metres: mm, cm, dm, m, in, ft or yd.
 
-    up: str
+    up: "y" or "z"
         Axis that points upwards in the file, y or z; z will [default: y in glTF, else z].
 
     fix_fronts: bool
@@ -57,8 +57,8 @@ class Import(TypedDict, total=False):
     one_sided: bool
     two_sided: bool
     materials: str | os.PathLike[str]
-    unit: str
-    up: str
+    unit: Literal["mm", "cm", "dm", "m", "in", "ft", "yd"]
+    up: Literal["y", "z"]
     fix_fronts: bool
     grey: bool
 
@@ -67,8 +67,8 @@ class Method(TypedDict, total=False):
     """How light is computed.
 
     quality: "quick", "default", "fine" or "finest"
-        Preset of order and accuracies, and of how finely probe, grid and report read; single options go before it [default:
-        default].
+        Preset of order and accuracies, and of how finely points, planes and cells are read; single options go before it [default:
+        "default"].
 
     method: "galerkin" or "hierarchical"
         Which algorithm finds the light [default: galerkin].
@@ -83,8 +83,7 @@ class Method(TypedDict, total=False):
         Wanted relative error: raises order, layers, cuts and accuracies until it is reached.
 
     time_limit: float
-        Seconds after which no finer run begins, and rays end, where an accuracy is wanted; what there is is written, with exit code
-        3.
+        Seconds after which no finer run begins, and rays end, where an accuracy is wanted.
 
     tensor: bool
         Polynomials of that degree in each coordinate, not in both together.
@@ -117,7 +116,7 @@ class Method(TypedDict, total=False):
         How cg and gmres precondition [default: block].
 
     bounces: int
-        Light that was reflected K times at the most before it arrives: 0 for light straight from emitters [default: all].
+        Light that was reflected so many times at the most before it arrives: 0 for light straight from emitters [default: all].
 
     tolerance: float
         Relative residual at which an iterative solver stops [default: 1e-8].
@@ -136,7 +135,7 @@ class Method(TypedDict, total=False):
         is given, else 3e-3, as `quality` says].
 
     mask_cells: int
-        Cells of a shadow mask along each side, with `shadows` mask [default: 40].
+        Cells of a shadow mask along each side, with shadows="mask" [default: 40].
 
     mask_average: "weighted" or "plain"
         Values of a mask [default: weighted].
@@ -207,8 +206,8 @@ class Cells(Reading, total=False):
     """How means over cells are read: the options of `Reading`, and these.
 
     read_samples: two int
-        Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as `quality` says; light is
-        then gathered by cells].
+        Points along each side of a cell at which direct and gathered light are computed [default: (4, 2); as `quality` says]; light
+        is then gathered by cells.
 
     memory: int or str
         Most bytes to use (as the solution did), a number or a text such as "2G".
@@ -258,7 +257,7 @@ class Transfers(TypedDict, total=False):
     shadow_eps: float
         Accuracy of shadows [default: as `eps`].
 
-    shadows: "auto", "off", "rays", "exact" or "mask"
+    shadows: "auto", "off", "rays" or "exact"
         How it is found out what surfaces hide from each other [default: auto].
 
     threads: int
@@ -268,7 +267,7 @@ class Transfers(TypedDict, total=False):
     subdivide: int | Literal["auto"]
     eps: float
     shadow_eps: float
-    shadows: Literal["auto", "off", "rays", "exact", "mask"]
+    shadows: Literal["auto", "off", "rays", "exact"]
     threads: int
 
 

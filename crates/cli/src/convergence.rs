@@ -37,7 +37,7 @@ use crate::{
     mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)),
     mut_arg("order", |order| order.long("max-order").value_name("N").default_value("6")
         .help("Highest degree of the polynomials: the scene is solved at 0, 1, … N")),
-    mut_arg("layers", |layers| layers.help("Most layers: every order is run on 0, 1, … L of them")),
+    mut_arg("layers", |layers| layers.help("Most layers: every order is run on 0, 1, … L of them [default: 0]")),
     mut_arg("accuracy", |accuracy| accuracy.hide(true)),
 )]
 pub(crate) struct ConvergenceArgs {
@@ -184,6 +184,7 @@ fn drawing(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &[ConvergenceR
     let uniform = runs.iter().rfind(|run| run.series == RunSeries::Uniform);
     let finest = uniform.map_or_else(String::new, |run| match run.layers {
         0 => format!("order {}", run.order),
+        1 => format!("order {} on 1 layer", run.order),
         layers => format!("order {} on {layers} layers", run.order),
     });
     let against = match &args.reference {

@@ -173,9 +173,10 @@ impl<'a> Shadows<'a> {
     /// Adds a curved blocker to the hidden spans `spans`; `is_own`: the plane stands for a piece of that
     /// blocker.
     pub(crate) fn add_curved(&self, spans: &mut HiddenSpans<'a>, other: usize, is_own: bool) {
-        let ReceiverPoint { normal, ground, .. } = *self.receiver;
+        let ReceiverPoint { normal, ground, surface, .. } = *self.receiver;
         let ground = self.stands_on(other).then_some(ground.unwrap_or(normal));
-        spans.add_curved(self.visibility.silhouette_mesh(other), ground, is_own);
+        let is_turned = surface != Some(other);
+        spans.add_curved(self.visibility.silhouette_mesh(other), ground, is_turned, is_own);
     }
 
     /// Pushes the blockers in `above` that may hide a part of `cell` onto the stack; None where one hides all

@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use std::str::FromStr;
 
 use bytesize::ByteSize;
-use radiosity_scene::{MAX_ORDER, MAX_PARTS};
+use radiosity_scene::ranges::{MAX_ORDER, MAX_PARTS, MAX_PIXELS};
 use radiosity_solve::MOST_RAYS;
 use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -23,9 +23,6 @@ pub type Bounces = Whole<0, 1000>;
 /// Number of rays of the sampled transport.
 pub type Rays = Whole<1, MOST_RAYS>;
 
-/// Threads: more would bring any machine to a standstill. Chosen.
-pub type Threads = Whole<1, 1024>;
-
 /// Number of iterations of a solver.
 pub type Iterations = Whole<1, { u32::MAX as u64 }>;
 
@@ -33,7 +30,7 @@ pub type Iterations = Whole<1, { u32::MAX as u64 }>;
 pub type MaskCells = Whole<1, 1000>;
 
 /// Number of pixels along a side of a picture, and of cells along a side of a surface, as in scenes.
-pub type Pixels = Whole<1, 16384>;
+pub type Pixels = Whole<1, { MAX_PIXELS as u64 }>;
 
 /// Number of camera rays along a side of a pixel, or of points along a side of a cell.
 pub type Samples = Whole<1, 64>;
@@ -78,6 +75,41 @@ impl<const LEAST: u64, const MOST: u64> From<Whole<LEAST, MOST>> for u64 {
 }
 
 impl<'de, const LEAST: u64, const MOST: u64> Deserialize<'de> for Whole<LEAST, MOST> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        i128::deserialize(from)?.try_into().map_err(de::Error::custom)
+    }
+}
+
+/// Number of threads, 1024 at the most: more would bring any machine to a standstill. Chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Threads(Whole<1, 1024>);
+
+impl Threads {
+    /// The number as a count.
+    pub fn count(self) -> usize {
+        self.0.count()
+    }
+}
+
+impl TryFrom<i128> for Threads {
+    type Error = String;
+
+    fn try_from(number: i128) -> Result<Self, String> {
+        let threads = number.try_into().map(Self);
+        threads.map_err(|expected: String| expected + "; leave it out for one a core")
+    }
+}
+
+impl FromStr for Threads {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        // Words are as wrong as 0 is.
+        text.parse::<i128>().unwrap_or(0).try_into()
+    }
+}
+
+impl<'de> Deserialize<'de> for Threads {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         i128::deserialize(from)?.try_into().map_err(de::Error::custom)
     }

@@ -17,9 +17,6 @@ use super::refusal::Refusal;
 /// Accuracy of view factors unless told otherwise.
 const FACTORS: f64 = 1e-3;
 
-/// Accuracy of the transfers of heat unless told otherwise.
-const HEAT: f64 = 1e-4;
-
 /// Options of the integration of transfers; None where nothing is said.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(default)]
@@ -126,7 +123,7 @@ impl HeatRequest {
     /// computed.
     pub fn options(&self, transfers: &TransferRequest, conductances: bool, ranks: &Ranks) -> HeatOptions {
         let usual = HeatOptions::default().options;
-        let Accuracy { eps, shadow_eps } = transfers.accuracy_or(HEAT);
+        let Accuracy { eps, shadow_eps } = transfers.accuracy_or(usual.eps);
         let options = Options {
             order: self.order(),
             subdivide: transfers.subdivide.unwrap_or_default().0,

@@ -144,7 +144,7 @@ struct Judge<'a> {
     accuracy: Accuracy,
 }
 
-/// What the batches sum of one pair.
+/// Sums of one pair over the batches.
 struct BatchSums {
     /// Sums of the entries, and of their squares.
     values: Vec<f64>,

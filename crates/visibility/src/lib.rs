@@ -84,12 +84,11 @@ impl Visibility {
         let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| obstacle(&s.shape)).collect();
         let boxes: Vec<Aabb> = scene.surfaces.iter().map(|s| s.shape.bounds(&Rect::FULL)).collect();
         let cloud = Cloud::new(obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect());
-        let rays = RayTree::new(scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect());
-        let mut standing = standing(&obstacles, &cloud, &boxes, shadows);
-        standing.retain(|surface| *surface == sheet(&obstacles, &rays, *surface));
+        let standing = standing(&obstacles, &cloud, &boxes, shadows);
         let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
         let standing_tree = Bvh::build(&standing_boxes);
         let tree = Bvh::build(&boxes);
+        let rays = RayTree::new(scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect());
         let bodies = bodies(&obstacles, &cloud);
         let places = places(&obstacles);
         Self { obstacles, boxes, tree, rays, standing, standing_tree, bodies, places, shadows }
@@ -111,9 +110,7 @@ impl Visibility {
         let bounds = a.iter().chain(b).fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point));
         self.standing_tree.overlapping(&bounds, |place| {
             let index = self.standing[place];
-            let is_own =
-                |surface: &usize| self.sheet(*surface) == index || self.are_of_one_body(index, *surface);
-            if !surfaces.iter().any(is_own) {
+            if !surfaces.iter().any(|surface| *surface == index || self.are_of_one_body(index, *surface)) {
                 found.push(index);
             }
         });
@@ -214,7 +211,7 @@ impl Visibility {
 
     /// The surfaces that reach into the box `bounds` and may stand between points of two surfaces, ascending;
     /// with `open` also those that may stand before a point anywhere. A convex body's first face represents
-    /// it. Empty without shadows.
+    /// it, and of the two sides of a curved sheet the first. Empty without shadows.
     pub fn reaching_into(&self, bounds: &Aabb, open: bool) -> Vec<usize> {
         let mut found = Vec::new();
         match (self.shadows, open) {
@@ -244,7 +241,8 @@ impl Visibility {
     /// The obstacle that stands for a surface: of the two sides of a curved sheet the first, as both hide the
     /// same; otherwise the surface itself.
     pub fn sheet(&self, surface: usize) -> usize {
-        sheet(&self.obstacles, &self.rays, surface)
+        let is_curved = self.obstacles[surface].pieces.is_none();
+        if is_curved { surface.min(self.rays.other_side(surface)) } else { surface }
     }
 
     /// Whether one place of a surface may hide another one from some point. False if the surface lies behind
@@ -323,7 +321,7 @@ impl Visibility {
 
     /// Whether a surface can stand between two others.
     pub fn stands(&self, surface: usize) -> bool {
-        self.standing.binary_search(&self.sheet(surface)).is_ok()
+        self.standing.binary_search(&surface).is_ok()
     }
 
     /// Whether the planes of the surfaces allow any of them to stand between two others.
@@ -354,11 +352,6 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], shadows: Shad
             && (cloud.lies_below(-low, &reversed, size) || cloud.lies_below(high, &tangent, size))
     };
     (0..obstacles.len()).filter(|index| !walls_in(index)).collect()
-}
-
-/// The first side of the curved sheet that a surface is a side of; otherwise the surface itself.
-fn sheet(obstacles: &[Obstacle], rays: &RayTree, surface: usize) -> usize {
-    if obstacles[surface].pieces.is_some() { surface } else { surface.min(rays.other_side(surface)) }
 }
 
 /// The convex bodies that surfaces close.

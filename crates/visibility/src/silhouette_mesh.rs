@@ -91,7 +91,7 @@ pub trait Region {
 /// The surface at an eye that lies on it.
 #[derive(Clone, Copy, Debug)]
 pub struct Ground {
-    /// Its unit normal there.
+    /// Its unit normal there, on the side of the mesh.
     pub normal: DVec3,
     /// Sine of the angle to the normal below which the normals of a quad around the eye keep that quad out of
     /// a region.
@@ -233,12 +233,11 @@ impl Quad {
         (PAIRS.into_iter().map(sagitta).fold(0.0, f64::max) / TURN).min(self.size())
     }
 
-    /// Whether all normals lean from the line along `normal` by a smaller sine than `least`: the mesh of a
-    /// sheet may be of its other side.
+    /// Whether all normals lean from `normal` by a smaller sine than `least`.
     fn leans_less(&self, ground: &Ground) -> bool {
         let Ground { normal, least } = *ground;
         let lean = |knot: &Knot| knot.normal.cross(normal).length();
-        self.knots.iter().all(|knot| lean(knot) < least)
+        self.knots.iter().all(|knot| knot.normal.dot(normal) > 0.0 && lean(knot) < least)
     }
 
     /// Largest sine of the angle between two of its normals.

@@ -2,6 +2,7 @@
 
 use std::{env, fs};
 
+use clap::builder::PossibleValue;
 use clap::{Arg, Args, Command};
 use radiosity_request::{HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest};
 
@@ -41,15 +42,30 @@ struct PythonOption {
     help: String,
 }
 
-/// Type of an option, for people and in Python.
-struct Kind {
-    told: String,
-    annotation: String,
+/// Type of an option.
+enum Kind {
+    /// One of these texts, in quotes.
+    Values(Vec<String>),
+    /// Any other: for people, and in Python.
+    Of(&'static str, &'static str),
 }
 
 impl Kind {
-    fn of(told: &str, annotation: &str) -> Self {
-        Self { told: told.to_owned(), annotation: annotation.to_owned() }
+    fn told(&self) -> String {
+        match self {
+            Self::Of(told, _) => (*told).to_owned(),
+            Self::Values(values) => match values.split_last() {
+                Some((last, others)) if !others.is_empty() => format!("{} or {last}", others.join(", ")),
+                _ => values.concat(),
+            },
+        }
+    }
+
+    fn annotation(&self) -> String {
+        match self {
+            Self::Of(_, annotation) => (*annotation).to_owned(),
+            Self::Values(values) => format!("Literal[{}]", values.join(", ")),
+        }
     }
 }
 
@@ -119,7 +135,7 @@ fn classes() -> Vec<Class> {
             name: "Transfers",
             base: "TypedDict",
             about: "How transfers are integrated.",
-            options: of::<TransferRequest>(&[], ""),
+            options: without_masks(of::<TransferRequest>(&[], "")),
         },
         Class {
             name: "HeatMethod",
@@ -134,9 +150,19 @@ fn together<const N: usize>(parts: [Vec<PythonOption>; N]) -> Vec<PythonOption> 
     parts.into_iter().flatten().collect()
 }
 
-/// A truth value that Python alone takes so.
+/// Options of transfers: masks, which carry light, are refused there.
+fn without_masks(mut options: Vec<PythonOption>) -> Vec<PythonOption> {
+    for option in &mut options {
+        if let Kind::Values(values) = &mut option.kind {
+            values.retain(|value| value != "\"mask\"");
+        }
+    }
+    options
+}
+
+/// A truth value that the command states in another way.
 fn flag(name: &str, help: &str) -> PythonOption {
-    PythonOption { name: name.to_owned(), kind: Kind::of("bool", "bool"), help: help.to_owned() }
+    PythonOption { name: name.to_owned(), kind: Kind::Of("bool", "bool"), help: help.to_owned() }
 }
 
 /// The options of these names, or all, of a part of the command; they say `help` if it is not empty.
@@ -148,7 +174,7 @@ fn of<A: Args>(names: &[&str], help: &str) -> Vec<PythonOption> {
     let option = |arg: &Arg| PythonOption {
         name: if arg.get_id() == "from" { "format".to_owned() } else { arg.get_id().to_string() },
         kind: kind(arg),
-        help: match help {
+        help: match told_apart(arg).unwrap_or(help) {
             "" => in_python(&arg.get_help().map(ToString::to_string).unwrap_or_default()),
             help => help.to_owned(),
         },
@@ -156,33 +182,51 @@ fn of<A: Args>(names: &[&str], help: &str) -> Vec<PythonOption> {
     command.get_arguments().filter(is_taken).map(option).collect()
 }
 
+/// The text of an option whose help speaks of the command line.
+fn told_apart(arg: &Arg) -> Option<&'static str> {
+    Some(match arg.get_id().as_str() {
+        "bounces" => {
+            "Light that was reflected so many times at the most before it arrives: 0 for light straight from emitters [default: all]"
+        }
+        "mask_cells" => "Cells of a shadow mask along each side, with shadows=\"mask\" [default: 40]",
+        "quality" => {
+            "Preset of order and accuracies, and of how finely points, planes and cells are read; single options go before it [default: \"default\"]"
+        }
+        "read_samples" => {
+            "Points along each side of a cell at which direct and gathered light are computed [default: (4, 2); as `quality` says]; light is then gathered by cells"
+        }
+        "time_limit" => "Seconds after which no finer run begins, and rays end, where an accuracy is wanted",
+        _ => return None,
+    })
+}
+
+/// Texts that some options accept alone, which list no values.
+const TEXTS: [&str; 9] = ["mm", "cm", "dm", "m", "in", "ft", "yd", "y", "z"];
+
 /// The type of an option, by the texts that it accepts.
 fn kind(arg: &Arg) -> Kind {
     let accepts = |text: &str| {
         let typed = format!("--{}={text}", arg.get_long().expect("options are long"));
         Command::new("one").arg(arg.clone()).try_get_matches_from(["one", &typed]).is_ok()
     };
-    let names: Vec<String> =
-        arg.get_possible_values().iter().map(|value| format!("{:?}", value.get_name())).collect();
-    match names.split_last() {
-        _ if !arg.get_action().takes_values() => Kind::of("bool", "bool"),
+    let quoted = |texts: &mut dyn Iterator<Item = &str>| texts.map(|text| format!("{text:?}")).collect();
+    let values = arg.get_possible_values();
+    match () {
+        () if !arg.get_action().takes_values() => Kind::Of("bool", "bool"),
         // Solvers have other names besides.
-        _ if arg.get_id() == "solver" => Kind::of("str", "str"),
-        Some((last, [])) => Kind::of(last, &format!("Literal[{last}]")),
-        Some((last, others)) => {
-            Kind::of(&format!("{} or {last}", others.join(", ")), &format!("Literal[{}]", names.join(", ")))
-        }
-        None if accepts("any/text") => Kind::of("str or a path", "str | os.PathLike[str]"),
-        None if accepts("0.5") => Kind::of("float", "float"),
-        None if accepts("2G") => Kind::of("int or str", "int | str"),
-        None if accepts("auto") => Kind::of("int or \"auto\"", "int | Literal[\"auto\"]"),
-        None if accepts("3") => Kind::of("int", "int"),
-        None if accepts("4,2") => Kind::of("two int", "tuple[int, int]"),
-        None => Kind::of("str", "str"),
+        () if arg.get_id() == "solver" => Kind::Of("str", "str"),
+        () if !values.is_empty() => Kind::Values(quoted(&mut values.iter().map(PossibleValue::get_name))),
+        () if accepts("any/text") => Kind::Of("str or a path", "str | os.PathLike[str]"),
+        () if accepts("0.5") => Kind::Of("float", "float"),
+        () if accepts("2G") => Kind::Of("int or str", "int | str"),
+        () if accepts("auto") => Kind::Of("int or \"auto\"", "int | Literal[\"auto\"]"),
+        () if accepts("3") => Kind::Of("int", "int"),
+        () if accepts("4,2") => Kind::Of("two int", "tuple[int, int]"),
+        () => Kind::Values(quoted(&mut TEXTS.into_iter().filter(|text| accepts(text)))),
     }
 }
 
-/// What an option says, with others as Python names them: `--read-eps` as `read_eps`, `--eps 1e-3` as
+/// The text of an option, with others as Python names them: `--read-eps` as `read_eps`, `--eps 1e-3` as
 /// `eps=1e-3`.
 fn in_python(help: &str) -> String {
     let mut words: Vec<String> = Vec::new();
@@ -212,11 +256,11 @@ impl Class {
         let Self { name, base, about, options } = self;
         let mut text = format!("\n\nclass {name}({base}, total=False):\n    \"\"\"{about}\n");
         for PythonOption { name, kind, help } in options {
-            text += &format!("\n    {name}: {}\n{}", kind.told, wrapped(&format!("{help}.")));
+            text += &format!("\n    {name}: {}\n{}", kind.told(), wrapped(&format!("{help}.")));
         }
         text += "    \"\"\"\n\n";
         for PythonOption { name, kind, .. } in options {
-            text += &format!("    {name}: {}\n", kind.annotation);
+            text += &format!("    {name}: {}\n", kind.annotation());
         }
         text
     }

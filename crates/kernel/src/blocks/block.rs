@@ -76,7 +76,7 @@ pub struct BlockReport {
 pub struct Block {
     /// G_kl, row-major, receiver functions by emitter functions.
     pub values: Vec<f64>,
-    /// What it cost, and how well it is known.
+    /// Its cost and its error.
     pub report: BlockReport,
 }
 

@@ -140,11 +140,20 @@ impl<'a> HiddenSpans<'a> {
         self.volumes.push(volume);
     }
 
-    /// Adds a curved blocker; `ground` is its unit normal at the eye if the eye lies on it. `is_own`: the
-    /// plane stands for a piece of the blocker itself, and only quads well before it count.
-    pub(crate) fn add_curved(&mut self, mesh: &'a SilhouetteMesh, ground: Option<DVec3>, is_own: bool) {
+    /// Adds a curved blocker; `ground` is the unit normal under the eye if the eye lies on it, `is_turned` if
+    /// it lies on the other side than that of the mesh. `is_own`: the plane stands for a piece of the blocker
+    /// itself, and only quads well before it count.
+    pub(crate) fn add_curved(
+        &mut self,
+        mesh: &'a SilhouetteMesh,
+        ground: Option<DVec3>,
+        is_turned: bool,
+        is_own: bool,
+    ) {
         let far = if is_own { 1.0 - self.plane.width() } else { f64::INFINITY };
-        let ground = ground.map(|normal| Ground { normal, least: self.plane.rise(normal) / STEEPER });
+        let side = if is_turned { -1.0 } else { 1.0 };
+        let ground =
+            ground.map(|normal| Ground { normal: side * normal, least: self.plane.rise(normal) / STEEPER });
         let ahead = Ahead { plane: &self.plane, ground };
         let (quads, heights) = (&mut self.quads, &mut self.heights);
         mesh.visit(&ahead, &mut |quad| {

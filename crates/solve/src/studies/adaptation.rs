@@ -64,9 +64,11 @@ impl Solved {
         if options.method == LightMethod::Hierarchical {
             return by_links(scene, options, &adaptation);
         }
-        let visibility = Visibility::new(&scene, options.into());
-        let choose = || TransportChoice::of(&scene, options, &visibility);
-        let choice = options.in_threads(work.ranks, choose)?;
+        let choose = || {
+            let visibility = Visibility::new(&scene, options.into());
+            (TransportChoice::of(&scene, options, &visibility), visibility)
+        };
+        let (choice, visibility) = options.in_threads(work.ranks, choose)?;
         if is_by_rays(&scene, options, goal, &choice) {
             return by_rays(scene, options, &adaptation);
         }

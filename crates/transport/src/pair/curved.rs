@@ -54,7 +54,7 @@
 //! summed by 1 to 4 points per direction. Blocks whose error stays too large are carried by rays
 //! (`unreached`).
 //!
-//! Error. `Block::error` adds up, in entries of the block: s of pairs left out, or the coarse G_00 of a block
+//! Error. `BlockReport::error` adds up, in entries of the block: s of pairs left out, or the coarse G_00 of a block
 //! left out; the differences of attempts, twice those of near parts, and at least 0.1 of what an attempt
 //! carries that missed its accuracy; three times what trials of contact rules missed;
 //! [`Cut::error`](radiosity_kernel::rules::horizon::Cut::error) of horizons, each allowed 0.3 ε S; the error

@@ -12,7 +12,7 @@
 //! * far apart, gap/extent ≥ ¼ → [`far`];
 //! * near → [`radiosity_kernel::rules::near`] where that is cheaper than halving the longest extent.
 //!
-//! What planar blockers hide is subtracted afterwards by its outline ([`crate::occlusion::outlines`]). Where
+//! The part that planar blockers hide is subtracted afterwards by its outline ([`crate::occlusion::outlines`]). Where
 //! rays are asked for, a pair that a blocker may cut is halved a few times first: free parts get the smooth
 //! rule and hidden parts are dropped. The rest is sampled until it is accurate enough
 //! ([`crate::occlusion::sampled`]), except where patches touch: there every sample of the contact rule gets a
