@@ -2,7 +2,8 @@
 //!
 //! In order: `tolerances`, `coincident` (surfaces that lie in one another), `gap` (least gaps between
 //! sheets), `middle` (of scenes far from the origin), `bodies` (of sheets), `stacked` (sheets on others, set
-//! apart), `weld` (corners and planes made equal); and of outlines: `outline` (areas, tolerances), `plane` (planes and flat coordinates), `overlay` (parts that overlap).
+//! apart), `weld` (corners and planes made equal); and of outlines: `outline` (areas, tolerances), `plane`
+//! (planes and flat coordinates), `overlay` (parts that overlap).
 //!
 //! Imports `core` and `geom`.
 

@@ -6,9 +6,9 @@
 //!
 //! In order: [`tolerances`], [`files`] (that a scene names), [`model`], `names` and `colour` (what readers
 //! make); [`format`](mod@format) (which there are); [`picture`] (PNG and OpenEXR → numbers of texels);
-//! `lines`, `scalar`, `budget`, `includes`, `xform`, `merge`, `builder` and [`mesh`] (what readers share); the readers, `mgf` to
-//! `vs3`, three with a writer; `read` and `write` (any of them); `materials`, `unit` and `up` (what a file
-//! does not state); `fronts` and [`repair`].
+//! `lines`, `scalar`, `budget`, `includes`, `xform`, `merge`, `builder` and [`mesh`] (what readers share);
+//! the readers, `mgf` to `vs3`, three with a writer; `read` and `write` (any of them); `materials`, `unit`
+//! and `up` (what a file does not state); `fronts` and [`repair`].
 //!
 //! Imports `geom`, `fit` and `photometry`.
 

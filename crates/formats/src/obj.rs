@@ -14,6 +14,7 @@
 mod statements;
 mod mtl;
 mod faces;
+mod bridge;
 pub mod write;
 
 use std::collections::{HashMap, HashSet};

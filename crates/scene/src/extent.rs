@@ -81,7 +81,8 @@ impl Extent {
     /// across the aim, an upright cylinder its disk, and a lying one its axis.
     ///
     /// # Errors
-    /// [`FaultKind::Conflict`](crate::FaultKind::Conflict) for a point, and for forms that are neither flat across the aim nor lines.
+    /// [`FaultKind::Conflict`](crate::FaultKind::Conflict) for a point, and for forms that are neither flat
+    /// across the aim nor lines.
     pub fn of_opening(opening: &Opening) -> Result<Self, Fault> {
         let [x, y, z] = opening.extent;
         match opening.form {

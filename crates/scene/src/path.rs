@@ -93,7 +93,8 @@ impl Turn {
     /// right-handed.
     ///
     /// # Errors
-    /// [`FaultKind::NoDirection`](crate::FaultKind::NoDirection) for an axis without a length; a number that is not finite or out of range.
+    /// [`FaultKind::NoDirection`](crate::FaultKind::NoDirection) for an axis without a length; a number that
+    /// is not finite or out of range.
     pub fn about_axis(center: DVec3, axis: DVec3, degrees: TimeFunction<f64>) -> Result<Self, Fault> {
         [center, axis].into_iter().try_for_each(check_point)?;
         let axis = axis.try_normalize().ok_or_else(no_axis)?;
@@ -104,8 +105,8 @@ impl Turn {
     /// the shorter way about one axis at constant speed.
     ///
     /// # Errors
-    /// [`FaultKind::NoDirection`](crate::FaultKind::NoDirection) for degrees about an axis without a length; a number that is not finite or out
-    /// of range; what [`TimeFunction::new`] refuses.
+    /// [`FaultKind::NoDirection`](crate::FaultKind::NoDirection) for degrees about an axis without a length;
+    /// a number that is not finite or out of range; what [`TimeFunction::new`] refuses.
     pub fn by_keys(center: DVec3, rotations: &[AxisAngle], times: Vec<f64>) -> Result<Self, Fault> {
         let times = Times::new(times, "turns", rotations.len())?;
         check_point(center)?;

@@ -6,6 +6,7 @@ use std::fmt::Write;
 
 use glam::DVec3;
 
+use super::bridge::bridged;
 use crate::format::Written;
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
@@ -13,10 +14,10 @@ use radiosity_photometry::error::{Refusal, refuse};
 
 /// Writes a model of polygons and bilinear patches; `mtl_name` is the name that the file of materials will
 /// have. Each surface is an object; one of two sides is two, the second `name:back`, since OBJ leaves sides
-/// open. Polygons with holes are cut into convex pieces, faces of one object. `Ke` is the exitance over π.
+/// open. Holes are joined to their outlines by bridges, which keeps the area. `Ke` is the exitance over π.
 ///
 /// # Errors
-/// A curved surface, outlines that cross, and bands other than one, or red, green and blue.
+/// A curved surface, and bands other than one, or red, green and blue.
 pub fn write(model: &Model, mtl_name: &str) -> Result<Written, Refusal> {
     let mut names = UniqueNames::default();
     let materials: Vec<String> =
@@ -37,7 +38,8 @@ pub fn write(model: &Model, mtl_name: &str) -> Result<Written, Refusal> {
     surfaces.sort_by_key(|surface| surface.material.is_some());
     let mut current = None;
     for surface in surfaces {
-        let mut faces = faces(surface, &mut text)?;
+        let corners = corners(surface)?;
+        let numbers: Vec<String> = corners.iter().map(|x| text.vertex(*x).to_string()).collect();
         text.line(&format!("o {}", line(&surface.name)));
         if current != surface.material {
             current = surface.material;
@@ -45,11 +47,10 @@ pub fn write(model: &Model, mtl_name: &str) -> Result<Written, Refusal> {
                 text.line(&format!("usemtl {name}"));
             }
         }
-        faces.iter().for_each(|face| text.line(&format!("f {}", face.join(" "))));
+        text.line(&format!("f {}", numbers.join(" ")));
         if surface.sides == Sides::Both {
             text.line(&format!("o {}:back", line(&surface.name)));
-            faces.iter_mut().for_each(|face| face.reverse());
-            faces.iter().for_each(|face| text.line(&format!("f {}", face.join(" "))));
+            text.line(&format!("f {}", numbers.into_iter().rev().collect::<Vec<_>>().join(" ")));
         }
     }
     Ok(Written { text: text.text, materials: Some(mtl) })
@@ -81,21 +82,16 @@ impl Text {
     }
 }
 
-/// The faces of a surface as numbers of vertices.
-fn faces(surface: &Surface, text: &mut Text) -> Result<Vec<Vec<String>>, Refusal> {
-    let faces = match &surface.shape {
-        Shape::Polygon { outline, holes } if holes.is_empty() => vec![outline.clone()],
-        Shape::Polygon { outline, holes } => surface.pieces(outline, holes)?,
-        Shape::Quad(corners) => vec![corners.to_vec()],
-        curved => {
-            return refuse(
-                format!("the surface '{}' is a {}, which OBJ does not have", surface.name, curved.kind()),
-                "write the model as toml, json or mgf",
-            );
-        }
-    };
-    let mut numbers = |face: &Vec<DVec3>| face.iter().map(|x| text.vertex(*x).to_string()).collect();
-    Ok(faces.iter().map(&mut numbers).collect())
+/// The corners of a face.
+fn corners(surface: &Surface) -> Result<Vec<DVec3>, Refusal> {
+    match &surface.shape {
+        Shape::Polygon { outline, holes } => Ok(bridged(outline, holes)),
+        Shape::Quad(corners) => Ok(corners.to_vec()),
+        curved => refuse(
+            format!("the surface '{}' is a {}, which OBJ does not have", surface.name, curved.kind()),
+            "write the model as toml, json or mgf",
+        ),
+    }
 }
 
 fn add_material(mtl: &mut String, material: &Material, name: &str) -> Result<(), Refusal> {
