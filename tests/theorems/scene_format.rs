@@ -11,26 +11,26 @@ use radiosity_test_support::data;
 /// The languages that scenes are written in.
 const LANGUAGES: [&str; 3] = ["toml", "json", "csv"];
 
-/// Tables of keys, each under a heading, and a text with the key `none` in such a table.
+/// Tables of keys, each under a heading, and a text with the key `xyzzy`, which is like no other in such a table.
 const TABLES: [(&str, &str); 15] = [
-    ("## The file", "none = 1"),
-    ("## Materials", "[materials.wall]\nnone = 1"),
-    ("## Textures", "[materials.wall]\nreflectance = { none = 1 }"),
-    ("## Camera", "[camera]\nnone = 1"),
-    ("## Planes of sensors", "[planes.desk]\nnone = 1"),
-    ("## Surfaces", "[[surfaces]]\nnone = 1"),
+    ("## The file", "xyzzy = 1"),
+    ("## Materials", "[materials.wall]\nxyzzy = 1"),
+    ("## Textures", "[materials.wall]\nreflectance = { xyzzy = 1 }"),
+    ("## Camera", "[camera]\nxyzzy = 1"),
+    ("## Planes of sensors", "[planes.desk]\nxyzzy = 1"),
+    ("## Surfaces", "[[surfaces]]\nxyzzy = 1"),
     (
         "## Placement",
-        "[[surfaces]]\ntriangle = { vertices = [[0,0,0],[1,0,0],[0,1,0]] }\ntransform = { none = 1 }",
+        "[[surfaces]]\ntriangle = { vertices = [[0,0,0],[1,0,0],[0,1,0]] }\ntransform = { xyzzy = 1 }",
     ),
-    ("## Luminaires", "[[luminaires]]\nnone = 1"),
-    ("## Sky and sun", "[sky]\nnone = 1"),
-    ("## Parts and instances", "[parts.chair]\nnone = 1"),
-    ("## Parts and instances", "[[instances]]\nnone = 1"),
-    ("## Parts and instances", "[[instances]]\npart = \"chair\"\narray = { none = 1 }"),
-    ("## Motions", "[[motion]]\nnone = 1"),
-    ("## Motions", "[[motion]]\ntranslate = { none = 1 }"),
-    ("## Motions", "[[motion]]\nrotate = { none = 1 }"),
+    ("## Luminaires", "[[luminaires]]\nxyzzy = 1"),
+    ("## Sky and sun", "[sky]\nxyzzy = 1"),
+    ("## Parts and instances", "[parts.chair]\nxyzzy = 1"),
+    ("## Parts and instances", "[[instances]]\nxyzzy = 1"),
+    ("## Parts and instances", "[[instances]]\npart = \"chair\"\narray = { xyzzy = 1 }"),
+    ("## Motions", "[[motion]]\nxyzzy = 1"),
+    ("## Motions", "[[motion]]\ntranslate = { xyzzy = 1 }"),
+    ("## Motions", "[[motion]]\nrotate = { xyzzy = 1 }"),
 ];
 
 fn document() -> String {
@@ -59,20 +59,20 @@ fn section<'a>(text: &'a str, heading: &str) -> &'a str {
     rest.split("\n##").next().unwrap_or_default()
 }
 
-/// The keys that may stand in place of `none`; nothing where the text is refused for another reason.
+/// The keys that may stand in place of `xyzzy`; nothing where the text is refused for another reason.
 fn known(text: &str) -> Option<Vec<String>> {
-    let fault = read(&Source::new("none", text)).expect_err("no key is called none").fault;
-    let cure = fault.cure().filter(|_| fault.to_string() == "unknown key \"none\"")?;
+    let fault = read(&Source::new("text", text)).expect_err("no key is called xyzzy").fault;
+    let cure = fault.cure().filter(|_| fault.to_string() == "unknown key \"xyzzy\"")?;
     let (_, known) = cure.split_once("known keys: ")?;
     Some(known.split(", ").map(str::to_owned).collect())
 }
 
 /// The shape keys of the language, each with its fields.
 fn shapes() -> Vec<(String, Vec<String>)> {
-    let keys = known("[[surfaces]]\nnone = 1").expect("surfaces have keys");
+    let keys = known("[[surfaces]]\nxyzzy = 1").expect("surfaces have keys");
     // Glass is a table, but no shape.
     let keys = keys.into_iter().filter(|key| key != "glass");
-    let fields = |key: String| Some((key.clone(), known(&format!("[[surfaces]]\n{key} = {{ none = 1 }}"))?));
+    let fields = |key: String| Some((key.clone(), known(&format!("[[surfaces]]\n{key} = {{ xyzzy = 1 }}"))?));
     keys.filter_map(fields).collect()
 }
 
