@@ -188,7 +188,7 @@ impl<'de> Deserializer<'de> for Value<'_, '_> {
 enum Fault {
     /// The value is of another type than this.
     Type(&'static str),
-    /// What is expected in place of the value.
+    /// The value is not one of those expected.
     Expected(String),
     /// The error that Python gets.
     Told(PyErr),

@@ -181,7 +181,7 @@ impl AnimateArgs {
     }
 }
 
-/// What is made of frames: readings at points, and pictures, all taken alike.
+/// Maker of readings at points and of pictures of frames, all taken alike.
 struct Shutter<'a> {
     args: &'a AnimateArgs,
     readings: Option<Readings>,

@@ -59,7 +59,7 @@ pub(crate) fn run(args: &CheckArgs, scene: &Scene, ranks: &Ranks) -> Result<(), 
     }
 }
 
-/// What is in a scene, then the warnings, in lines.
+/// Lines on the contents of a scene, then its warnings.
 fn lines(scene: &Scene, inspection: &Inspection) -> Vec<String> {
     let mut lines = lines_on_surfaces(scene, inspection);
     let Inspection { footprints, shells, near_points, warnings, .. } = inspection;

@@ -184,7 +184,7 @@ pub(super) struct Kind<T> {
     schema: fn() -> Json,
     /// The range of a number, in its schema.
     range: Option<fn() -> Json>,
-    /// What follows "add `key = …`" in the cure.
+    /// Value in the cure "add `key = …`".
     example: &'static str,
 }
 

@@ -52,7 +52,7 @@ fn tables() -> Vec<(&'static str, Value)> {
     ]
 }
 
-/// What several tables refer to by name.
+/// Definitions that several tables refer to by name.
 fn values() -> Vec<(&'static str, Value)> {
     let formula = json!({
         "description": "A formula of numbers and variables, such as \"=width/2 - 0.1\"", "type": "string",

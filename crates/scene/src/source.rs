@@ -71,7 +71,8 @@ impl Source {
     /// A scene made in code, called `name` in messages, which find values by the names that lead to them.
     ///
     /// # Errors
-    /// [`FaultKind::TooMany`](crate::FaultKind::TooMany) levels, [`FaultKind::RepeatedKey`](crate::FaultKind::RepeatedKey).
+    /// [`FaultKind::TooMany`](crate::FaultKind::TooMany) levels,
+    /// [`FaultKind::RepeatedKey`](crate::FaultKind::RepeatedKey).
     pub fn of_tree(name: &str, tree: Tree) -> Result<Self, SceneError> {
         let Tree(mut tree) = tree;
         numbered(&mut tree).map_err(|fault| Located::nowhere(fault).in_code(name))?;

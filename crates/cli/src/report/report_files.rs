@@ -28,7 +28,7 @@ enum ReportFormat {
     },
 }
 
-/// What the name of a report ends in.
+/// Ending of the name of a report.
 #[derive(Clone, Copy, ValueEnum)]
 enum Ending {
     #[value(alias = "htm")]
