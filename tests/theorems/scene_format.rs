@@ -70,8 +70,8 @@ fn known(text: &str) -> Option<Vec<String>> {
 /// The shape keys of the language, each with its fields.
 fn shapes() -> Vec<(String, Vec<String>)> {
     let keys = known("[[surfaces]]\nxyzzy = 1").expect("surfaces have keys");
-    // Glass is a table, but no shape.
-    let keys = keys.into_iter().filter(|key| key != "glass");
+    // These are tables, but no shapes.
+    let keys = keys.into_iter().filter(|key| !["glass", "transform"].contains(&key.as_str()));
     let fields = |key: String| Some((key.clone(), known(&format!("[[surfaces]]\n{key} = {{ xyzzy = 1 }}"))?));
     keys.filter_map(fields).collect()
 }
