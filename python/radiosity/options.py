@@ -34,7 +34,7 @@ class Import(TypedDict, total=False):
         Fronts and backs reflect and emit, whatever the file says.
 
     materials: str or a path
-        Materials by name, of the scene and of its surfaces: [materials.NAME] with reflectance and emission, and [surfaces] with
+        Materials by name, of the scene and of its surfaces: `[materials.NAME]` with reflectance and emission, and `[surfaces]` with
         "lamp*" = "NAME".
 
     unit: "mm", "cm", "dm", "m", "in", "ft" or "yd"

@@ -112,7 +112,6 @@ fn foreign_materials_are_checked_as_well() {
     let found = fault(Some("material \"two\""), |room, _| {
         room.surface("wall", square(1.0), &two);
     });
-    let found = found;
     assert!(found.kind == FaultKind::WrongCount && found.to_string().ends_with("found 2"), "{found}");
     let found = fault(Some("material \"white\""), |room, _| {
         room.surface("wall", square(1.0), &namesake);
@@ -122,26 +121,23 @@ fn foreign_materials_are_checked_as_well() {
 
 #[test]
 fn wishes_of_surfaces_are_in_range() {
-    let order = fault(Some("surface \"wall\""), |room, white| {
+    let found = fault(Some("surface \"wall\""), |room, white| {
         room.surface("wall", square(1.0), white).order(21);
     });
-    let found = order;
     assert!(found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the order"), "{found}");
     for (u, v) in [(0, 1), (1, 257)] {
-        let parts = fault(Some("surface \"wall\""), |room, white| {
+        let found = fault(Some("surface \"wall\""), |room, white| {
             room.surface("wall", square(1.0), white).subdivide(u, v);
         });
-        let found = parts;
         assert!(
             found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the number of elements"),
             "{found}"
         );
     }
-    let extent = fault(Some("surface \"dust\""), |room, white| {
+    let found = fault(Some("surface \"dust\""), |room, white| {
         let dust = plate(DVec3::Z, 1e-40 * DVec3::X, 1e-40 * DVec3::Y);
         room.surface("dust", dust, white);
     });
-    let found = extent;
     assert!(
         found.kind == FaultKind::OutOfRange && found.to_string().starts_with("the extent of the surface"),
         "{found}"

@@ -38,8 +38,8 @@ pub struct ImportRequest {
     #[cfg_attr(feature = "clap", arg(long, help_heading = HEADING))]
     pub two_sided: bool,
 
-    /// Materials by name, of the scene and of its surfaces: [materials.NAME] with reflectance and emission,
-    /// and [surfaces] with "lamp*" = "NAME"
+    /// Materials by name, of the scene and of its surfaces: `[materials.NAME]` with reflectance and emission,
+    /// and `[surfaces]` with "lamp*" = "NAME"
     #[cfg_attr(feature = "clap", arg(long, help_heading = HEADING, value_name = "FILE.toml"))]
     pub materials: Option<PathBuf>,
 
