@@ -52,12 +52,17 @@ fn settings_are_refused_with_a_reason() {
     };
     let unknown = radiosity::language::source("parallel-squares", &[("distanse", 1.0)]).unwrap_err();
     assert!(unknown.cure().expect("there is a cure").contains("\"distance\""));
-    assert_eq!(fault("cornell-box", &[("distance", 1.0)]).kind, FaultKind::UnknownName);
-    assert_eq!(fault("furnace-cube", &[("reflectance", 1.0)]).kind, FaultKind::OutOfRange);
-    assert_eq!(fault("furnace-cube", &[("reflectance", f64::NAN)]).kind, FaultKind::OutOfRange);
-    assert_eq!(fault("temple", &[("bays", 4.5)]).kind, FaultKind::NotWhole);
-    assert_eq!(fault("examples/office.toml", &[("bays", 4.0)]).kind, FaultKind::UnknownName);
-    assert_eq!(fault("temples", &[("bays", 4.0)]).kind, FaultKind::UnknownName);
+    let refused = |name: &str, settings: &[(&str, f64)], kind: FaultKind, cause: &str| {
+        let fault = fault(name, settings);
+        assert!(fault.kind == kind && fault.to_string().contains(cause), "{fault}");
+    };
+    let outside = "outside 0 ≤ reflectance ≤ 0.99";
+    refused("cornell-box", &[("distance", 1.0)], FaultKind::UnknownName, "no parameter \"distance\"");
+    refused("furnace-cube", &[("reflectance", 1.0)], FaultKind::OutOfRange, outside);
+    refused("furnace-cube", &[("reflectance", f64::NAN)], FaultKind::OutOfRange, outside);
+    refused("temple", &[("bays", 4.5)], FaultKind::NotWhole, "4.5 is not a whole number");
+    refused("examples/office.toml", &[("bays", 4.0)], FaultKind::UnknownName, "the scene has no variables");
+    refused("temples", &[("bays", 4.0)], FaultKind::UnknownName, "unknown scene \"temples\"");
 }
 
 /// The area is that of the table, computed elsewhere to 9 digits; the rule there is good to 3e-6 on folded

@@ -89,7 +89,8 @@ fn lamps_made_in_code_have_a_flux_too() {
     };
     let scene = lamp(vec![8.0], 0.0).unwrap();
     assert_eq!(scene.surfaces.iter().map(|own| own.exitance(0)).collect::<Vec<_>>(), [2.0, 2.0]);
-    assert_eq!(lamp(vec![8.0, 1.0], 0.0).unwrap_err().fault.kind, FaultKind::WrongCount);
+    let two = lamp(vec![8.0, 1.0], 0.0).unwrap_err().fault;
+    assert!(two.kind == FaultKind::WrongCount && two.to_string().ends_with("found 2"), "{two}");
     assert_eq!(lamp(vec![-8.0], 0.0).unwrap_err().fault.kind, FaultKind::OutOfRange);
     let error = lamp(vec![8.0], 1.0).unwrap_err();
     assert!(error.to_string().starts_with("desk: surface \"lamp\": a flux is given, yet"), "{error}");

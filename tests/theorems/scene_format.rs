@@ -1,12 +1,13 @@
-//! The document of the scene format is true: its scenes are read, every key of the language stands in its
-//! table, every shape is shown.
+//! The document and the schema of the scene format are true: scenes of the document are read, every key of the
+//! language stands in its table and in the schema, every shape is shown.
 
 use std::collections::BTreeSet;
 use std::fs;
 
-use radiosity::language::read;
+use radiosity::language::{read, schema};
 use radiosity::scene::{Scene, Source};
 use radiosity_test_support::data;
+use serde_json::Value;
 
 /// The languages that scenes are written in.
 const LANGUAGES: [&str; 3] = ["toml", "json", "csv"];
@@ -144,5 +145,46 @@ fn every_key_stands_in_its_table() {
     }
     for (key, fields) in &shapes {
         has(&format!("### `{key}`"), fields);
+    }
+}
+
+#[test]
+fn the_schema_tells_of_every_key_and_no_other() {
+    let schema = schema();
+    let told = |table: &Value| -> BTreeSet<String> {
+        let keys = table["properties"].as_object().unwrap_or_else(|| panic!("{table:#} has no keys"));
+        let described = |value: &Value| value.get("description").is_some() || value.get("$ref").is_some();
+        assert!(keys.values().all(described), "{table:#}");
+        keys.keys().cloned().collect()
+    };
+    let same = |table: &Value, text: &str| {
+        let known = known(text).unwrap_or_else(|| panic!("'{text}' is refused for something else"));
+        assert_eq!(told(table), BTreeSet::from_iter(known), "{text}");
+    };
+    same(&schema, "xyzzy = 1");
+    let definitions = &schema["$defs"];
+    for (name, text) in [
+        ("camera", "[camera]\nxyzzy = 1"),
+        ("plane", "[planes.desk]\nxyzzy = 1"),
+        ("material", "[materials.wall]\nxyzzy = 1"),
+        ("pattern", "[materials.wall]\nreflectance = { xyzzy = 1 }"),
+        ("surface", "[[surfaces]]\nxyzzy = 1"),
+        (
+            "transform",
+            "[[surfaces]]\ndisk = { center = [0,0,0], normal = [0,0,1], radius = 1 }\ntransform = { xyzzy = 1 }",
+        ),
+        ("sky", "[sky]\nxyzzy = 1"),
+        ("luminaire", "[[luminaires]]\nxyzzy = 1"),
+        ("part", "[parts.chair]\nxyzzy = 1"),
+        ("instance", "[[instances]]\nxyzzy = 1"),
+        ("array", "[[instances]]\npart = \"chair\"\narray = { xyzzy = 1 }"),
+    ] {
+        same(&definitions[name], text);
+    }
+    let shapes = definitions["surface"]["oneOf"].as_array().unwrap();
+    assert!(shapes.len() > 10);
+    for shape in shapes {
+        let key = shape["required"][0].as_str().unwrap();
+        same(&definitions[key], &format!("[[surfaces]]\n{key} = {{ xyzzy = 1 }}"));
     }
 }

@@ -228,6 +228,7 @@ mod tests {
         let count = fault(&[1.0, 2.0], &[0.0]);
         assert_eq!(count.to_string(), "times takes one number for each of the 2 points, found 1");
         assert_eq!(fault(&[1.0, 2.0], &[3.0, 2.0]).to_string(), "the times do not ascend: 2 follows 3");
+        assert_eq!(fault(&[1.0, 2.0], &[3.0, 3.0]).to_string(), "the times do not ascend: 3 follows 3");
         for times in [[0.0, 0.0], [3.0, 2.0], [3.0, 3.0]] {
             assert_eq!(fault(&[1.0, 2.0], &times).kind, FaultKind::Times);
         }
