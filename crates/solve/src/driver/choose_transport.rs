@@ -32,8 +32,13 @@ const SEEING: f64 = 0.25;
 const LOOKED_AT: usize = 2_000;
 
 impl TransportChoice {
-    /// The carrier of the pairs of `scene` by these options.
-    pub(crate) fn of(scene: &Scene, options: &Options, visibility: &Visibility) -> Self {
+    /// The carrier of the pairs of `scene` by these options; `visibility` is asked for where the price of the
+    /// pairs decides.
+    pub(crate) fn of<'a>(
+        scene: &Scene,
+        options: &Options,
+        visibility: impl FnOnce() -> &'a Visibility,
+    ) -> Self {
         let exact = |why: &str| Self { sampled: false, why: why.to_owned() };
         let sampled = |why: &str| Self { sampled: true, why: why.to_owned() };
         match options.transport {
@@ -51,13 +56,13 @@ impl TransportChoice {
         }
     }
 
-    fn by_price(scene: &Scene, options: &Options, visibility: &Visibility) -> Self {
+    fn by_price<'a>(scene: &Scene, options: &Options, visibility: impl FnOnce() -> &'a Visibility) -> Self {
         let usual = usual_rays(scene.surfaces.len(), USUAL_ACCURACY) as f64;
         let finer = (USUAL_ACCURACY / options.accuracy().shadow_eps).max(1.0);
         let limit = AS_GOOD * finer * usual;
         let (price, about) = match exact_price_at_least(scene) {
             price if price > limit => (price, "more than"),
-            _ => (exact_price(scene, options, visibility), "about"),
+            _ => (exact_price(scene, options, visibility()), "about"),
         };
         let why = format!("exact blocks take as long as {about} {price:.0e} rays, the limit is {limit:.0e}");
         Self { sampled: price > limit, why }

@@ -106,7 +106,7 @@ impl Model {
     /// Bytes that the model of `scene` and its solution take at the most on each of these ranks, estimated.
     pub fn peak_memory(scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
         let visibility = Visibility::new(scene, options.into());
-        let choice = TransportChoice::of(scene, options, &visibility);
+        let choice = TransportChoice::of(scene, options, || &visibility);
         let rays = choice.sampled.then(|| options.ray_budget(scene));
         let Ground { how, mesh } = ground(scene, &visibility, options, rays);
         match mesh {
@@ -140,7 +140,7 @@ impl Model {
         let is_known = how.is_some();
         let (visibility, choice, rays, Ground { how, mesh: own }) = timed(&mut seconds.visibility, || {
             let visibility = Visibility::new(scene, options.into());
-            let choice = choice.unwrap_or_else(|| TransportChoice::of(scene, options, &visibility));
+            let choice = choice.unwrap_or_else(|| TransportChoice::of(scene, options, || &visibility));
             let rays = choice.sampled.then(|| options.ray_budget(scene));
             let known = how.map(|how| Ground { how, mesh: None });
             let ground = known.unwrap_or_else(|| ground(scene, &visibility, options, rays));

@@ -22,6 +22,8 @@ mod links;
 mod smoothness;
 mod local;
 
+use std::sync::OnceLock;
+
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
@@ -64,18 +66,20 @@ impl Solved {
         if options.method == LightMethod::Hierarchical {
             return by_links(scene, options, &adaptation);
         }
-        let choose = || {
-            let visibility = Visibility::new(&scene, options.into());
-            (TransportChoice::of(&scene, options, &visibility), visibility)
-        };
-        let (choice, visibility) = options.in_threads(work.ranks, choose)?;
+        let made = OnceLock::new();
+        let visibility = || made.get_or_init(|| Visibility::new(&scene, options.into()));
+        let choose = || TransportChoice::of(&scene, options, visibility);
+        let choice = options.in_threads(work.ranks, choose)?;
         if is_by_rays(&scene, options, goal, &choice) {
             return by_rays(scene, options, &adaptation);
         }
         let why = if choice.sampled { NO_ERROR_OF_ELEMENTS } else { &choice.why };
         let exactly = Adaptation { why: Some(why), ..adaptation };
         match goal.of {
-            Aim::Solution => by_rungs(scene, options, &visibility, &exactly),
+            Aim::Solution => {
+                let visibility = visibility();
+                by_rungs(scene, options, visibility, &exactly)
+            }
             Aim::Gathered | Aim::Points | Aim::Seen => locally(scene, options, &exactly),
         }
     }
