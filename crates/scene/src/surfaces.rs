@@ -131,16 +131,12 @@ fn coincident(other: &str) -> Fault {
 fn check_apart(occupied: &[OccupiedSpace]) -> Result<(), Located> {
     let boxes: Vec<Aabb> = occupied.iter().map(|space| *space.occupied.bounds()).collect();
     let tree = Bvh::build(&boxes);
-    let mut near = Vec::new();
     for (index, own) in occupied.iter().enumerate() {
-        near.clear();
-        tree.overlapping(own.occupied.bounds(), |other| near.push(other));
-        near.retain(|other| *other < index);
-        near.sort_unstable();
+        let near = tree.near(own.occupied.bounds()).into_iter().filter(|other| *other < index);
         let clashes = |other: &&OccupiedSpace| {
             other.occupied.coincides(&own.occupied) && !own.is_back_of(other) && !other.is_back_of(own)
         };
-        if let Some(other) = near.iter().map(|other| &occupied[*other]).find(clashes) {
+        if let Some(other) = near.map(|other| &occupied[other]).find(clashes) {
             let fault = coincident(&other.name);
             let located = match &own.span {
                 Some(span) => Located::at(span, fault),

@@ -227,10 +227,7 @@ impl Visibility {
 
     /// The surfaces whose boxes overlap `bounds`, ascending.
     pub fn near(&self, bounds: &Aabb) -> Vec<usize> {
-        let mut found = Vec::new();
-        self.tree.overlapping(bounds, |index| found.push(index));
-        found.sort_unstable();
-        found
+        self.tree.near(bounds)
     }
 
     /// Bounding box of all surfaces.

@@ -17,9 +17,6 @@ impl Segments {
 
     /// The indices of the segments that may come within `room` of all points between `points`, ascending.
     pub(super) fn near(&self, points: impl IntoIterator<Item = DVec3>, room: f64) -> Vec<usize> {
-        let mut near = Vec::new();
-        self.tree.overlapping(&Aabb::around(points).inflate(room), |index| near.push(index));
-        near.sort_unstable();
-        near
+        self.tree.near(&Aabb::around(points).inflate(room))
     }
 }
