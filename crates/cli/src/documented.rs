@@ -27,16 +27,22 @@ const SCENE: &str = "The scene";
 #[test]
 fn the_page_has_the_options_of_the_command() {
     let page = fs::read_to_string(PAGE).expect("the page is there");
-    let (by_hand, made) = page.split_once(MARK).expect("the page has its mark");
-    let fresh = made_of(Cli::command());
+    let (by_hand, _) = page.split_once(MARK).expect("the page has its mark");
+    assert_made(PAGE, &format!("{by_hand}{MARK}\n\n{}", made_of(Cli::command())));
+}
+
+/// Checks that a file holds this text; writes it instead where `WRITE_DOCUMENTS` asks for that.
+#[track_caller]
+fn assert_made(file: &str, fresh: &str) {
     if env::var_os("WRITE_DOCUMENTS").is_some() {
-        fs::write(PAGE, format!("{by_hand}{MARK}\n\n{fresh}")).expect("the page can be written");
+        fs::write(file, fresh).expect("the file can be written");
         return;
     }
-    let differing = made.trim().lines().zip(fresh.lines()).find(|(old, new)| old != new);
-    let cure = "`WRITE_DOCUMENTS=1 cargo test --release -p radiosity-cli documented` mends docs/command.md";
-    assert_eq!(differing, None, "{cure}");
-    assert_eq!(made.trim().lines().count(), fresh.trim().lines().count(), "{cure}");
+    let held = fs::read_to_string(file).expect("the file is there");
+    let differing = held.lines().zip(fresh.lines()).find(|(old, new)| old != new);
+    let cure = "`WRITE_DOCUMENTS=1 cargo test --release -p radiosity-cli documented` mends it";
+    assert_eq!(differing, None, "{file}: {cure}");
+    assert_eq!(held.lines().count(), fresh.lines().count(), "{file}: {cure}");
 }
 
 /// The defaults that the help states are those of the library: typed, they change no option.

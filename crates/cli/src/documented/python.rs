@@ -1,11 +1,10 @@
 //! python/radiosity/options.py: the options that functions of Python take, as the command has them.
 
-use std::{env, fs};
-
 use clap::builder::PossibleValue;
 use clap::{Arg, Args, Command};
 use radiosity_request::{HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest};
 
+use super::assert_made;
 use crate::grid::GridArgs;
 use crate::options::SceneArg;
 use crate::render::RenderArgs;
@@ -71,16 +70,7 @@ impl Kind {
 
 #[test]
 fn the_options_of_python_are_those_of_the_command() {
-    let fresh = HEAD.to_owned() + &classes().iter().map(Class::text).collect::<String>();
-    if env::var_os("WRITE_DOCUMENTS").is_some() {
-        fs::write(FILE, fresh).expect("the file can be written");
-        return;
-    }
-    let file = fs::read_to_string(FILE).expect("the file is there");
-    let differing = file.lines().zip(fresh.lines()).find(|(old, new)| old != new);
-    let cure = "`WRITE_DOCUMENTS=1 cargo test --release -p radiosity-cli documented` mends options.py";
-    assert_eq!(differing, None, "{cure}");
-    assert_eq!(file.lines().count(), fresh.lines().count(), "{cure}");
+    assert_made(FILE, &(HEAD.to_owned() + &classes().iter().map(Class::text).collect::<String>()));
 }
 
 fn classes() -> Vec<Class> {
