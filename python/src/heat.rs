@@ -37,7 +37,6 @@ pub(crate) fn heat_of(
     let conductances = given.flag("conductances")?;
     let request: HeatRequest = given.fields()?;
     given.finish("heat")?;
-    transfers.check().map_err(Trouble::from)?;
     let heat = work(py, observer.as_ref(), |progress| {
         library::Heat::of(
             &scene.scene,

@@ -7,7 +7,7 @@ use radiosity_solve::Options;
 use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Goal;
-use radiosity_visibility::Hiding;
+use radiosity_visibility::Shadows;
 use radiosity_work::wording::{Wording, option, set, value, words};
 use serde::Deserialize;
 
@@ -71,7 +71,7 @@ impl ReadRequest {
                 words("leave one of them out, or take ") + set("read", "gather"),
             ),
             _ if self.read_by == Some(GatherMethod::Rays)
-                && (options.masks.is_some() || options.shadows == Hiding::Off) =>
+                && (options.masks.is_some() || options.shadows == Shadows::Off) =>
             {
                 refuse(
                     set("read-by", "rays")

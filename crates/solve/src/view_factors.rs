@@ -22,7 +22,7 @@ use radiosity_kernel::{Accuracy, Blocks, PairCounts, PlacedBlock, Reciprocity, W
 use radiosity_scene::Scene;
 use radiosity_transport as transport;
 use radiosity_transport::{Demand, Whole};
-use radiosity_visibility::{Hiding, Visibility};
+use radiosity_visibility::{Shadows, Visibility};
 use radiosity_work::Work;
 
 use crate::driver::{Failure, in_threads};
@@ -36,7 +36,7 @@ pub struct Options {
     /// Accuracy of the exchange of two elements.
     pub accuracy: Accuracy,
     /// Ways to find shadows between surfaces.
-    pub shadows: Hiding,
+    pub shadows: Shadows,
     /// Threads, 0 for all that a rank may use; the result does not depend on it.
     pub threads: usize,
 }
@@ -145,7 +145,7 @@ fn constants(
     scene.surfaces.iter_mut().for_each(|surface| surface.order = None);
     let Accuracy { eps, shadow_eps } = options.accuracy;
     let accuracy = Accuracy { eps, shadow_eps: options.shadows.accuracy(eps, shadow_eps) };
-    let visibility = Visibility::new(&scene, options.shadows.shadows(accuracy.shadow_eps));
+    let visibility = Visibility::new(&scene, options.shadows, accuracy.shadow_eps);
     let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
     let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
     let how = Discretization { order: 0, space: Space::Total, subdivide, layers: Layers::NONE };
@@ -193,7 +193,7 @@ mod tests {
 
     fn factors(scene: &Scene, subdivide: usize) -> ViewFactors {
         let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-2 };
-        let options = Options { subdivide: Some(subdivide), accuracy, shadows: Hiding::Auto, threads: 2 };
+        let options = Options { subdivide: Some(subdivide), accuracy, shadows: Shadows::Auto, threads: 2 };
         ViewFactors::new(scene, &options, &Work::alone()).expect("all have area")
     }
 
@@ -214,7 +214,7 @@ mod tests {
     fn only_the_pairs_wanted_are_integrated() {
         let scene = radiosity_language::builtin("empty-box").expect("it is built in");
         let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-2 };
-        let options = Options { subdivide: Some(1), accuracy, shadows: Hiding::Auto, threads: 1 };
+        let options = Options { subdivide: Some(1), accuracy, shadows: Shadows::Auto, threads: 1 };
         let wanted = |i, j| (i, j) == (4, 1);
         let some = ViewFactors::of_pairs(&scene, &wanted, &options, &Work::alone()).expect("all have area");
         let all = ViewFactors::new(&scene, &options, &Work::alone()).expect("all have area");

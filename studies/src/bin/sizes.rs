@@ -25,7 +25,6 @@ use radiosity::solve::driver::memory_estimate::MemoryEstimate;
 use radiosity::solve::system::System;
 use radiosity::solve::{Options, in_threads};
 use radiosity::transport;
-use radiosity::visibility::Visibility;
 use radiosity::work::ranks::Ranks;
 use radiosity_solvers::Settings;
 
@@ -139,7 +138,7 @@ fn how(order: usize) -> Discretization {
 fn measure(grid: [usize; 3], order: usize) {
     let (scene, options) = (room(grid), Options::default());
     let elements = Elements::new(&scene, &how(order)).expect("all have area");
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     let start = processor();
     let blocks = transport::assemble(
         transport::Demand::all(&elements, &visibility, options.accuracy()),

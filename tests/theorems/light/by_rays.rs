@@ -22,7 +22,7 @@ use radiosity_test_support::solved::outcome_of;
 fn solved(scene: &Scene) -> (Outcome, Visibility) {
     let options = Options::default();
     let outcome = outcome_of(scene, &options);
-    (outcome, Visibility::new(scene, (&options).into()))
+    (outcome, options.visibility(scene))
 }
 
 /// Places and normals in the middle of a unit cube and beside its corners.
@@ -151,7 +151,7 @@ fn a_strip_of_wall_beside_a_block_is_gathered_by_cells_as_by_rays() {
     let scene = builtin("cornell-box");
     let options = Options { order: 2, ..Options::default() };
     let solution = outcome_of(&scene, &options).solution;
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     let cells = Gather::new(&solution, &visibility, 1e-3);
     let rays = RayGather::new(&solution, &visibility, 1e-3, false);
     for x in [380.0, 388.0, 396.0] {

@@ -26,7 +26,6 @@ use std::sync::Arc;
 use radiosity_core::dot;
 use radiosity_elements::{Element, Elements};
 use radiosity_scene::{Animation, Scene};
-use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 
 use crate::solution::Solution;
@@ -163,7 +162,7 @@ impl<'a> PathInterpolation<'a> {
 
     /// The frame of a scene with its light, the error of interpolation and the one that rays left.
     fn lit(&self, scene: Scene, solution: Solution, interpolated: Option<f64>, rays: f64) -> Frame {
-        let visibility = Visibility::new(&scene, self.sequence.options().into());
+        let visibility = self.sequence.options().visibility(&scene);
         Frame { scene, visibility, solution, interpolated, rays }
     }
 

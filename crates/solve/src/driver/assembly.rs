@@ -46,7 +46,7 @@ impl Layout {
 
     /// The layout of `scene` by these options.
     pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
-        let visibility = Visibility::new(scene, options.into());
+        let visibility = options.visibility(scene);
         let choice = TransportChoice::of(scene, options, || &visibility);
         let rays = choice.sampled.then(|| options.ray_budget(scene));
         let Ground { how, mesh } = ground(scene, &visibility, options, rays);

@@ -105,7 +105,7 @@ impl Model {
 
     /// Bytes that the model of `scene` and its solution take at the most on each of these ranks, estimated.
     pub fn peak_memory(scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
-        let visibility = Visibility::new(scene, options.into());
+        let visibility = options.visibility(scene);
         let choice = TransportChoice::of(scene, options, || &visibility);
         let rays = choice.sampled.then(|| options.ray_budget(scene));
         let Ground { how, mesh } = ground(scene, &visibility, options, rays);
@@ -139,7 +139,7 @@ impl Model {
         let mut seconds = Stages::default();
         let is_known = how.is_some();
         let (visibility, choice, rays, Ground { how, mesh: own }) = timed(&mut seconds.visibility, || {
-            let visibility = Visibility::new(scene, options.into());
+            let visibility = options.visibility(scene);
             let choice = choice.unwrap_or_else(|| TransportChoice::of(scene, options, || &visibility));
             let rays = choice.sampled.then(|| options.ray_budget(scene));
             let known = how.map(|how| Ground { how, mesh: None });

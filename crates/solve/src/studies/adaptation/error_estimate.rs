@@ -436,7 +436,7 @@ mod tests {
         let options =
             Options { transport: Transport::Sampled, rays: Some(400_000), order: 2, ..Options::default() };
         let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
-        let visibility = Visibility::new(&scene, (&options).into());
+        let visibility = options.visibility(&scene);
         let sensors = Sensor::of_surfaces(&solution);
         let ends = [
             EndGather::Cells(CellEnds::new(&solution, &visibility, 1e-2)),
