@@ -19,8 +19,8 @@ use radiosity_scene::Scene;
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
-use crate::tolerances::LEFT_BESIDE_FOOTPRINTS;
 use crate::Visibility;
+use crate::tolerances::LEFT_BESIDE_FOOTPRINTS;
 pub use footprint::Footprint;
 use seal::SealCandidate;
 use segments::Segments;
