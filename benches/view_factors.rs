@@ -115,7 +115,7 @@ fn assembled_box(_: &mut Criterion) {
              {} logarithms",
             cut.as_secs_f64(),
             start.elapsed().as_secs_f64(),
-            blocks.account.distinct
+            blocks.statistics.distinct
         );
     }
 }

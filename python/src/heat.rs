@@ -13,7 +13,7 @@ use radiosity::work::ranks::Ranks;
 
 use crate::arguments::Arguments;
 use crate::arrays::array;
-use crate::error::{Trouble, warn};
+use crate::error::warn;
 use crate::scene::{Scene, remarks};
 use crate::work::work;
 

@@ -15,7 +15,7 @@ use crate::builtin::{self, Builtin};
 use crate::file::SceneFile;
 use crate::import::Import;
 use crate::include::{self, FileTree};
-use crate::keys::Table;
+use crate::keys::KeyTable;
 use crate::language::Language;
 use crate::merging::merged;
 use crate::variables::{VARIABLES, Variables};

@@ -21,7 +21,7 @@ use radiosity_elements::{Discretization, Elements, Subdivide};
 use radiosity_kernel::{Accuracy, Blocks, PairCounts, PlacedBlock, Reciprocity, WorstError};
 use radiosity_scene::Scene;
 use radiosity_transport as transport;
-use radiosity_transport::{Demand, Whole};
+use radiosity_transport::{Demand, FactorEnds};
 use radiosity_visibility::{Shadows, Visibility};
 use radiosity_work::Work;
 
@@ -59,7 +59,7 @@ pub struct ViewFactors {
     pub rays: u64,
     /// Reciprocity over a sample of pairs that were integrated in both directions.
     pub reciprocity: Reciprocity,
-    /// Largest error that is left in the exchange of two elements ([`radiosity_kernel::Account::accuracy_reached`]).
+    /// Largest error that is left in the exchange of two elements ([`radiosity_kernel::BlockStatistics::accuracy_reached`]).
     pub accuracy_reached: f64,
     /// The two surfaces whose error is the largest multiple of what was asked.
     pub worst_error: Option<WorstError>,
@@ -94,12 +94,12 @@ impl ViewFactors {
             names: scene.surfaces.iter().map(|surface| surface.name.clone()).collect(),
             exchanges: exchanges(&elements, &blocks, areas.len()),
             areas,
-            pairs: blocks.account.pairs,
-            samples: blocks.account.distinct,
-            rays: blocks.account.rays,
-            reciprocity: blocks.account.reciprocity,
-            accuracy_reached: blocks.account.accuracy_reached,
-            worst_error: blocks.account.worst_error.map(|worst| WorstError {
+            pairs: blocks.statistics.pairs,
+            samples: blocks.statistics.distinct,
+            rays: blocks.statistics.rays,
+            reciprocity: blocks.statistics.reciprocity,
+            accuracy_reached: blocks.statistics.accuracy_reached,
+            worst_error: blocks.statistics.worst_error.map(|worst| WorstError {
                 pair: worst.pair.map(|element| elements.list()[element].surface),
                 ..worst
             }),
@@ -152,7 +152,7 @@ fn constants(
     let elements = Elements::new(&scene, &how)?;
     let surface = |element: usize| elements.list()[element].surface;
     let wanted = |a, b| wanted(surface(a), surface(b)) || wanted(surface(b), surface(a));
-    let demand = Demand { whole: Whole::Surface, ..Demand::all(&elements, &visibility, accuracy) };
+    let demand = Demand { whole: FactorEnds::Surface, ..Demand::all(&elements, &visibility, accuracy) };
     let blocks = transport::assemble(demand.of(&wanted), None, work);
     Ok((elements, blocks))
 }

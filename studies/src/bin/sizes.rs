@@ -155,7 +155,7 @@ fn measure(grid: [usize; 3], order: usize) {
     let solved = options.solver.solver.solve(&matrix, &right, &mut unknowns, &settings, &mut |_| {});
     solved.expect("walls of reflectance ½ converge");
     let seconds = [integrated - start, processor() - integrated].map(|time| time.as_secs_f64());
-    let pairs = &blocks.account.pairs;
+    let pairs = &blocks.statistics.pairs;
     let skipped = pairs.skipped_behind + pairs.skipped_coplanar + pairs.skipped_hidden;
     let stored: usize = blocks.iter().map(|block| 8 * block.values.len()).sum();
     println!(

@@ -46,11 +46,11 @@ fn measure(cuts: usize, order: usize, eps: f64) {
     .expect("one thread can be started");
     println!(
         "| empty box, {cuts} × {cuts} a wall | {order} | {eps:.0e} | {} | {} | {} | {:.2} | {:.1} |",
-        blocks.account.pairs.total,
-        blocks.account.samples,
-        blocks.account.distinct,
+        blocks.statistics.pairs.total,
+        blocks.statistics.samples,
+        blocks.statistics.distinct,
         1e3 * seconds,
-        1e9 * seconds / blocks.account.distinct as f64
+        1e9 * seconds / blocks.statistics.distinct as f64
     );
 }
 
@@ -75,7 +75,7 @@ quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }";
                 None,
                 &Work::alone(),
             )
-            .account
+            .statistics
             .distinct;
         }
         (samples, start.elapsed().as_secs_f64())

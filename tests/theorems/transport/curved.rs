@@ -152,7 +152,7 @@ fn furnaces_with_curved_walls_keep_the_accuracy_asked() {
             let transport = Transport::unoccluded(room.clone(), 2, *eps);
             let error = furnace_error(&transport);
             assert!(error <= 10.0 * eps + 1e-13, "{name} {eps:e}: {error:e}");
-            assert_eq!(transport.blocks.account.pairs.unresolved, 0, "{name} {eps:e}");
+            assert_eq!(transport.blocks.statistics.pairs.unresolved, 0, "{name} {eps:e}");
         }
     }
 }
@@ -241,7 +241,7 @@ fn a_ball_on_the_floor_tells_what_it_reached() {
     for eps in [1e-2, 1e-3] {
         let transport = Transport::unoccluded(shapes.clone(), 0, eps);
         let error = (transport.factor(0, 1) / exact - 1.0).abs();
-        assert!(error <= 2.0 * eps.max(transport.blocks.account.accuracy_reached), "{eps:e}: {error:e}");
+        assert!(error <= 2.0 * eps.max(transport.blocks.statistics.accuracy_reached), "{eps:e}: {error:e}");
         assert!(error < 0.05, "{eps:e}: {error:e}");
     }
 }

@@ -215,7 +215,7 @@ impl Case {
                 error / (eps * scale),
                 largest(exact)
             );
-            error / (eps.max(blocks.account.accuracy_reached) * scale)
+            error / (eps.max(blocks.statistics.accuracy_reached) * scale)
         };
         self.pairs.iter().map(error).fold(0.0, f64::max)
     }

@@ -242,15 +242,15 @@ impl Model {
         let slowest = costs.iter().max_by_key(|cost| cost.iterations);
         let powers = solution.powers().unwrap_or_default();
         let checks = Checks::with_powers(&solution, &self.blocks, powers, ranks);
-        let account = &self.blocks.account;
+        let statistics = &self.blocks.statistics;
         Outcome {
             checks,
-            pairs: account.pairs,
-            samples: account.samples,
-            distinct: account.distinct,
-            rays: account.rays,
-            accuracy_reached: account.accuracy_reached,
-            worst_error: account.worst_error,
+            pairs: statistics.pairs,
+            samples: statistics.samples,
+            distinct: statistics.distinct,
+            rays: statistics.rays,
+            accuracy_reached: statistics.accuracy_reached,
+            worst_error: statistics.worst_error,
             solver: slowest.map_or(self.options.solver.name, |cost| cost.solver),
             iterations: slowest.map_or(0, |cost| cost.iterations),
             residual: solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max),

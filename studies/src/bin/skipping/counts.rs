@@ -39,7 +39,7 @@ fn naive_samples(subject: &Subject, pairs: usize) -> u64 {
             None,
             &Work::alone(),
         )
-        .account
+        .statistics
         .samples
 }
 

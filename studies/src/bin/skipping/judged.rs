@@ -127,7 +127,7 @@ impl<'a> Judged<'a> {
             &Work::alone(),
         );
         let seconds = start.elapsed().as_secs_f64();
-        let rays = blocks.account.rays;
+        let rays = blocks.statistics.rays;
         Found {
             blocks: blocks.iter().map(|block| ((block.row, block.column), block.values.to_vec())).collect(),
             rays,

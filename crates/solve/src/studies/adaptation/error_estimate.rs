@@ -318,12 +318,14 @@ impl<'a> MissedLight<'a> {
 impl<'a> SensorWalks<'a> {
     /// The light of sensors before walks: irradiance `gathered` at each (W m⁻²), per band.
     fn begun(sensors: &'a [Sensor], gathered: Vec<Vec<f64>>, unknowns: usize) -> Vec<Self> {
-        let begin = |(number, (sensor, gathered)): (usize, (&'a Sensor, Vec<f64>))| Self {
-            sensor,
-            number: number_of([number as f64, unknowns as f64]),
-            light: SensorLight { gathered, parts: BTreeMap::new() },
+        let begin = |(number, (sensor, gathered))| {
+            Self::new(sensor, number_of([number as f64, unknowns as f64]), gathered)
         };
         sensors.iter().zip(gathered).enumerate().map(begin).collect()
+    }
+
+    fn new(sensor: &'a Sensor, number: u64, gathered: Vec<f64>) -> Self {
+        Self { sensor, number, light: SensorLight { gathered, parts: BTreeMap::new() } }
     }
 
     /// e by each half of so many walks, per band.
