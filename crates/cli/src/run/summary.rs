@@ -136,7 +136,7 @@ fn minimum(Functional { band, group, value }: &Functional) -> String {
     format!("variational functional of band '{band}'{group}: {value:.9e}")
 }
 
-/// What the line about the balance of power says of the sums of rows.
+/// Words on the sums of rows, behind the balance of power.
 fn row_sums(checks: &Checks) -> String {
     let [least, most] = [checks.row_sum_min, checks.row_sum_max].map(|sum| decimals(sum, 4));
     format!("; row sums {least} to {most}")
