@@ -30,6 +30,7 @@ mod ranks;
 mod rounded;
 mod scene_format;
 mod shapes;
+mod shots;
 mod sources;
 mod textures;
 mod transport;

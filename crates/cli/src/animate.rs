@@ -22,12 +22,13 @@ use radiosity_request::MethodRequest;
 use radiosity_request::ReadRequest;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_request::ranges::{Fraction, Positive};
-use radiosity_request::require_all_bounces;
+use radiosity_request::require_all_light;
 use radiosity_solve::animation::follower::{FollowMode, Follower};
 use radiosity_solve::animation::frame::Frame;
 use radiosity_solve::{LightMethod, Options};
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
+use radiosity_work::wording::{option, words};
 
 use crate::{
     console,
@@ -254,7 +255,8 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(
     let scene = loaded.scene();
     args.method.check()?;
     let frames = "frames that follow each other hold all light";
-    require_all_bounces(&args.method, frames, "take single frames: render --frame K --bounces …")?;
+    let cure = |name: &'static str| words("take single frames: render --frame K ") + option(name) + " …";
+    require_all_light(&args.method, frames, cure)?;
     let asked = args.method.options(ranks);
     args.refuse_methods(&asked)?;
     let range = FrameRange::within(args.frames, scene)?;

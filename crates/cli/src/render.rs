@@ -101,7 +101,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
         true => (ReadMode::Basis, Quantity::Irradiance),
         false => {
             let usual = || usual_read(solution, visibility, pixels(&camera));
-            (args.read.unwrap_or_else(usual), args.style.show)
+            (args.run.method.read(args.read).unwrap_or_else(usual), args.style.show)
         }
     };
     let samples = args.samples();
