@@ -218,25 +218,26 @@ fn shooting_finds_the_light_of_other_solvers() {
 
 #[test]
 fn every_way_of_relaxing_finds_the_same_light() {
-    let scene = builtin("empty-box");
+    // Only elements that see themselves have more than the identity for a diagonal block.
+    let [flat, curved] = ["empty-box", "furnace-sphere"].map(builtin);
     let options = |solver, relaxing| Options { solver, relaxing, tolerance: 1e-8, ..by_shots(1, None) };
     let usual = Relaxing::default();
-    let exact = outcome_of(&scene, &options(&Method::LU, usual)).solution.mean_irradiance(0, 0);
     let by_coefficient = Relaxing { at_once: RelaxedAtOnce::Coefficient, ..usual };
-    for (solver, relaxing) in [
-        (&Method::GAUSS_SEIDEL, by_coefficient),
-        (&Method::GAUSS_SEIDEL, Relaxing { sweep: SweepOrder::Symmetric, ..usual }),
-        (&Method::GAUSS_SEIDEL, Relaxing { relaxation: 1.1, ..usual }),
-        (&Method::JACOBI, by_coefficient),
-        (&Method::RICHARDSON, Relaxing { relaxation: 0.9, ..usual }),
-        (&Method::SOUTHWELL, by_coefficient),
-        (&Method::SOUTHWELL, Relaxing { relaxation: 1.1, ..usual }),
-        (&Method::GMRES, Relaxing { restart: 2, ..usual }),
+    for (scene, solver, relaxing) in [
+        (&curved, &Method::GAUSS_SEIDEL, by_coefficient),
+        (&flat, &Method::GAUSS_SEIDEL, Relaxing { sweep: SweepOrder::Symmetric, ..usual }),
+        (&flat, &Method::GAUSS_SEIDEL, Relaxing { relaxation: 1.1, ..usual }),
+        (&curved, &Method::JACOBI, by_coefficient),
+        (&flat, &Method::RICHARDSON, Relaxing { relaxation: 0.9, ..usual }),
+        (&curved, &Method::SOUTHWELL, by_coefficient),
+        (&flat, &Method::SOUTHWELL, Relaxing { relaxation: 1.1, ..usual }),
+        (&flat, &Method::GMRES, Relaxing { restart: 2, ..usual }),
     ] {
-        let outcome = outcome_of(&scene, &options(solver, relaxing));
+        let exact = outcome_of(scene, &options(&Method::LU, usual)).solution.mean_irradiance(0, 0);
+        let outcome = outcome_of(scene, &options(solver, relaxing));
         let found = outcome.solution.mean_irradiance(0, 0);
         assert!((found - exact).abs() < 1e-6, "{} {relaxing:?}: {found} {exact}", solver.name);
-        let usual = outcome_of(&scene, &options(solver, usual));
+        let usual = outcome_of(scene, &options(solver, usual));
         assert_ne!(outcome.iterations, usual.iterations, "{} {relaxing:?} changes nothing", solver.name);
     }
 }

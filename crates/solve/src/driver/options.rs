@@ -66,11 +66,11 @@ pub struct Options {
     #[serde(default)]
     pub preconditioner: Preconditioning,
     /// Ways of solvers that relax, and of gmres.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Relaxing::is_usual")]
     pub relaxing: Relaxing,
     /// When columns of G are integrated for a solver that shoots; None: each when it is first shot, where
     /// that can be.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub columns: Option<ColumnChoice>,
     /// Shots after which the light of a solver that shoots is taken as it is; None for all that its tolerance
     /// takes. Solution files hold all light.

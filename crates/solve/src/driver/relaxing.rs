@@ -49,6 +49,11 @@ impl Default for Relaxing {
 }
 
 impl Relaxing {
+    /// Whether all ways are the usual ones.
+    pub(super) fn is_usual(&self) -> bool {
+        *self == Self::default()
+    }
+
     /// `settings` in these ways.
     pub(super) fn set<'a>(&self, settings: Settings<'a>) -> Settings<'a> {
         let granularity = match self.at_once {
