@@ -63,6 +63,25 @@ fn two_squares() -> Scene {
     )
 }
 
+/// The inside of a cylinder over a disk that emits 1.
+fn tube() -> Scene {
+    typed(
+        r#"
+        materials.lamp = { reflectance = 0.5, emission = 1 }
+        materials.grey = { reflectance = 0.8 }
+        [[surfaces]]
+        name = "tube"
+        material = "grey"
+        flip = true
+        cylinder = { base = [0, 0, 0], axis = [0, 0, 1], radius = 1 }
+        [[surfaces]]
+        name = "lamp"
+        material = "lamp"
+        disk = { center = [0, 0, -0.5], normal = [0, 0, 1], radius = 0.5 }
+        "#,
+    )
+}
+
 #[test]
 fn the_ambient_term_is_all_the_light_of_a_furnace_before_the_first_shot() {
     for name in ["furnace-cube", "furnace-sphere"] {
@@ -219,8 +238,8 @@ fn shooting_finds_the_light_of_other_solvers() {
 #[test]
 fn every_way_of_relaxing_finds_the_same_light() {
     // Only elements that see themselves have more than the identity for a diagonal block.
-    let [flat, curved] = ["empty-box", "furnace-sphere"].map(builtin);
-    let options = |solver, relaxing| Options { solver, relaxing, tolerance: 1e-8, ..by_shots(1, None) };
+    let (flat, curved) = (builtin("empty-box"), tube());
+    let options = |solver, relaxing| Options { solver, relaxing, tolerance: 1e-8, ..by_shots(2, None) };
     let usual = Relaxing::default();
     let by_coefficient = Relaxing { at_once: RelaxedAtOnce::Coefficient, ..usual };
     for (scene, solver, relaxing) in [
@@ -229,7 +248,7 @@ fn every_way_of_relaxing_finds_the_same_light() {
         (&flat, &Method::GAUSS_SEIDEL, Relaxing { relaxation: 1.1, ..usual }),
         (&curved, &Method::JACOBI, by_coefficient),
         (&flat, &Method::RICHARDSON, Relaxing { relaxation: 0.9, ..usual }),
-        (&curved, &Method::SOUTHWELL, by_coefficient),
+        (&flat, &Method::SOUTHWELL, by_coefficient),
         (&flat, &Method::SOUTHWELL, Relaxing { relaxation: 1.1, ..usual }),
         (&flat, &Method::GMRES, Relaxing { restart: 2, ..usual }),
     ] {
@@ -238,7 +257,7 @@ fn every_way_of_relaxing_finds_the_same_light() {
         let found = outcome.solution.mean_irradiance(0, 0);
         assert!((found - exact).abs() < 1e-6, "{} {relaxing:?}: {found} {exact}", solver.name);
         let usual = outcome_of(scene, &options(solver, usual));
-        assert_ne!(outcome.iterations, usual.iterations, "{} {relaxing:?} changes nothing", solver.name);
+        assert_ne!(bits(&outcome), bits(&usual), "{} {relaxing:?} changes nothing", solver.name);
     }
 }
 

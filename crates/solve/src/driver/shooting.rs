@@ -64,10 +64,10 @@ impl Shooter<'_> {
         let mut radiosity: Vec<Vec<Vec<f64>>> = self.emissions.iter().map(|_| Vec::new()).collect();
         let (mut costs, mut history, mut unshot) = (Vec::new(), Vec::new(), 0.0f64);
         for (band, name) in self.names.iter().enumerate() {
-            for emission in 0..self.emissions.len() {
+            for (emission, own) in radiosity.iter_mut().enumerate() {
                 let failed = |source| Failure::Solver { band: name.clone(), source };
                 let course = self.course(band, emission, source, begun, work).map_err(failed)?;
-                radiosity[emission].push(course.radiosity);
+                own.push(course.radiosity);
                 costs.extend(course.cost);
                 unshot = unshot.max(course.history.last().map_or(0.0, |last| last.unshot));
                 if course.history.len() > history.len() {
