@@ -32,6 +32,7 @@ mod scene_format;
 mod shapes;
 mod shots;
 mod sources;
+mod tessellation;
 mod textures;
 mod transport;
 mod trees;

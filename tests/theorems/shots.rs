@@ -7,7 +7,6 @@ use radiosity::solve::{
     Transport, solve,
 };
 use radiosity::transport::{ColumnsAsShot, Demand};
-use radiosity::visibility::{Shadows, Visibility};
 use radiosity::{Scene, Work};
 use radiosity_core::dot;
 use radiosity_solvers::method::Method;
@@ -172,7 +171,7 @@ fn columns_integrated_as_they_are_shot_are_those_of_the_whole_matrix() {
         let scene = builtin(name);
         let elements = elements_of(&scene, order, 2);
         let options = by_shots(order, None);
-        let visibility = Visibility::new(&scene, Shadows::from(&options));
+        let visibility = options.visibility(&scene);
         let whole = blocks_of(&elements, &visibility, options.accuracy());
         let whole = ByColumn::of(&whole);
         let columns = ColumnsAsShot::new(Demand::all(&elements, &visibility, options.accuracy()));

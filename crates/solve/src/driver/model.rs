@@ -11,10 +11,9 @@ use std::time::Duration;
 
 use radiosity_elements::Elements;
 use radiosity_elements::mesh::Mesh;
+use radiosity_kernel::Blocks;
 use radiosity_kernel::block_columns::ByColumn;
-use radiosity_kernel::{Account, Blocks};
 use radiosity_published::bases::Subspace;
-use radiosity_published::bases::basis::Ground;
 use radiosity_scene::Scene;
 use radiosity_solvers::method::Access;
 use radiosity_transport::{ColumnsAsShot, KeptBlocks};
@@ -28,15 +27,15 @@ use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
 use crate::system::shooting::ambient;
 
-use super::assembly::{Layout, carried, ground};
+use super::assembly::carried;
 use super::band_systems::{BandSystems, SolvedLight};
+use super::decisions::{AssemblyPlan, Layout};
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::EnteringLight;
-use super::memory_need::{MemoryNeed, peak_of_mesh};
 use super::options::Options;
 use super::outcome::{Outcome, Stages, timed};
-use super::ready::{AssemblyPlan, Ready, require_diffuse};
+use super::ready::{Ready, require_diffuse};
 use super::sampling::{Sampling, Subject};
 use super::shooting::ColumnSource;
 use super::shots::ShotLimit;
@@ -95,24 +94,12 @@ impl Model {
         kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        let plan = AssemblyPlan {
-            choice: Some(layout.choice.clone()),
-            how: Some(layout.how),
-            mesh: Some(&layout.mesh),
-        };
-        options.in_threads(work.ranks, || Self::assembled(scene, options, plan, kept, work))?
+        options.in_threads(work.ranks, || Self::assembled(scene, options, layout.plan(), kept, work))?
     }
 
     /// Bytes that the model of `scene` and its solution take at the most on each of these ranks, estimated.
     pub fn peak_memory(scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
-        let visibility = Visibility::new(scene, options.into());
-        let choice = TransportChoice::of(scene, options, || &visibility);
-        let rays = choice.sampled.then(|| options.ray_budget(scene));
-        let Ground { how, mesh } = ground(scene, &visibility, options, rays);
-        match mesh {
-            Some(mesh) => peak_of_mesh(scene, &how, &mesh, options, ranks),
-            None => (MemoryNeed { scene, how, options, rays, is_kept: false, ranks }).peak(),
-        }
+        AssemblyPlan::default().decided(scene, options).peak_memory(scene, options, ranks)
     }
 
     /// Solves `scene` by exact blocks, for the reason `why`, between the elements of a refined mesh if there is
@@ -330,17 +317,16 @@ impl Model {
         let powers = solution.powers().unwrap_or_default();
         let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
         let checks = Checks::with_powers(&solution, &self.blocks, powers, ranks);
-        let Account { pairs, samples, distinct, rays, accuracy_reached, worst_error, .. } =
-            self.blocks.account;
+        let statistics = &self.blocks.statistics;
         Outcome {
             solution,
             checks,
-            pairs,
-            samples,
-            distinct,
-            rays,
-            accuracy_reached,
-            worst_error,
+            pairs: statistics.pairs,
+            samples: statistics.samples,
+            distinct: statistics.distinct,
+            rays: statistics.rays,
+            accuracy_reached: statistics.accuracy_reached,
+            worst_error: statistics.worst_error,
             solver,
             iterations,
             residual,

@@ -2,11 +2,8 @@
 
 use std::sync::Arc;
 
-use radiosity_elements::Discretization;
 use radiosity_elements::Elements;
-use radiosity_elements::mesh::Mesh;
 use radiosity_published::bases::Subspace;
-use radiosity_published::bases::basis::Ground;
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_solvers::method::Access;
 use radiosity_transport::{Demand, KeptBlocks};
@@ -15,13 +12,12 @@ use radiosity_work::ranks::Ranks;
 use radiosity_work::wording::{option, set};
 use radiosity_work::{Progress, Stage, Work};
 
-use super::assembly::ground;
 use super::column_choice::ColumnChoice;
+use super::decisions::{AssemblyPlan, Decisions};
 use super::direct::Direct;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::{EnteringLight, FirstLight, LitScene};
-use super::memory_need::{MemoryNeed, require_memory_of_mesh};
 use super::options::Options;
 use super::outcome::{Stages, timed};
 use super::shooting::Shooter;
@@ -45,17 +41,6 @@ pub(super) struct Ready {
     pub seconds: Stages,
 }
 
-/// Decisions before a model is assembled.
-#[derive(Default)]
-pub(super) struct AssemblyPlan<'a> {
-    /// The carrier of the pairs, if it is not left to the scene.
-    pub choice: Option<TransportChoice>,
-    /// Cuts of surfaces, if not those that the scene needs.
-    pub how: Option<Discretization>,
-    /// Cells of the surfaces, if not those that follow from `how`.
-    pub mesh: Option<&'a Mesh>,
-}
-
 impl Ready {
     /// The elements of `scene`, its visibility and first light.
     ///
@@ -64,41 +49,22 @@ impl Ready {
     pub(super) fn of(
         scene: &Scene,
         options: &Options,
-        AssemblyPlan { choice, how, mesh }: AssemblyPlan<'_>,
+        plan: AssemblyPlan<'_>,
         kept: Option<&KeptBlocks>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
         let mut seconds = Stages::default();
-        let is_known = how.is_some();
-        let (visibility, choice, rays, Ground { how, mesh: own }) = timed(&mut seconds.visibility, || {
-            let visibility = Visibility::new(scene, options.into());
-            let choice = choice.unwrap_or_else(|| TransportChoice::of(scene, options, || &visibility));
-            let rays = choice.sampled.then(|| options.ray_budget(scene));
-            let known = how.map(|how| Ground { how, mesh: None });
-            let ground = known.unwrap_or_else(|| ground(scene, &visibility, options, rays));
-            (visibility, choice, rays, ground)
-        });
+        let decisions = timed(&mut seconds.visibility, || plan.decided(scene, options));
         // The choice may depend on time or memory, which no fingerprint holds.
-        work.ranks.note_choice(&(options.neutral(), choice.sampled));
-        let is_refined = (mesh.is_some() && !is_known) || own.is_some();
-        let mesh = mesh.or(own.as_ref());
+        work.ranks.note_choice(&(options.neutral(), decisions.choice.sampled));
         work.report(Progress::Finished { stage: Stage::Visibility, took: seconds.visibility });
-        match mesh {
-            Some(mesh) if is_refined => require_memory_of_mesh(scene, &how, mesh, options, work.ranks)?,
-            _ => {
-                let is_kept = kept.is_some();
-                (MemoryNeed { scene, how, options, rays, is_kept, ranks: work.ranks }).require()?;
-            }
-        }
-        let before = kept.and_then(|kept| kept.elements()).filter(|_| options.kernel.is_none());
-        let elements = timed(&mut seconds.elements, || match before {
-            Some(before) => before.moved(scene),
-            None => options.elements(scene, &how, mesh),
-        })?;
+        decisions.require_memory(scene, options, kept.is_some(), work.ranks)?;
+        let before = kept.and_then(|kept| kept.elements());
+        let elements = timed(&mut seconds.elements, || elements(scene, options, &decisions, before))?;
         let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
-        let elements = Arc::new(elements);
         work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
+        let Decisions { visibility, choice, rays, .. } = decisions;
         let emissions = Emission::all(scene, elements.list());
         let lit_scene =
             LitScene { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
@@ -236,4 +202,18 @@ fn require_even(scene: &Scene, options: &Options) -> Result<(), Failure> {
 fn subspace(scene: &Scene, options: &Options, elements: &Elements) -> Option<Subspace> {
     let degree = |surface: usize| scene.surfaces[surface].order.unwrap_or(options.order);
     Subspace::new(options.basis, elements, &degree, options.space)
+}
+
+/// The elements of `scene`; those that are known from `before`, where some surfaces stood elsewhere.
+fn elements(
+    scene: &Scene,
+    options: &Options,
+    decisions: &Decisions<'_>,
+    before: Option<&Elements>,
+) -> Result<Arc<Elements>, Failure> {
+    let elements = match before.filter(|_| options.kernel.is_none()) {
+        Some(before) => before.moved(scene),
+        None => options.elements(scene, &decisions.how, decisions.mesh.as_deref()),
+    };
+    Ok(Arc::new(elements?))
 }

@@ -98,7 +98,7 @@ impl<'a> ColumnsAsShot<'a> {
         if pairs.skipped_black > 0 {
             schedule.open_rows().into_iter().for_each(|row| blocks.leave_open(row));
         }
-        blocks.account.pairs = pairs;
+        blocks.statistics.pairs = pairs;
         let plan: Vec<Planned> =
             plan.into_iter().filter(|planned| planned.task.pair().into_iter().any(is_asked)).collect();
         let made = made.into_iter().map(OnceLock::into_inner).collect();
