@@ -19,6 +19,7 @@ mod includes;
 mod instances;
 mod interiors;
 mod interruption;
+mod joints;
 mod layering;
 mod light;
 mod materials;
