@@ -5,16 +5,17 @@ use std::f64::consts::PI;
 use proptest::prelude::*;
 use radiosity::Work;
 use radiosity::elements::rule::UnitRule;
+use radiosity::elements::sampling::kronecker;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements};
-use radiosity::geom::DVec3;
+use radiosity::geom::{DVec3, RayTree};
 use radiosity::geom::shapes::{Polygon, Sphere};
 use radiosity::kernel::{Accuracy, Blocks, PlacedBlock};
 use radiosity::published::hierarchy::harmonics::{HARMONICS, clamped_cosine, harmonics};
 use radiosity::published::hierarchy::linked_blocks::{LevelElement, LinkedBlocks};
 use radiosity::published::hierarchy::two_scale::TwoScale;
 use radiosity::published::hierarchy::{
-    BandSystem, Counts, Fields, Hierarchical, HierarchyError, HierarchyOptions, solve_hierarchically,
+    BandSystem, Counts, Fields, Hierarchical, HierarchyError, HierarchyOptions, Leaf, LinkMeasure, solve_hierarchically,
 };
 use radiosity::scene::{NamedMaterial, Scene, SceneBuilder};
 use radiosity::solve::solved::Solved;
@@ -267,6 +268,83 @@ fn links_of_squares_keep_the_mean_of_even_light() {
         }
         let mean = mean_radiosity(&solved);
         assert!((mean - 2.0).abs() < 0.03, "{eps}: {mean}");
+    }
+}
+
+/// Greatest and least sum of the form factors of a leaf.
+fn row_sums(solved: &Hierarchical) -> [f64; 2] {
+    let power = solved.hierarchy().exchange(&vec![1.0; solved.leaves().len()]);
+    let sums = solved.leaves().iter().zip(power).map(|(leaf, power)| power / leaf.area);
+    sums.fold([f64::INFINITY, 0.0], |[least, most], sum| [least.min(sum), most.max(sum)])
+}
+
+/// In a closed room the form factors of every leaf add up to 1: the nearer, the weaker links are.
+#[test]
+fn form_factors_of_every_leaf_tend_to_add_up_to_one() {
+    let rays_per_link = 64;
+    for (name, falling, most) in
+        [("empty-box", [1e-2, 1e-3, 1e-4], 0.05), ("two-boxes", [1e-2, 1e-3, 3e-4], 0.15)]
+    {
+        let deviations = falling.map(|eps| {
+            let options = HierarchyOptions { eps, rays_per_link, ..HierarchyOptions::default() };
+            let [least, most] = row_sums(&solved(&builtin(name), &options));
+            (1.0 - least).max(most - 1.0)
+        });
+        let [far, near, nearest] = deviations;
+        assert!(far > near && near > nearest && nearest < most, "{name}: {deviations:?}");
+    }
+}
+
+/// Part of the rays from a leaf, by the cosine, that meet the front of a surface.
+fn met(scene: &Scene, rays: &RayTree, leaf: &Leaf, count: u64) -> f64 {
+    let shape = &scene.surfaces[leaf.surface].shape;
+    let (mut met, mut all) = (0.0, 0.0);
+    for [a, b, c, d] in (0..count).map(kronecker::point::<4>) {
+        let within = |[low, high]: [f64; 2], share: f64| low + (high - low) * share;
+        let jet = shape.jet(within(leaf.rect.u, a), within(leaf.rect.v, b));
+        let (along, across) = jet.normal.any_orthonormal_pair();
+        let (sin, cos) = (2.0 * PI * c).sin_cos();
+        let direction = (along * cos + across * sin) * d.sqrt() + jet.normal * (1.0 - d).sqrt();
+        let area = jet.du.cross(jet.dv).length();
+        all += area;
+        let first = rays.nearest_from(leaf.surface, jet.position, direction);
+        met += if first.is_some_and(|first| first.front) { area } else { 0.0 };
+    }
+    met / all
+}
+
+/// The teapot's room is open, and its surfaces are curved: rays tell what the form factors of a leaf add up to.
+#[test]
+fn form_factors_of_leaves_add_up_to_what_rays_meet() {
+    let scene = builtin("teapot");
+    let rays = RayTree::new(scene.surfaces.iter().map(|surface| surface.shape.clone()).collect());
+    let deviations = [1e-2, 1e-3].map(|eps| {
+        let options = HierarchyOptions { eps, rays_per_link: 64, ..HierarchyOptions::default() };
+        let solved = solved(&scene, &options);
+        let power = solved.hierarchy().exchange(&vec![1.0; solved.leaves().len()]);
+        let (mut missed, mut areas, mut most) = (0.0, 0.0, 0.0f64);
+        for (leaf, power) in solved.leaves().iter().zip(power) {
+            let deviation = power / leaf.area - met(&scene, &rays, leaf, 1000);
+            missed += leaf.area * deviation.powi(2);
+            areas += leaf.area;
+            most = most.max(power / leaf.area);
+        }
+        assert!(most < 1.1, "{eps}: {most}");
+        f64::sqrt(missed / areas)
+    });
+    assert!(deviations[1] < deviations[0] && deviations[1] < 0.05, "{deviations:?}");
+}
+
+/// Every leaf of a furnace, not their mean alone, is as bright as the closed form says.
+#[test]
+fn every_leaf_of_a_furnace_is_nearly_two() {
+    for measure in [LinkMeasure::Power, LinkMeasure::FormFactor] {
+        let eps = if measure == LinkMeasure::Power { 1e-4 } else { 1e-3 };
+        let options =
+            HierarchyOptions { measure, eps, least_area: 1e-3, rays_per_link: 64, ..HierarchyOptions::default() };
+        let solved = solved(&hall(1, true), &options);
+        let worst = solved.radiosity(0).iter().map(|b| (b - 2.0).abs()).fold(0.0, f64::max);
+        assert!(worst < 0.1, "{measure:?}: {worst}");
     }
 }
 
