@@ -52,8 +52,6 @@ mod band_system;
 mod solution;
 mod driver;
 mod leaf_elements;
-pub mod two_scale;
-pub mod linked_blocks;
 
 pub use band_system::BandSystem;
 pub use driver::solve_hierarchically;

@@ -7,7 +7,7 @@ use radiosity::{Scene, Work};
 use radiosity_geom::DVec3;
 
 /// Points along each side of a surface.
-const POINTS: usize = 12;
+const POINTS: usize = 9;
 
 /// Where errors are measured, and the irradiance there.
 pub(crate) struct Judge {
@@ -26,13 +26,8 @@ pub(crate) struct Point {
 impl Judge {
     /// Irradiance gathered from polynomials of order 5.
     pub(crate) fn new(scene: &Scene) -> Self {
-        let options = Options {
-            order: 5,
-            eps: 1e-5,
-            shadow_eps: 1e-3,
-            transport: Transport::Exact,
-            ..Options::default()
-        };
+        let options =
+            Options { order: 5, shadow_eps: 1e-3, transport: Transport::Exact, ..Options::default() };
         let exact = Solved::new(scene.clone(), options, &Work::alone()).expect("the scene can be solved");
         let mut points = Vec::new();
         for (surface, own) in scene.surfaces.iter().enumerate() {

@@ -6,10 +6,11 @@ use std::time::Instant;
 
 use radiosity::elements::{Discretization, Element, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
-use radiosity::published::hierarchy::linked_blocks::LinkedBlocks;
 use radiosity::transport::{Demand, assemble};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity::{Scene, Work};
+
+use crate::scales::Scales;
 
 /// Accuracies of blocks and of shadows in them. Chosen: below the errors of the links.
 const ACCURACY: Accuracy = Accuracy { eps: 1e-4, shadow_eps: 1e-3 };
@@ -18,7 +19,7 @@ const ACCURACY: Accuracy = Accuracy { eps: 1e-4, shadow_eps: 1e-3 };
 pub(crate) struct Levels {
     pub elements: Vec<Elements>,
     /// Push and pull between the levels.
-    pub scales: LinkedBlocks,
+    pub scales: Scales,
     /// Parts of each element in the next level.
     parts: Vec<Vec<Vec<usize>>>,
     visibility: Visibility,
@@ -38,19 +39,16 @@ pub(crate) struct Linked {
 
 impl Levels {
     /// `count` levels, from whole surfaces on, each with all sides halved.
-    pub(crate) fn new(scene: &Scene, order: usize, count: usize) -> Self {
-        Self::of_cuts(scene, order, (0..count).map(|level| 1 << level))
+    pub(crate) fn nested(scene: &Scene, order: usize, count: usize) -> Self {
+        let cuts = (0..count).map(|level| Discretization::uniform(order, 1 << level));
+        Self::new(scene, &cuts.collect::<Vec<_>>())
     }
 
-    /// One level, of surfaces cut `cuts` times along each side.
-    pub(crate) fn single(scene: &Scene, order: usize, cuts: usize) -> Self {
-        Self::of_cuts(scene, order, [cuts])
-    }
-
-    fn of_cuts(scene: &Scene, order: usize, cuts: impl IntoIterator<Item = usize>) -> Self {
-        let cut = |cuts| Elements::new(scene, &Discretization::uniform(order, cuts)).expect("they have area");
-        let elements: Vec<Elements> = cuts.into_iter().map(cut).collect();
-        let scales = LinkedBlocks::new(&elements.iter().collect::<Vec<_>>());
+    /// Levels that are cut so, each into parts of the one before.
+    pub(crate) fn new(scene: &Scene, cuts: &[Discretization]) -> Self {
+        let cut = |how| Elements::new(scene, how).expect("surfaces have area");
+        let elements: Vec<Elements> = cuts.iter().map(cut).collect();
+        let scales = Scales::new(&elements);
         let parts = elements.windows(2).map(|pair| parts(&pair[0], &pair[1])).collect();
         Self { elements, scales, parts, visibility: Visibility::new(scene, Shadows::Outlines(3e-3)) }
     }

@@ -16,6 +16,8 @@ mod judge;
 mod levels;
 mod orders;
 mod rows;
+mod scales;
+mod two_scale;
 
 use std::error::Error;
 use std::time::Instant;

@@ -5,7 +5,8 @@ use std::fs;
 use std::time::Instant;
 
 use radiosity::Scene;
-use radiosity::elements::Element;
+use radiosity::elements::cells::Layers;
+use radiosity::elements::{Discretization, Element};
 use radiosity::output::drawings::diagram::{COLOURS, Curve, Diagram, Dot, Panel};
 use radiosity_test_support::scenes::typed;
 
@@ -16,8 +17,21 @@ use crate::levels::{Levels, Linked, form_factor};
 const FALLING: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];
 /// Levels of elements of each order, from whole surfaces on.
 const LEVELS: [usize; 3] = [5, 4, 4];
-/// Orders on whole surfaces, and on surfaces cut in halves, of the runs by all pairs.
-const ALL_PAIRS: [(usize, usize); 8] = [(0, 4), (0, 8), (1, 2), (1, 4), (2, 2), (3, 1), (3, 2), (5, 1)];
+/// Elements of the runs by all pairs.
+const ALL_PAIRS: [AllPairs; 12] = [
+    AllPairs { order: 0, cuts: 4, layers: 0 },
+    AllPairs { order: 0, cuts: 8, layers: 0 },
+    AllPairs { order: 1, cuts: 2, layers: 0 },
+    AllPairs { order: 1, cuts: 4, layers: 0 },
+    AllPairs { order: 2, cuts: 2, layers: 0 },
+    AllPairs { order: 3, cuts: 1, layers: 0 },
+    AllPairs { order: 3, cuts: 2, layers: 0 },
+    AllPairs { order: 5, cuts: 1, layers: 0 },
+    AllPairs { order: 5, cuts: 2, layers: 0 },
+    AllPairs { order: 2, cuts: 1, layers: 1 },
+    AllPairs { order: 3, cuts: 1, layers: 1 },
+    AllPairs { order: 4, cuts: 1, layers: 2 },
+];
 /// A bent sheet, two-sided, below a disk.
 const BENT: &str = r#"
 bands = ["grey"]
@@ -37,6 +51,14 @@ material = "wall"
 two_sided = true
 quad = { vertices = [[1, 1, 1], [2, 1, 1.3], [2, 2, 1], [1, 2, 1.4]] }
 "#;
+
+/// Order, cuts along each side of a surface, and graded layers.
+#[derive(Clone, Copy)]
+struct AllPairs {
+    order: usize,
+    cuts: usize,
+    layers: usize,
+}
 
 /// A run.
 struct Run {
@@ -65,24 +87,29 @@ pub(crate) fn orders(path: &str) -> Result<(), Box<dyn Error>> {
         for (order, count) in LEVELS.into_iter().enumerate() {
             by_links(scene, order, count, &judge, &mut runs);
         }
-        for (order, cuts) in ALL_PAIRS {
-            all_pairs(scene, order, cuts, &judge, &mut runs);
+        for how in ALL_PAIRS {
+            all_pairs(scene, how, &judge, &mut runs);
         }
         println!();
         panels.push(panel(name, "links", &runs, |run| run.links as f64));
         panels.push(panel(name, "seconds", &runs, |run| run.seconds));
+        draw(path, &panels)?;
     }
+    Ok(())
+}
+
+fn draw(path: &str, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
     let diagram = Diagram {
         title: "Links of polynomials beside blocks between all elements".to_owned(),
         caption: "relative error of the irradiance at points, against links and against time".to_owned(),
         columns: 2,
-        panels,
+        panels: panels.to_vec(),
     };
     Ok(fs::write(path, diagram.drawing().svg())?)
 }
 
 fn by_links(scene: &Scene, order: usize, count: usize, judge: &Judge, runs: &mut Vec<Run>) {
-    let levels = Levels::new(scene, order, count);
+    let levels = Levels::nested(scene, order, count);
     let brightness = judge.brightness(scene);
     let estimate = |p: &Element, q: &Element| {
         let [sent, nearness] = form_factor(p, q);
@@ -136,8 +163,11 @@ fn row_sums(levels: &Levels, linked: &Linked) -> (f64, f64) {
     sums.fold((f64::INFINITY, 0.0), |(least, most), sum| (f64::min(least, sum), f64::max(most, sum)))
 }
 
-fn all_pairs(scene: &Scene, order: usize, cuts: usize, judge: &Judge, runs: &mut Vec<Run>) {
-    let levels = Levels::single(scene, order, cuts);
+fn all_pairs(scene: &Scene, how: AllPairs, judge: &Judge, runs: &mut Vec<Run>) {
+    let AllPairs { order, cuts, layers } = how;
+    let graded = Layers { count: layers, ..Layers::NONE };
+    let how = Discretization { layers: graded, ..Discretization::uniform(order, cuts) };
+    let levels = Levels::new(scene, &[how]);
     let linked = levels.linked(0.0, |_, _| 0.0);
     let begun = Instant::now();
     let irradiance = solved(scene, &levels, &linked);
@@ -146,7 +176,7 @@ fn all_pairs(scene: &Scene, order: usize, cuts: usize, judge: &Judge, runs: &mut
     let error = error(judge, &levels, &irradiance);
     let Linked { links, numbers, .. } = linked;
     println!(
-        "| all pairs | {order} | {cuts} × {cuts} | {} | {links} | {numbers} | {least:.3} to {most:.3} | {error:.2e} | {seconds:.2} |",
+        "| all pairs, {cuts} × {cuts}, {layers} layers | {order} | | {} | {links} | {numbers} | {least:.3} to {most:.3} | {error:.2e} | {seconds:.2} |",
         levels.leaves().coefficients()
     );
     runs.push(Run { order: None, links, seconds, error });
