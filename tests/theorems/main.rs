@@ -31,6 +31,7 @@ mod rounded;
 mod scene_format;
 mod shapes;
 mod sources;
+mod tessellation;
 mod textures;
 mod transport;
 mod trees;

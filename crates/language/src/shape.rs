@@ -6,7 +6,10 @@ mod solid;
 mod spline;
 mod turned;
 
-use radiosity_geom::Motion;
+use std::num::NonZeroUsize;
+
+use radiosity_formats::model::Shape;
+use radiosity_geom::{Motion, ShapeError};
 use radiosity_scene::{
     Fault, FaultKind,
     error::Located,
@@ -17,10 +20,11 @@ use serde_json::Value as Json;
 
 use crate::{
     fields::Reader,
-    keys::{Fields, Group, Key, Table},
+    keys::{GivenFields, KeyGroup, KeySchema, KeyTable},
     terms,
+    tessellation::pieces,
 };
-use form::{Built, Form, Modelled};
+use form::{Built, Form};
 
 /// A shape: its key, what reads its value, and the schema of that.
 struct Entry {
@@ -29,7 +33,7 @@ struct Entry {
     schema: fn() -> Json,
 }
 
-const fn entry<T: Table + Form + 'static>(key: &'static str) -> Entry {
+const fn entry<T: KeyTable + Form + 'static>(key: &'static str) -> Entry {
     Entry { key, read: |node| Ok(Box::new(T::read(node)?)), schema: T::schema }
 }
 
@@ -82,18 +86,21 @@ struct FieldPlaces {
 }
 
 /// The one shape among the keys of a surface.
-impl Group for ShapeFile {
+impl KeyGroup for ShapeFile {
     fn has(key: &str) -> bool {
         SHAPES.iter().any(|shape| shape.key == key)
     }
 
-    fn keys() -> Vec<Key> {
-        let key =
-            |shape: &Entry| Key { name: shape.key, schema: terms::reference(shape.key), is_required: false };
+    fn keys() -> Vec<KeySchema> {
+        let key = |shape: &Entry| KeySchema {
+            name: shape.key,
+            schema: terms::reference(shape.key),
+            is_required: false,
+        };
         SHAPES.iter().map(key).collect()
     }
 
-    fn take(fields: &Fields<'_>) -> Result<Self, Located> {
+    fn take(fields: &GivenFields<'_>) -> Result<Self, Located> {
         let given = |shape: &'static Entry| Some((shape, fields.get(shape.key)?));
         match SHAPES.iter().filter_map(given).collect::<Vec<_>>()[..] {
             [] => Err(fields.fault(no_shape())),
@@ -116,9 +123,21 @@ impl ShapeFile {
         self.form.surfaces(motion)
     }
 
-    /// Shapes of these surfaces in a model of another program; None if models have no such shape.
-    pub(super) fn models(&self, motion: &Motion) -> Modelled {
-        self.form.models(motion)
+    /// Shapes of each of these surfaces in a model of another program, curved ones cut into flat pieces over so
+    /// many cells each way, if told to; None if models have no such shape.
+    pub(super) fn models(
+        &self,
+        motion: &Motion,
+        tessellation: Option<NonZeroUsize>,
+    ) -> Result<Option<Vec<Vec<Shape>>>, ShapeError> {
+        if let Some(count) = tessellation {
+            let surfaces = self.form.surfaces(motion)?;
+            if surfaces.iter().any(|surface| surface.region().is_none()) {
+                return Ok(Some(surfaces.iter().map(|surface| pieces(surface.as_ref(), count)).collect()));
+            }
+        }
+        let shapes = self.form.models(motion)?;
+        Ok(shapes.map(|shapes| shapes.into_iter().map(|shape| vec![shape]).collect()))
     }
 
     /// The name of the surface at `index` of these, where the shape is called `base`.

@@ -35,7 +35,7 @@ use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Direct, Options, in_threads, solve};
-use radiosity::visibility::{Hiding, Visibility};
+use radiosity::visibility::Shadows;
 
 /// Pixels across and down each picture, and rays along the side of a pixel.
 const SIZE: u32 = 176;
@@ -96,7 +96,7 @@ fn main() -> Result<()> {
 fn ways() -> [Way; 5] {
     let orders = [Some(8), None];
     let paper = Options { order: 4, subdivide: Some(1), ..Options::default() };
-    let ringing = Options { shadows: Hiding::Rays, direct: Direct::Projected, ..paper };
+    let ringing = Options { shadows: Shadows::Rays, direct: Direct::Projected, ..paper };
     let cells = NonZeroUsize::new(40).expect("40 is not zero");
     let masked = |average| Options { masks: Some(Masking { cells, average }), ..paper };
     let split = Options { direct: Direct::Split, ..paper };
@@ -136,7 +136,7 @@ fn camera(scene: &Scene) -> Camera {
 fn picture(way: &Way) -> Raster {
     let scene = scene(way.orders);
     let outcome = solve(&scene, &way.options, &Work::alone()).expect("the box can be solved");
-    let visibility = Visibility::new(&scene, (&way.options).into());
+    let visibility = way.options.visibility(&scene);
     render(
         &outcome.solution,
         &visibility,
@@ -152,7 +152,7 @@ fn picture(way: &Way) -> Raster {
 fn floor_pixels() -> Vec<bool> {
     let scene = scene([None; 2]);
     let floor = scene.surface_named("floor").expect("it is there");
-    let visibility = Visibility::new(&scene, (&Options::default()).into());
+    let visibility = Options::default().visibility(&scene);
     let view = Pinhole::new(&camera(&scene));
     let offsets = || (0..SAMPLES).map(|k| (f64::from(k) + 0.5) / f64::from(SAMPLES));
     let pixel = |index: u32| {

@@ -10,7 +10,7 @@ use radiosity_light::first_bounce::{Bounce, CoatedBounce, DirectLightEntry, lit_
 use radiosity_published::bases::Subspace;
 use radiosity_published::zatz1993::masked_light::{MaskedLight, Setting};
 use radiosity_scene::Scene;
-use radiosity_visibility::{Shadows, Visibility};
+use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 
 use super::emission::Emission;
@@ -161,7 +161,7 @@ pub fn masked_light(
     ranks: &Ranks,
 ) -> Option<MaskedLight> {
     let how = options.masks?;
-    let open = Visibility::new(scene, Shadows::Off);
+    let open = Visibility::open(scene);
     let setting = Setting { elements, coatings, visibility, open: &open, accuracy: options.accuracy() };
     Some(MaskedLight::new(&setting, how, ranks))
 }

@@ -50,7 +50,12 @@ impl Levels {
         let elements: Vec<Elements> = cuts.iter().map(cut).collect();
         let scales = Scales::new(&elements);
         let parts = elements.windows(2).map(|pair| parts(&pair[0], &pair[1])).collect();
-        Self { elements, scales, parts, visibility: Visibility::new(scene, Shadows::Outlines(3e-3)) }
+        Self {
+            elements,
+            scales,
+            parts,
+            visibility: Visibility::new(scene, Shadows::Auto, ACCURACY.shadow_eps),
+        }
     }
 
     /// The elements that carry unknowns.

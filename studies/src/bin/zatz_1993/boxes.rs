@@ -22,7 +22,6 @@ use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads, solve};
-use radiosity::visibility::Visibility;
 
 use crate::memory::megabytes;
 
@@ -87,7 +86,7 @@ fn picture(scene: &Scene, options: &Options, read: ReadMode) -> Result<Taken, Bo
     let start = ProcessTime::now();
     let solution = solve(scene, options, &Work::alone())?.solution;
     let seconds = start.elapsed().as_secs_f64();
-    let visibility = Visibility::new(scene, options.into());
+    let visibility = options.visibility(scene);
     let raster = in_threads(options.threads, || {
         render(&solution, &visibility, &camera, 1, read, Quantity::Radiosity, &Work::alone())
     })?;

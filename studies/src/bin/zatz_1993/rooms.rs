@@ -10,7 +10,7 @@ use radiosity::published::zatz1993::masked_light::{Average, Masking};
 use radiosity::published::zatz1993::transfers::{HybridReading, PaperRules};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, solve};
-use radiosity::visibility::Hiding;
+use radiosity::visibility::Shadows;
 use radiosity_solvers::method::Method;
 
 use crate::memory::megabytes;
@@ -93,7 +93,7 @@ fn rooms() -> Result<Vec<Room>, Box<dyn Error>> {
             "one occluder",
             ["59.7 s", "33"],
             occluder(8, 4)?,
-            Options { shadows: Hiding::Rays, ..shooting },
+            Options { shadows: Shadows::Rays, ..shooting },
         ),
         room("7", "the same, by outlines", ["59.7 s", "33"], occluder(8, 4)?, shooting),
         room(

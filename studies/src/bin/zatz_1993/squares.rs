@@ -15,7 +15,7 @@ use radiosity::published::zatz1993::transfers::{
 };
 use radiosity::scene::Source;
 use radiosity::transport;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity_core::basis::total;
 use radiosity_geom::DVec3;
 
@@ -93,7 +93,7 @@ fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
         radiosity::language::read(&Source::new("section 6.1", &scene)).expect("two squares are a scene");
     let how = Discretization::uniform(order, 1);
     let elements = Elements::new(&scene, &how).expect("squares have area");
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-3 };
     let blocks =
         transport::assemble(transport::Demand::all(&elements, &visibility, accuracy), None, &Work::alone());

@@ -56,7 +56,7 @@ pub fn assemble(
             count(&mut blocks, row == column, &outcome);
         }
         if let Outcome::Integrated(block) = outcome {
-            blocks.account.take_costs(&block.report);
+            blocks.statistics.take_costs(&block.report);
             blocks.push(row, column, &block.values);
         }
     }
@@ -64,7 +64,7 @@ pub fn assemble(
 }
 
 fn count(blocks: &mut Blocks, same: bool, outcome: &Outcome) {
-    let pairs = &mut blocks.account.pairs;
+    let pairs = &mut blocks.statistics.pairs;
     pairs.total += usize::from(!same || matches!(outcome, Outcome::Integrated(_)));
     match outcome {
         Outcome::Coplanar => pairs.skipped_coplanar += usize::from(!same),
