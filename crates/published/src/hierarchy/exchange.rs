@@ -15,14 +15,9 @@ use radiosity_kernel::{kernel, polygon_exchange};
 use super::face::Face;
 
 /// Gauss points per direction on the first and the second face: two numbers, so that no point meets itself
-/// where a face exchanges light with itself.
-type Points = [usize; 2];
-
-/// Points of faces that are small beside their distance, for which few are enough. An arbitrary choice.
-const FAR: Points = [4, 5];
-
-/// Points of faces that nearly touch: with those of far ones row sums of the teapot reached 1.12.
-const NEAR: Points = [12, 13];
+/// where a face exchanges light with itself. An arbitrary choice: links are used where faces are small beside
+/// their distance, and few points are enough.
+const POINTS: [usize; 2] = [4, 5];
 
 /// w of two faces, which may be one and the same.
 pub(crate) fn exchange(p: &Face, q: &Face) -> f64 {
@@ -43,7 +38,7 @@ fn flat(p: &Face, q: &Face) -> f64 {
 fn mixed(flat: &Face, normal: DVec3, curved: &Face) -> f64 {
     let polygons: Vec<Vec<DVec3>> = flat.patches.iter().map(Patch::polygon).collect();
     let seen = |node: &Node| polygons.iter().map(|polygon| irradiance(node, polygon, normal)).sum::<f64>();
-    curved.nodes(points(flat, curved)[0]).iter().map(|node| node.area * seen(node)).sum()
+    curved.nodes(POINTS[0]).iter().map(|node| node.area * seen(node)).sum()
 }
 
 /// Irradiance at a point from a polygon of exitance 1 with this normal.
@@ -57,14 +52,7 @@ fn irradiance(at: &Node, polygon: &[DVec3], normal: DVec3) -> f64 {
 }
 
 fn curved(p: &Face, q: &Face) -> f64 {
-    let [first, second] = points(p, q);
-    let others = q.nodes(second);
+    let others = q.nodes(POINTS[1]);
     let sent = |x: &Node| others.iter().map(|y| y.area * kernel(x, y)).sum::<f64>();
-    p.nodes(first).iter().map(|x| x.area * sent(x)).sum()
-}
-
-/// Gauss points for two faces: many if their balls are less than a sum of radii apart.
-fn points(p: &Face, q: &Face) -> Points {
-    let [(first, own), (second, other)] = [p.ball(), q.ball()];
-    if first.distance(second) < 2.0 * (own + other) { NEAR } else { FAR }
+    p.nodes(POINTS[0]).iter().map(|x| x.area * sent(x)).sum()
 }

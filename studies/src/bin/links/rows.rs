@@ -11,7 +11,7 @@ use crate::judge::{Judge, Point};
 
 /// Greatest powers, and form factors, of a link.
 const FALLING: [(LinkMeasure, &[f64]); 2] =
-    [(LinkMeasure::Power, &[1e-2, 3e-3, 1e-3, 3e-4]), (LinkMeasure::FormFactor, &[1e-1, 3e-2, 1e-2])];
+    [(LinkMeasure::Power, &[1e-2, 1e-3, 1e-4]), (LinkMeasure::FormFactor, &[1e-1, 3e-2, 1e-2])];
 
 /// Prints a table for each scene.
 pub(crate) fn rows() {
