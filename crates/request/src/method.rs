@@ -81,22 +81,21 @@ pub struct MethodRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "Q"))]
     pub ratio: Option<Number<Fraction>>,
 
-    /// Accuracy of the transfers between elements, between 0 and 1; with --method hierarchical the greatest
-    /// power of a link, in parts of all that is emitted, or its greatest form factor [default: 1e-3; as
-    /// --quality says]
+    /// Accuracy of the transfers between elements, between 0 and 1; of hierarchical radiosity the greatest
+    /// power of a link, in parts of all that is emitted, or form factor [default: 1e-3; as --quality says]
     #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
     pub eps: Option<Number<Accuracy>>,
 
-    /// What --eps bounds of a link, with --method hierarchical [default: power]
+    /// What --eps bounds of a link of hierarchical radiosity [default: power]
     #[cfg_attr(feature = "clap", arg(long, value_name = "WHAT"))]
     pub link_measure: Option<LinkMeasure>,
 
-    /// Rays that find what of a link is hidden, with --method hierarchical [default: 16]
+    /// Rays that find what is hidden of a link of hierarchical radiosity [default: 16]
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub link_rays: Option<ranges::LinkRays>,
 
-    /// Part of the area of all surfaces up to which faces are not cut, with --method hierarchical [default:
-    /// 1e-6; 1e-3 by form factors]
+    /// Part of the area of all surfaces up to which hierarchical radiosity does not cut faces [default: 1e-6;
+    /// 1e-3 by form factors]
     #[cfg_attr(feature = "clap", arg(long, value_name = "A"))]
     pub least_area: Option<Number<Fraction>>,
 

@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
 pub enum LinkMeasure {
-    /// The power that one node sends to the other, in parts of all that the scene emits: form factor, area
-    /// and brightness
+    /// The power that one end sends to the other, in parts of all that the scene emits: the form factor times
+    /// area and brightness
     #[default]
     Power,
     /// The form factor alone, dark or bright, as Hanrahan, Salzman and Aupperle (1991) begin
