@@ -98,7 +98,18 @@ class Method(TypedDict, total=False):
         Size of each layer against the next, between 0 and 1 [default: 0.25].
 
     eps: float
-        Accuracy of the transfers between elements, between 0 and 1 [default: 1e-3; as `quality` says].
+        Accuracy of the transfers between elements, between 0 and 1; of hierarchical radiosity the greatest power of a link, in
+        parts of all that is emitted, or form factor [default: 1e-3; as `quality` says].
+
+    link_measure: "power" or "form-factor"
+        What `eps` bounds of a link of hierarchical radiosity [default: power].
+
+    link_rays: int
+        Rays that find what is hidden of a link of hierarchical radiosity [default: 16].
+
+    least_area: float
+        Part of the area of all surfaces up to which hierarchical radiosity does not cut faces [default: 1e-6; 1e-3 by form
+        factors].
 
     kernel: "default", "paper-legendre" or "paper-hybrid"
         Rules of the transfers between elements; those of 1993 ignore `eps` [default: default].
@@ -182,6 +193,9 @@ class Method(TypedDict, total=False):
     layers: int
     ratio: float
     eps: float
+    link_measure: Literal["power", "form-factor"]
+    link_rays: int
+    least_area: float
     kernel: Literal["default", "paper-legendre", "paper-hybrid"]
     transport: Literal["auto", "exact", "sampled"]
     rays: int

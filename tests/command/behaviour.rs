@@ -248,6 +248,21 @@ fn numbers_of_what_is_not_asked_for_are_refused() {
             "--mask-average does nothing without --shadows mask",
             "help: add --shadows mask",
         ),
+        (
+            ["--link-measure", "form-factor"],
+            "--link-measure does nothing without --method hierarchical",
+            "help: add --method hierarchical, or leave --link-measure out",
+        ),
+        (
+            ["--link-rays", "9"],
+            "--link-rays does nothing without --method hierarchical",
+            "help: add --method hierarchical",
+        ),
+        (
+            ["--least-area", "1e-3"],
+            "--least-area does nothing without --method hierarchical",
+            "help: add --method hierarchical",
+        ),
     ];
     for (option, message, cure) in idle {
         refused(here, &[&["solve", "empty-box"], &option[..]].concat(), &[message, cure]);
@@ -345,6 +360,26 @@ fn hierarchical_radiosity_is_a_method_that_every_verb_reads() {
         let args = ["solve", "two-boxes", "--method", "hierarchical", option, value];
         refused(here, &args, &[&format!("knows no {option}"), "help: leave --"]);
     }
+}
+
+/// Refine(Fe, Ae) of 1991: faces of at most a part of the area are not cut, whatever their form factors; and
+/// each link costs the rays that are asked for.
+#[test]
+fn links_have_the_least_area_measure_and_rays_that_are_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let links = |options: &[&str]| {
+        let args = ["solve", "empty-box", "--method", "hierarchical", "--link-measure", "form-factor"];
+        assert!(radiosity(here, &[&args[..], options, &["--report", "r.json"]].concat()).status.success());
+        let report = json(&here.join("r.json"));
+        let links = report["transport"]["links"]["links"].as_u64().unwrap();
+        (report["elements"].as_u64().unwrap(), links, report["shadow_rays"].as_u64().unwrap())
+    };
+    // Six squares, each a sixth of the area, between each other's edges: all are cut until they are small.
+    let [coarse, fine] = ["2e-2", "5e-3"].map(|area| links(&["--eps", "1e-2", "--least-area", area]));
+    assert_eq!((coarse.0, fine.0), (6 * 16, 6 * 64), "cells of 1/96 and 1/384 of the area");
+    // No form factor is above 1.
+    assert_eq!(links(&["--eps", "0.999", "--link-rays", "7"]), (6, 15, 105));
 }
 
 #[test]

@@ -54,7 +54,12 @@ fn check_time_limit(method: &MethodRequest) -> Result<(), Refusal> {
 fn check_idle(method: &MethodRequest) -> Result<(), Refusal> {
     let (layers, masking, usual) = (method.graded_layers(), method.masking(), Masking::default());
     let has_masks = method.shadows == Some(LightShadows::Mask);
+    let has_links = method.method == Some(LightMethod::Hierarchical);
+    let links = || set("method", "hierarchical");
     let idle = [
+        (method.link_measure.is_some() && !has_links, "link-measure", links()),
+        (method.link_rays.is_some() && !has_links, "link-rays", links()),
+        (method.least_area.is_some() && !has_links, "least-area", links()),
         (layers.ratio != Layers::NONE.ratio && layers.count == 0, "ratio", option("layers")),
         (masking.cells != usual.cells && !has_masks, "mask-cells", set("shadows", "mask")),
         (masking.average != usual.average && !has_masks, "mask-average", set("shadows", "mask")),

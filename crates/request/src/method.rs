@@ -6,11 +6,12 @@ use std::time::{Duration, Instant};
 use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
 use radiosity_published::bases::Basis;
+use radiosity_published::hierarchy::LinkMeasure;
 use radiosity_published::zatz1993::masked_light::{Average, Masking};
 use radiosity_reading::quality::Quality;
 use radiosity_reading::reader::ReadMode;
 use radiosity_solve::{
-    ColumnChoice, Direct, LightMethod, Options, Preconditioning, RelaxedAtOnce, Relaxing, ShotLimit,
+    ColumnChoice, Direct, LightMethod, Linking, Options, Preconditioning, RelaxedAtOnce, Relaxing, ShotLimit,
     SweepOrder, Transport,
 };
 use radiosity_solvers::method::Method;
@@ -84,9 +85,23 @@ pub struct MethodRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "Q"))]
     pub ratio: Option<Number<Fraction>>,
 
-    /// Accuracy of the transfers between elements, between 0 and 1 [default: 1e-3; as --quality says]
+    /// Accuracy of the transfers between elements, between 0 and 1; of hierarchical radiosity the greatest
+    /// power of a link, in parts of all that is emitted, or form factor [default: 1e-3; as --quality says]
     #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
     pub eps: Option<Number<Accuracy>>,
+
+    /// What --eps bounds of a link of hierarchical radiosity [default: power]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "WHAT"))]
+    pub link_measure: Option<LinkMeasure>,
+
+    /// Rays that find what is hidden of a link of hierarchical radiosity [default: 16]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub link_rays: Option<ranges::LinkRays>,
+
+    /// Part of the area of all surfaces up to which hierarchical radiosity does not cut faces [default: 1e-6;
+    /// 1e-3 by form factors]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "A"))]
+    pub least_area: Option<Number<Fraction>>,
 
     /// Rules of the transfers between elements; those of 1993 ignore --eps [default: default]
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
@@ -203,6 +218,7 @@ impl MethodRequest {
             subdivide: self.subdivide.unwrap_or_default().0,
             layers: self.graded_layers(),
             eps: self.eps.map_or(usual.eps, f64::from),
+            linking: self.linking(),
             kernel: self.kernel.unwrap_or_default().rules(),
             transport: self.transport.unwrap_or(usual.transport),
             rays: self.rays.map(u64::from),
@@ -250,6 +266,16 @@ impl MethodRequest {
         Layers {
             count: self.layers.map_or(Layers::NONE.count, ranges::Layers::count),
             ratio: self.ratio.map_or(Layers::NONE.ratio, f64::from),
+        }
+    }
+
+    /// Links of hierarchical radiosity.
+    pub(super) fn linking(&self) -> Linking {
+        let usual = Linking::by(self.link_measure.unwrap_or_default());
+        Linking {
+            measure: usual.measure,
+            least_area: self.least_area.map_or(usual.least_area, f64::from),
+            rays_per_link: self.link_rays.map_or(usual.rays_per_link, ranges::LinkRays::count),
         }
     }
 

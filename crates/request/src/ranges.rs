@@ -29,6 +29,9 @@ pub type ShotCount = WholeNumber<0, { u32::MAX as u64 }>;
 /// Number of vectors that gmres keeps.
 pub type Restart = WholeNumber<1, 10_000>;
 
+/// Number of rays that find the visibility of a link. Chosen: with the most, shares are known to 1e-3.
+pub type LinkRays = WholeNumber<1, 1_000_000>;
+
 /// Number of iterations of a solver.
 pub type Iterations = WholeNumber<1, { u32::MAX as u64 }>;
 

@@ -19,6 +19,7 @@ use super::direct::Direct;
 use super::failure::Failure;
 use super::in_threads::in_threads;
 use super::light_method::LightMethod;
+use super::linking::Linking;
 use super::preconditioning::Preconditioning;
 use super::relaxing::Relaxing;
 use super::shots::ShotLimit;
@@ -27,8 +28,8 @@ use super::transport_choice::{MOST_RAYS, Transport, usual_rays};
 /// Options of a solution: method, elements, accuracies, solver and means.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Options {
-    /// The method that finds the light. The hierarchical one takes of all others `eps`, the solver and the
-    /// threads.
+    /// The method that finds the light. The hierarchical one takes of all others `eps`, `linking`, the solver
+    /// and the threads.
     #[serde(default)]
     pub method: LightMethod,
     /// The functions that are summed: polynomials, or one of the bases of the variational form (Szirmay-Kalos
@@ -43,8 +44,11 @@ pub struct Options {
     pub subdivide: Option<usize>,
     /// Further cuts of the outermost cells of every surface, towards its sides.
     pub layers: Layers,
-    /// Accuracy of the kernel blocks.
+    /// Accuracy of the kernel blocks; by links, the greatest power or form factor of one.
     pub eps: f64,
+    /// The links of the hierarchical method.
+    #[serde(default, skip_serializing_if = "Linking::is_usual")]
+    pub linking: Linking,
     /// The rules of 1993 instead of those that keep `eps`.
     pub kernel: Option<transfers::PaperRules>,
     /// Carriers of pairs of elements.
@@ -106,6 +110,7 @@ impl Default for Options {
             subdivide: None,
             layers: Layers::NONE,
             eps: 1e-3,
+            linking: Linking::default(),
             kernel: None,
             transport: Transport::Auto,
             rays: None,
