@@ -124,7 +124,7 @@ pub struct MethodRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub preconditioner: Option<Preconditioning>,
 
-    /// With --solver southwell, when a block column of the transfers is integrated [default: shot; all where
+    /// With --solver southwell, when a block column of the transfers is integrated [default: as it is shot; all where
     /// rays carry the light, and wherever else the summary says so]
     #[cfg_attr(feature = "clap", arg(long, value_name = "WHEN"))]
     pub columns: Option<ColumnChoice>,
