@@ -10,7 +10,7 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::area_light::AreaLight;
 use crate::cells::cell::{Cell, MeasuredQuad};
-use crate::lines::hidden_spans::HiddenSpans;
+use crate::lines::hidden_spans::{HiddenSpans, OwnPiece};
 use crate::lines::projection::ProjectionPlane;
 use crate::occluders::Occluders;
 use crate::receiver_point::ReceiverPoint;
@@ -179,9 +179,9 @@ impl<'a> Shadows<'a> {
         })
     }
 
-    /// Adds a curved blocker to the hidden spans `spans`; `own`: parameters of the piece of that blocker which
-    /// the plane stands for, if it does.
-    pub(crate) fn add_curved(&self, spans: &mut HiddenSpans<'a>, other: usize, own: Option<&Rect>) {
+    /// Adds a curved blocker to the hidden spans `spans`; `own`: the piece of that blocker which the plane stands
+    /// for, if it does.
+    pub(crate) fn add_curved(&self, spans: &mut HiddenSpans<'a>, other: usize, own: Option<OwnPiece>) {
         let ReceiverPoint { normal, ground, surface, .. } = *self.receiver;
         let ground = self.stands_on(other).then_some(ground.unwrap_or(normal));
         let is_turned = surface != Some(other);
@@ -258,12 +258,19 @@ impl<'a> Shadows<'a> {
             match blocker {
                 Blocker::Flat(volume) => spans.add_flat(volume),
                 Blocker::Curved(other) => {
-                    let own = piece.as_ref().filter(|piece| self.visibility.sheet(piece.surface) == *other);
-                    self.add_curved(&mut spans, *other, own.map(|piece| &piece.parameters));
+                    let own = piece.and_then(|piece| self.own_piece(&piece, *other));
+                    self.add_curved(&mut spans, *other, own);
                 }
             }
         }
         Some(spans)
+    }
+
+    /// The piece as one of the obstacle `other`, if it is.
+    fn own_piece(&self, piece: &CurvedPiece, other: usize) -> Option<OwnPiece> {
+        let CurvedPiece { surface, parameters } = *piece;
+        (self.visibility.sheet(surface) == other)
+            .then_some(OwnPiece { parameters, is_turned: surface != other })
     }
 
     /// Whether the point `y` of `surface` is hidden.

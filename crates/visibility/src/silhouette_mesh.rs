@@ -217,6 +217,16 @@ impl Quad {
         self.rect.overlaps(parameters)
     }
 
+    /// Whether an eye sees the back of the surface at a corner of it.
+    pub fn shows_back(&self, eye: DVec3) -> bool {
+        self.knots.iter().any(|knot| knot.normal.dot(eye - knot.position) < 0.0)
+    }
+
+    /// Whether an eye sees the front of the surface at a corner of it.
+    pub fn shows_front(&self, eye: DVec3) -> bool {
+        self.knots.iter().any(|knot| knot.normal.dot(eye - knot.position) > 0.0)
+    }
+
     /// Whether an edge, from this corner to the next, lies on the border of the surface's parameters.
     pub fn is_border(&self, edge: usize) -> bool {
         let [a, b] = [edge, (edge + 1) % 4].map(|corner| self.knots[corner].parameters);

@@ -96,6 +96,28 @@ struct Within<'a> {
     breadth: f64,
 }
 
+/// A piece of the surface of a mesh.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OwnPiece {
+    /// The parameters that it covers.
+    pub parameters: Rect,
+    /// Whether its front is the back of the mesh.
+    pub is_turned: bool,
+}
+
+impl OwnPiece {
+    /// Whether a quad of the mesh counts before the piece, whose front the eye sees.
+    ///
+    /// Its own quads and those beside them do not: their chords lie before a surface that bends towards the eye.
+    /// Either the quad is well before the plane, or the eye sees its other side, so that a fold lies between.
+    fn may_be_hidden_by(&self, quad: &Quad, seen: &[DVec3; 4], plane: &ProjectionPlane) -> bool {
+        let is_beyond_fold =
+            || if self.is_turned { quad.shows_front(plane.eye) } else { quad.shows_back(plane.eye) };
+        let far = 1.0 - plane.width();
+        seen.iter().all(|p| p.z <= far) || (!quad.overlaps(&self.parameters) && is_beyond_fold())
+    }
+}
+
 /// An end of a hidden interval, corrected to the surface.
 #[derive(Clone, Copy)]
 struct CorrectedEnd<'a> {
@@ -141,15 +163,14 @@ impl<'a> HiddenSpans<'a> {
     }
 
     /// Adds a curved blocker; `ground` is the unit normal under the eye if the eye lies on it, `is_turned` if
-    /// it lies on the other side than that of the mesh. `own`: parameters of the piece of the blocker itself that
-    /// the plane stands for. Quads over them do not count: the plane may lie behind their chords, but behind
-    /// those of other quads only where it is behind the surface too.
+    /// it lies on the other side than that of the mesh. `own`: the piece of the blocker itself that the plane
+    /// stands for, which only some quads may hide ([`OwnPiece::may_be_hidden_by`]).
     pub(crate) fn add_curved(
         &mut self,
         mesh: &'a SilhouetteMesh,
         ground: Option<DVec3>,
         is_turned: bool,
-        own: Option<&Rect>,
+        own: Option<OwnPiece>,
     ) {
         let side = if is_turned { -1.0 } else { 1.0 };
         let ground =
@@ -157,12 +178,11 @@ impl<'a> HiddenSpans<'a> {
         let ahead = Ahead { plane: &self.plane, ground };
         let (quads, heights) = (&mut self.quads, &mut self.heights);
         mesh.visit(&ahead, &mut |quad| {
-            if own.is_some_and(|parameters| quad.overlaps(parameters)) {
-                return;
-            }
             let seen = quad.knots.map(|knot| self.plane.see(knot.position));
-            heights.push(height(&seen));
-            quads.push(Facet { mesh, quad, seen });
+            if own.is_none_or(|own| own.may_be_hidden_by(&quad, &seen, &self.plane)) {
+                heights.push(height(&seen));
+                quads.push(Facet { mesh, quad, seen });
+            }
         });
     }
 
