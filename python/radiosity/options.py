@@ -100,7 +100,7 @@ class Method(TypedDict, total=False):
     eps: float
         Accuracy of the transfers between elements, between 0 and 1 [default: 1e-3; as `quality` says].
 
-    kernel: "default", "paper-legendre" or "paper-hybrid"
+    kernel: "default", "paper-legendre", "paper-hybrid", "paper-hybrid-h2", "paper-hybrid-h3" or "paper-printed"
         Rules of the transfers between elements; those of 1993 ignore `eps` [default: default].
 
     transport: "auto", "exact" or "sampled"
@@ -161,7 +161,7 @@ class Method(TypedDict, total=False):
     layers: int
     ratio: float
     eps: float
-    kernel: Literal["default", "paper-legendre", "paper-hybrid"]
+    kernel: Literal["default", "paper-legendre", "paper-hybrid", "paper-hybrid-h2", "paper-hybrid-h3", "paper-printed"]
     transport: Literal["auto", "exact", "sampled"]
     rays: int
     solver: str

@@ -162,6 +162,13 @@ pub fn masked_light(
 ) -> Option<MaskedLight> {
     let how = options.masks?;
     let open = Visibility::new(scene, Shadows::Off);
-    let setting = Setting { elements, coatings, visibility, open: &open, accuracy: options.accuracy() };
+    let setting = Setting {
+        elements,
+        coatings,
+        visibility,
+        open: &open,
+        accuracy: options.accuracy(),
+        rules: options.kernel,
+    };
     Some(MaskedLight::new(&setting, how, ranks))
 }

@@ -158,10 +158,13 @@ impl Model {
                 (MemoryNeed { scene, how, options, rays, is_kept, ranks: work.ranks }).require()?;
             }
         }
-        let before = kept.as_ref().and_then(|kept| kept.elements()).filter(|_| options.kernel.is_none());
+        let before = kept.as_ref().and_then(|kept| kept.elements());
         let elements = timed(&mut seconds.elements, || match before {
             Some(before) => before.moved(scene),
-            None => options.elements(scene, &how, mesh),
+            None => match mesh {
+                Some(mesh) => Elements::of_mesh(scene, &how, mesh.clone()),
+                None => Elements::new(scene, &how),
+            },
         })?;
         let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
         let elements = Arc::new(elements);
@@ -181,7 +184,7 @@ impl Model {
         if let Some(kept) = &mut kept {
             kept.move_to(scene, &elements, &visibility);
         }
-        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, kept))?;
+        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, kept));
         work.report(Progress::Finished { stage: Stage::Blocks, took: seconds.blocks });
         Ok(Self {
             scene: scene.clone(),

@@ -1,9 +1,7 @@
 //! Options of a solution.
 
 use radiosity_elements::cells::Layers;
-use radiosity_elements::mesh::Mesh;
 use radiosity_elements::space::Space;
-use radiosity_elements::{Discretization, ElementError, Elements};
 use radiosity_kernel::Accuracy;
 use radiosity_published::bases::Basis;
 use radiosity_published::zatz1993::masked_light::Masking;
@@ -115,24 +113,6 @@ impl Options {
     /// Accuracy of the blocks.
     pub fn accuracy(&self) -> Accuracy {
         Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
-    }
-
-    /// The elements of `scene`, cut as `how` says or into the cells of `mesh`; for the rules of 1993, which
-    /// know no footprints, with whole surfaces.
-    ///
-    /// # Errors
-    /// As for [`Elements::new`].
-    pub fn elements(
-        &self,
-        scene: &Scene,
-        how: &Discretization,
-        mesh: Option<&Mesh>,
-    ) -> Result<Elements, ElementError> {
-        match mesh {
-            _ if self.kernel.is_some() => Elements::of_whole_surfaces(scene, how, mesh.cloned()),
-            Some(mesh) => Elements::of_mesh(scene, how, mesh.clone()),
-            None => Elements::new(scene, how),
-        }
     }
 }
 
