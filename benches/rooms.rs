@@ -10,7 +10,7 @@ use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads};
-use radiosity::visibility::{Hiding, Visibility};
+use radiosity::visibility::Shadows;
 use radiosity_solvers::method::Method;
 use radiosity_test_support::scenes::builtin;
 use radiosity_test_support::solved::outcome_of;
@@ -45,8 +45,12 @@ fn solvers(criterion: &mut Criterion) {
 /// The room with two boxes, by each way to find shadows.
 fn shadows(criterion: &mut Criterion) {
     let scene = builtin("two-boxes");
-    let ways =
-        [("off", Hiding::Off), ("outlines", Hiding::Auto), ("exact", Hiding::Exact), ("rays", Hiding::Rays)];
+    let ways = [
+        ("off", Shadows::Off),
+        ("outlines", Shadows::Auto),
+        ("exact", Shadows::Exact),
+        ("rays", Shadows::Rays),
+    ];
     for (name, shadows) in ways {
         let options = Options { order: 2, subdivide: Some(1), shadows, ..on_one_thread() };
         solve_again(criterion, &format!("shadows {name}"), &scene, &options);
@@ -58,7 +62,7 @@ fn pictures(criterion: &mut Criterion) {
     let scene = builtin("occluder-box");
     let options = on_one_thread();
     let outcome = outcome_of(&scene, &options);
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     let camera = scene.camera.clone().expect("the scene has a camera");
     let camera = Camera { width: 64, height: 48, ..camera };
     for (name, read) in

@@ -6,14 +6,14 @@ use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::Accuracy;
 use radiosity::solve::Options;
-use radiosity::visibility::{Hiding, Shadows, Visibility};
+use radiosity::visibility::{Shadows, Visibility};
 use radiosity_test_support::scenes::builtin;
 use radiosity_test_support::solved::{blocks_of, outcome_of};
 
 /// Blocks of the empty box, six elements: edge and face pairs, no shadows.
 fn blocks_of_the_empty_box(criterion: &mut Criterion) {
     let scene = builtin("empty-box");
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     for (order, eps) in [(4, 1e-2), (4, 1e-4), (8, 1e-2), (8, 1e-4)] {
         let how = Discretization {
             order,
@@ -33,11 +33,11 @@ fn blocks_of_the_empty_box(criterion: &mut Criterion) {
 /// visibility.
 fn cornell_box(criterion: &mut Criterion) {
     let scene = builtin("cornell-box");
-    for shadows in [Hiding::Off, Hiding::Auto] {
+    for shadows in [Shadows::Off, Shadows::Auto] {
         let options = Options { shadows, threads: 1, ..Options::default() };
         let name = format!(
             "solve the Cornell box, {} shadows",
-            if shadows == Hiding::Off { "without" } else { "with" }
+            if shadows == Shadows::Off { "without" } else { "with" }
         );
         criterion.bench_function(&name, |bench| {
             bench.iter(|| outcome_of(&scene, &options));

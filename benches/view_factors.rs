@@ -104,8 +104,8 @@ fn assembled_box(_: &mut Criterion) {
     let how = Discretization::uniform(0, CELLS);
     let accuracy = Accuracy { eps: 1e-12, shadow_eps: 3e-3 };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread can be started");
-    for shadows in [Shadows::Off, Shadows::Outlines(1e-3)] {
-        let visibility = Visibility::new(&scene, shadows);
+    for shadows in [Shadows::Off, Shadows::Auto] {
+        let visibility = Visibility::new(&scene, shadows, 1e-3);
         let start = Instant::now();
         let elements = Elements::new(&scene, &how).expect("a box has area");
         let cut = start.elapsed();
@@ -115,7 +115,7 @@ fn assembled_box(_: &mut Criterion) {
              {} logarithms",
             cut.as_secs_f64(),
             start.elapsed().as_secs_f64(),
-            blocks.account.distinct
+            blocks.statistics.distinct
         );
     }
 }

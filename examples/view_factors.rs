@@ -11,7 +11,7 @@ use std::error::Error;
 use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::scene::Source;
-use radiosity::visibility::Hiding;
+use radiosity::visibility::Shadows;
 use radiosity::{ViewFactors, language, solve::view_factors::Options};
 
 /// A ball that hovers between two square plates.
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         // None: as many elements as the shadows need.
         subdivide: None,
         accuracy: Accuracy { eps: 1e-4, shadow_eps: 1e-4 },
-        shadows: Hiding::Auto,
+        shadows: Shadows::Auto,
         threads: 2,
     };
     let factors = ViewFactors::new(&scene, &options, &Work::alone())?;

@@ -1,5 +1,7 @@
 //! Rectangles in the parameter domain.
 
+use crate::COINCIDENT;
+
 /// A rectangle of parameters, `u[0] ≤ u ≤ u[1]` and `v[0] ≤ v ≤ v[1]`, inside [−1, 1]².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rect {
@@ -38,6 +40,12 @@ impl Rect {
     /// Whether `u, v` lies in the rectangle or on its border.
     pub fn contains(&self, u: f64, v: f64) -> bool {
         (self.u[0]..=self.u[1]).contains(&u) && (self.v[0]..=self.v[1]).contains(&v)
+    }
+
+    /// Whether the rectangles have more in common than borders.
+    pub fn overlaps(&self, other: &Rect) -> bool {
+        let meet = |a: [f64; 2], b: [f64; 2]| a[1].min(b[1]) - a[0].max(b[0]) > COINCIDENT;
+        meet(self.u, other.u) && meet(self.v, other.v)
     }
 
     /// The halves of lower and higher u.

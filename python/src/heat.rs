@@ -13,7 +13,7 @@ use radiosity::work::ranks::Ranks;
 
 use crate::arguments::Arguments;
 use crate::arrays::array;
-use crate::error::{Trouble, warn};
+use crate::error::warn;
 use crate::scene::{Scene, remarks};
 use crate::work::work;
 
@@ -37,7 +37,6 @@ pub(crate) fn heat_of(
     let conductances = given.flag("conductances")?;
     let request: HeatRequest = given.fields()?;
     given.finish("heat")?;
-    transfers.check().map_err(Trouble::from)?;
     let heat = work(py, observer.as_ref(), |progress| {
         library::Heat::of(
             &scene.scene,

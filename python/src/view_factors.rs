@@ -92,7 +92,6 @@ fn factors(
     let mut given = Arguments::of(given)?;
     let request: TransferRequest = given.fields()?;
     given.finish(function)?;
-    request.check().map_err(Trouble::from)?;
     let indices = |(one, other): &Pair| Ok([scene.surface_named(one)?, scene.surface_named(other)?]);
     let pairs =
         pairs.iter().map(indices).collect::<Result<BTreeSet<_>, SceneError>>().map_err(Trouble::from)?;

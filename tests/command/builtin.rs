@@ -9,7 +9,7 @@ use radiosity::language::read;
 use radiosity::scene::FaultKind;
 use radiosity::solve::Options;
 use radiosity::solve::solution::SurfacePlace;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity_geom::{DVec3, Encounter, Ray};
 use radiosity_test_support::scenes::builtin_with;
 use radiosity_test_support::solved::{blocks_of, elements_of, outcome_of};
@@ -95,7 +95,7 @@ fn the_teapot_s_height_is_set() {
 fn sees_fronts_only(name: &str, settings: &[(&str, f64)], directions: &[DVec3]) {
     let scene = builtin_with(name, settings);
     let eye = scene.camera.as_ref().expect("there is a camera").eye;
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     for direction in directions {
         let Encounter { surface, hit, .. } = visibility
             .nearest(&Ray::new(eye, *direction))
@@ -130,7 +130,7 @@ proptest! {
 fn factor(name: &str, settings: &[(&str, f64)]) -> f64 {
     let scene = builtin_with(name, settings);
     let elements = elements_of(&scene, 0, 1);
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-3 };
     let blocks = blocks_of(&elements, &visibility, accuracy);
     blocks.iter().find(|block| block.row != block.column).map_or(0.0, |block| block.values[0])

@@ -124,7 +124,7 @@ fn wrong_use_is_refused_before_the_work() {
     refused(&["oven", "-o", "oven.xlsx"], &["oven.xlsx", ".csv"]);
     refused(&["oven", "--conductances", "C.txt"], &["C.txt", ".npy"]);
     refused(&["oven", "-o", "a.csv", "--conductances", "a.csv"], &["a.csv"]);
-    refused(&["oven", "--shadows", "mask"], &["masks"]);
+    refused(&["oven", "--shadows", "mask"], &["'mask'", "auto, off, rays, exact"]);
     refused(&["oven", "--set", "heater=-5"], &["heater"]);
     refused(&["oven", "--order", "21"], &["21"]);
     refused(&["oven", "-o", "x.png", "--format", "csv", "--picture", "x.png"], &["x.png", "figures"]);

@@ -10,7 +10,7 @@ use flate2::read::DeflateDecoder;
 use radiosity::output::files::exr_file::read_exr;
 use radiosity::output::pictures::wireframe::wireframe;
 use radiosity::reading::pictures::seen_surfaces::SeenSurfaces;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity::work::ranks::Ranks;
 use radiosity_test_support::folders::folder;
 use radiosity_test_support::scenes::typed;
@@ -222,7 +222,7 @@ fn below_a_lamp() -> String {
 #[test]
 fn pixels_know_whether_they_see_an_emitter_or_one_surface() {
     let scene = typed(&below_a_lamp());
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let camera = scene.camera.clone().expect("there is one");
     let seen_surfaces = SeenSurfaces::through(&camera, 3, &scene, &visibility, Ranks::alone());
     // The lamp is seen from x = (½ − 0.2/0.9) 48 = 13.33 to (½ + 0.1/0.9) 48 = 29.33, and as high as broad.
@@ -260,7 +260,7 @@ const SQUARE: &str = "
 #[test]
 fn borders_cover_a_pixel_along_their_length() {
     let scene = typed(SQUARE);
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let camera = scene.camera.clone().expect("there is one");
     // The picture shows [−½, ½]²; of 4 × 4 elements the borders at 0 cross it, those at ±½ lie on its rim.
     for (cuts, length) in [(1, 0.0), (2, 96.0), (3, 192.0)] {

@@ -13,7 +13,6 @@ use radiosity::solve::solution::Solution;
 use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::studies::error_norm::distance;
-use radiosity::visibility::Visibility;
 
 use crate::row::Row;
 use radiosity_test_support::random::Random;
@@ -48,7 +47,7 @@ impl Case {
     /// Errors at points in the middles of cells, from light gathered from a finer run.
     fn gathered(name: &'static str, scene: Scene, options: Options) -> Self {
         let fine = outcome_of(&scene, &options).solution;
-        let visibility = Visibility::new(&scene, (&options).into());
+        let visibility = options.visibility(&scene);
         let gather = Gather::new(&fine, &visibility, 0.1 * options.shadow_eps);
         let middle = |k: usize| (2 * k + 1) as f64 / GATHERED as f64 - 1.0;
         let cells = |surface| (0..GATHERED * GATHERED).map(move |k| (surface, k / GATHERED, k % GATHERED));

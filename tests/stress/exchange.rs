@@ -13,7 +13,7 @@
 //! either cancel to many digits where X or W are small or large, so that f64 would not do.
 
 use radiosity::kernel::{Accuracy, polygon_exchange};
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 use radiosity_test_support::scenes::typed;
 use radiosity_test_support::solved::{blocks_of, elements_of};
@@ -100,7 +100,7 @@ fn transfer([p, q]: &[[DVec3; 4]; 2], order: usize, eps: f64) -> f64 {
     let text = format!("bands = [\"grey\"]\n{}{}", surface(p), surface(q));
     let scene = typed(&text);
     let elements = elements_of(&scene, order, 1);
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: eps });
     let block =
         blocks.iter().find(|block| (block.row, block.column) == (0, 1)).expect("they face each other");

@@ -2,7 +2,7 @@
 
 use radiosity::kernel::{Accuracy, PlacedBlock};
 use radiosity::scene::Scene;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 
 use crate::row::Row;
 use radiosity_test_support::random::Random;
@@ -19,7 +19,7 @@ fn room(sides: [f64; 3]) -> Scene {
 /// Largest |c − G c| in multiples of what the blocks of its row may miss.
 fn opening(scene: &Scene, order: usize, eps: f64) -> f64 {
     let elements = elements_of(scene, order, 1);
-    let visibility = Visibility::new(scene, Shadows::Off);
+    let visibility = Visibility::open(scene);
     let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: eps });
     let (ones, list) = (elements.constant(), elements.list());
     let mapped = blocks.apply(&ones);

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
-use radiosity::visibility::Hiding;
+use radiosity::visibility::Shadows;
 
 use crate::row::Row;
 use radiosity_test_support::random::Random;
@@ -69,7 +69,7 @@ fn hunt(count: usize, orders: &[usize], accuracies: &[f64]) {
     for case in 0..count {
         let scene = room(&mut random);
         let (order, eps) = (random.pick(orders), random.pick(accuracies));
-        let options = Options { order, eps, shadow_eps: eps, shadows: Hiding::Exact, ..Options::default() };
+        let options = Options { order, eps, shadow_eps: eps, shadows: Shadows::Exact, ..Options::default() };
         let outcome = outcome_of(&scene, &options);
         let checks = &outcome.checks;
         let name = || format!("room {case}, order {order}, eps {eps:e}, {} surfaces", scene.surfaces.len());

@@ -6,7 +6,7 @@ use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::{Direct, Options, Transport};
-use radiosity::visibility::Hiding;
+use radiosity::visibility::Shadows;
 use radiosity_test_support::compare::apart;
 use radiosity_test_support::random::Random;
 use radiosity_test_support::scenes::{builtin, typed};
@@ -20,7 +20,7 @@ fn options(shadows: bool) -> Options {
         transport: Transport::Exact,
         direct: Direct::Projected,
         eps: 1e-9,
-        shadows: if shadows { usual.shadows } else { Hiding::Off },
+        shadows: if shadows { usual.shadows } else { Shadows::Off },
         ..usual
     }
 }

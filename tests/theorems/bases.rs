@@ -14,7 +14,7 @@ use radiosity::scene::Scene;
 use radiosity::solve::system::System;
 use radiosity::solve::system::ritz::Ritz;
 use radiosity::solve::{Options, Preconditioning, Transport};
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity::work::ranks::Ranks;
 use radiosity_geom::DVec3;
 use radiosity_solvers::method::Method;
@@ -403,7 +403,7 @@ proptest! {
     ) {
         let scene = builtin("empty-box");
         let elements = elements_of(&scene, order, 1);
-        let visibility = Visibility::new(&scene, Shadows::Off);
+        let visibility = Visibility::open(&scene);
         let accuracy = Accuracy { eps: 1e-4, shadow_eps: 3e-3 };
         let blocks = blocks_of(&elements, &visibility, accuracy);
         let coating = Coating::constant(reflectances, exitances);

@@ -4,9 +4,9 @@
 use radiosity::Basis;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::gather::ray_gather::{RayGather, Receiver};
+use radiosity::solve::gather::ray_gather::RayGather;
+use radiosity::solve::gather::receiver::Receiver;
 use radiosity::solve::{Direct, Options, Outcome};
-use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 use radiosity_test_support::scenes::{builtin, material};
 use radiosity_test_support::solved::outcome_of;
@@ -60,7 +60,7 @@ fn gathered_light_counts_the_same_reflections() {
     for bounces in 0..4 {
         let options = Options { bounces: Some(bounces), order: 1, eps: 1e-6, ..Options::default() };
         let outcome = outcome_of(&scene, &options);
-        let visibility = Visibility::new(&scene, (&options).into());
+        let visibility = options.visibility(&scene);
         let middle = ReceiverPoint::free(DVec3::new(0.4, 0.5, 0.6), DVec3::Z);
         let expected = series(0.5, bounces);
         for gather in [Gather::new, Gather::twice] {

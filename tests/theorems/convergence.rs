@@ -20,7 +20,6 @@ use radiosity::solve::studies::convergence::{Reference, convergence};
 use radiosity::solve::studies::error_norm::{Incomparable, distance};
 use radiosity::solve::system::Coefficients;
 use radiosity::solve::{Options, Outcome};
-use radiosity::visibility::Visibility;
 use radiosity::work::ranks::Ranks;
 use radiosity::work::{Progress, Stage};
 use radiosity_geom::DVec3;
@@ -244,7 +243,7 @@ fn the_empty_box_is_met_to_the_accuracy_wanted() {
 /// Reflected light gathered to `eps` at the middles of a grid on three walls of the empty box.
 fn gathered(solution: &Solution, options: &Options, eps: f64) -> Vec<f64> {
     const CELLS: usize = 20;
-    let visibility = Visibility::new(&builtin("empty-box"), options.into());
+    let visibility = options.visibility(&builtin("empty-box"));
     let gather = Gather::new(solution, &visibility, eps);
     let middle = |k: usize| (k as f64 + 0.5) / CELLS as f64;
     let mut light = Vec::new();
@@ -292,7 +291,7 @@ fn light_at_points_is_met_with_fewer_unknowns_than_on_all_surfaces() {
     let layers = Layers { count: 2, ratio: 0.25 };
     let fine = Options { order: 8, layers, eps: 1e-6, shadow_eps: 1e-6, threads: 2, ..Options::default() };
     let scene = builtin("empty-box");
-    let visibility = Visibility::new(&scene, (&fine).into());
+    let visibility = fine.visibility(&scene);
     let exact = outcome_of(&scene, &fine).solution;
     let places: Vec<DVec3> =
         (0..20).map(|k| DVec3::new(0.3 + 0.02 * f64::from(k), 0.6 - 0.01 * f64::from(k), 0.5)).collect();

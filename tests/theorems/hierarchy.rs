@@ -522,7 +522,7 @@ fn push_and_pull_keep_polynomials_on_curved_surfaces_and_around_holes() {
 
 fn blocks(scene: &Scene, elements: &Elements, eps: f64) -> Blocks {
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
-    blocks_of(elements, &Visibility::new(scene, Shadows::Outlines(3e-3)), accuracy)
+    blocks_of(elements, &Visibility::new(scene, Shadows::Auto, 3e-3), accuracy)
 }
 
 #[test]

@@ -14,7 +14,7 @@ use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::{LightMethod, Transport, in_threads};
-use radiosity::visibility::{Hiding, Visibility};
+use radiosity::visibility::Shadows;
 use radiosity::work::Progress;
 use radiosity::work::interruption::{Interrupted, Interruption};
 use radiosity::{Options, Scene, Solution, Solved, ViewFactors, Work, solve, solve::view_factors};
@@ -81,7 +81,7 @@ fn solutions_end_soon() {
 #[test]
 fn transfers_end_soon() {
     let accuracy = Accuracy { eps: 1e-3, shadow_eps: 3e-3 };
-    let options = view_factors::Options { subdivide: Some(24), accuracy, shadows: Hiding::Auto, threads: 2 };
+    let options = view_factors::Options { subdivide: Some(24), accuracy, shadows: Shadows::Auto, threads: 2 };
     let cornell = builtin("cornell-box");
     ends_soon("view factors", &|| drop(ViewFactors::new(&cornell, &options, &Work::alone())));
     let oven = builtin("oven");
@@ -99,7 +99,7 @@ fn quick() -> Solution {
 #[test]
 fn pictures_end_soon() {
     let (scene, solution) = (builtin("cornell-box"), quick());
-    let visibility = Visibility::new(&scene, (&Options::default()).into());
+    let visibility = Options::default().visibility(&scene);
     let camera = scene.camera.expect("it has one");
     let large = Camera { width: 4000, height: 4000, ..camera };
     for read in [ReadMode::Gather, ReadMode::GatherTwice] {

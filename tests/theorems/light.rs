@@ -6,6 +6,7 @@ mod penumbrae;
 mod pictures;
 mod closure;
 mod cornell;
+mod curved_bodies;
 mod edges;
 mod curved_shadows;
 mod films;

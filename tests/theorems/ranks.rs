@@ -10,7 +10,7 @@ use radiosity::solve::animation::sequence::Sequence;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::view_factors;
 use radiosity::solve::{Direct, Transport};
-use radiosity::visibility::Hiding;
+use radiosity::visibility::Shadows;
 use radiosity::work::Deadline;
 use radiosity::work::ranks::journal::{Begin, fingerprint};
 use radiosity::work::ranks::threads::on_ranks;
@@ -110,7 +110,7 @@ fn view_factors_and_heat() {
         let scene = builtin("two-boxes");
         let accuracy = Accuracy { eps: 1e-4, shadow_eps: 1e-2 };
         let options =
-            view_factors::Options { subdivide: Some(2), accuracy, shadows: Hiding::Auto, threads: 2 };
+            view_factors::Options { subdivide: Some(2), accuracy, shadows: Shadows::Auto, threads: 2 };
         let factors = ViewFactors::new(&scene, &options, work).expect("all have area");
         let rows: Vec<Vec<f64>> = (0..factors.names.len()).map(|row| factors.row(row)).collect();
         format!("{rows:?} {:?} {} {}", factors.pairs, factors.samples, factors.rays)
@@ -132,7 +132,7 @@ fn frames(mut sequence: Sequence<'_>, work: &Work<'_>) -> String {
 #[test]
 fn frames_of_what_moves() {
     let scene = builtin("sliding-light");
-    for shadows in [Hiding::Off, Options::default().shadows] {
+    for shadows in [Shadows::Off, Options::default().shadows] {
         let exact = Options {
             transport: Transport::Exact,
             direct: Direct::Projected,

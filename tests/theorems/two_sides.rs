@@ -1,16 +1,10 @@
 //! Surfaces of two sides: materials of backs, what sheets let through, and that the other side stays known
 //! whatever is done to a scene.
 
-use radiosity::reading::grid::{Rates, grid};
-use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::{FaultKind, Material, Scene, SceneBuilder, SceneError, Source};
-use radiosity::solve::Direct;
-use radiosity::solve::gather::gather_method::GatherMethod;
-use radiosity::{Options, Work};
 use radiosity_geom::{DVec3, shapes::Parallelogram};
 use radiosity_test_support::scenes::{material, typed};
 use radiosity_test_support::shapes::plate;
-use radiosity_test_support::solved::solved_of;
 
 const SHADE: &str = r#"
 frames = 3
@@ -269,49 +263,4 @@ fn materials_of_backs_are_checked_though_nothing_else_has_them() {
     assert_eq!(build(Material::black(2), "paper").expect_err("two bands").fault.kind, FaultKind::WrongCount);
     assert_eq!(build(grey(), "silk").expect_err("one name").fault.kind, FaultKind::DuplicateName);
     assert_eq!(build(grey(), " ").expect_err("no name").fault.to_string(), "this text is empty");
-}
-
-/// Curved sheets of two sides, by their keys in a scene file.
-const SHEETS: [&str; 3] = [
-    "bezier = { points = [
-        [[0.3, 0.5, 1.0], [0.3, 0.9, 1.2], [0.3, 1.3, 1.2], [0.3, 1.7, 1.0]],
-        [[0.7, 0.5, 1.2], [0.7, 0.9, 1.4], [0.7, 1.3, 1.4], [0.7, 1.7, 1.2]],
-        [[1.1, 0.5, 1.2], [1.1, 0.9, 1.4], [1.1, 1.3, 1.4], [1.1, 1.7, 1.2]],
-        [[1.5, 0.5, 1.0], [1.5, 0.9, 1.2], [1.5, 1.3, 1.2], [1.5, 1.7, 1.0]]] }",
-    "sphere = { center = [2, 2, 1.2], radius = 0.7, z = [0.3, 0.7] }",
-    "cylinder = { base = [2, 2, 0.7], axis = [0, 0.6, 1], radius = 0.5, angle = [0, 180] }",
-];
-
-/// In a closed room where all emits 1 and reflects one half, 2 arrives everywhere: Σ_k ρ^k = 1 / (1 − ρ).
-#[test]
-fn both_sides_of_curved_sheets_are_read_as_the_furnace_that_they_are_in() {
-    for sheet in SHEETS {
-        let scene = typed(&format!(
-            r#"
-materials.wall = {{ reflectance = 0.5, emission = 1 }}
-camera = {{ eye = [3.6, 0.3, 0.3], target = [1.8, 2.2, 1.6] }}
-[[surfaces]]
-name = "room"
-material = "wall"
-box = {{ origin = [0, 0, 0], size = [4, 4, 3], inward = true }}
-[[surfaces]]
-name = "sheet"
-material = "wall"
-two_sided = true
-{sheet}
-"#
-        ));
-        let solved = solved_of(scene, Options { direct: Direct::Projected, ..Options::default() });
-        for (by, read) in [
-            (GatherMethod::Cells, ReadMode::Direct),
-            (GatherMethod::Cells, ReadMode::Gather),
-            (GatherMethod::Rays, ReadMode::Gather),
-        ] {
-            let reader = Reader::by(by, &solved.outcome.solution, solved.visibility(), read, 1e-3);
-            for cell in grid(&reader, [1, 1], Rates { direct: 2, indirect: 1 }, &Work::alone()) {
-                let (name, irradiance) = (&solved.scene.surfaces[cell.surface].name, cell.irradiance[0]);
-                assert!((irradiance - 2.0).abs() < 0.02, "{sheet}: {by:?} {read:?}: {irradiance} at {name}");
-            }
-        }
-    }
 }

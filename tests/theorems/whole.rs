@@ -50,7 +50,7 @@ fn furnace_error(solution: &Solution) -> f64 {
 /// The furnace cube with given blocks, by one solver; the residual is that of the original system.
 fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)> {
     let scene = builtin("furnace-cube");
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let how =
         Discretization { order, space: Space::Total, subdivide: Subdivide::Uniform(1), layers: Layers::NONE };
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
@@ -174,7 +174,7 @@ fn closed_rooms_lose_no_more_power_than_their_transfers_at_any_order() {
 fn direct_light_is_exact_at_a_point() {
     let scene = builtin("empty-box");
     let outcome = solved("empty-box", &Options { eps: 1e-6, ..options(8, "auto") });
-    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let visibility = Visibility::new(&scene, Shadows::Rays, 3e-3);
     let direct = DirectLight::within(&outcome.solution.emitters(), &visibility, ACCURACY);
     let floor = scene.surfaces.iter().position(|surface| surface.name == "floor").expect("there is a floor");
     let jet = scene.surfaces[floor].shape.jet(0.0, 0.0);
@@ -194,7 +194,7 @@ fn cells_add_up_to_the_whole() {
     let outcome = solved("cornell-box", &options(3, "lu"));
     let solution = &outcome.solution;
     let scene = builtin("cornell-box");
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let reader = Reader::new(solution, &visibility, ReadMode::Basis, 1e-3);
     for cells in [[1, 1], [3, 5]] {
         let mut power = vec![0.0; scene.surfaces.len()];
@@ -220,7 +220,7 @@ fn mean_power(solution: &Solution, element: usize) -> f64 {
 #[test]
 fn tensor_blocks_are_parts_of_the_blocks_of_total_degree() {
     let scene = builtin("furnace-cube");
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let accuracy = Accuracy { eps: 1e-10, shadow_eps: 3e-3 };
     let cut = |order, space| {
         let how = Discretization { order, space, subdivide: Subdivide::Uniform(1), layers: Layers::NONE };

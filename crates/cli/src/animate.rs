@@ -138,7 +138,10 @@ impl AnimateArgs {
     }
 
     /// Refuses methods that frames do not share.
-    fn refuse_methods(&self, asked: &Options) -> Result<(), CliError> {
+    fn check_method(&self, asked: &Options) -> Result<(), CliError> {
+        self.method.check()?;
+        let frames = "frames that follow each other hold all light";
+        require_all_bounces(&self.method, frames, "take single frames: render --frame K --bounces …")?;
         let refuse = |message: &str, cure: &str| Err(CliError::refused(message, cure));
         if self.method.wanted_accuracy().is_some() {
             return refuse(
@@ -177,6 +180,8 @@ impl AnimateArgs {
                 "leave it out, or choose files ending in .png",
             ));
         }
+        let camera = camera(self.size, loaded.scene())?;
+        require_pixels(&camera, loaded.scene(), self.method.memory, ranks)?;
         Ok(Some(film))
     }
 }
@@ -252,18 +257,11 @@ impl Shutter<'_> {
 pub(crate) fn run(args: &AnimateArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
     let begun = Instant::now();
     let scene = loaded.scene();
-    args.method.check()?;
-    let frames = "frames that follow each other hold all light";
-    require_all_bounces(&args.method, frames, "take single frames: render --frame K --bounces …")?;
     let asked = args.method.options(ranks);
-    args.refuse_methods(&asked)?;
+    args.check_method(&asked)?;
     let range = FrameRange::within(args.frames, scene)?;
     let points = args.probe.as_deref().map(|points| Points::load(points, ranks)).transpose()?;
     let film = args.film(&loaded, range.ends()[0], ranks)?;
-    if film.is_some() {
-        let camera = camera(args.size, scene)?;
-        require_pixels(&camera, scene, args.method.memory, ranks)?;
-    }
     let (progress, deadline) = (Progress::new(args.quiet, ranks), args.method.deadline());
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
     let mut follower = Follower::new(scene, &asked, args.way(), range.ends());

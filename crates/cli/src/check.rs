@@ -309,18 +309,9 @@ fn plane_line(plane: &SensorPlane) -> String {
 /// The content of the text as JSON, numbers in full.
 fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
     let name = |index: &usize| scene.surfaces[*index].name.as_str();
-    let surfaces = scene.surfaces.iter().zip(&inspection.areas).map(|(surface, area)| {
-        json!({
-            "name": surface.name, "shape": surface.kind, "area": area,
-            "planar": surface.shape.region().is_some(), "normal": surface.shape.jet(0.0, 0.0).normal.to_array(),
-            "material": surface.material_name, "reflectance": surface.material.reflectance,
-            "emission": surface.material.emission, "other_side": surface.other_side.map(|index| name(&index)), "opening": surface.is_opening(), "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
-        })
-    });
-    let contacts = inspection.contacts.iter().map(|contact| {
-        let at = if let Adjacency::Crossing { at } = contact.touch { Some((at + scene.middle).to_array()) } else { None };
-        json!({ "surfaces": contact.surfaces.each_ref().map(name), "touch": touch_key(contact.touch), "at": at })
-    });
+    let surfaces = scene.surfaces.iter().zip(&inspection.areas);
+    let surfaces = surfaces.map(|(surface, area)| surface_json(surface, *area, scene));
+    let contacts = inspection.contacts.iter().map(|contact| contact_json(contact, scene));
     let shells = inspection.shells.iter().map(|shell| {
         let surfaces: Vec<&str> = shell.surfaces.iter().map(name).collect();
         json!({ "surfaces": surfaces, "volume": shell.volume, "fronts": side(shell.fronts) })
@@ -329,27 +320,50 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         let standing: Vec<&str> = footprint.standing.iter().map(name).collect();
         json!({ "surface": name(&footprint.surface), "area": footprint.region.area(), "standing": standing })
     });
-    let camera = scene.camera.as_ref().map(|camera| {
-        json!({
-            "eye": (camera.eye + scene.middle).to_array(), "target": (camera.target + scene.middle).to_array(), "up": camera.up.to_array(),
-            "fov": camera.fov, "width": camera.width, "height": camera.height,
-        })
-    });
-    let planes = scene.planes.iter().map(|plane| {
-        json!({
-            "name": plane.name(), "origin": plane.origin().to_array(),
-            "edges": plane.edges().map(|edge| edge.to_array()), "counts": plane.counts(),
-        })
-    });
     json!({
         "scene": scene.name, "title": scene.title, "bands": scene.bands, "unit": scene.unit,
         "area": inspection.areas.iter().sum::<f64>(),
         "variables": scene.variables.iter().cloned().collect::<BTreeMap<_, _>>(),
         "surfaces": surfaces.collect::<Vec<_>>(), "materials": materials::as_json(scene), "contacts": contacts.collect::<Vec<_>>(),
-        "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footprints.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
+        "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footprints.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera_json(scene),
         "luminaires": scene.luminaires.iter().map(|own| luminaire_json(own, scene)).collect::<Vec<_>>(),
         "animation": motion_json(scene, inspection),
-        "near_points": inspection.near_points, "planes": planes.collect::<Vec<_>>(), "warnings": inspection.warnings,
+        "near_points": inspection.near_points, "planes": scene.planes.iter().map(plane_json).collect::<Vec<_>>(), "warnings": inspection.warnings,
+    })
+}
+
+fn surface_json(surface: &SceneSurface, area: f64, scene: &Scene) -> Value {
+    let other_side = surface.other_side.map(|index| scene.surfaces[index].name.as_str());
+    json!({
+        "name": surface.name, "shape": surface.kind, "area": area,
+        "planar": surface.shape.region().is_some(), "normal": surface.shape.jet(0.0, 0.0).normal.to_array(),
+        "material": surface.material_name, "reflectance": surface.material.reflectance,
+        "emission": surface.material.emission, "other_side": other_side, "opening": surface.is_opening(), "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
+    })
+}
+
+fn contact_json(contact: &SurfaceContact, scene: &Scene) -> Value {
+    let surfaces = contact.surfaces.map(|index| scene.surfaces[index].name.as_str());
+    let at = if let Adjacency::Crossing { at } = contact.touch {
+        Some((at + scene.middle).to_array())
+    } else {
+        None
+    };
+    json!({ "surfaces": surfaces, "touch": touch_key(contact.touch), "at": at })
+}
+
+fn camera_json(scene: &Scene) -> Option<Value> {
+    let camera = scene.camera.as_ref()?;
+    Some(json!({
+        "eye": (camera.eye + scene.middle).to_array(), "target": (camera.target + scene.middle).to_array(), "up": camera.up.to_array(),
+        "fov": camera.fov, "width": camera.width, "height": camera.height,
+    }))
+}
+
+fn plane_json(plane: &SensorPlane) -> Value {
+    json!({
+        "name": plane.name(), "origin": plane.origin().to_array(),
+        "edges": plane.edges().map(|edge| edge.to_array()), "counts": plane.counts(),
     })
 }
 

@@ -13,7 +13,6 @@ use radiosity_reading::accuracy_warning::{corrected, missed, no_error_of_order};
 use radiosity_reading::digits::significant;
 use radiosity_request::HeatRequest;
 use radiosity_scene::Scene;
-use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 use radiosity_work::{Observer, Progress as Event, Stage, Work};
 
@@ -103,7 +102,6 @@ const DIGITS: usize = 6;
 /// Computes the balance of heat and writes it.
 pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
-    args.transfers.request.check()?;
     let scene = args.scene.request().load_lit(ranks)?;
     let ranks = &args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
     let files = HeatFiles::reserve(args, &scene, ranks)?;
@@ -117,7 +115,7 @@ pub(crate) fn run(args: &HeatArgs, given: &TypedOptions, ranks: &Ranks) -> Resul
     let heat = Heat::of(&scene, &options, &Work::among(ranks).observed_by(&show))?;
     files.write(&heat)?;
     if let Some(picture) = files.picture {
-        let visibility = Visibility::new(&scene, (&options.options).into());
+        let visibility = options.options.visibility(&scene);
         let take = || picture.take(&scene, &visibility, &heat, ranks);
         let taken = options.options.in_threads(ranks, take)?;
         picture.file.write(|writer| taken.write_png(writer))?;

@@ -6,6 +6,7 @@ use clap::Args;
 use radiosity_output::documents::viewer::FirstViewSettings;
 use radiosity_output::files::exr_file::write_exr;
 use radiosity_output::pictures::wireframe::wireframe;
+use radiosity_reading::pictures::raster::Raster;
 use radiosity_reading::pictures::render::{render, usual_read, white_balance};
 use radiosity_reading::pictures::seen_surfaces::SeenSurfaces;
 use radiosity_reading::quantity::Quantity;
@@ -29,7 +30,7 @@ use crate::{
     page::{self, Page},
     read::rough,
     run::{Run, RunArgs},
-    style::{PictureFormat, StyleArgs},
+    style::{PictureFormat, Style, StyleArgs},
 };
 
 /// Solves a scene and takes a picture through its camera
@@ -92,43 +93,66 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     let mut style = args.style.prepare(loaded.scene(), &camera, quantity, unit, ranks)?;
     let wanted = args.wanted(loaded.scene(), ranks)?;
     let run = Run::solve(loaded, &args.run, ranks)?;
-    let visibility = run.solved.visibility();
     let found = &run.solved.outcome.solution;
-    let worth = wanted.map(|goal| importance(found, visibility, &goal, run.threads, ranks));
+    let worth = wanted.map(|goal| importance(found, run.solved.visibility(), &goal, run.threads, ranks));
     let worth = worth.transpose()?;
-    let solution = worth.as_ref().unwrap_or(&run.solved.outcome.solution);
-    let (read, show) = match args.importance {
-        true => (ReadMode::Basis, Quantity::Irradiance),
-        false => {
-            let usual = || usual_read(solution, visibility, pixels(&camera));
-            (args.read.unwrap_or_else(usual), args.style.show)
-        }
-    };
-    let samples = args.samples();
-    let take = |solution: &Solution, visibility: &Visibility| {
-        render(solution, visibility, &camera, samples, read, show, &run.work())
-    };
-    let (raster, borders, seen_surfaces) = run.in_threads(|| {
-        style.take_other(|other| take(&other.outcome.solution, other.visibility()));
-        let borders = || wireframe(solution.elements(), visibility, &camera, samples, ranks);
-        let seen_surfaces = || SeenSurfaces::through(&camera, samples, &run.solved.scene, visibility, ranks);
-        let (borders, seen_surfaces) =
-            (args.style.wireframe.then(borders), args.style.false_colour.then(seen_surfaces));
-        (take(solution, visibility), borders, seen_surfaces)
-    })?;
-    let mut written = format!("{}{}", path.display(), rough(args.read, read));
+    let solution = worth.as_ref().unwrap_or(found);
+    let shot = args.shot(&run, solution, &camera, &mut style, ranks)?;
+    let mut written = format!("{}{}", path.display(), rough(args.read, shot.read));
     if kind == PictureFormat::Exr {
-        output.write(|writer| write_exr(&raster, writer))?;
+        output.write(|writer| write_exr(&shot.raster, writer))?;
     } else {
+        let Shot { raster, borders, seen_surfaces, .. } = &shot;
         let (picture, figures) =
-            style.picture(&raster, white_balance(solution), borders.as_deref(), seen_surfaces.as_ref())?;
+            style.picture(raster, white_balance(solution), borders.as_deref(), seen_surfaces.as_ref())?;
         written += &figures;
         output.write(|writer| picture.write_png(writer))?;
     }
     run.finish(Some(&written))
 }
 
+/// What the camera sees.
+struct Shot {
+    read: ReadMode,
+    raster: Raster,
+    /// Borders of elements, where they are drawn.
+    borders: Option<Vec<f64>>,
+    /// Surfaces that each pixel sees, where false colours name them.
+    seen_surfaces: Option<SeenSurfaces>,
+}
+
 impl RenderArgs {
+    /// Takes the picture of `solution`, and the one that `style` compares it with.
+    fn shot(
+        &self,
+        run: &Run,
+        solution: &Solution,
+        camera: &Camera,
+        style: &mut Style<'_>,
+        ranks: &Ranks,
+    ) -> Result<Shot, CliError> {
+        let (visibility, samples) = (run.solved.visibility(), self.samples());
+        let (read, show) = match self.importance {
+            true => (ReadMode::Basis, Quantity::Irradiance),
+            false => {
+                let usual = || usual_read(solution, visibility, pixels(camera));
+                (self.read.unwrap_or_else(usual), self.style.show)
+            }
+        };
+        let take = |solution: &Solution, visibility: &Visibility| {
+            render(solution, visibility, camera, samples, read, show, &run.work())
+        };
+        run.in_threads(|| {
+            style.take_other(|other| take(&other.outcome.solution, other.visibility()));
+            let borders = || wireframe(solution.elements(), visibility, camera, samples, ranks);
+            let seen_surfaces =
+                || SeenSurfaces::through(camera, samples, &run.solved.scene, visibility, ranks);
+            let borders = self.style.wireframe.then(borders);
+            let seen_surfaces = self.style.false_colour.then(seen_surfaces);
+            Shot { read, raster: take(solution, visibility), borders, seen_surfaces }
+        })
+    }
+
     /// The light in textures instead of a picture.
     fn bake<'a>(&'a self, path: &'a Path) -> Result<Bake<'a>, CliError> {
         let Self { size, samples, read, importance, style, run, .. } = self;

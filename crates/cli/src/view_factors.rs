@@ -90,7 +90,6 @@ impl Format {
 pub(crate) fn run(args: &ViewFactorsArgs, given: &TypedOptions, ranks: &Ranks) -> Result<(), CliError> {
     let start = Instant::now();
     let format = args.format()?;
-    args.transfers.request.check()?;
     let scene = args.scene.request().load(ranks)?;
     let ranks = &args.transfers.checkpoint.recording(given, &scene, &[], ranks)?;
     let pairs = args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<Vec<_>, _>>()?;

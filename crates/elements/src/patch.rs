@@ -151,7 +151,7 @@ impl Patch {
     pub fn hull(&self) -> Vec<DVec3> {
         match self {
             Self::Flat { .. } => self.polygon(),
-            Self::Curved { surface, .. } => surface.hull(&self.rect()),
+            Self::Curved { surface, .. } => surface.hull(&self.parameters()),
         }
     }
 
@@ -285,7 +285,8 @@ impl Patch {
         }
     }
 
-    fn rect(&self) -> Rect {
+    /// The least rectangle of parameters around a curved patch; all parameters for a flat one.
+    pub fn parameters(&self) -> Rect {
         let Self::Curved { origin, along, across, .. } = self else { return Rect::FULL };
         let (low, high) = (origin.min(*origin + *along + *across), origin.max(*origin + *along + *across));
         Rect { u: [low.x, high.x], v: [low.y, high.y] }

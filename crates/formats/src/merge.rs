@@ -20,36 +20,15 @@ mod crossings;
 mod boundary;
 mod straight;
 
-use std::collections::HashMap;
-
 use crate::model::{Model, Shape};
 use boundary::Merged;
 use corners::Corners;
 use face::Face;
 use straight::straighten;
 
-/// Merges coplanar faces of each object. An object's surfaces have its name with `-` and a number behind it.
-pub fn coplanar(model: &mut Model) {
-    let mut known: HashMap<String, usize> = HashMap::new();
-    let mut objects = Vec::with_capacity(model.surfaces.len());
-    for surface in &model.surfaces {
-        let next = known.len();
-        objects.push(*known.entry(stem(&surface.name).to_owned()).or_insert(next));
-    }
-    within(model, &mut objects);
-}
-
-/// A name without the number behind its last `-`.
-fn stem(name: &str) -> &str {
-    match name.rsplit_once('-') {
-        Some((stem, number)) if !number.is_empty() && number.bytes().all(|c| c.is_ascii_digit()) => stem,
-        _ => name,
-    }
-}
-
 /// Merges coplanar faces of each object; `objects` names the object of each surface and is kept in step. A
 /// merged surface has the name and the place of its first face.
-pub(crate) fn within(model: &mut Model, objects: &mut Vec<usize>) {
+pub fn coplanar(model: &mut Model, objects: &mut Vec<usize>) {
     let corners = Corners::welded(&model.surfaces, objects);
     let faces = Face::all(&model.surfaces, objects, &corners);
     let groups = growth::groups(&faces, &corners);

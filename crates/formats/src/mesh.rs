@@ -87,7 +87,7 @@ impl Mesh {
                 "save the model with polygons, or name its format",
             );
         }
-        merge::within(&mut self.model, &mut self.objects);
+        merge::coplanar(&mut self.model, &mut self.objects);
         self.name();
         colour::settle(&mut self.model);
         Ok(self.model)

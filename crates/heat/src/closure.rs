@@ -48,7 +48,7 @@ pub(super) fn close(scene: &Scene, model: Model, options: &Options) -> (Model, C
     let is_closed = |surface: usize| regions.as_ref().is_some_and(|regions| regions.is_closed(surface));
     let rows: Vec<bool> = elements.list().iter().map(|element| is_closed(element.surface)).collect();
     let moved = Deficit::of(elements, model.blocks(), &rows).largest(elements);
-    let told = options.eps.max(options.shadow_eps).max(model.blocks().account.accuracy_reached);
+    let told = options.eps.max(options.shadow_eps).max(model.blocks().statistics.accuracy_reached);
     let is_trusted = rows.contains(&true) && moved <= TRUSTED * told;
     let pairs = Pairs::of(&model, regions.as_ref());
     let are_constants = elements.list().iter().all(|element| element.basis.len() == 1);

@@ -25,7 +25,7 @@ pub(super) fn require(
     model: &Model,
     options: &Options,
 ) -> Result<(), HeatError> {
-    let open = OPEN * options.eps.max(options.shadow_eps).max(model.blocks().account.accuracy_reached);
+    let open = OPEN * options.eps.max(options.shadow_eps).max(model.blocks().statistics.accuracy_reached);
     let list = model.elements().list();
     let parts = parts(roles, model, scene.surfaces.len());
     let ones = model.elements().constant();

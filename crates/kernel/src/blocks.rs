@@ -11,7 +11,7 @@ pub(crate) mod placed_block;
 pub(crate) mod pair_counts;
 pub(crate) mod reciprocity;
 pub(crate) mod remainder;
-pub(crate) mod account;
+pub(crate) mod statistics;
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -23,9 +23,9 @@ use radiosity_work::ranks::Ranks;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use account::Account;
 use held_rows::HeldRows;
 use placed_block::PlacedBlock;
+use statistics::BlockStatistics;
 
 /// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their
 /// results.
@@ -50,7 +50,7 @@ pub struct Blocks {
     /// G c as integrated, c the coefficients of the constant 1, where G was corrected afterwards.
     pub integrated: Option<Vec<f64>>,
     /// Their counts, costs and errors.
-    pub account: Account,
+    pub statistics: BlockStatistics,
 }
 
 /// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is
@@ -122,7 +122,7 @@ impl Blocks {
             values: Vec::new(),
             numbers: 0,
             integrated: None,
-            account: Account::default(),
+            statistics: BlockStatistics::default(),
         }
     }
 
@@ -246,7 +246,7 @@ impl Blocks {
         let mut all = Self {
             complete: self.complete.clone(),
             integrated: self.integrated.clone(),
-            account: self.account.clone(),
+            statistics: self.statistics.clone(),
             ..Self::empty(self.starts.clone(), self.symmetric, Ranks::alone())
         };
         stored.iter().for_each(|Row { pair: [row, column], values, .. }| all.keep(*row, *column, values));

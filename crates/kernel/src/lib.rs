@@ -16,13 +16,13 @@ pub mod rules;
 pub mod terms;
 
 pub use blocks::Blocks;
-pub use blocks::account::Account;
 pub use blocks::block::Accuracy;
 pub use blocks::block::PairKind;
 pub use blocks::pair_counts::PairCounts;
 pub use blocks::placed_block::PlacedBlock;
 pub use blocks::reciprocity::Reciprocity;
 pub use blocks::remainder::Remainder;
+pub use blocks::statistics::BlockStatistics;
 pub use blocks::worst_error::WorstError;
 pub use moments::integrand::kernel;
 pub use rules::contour::polygon_exchange;

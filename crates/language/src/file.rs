@@ -22,7 +22,7 @@ use serde_json::{Value, json};
 
 use crate::{
     fields::{checked, counted, exactly, list, point, real, text},
-    keys::{ByName, Entries, Fields, Kind, Named, Table, Usual, keys},
+    keys::{DefaultValue, GivenFields, KeyTable, ListOfTables, NamedTable, TablesByName, ValueKind, keys},
     kinds::{POINT, TEXT, VECTOR},
     terms,
 };
@@ -44,38 +44,38 @@ keys! {
     #[derive(Default)]
     SceneFile("A scene, or a list of polygons for view factors") {
         #[expect(dead_code, reason = "files are read before what they are included in")]
-        include: Option<()> = Kind::new(|_| Ok(()), include_schema), "Files whose content belongs to the scene too";
+        include: Option<()> = ValueKind::new(|_| Ok(()), include_schema), "Files whose content belongs to the scene too";
         title: Option<String> = TEXT, "What the scene is, for people";
-        bands: Option<At<Vec<At<String>>>> = Kind::new(bands, bands_schema),
+        bands: Option<At<Vec<At<String>>>> = ValueKind::new(bands, bands_schema),
             "Names of the bands; grey, or r, g, b where lists are given";
         unit: Option<At<String>> =
-            Kind::new(|node| Ok(text(node)?.value), || terms::with(terms::text(""), "maxLength", 16.into()))
-                .or(Usual::Word("W/m²")),
+            ValueKind::new(|node| Ok(text(node)?.value), || terms::with(terms::text(""), "maxLength", 16.into()))
+                .or(DefaultValue::Word("W/m²")),
             "Unit of exitance, irradiance and radiosity, as it is printed";
         frames: Option<At<usize>> =
-            Kind::new(|node| counted(node, check_frames), || terms::whole(1, MOST_FRAMES, "")),
+            ValueKind::new(|node| counted(node, check_frames), || terms::whole(1, MOST_FRAMES, "")),
             "How many frames there are";
         fps: Option<At<f64>> =
-            Kind::number(|node| checked(node, check_rate), || json!({ "minimum": 1e-6, "maximum": 1e6 }))
-                .or(Usual::Number(1.0)),
+            ValueKind::number(|node| checked(node, check_rate), || json!({ "minimum": 1e-6, "maximum": 1e6 }))
+                .or(DefaultValue::Number(1.0)),
             "Frames in a unit of time";
         #[expect(dead_code, reason = "variables are evaluated before all else is read")]
-        variables: Option<()> = Kind::new(|_| Ok(()), variables_schema), "Numbers for formulas, by name";
-        camera: Option<CameraFile> = Kind::new(
+        variables: Option<()> = ValueKind::new(|_| Ok(()), variables_schema), "Numbers for formulas, by name";
+        camera: Option<CameraFile> = ValueKind::new(
             |node| CameraFile::read(node).map_err(|error| error.within(|| "camera".into())),
             || terms::reference("camera"),
         ), "";
-        sky: Option<SkyFile> = Kind::new(
+        sky: Option<SkyFile> = ValueKind::new(
             |node| SkyFile::read(node).map_err(|error| error.within(|| "sky".into())),
             || terms::reference("sky"),
         ), "";
-        planes: Vec<Named<PlaneFile>> = ByName("plane"), "Planes of sensors by name";
-        materials: Vec<Named<MaterialFile>> = ByName("material"), "Materials by name";
-        parts: Vec<Named<PartFile>> = ByName("part"), "Parts by name, to be put in many places";
-        surfaces: Vec<SurfaceFile> = Entries::of("surface"), "The surfaces";
-        luminaires: Vec<LuminaireFile> = Entries::of("luminaire"), "Lamps by their intensity in each direction";
+        planes: Vec<NamedTable<PlaneFile>> = TablesByName("plane"), "Planes of sensors by name";
+        materials: Vec<NamedTable<MaterialFile>> = TablesByName("material"), "Materials by name";
+        parts: Vec<NamedTable<PartFile>> = TablesByName("part"), "Parts by name, to be put in many places";
+        surfaces: Vec<SurfaceFile> = ListOfTables::of("surface"), "The surfaces";
+        luminaires: Vec<LuminaireFile> = ListOfTables::of("luminaire"), "Lamps by their intensity in each direction";
         instances: Vec<InstanceFile> = INSTANCES, "Instances of parts";
-        motion: Vec<MotionFile> = Entries::of("motion"), "What moves, each along a path";
+        motion: Vec<MotionFile> = ListOfTables::of("motion"), "What moves, each along a path";
     }
 }
 
@@ -84,13 +84,13 @@ keys! {
     CameraFile("A pinhole camera") {
         eye: DVec3 = POINT, "Where the camera is";
         target: DVec3 = POINT, "What is in the middle of the picture";
-        up: DVec3 = VECTOR.or(Usual::Numbers(&[0.0, 0.0, 1.0])), "What is up in the picture";
-        fov: f64 = Kind::number(
+        up: DVec3 = VECTOR.or(DefaultValue::Numbers(&[0.0, 0.0, 1.0])), "What is up in the picture";
+        fov: f64 = ValueKind::number(
             |node| checked(node, check_fov),
             || json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 180 }),
-        ).or(Usual::Number(40.0)), "Angle from the lower to the upper border, degrees";
-        width: u32 = PIXELS.or(Usual::Number(512.0)), "Width of the picture, pixels";
-        height: u32 = PIXELS.or(Usual::Number(512.0)), "Height of the picture, pixels";
+        ).or(DefaultValue::Number(40.0)), "Angle from the lower to the upper border, degrees";
+        width: u32 = PIXELS.or(DefaultValue::Number(512.0)), "Width of the picture, pixels";
+        height: u32 = PIXELS.or(DefaultValue::Number(512.0)), "Height of the picture, pixels";
         ..span: Span;
     }
 }
@@ -100,10 +100,10 @@ keys! {
     PlaneFile("A plane of sensors") {
         origin: DVec3 = POINT, "A corner";
         edges: At<[DVec3; 2]> =
-            Kind::new(|node| exactly(node, "edges", "vectors", point), || terms::exactly(2, "vector", ""))
+            ValueKind::new(|node| exactly(node, "edges", "vectors", point), || terms::exactly(2, "vector", ""))
                 .example(", two vectors, each three numbers in brackets"),
             "Two edges; sensors receive along the first × the second";
-        spacing: At<[f64; 2]> = Kind::new(spacing, spacing_schema).example(", a length, or one along each edge"),
+        spacing: At<[f64; 2]> = ValueKind::new(spacing, spacing_schema).example(", a length, or one along each edge"),
             "Largest distance of sensors, for both edges or along each";
     }
 }
@@ -111,12 +111,12 @@ keys! {
 keys! {
     /// `[materials.NAME]`; without a reflectance where an emissivity is given.
     MaterialFile("A diffuse material", terms::required("anyOf", &["reflectance", "emissivity"]); check_material) {
-        reflectance: Option<Amount> = Kind::new(amount, || amount_schema(below_one())),
+        reflectance: Option<Amount> = ValueKind::new(amount, || amount_schema(below_one())),
             "Reflectance ρ, for all bands, of each, or as it varies";
-        emission: Amount = Kind::new(amount, || amount_schema(terms::at_least_zero())).or(Usual::Number(0.0)),
+        emission: Amount = ValueKind::new(amount, || amount_schema(terms::at_least_zero())).or(DefaultValue::Number(0.0)),
             "Exitance of the surface's own light, W/m²";
         transmittance: Option<At<PerBand>> =
-            Kind::new(per_band, || terms::per_band(below_one(), "")).or(Usual::Number(0.0)),
+            ValueKind::new(per_band, || terms::per_band(below_one(), "")).or(DefaultValue::Number(0.0)),
             "Diffuse transmittance τ of two-sided surfaces, ρ + τ < 1";
         emissivity: Option<f64> = EMISSIVITY, "Emissivity, of all wavelengths together";
         group: Option<At<String>> = TEXT, "Light group of its surfaces that name none";
@@ -124,8 +124,8 @@ keys! {
     }
 }
 
-const PIXELS: Kind<u32> =
-    Kind::new(|node| Ok(counted(node, check_pixels)? as u32), || terms::whole(1, MAX_PIXELS, ""));
+const PIXELS: ValueKind<u32> =
+    ValueKind::new(|node| Ok(counted(node, check_pixels)? as u32), || terms::whole(1, MAX_PIXELS, ""));
 
 fn include_schema() -> Value {
     let file = terms::text("Path of a scene file, from the folder of this one");
@@ -166,7 +166,7 @@ fn below_one() -> Value {
     json!({ "minimum": 0, "exclusiveMaximum": 1 })
 }
 
-fn check_material(own: &MaterialFile, fields: &Fields<'_>) -> Result<(), Located> {
+fn check_material(own: &MaterialFile, fields: &GivenFields<'_>) -> Result<(), Located> {
     match own.reflectance.is_some() || own.emissivity.is_some() {
         true => Ok(()),
         false => Err(fields.missing(

@@ -9,7 +9,7 @@ use radiosity_scene::{Fault, FaultKind, Source, error::Located, names::UniqueNam
 
 use crate::{
     file::{Content, CopyRow, InstanceFile, LuminaireFile, PartFile, SurfaceFile},
-    keys::Named,
+    keys::NamedTable,
 };
 
 /// Most entries of surfaces and luminaires, and most copies of parts: each takes about a kilobyte.
@@ -41,7 +41,7 @@ pub(super) struct Placed<'a> {
 /// The content of the scene, then that of its instances.
 pub(super) fn placed<'a>(
     content: Content<'a>,
-    parts: &'a [Named<PartFile>],
+    parts: &'a [NamedTable<PartFile>],
     source: &Source,
 ) -> Result<Placed<'a>, Located> {
     let contents = parts.iter().map(|part| part.file.content()).chain([content]);

@@ -19,19 +19,19 @@ use crate::{
 };
 
 /// The fields of one table, all of known keys.
-pub(super) struct Fields<'a> {
+pub(super) struct GivenFields<'a> {
     entries: &'a [(At<String>, Node)],
     span: &'a Span,
-    /// The name of the table if it states none, or what stands before the names of tables in it.
+    /// The name of the table if it states none; of a file, what stands before the names of tables in it.
     context: &'a str,
 }
 
-impl<'a> Fields<'a> {
+impl<'a> GivenFields<'a> {
     /// The fields of `node`, which must be a table with no other keys than those of `T`.
-    fn new<T: Group>(node: &'a Node, context: &'a str) -> Result<Self, Located> {
+    fn new<T: KeyGroup>(node: &'a Node, context: &'a str) -> Result<Self, Located> {
         let entries = table(node)?;
         match entries.iter().find(|(key, _)| !T::has(&key.value)) {
-            None => Ok(Fields { entries, span: &node.span, context }),
+            None => Ok(GivenFields { entries, span: &node.span, context }),
             Some((key, _)) => {
                 let known: Vec<&str> = T::keys().iter().map(|own| own.name).collect();
                 Err(Located::at(&key.span, Fault::unknown_key(&key.value, &known)))
@@ -72,15 +72,15 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// A key with its schema.
-pub(super) struct Key {
+/// The schema of a key.
+pub(super) struct KeySchema {
     pub name: &'static str,
     pub schema: Json,
     pub is_required: bool,
 }
 
 /// The schema of a table with these keys and no others.
-pub(super) fn schema_of(meaning: &str, keys: Vec<Key>) -> Json {
+pub(super) fn schema_of(meaning: &str, keys: Vec<KeySchema>) -> Json {
     let required: Vec<&str> = keys.iter().filter(|key| key.is_required).map(|key| key.name).collect();
     let properties: Map<String, Json> =
         keys.iter().map(|key| (key.name.to_owned(), key.schema.clone())).collect();
@@ -90,43 +90,46 @@ pub(super) fn schema_of(meaning: &str, keys: Vec<Key>) -> Json {
     })
 }
 
-/// Keys that are read together.
-pub(super) trait Group: Sized {
+/// Keys that are read together: all of a table, or some that several tables share.
+pub(super) trait KeyGroup: Sized {
     /// Whether `key` is one of them.
     fn has(key: &str) -> bool;
 
-    fn keys() -> Vec<Key>;
+    /// The keys with their schemas.
+    fn keys() -> Vec<KeySchema>;
 
-    fn take(fields: &Fields<'_>) -> Result<Self, Located>;
+    /// Reads their values from the table in which they are given.
+    fn take(fields: &GivenFields<'_>) -> Result<Self, Located>;
 }
 
-/// The place of a table is taken along as a group without keys.
-impl Group for Span {
+/// A group without keys: the place of the table in the text.
+impl KeyGroup for Span {
     fn has(_: &str) -> bool {
         false
     }
 
-    fn keys() -> Vec<Key> {
+    fn keys() -> Vec<KeySchema> {
         Vec::new()
     }
 
-    fn take(fields: &Fields<'_>) -> Result<Self, Located> {
+    fn take(fields: &GivenFields<'_>) -> Result<Self, Located> {
         Ok(fields.span.clone())
     }
 }
 
-/// A table of keys.
-pub(super) trait Table: Group {
+/// A kind of table: all its keys.
+pub(super) trait KeyTable: KeyGroup {
     /// Its schema.
     fn schema() -> Json;
 
+    /// Reads a table that has no name.
     fn read(node: &Node) -> Result<Self, Located> {
         Self::read_in(node, "")
     }
 
     /// Reads the table; `context` names it if it states no name, or stands before the names of tables in it.
     fn read_in(node: &Node, context: &str) -> Result<Self, Located> {
-        Self::take(&Fields::new::<Self>(node, context)?)
+        Self::take(&GivenFields::new::<Self>(node, context)?)
     }
 }
 
@@ -144,32 +147,32 @@ macro_rules! keys {
             $(pub $group: $keys,)*
         }
 
-        impl $crate::keys::Group for $name {
+        impl $crate::keys::KeyGroup for $name {
             fn has(key: &str) -> bool {
-                [$(stringify!($key)),*].contains(&key) $(|| <$keys as $crate::keys::Group>::has(key))*
+                [$(stringify!($key)),*].contains(&key) $(|| <$keys as $crate::keys::KeyGroup>::has(key))*
             }
 
-            fn keys() -> Vec<$crate::keys::Key> {
-                let own = [$($crate::keys::Field::<$type>::key(&$kind, stringify!($key), $meaning)),*];
-                own.into_iter()$(.chain(<$keys as $crate::keys::Group>::keys()))*.collect()
+            fn keys() -> Vec<$crate::keys::KeySchema> {
+                let own = [$($crate::keys::KeyOf::<$type>::key(&$kind, stringify!($key), $meaning)),*];
+                own.into_iter()$(.chain(<$keys as $crate::keys::KeyGroup>::keys()))*.collect()
             }
 
             fn take(
-                fields: &$crate::keys::Fields<'_>,
+                fields: &$crate::keys::GivenFields<'_>,
             ) -> Result<Self, radiosity_scene::error::Located> {
                 let _ = fields;
                 let own = Self {
-                    $($key: $crate::keys::Field::<$type>::take(&$kind, fields, stringify!($key))?,)*
-                    $($group: <$keys as $crate::keys::Group>::take(fields)?,)*
+                    $($key: $crate::keys::KeyOf::<$type>::take(&$kind, fields, stringify!($key))?,)*
+                    $($group: <$keys as $crate::keys::KeyGroup>::take(fields)?,)*
                 };
                 $($check(&own, fields)?;)?
                 Ok(own)
             }
         }
 
-        impl $crate::keys::Table for $name {
+        impl $crate::keys::KeyTable for $name {
             fn schema() -> serde_json::Value {
-                let table = $crate::keys::schema_of($about, <Self as $crate::keys::Group>::keys());
+                let table = $crate::keys::schema_of($about, <Self as $crate::keys::KeyGroup>::keys());
                 $(let table = $crate::terms::and(table, $more);)?
                 table
             }
@@ -179,7 +182,7 @@ macro_rules! keys {
 pub(super) use keys;
 
 /// A kind of value: how it is read, its schema, and an example for whoever left it out.
-pub(super) struct Kind<T> {
+pub(super) struct ValueKind<T> {
     read: Reader<T>,
     schema: fn() -> Json,
     /// The range of a number, in its schema.
@@ -188,104 +191,107 @@ pub(super) struct Kind<T> {
     example: &'static str,
 }
 
-impl<T> Kind<T> {
+impl<T> ValueKind<T> {
     pub(super) const fn new(read: Reader<T>, schema: fn() -> Json) -> Self {
-        Kind { read, schema, range: None, example: "" }
+        ValueKind { read, schema, range: None, example: "" }
     }
 
     /// The kind with another example.
     pub(super) const fn example(self, example: &'static str) -> Self {
-        Kind { read: self.read, schema: self.schema, range: self.range, example }
+        ValueKind { read: self.read, schema: self.schema, range: self.range, example }
     }
 
     /// A number in a range, such as `{ "minimum": 0 }`.
     pub(super) const fn number(read: Reader<T>, range: fn() -> Json) -> Self {
-        Kind { read, schema: || Json::Null, range: Some(range), example: "" }
+        ValueKind { read, schema: || Json::Null, range: Some(range), example: "" }
     }
 
-    /// The kind with the value that a key has which is not given.
-    pub(super) const fn or(self, usual: Usual) -> Or<T> {
-        Or { kind: self, usual }
+    /// The kind with a value for keys that are not given.
+    pub(super) const fn or(self, usual: DefaultValue) -> WithDefault<T> {
+        WithDefault { kind: self, usual }
     }
 
-    /// The kind, empty where it is not given.
-    pub(super) const fn or_empty(self) -> OrEmpty<T> {
-        OrEmpty(self)
+    /// The kind with an empty value for keys that are not given.
+    pub(super) const fn or_empty(self) -> EmptyByDefault<T> {
+        EmptyByDefault(self)
     }
 
-    fn key(&self, name: &'static str, meaning: &str, is_required: bool) -> Key {
+    fn key(&self, name: &'static str, meaning: &str, is_required: bool) -> KeySchema {
         let schema = self.range.map_or_else(self.schema, |range| terms::ranged(range(), ""));
         let schema =
             if meaning.is_empty() { schema } else { terms::with(schema, "description", meaning.into()) };
-        Key { name, schema, is_required }
+        KeySchema { name, schema, is_required }
     }
 
-    fn get(&self, fields: &Fields<'_>, key: &str) -> Result<Option<At<T>>, Located> {
+    fn get(&self, fields: &GivenFields<'_>, key: &str) -> Result<Option<At<T>>, Located> {
         fields.get(key).map(|node| Ok(At::new((self.read)(node)?, &node.span))).transpose()
     }
 }
 
-/// A type of a field whose value is a `T`.
-pub(super) trait Holds<T>: Sized {
-    /// The value of a key; none where a key is not given that has to be.
+/// A type that a field may have whose values are read as `T`: `T` or `Option<T>`, with their place or without.
+pub(super) trait FieldType<T>: Sized {
+    /// The field for the value that is given, if one is; none where the type demands one.
     fn of(given: Option<At<T>>) -> Option<Self>;
 }
 
-impl<T> Holds<T> for T {
+impl<T> FieldType<T> for T {
     fn of(given: Option<At<T>>) -> Option<Self> {
         Some(given?.value)
     }
 }
 
-impl<T> Holds<T> for At<T> {
+impl<T> FieldType<T> for At<T> {
     fn of(given: Option<At<T>>) -> Option<Self> {
         given
     }
 }
 
-impl<T> Holds<T> for Option<T> {
+impl<T> FieldType<T> for Option<T> {
     fn of(given: Option<At<T>>) -> Option<Self> {
         Some(given.map(|given| given.value))
     }
 }
 
-impl<T> Holds<T> for Option<At<T>> {
+impl<T> FieldType<T> for Option<At<T>> {
     fn of(given: Option<At<T>>) -> Option<Self> {
         Some(given)
     }
 }
 
-/// A key for a field of type `F`.
-pub(super) trait Field<F> {
-    fn key(&self, name: &'static str, meaning: &str) -> Key;
+/// A key whose value is held by a field of type `F`.
+pub(super) trait KeyOf<F> {
+    /// The schema of the key of this name.
+    fn key(&self, name: &'static str, meaning: &str) -> KeySchema;
 
-    fn take(&self, fields: &Fields<'_>, key: &'static str) -> Result<F, Located>;
+    /// The value of the key, as the field holds it.
+    fn take(&self, fields: &GivenFields<'_>, key: &'static str) -> Result<F, Located>;
 }
 
-impl<T, F: Holds<T>> Field<F> for Kind<T> {
-    fn key(&self, name: &'static str, meaning: &str) -> Key {
+impl<T, F: FieldType<T>> KeyOf<F> for ValueKind<T> {
+    fn key(&self, name: &'static str, meaning: &str) -> KeySchema {
         self.key(name, meaning, F::of(None).is_none())
     }
 
-    fn take(&self, fields: &Fields<'_>, key: &'static str) -> Result<F, Located> {
+    fn take(&self, fields: &GivenFields<'_>, key: &'static str) -> Result<F, Located> {
         F::of(self.get(fields, key)?).ok_or_else(|| fields.missing(key, self.example))
     }
 }
 
-/// A kind of value with the one that a key has which is not given.
-pub(super) struct Or<T> {
-    kind: Kind<T>,
-    usual: Usual,
+/// A kind of value, with the value of keys that are not given.
+pub(super) struct WithDefault<T> {
+    kind: ValueKind<T>,
+    usual: DefaultValue,
 }
 
-/// For an `Option` the usual value is found where files are put together.
-impl<T, F: Holds<T>> Field<F> for Or<T> {
-    fn key(&self, name: &'static str, meaning: &str) -> Key {
+/// A field of type `Option` stays empty where nothing is given, although the schema tells a default: whether
+/// a key is given matters where several files are merged, and the default is taken after that.
+impl<T, F: FieldType<T>> KeyOf<F> for WithDefault<T> {
+    fn key(&self, name: &'static str, meaning: &str) -> KeySchema {
         let key = self.kind.key(name, meaning, false);
-        Key { schema: terms::with(key.schema, "default", self.usual.json()), ..key }
+        KeySchema { schema: terms::with(key.schema, "default", self.usual.json()), ..key }
     }
 
-    fn take(&self, fields: &Fields<'_>, key: &'static str) -> Result<F, Located> {
+    fn take(&self, fields: &GivenFields<'_>, key: &'static str) -> Result<F, Located> {
         match F::of(self.kind.get(fields, key)?) {
             Some(given) => Ok(given),
             None => {
@@ -296,60 +302,60 @@ impl<T, F: Holds<T>> Field<F> for Or<T> {
     }
 }
 
-/// A kind of value that is empty where it is not given.
-pub(super) struct OrEmpty<T>(Kind<T>);
+/// A kind of value, empty for keys that are not given.
+pub(super) struct EmptyByDefault<T>(ValueKind<T>);
 
-impl<T: Default> Field<T> for OrEmpty<T> {
-    fn key(&self, name: &'static str, meaning: &str) -> Key {
+impl<T: Default> KeyOf<T> for EmptyByDefault<T> {
+    fn key(&self, name: &'static str, meaning: &str) -> KeySchema {
         self.0.key(name, meaning, false)
     }
 
-    fn take(&self, fields: &Fields<'_>, key: &'static str) -> Result<T, Located> {
+    fn take(&self, fields: &GivenFields<'_>, key: &'static str) -> Result<T, Located> {
         Ok(self.0.get(fields, key)?.map(|own| own.value).unwrap_or_default())
     }
 }
 
-/// The value of a key that is not given.
-pub(super) enum Usual {
+/// The value of keys that are not given.
+pub(super) enum DefaultValue {
     Number(f64),
     Numbers(&'static [f64]),
     Word(&'static str),
     Truth(bool),
 }
 
-impl Usual {
+impl DefaultValue {
     fn node(&self) -> Node {
         let node = |value| At::new(value, &(0..0));
         node(match self {
-            Usual::Number(number) => Value::Number(*number),
-            Usual::Numbers(numbers) => {
+            DefaultValue::Number(number) => Value::Number(*number),
+            DefaultValue::Numbers(numbers) => {
                 Value::List(numbers.iter().map(|number| node(Value::Number(*number))).collect())
             }
-            Usual::Word(word) => Value::Text((*word).to_owned()),
-            Usual::Truth(truth) => Value::Truth(*truth),
+            DefaultValue::Word(word) => Value::Text((*word).to_owned()),
+            DefaultValue::Truth(truth) => Value::Truth(*truth),
         })
     }
 
     fn json(&self) -> Json {
         let number = |number: &f64| if number.fract() == 0.0 { json!(*number as i64) } else { json!(number) };
         match self {
-            Usual::Number(own) => number(own),
-            Usual::Numbers(own) => own.iter().map(number).collect(),
-            Usual::Word(word) => json!(word),
-            Usual::Truth(truth) => json!(truth),
+            DefaultValue::Number(own) => number(own),
+            DefaultValue::Numbers(own) => own.iter().map(number).collect(),
+            DefaultValue::Word(word) => json!(word),
+            DefaultValue::Truth(truth) => json!(truth),
         }
     }
 }
 
-/// The key of the name of a table, which has one of its number in its list where it states none.
-pub(super) struct Name;
+/// The key `name` of a table. A table that states no name is called by its kind and its number in the list.
+pub(super) struct NameKey;
 
-impl Field<At<String>> for Name {
-    fn key(&self, name: &'static str, meaning: &str) -> Key {
-        Key { name, schema: terms::text(meaning), is_required: false }
+impl KeyOf<At<String>> for NameKey {
+    fn key(&self, name: &'static str, meaning: &str) -> KeySchema {
+        KeySchema { name, schema: terms::text(meaning), is_required: false }
     }
 
-    fn take(&self, fields: &Fields<'_>, key: &'static str) -> Result<At<String>, Located> {
+    fn take(&self, fields: &GivenFields<'_>, key: &'static str) -> Result<At<String>, Located> {
         match fields.get(key) {
             Some(node) => text(node),
             None => Ok(At::new(fields.context.to_owned(), fields.span)),
@@ -357,21 +363,21 @@ impl Field<At<String>> for Name {
     }
 }
 
-/// The key of a list of tables, each of a name: its own, or its kind and its number in the list.
-pub(super) struct Entries {
+/// A key whose value is a list of tables. Each has a name: its own, or its kind and its number in the list.
+pub(super) struct ListOfTables {
     /// Kind of the entries, which defines them in the schema.
     pub kind: &'static str,
     /// The key whose text stands for the kind in names.
     pub called_after: Option<&'static str>,
 }
 
-impl Entries {
+impl ListOfTables {
     pub(super) const fn of(kind: &'static str) -> Self {
-        Entries { kind, called_after: None }
+        ListOfTables { kind, called_after: None }
     }
 
-    fn read<T: Table>(&self, node: &Node, number: usize, prefix: &str) -> Result<T, Located> {
-        let Entries { kind, called_after } = *self;
+    fn read<T: KeyTable>(&self, node: &Node, number: usize, prefix: &str) -> Result<T, Located> {
+        let ListOfTables { kind, called_after } = *self;
         let stem = called_after.map(|key| given(node, key).unwrap_or_default());
         let unnamed = format!("{prefix}{}-{number}", stem.as_deref().unwrap_or(kind));
         let named = || match stem {
@@ -382,38 +388,38 @@ impl Entries {
     }
 }
 
-impl<T: Table> Field<Vec<T>> for Entries {
-    fn key(&self, name: &'static str, meaning: &str) -> Key {
-        Key { name, schema: terms::list(self.kind, meaning, 0), is_required: false }
+impl<T: KeyTable> KeyOf<Vec<T>> for ListOfTables {
+    fn key(&self, name: &'static str, meaning: &str) -> KeySchema {
+        KeySchema { name, schema: terms::list(self.kind, meaning, 0), is_required: false }
     }
 
-    fn take(&self, fields: &Fields<'_>, key: &'static str) -> Result<Vec<T>, Located> {
+    fn take(&self, fields: &GivenFields<'_>, key: &'static str) -> Result<Vec<T>, Located> {
         let Some(node) = fields.get(key) else { return Ok(Vec::new()) };
         let items = list(node)?;
         items.iter().zip(1..).map(|(node, number)| self.read(node, number, fields.context)).collect()
     }
 }
 
-/// The key of tables of this kind by name.
-pub(super) struct ByName(pub &'static str);
+/// A key whose value holds tables of this kind by name.
+pub(super) struct TablesByName(pub &'static str);
 
-/// A table with the name that is its key.
+/// A table and its name, by which it is listed.
 #[derive(Debug)]
-pub(super) struct Named<T> {
+pub(super) struct NamedTable<T> {
     pub name: At<String>,
     pub file: T,
 }
 
-impl<T: Table> Field<Vec<Named<T>>> for ByName {
-    fn key(&self, name: &'static str, meaning: &str) -> Key {
-        Key { name, schema: terms::by_name(meaning, self.0), is_required: false }
+impl<T: KeyTable> KeyOf<Vec<NamedTable<T>>> for TablesByName {
+    fn key(&self, name: &'static str, meaning: &str) -> KeySchema {
+        KeySchema { name, schema: terms::by_name(meaning, self.0), is_required: false }
     }
 
-    fn take(&self, fields: &Fields<'_>, key: &'static str) -> Result<Vec<Named<T>>, Located> {
+    fn take(&self, fields: &GivenFields<'_>, key: &'static str) -> Result<Vec<NamedTable<T>>, Located> {
         let read = |(name, node): &(At<String>, Node)| {
             check_text(&name.value).map_err(|fault| Located::at(&name.span, fault))?;
             let file = T::read(node).map_err(|error| error.within(|| title(self.0, &name.value)))?;
-            Ok(Named { name: name.clone(), file })
+            Ok(NamedTable { name: name.clone(), file })
         };
         fields.get(key).map_or(Ok(Vec::new()), |node| table(node)?.iter().map(read).collect())
     }

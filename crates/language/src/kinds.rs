@@ -8,42 +8,43 @@ use radiosity_scene::{
 
 use crate::{
     fields::{exactly, point, real, table, text, truth},
-    keys::{Kind, Or, Table, Usual, keys},
+    keys::{DefaultValue, KeyTable, ValueKind, WithDefault, keys},
     terms,
 };
 
-pub(super) const REAL: Kind<f64> = Kind::new(real, || terms::reference("number"));
+pub(super) const REAL: ValueKind<f64> = ValueKind::new(real, || terms::reference("number"));
 
 /// A number above 0.
-pub(super) const POSITIVE: Kind<f64> = Kind::new(real, || terms::positive("")).example(", a length");
+pub(super) const POSITIVE: ValueKind<f64> =
+    ValueKind::new(real, || terms::positive("")).example(", a length");
 
-pub(super) const POINT: Kind<DVec3> = triple(|| terms::reference("point"));
+pub(super) const POINT: ValueKind<DVec3> = triple(|| terms::reference("point"));
 
-pub(super) const VECTOR: Kind<DVec3> = triple(|| terms::reference("vector"));
+pub(super) const VECTOR: ValueKind<DVec3> = triple(|| terms::reference("vector"));
 
-const fn triple(schema: fn() -> serde_json::Value) -> Kind<DVec3> {
-    Kind::new(point, schema).example(", three numbers in brackets")
+const fn triple(schema: fn() -> serde_json::Value) -> ValueKind<DVec3> {
+    ValueKind::new(point, schema).example(", three numbers in brackets")
 }
 
-pub(super) const TEXT: Kind<String> = Kind::new(|node| Ok(text(node)?.value), || terms::text(""));
+pub(super) const TEXT: ValueKind<String> = ValueKind::new(|node| Ok(text(node)?.value), || terms::text(""));
 
-pub(super) const TRUTH: Kind<bool> = Kind::new(truth, || terms::truth(""));
+pub(super) const TRUTH: ValueKind<bool> = ValueKind::new(truth, || terms::truth(""));
 
 /// True where it is said.
-pub(super) const FLAG: Or<bool> = TRUTH.or(Usual::Truth(false));
+pub(super) const FLAG: WithDefault<bool> = TRUTH.or(DefaultValue::Truth(false));
 
 /// Where a shape or an instance is put.
-pub(super) const TRANSFORM: Kind<Motion> = Kind::new(motion, || terms::reference("transform"));
+pub(super) const TRANSFORM: ValueKind<Motion> = ValueKind::new(motion, || terms::reference("transform"));
 
 keys! {
     TransformFile("Scales, then turns, then moves") {
-        translate: DVec3 = VECTOR.or(Usual::Numbers(&[0.0; 3])), "Where it is moved at last";
+        translate: DVec3 = VECTOR.or(DefaultValue::Numbers(&[0.0; 3])), "Where it is moved at last";
         rotate: Option<[f64; 4]> =
-            Kind::new(|node| exactly(node, "rotate", "numbers, an axis and degrees", real), || {
+            ValueKind::new(|node| exactly(node, "rotate", "numbers, an axis and degrees", real), || {
                 terms::exactly(4, "number", "")
             }),
             "Axis x, y, z through the origin, and degrees about it";
-        scale: f64 = POSITIVE.or(Usual::Number(1.0)), "Factor on all lengths, about the origin";
+        scale: f64 = POSITIVE.or(DefaultValue::Number(1.0)), "Factor on all lengths, about the origin";
     }
 }
 

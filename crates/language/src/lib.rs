@@ -6,7 +6,7 @@
 //! `include` (trees of several files), `model_tree` and `import` (scenes of other programs → tree), `shape`
 //! and `file` (tree → as typed), `merging`, `instances`, `export` (a scene for other programs), `textures`,
 //! `validation`, `luminaires` and `motions` (as typed → parts of a scene), `reading` (all of that in its
-//! order), and `schema` (the same language for editors).
+//! order) and `writing` (back), and `schema` (the same language for editors).
 //!
 //! Imports `geom`, `work`, `photometry`, `formats` and `scene`.
 
@@ -36,10 +36,12 @@ mod validation;
 mod luminaires;
 mod motions;
 mod reading;
+mod writing;
 mod schema;
 
 pub use builtin::Builtin;
 pub use builtin::Parameter;
 pub use import::Import;
-pub use reading::{builtin, builtins, load, model, read, read_with, source, source_by, text};
+pub use reading::{builtin, builtins, load, read, read_with, source, source_by};
 pub use schema::schema;
+pub use writing::{model, text};

@@ -63,13 +63,7 @@ fn luminaire(
 ) -> Result<Luminaire, Located> {
     let LuminaireFile { span, position, aim, along, extent, group, dimming, .. } = file;
     let numbers = file.strength().map_or(span, PerBand::span);
-    let strength = match (&file.flux, &file.intensity) {
-        (Some(flux), _) => Strength::Flux(spread(flux, bands, "the flux", check_flux)?),
-        (None, Some(intensity)) => {
-            Strength::Intensity(spread(intensity, bands, "the intensity", check_intensity)?)
-        }
-        (None, None) => Strength::AsMeasured(bands),
-    };
+    let strength = strength(file, bands)?;
     let distribution = match (&file.spot, &file.photometry) {
         (Some(spot), _) => spot.clone(),
         (None, Some(file)) => Distribution::Table(tables.named(file)?),
@@ -96,6 +90,17 @@ fn luminaire(
     let mut own = own.moved(motion);
     own.place = tables.source.place(span);
     Ok(own)
+}
+
+/// Flux or intensity of a luminaire per band.
+fn strength(file: &LuminaireFile, bands: usize) -> Result<Strength, Located> {
+    match (&file.flux, &file.intensity) {
+        (Some(flux), _) => Ok(Strength::Flux(spread(flux, bands, "the flux", check_flux)?)),
+        (None, Some(intensity)) => {
+            Ok(Strength::Intensity(spread(intensity, bands, "the intensity", check_intensity)?))
+        }
+        (None, None) => Ok(Strength::AsMeasured(bands)),
+    }
 }
 
 /// Extent that the light of a luminaire comes out of: typed, or the opening of its photometric file.

@@ -77,23 +77,14 @@ struct ShapeEntry {
 fn shape(shape: &Shape) -> ShapeEntry {
     let number = |value: &f64| Tree::number(*value);
     match shape {
-        Shape::Polygon { outline, holes } => {
-            let mut fields = vec![("vertices", points(outline))];
-            if !holes.is_empty() {
-                fields.push(("holes", Tree::list(holes.iter().map(|hole| points(hole)))));
-            }
-            ShapeEntry { key: polygon_key(outline, holes), fields, flip: false }
-        }
+        Shape::Polygon { outline, holes } => polygon(outline, holes),
         Shape::Quad(corners) => {
             ShapeEntry { key: "quad", fields: vec![("vertices", points(corners))], flip: false }
         }
         Shape::Disk { center, normal, radius, inner } => {
-            let mut fields =
-                vec![("center", point(*center)), ("normal", point(*normal)), ("radius", number(radius))];
-            if *inner > 0.0 {
-                fields.push(("inner_radius", number(inner)));
-            }
-            ShapeEntry { key: "disk", fields, flip: false }
+            let placed = [("center", point(*center)), ("normal", point(*normal)), ("radius", number(radius))];
+            let hole = (*inner > 0.0).then(|| ("inner_radius", number(inner)));
+            ShapeEntry { key: "disk", fields: placed.into_iter().chain(hole).collect(), flip: false }
         }
         Shape::Cylinder { base, axis, radius, inward } => {
             let fields = vec![("base", point(*base)), ("axis", point(*axis)), ("radius", number(radius))];
@@ -116,12 +107,18 @@ fn shape(shape: &Shape) -> ShapeEntry {
     }
 }
 
-/// Convex outlines of four corners are quads, whose parameters run along their sides.
-fn polygon_key(outline: &[DVec3], holes: &[Vec<DVec3>]) -> &'static str {
-    match outline {
+/// A flat piece. Convex outlines of four corners are quads, whose parameters run along their sides.
+fn polygon(outline: &[DVec3], holes: &[Vec<DVec3>]) -> ShapeEntry {
+    let key = match outline {
         [_, _, _] if holes.is_empty() => "triangle",
         [a, b, c, d] if is_convex([*a, *b, *c, *d]) => "quad",
         _ => "polygon",
+    };
+    let holes = (!holes.is_empty()).then(|| ("holes", Tree::list(holes.iter().map(|hole| points(hole)))));
+    ShapeEntry {
+        key,
+        fields: [("vertices", points(outline))].into_iter().chain(holes).collect(),
+        flip: false,
     }
 }
 

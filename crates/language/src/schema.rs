@@ -11,7 +11,7 @@ use crate::{
         CameraFile, InstanceFile, LuminaireFile, MaterialFile, MotionFile, PartFile, PatternFile, PlaneFile,
         RowsFile, SceneFile, SkyFile, SurfaceFile,
     },
-    keys::Table,
+    keys::KeyTable,
     kinds::TransformFile,
     shape,
     terms::{and, exactly, list, positive, ranged, reference, text, whole, with},

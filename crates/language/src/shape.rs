@@ -17,7 +17,7 @@ use serde_json::Value as Json;
 
 use crate::{
     fields::Reader,
-    keys::{Fields, Group, Key, Table},
+    keys::{GivenFields, KeyGroup, KeySchema, KeyTable},
     terms,
 };
 use form::{Built, Form, Modelled};
@@ -29,7 +29,7 @@ struct Entry {
     schema: fn() -> Json,
 }
 
-const fn entry<T: Table + Form + 'static>(key: &'static str) -> Entry {
+const fn entry<T: KeyTable + Form + 'static>(key: &'static str) -> Entry {
     Entry { key, read: |node| Ok(Box::new(T::read(node)?)), schema: T::schema }
 }
 
@@ -82,18 +82,21 @@ struct FieldPlaces {
 }
 
 /// The one shape among the keys of a surface.
-impl Group for ShapeFile {
+impl KeyGroup for ShapeFile {
     fn has(key: &str) -> bool {
         SHAPES.iter().any(|shape| shape.key == key)
     }
 
-    fn keys() -> Vec<Key> {
-        let key =
-            |shape: &Entry| Key { name: shape.key, schema: terms::reference(shape.key), is_required: false };
+    fn keys() -> Vec<KeySchema> {
+        let key = |shape: &Entry| KeySchema {
+            name: shape.key,
+            schema: terms::reference(shape.key),
+            is_required: false,
+        };
         SHAPES.iter().map(key).collect()
     }
 
-    fn take(fields: &Fields<'_>) -> Result<Self, Located> {
+    fn take(fields: &GivenFields<'_>) -> Result<Self, Located> {
         let given = |shape: &'static Entry| Some((shape, fields.get(shape.key)?));
         match SHAPES.iter().filter_map(given).collect::<Vec<_>>()[..] {
             [] => Err(fields.fault(no_shape())),

@@ -19,7 +19,7 @@ use radiosity_scene::{
 use crate::{
     file::{Amount, CameraFile, GlassFile, MaterialFile, PerBand, PlaneFile, SkyFile, SunFile, SurfaceFile},
     instances::PlacedSurface,
-    keys::Named,
+    keys::NamedTable,
     textures::pattern,
 };
 
@@ -54,7 +54,7 @@ pub(super) fn unit(text: Option<At<String>>) -> Result<String, Located> {
 }
 
 /// A plane of sensors.
-pub(super) fn plane(Named { name, file }: Named<PlaneFile>) -> Result<SensorPlane, Located> {
+pub(super) fn plane(NamedTable { name, file }: NamedTable<PlaneFile>) -> Result<SensorPlane, Located> {
     let PlaneFile { origin, edges, spacing } = file;
     let title = title("plane", &name.value);
     SensorPlane::new(name.value, origin, edges.value, spacing.value).map_err(|fault| {
@@ -65,14 +65,15 @@ pub(super) fn plane(Named { name, file }: Named<PlaneFile>) -> Result<SensorPlan
 
 /// Every material, checked number by number.
 pub(super) fn materials(
-    files: Vec<Named<MaterialFile>>,
+    files: Vec<NamedTable<MaterialFile>>,
     bands: usize,
     source: &Source,
 ) -> Result<Materials, Located> {
-    let checked = |Named { name, file }: Named<MaterialFile>| match covering(&name, file, bands, source) {
-        Ok(material) => Ok((name.value, material)),
-        Err(error) => Err(error.within(|| title("material", &name.value))),
-    };
+    let checked =
+        |NamedTable { name, file }: NamedTable<MaterialFile>| match covering(&name, file, bands, source) {
+            Ok(material) => Ok((name.value, material)),
+            Err(error) => Err(error.within(|| title("material", &name.value))),
+        };
     files.into_iter().map(checked).collect()
 }
 

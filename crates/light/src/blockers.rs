@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use radiosity_geom::{Aabb, DVec3, separated};
+use radiosity_geom::{Aabb, DVec3, Rect, separated};
 use radiosity_visibility::Visibility;
 use radiosity_visibility::shadow_volume::{Coverage, ShadowVolume};
 use radiosity_visibility::tolerances::{END, OWN_END};
@@ -48,6 +48,15 @@ pub(crate) struct Extent<'a> {
     pub hull: &'a [DVec3],
     pub center: DVec3,
     pub radius: f64,
+}
+
+/// A piece of a curved surface.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CurvedPiece {
+    /// Index of the surface.
+    pub surface: usize,
+    /// The parameters of it that the piece covers.
+    pub parameters: Rect,
 }
 
 impl<'a> Extent<'a> {
@@ -170,13 +179,13 @@ impl<'a> Shadows<'a> {
         })
     }
 
-    /// Adds a curved blocker to the hidden spans `spans`; `is_own`: the plane stands for a piece of that
-    /// blocker.
-    pub(crate) fn add_curved(&self, spans: &mut HiddenSpans<'a>, other: usize, is_own: bool) {
+    /// Adds a curved blocker to the hidden spans `spans`; `own`: parameters of the piece of that blocker which
+    /// the plane stands for, if it does.
+    pub(crate) fn add_curved(&self, spans: &mut HiddenSpans<'a>, other: usize, own: Option<&Rect>) {
         let ReceiverPoint { normal, ground, surface, .. } = *self.receiver;
         let ground = self.stands_on(other).then_some(ground.unwrap_or(normal));
         let is_turned = surface != Some(other);
-        spans.add_curved(self.visibility.silhouette_mesh(other), ground, is_turned, is_own);
+        spans.add_curved(self.visibility.silhouette_mesh(other), ground, is_turned, own);
     }
 
     /// Pushes the blockers in `above` that may hide a part of `cell` onto the stack; None where one hides all
@@ -236,21 +245,21 @@ impl<'a> Shadows<'a> {
 
     /// The hidden spans on a convex planar polygon; None where the point lies in its plane.
     ///
-    /// The polygon may stand for a piece of the surface `curved` whose convex hull is spanned by `hull`.
+    /// The polygon may stand for `piece`, whose convex hull is spanned by `hull`.
     pub(crate) fn hidden_spans(
         &self,
         before: BlockerRange,
         polygon: &[DVec3],
         hull: &[DVec3],
-        curved: Option<usize>,
+        piece: Option<CurvedPiece>,
     ) -> Option<HiddenSpans<'_>> {
         let mut spans = HiddenSpans::new(ProjectionPlane::new(self.receiver.position, polygon, hull)?);
         for blocker in self.of(before) {
             match blocker {
                 Blocker::Flat(volume) => spans.add_flat(volume),
                 Blocker::Curved(other) => {
-                    let is_own = curved.is_some_and(|surface| self.visibility.sheet(surface) == *other);
-                    self.add_curved(&mut spans, *other, is_own);
+                    let own = piece.as_ref().filter(|piece| self.visibility.sheet(piece.surface) == *other);
+                    self.add_curved(&mut spans, *other, own.map(|piece| &piece.parameters));
                 }
             }
         }

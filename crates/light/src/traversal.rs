@@ -189,7 +189,7 @@ impl<'a> Traversal<'a> {
         let Some((flat, curved)) = self.shadows.before_lamp(lamp, &plane, places) else { return Some(0.0) };
         let mut spans = HiddenSpans::before_lamp(plane, lit);
         flat.iter().for_each(|volume| spans.add_flat(volume));
-        curved.iter().for_each(|surface| self.shadows.add_curved(&mut spans, *surface, false));
+        curved.iter().for_each(|surface| self.shadows.add_curved(&mut spans, *surface, None));
         if spans.is_empty() && is_whole {
             return Some(whole);
         }

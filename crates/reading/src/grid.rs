@@ -25,8 +25,8 @@ use radiosity_light::occluders::Site;
 use radiosity_light::receiver_point::ReceiverPoint;
 use radiosity_light::reflected::Reflection;
 use radiosity_solve::gather::gather_method::Gathering;
-use radiosity_solve::gather::ray_gather::Receiver;
 use radiosity_solve::gather::read_irradiance::{Deviation, ReadIrradiance};
+use radiosity_solve::gather::receiver::Receiver;
 use radiosity_solve::solution::SurfacePlace;
 use radiosity_work::ranks::{PartName, vector};
 use radiosity_work::{Stage, Work};
@@ -156,37 +156,48 @@ impl Integrals {
             covered: 0.0,
             deviations: Deviations::default(),
         };
+        let elements = reader.solution().elements();
         // Elements of the other side whose light comes through.
         let mut behind = BTreeSet::new();
-        for element in reader.solution().elements().of_surface(surface) {
-            for patch in reader.solution().elements().patches_over(element, rect) {
-                let area = area(&patch);
-                let ReadIrradiance { irradiance, deviation } = over_patch(reader, element, &patch, rates);
-                let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
-                sums.covered += area;
-                if let Some(deviation) = deviation {
-                    sums.deviations.add(deviation, irradiance.iter().sum());
-                }
-                for (index, band) in bands.iter().enumerate() {
-                    let Means { exitance, reflectance } = band.coating.means_over(element, &patch, rect);
-                    let kept = 1.0 - reflectance - band.coating.transmittance(element);
-                    sums.irradiance[index] += irradiance[index];
-                    sums.radiosity[index] += exitance * area + reflectance * irradiance[index];
-                    sums.absorbed[index] += kept * irradiance[index];
-                }
+        for element in elements.of_surface(surface) {
+            for patch in elements.patches_over(element, rect) {
+                sums.add(reader, element, &patch, rect, rates);
             }
             behind.extend(bands.iter().flat_map(|band| band.coating.all_behind(element)));
         }
         for element in behind {
-            for patch in reader.solution().elements().patches_over(element, rect) {
-                let area = area(&patch);
-                let arriving = over_patch(reader, element, &patch, rates).irradiance;
-                for (index, band) in bands.iter().enumerate() {
-                    sums.radiosity[index] += band.coating.transmittance(element) * area * arriving[index];
-                }
+            for patch in elements.patches_over(element, rect) {
+                sums.add_transmitted(reader, element, &patch, rates);
             }
         }
         sums
+    }
+
+    /// Adds the light on a patch of an element.
+    fn add(&mut self, reader: &Reader, element: usize, patch: &Patch, rect: &Rect, rates: Rates) {
+        let area = area(patch);
+        let ReadIrradiance { irradiance, deviation } = over_patch(reader, element, patch, rates);
+        let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
+        self.covered += area;
+        if let Some(deviation) = deviation {
+            self.deviations.add(deviation, irradiance.iter().sum());
+        }
+        for (index, band) in reader.solution().bands().iter().enumerate() {
+            let Means { exitance, reflectance } = band.coating.means_over(element, patch, rect);
+            let kept = 1.0 - reflectance - band.coating.transmittance(element);
+            self.irradiance[index] += irradiance[index];
+            self.radiosity[index] += exitance * area + reflectance * irradiance[index];
+            self.absorbed[index] += kept * irradiance[index];
+        }
+    }
+
+    /// Adds the light that comes through from a patch of an element of the other side.
+    fn add_transmitted(&mut self, reader: &Reader, element: usize, patch: &Patch, rates: Rates) {
+        let area = area(patch);
+        let arriving = over_patch(reader, element, patch, rates).irradiance;
+        for (index, band) in reader.solution().bands().iter().enumerate() {
+            self.radiosity[index] += band.coating.transmittance(element) * area * arriving[index];
+        }
     }
 
     /// The means; `area` is that of the cell if the surface has an outline, else the integrated area is

@@ -7,7 +7,7 @@ use radiosity_reading::pictures::pinhole::Pinhole;
 use radiosity_reading::probe::Probe;
 use radiosity_scene::{Camera, Scene};
 use radiosity_solve::studies::adaptation::{Aim, Goal};
-use radiosity_visibility::{Shadows, Visibility};
+use radiosity_visibility::Visibility;
 use radiosity_work::wording::{set, words};
 
 use super::refusal::Refusal;
@@ -96,7 +96,7 @@ fn of_picture(accuracy: f64, scene: &Scene) -> Result<Goal, Refusal> {
 
 /// Points, with normals, of surfaces that a camera sees, evenly over its picture.
 fn seen(scene: &Scene, camera: &Camera) -> Vec<[DVec3; 2]> {
-    let visibility = Visibility::new(scene, Shadows::Off);
+    let visibility = Visibility::open(scene);
     let pinhole = Pinhole::new(camera);
     let place = |k: u32, size: u32| (f64::from(k) + 0.5) * f64::from(size) / f64::from(ACROSS);
     let rays = (0..ACROSS * ACROSS)

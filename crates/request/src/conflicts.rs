@@ -5,10 +5,11 @@ use radiosity_published::bases::Basis;
 use radiosity_published::zatz1993::masked_light::Masking;
 use radiosity_solve::studies::convergence::RunSeries;
 use radiosity_solve::{Direct, LightMethod, Preconditioning, Transport};
+use radiosity_visibility::Shadows;
 use radiosity_work::wording::{Wording, option, set, value, words};
 
 use super::method::MethodRequest;
-use super::modes::Shadows;
+use super::modes::LightShadows;
 use super::ranges::Order;
 use super::refusal::Refusal;
 
@@ -49,7 +50,7 @@ fn check_time_limit(method: &MethodRequest) -> Result<(), Refusal> {
 /// Refuses numbers that say how something is done that is not asked for.
 fn check_idle(method: &MethodRequest) -> Result<(), Refusal> {
     let (layers, masking, usual) = (method.graded_layers(), method.masking(), Masking::default());
-    let has_masks = method.shadows == Some(Shadows::Mask);
+    let has_masks = method.shadows == Some(LightShadows::Mask);
     let idle = [
         (layers.ratio != Layers::NONE.ratio && layers.count == 0, "ratio", option("layers")),
         (masking.cells != usual.cells && !has_masks, "mask-cells", set("shadows", "mask")),
@@ -75,7 +76,10 @@ fn check_hierarchical(method: &MethodRequest) -> Result<(), Refusal> {
         (method.kernel.unwrap_or_default().rules().is_some(), option("kernel")),
         (method.transport.unwrap_or_default() != Transport::Auto, option("transport")),
         (method.rays.is_some(), option("rays")),
-        (method.shadows.unwrap_or_default() != Shadows::Auto, option("shadows")),
+        (
+            method.shadows.is_some_and(|shadows| shadows != LightShadows::Found(Shadows::Auto)),
+            option("shadows"),
+        ),
         (method.shadow_eps.is_some(), option("shadow-eps")),
         (method.direct.is_some_and(|direct| direct != Direct::Auto), option("direct")),
     ];
@@ -97,8 +101,8 @@ fn check_rays(method: &MethodRequest) -> Result<(), Refusal> {
     };
     let others = [
         method.kernel.unwrap_or_default().rules().map(|_| option("kernel")),
-        (method.shadows == Some(Shadows::Mask)).then(|| set("shadows", "mask")),
-        (method.shadows == Some(Shadows::Off)).then(|| set("shadows", "off")),
+        (method.shadows == Some(LightShadows::Mask)).then(|| set("shadows", "mask")),
+        (method.shadows == Some(LightShadows::Found(Shadows::Off))).then(|| set("shadows", "off")),
         (method.transport == Some(Transport::Exact)).then(|| set("transport", "exact")),
     ];
     refuse(rays, others)
@@ -202,7 +206,7 @@ fn others(method: &MethodRequest) -> [Option<Wording>; 8] {
         method.wanted_accuracy().map(|_| option("accuracy")),
         method.aim.as_ref().map(|_| option("for")),
         method.kernel.unwrap_or_default().rules().map(|_| option("kernel")),
-        (method.shadows == Some(Shadows::Mask)).then(|| set("shadows", "mask")),
+        (method.shadows == Some(LightShadows::Mask)).then(|| set("shadows", "mask")),
         (method.transport == Some(Transport::Sampled)).then(|| set("transport", "sampled")),
         method.rays.as_ref().map(|_| option("rays")),
         (method.tensor && has_no_degree).then(|| option("tensor")),

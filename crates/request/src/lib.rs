@@ -27,7 +27,7 @@ pub mod cells;
 
 pub use conflicts::{KEPT, check_series, require_all_bounces};
 pub use method::MethodRequest;
-pub use modes::{Kernel, Shadows};
+pub use modes::{Kernel, LightShadows};
 pub use reading::{ReadRequest, check_aim};
 pub use refusal::Refusal;
 pub use scene::{ImportRequest, LoadError, SceneRequest};

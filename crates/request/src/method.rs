@@ -16,7 +16,7 @@ use serde::Deserialize;
 
 use super::aim::AccuracyOf;
 use super::memory;
-use super::modes::{self, Kernel, Shadows};
+use super::modes::{self, Kernel, LightShadows};
 use super::ranges::{self, Accuracy, Bytes, Fraction, Number, Order, Positive, Seconds, Subdivide, by_text};
 
 /// The accuracy that `--order auto` means. Chosen.
@@ -120,7 +120,7 @@ pub struct MethodRequest {
 
     /// How it is found out what surfaces hide from each other [default: auto]
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
-    pub shadows: Option<Shadows>,
+    pub shadows: Option<LightShadows>,
 
     /// How light straight from emitters enters the solution [default: auto]
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
@@ -159,7 +159,6 @@ impl MethodRequest {
     /// The library's options on these ranks.
     pub fn options(&self, ranks: &Ranks) -> Options {
         let usual = self.quality.unwrap_or_default().options();
-        let shadows = self.shadows.unwrap_or_default();
         Options {
             method: self.method.unwrap_or(usual.method),
             basis: self.basis.unwrap_or(usual.basis),
@@ -172,8 +171,8 @@ impl MethodRequest {
             transport: self.transport.unwrap_or(usual.transport),
             rays: self.rays.map(u64::from),
             shadow_eps: self.shadow_eps.or(self.eps).map_or(usual.shadow_eps, f64::from),
-            shadows: shadows.hiding(),
-            masks: (shadows == Shadows::Mask).then(|| self.masking()),
+            shadows: self.shadows.map_or(usual.shadows, LightShadows::found),
+            masks: (self.shadows == Some(LightShadows::Mask)).then(|| self.masking()),
             direct: self.direct.unwrap_or(usual.direct),
             solver: self.solver.unwrap_or(usual.solver),
             preconditioner: self.preconditioner.unwrap_or(usual.preconditioner),

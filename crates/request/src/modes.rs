@@ -3,37 +3,61 @@
 use radiosity_formats::format::Format;
 use radiosity_published::zatz1993::transfers::{HybridReading, PaperRules};
 use radiosity_solvers::method::Method;
-use radiosity_visibility::Hiding;
+use radiosity_visibility::Shadows;
+use serde::de::{Error, IntoDeserializer, value};
 use serde::{Deserialize, Deserializer};
 
 use super::ranges::parsed;
 
-/// `--shadows`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-#[serde(rename_all = "kebab-case")]
-pub enum Shadows {
-    /// Planar surfaces behind planar ones by their outlines, all else by rays
-    #[default]
-    Auto,
-    /// Nothing hides anything
-    Off,
-    /// Rays where something can stand between
-    Rays,
-    /// As auto, but to the accuracy --eps
-    Exact,
-    /// Rays, and direct light as polynomials times shadow masks, as in Zatz 1993; --read basis shows them
+/// `--shadows` of light: a way to find shadows, or masks, with which they are found as by default.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LightShadows {
+    /// Shadows found in this way.
+    Found(Shadows),
+    /// Direct light as polynomials times shadow masks.
     Mask,
 }
 
-impl Shadows {
-    /// The library's mode of shadows.
-    pub(crate) fn hiding(self) -> Hiding {
+impl LightShadows {
+    /// The way to find shadows.
+    pub(crate) fn found(self) -> Shadows {
         match self {
-            Shadows::Auto | Shadows::Mask => Hiding::Auto,
-            Shadows::Off => Hiding::Off,
-            Shadows::Rays => Hiding::Rays,
-            Shadows::Exact => Hiding::Exact,
+            Self::Found(shadows) => shadows,
+            Self::Mask => Shadows::default(),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for LightShadows {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        match String::deserialize(from)?.as_str() {
+            "mask" => Ok(Self::Mask),
+            name => Shadows::deserialize(name.into_deserializer())
+                .map(Self::Found)
+                .map_err(|fault: value::Error| D::Error::custom(format!("{fault}, `mask`"))),
+        }
+    }
+}
+
+#[cfg(feature = "clap")]
+impl clap::ValueEnum for LightShadows {
+    fn value_variants<'a>() -> &'a [Self] {
+        const {
+            &[
+                Self::Found(Shadows::Auto),
+                Self::Found(Shadows::Off),
+                Self::Found(Shadows::Rays),
+                Self::Found(Shadows::Exact),
+                Self::Mask,
+            ]
+        }
+    }
+
+    fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
+        let mask = "As auto, and direct light as polynomials times shadow masks, as in Zatz 1993; --read basis shows them";
+        match self {
+            Self::Found(shadows) => shadows.to_possible_value(),
+            Self::Mask => Some(clap::builder::PossibleValue::new("mask").help(mask)),
         }
     }
 }

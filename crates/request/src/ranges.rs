@@ -11,35 +11,35 @@ use serde::de::{self, Visitor};
 use serde::{Deserialize, Deserializer};
 
 /// Number of graded layers.
-pub type Layers = Whole<0, 8>;
+pub type Layers = WholeNumber<0, 8>;
 
 /// Degree of polynomials.
-pub type Degree = Whole<0, { MAX_ORDER as u64 }>;
+pub type Degree = WholeNumber<0, { MAX_ORDER as u64 }>;
 
 /// Number of reflections that are counted. Chosen: all but 5e-5 of the light of a closed room of reflectance
 /// 0.99.
-pub type Bounces = Whole<0, 1000>;
+pub type Bounces = WholeNumber<0, 1000>;
 
 /// Number of rays of the sampled transport.
-pub type Rays = Whole<1, MOST_RAYS>;
+pub type Rays = WholeNumber<1, MOST_RAYS>;
 
 /// Number of iterations of a solver.
-pub type Iterations = Whole<1, { u32::MAX as u64 }>;
+pub type Iterations = WholeNumber<1, { u32::MAX as u64 }>;
 
 /// Number of cells along a side of a mask.
-pub type MaskCells = Whole<1, 1000>;
+pub type MaskCells = WholeNumber<1, 1000>;
 
 /// Number of pixels along a side of a picture, and of cells along a side of a surface, as in scenes.
-pub type Pixels = Whole<1, { MAX_PIXELS as u64 }>;
+pub type Pixels = WholeNumber<1, { MAX_PIXELS as u64 }>;
 
 /// Number of camera rays along a side of a pixel, or of points along a side of a cell.
-pub type Samples = Whole<1, 64>;
+pub type Samples = WholeNumber<1, 64>;
 
 /// Whole number from `LEAST` to `MOST`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Whole<const LEAST: u64, const MOST: u64>(u64);
+pub struct WholeNumber<const LEAST: u64, const MOST: u64>(u64);
 
-impl<const LEAST: u64, const MOST: u64> Whole<LEAST, MOST> {
+impl<const LEAST: u64, const MOST: u64> WholeNumber<LEAST, MOST> {
     /// Message for a number out of the range.
     pub fn expected() -> String {
         format!("expected a whole number from {LEAST} to {MOST}")
@@ -51,7 +51,7 @@ impl<const LEAST: u64, const MOST: u64> Whole<LEAST, MOST> {
     }
 }
 
-impl<const LEAST: u64, const MOST: u64> TryFrom<i128> for Whole<LEAST, MOST> {
+impl<const LEAST: u64, const MOST: u64> TryFrom<i128> for WholeNumber<LEAST, MOST> {
     type Error = String;
 
     fn try_from(number: i128) -> Result<Self, String> {
@@ -60,7 +60,7 @@ impl<const LEAST: u64, const MOST: u64> TryFrom<i128> for Whole<LEAST, MOST> {
     }
 }
 
-impl<const LEAST: u64, const MOST: u64> FromStr for Whole<LEAST, MOST> {
+impl<const LEAST: u64, const MOST: u64> FromStr for WholeNumber<LEAST, MOST> {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -68,13 +68,13 @@ impl<const LEAST: u64, const MOST: u64> FromStr for Whole<LEAST, MOST> {
     }
 }
 
-impl<const LEAST: u64, const MOST: u64> From<Whole<LEAST, MOST>> for u64 {
-    fn from(number: Whole<LEAST, MOST>) -> Self {
+impl<const LEAST: u64, const MOST: u64> From<WholeNumber<LEAST, MOST>> for u64 {
+    fn from(number: WholeNumber<LEAST, MOST>) -> Self {
         number.0
     }
 }
 
-impl<'de, const LEAST: u64, const MOST: u64> Deserialize<'de> for Whole<LEAST, MOST> {
+impl<'de, const LEAST: u64, const MOST: u64> Deserialize<'de> for WholeNumber<LEAST, MOST> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         i128::deserialize(from)?.try_into().map_err(de::Error::custom)
     }
@@ -82,7 +82,7 @@ impl<'de, const LEAST: u64, const MOST: u64> Deserialize<'de> for Whole<LEAST, M
 
 /// Number of threads, 1024 at the most: more would bring any machine to a standstill. Chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Threads(Whole<1, 1024>);
+pub struct Threads(WholeNumber<1, 1024>);
 
 impl Threads {
     /// The number as a count.
@@ -276,7 +276,7 @@ fn count_or_auto<const LEAST: u64, const MOST: u64>(text: &str) -> Result<Option
     if text == "auto" {
         return Ok(None);
     }
-    let number = text.parse::<Whole<LEAST, MOST>>();
+    let number = text.parse::<WholeNumber<LEAST, MOST>>();
     number.map(|number| Some(number.count())).map_err(|expected| expected + ", or auto")
 }
 

@@ -7,7 +7,7 @@ use radiosity_solve::Options;
 use radiosity_solve::gather::gather_method::GatherMethod;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::Goal;
-use radiosity_visibility::Hiding;
+use radiosity_visibility::Shadows;
 use radiosity_work::wording::{Wording, option, set, value, words};
 use serde::Deserialize;
 
@@ -70,27 +70,33 @@ impl ReadRequest {
                     + " gather none",
                 words("leave one of them out, or take ") + set("read", "gather"),
             ),
-            _ if self.read_by == Some(GatherMethod::Rays)
-                && (options.masks.is_some() || options.shadows == Hiding::Off) =>
-            {
-                refuse(
-                    set("read-by", "rays")
-                        + " always sees exact shadows, and the solution has others: "
-                        + set("shadows", "mask")
-                        + " or "
-                        + value("off"),
-                    words("take ") + set("read-by", "cells") + ", or solve with other shadows",
-                )
-            }
-            _ if self.read_by == Some(GatherMethod::Rays) && self.samples.is_some() => refuse(
+            _ if self.read_by == Some(GatherMethod::Rays) => self.check_rays(options),
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses rays where they cannot gather what is asked for.
+    fn check_rays(&self, options: &Options) -> Result<(), Refusal> {
+        if options.masks.is_some() || options.shadows == Shadows::Off {
+            return Err(Refusal::new(
+                set("read-by", "rays")
+                    + " always sees exact shadows, and the solution has others: "
+                    + set("shadows", "mask")
+                    + " or "
+                    + value("off"),
+                words("take ") + set("read-by", "cells") + ", or solve with other shadows",
+            ));
+        }
+        if self.samples.is_some() {
+            return Err(Refusal::new(
                 option("read-samples")
                     + " counts points, and "
                     + set("read-by", "rays")
                     + " sends rays until their error is small",
                 words("leave one of them out; ") + option("read-eps") + " says how small",
-            ),
-            _ => Ok(()),
+            ));
         }
+        Ok(())
     }
 
     /// The reading that was asked for; the rest as the quality says.

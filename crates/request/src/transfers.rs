@@ -5,14 +5,13 @@ use radiosity_kernel::Accuracy;
 use radiosity_solve::view_factors;
 use radiosity_solve::{Options, Transport};
 use radiosity_solvers::method::Method;
+use radiosity_visibility::Shadows;
 use radiosity_work::ranks::Ranks;
-use radiosity_work::wording::set;
 use serde::Deserialize;
 
 use super::memory;
-use super::modes::{self, Shadows};
+use super::modes;
 use super::ranges::{self, Bytes, Number, Subdivide, by_text};
-use super::refusal::Refusal;
 
 /// Accuracy of view factors unless told otherwise.
 const FACTORS: f64 = 1e-3;
@@ -63,26 +62,12 @@ impl TransferRequest {
         self.threads.map_or(0, ranges::Threads::count)
     }
 
-    /// Refuses masks, which carry light.
-    ///
-    /// # Errors
-    /// If they were asked for.
-    pub fn check(&self) -> Result<(), Refusal> {
-        if self.shadows != Some(Shadows::Mask) {
-            return Ok(());
-        }
-        Err(Refusal::new(
-            set("shadows", "mask") + ": masks carry light of lamps, and there is none here",
-            "choose auto, exact, rays or off",
-        ))
-    }
-
     /// The options of view factors.
     pub fn factors(&self) -> view_factors::Options {
         view_factors::Options {
             subdivide: self.subdivide.unwrap_or_default().0,
             accuracy: self.accuracy(),
-            shadows: self.shadows.unwrap_or_default().hiding(),
+            shadows: self.shadows.unwrap_or_default(),
             threads: self.threads(),
         }
     }
@@ -129,7 +114,7 @@ impl HeatRequest {
             subdivide: transfers.subdivide.unwrap_or_default().0,
             eps,
             shadow_eps,
-            shadows: transfers.shadows.unwrap_or_default().hiding(),
+            shadows: transfers.shadows.unwrap_or_default(),
             transport: self.transport.unwrap_or(usual.transport),
             solver: self.solver.unwrap_or(usual.solver),
             memory: memory::allowed(self.memory, ranks),

@@ -231,7 +231,7 @@ mod tests {
     use radiosity_kernel::{Blocks, PlacedBlock};
     use radiosity_scene::{Material, SceneBuilder};
     use radiosity_transport as transport;
-    use radiosity_visibility::{Shadows, Visibility};
+    use radiosity_visibility::Visibility;
     use radiosity_work::Work;
 
     use super::*;
@@ -263,7 +263,7 @@ mod tests {
         let options = Options { order: 1, eps: 1e-6, ..Options::default() };
         let outcome = solve(&scene, &options, &Work::alone()).expect("a solution");
         let elements = outcome.solution.elements();
-        let visibility = Visibility::new(&scene, Shadows::Off);
+        let visibility = Visibility::open(&scene);
         let whole = transport::assemble(
             transport::Demand::all(elements, &visibility, options.accuracy()),
             None,

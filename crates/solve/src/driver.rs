@@ -39,6 +39,7 @@ mod transport_choice;
 mod options;
 mod choose_transport;
 mod memory_need;
+mod decisions;
 mod emission;
 mod solve_band;
 mod sampling;
@@ -53,8 +54,8 @@ use radiosity_elements::mesh::Mesh;
 use radiosity_scene::Scene;
 use radiosity_work::Work;
 
-pub(crate) use assembly::Layout;
 use by_links::solve_by_links;
+pub(crate) use decisions::Layout;
 pub use direct::Direct;
 pub use failure::Failure;
 pub use first_light::masked_light;

@@ -15,6 +15,8 @@
 pub mod surface_point;
 pub(crate) mod walks;
 pub mod read_irradiance;
+pub mod receiver;
+mod ray_count;
 pub mod ray_gather;
 pub mod gather_method;
 

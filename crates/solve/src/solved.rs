@@ -92,7 +92,7 @@ impl Solved {
 
     /// The scene as obstacles, with the shadows it was solved with.
     pub fn visibility(&self) -> &Visibility {
-        self.visibility.get_or_init(|| Visibility::new(&self.scene, (&self.options).into()))
+        self.visibility.get_or_init(|| self.options.visibility(&self.scene))
     }
 
     /// Irradiance per band at a point in the open, for the unit normal `normal`: in W m⁻² where exitance is

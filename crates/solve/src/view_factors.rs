@@ -21,8 +21,8 @@ use radiosity_elements::{Discretization, Elements, Subdivide};
 use radiosity_kernel::{Accuracy, Blocks, PairCounts, PlacedBlock, Reciprocity, WorstError};
 use radiosity_scene::Scene;
 use radiosity_transport as transport;
-use radiosity_transport::{Demand, Whole};
-use radiosity_visibility::{Hiding, Visibility};
+use radiosity_transport::{Demand, FactorEnds};
+use radiosity_visibility::{Shadows, Visibility};
 use radiosity_work::Work;
 
 use crate::driver::{Failure, in_threads};
@@ -36,7 +36,7 @@ pub struct Options {
     /// Accuracy of the exchange of two elements.
     pub accuracy: Accuracy,
     /// Ways to find shadows between surfaces.
-    pub shadows: Hiding,
+    pub shadows: Shadows,
     /// Threads, 0 for all that a rank may use; the result does not depend on it.
     pub threads: usize,
 }
@@ -59,7 +59,7 @@ pub struct ViewFactors {
     pub rays: u64,
     /// Reciprocity over a sample of pairs that were integrated in both directions.
     pub reciprocity: Reciprocity,
-    /// Largest error that is left in the exchange of two elements ([`radiosity_kernel::Account::accuracy_reached`]).
+    /// Largest error that is left in the exchange of two elements ([`radiosity_kernel::BlockStatistics::accuracy_reached`]).
     pub accuracy_reached: f64,
     /// The two surfaces whose error is the largest multiple of what was asked.
     pub worst_error: Option<WorstError>,
@@ -94,12 +94,12 @@ impl ViewFactors {
             names: scene.surfaces.iter().map(|surface| surface.name.clone()).collect(),
             exchanges: exchanges(&elements, &blocks, areas.len()),
             areas,
-            pairs: blocks.account.pairs,
-            samples: blocks.account.distinct,
-            rays: blocks.account.rays,
-            reciprocity: blocks.account.reciprocity,
-            accuracy_reached: blocks.account.accuracy_reached,
-            worst_error: blocks.account.worst_error.map(|worst| WorstError {
+            pairs: blocks.statistics.pairs,
+            samples: blocks.statistics.distinct,
+            rays: blocks.statistics.rays,
+            reciprocity: blocks.statistics.reciprocity,
+            accuracy_reached: blocks.statistics.accuracy_reached,
+            worst_error: blocks.statistics.worst_error.map(|worst| WorstError {
                 pair: worst.pair.map(|element| elements.list()[element].surface),
                 ..worst
             }),
@@ -145,14 +145,14 @@ fn constants(
     scene.surfaces.iter_mut().for_each(|surface| surface.order = None);
     let Accuracy { eps, shadow_eps } = options.accuracy;
     let accuracy = Accuracy { eps, shadow_eps: options.shadows.accuracy(eps, shadow_eps) };
-    let visibility = Visibility::new(&scene, options.shadows.shadows(accuracy.shadow_eps));
+    let visibility = Visibility::new(&scene, options.shadows, accuracy.shadow_eps);
     let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
     let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
     let how = Discretization { order: 0, space: Space::Total, subdivide, layers: Layers::NONE };
     let elements = Elements::new(&scene, &how)?;
     let surface = |element: usize| elements.list()[element].surface;
     let wanted = |a, b| wanted(surface(a), surface(b)) || wanted(surface(b), surface(a));
-    let demand = Demand { whole: Whole::Surface, ..Demand::all(&elements, &visibility, accuracy) };
+    let demand = Demand { whole: FactorEnds::Surface, ..Demand::all(&elements, &visibility, accuracy) };
     let blocks = transport::assemble(demand.of(&wanted), None, work);
     Ok((elements, blocks))
 }
@@ -193,7 +193,7 @@ mod tests {
 
     fn factors(scene: &Scene, subdivide: usize) -> ViewFactors {
         let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-2 };
-        let options = Options { subdivide: Some(subdivide), accuracy, shadows: Hiding::Auto, threads: 2 };
+        let options = Options { subdivide: Some(subdivide), accuracy, shadows: Shadows::Auto, threads: 2 };
         ViewFactors::new(scene, &options, &Work::alone()).expect("all have area")
     }
 
@@ -214,7 +214,7 @@ mod tests {
     fn only_the_pairs_wanted_are_integrated() {
         let scene = radiosity_language::builtin("empty-box").expect("it is built in");
         let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-2 };
-        let options = Options { subdivide: Some(1), accuracy, shadows: Hiding::Auto, threads: 1 };
+        let options = Options { subdivide: Some(1), accuracy, shadows: Shadows::Auto, threads: 1 };
         let wanted = |i, j| (i, j) == (4, 1);
         let some = ViewFactors::of_pairs(&scene, &wanted, &options, &Work::alone()).expect("all have area");
         let all = ViewFactors::new(&scene, &options, &Work::alone()).expect("all have area");

@@ -58,7 +58,7 @@ impl Carrier for Blocks {
     /// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j; the other φ_k have no mean.
     fn reciprocity(&self, list: &[Element]) -> f64 {
         if self.symmetric() {
-            return self.account.reciprocity.largest;
+            return self.statistics.reciprocity.largest;
         }
         let exchanged = |PlacedBlock { row: i, column: j, values }: PlacedBlock<'_>| {
             ((i, j), list[i].constant[0] * values[0] * list[j].constant[0])

@@ -292,7 +292,7 @@ impl<'a> SampledTransport<'a> {
         self.exact_pairs.len()
     }
 
-    /// Largest error of the exact pairs, as [`Account::accuracy_reached`](radiosity_kernel::Account).
+    /// Largest error of the exact pairs, as [`BlockStatistics::accuracy_reached`](radiosity_kernel::BlockStatistics).
     pub fn exact_accuracy(&self) -> f64 {
         self.exact_pairs.accuracy_reached()
     }
@@ -438,7 +438,7 @@ impl<'a> SampledTransport<'a> {
         blocks.integrated = Some(integrated.iter().zip(exact).map(|(a, b)| a + b).collect());
         estimate.push(&mut blocks);
         self.exact_pairs.add_reports(&mut blocks);
-        blocks.account.rays = self.sent.iter().sum();
+        blocks.statistics.rays = self.sent.iter().sum();
         blocks
     }
 

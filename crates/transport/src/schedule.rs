@@ -28,7 +28,7 @@ use radiosity_work::interruption::check_interrupt;
 
 use crate::kept_blocks::KeptBlocks;
 pub(crate) use demand::Unreached;
-pub use demand::{Demand, Whole};
+pub use demand::{Demand, FactorEnds};
 use integrated::{Integrated, IntegratedReport};
 use plan::{Planned, Source};
 use task::{Schedule, Task};
@@ -54,8 +54,8 @@ pub(crate) struct BlockByRules {
     pub error: f64,
 }
 
-/// The error of the block of a task, and who is to carry it.
-struct Verdict {
+/// The error that the rules leave in the block of a task, and whether they carry it.
+struct RuleOutcome {
     /// Relative to the largest of: its largest entry, a hundredth of its row's, and 1e-8.
     error: f64,
     /// Whether it is left to rays.
@@ -76,14 +76,14 @@ pub(crate) fn by_rules(
     if pairs.skipped_black > 0 {
         schedule.open_rows().into_iter().for_each(|row| blocks.leave_open(row));
     }
-    blocks.account.pairs = pairs;
+    blocks.statistics.pairs = pairs;
     let plan = schedule.plan(tasks);
     let mut integrated = schedule.integrate(&plan, kept.as_deref(), blocks.held(), work);
-    let verdicts = schedule.judged(&plan, &integrated);
-    integrated.deliver(&plan, &|index| verdicts[index].is_left, blocks.held());
-    let left = schedule.store(&mut blocks, &plan, &verdicts, &integrated);
-    let is_stored = |index: usize| !verdicts[index].is_left;
-    blocks.account.reciprocity = schedule.reciprocity(&plan, &is_stored, &integrated);
+    let outcomes = schedule.outcomes(&plan, &integrated);
+    integrated.deliver(&plan, &|index| outcomes[index].is_left, blocks.held());
+    let left = schedule.store(&mut blocks, &plan, &outcomes, &integrated);
+    let is_stored = |index: usize| !outcomes[index].is_left;
+    blocks.statistics.reciprocity = schedule.reciprocity(&plan, &is_stored, &integrated);
     if let Some(kept) = kept {
         let own = plan.iter().filter(|planned| planned.source.is_own());
         let requests = own.map(|Planned { task, goal, .. }| goal.request(task, demand.visibility));
@@ -96,7 +96,7 @@ pub(crate) fn by_rules(
 
 impl Schedule<'_> {
     /// The errors of all blocks, and whether rules or rays carry them.
-    fn judged(&self, plan: &[Planned], integrated: &Integrated) -> Vec<Verdict> {
+    fn outcomes(&self, plan: &[Planned], integrated: &Integrated) -> Vec<RuleOutcome> {
         let mut rows = vec![0.0f64; self.list.len()];
         for Planned { task, source, .. } in plan {
             let most = integrated.report(source.place()).largest;
@@ -104,13 +104,13 @@ impl Schedule<'_> {
                 rows[element as usize] = rows[element as usize].max(most);
             }
         }
-        let verdict = |Planned { task, source, .. }: &Planned| {
+        let outcome = |Planned { task, source, .. }: &Planned| {
             let IntegratedReport { block, largest, .. } = integrated.report(source.place());
             let row = rows[task.row as usize].min(rows[task.column as usize]);
             let error = block.error / largest.max(ROW_SHARE * row).max(SMALLEST_ENTRY);
-            Verdict { error, is_left: block.untried || error > self.accuracy.eps && self.is_left(task) }
+            RuleOutcome { error, is_left: block.untried || error > self.accuracy.eps && self.is_left(task) }
         };
-        plan.iter().map(verdict).collect()
+        plan.iter().map(outcome).collect()
     }
 
     /// Whether a block that misses the accuracy is left to others: rules of flat elements between which
@@ -131,27 +131,27 @@ impl Schedule<'_> {
         &self,
         blocks: &mut Blocks,
         plan: &[Planned],
-        verdicts: &[Verdict],
+        outcomes: &[RuleOutcome],
         integrated: &Integrated,
     ) -> Vec<UnreachedPair> {
         let mut left = Vec::new();
-        for (planned, Verdict { error, is_left }) in plan.iter().zip(verdicts) {
+        for (planned, RuleOutcome { error, is_left }) in plan.iter().zip(outcomes) {
             check_interrupt();
             let place = planned.source.place();
             let block = integrated.report(place).block;
             let pair @ [row, column] = planned.task.pair();
-            blocks.account.pairs.take(&block);
+            blocks.statistics.pairs.take(&block);
             if *is_left {
                 debug_assert!(planned.source.is_own(), "only flat pairs that nothing hides are copies");
                 let values = (!block.untried).then(|| integrated.values(place).to_vec());
                 let by_rules = values.map(|values| BlockByRules { values, error: block.error });
                 left.push(UnreachedPair { row, column, by_rules, partly_hidden: block.partly_hidden });
-                blocks.account.pairs.unresolved -= usize::from(block.unresolved);
-                blocks.account.take_costs(&block);
+                blocks.statistics.pairs.unresolved -= usize::from(block.unresolved);
+                blocks.statistics.take_costs(&block);
                 continue;
             }
             let asked = asked(block.partly_hidden, self.accuracy);
-            blocks.account.record_error(WorstError { pair, error: *error, asked, by_rays: false });
+            blocks.statistics.record_error(WorstError { pair, error: *error, asked, by_rays: false });
             self.push(blocks, planned, plan, integrated);
         }
         left
@@ -164,13 +164,13 @@ impl Schedule<'_> {
         let IntegratedReport { block, largest, remainder } = integrated.report(place);
         let places @ [row, column] = task.pair();
         if *remainder > 0.0 {
-            blocks.account.remainders.push(Remainder { places, bound: *remainder });
+            blocks.statistics.remainders.push(Remainder { places, bound: *remainder });
         }
         match source {
-            Source::Own(_) => blocks.account.take_costs(block),
+            Source::Own(_) => blocks.statistics.take_costs(block),
             Source::Copy { .. } => {
-                blocks.account.pairs.repeated += 1;
-                blocks.account.samples += block.samples;
+                blocks.statistics.pairs.repeated += 1;
+                blocks.statistics.samples += block.samples;
             }
         }
         match source {

@@ -76,8 +76,8 @@ pub(crate) fn add(
     let Demand { elements, accuracy, whole, .. } = demand;
     let mut batches = batches(left, demand, kept.as_deref_mut(), work);
     let sums = blocks.apply(&elements.constant());
-    let error = accuracy.eps.max(accuracy.shadow_eps).max(blocks.account.accuracy_reached);
-    let judge = Judge {
+    let error = accuracy.eps.max(accuracy.shadow_eps).max(blocks.statistics.accuracy_reached);
+    let pairs = LeftPairs {
         list: elements.list(),
         left,
         wholes: Wholes::new(elements.list(), whole),
@@ -85,18 +85,18 @@ pub(crate) fn add(
         fixed: Fixed { sums: &sums, error, blocks },
         accuracy,
     };
-    let (found, sent) = judge.found(&mut batches, work);
+    let (found, sent) = pairs.found(&mut batches, work);
     if let Some(kept) = kept {
         let rays = batches.into_iter().map(SampledTransport::into_kept).enumerate();
         rays.filter_map(|(batch, rays)| Some((batch, rays?)))
             .for_each(|(batch, rays)| kept.put_rays(batch, rays, work.ranks));
     }
-    blocks.account.rays += sent;
-    blocks.account.pairs.by_rays += left.len();
+    blocks.statistics.rays += sent;
+    blocks.statistics.pairs.by_rays += left.len();
     for (RayBlock { row, column, values, relative, .. }, pair) in found.into_iter().zip(left) {
         blocks.push(row, column, &values);
         let (pair, asked) = ([row, column], asked(pair.partly_hidden, accuracy));
-        blocks.account.record_error(WorstError { pair, error: relative, asked, by_rays: true });
+        blocks.statistics.record_error(WorstError { pair, error: relative, asked, by_rays: true });
     }
 }
 
@@ -133,8 +133,8 @@ fn most_rays(eps: f64, elements: usize) -> u64 {
     (MOST * share * (MOST_AT / eps.max(FINEST)).powf(MOST_POWER)) as u64
 }
 
-/// The pairs that are left, and what is known of the blocks of all others.
-struct Judge<'a> {
+/// The pairs that the rules leave to rays, and what is known of the blocks of all others.
+struct LeftPairs<'a> {
     list: &'a [Element],
     left: &'a [UnreachedPair],
     wholes: Wholes,
@@ -153,7 +153,7 @@ struct BatchSums {
     firsts: [f64; BATCHES],
 }
 
-impl Judge<'_> {
+impl LeftPairs<'_> {
     /// Sends rays until all blocks are accurate enough, or as many as they may take; returns the blocks, and
     /// the number of rays.
     fn found(&self, batches: &mut [SampledTransport], work: &Work<'_>) -> (Vec<RayBlock>, u64) {
@@ -173,7 +173,7 @@ impl Judge<'_> {
                 let done = (self.left.len() as u64 * sent / most.max(sent)) as usize;
                 work.report_done(Stage::Blocks, done, self.left.len());
             }
-            let found = self.judged(batches);
+            let found = self.estimated(batches);
             let missing = self.left.iter().zip(&found).filter(|(pair, found)| self.is_open(pair, found));
             open = missing.map(|(pair, _)| pair).collect();
             // Twice those of this round, as far as there are any left.
@@ -193,7 +193,7 @@ impl Judge<'_> {
     }
 
     /// The block of each pair as the batches estimate it, or as the rules do where rays agree.
-    fn judged(&self, batches: &[SampledTransport]) -> Vec<RayBlock> {
+    fn estimated(&self, batches: &[SampledTransport]) -> Vec<RayBlock> {
         let mut sums = self.sums(batches);
         let density = |element: usize| {
             batches.iter().map(|batch| batch.sent()[element] as f64).sum::<f64>() / self.list[element].area

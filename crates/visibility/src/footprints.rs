@@ -19,15 +19,15 @@ use radiosity_scene::Scene;
 use radiosity_work::interruption::check_interrupt;
 use rayon::prelude::*;
 
+use crate::Visibility;
 use crate::tolerances::LEFT_BESIDE_FOOTPRINTS;
-use crate::{Shadows, Visibility};
 pub use footprint::Footprint;
 use seal::SealCandidate;
 use segments::Segments;
 
 /// All footprints of a scene, in the order of their surfaces.
 pub fn footprints(scene: &Scene) -> Vec<Footprint> {
-    let obstacles = Visibility::new(scene, Shadows::Off);
+    let obstacles = Visibility::open(scene);
     let all = 0..scene.surfaces.len();
     let suspects: Vec<Vec<SealCandidate>> =
         all.into_par_iter().map(|surface| suspects(scene, &obstacles, surface)).collect();

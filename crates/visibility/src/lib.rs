@@ -7,10 +7,10 @@
 //! candidates alone.
 //!
 //! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`,
-//! `convex_bodies`, [`silhouette_mesh`], [`Shadows`] and `obstacle` (of what obstacles are made), `rays` and
-//! `whole` (what rays meet first, what hides as a whole), [`Visibility`], the noun of the crate; then what a
-//! scene says of itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat surfaces on others) and
-//! [`inspection`] (contents, contacts, what looks wrong).
+//! `convex_bodies`, [`silhouette_mesh`], [`Shadows`] (ways to find them), `obstacle` (of what obstacles are
+//! made), `rays` and `whole` (what rays meet first, what hides as a whole), [`Visibility`], the noun of the
+//! crate; then what a scene says of itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat
+//! surfaces on others) and [`inspection`] (contents, contacts, what looks wrong).
 //!
 //! Imports `core`, `geom`, `work`, `fit` and `scene`.
 
@@ -21,7 +21,7 @@ pub mod shadow_volume;
 mod cloud;
 mod convex_bodies;
 pub mod silhouette_mesh;
-mod mode;
+mod shadows;
 mod obstacle;
 mod rays;
 mod whole;
@@ -41,8 +41,8 @@ use radiosity_work::interruption::check_interrupt;
 use bounding_ball::Ball;
 use cloud::Cloud;
 use convex_bodies::{Bodies, Face};
-pub use mode::{Hiding, Shadows};
 use obstacle::{Bend, Obstacle};
+pub use shadows::Shadows;
 use silhouette_mesh::SilhouetteMesh;
 use tolerances::{END, OWN_END};
 
@@ -64,6 +64,9 @@ pub struct Visibility {
     /// Rank of each surface by the coordinates of its hull.
     places: Vec<usize>,
     shadows: Shadows,
+    /// Accuracy of the shadows: a curved blocker that reaches into the shaft by less than this part of the
+    /// narrower patch's breadth is ignored, as it hides at most about that part of the light between them.
+    eps: f64,
 }
 
 /// Bounds of a blocker.
@@ -75,8 +78,14 @@ struct Hull<'a> {
 }
 
 impl Visibility {
-    /// The obstacles of `scene`.
-    pub fn new(scene: &Scene, shadows: Shadows) -> Self {
+    /// The surfaces of `scene`, none of which hides anything.
+    pub fn open(scene: &Scene) -> Self {
+        Self::new(scene, Shadows::Off, 0.0)
+    }
+
+    /// The obstacles of `scene`, whose shadows are found so, to the accuracy `eps`.
+    pub fn new(scene: &Scene, shadows: Shadows, eps: f64) -> Self {
+        let eps = if shadows == Shadows::Off { 0.0 } else { eps };
         let obstacle = |shape: &Arc<dyn Surface>| {
             check_interrupt();
             Obstacle::new(shape)
@@ -84,14 +93,14 @@ impl Visibility {
         let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| obstacle(&s.shape)).collect();
         let boxes: Vec<Aabb> = scene.surfaces.iter().map(|s| s.shape.bounds(&Rect::FULL)).collect();
         let cloud = Cloud::new(obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect());
-        let standing = standing(&obstacles, &cloud, &boxes, shadows);
+        let standing = standing(&obstacles, &cloud, &boxes, eps);
         let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
         let standing_tree = Bvh::build(&standing_boxes);
         let tree = Bvh::build(&boxes);
         let rays = RayTree::new(scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect());
         let bodies = bodies(&obstacles, &cloud);
         let places = places(&obstacles);
-        Self { obstacles, boxes, tree, rays, standing, standing_tree, bodies, places, shadows }
+        Self { obstacles, boxes, tree, rays, standing, standing_tree, bodies, places, shadows, eps }
     }
 
     /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`,
@@ -169,15 +178,15 @@ impl Visibility {
         [a, b]: [&[DVec3]; 2],
         most: usize,
     ) -> Vec<usize> {
-        let (Shadows::Rays(tolerance) | Shadows::Outlines(tolerance)) = self.shadows else {
+        if self.shadows == Shadows::Off {
             return Vec::new();
-        };
+        }
         let size = breadth(a).min(breadth(b));
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
         let reaches = |index: &usize| {
             let Hull { ball, points } = part(*index);
             // A plate flush before a surface reaches into the shaft by little, but hides much.
-            let tolerance = if self.obstacles[*index].pieces.is_some() { COINCIDENT } else { tolerance };
+            let tolerance = if self.obstacles[*index].pieces.is_some() { COINCIDENT } else { self.eps };
             !ball.misses_between(&around_a, &around_b) && !separated(a, b, points, tolerance * size)
         };
         blockers.iter().copied().filter(reaches).take(most).collect()
@@ -269,7 +278,7 @@ impl Visibility {
 
     /// Whether shadows of `blockers` are computed from outlines: all are planar, and the mode allows it.
     pub fn has_outlines(&self, blockers: &[usize]) -> bool {
-        matches!(self.shadows, Shadows::Outlines(_)) && self.are_planar(blockers)
+        matches!(self.shadows, Shadows::Auto | Shadows::Exact) && self.are_planar(blockers)
     }
 
     /// Whether surfaces hide each other at all.
@@ -330,12 +339,8 @@ impl Visibility {
 /// The surfaces that can stand between two others, ascending.
 ///
 /// A planar surface with the whole scene on one side of its plane, such as a wall of a convex room, cannot.
-/// Nor can a slightly bent wall whose depth over its diagonal is below the accuracy of the shadows.
-fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], shadows: Shadows) -> Vec<usize> {
-    let tolerance = match shadows {
-        Shadows::Off => 0.0,
-        Shadows::Rays(eps) | Shadows::Outlines(eps) => eps,
-    };
+/// Nor can a slightly bent wall whose depth over its diagonal is below `eps`, the accuracy of the shadows.
+fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> Vec<usize> {
     let walls_in = |index: &usize| {
         let Obstacle { shape, hull, .. } = &obstacles[*index];
         let Jet { position, normal, .. } = shape.jet(0.0, 0.0);
@@ -345,7 +350,7 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], shadows: Shad
         let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
         let heights = hull.iter().map(|x| tangent.height(*x));
         let (low, high) = heights.fold((f64::MAX, f64::MIN), range);
-        high - low <= touching(size, 0.0).max(tolerance * size)
+        high - low <= touching(size, 0.0).max(eps * size)
             && (cloud.lies_below(-low, &reversed, size) || cloud.lies_below(high, &tangent, size))
     };
     (0..obstacles.len()).filter(|index| !walls_in(index)).collect()

@@ -212,6 +212,11 @@ impl SilhouetteMesh {
 }
 
 impl Quad {
+    /// Whether it stands for a part of the surface over `parameters`.
+    pub fn overlaps(&self, parameters: &Rect) -> bool {
+        self.rect.overlaps(parameters)
+    }
+
     /// Whether an edge, from this corner to the next, lies on the border of the surface's parameters.
     pub fn is_border(&self, edge: usize) -> bool {
         let [a, b] = [edge, (edge + 1) % 4].map(|corner| self.knots[corner].parameters);

@@ -27,7 +27,7 @@ use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::animation::frame::Frame;
 use radiosity::solve::{Direct, Options, Transport};
 use radiosity::transport::RayCounts;
-use radiosity::visibility::Hiding;
+use radiosity::visibility::Shadows;
 
 /// Most frames that are solved fresh.
 const FRESH: usize = 10;
@@ -116,7 +116,7 @@ fn main() {
         let sliding = radiosity::builtin("sliding-light").expect("it is built in");
         let swinging = radiosity::language::read(&Source::new("swinging.toml", SWING)).expect("it is valid");
         for (name, scene) in [("sliding light", &sliding), ("swinging lamp", &swinging)] {
-            let without = Options { shadows: Hiding::Off, ..options };
+            let without = Options { shadows: Shadows::Off, ..options };
             compared(&format!("{name}, no shadows"), scene, &without);
             compared(name, scene, &options);
         }
@@ -143,7 +143,7 @@ fn asked() -> Asked {
             "--order" => asked.options.order = number(),
             "--split" => asked.options.direct = Direct::Auto,
             "--auto" => asked.options.transport = Transport::Auto,
-            "--no-shadows" => asked.options.shadows = Hiding::Off,
+            "--no-shadows" => asked.options.shadows = Shadows::Off,
             _ => asked.scenes.push(word),
         }
     }

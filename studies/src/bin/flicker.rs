@@ -29,7 +29,6 @@ use radiosity::reading::reader::ReadMode;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::Options;
 use radiosity::solve::animation::follower::{FollowMode, Follower};
-use radiosity::visibility::Visibility;
 
 /// The films that the command line asks for.
 struct Asked {
@@ -80,7 +79,7 @@ fn row(name: &str, asked: &Asked) -> String {
         let frame = follower.frame(number, &Work::alone()).expect("it is solved");
         light += start.elapsed().as_secs_f64();
         let start = ProcessTime::now();
-        let visibility = Visibility::new(&frame.scene, (&options).into());
+        let visibility = options.visibility(&frame.scene);
         let raster =
             render(&frame.solution, &visibility, &camera, 3, asked.read, Quantity::Radiosity, &Work::alone());
         picture += start.elapsed().as_secs_f64();

@@ -52,7 +52,7 @@ fn row(name: &str) -> String {
     let start = Instant::now();
     let solution = solve(&scene, &options, &Work::alone()).expect("it is solved").solution;
     let solved = start.elapsed().as_secs_f64();
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     let pixels = u64::from(camera.width) * u64::from(camera.height);
     let read = usual_read(&solution, &visibility, pixels);
     let start = Instant::now();

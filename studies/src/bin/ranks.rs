@@ -13,7 +13,6 @@
 
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::transport::{BlockWork, Cost, shared, work};
-use radiosity::visibility::Visibility;
 use radiosity::{Options, Scene};
 
 /// Numbers of ranks.
@@ -49,7 +48,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// Costs of the blocks of a scene at default accuracy.
 fn costs(scene: &Scene) -> Result<Vec<BlockWork>, Box<dyn std::error::Error>> {
     let options = Options::default();
-    let visibility = Visibility::new(scene, (&options).into());
+    let visibility = options.visibility(scene);
     let subdivide = Subdivide::Auto { occluded: visibility.any_shadow() };
     let Options { order, space, layers, .. } = options;
     let elements = Elements::new(scene, &Discretization { order, space, subdivide, layers })?;

@@ -21,7 +21,6 @@ use radiosity::reading::quality::{Quality, ReadSettings};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome, in_threads, solve};
-use radiosity::visibility::Visibility;
 use radiosity_test_support::data;
 
 use radiosity_studies::words::words;
@@ -90,7 +89,7 @@ fn ways() -> Vec<Way> {
 
 /// Counts and errors of a reading, as the middle of a row of the table, and its seconds.
 fn read(scene: &Scene, outcome: &Outcome, options: &Options, reading: ReadSettings) -> (String, f64) {
-    let visibility = Visibility::new(scene, options.into());
+    let visibility = options.visibility(scene);
     let start = Instant::now();
     let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);
     let cells = grid(&reader, [16, 16], reading.rates, &Work::alone());

@@ -16,7 +16,7 @@ use radiosity::geom::DVec3;
 use radiosity::geom::shapes::Parallelogram;
 use radiosity::published::series::{BlockSeries, Settings, TranslatedPair};
 use radiosity::solve::in_threads;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity::{Material, Scene, SceneBuilder, Work};
 use radiosity::{
     kernel::Accuracy,
@@ -149,7 +149,7 @@ fn costs() {
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     for (name, quads) in ["floor", "near floor", "wall"].into_iter().zip(&PAIRS) {
         let elements = cut(quads);
-        let visibility = Visibility::new(&scene(quads), Shadows::Off);
+        let visibility = Visibility::open(&scene(quads));
         let accuracy = Accuracy { eps: 0.5 * USUAL, shadow_eps: 3e-3 };
         let integral = seconds(|| {
             black_box(assemble(Demand::all(&elements, &visibility, accuracy), None, &Work::alone()));

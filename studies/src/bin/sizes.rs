@@ -25,7 +25,6 @@ use radiosity::solve::driver::memory_estimate::MemoryEstimate;
 use radiosity::solve::system::System;
 use radiosity::solve::{Options, in_threads};
 use radiosity::transport;
-use radiosity::visibility::Visibility;
 use radiosity::work::ranks::Ranks;
 use radiosity_solvers::Settings;
 
@@ -139,7 +138,7 @@ fn how(order: usize) -> Discretization {
 fn measure(grid: [usize; 3], order: usize) {
     let (scene, options) = (room(grid), Options::default());
     let elements = Elements::new(&scene, &how(order)).expect("all have area");
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     let start = processor();
     let blocks = transport::assemble(
         transport::Demand::all(&elements, &visibility, options.accuracy()),
@@ -156,7 +155,7 @@ fn measure(grid: [usize; 3], order: usize) {
     let solved = options.solver.solver.solve(&matrix, &right, &mut unknowns, &settings, &mut |_| {});
     solved.expect("walls of reflectance ½ converge");
     let seconds = [integrated - start, processor() - integrated].map(|time| time.as_secs_f64());
-    let pairs = &blocks.account.pairs;
+    let pairs = &blocks.statistics.pairs;
     let skipped = pairs.skipped_behind + pairs.skipped_coplanar + pairs.skipped_hidden;
     let stored: usize = blocks.iter().map(|block| 8 * block.values.len()).sum();
     println!(

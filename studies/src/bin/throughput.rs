@@ -12,7 +12,7 @@ use radiosity::kernel::Accuracy;
 use radiosity::scene::Source;
 use radiosity::solve::in_threads;
 use radiosity::transport;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 
 fn main() {
     println!("| scene | order | ε | pairs | samples in the rules | evaluated | ms | ns each |");
@@ -29,7 +29,7 @@ fn main() {
 
 fn measure(cuts: usize, order: usize, eps: f64) {
     let scene = radiosity::builtin("empty-box").expect("the scene is built in");
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let how = Discretization::uniform(order, cuts);
     let elements = Elements::new(&scene, &how).expect("a box has area");
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
@@ -46,11 +46,11 @@ fn measure(cuts: usize, order: usize, eps: f64) {
     .expect("one thread can be started");
     println!(
         "| empty box, {cuts} × {cuts} a wall | {order} | {eps:.0e} | {} | {} | {} | {:.2} | {:.1} |",
-        blocks.account.pairs.total,
-        blocks.account.samples,
-        blocks.account.distinct,
+        blocks.statistics.pairs.total,
+        blocks.statistics.samples,
+        blocks.statistics.distinct,
         1e3 * seconds,
-        1e9 * seconds / blocks.account.distinct as f64
+        1e9 * seconds / blocks.statistics.distinct as f64
     );
 }
 
@@ -63,7 +63,7 @@ quad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }
 [[surfaces]]
 quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }";
     let scene = radiosity::language::read(&Source::new("squares", squares)).expect("the scene is valid");
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("squares have area");
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
     let (samples, seconds) = in_threads(1, || {
@@ -75,7 +75,7 @@ quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }";
                 None,
                 &Work::alone(),
             )
-            .account
+            .statistics
             .distinct;
         }
         (samples, start.elapsed().as_secs_f64())

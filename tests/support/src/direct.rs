@@ -3,7 +3,6 @@
 use radiosity::geom::DVec3;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::receiver_point::ReceiverPoint;
-use radiosity::visibility::Visibility;
 use radiosity::{Options, Scene};
 
 use crate::solved::outcome_of;
@@ -16,7 +15,7 @@ pub const ACCURACY: f64 = 1e-3;
 /// accuracy.
 pub fn in_the_open(scene: &Scene, options: &Options, points: &[(DVec3, DVec3)], eps: f64) -> Vec<f64> {
     let outcome = outcome_of(scene, options);
-    let visibility = Visibility::new(scene, options.into());
+    let visibility = options.visibility(scene);
     let direct = DirectLight::within(&outcome.solution.emitters(), &visibility, eps);
     let read = |(x, n): &(DVec3, DVec3)| {
         let point = ReceiverPoint::free(*x, n.normalize());

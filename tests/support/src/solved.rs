@@ -3,7 +3,7 @@
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::solve::view_factors;
-use radiosity::visibility::{Hiding, Visibility};
+use radiosity::visibility::{Shadows, Visibility};
 use radiosity::{Options, Outcome, Scene, Solved, ViewFactors, Work, solve, transport};
 
 /// The outcome of a scene.
@@ -32,7 +32,7 @@ pub fn blocks_of(elements: &Elements, visibility: &Visibility, accuracy: Accurac
 
 /// The view factors of a scene, its surfaces cut as they are by default.
 #[track_caller]
-pub fn factors_of(scene: &Scene, shadows: Hiding, eps: f64, shadow_eps: f64) -> ViewFactors {
+pub fn factors_of(scene: &Scene, shadows: Shadows, eps: f64, shadow_eps: f64) -> ViewFactors {
     let accuracy = Accuracy { eps, shadow_eps };
     let options = view_factors::Options { subdivide: None, accuracy, shadows, threads: 2 };
     ViewFactors::new(scene, &options, &Work::alone()).unwrap_or_else(|error| panic!("{error}"))
@@ -41,5 +41,5 @@ pub fn factors_of(scene: &Scene, shadows: Hiding, eps: f64, shadow_eps: f64) -> 
 /// The view factors of a scene at the accuracies that are usual: of blocks 1e-3, of shadows 3e-3.
 #[track_caller]
 pub fn usual_factors(scene: &Scene) -> ViewFactors {
-    factors_of(scene, Hiding::Auto, 1e-3, 3e-3)
+    factors_of(scene, Shadows::Auto, 1e-3, 3e-3)
 }

@@ -5,7 +5,7 @@ use radiosity::elements::space::Space;
 use radiosity::geom::DVec3;
 use radiosity::kernel::Accuracy;
 use radiosity::published::series::{BlockSeries, MovingBlock, SeriesError, Settings, TranslatedPair};
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity_test_support::compare::farthest;
 use radiosity_test_support::scenes::typed;
 use radiosity_test_support::solved::{blocks_of, elements_of};
@@ -27,7 +27,7 @@ const WALL: Quad = Quad {
 
 /// The block of the first two quads by the rules of whole scenes.
 fn integrated(quads: &[Quad], space: Space, order: usize) -> Vec<f64> {
-    let visibility = Visibility::new(&scene(quads), Shadows::Off);
+    let visibility = Visibility::open(&scene(quads));
     let accuracy = Accuracy { eps: 1e-11, shadow_eps: 1e-3 };
     let elements = elements(quads, space, order);
     let blocks = blocks_of(&elements, &visibility, accuracy);

@@ -10,8 +10,9 @@ use radiosity::reading::grid::{Rates, grid};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::solve::gather::Gather;
 use radiosity::solve::gather::gather_method::GatherMethod;
-use radiosity::solve::gather::ray_gather::{RayGather, Receiver};
+use radiosity::solve::gather::ray_gather::RayGather;
 use radiosity::solve::gather::read_irradiance::ReadIrradiance;
+use radiosity::solve::gather::receiver::Receiver;
 use radiosity::solve::{Options, Outcome};
 use radiosity::visibility::Visibility;
 use radiosity::{Scene, SceneBuilder, Work};
@@ -22,7 +23,7 @@ use radiosity_test_support::solved::outcome_of;
 fn solved(scene: &Scene) -> (Outcome, Visibility) {
     let options = Options::default();
     let outcome = outcome_of(scene, &options);
-    (outcome, Visibility::new(scene, (&options).into()))
+    (outcome, options.visibility(scene))
 }
 
 /// Places and normals in the middle of a unit cube and beside its corners.
@@ -151,7 +152,7 @@ fn a_strip_of_wall_beside_a_block_is_gathered_by_cells_as_by_rays() {
     let scene = builtin("cornell-box");
     let options = Options { order: 2, ..Options::default() };
     let solution = outcome_of(&scene, &options).solution;
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     let cells = Gather::new(&solution, &visibility, 1e-3);
     let rays = RayGather::new(&solution, &visibility, 1e-3, false);
     for x in [380.0, 388.0, 396.0] {

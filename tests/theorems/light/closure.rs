@@ -6,7 +6,7 @@ use std::fmt::Write;
 use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::transport;
-use radiosity::visibility::{Hiding, Visibility};
+use radiosity::visibility::{Shadows, Visibility};
 use radiosity_test_support::scenes::typed;
 use radiosity_test_support::solved::elements_of;
 
@@ -14,7 +14,7 @@ use radiosity_test_support::solved::elements_of;
 fn row_sum(text: &str, name: &str, order: usize) -> f64 {
     let scene = typed(text);
     let accuracy = Accuracy { eps: 1e-3, shadow_eps: 3e-3 };
-    let visibility = Visibility::new(&scene, Hiding::Auto.shadows(accuracy.shadow_eps));
+    let visibility = Visibility::new(&scene, Shadows::Auto, accuracy.shadow_eps);
     let elements = elements_of(&scene, order, 1);
     let row = elements.of_surface(scene.surface_named(name).expect("it is there")).start;
     let wanted = |i: usize, j: usize| i == row || j == row;

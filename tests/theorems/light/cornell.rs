@@ -12,7 +12,7 @@ use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::quality::Quality;
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::solve::Options;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity_test_support::data;
 use radiosity_test_support::scenes::builtin;
 use radiosity_test_support::solved::outcome_of;
@@ -26,7 +26,7 @@ fn cells(order: usize, subdivide: usize, surface: &str) -> Vec<Cell> {
     scene.surfaces[index].subdivide = Some([subdivide; 2]);
     let options = Options { order, subdivide: Some(1), threads: 2, ..Options::default() };
     let outcome = outcome_of(&scene, &options);
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let reader = Reader::new(&outcome.solution, &visibility, ReadMode::Basis, 1e-3);
     let all = grid(&reader, [16, 16], Rates::default(), &Work::alone());
     all.into_iter().filter(|cell| cell.surface == index).collect()
@@ -93,7 +93,7 @@ fn gathered(quality: Quality) -> f64 {
     let scene = builtin("cornell-box");
     let options = quality.options();
     let outcome = outcome_of(&scene, &options);
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     let reading = quality.reading();
     let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);
     let all = grid(&reader, [16, 16], reading.rates, &Work::alone());

@@ -41,7 +41,7 @@ fn lit_by(scene: &Scene, lamp: usize, x: DVec3, n: DVec3) -> Vec<(DVec3, f64)> {
 /// Errors at places (surface, u, v), relative to the light without blockers, where there is any; ascending.
 fn errors(scene: &Scene, places: &[(usize, f64, f64)]) -> Vec<f64> {
     let solution = even(scene, 1, 0.0, 0.0);
-    let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
+    let visibility = Visibility::new(scene, Shadows::Rays, 1e-3);
     let direct = DirectLight::within(&solution.emitters(), &visibility, ACCURACY);
     let emits = |surface: &usize| scene.surfaces[*surface].material.emission[0] > 0.0;
     let lamps: Vec<usize> = (0..scene.surfaces.len()).filter(emits).collect();
@@ -113,7 +113,7 @@ fn a_ball_shines_as_its_cone() {
     let floor = wall(DVec3::new(-1.5, -1.5, 0.0), 3.0 * DVec3::X, 3.0 * DVec3::Y);
     let scene = scene(vec![floor, Arc::new(ball)], |index| index == 1);
     let solution = even(&scene, 1, 0.0, 0.0);
-    let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
+    let visibility = Visibility::new(&scene, Shadows::Rays, 1e-3);
     let direct = DirectLight::within(&solution.emitters(), &visibility, ACCURACY);
     for (_, u, v) in scattered(0, 20) {
         let jet = scene.surfaces[0].shape.jet(u, v);

@@ -128,7 +128,7 @@ fn expected(x: f64, y: f64) -> f64 {
 fn light_beside_edges_is_right_to_the_accuracy_asked() {
     let scene = room();
     let solution = even(&scene, 2, 0.0, 0.0);
-    let visibility = Visibility::new(&scene, Shadows::Rays(1e-4));
+    let visibility = Visibility::new(&scene, Shadows::Rays, 1e-4);
     let places = [[1e-3, 0.4], [5e-3, 0.4], [0.02, 0.3], [0.1, 0.6], [1e-3, 1e-3], [0.01, 0.02], [0.5, 0.5]];
     let exact = places.map(|[x, y]| expected(x, y));
     for eps in [1e-3, 1e-4] {

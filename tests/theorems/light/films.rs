@@ -8,7 +8,6 @@ use radiosity::reading::reader::ReadMode;
 use radiosity::scene::Scene;
 use radiosity::solve::animation::follower::{FollowMode, Follower};
 use radiosity::solve::{Options, Transport};
-use radiosity::visibility::Visibility;
 use radiosity_test_support::scenes::typed;
 
 /// A closed room in which a round lamp moves so over a block and a ball.
@@ -51,7 +50,7 @@ fn film(scene: &Scene, transport: Transport, read: ReadMode) -> Vec<Raster> {
     let mut follower = Follower::new(scene, &options, FollowMode::Selective, [0, frames - 1]);
     let picture = |number: usize| {
         let frame = follower.frame(number, &Work::alone()).expect("it is solved");
-        let visibility = Visibility::new(&frame.scene, (&options).into());
+        let visibility = options.visibility(&frame.scene);
         render(&frame.solution, &visibility, &camera, 2, read, Quantity::Radiosity, &Work::alone())
     };
     (0..frames).map(picture).collect()

@@ -48,7 +48,7 @@ fn at(gather: &Gather, solution: &Solution, visibility: &Visibility, x: DVec3, n
 fn lit_at_origin(shapes: Shapes) -> f64 {
     let scene = scene(shapes);
     let solution = even(&scene, 2, 0.0, 0.0);
-    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let visibility = Visibility::new(&scene, Shadows::Rays, 3e-3);
     let direct = DirectLight::within(&solution.emitters(), &visibility, ACCURACY);
     let receiver = ReceiverPoint::free(DVec3::ZERO, DVec3::Z);
     direct.irradiance(&receiver, &direct.around(&receiver.site()))[0]
@@ -82,7 +82,7 @@ fn factors_of_a_point_agree_with_closed_forms() {
 fn the_poles_of_a_ball_see_what_the_rest_sees() {
     let scene = scene(vec![(inside(ball(DVec3::X, 0.7)), 1.0)]);
     let solution = even(&scene, 2, 2.0, 1.0);
-    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let visibility = Visibility::new(&scene, Shadows::Rays, 3e-3);
     let gather = Gather::new(&solution, &visibility, EPS);
     for v in [0.0, 0.9, 0.999, 0.999_999, 1.0] {
         let jet = scene.surfaces[0].shape.jet(0.3, v);
@@ -157,7 +157,7 @@ fn in_room(x: DVec3, n: DVec3) -> f64 {
     static GATHER: OnceLock<Gather> = OnceLock::new();
     let (solution, visibility) = ROOM.get_or_init(|| {
         let scene = furnished_room();
-        (even(&scene, 2, 2.0, 1.0), Visibility::new(&scene, Shadows::Rays(3e-3)))
+        (even(&scene, 2, 2.0, 1.0), Visibility::new(&scene, Shadows::Rays, 3e-3))
     });
     let gather = GATHER.get_or_init(|| Gather::new(solution, visibility, EPS));
     at(gather, solution, visibility, x, n)
@@ -229,7 +229,7 @@ proptest! {
 fn furnace_ball_is_two_everywhere() {
     let scene = scene(vec![(inside(ball(DVec3::ZERO, 1.0)), 1.0)]);
     let solution = even(&scene, 2, 2.0, 1.0);
-    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let visibility = Visibility::new(&scene, Shadows::Rays, 3e-3);
     let gather = Gather::new(&solution, &visibility, EPS);
     let p = DVec3::new;
     for (x, n) in [(p(1.0, 0.0, 0.0), -DVec3::X), (p(0.0, 0.0, -1.0), DVec3::Z), (p(0.2, 0.3, 0.9), DVec3::Y)]
@@ -245,7 +245,7 @@ fn furnace_between_balls_is_two() {
     let shapes: Shapes = vec![(inside(ball(DVec3::ZERO, 1.0)), 1.0), (Arc::new(ball(DVec3::ZERO, 0.5)), 1.0)];
     let scene = scene(shapes);
     let solution = even(&scene, 2, 2.0, 1.0);
-    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let visibility = Visibility::new(&scene, Shadows::Rays, 3e-3);
     let gather = Gather::new(&solution, &visibility, EPS);
     let p = DVec3::new;
     for (x, n) in
@@ -263,7 +263,7 @@ fn furnace_between_balls_is_two() {
 fn cells_of_the_furnace_are_two_times_what_is_uncovered() {
     let scene = furnished_room();
     let solution = even(&scene, 2, 2.0, 1.0);
-    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let visibility = Visibility::new(&scene, Shadows::Rays, 3e-3);
     for read in [ReadMode::Basis, ReadMode::Direct, ReadMode::Gather] {
         let reader = Reader::new(&solution, &visibility, read, 1e-2);
         let cells = grid(&reader, [4, 4], Rates { direct: 2, indirect: 1 }, &Work::alone());
@@ -292,7 +292,7 @@ fn tight_accuracies_are_kept_and_gathered_light_is_no_worse_than_its_polynomials
     let layers = Layers { count: 2, ratio: 0.25 };
     let options = Options { order: 8, layers, eps: 1e-6, ..Options::default() };
     let outcome = outcome_of(&scene, &options);
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     let rms = |read: ReadMode, eps: f64| {
         let reader = Reader::new(&outcome.solution, &visibility, read, eps);
         let square = |point: &serde_json::Value| {

@@ -5,7 +5,7 @@ use radiosity::reading::pictures::render::{ReadMode, render};
 use radiosity::reading::quantity::Quantity;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome};
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity_test_support::scenes::typed;
 use radiosity_test_support::solved::outcome_of;
 
@@ -84,7 +84,7 @@ fn two_sided_panels_are_seen_from_both_sides() {
         let scene = scene(&panel);
         let outcome = solved(&scene, 1e-3);
         let camera = scene.camera.clone().expect("there is a camera");
-        let visibility = Visibility::new(&scene, Shadows::Off);
+        let visibility = Visibility::open(&scene);
         let image = render(
             &outcome.solution,
             &visibility,

@@ -39,7 +39,7 @@ fn floor(half: f64, luminaire: Luminaire) -> SceneBuilder {
 /// Direct light at points of the floor, surface 0, or in the open, for their normals.
 fn direct(scene: &Scene, points: &[(DVec3, DVec3)]) -> Vec<f64> {
     let outcome = outcome_of(scene, &Options::default());
-    let visibility = Visibility::new(scene, Shadows::Rays(3e-3));
+    let visibility = Visibility::new(scene, Shadows::Rays, 3e-3);
     let direct = DirectLight::within(&outcome.solution.emitters(), &visibility, ACCURACY);
     let read = |(x, n): &(DVec3, DVec3)| {
         let receiver = if x.z == 0.0 { ReceiverPoint::on(0, *x, *n) } else { ReceiverPoint::free(*x, *n) };
@@ -113,7 +113,7 @@ fn means_over_cells_are_those_of_the_closed_form() {
     let (h, peak, half) = (1.5, 10.0, 2.0);
     let scene = floor(half, lamp(Distribution::Power { exponent: 1.0 }, h, peak)).build().expect("a scene");
     let outcome = outcome_of(&scene, &Options::default());
-    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let visibility = Visibility::new(&scene, Shadows::Rays, 3e-3);
     for (read, by, error) in
         [(ReadMode::Direct, GatherMethod::Cells, 1e-5), (ReadMode::Gather, GatherMethod::Rays, 3e-3)]
     {
@@ -216,7 +216,7 @@ fn a_closed_room_absorbs_what_a_point_emits() {
 /// ceiling.
 fn readings(scene: &Scene, options: &Options, read: ReadMode, by: GatherMethod, eps: f64) -> Vec<f64> {
     let outcome = outcome_of(scene, options);
-    let visibility = Visibility::new(scene, options.into());
+    let visibility = options.visibility(scene);
     let reader = Reader::by(by, &outcome.solution, &visibility, read, eps);
     let points = [
         (DVec3::new(3.0, 3.5, 0.01), DVec3::Z),

@@ -7,7 +7,6 @@ use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::{Scene, Source};
 use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::{Options, Transport};
-use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3 as V;
 use radiosity_test_support::compare::assert_close;
 use radiosity_test_support::direct::in_the_open;
@@ -219,7 +218,7 @@ fn readings_by_cells_and_by_rays_agree() {
     let read = |scene: &Scene, by: GatherMethod| {
         let options = Options::default();
         let outcome = outcome_of(scene, &options);
-        let visibility = Visibility::new(scene, (&options).into());
+        let visibility = options.visibility(scene);
         let reader = Reader::by(by, &outcome.solution, &visibility, ReadMode::Gather, 3e-4);
         let points = [
             (V::new(3.0, 3.5, 0.01), V::Z),

@@ -9,7 +9,7 @@ use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome};
-use radiosity::visibility::{Hiding, Visibility};
+use radiosity::visibility::Shadows;
 use radiosity_test_support::direct::ACCURACY;
 use radiosity_test_support::scenes::builtin;
 use radiosity_test_support::solved::outcome_of;
@@ -29,7 +29,7 @@ fn weighted(count: usize) -> Option<Masking> {
 
 /// Means over 16 × 16 cells.
 fn means(scene: &Scene, outcome: &Outcome, read: ReadMode) -> Vec<Cell> {
-    let visibility = Visibility::new(scene, (&Options::default()).into());
+    let visibility = Options::default().visibility(scene);
     let reader = Reader::new(&outcome.solution, &visibility, read, 1e-3);
     grid(&reader, [16, 16], Rates::default(), &Work::alone())
 }
@@ -75,8 +75,8 @@ fn nodes_carry_the_share_that_is_seen() {
     let outcome = solved(&scene, weighted(20));
     let solution = &outcome.solution;
     let list = solution.elements().list();
-    let [visibility, open] = [Hiding::Auto, Hiding::Off]
-        .map(|shadows| Visibility::new(&scene, (&Options { shadows, ..Options::default() }).into()));
+    let [visibility, open] = [Shadows::Auto, Shadows::Off]
+        .map(|shadows| (Options { shadows, ..Options::default() }).visibility(&scene));
     let [seen, free] = [&visibility, &open].map(|v| DirectLight::within(&solution.emitters(), v, ACCURACY));
     let floor = scene.surface_named("floor").expect("there is a floor");
     let element = solution.elements().of_surface(floor).start;

@@ -10,14 +10,14 @@ use radiosity::kernel::{Accuracy, PlacedBlock, polygon_exchange};
 use radiosity::scene::Scene;
 use radiosity::solve::view_factors::{Options, ViewFactors};
 use radiosity::transport;
-use radiosity::visibility::{Hiding, Shadows, Visibility};
+use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 use radiosity_test_support::scenes::{builtin, typed};
 use radiosity_test_support::solved::factors_of;
 
 use crate::light::shapes::{Quad, level, quad, room, upright};
 
-pub(crate) fn factors(quads: &[Quad], hiding: Hiding, eps: f64) -> ViewFactors {
+pub(crate) fn factors(quads: &[Quad], hiding: Shadows, eps: f64) -> ViewFactors {
     let mut text = String::new();
     for (name, vertices) in quads {
         text += &format!("[[surfaces]]\nname = {name:?}\nquad = {{ vertices = {vertices:?} }}\n");
@@ -89,7 +89,7 @@ fn cases() -> Vec<(&'static str, Vec<Quad>, f64)> {
 #[test]
 fn exact_shadows_leave_the_exact_factors() {
     for (name, quads, exact) in cases() {
-        let found = factors(&quads, Hiding::Exact, 1e-6);
+        let found = factors(&quads, Shadows::Exact, 1e-6);
         let (own, other) = (found.factor(0, 1) * found.areas[0], found.factor(1, 0) * found.areas[1]);
         assert!(
             (own - exact).abs() <= 1e-6 && (own - other).abs() < 1e-15,
@@ -101,7 +101,7 @@ fn exact_shadows_leave_the_exact_factors() {
 #[test]
 fn shadows_at_defaults_leave_them_to_three_digits() {
     for (name, quads, exact) in cases() {
-        for hiding in [Hiding::Rays, Hiding::Auto] {
+        for hiding in [Shadows::Rays, Shadows::Auto] {
             let found = factors(&quads, hiding, 1e-3);
             let own = found.factor(0, 1) * found.areas[0];
             assert!((own - exact).abs() <= 1e-3, "{name}, {hiding:?}: {own} instead of {exact}");
@@ -116,7 +116,7 @@ fn a_ball_in_a_sphere_hides_a_part_of_it() {
     let text = "[[surfaces]]\nsphere = { center = [0, 0, 0], radius = 0.5 }
                 [[surfaces]]\nflip = true\nsphere = { center = [0, 0, 0], radius = 1 }";
     let scene = typed(text);
-    for (hiding, eps, most) in [(Hiding::Rays, 1e-3, 1e-3), (Hiding::Auto, 1e-6, 1e-5)] {
+    for (hiding, eps, most) in [(Shadows::Rays, 1e-3, 1e-3), (Shadows::Auto, 1e-6, 1e-5)] {
         let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
         let options = Options { subdivide: None, accuracy, shadows: hiding, threads: 2 };
         let found = ViewFactors::new(&scene, &options, &Work::alone()).expect("both have area");
@@ -157,12 +157,12 @@ fn closed_rooms_keep_all_light() {
     ];
     for (name, content) in contents {
         let quads = [room([4.0, 3.5, 3.0]), content].concat();
-        let usual = closure(&factors(&quads, Hiding::Auto, 1e-3));
+        let usual = closure(&factors(&quads, Shadows::Auto, 1e-3));
         assert!(usual <= 1e-3, "{name}: {usual:e}");
     }
     let exact = closure(&factors(
         &[room([4.0, 3.5, 3.0]), upright("box", base, [0.0, 1.1])].concat(),
-        Hiding::Exact,
+        Shadows::Exact,
         1e-7,
     ));
     assert!(exact <= 1e-5, "{exact:e}");
@@ -184,7 +184,7 @@ fn a_bent_wall_keeps_all_light() {
     let base = [[0.9, 0.8], [2.1, 1.2], [1.7, 2.4], [0.5, 2.0]];
     let before = [[2.5, 1.5], [3.5, 1.7], [3.4, 3.0], [2.2, 2.5]];
     for content in [Vec::new(), upright("box", base, [0.0, 1.1]), upright("box", before, [0.3, 2.0])] {
-        let found = closure(&factors(&[quads.clone(), content].concat(), Hiding::Auto, 1e-3));
+        let found = closure(&factors(&[quads.clone(), content].concat(), Shadows::Auto, 1e-3));
         assert!(found <= 1e-3, "{found:e}");
     }
 }
@@ -209,7 +209,7 @@ fn flush_lamps_leak_nothing() {
     let hung = [room([4.0, 3.5, 3.0]), below.to_vec()].concat();
     for (name, quads) in [("flush", flush), ("hung", hung)] {
         let chest = upright("box", [[0.9, 0.8], [2.1, 1.2], [1.7, 2.4], [0.5, 2.0]], [0.0, 1.1]);
-        let found = closure(&factors(&[quads, chest].concat(), Hiding::Auto, 1e-3));
+        let found = closure(&factors(&[quads, chest].concat(), Shadows::Auto, 1e-3));
         assert!(found <= 1e-3, "{name}: {found:e}");
     }
 }
@@ -227,7 +227,7 @@ fn nothing_leaks_between_touching_boxes() {
         [("joined", joined), ("apart", pair(square(2.0 + 1e-3, 1.0))), ("edge", pair(square(2.0, 2.0)))]
     {
         let quads = [room([4.0, 3.5, 3.0]), boxes].concat();
-        for (hiding, eps, most) in [(Hiding::Auto, 1e-3, 1e-3), (Hiding::Exact, 1e-4, 1e-3)] {
+        for (hiding, eps, most) in [(Shadows::Auto, 1e-3, 1e-3), (Shadows::Exact, 1e-4, 1e-3)] {
             let found = closure(&factors(&quads, hiding, eps));
             assert!(found <= most, "{name}, {hiding:?}: {found:e}");
         }
@@ -241,7 +241,7 @@ fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
         Discretization { subdivide: Subdivide::Auto { occluded: true }, ..Discretization::uniform(order, 1) };
     let elements = Elements::new(scene, &how).expect("all have area");
     let blocks = |accuracy: Accuracy| {
-        let visibility = Visibility::new(scene, Shadows::Outlines(accuracy.shadow_eps));
+        let visibility = Visibility::new(scene, Shadows::Auto, accuracy.shadow_eps);
         transport::assemble(transport::Demand::all(&elements, &visibility, accuracy), None, &Work::alone())
     };
     let usual = blocks(Accuracy { eps: 1e-3, shadow_eps: 3e-3 });
@@ -290,8 +290,8 @@ proptest! {
             level("lamp", unit, unit, 1.0, false),
             quad("plate", plate),
         ];
-        let exact = factors(&quads, Hiding::Exact, 1e-5).factor(0, 1);
-        let found = factors(&quads, Hiding::Rays, 1e-3).factor(0, 1);
+        let exact = factors(&quads, Shadows::Exact, 1e-5).factor(0, 1);
+        let found = factors(&quads, Shadows::Rays, 1e-3).factor(0, 1);
         prop_assert!((found - exact).abs() <= 1e-3, "{found} instead of {exact}");
     }
 
@@ -308,8 +308,8 @@ proptest! {
         };
         let base = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(corner);
         let quads = [room([4.0, 3.5, 3.0]), upright("box", base, [low, low + height])].concat();
-        let found = factors(&quads, Hiding::Auto, 1e-3);
-        let free = factors(&quads, Hiding::Off, 1e-3);
+        let found = factors(&quads, Shadows::Auto, 1e-3);
+        let free = factors(&quads, Shadows::Off, 1e-3);
         for i in 0..quads.len() {
             let sum: f64 = found.row(i).iter().sum();
             prop_assert!((sum - 1.0).abs() <= 5e-3, "row {i}: {sum}");
@@ -331,7 +331,7 @@ fn pairs_that_hardly_see_each_other_end() {
     ];
     let free = exchange(&quads[0], &quads[1]);
     let found = |hiding, eps| factors(&quads, hiding, eps).factor(0, 1);
-    let (usual, fine) = (found(Hiding::Auto, 1e-3), found(Hiding::Exact, 1e-7));
+    let (usual, fine) = (found(Shadows::Auto, 1e-3), found(Shadows::Exact, 1e-7));
     assert!(0.5 * free < fine && fine < free, "{free:e} {fine:e}");
     assert!((usual - fine).abs() < 3e-6, "{usual:e} {fine:e}");
 }

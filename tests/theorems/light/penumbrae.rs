@@ -52,7 +52,7 @@ struct Taken {
 fn taken(scene: Scene, samples: u32) -> Taken {
     let options = Options::default();
     let outcome = outcome_of(&scene, &options);
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     let camera = scene.camera.clone().expect("a camera");
     let read = ReadMode::Direct;
     let raster =

@@ -12,7 +12,6 @@ use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Camera;
 use radiosity::solve::Options;
 use radiosity::solve::solution::SurfacePlace;
-use radiosity::visibility::Visibility;
 use radiosity_test_support::scenes::{builtin, typed};
 use radiosity_test_support::solved::outcome_of;
 
@@ -25,7 +24,7 @@ fn fitted_light_is_that_of_every_pixel() {
         let scene = builtin(name);
         let options = Options { order: 2, ..Options::default() };
         let outcome = outcome_of(&scene, &options);
-        let visibility = Visibility::new(&scene, (&options).into());
+        let visibility = options.visibility(&scene);
         let camera =
             Camera { width: SIZE as u32, height: SIZE as u32, ..scene.camera.clone().expect("a camera") };
         let raster = render(
@@ -72,7 +71,7 @@ fn luminous_areas_are_as_bright_as_they_are_towards_the_eye() {
     let scene = typed(text);
     let options = Options::default();
     let outcome = outcome_of(&scene, &options);
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     for gamma in [0.0_f64, 30.0, 60.0, 85.0].map(f64::to_radians) {
         let eye = DVec3::new(gamma.sin(), 0.0, 2.0 - gamma.cos());
         let camera =
@@ -96,7 +95,7 @@ fn openings_are_as_bright_as_the_sky_behind_them() {
     let scene = typed(text);
     let options = Options::default();
     let outcome = outcome_of(&scene, &options);
-    let visibility = Visibility::new(&scene, (&options).into());
+    let visibility = options.visibility(&scene);
     for height in [90.0_f64, 45.0, 10.0].map(f64::to_radians) {
         let eye = DVec3::new(0.2 + height.cos(), 0.1, 3.0 - height.sin());
         let target = DVec3::new(0.2, 0.1, 3.0);

@@ -9,7 +9,7 @@ use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::{Radiance, Scene};
 use radiosity::solve::gather::gather_method::GatherMethod;
 use radiosity::solve::{Failure, Options, Transport, solve};
-use radiosity::visibility::{Hiding, Visibility};
+use radiosity::visibility::Shadows;
 use radiosity_geom::DVec3 as V;
 use radiosity_test_support::direct::in_the_open;
 use radiosity_test_support::scenes::typed;
@@ -125,7 +125,7 @@ const WINDOW: &str = "quad = { vertices = [[0, 1, 1], [0, 4, 1], [0, 4, 2.5], [0
 /// Light at points of the room, and its balance: in, absorbed, lost.
 fn readings(scene: &Scene, by: GatherMethod, options: &Options) -> (Vec<f64>, [f64; 3]) {
     let outcome = outcome_of(scene, options);
-    let visibility = Visibility::new(scene, options.into());
+    let visibility = options.visibility(scene);
     let reader = Reader::by(by, &outcome.solution, &visibility, ReadMode::Gather, 3e-4);
     let points = [
         (V::new(3.0, 3.5, 0.01), V::Z),
@@ -207,7 +207,7 @@ fn without_shadows_the_sun_passes_all_but_openings() {
          quad = {{ vertices = [[-1, 0, 0], [-1, 5, 0], [-1, 5, 9], [-1, 0, 9]] }}\n"
     );
     let [shaded, unshaded] =
-        [Hiding::Auto, Hiding::Off].map(|shadows| Options { shadows, ..Options::default() });
+        [Shadows::Auto, Shadows::Off].map(|shadows| Options { shadows, ..Options::default() });
     let sunlight = |options: &Options, set: &[(&str, f64)], x: V| {
         let scene = room(sky, &opening).dimmed(set).expect("the group is there");
         direct_by(&scene, options, x, &[V::Z], 1e-3)[0]

@@ -1,7 +1,7 @@
 //! Closed rooms with two boxes that are joined or leave a slit between them: narrow shadows, and narrow
 //! strips of light.
 
-use radiosity::visibility::Hiding;
+use radiosity::visibility::Shadows;
 
 use crate::light::occlusion::{closure, factors};
 use crate::light::shapes::{Quad, quad, room, upright};
@@ -62,7 +62,7 @@ fn rooms() -> Vec<Boxes> {
 #[test]
 fn rooms_with_slits_and_steps_are_closed() {
     for (index, boxes) in rooms().iter().enumerate() {
-        let found = closure(&factors(&boxes.in_room(), Hiding::Auto, 1e-3));
+        let found = closure(&factors(&boxes.in_room(), Shadows::Auto, 1e-3));
         assert!(found <= 1e-3, "room {index}: {found:e}");
     }
 }
@@ -76,7 +76,7 @@ fn exact_shadows_keep_what_shines_through_slits() {
         boxes(0.618, [0.845, 0.968], [0.792, 1.602], 0.042, 0.0, [2.417, 1.574]),
     ];
     for (index, boxes) in rooms.iter().enumerate() {
-        let found = closure(&factors(&boxes.in_room(), Hiding::Exact, 1e-5));
+        let found = closure(&factors(&boxes.in_room(), Shadows::Exact, 1e-5));
         assert!(found <= 3e-5, "room {index}: {found:e}");
     }
 }

@@ -3,7 +3,6 @@
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::solve::gather::Gather;
 use radiosity::solve::{Direct, Options};
-use radiosity::visibility::Visibility;
 use radiosity_test_support::scenes::{builtin, typed};
 use radiosity_test_support::solved::outcome_of;
 
@@ -69,7 +68,7 @@ fn without_reflection_there_is_direct_light_alone() {
     assert!(outcome.split, "the plate casts a shadow");
     let coefficients = &outcome.solution.bands()[0].coefficients;
     assert_eq!(coefficients.irradiance, coefficients.direct);
-    let visibility = Visibility::new(&scene, (&options(3, Direct::Auto)).into());
+    let visibility = options(3, Direct::Auto).visibility(&scene);
     let gather = Gather::twice(&outcome.solution, &visibility, 1e-3);
     let floor = scene.surface_named("floor").expect("there is a floor");
     let jet = scene.surfaces[floor].shape.jet(0.0, 0.0);

@@ -17,7 +17,7 @@ const SLOPE: f64 = 3.0;
 const UNEVEN: f64 = 2e-5;
 
 fn gaps() -> impl Iterator<Item = f64> {
-    (0..=28).map(|k| 10f64.powf(-15.0 + 0.5 * f64::from(k)))
+    (0..=14).map(|k| 10f64.powi(k - 15))
 }
 
 /// View factors from each surface to each other, per whole area of the former: they do not depend on what is

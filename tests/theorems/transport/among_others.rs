@@ -34,7 +34,7 @@ fn compare(surfaces: &[Flat], order: usize, eps: f64) -> Result<usize, String> {
             ));
         }
     }
-    Ok(blocks_together.account.pairs.repeated)
+    Ok(blocks_together.statistics.pairs.repeated)
 }
 
 /// Parallelograms cut into cells, the rest whole.

@@ -41,7 +41,7 @@ struct Transport {
 impl Transport {
     fn new(shapes: Shapes, order: usize, cells: usize, eps: f64, shadows: Shadows) -> Self {
         let scene = scene(shapes);
-        let visibility = Visibility::new(&scene, shadows);
+        let visibility = Visibility::new(&scene, shadows, eps);
         let how = Discretization::uniform(order, cells);
         let elements = Elements::new(&scene, &how).expect("all have area");
         let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: 1e-3 });
@@ -152,7 +152,7 @@ fn furnaces_with_curved_walls_keep_the_accuracy_asked() {
             let transport = Transport::unoccluded(room.clone(), 2, *eps);
             let error = furnace_error(&transport);
             assert!(error <= 10.0 * eps + 1e-13, "{name} {eps:e}: {error:e}");
-            assert_eq!(transport.blocks.account.pairs.unresolved, 0, "{name} {eps:e}");
+            assert_eq!(transport.blocks.statistics.pairs.unresolved, 0, "{name} {eps:e}");
         }
     }
 }
@@ -204,7 +204,7 @@ fn concentric_spheres() {
 #[test]
 fn the_inner_of_two_spheres_hides_the_outer_from_itself() {
     let shapes = vec![Arc::new(ball(DVec3::ZERO, 1.0)) as Arc<dyn Surface>, inside(ball(DVec3::ZERO, 2.0))];
-    let transport = Transport::new(shapes, 0, 2, 1e-2, Shadows::Rays(1e-2));
+    let transport = Transport::new(shapes, 0, 2, 1e-2, Shadows::Rays);
     let count = transport.elements.list().len();
     let outer = count / 2..count;
     let seen: f64 = outer.clone().map(|j| transport.factor(outer.start, j)).sum();
@@ -224,7 +224,7 @@ fn a_ring_in_a_box_hides_itself() {
     shapes.extend([wall(DVec3::Y, FRAC_PI_2), wall(DVec3::Y, -FRAC_PI_2)]);
     let axis = p(0.3, 0.2, 1.0);
     shapes.push(Arc::new(Torus::new(DVec3::ZERO, axis, 1.0, 0.4, FULL_TURN, FULL_TURN).expect("a ring")));
-    let transport = Transport::new(shapes, 1, 1, 1e-3, Shadows::Rays(1e-3));
+    let transport = Transport::new(shapes, 1, 1, 1e-3, Shadows::Rays);
     for i in 0..7 {
         let sum: f64 = (0..7).map(|j| transport.factor(i, j)).sum();
         assert!((sum - 1.0).abs() < 5e-3, "surface {i}: {sum}");
@@ -241,7 +241,7 @@ fn a_ball_on_the_floor_tells_what_it_reached() {
     for eps in [1e-2, 1e-3] {
         let transport = Transport::unoccluded(shapes.clone(), 0, eps);
         let error = (transport.factor(0, 1) / exact - 1.0).abs();
-        assert!(error <= 2.0 * eps.max(transport.blocks.account.accuracy_reached), "{eps:e}: {error:e}");
+        assert!(error <= 2.0 * eps.max(transport.blocks.statistics.accuracy_reached), "{eps:e}: {error:e}");
         assert!(error < 0.05, "{eps:e}: {error:e}");
     }
 }
@@ -289,7 +289,7 @@ fn a_ball_under_a_wide_lamp_is_lit_to_the_accuracy_asked() {
             receivers[..4].iter().map(|element| moments_under(element, &outline)).collect();
         let entries = exact.iter().flatten().map(|moment| moment.abs() / lamp.area.sqrt());
         let largest = entries.fold(0.0, f64::max);
-        let visibility = Visibility::new(&scene, Shadows::Off);
+        let visibility = Visibility::open(&scene);
         for eps in [1e-3, 1e-5] {
             let accuracy = Accuracy { eps, shadow_eps: 1e-3 };
             let blocks = blocks_of(&elements, &visibility, accuracy);

@@ -78,9 +78,9 @@ impl Mesh {
             "{layers} layers, order {order}, eps {eps:e}: {} elements, {} unknowns, {} samples, {} distinct, {} repeated, {seconds:.2} s",
             elements.list().len(),
             blocks.dim(),
-            blocks.account.samples,
-            blocks.account.distinct,
-            blocks.account.pairs.repeated
+            blocks.statistics.samples,
+            blocks.statistics.distinct,
+            blocks.statistics.pairs.repeated
         );
         Self { elements, blocks, breaks: breaks(layers) }
     }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use radiosity::elements::{Discretization, ElementError, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::{Scene, SceneError, Source};
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 use radiosity_test_support::solved::blocks_of;
 
@@ -119,7 +119,7 @@ pub(crate) fn elements(scene: &Scene, order: usize) -> Result<Elements, ElementE
 
 /// Blocks without shadows.
 pub(crate) fn blocks(scene: &Scene, elements: &Elements, eps: f64) -> Blocks {
-    let visibility = Visibility::new(scene, Shadows::Off);
+    let visibility = Visibility::open(scene);
     blocks_of(elements, &visibility, Accuracy { eps, shadow_eps: 3e-3 })
 }
 

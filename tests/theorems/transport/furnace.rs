@@ -38,7 +38,7 @@ fn cube_errors(orders: impl Iterator<Item = usize>, accuracies: &[f64]) -> Vec<S
             let error = error(&elements, &blocks);
             let line = format!(
                 "order {order}, eps {eps:e}: |B − 2| = {error:.1e}, {} samples, {} distinct, {} unresolved",
-                blocks.account.samples, blocks.account.distinct, blocks.account.pairs.unresolved
+                blocks.statistics.samples, blocks.statistics.distinct, blocks.statistics.pairs.unresolved
             );
             println!("{line}");
             // At the last digits rounding of (2N + 1)-fold corner values and of some hundred terms shows.

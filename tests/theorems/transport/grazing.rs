@@ -9,7 +9,7 @@ use radiosity::elements::rule::UnitRule;
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
 use radiosity::kernel::{Accuracy, kernel};
 use radiosity::scene::Scene;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity_test_support::compare::largest;
 use radiosity_test_support::scenes::typed;
 use radiosity_test_support::solved::{blocks_of, elements_of};
@@ -201,7 +201,7 @@ impl Case {
     /// The worst error in units of what was asked, or of what was reported where that is more.
     fn worst(&self, eps: f64) -> f64 {
         let elements = elements_of(&self.scene, 0, 1);
-        let visibility = Visibility::new(&self.scene, Shadows::Off);
+        let visibility = Visibility::open(&self.scene);
         let blocks = blocks_of(&elements, &visibility, Accuracy { eps, shadow_eps: 1e-3 });
         let error = |([i, j], exact, row): &([usize; 2], Vec<f64>, f64)| {
             let found = blocks.iter().find(|block| [block.row, block.column] == [*i, *j]);
@@ -215,7 +215,7 @@ impl Case {
                 error / (eps * scale),
                 largest(exact)
             );
-            error / (eps.max(blocks.account.accuracy_reached) * scale)
+            error / (eps.max(blocks.statistics.accuracy_reached) * scale)
         };
         self.pairs.iter().map(error).fold(0.0, f64::max)
     }

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use radiosity::scene::SceneBuilder;
 use radiosity::solve::view_factors::ViewFactors;
-use radiosity::visibility::Hiding;
+use radiosity::visibility::Shadows;
 use radiosity_geom::{DVec3, Surface};
 use radiosity_test_support::random::seeded;
 use radiosity_test_support::scenes::material;
@@ -42,7 +42,7 @@ fn factors(shapes: &[Shape], order: &[usize], eps: f64) -> ViewFactors {
         builder.surface(format!("{index}"), Arc::clone(&shapes[*index]), &white);
     }
     let scene = builder.build().expect("the scene is valid");
-    factors_of(&scene, Hiding::Auto, eps, 3e-3)
+    factors_of(&scene, Shadows::Auto, eps, 3e-3)
 }
 
 /// F from shape i to shape j.

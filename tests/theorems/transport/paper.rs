@@ -193,7 +193,7 @@ fn elements(scene: &Scene, order: usize) -> Elements {
 /// Two squares without shadows.
 fn two(first: [[f64; 3]; 4], second: [[f64; 3]; 4], order: usize) -> (Elements, Visibility) {
     let scene = scene(&[first, second]);
-    (elements(&scene, order), Visibility::new(&scene, Shadows::Off))
+    (elements(&scene, order), Visibility::open(&scene))
 }
 
 fn ours(elements: &Elements, visibility: &Visibility, eps: f64) -> Blocks {
@@ -271,7 +271,7 @@ fn first_coefficient_is_the_form_factor() {
         2.0 / PI * ((4.0f64 / 3.0).sqrt().ln() + 2.0 * root * (1.0 / root).atan() - 2.0 * 1f64.atan());
     assert!((factor - closed).abs() < 1e-14, "{factor} {closed}");
     // Two ordered pairs.
-    assert_eq!(blocks.account.samples, 2 * 160_000);
+    assert_eq!(blocks.statistics.samples, 2 * 160_000);
 }
 
 /// Largest difference of what the first element receives from each function of the second, relative to the
@@ -307,7 +307,7 @@ fn with_many_points_flat_receivers_get_what_we_give_them() {
     for shape in shapes {
         let mut scene = scene(&[RECEIVER, ceiling(1.0)]);
         scene.surfaces[1].shape = shape;
-        let (elements, visibility) = (elements(&scene, 3), Visibility::new(&scene, Shadows::Off));
+        let (elements, visibility) = (elements(&scene, 3), Visibility::open(&scene));
         let exact = ours(&elements, &visibility, 1e-10);
         let theirs = as_1993(&elements, &visibility, PaperRules::Legendre, 20);
         let error = difference(&exact, &theirs);
@@ -323,7 +323,7 @@ fn a_sphere_is_closed_by_the_rules_of_1993() {
         let part = Sphere::new(DVec3::new(1.0, 2.0, 3.0), 2.0, DVec3::Z, z, [0.0, TAU]).expect("it has area");
         surface.shape = Arc::new(Flipped::new(Box::new(part)));
     }
-    let (elements, visibility) = (elements(&scene, 2), Visibility::new(&scene, Shadows::Off));
+    let (elements, visibility) = (elements(&scene, 2), Visibility::open(&scene));
     let blocks = as_1993(&elements, &visibility, PaperRules::Legendre, 10);
     let ones: Vec<f64> = elements.list().iter().flat_map(|element| element.constant.clone()).collect();
     for (c, gc) in ones.iter().zip(blocks.apply(&ones)) {
@@ -394,12 +394,12 @@ fn a_panel_over_half_hides_half() {
     scene.surfaces[1].order = Some(1);
     let elements = elements(&scene, 0);
     let received = |shadows| {
-        let visibility = Visibility::new(&scene, shadows);
+        let visibility = Visibility::new(&scene, shadows, 1e-3);
         let blocks = as_1993(&elements, &visibility, PaperRules::Legendre, 8);
         let mut emitted = vec![0.0; blocks.dim()];
         emitted[1] = 1.0;
         blocks.apply(&emitted)[0]
     };
-    let (free, shadowed) = (received(Shadows::Off), received(Shadows::Rays(1e-3)));
+    let (free, shadowed) = (received(Shadows::Off), received(Shadows::Rays));
     assert!((shadowed - 0.5 * free).abs() < 1e-14, "{shadowed} of {free}");
 }

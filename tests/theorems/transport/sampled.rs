@@ -22,7 +22,7 @@ use radiosity_test_support::solved::{blocks_of, elements_of, outcome_of};
 
 /// The blocks of a scene by `rays` rays from each element.
 fn sampled(scene: &Scene, order: usize, rays: u64) -> Blocks {
-    let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
+    let visibility = Visibility::new(scene, Shadows::Rays, 1e-3);
     let elements = elements_of(scene, order, 1);
     let mut transport = SampledTransport::new(&elements, &visibility, Ranks::alone());
     transport.send(&vec![rays; elements.list().len()], &mut |_| true);
@@ -82,7 +82,7 @@ fn turned_room() -> Scene {
 #[test]
 fn rays_find_the_exact_blocks_and_find_them_better_the_more_there_are() {
     for (scene, order) in [(builtin("furnace-cube"), 2), (can(), 1), (turned_room(), 1)] {
-        let visibility = Visibility::new(&scene, Shadows::Rays(1e-4));
+        let visibility = Visibility::new(&scene, Shadows::Rays, 1e-4);
         let elements = elements_of(&scene, order, 1);
         let accuracy = Accuracy { eps: 1e-5, shadow_eps: 1e-4 };
         let exact = blocks_of(&elements, &visibility, accuracy);
@@ -98,7 +98,7 @@ fn rays_find_the_exact_blocks_and_find_them_better_the_more_there_are() {
 fn no_ray_leaves_a_closed_room() {
     // Rays start within rounding of edges and corners, too: where one escaped, a row sum would be below 1.
     for scene in [builtin("furnace-cube"), can(), turned_room()] {
-        let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
+        let visibility = Visibility::new(&scene, Shadows::Rays, 1e-3);
         let elements = elements_of(&scene, 0, 2);
         let mut transport = SampledTransport::new(&elements, &visibility, Ranks::alone());
         transport.send(&vec![20_000; elements.list().len()], &mut |_| true);
@@ -135,7 +135,7 @@ fn what_crosses_a_wall_hides_what_it_encloses() {
     let ball = ball(center, radius);
     builder.surface("ball", ball, &grey);
     let scene = builder.build().expect("a room");
-    let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
+    let visibility = Visibility::new(&scene, Shadows::Rays, 1e-3);
     let elements = elements_of(&scene, 0, 1);
     let mut transport = SampledTransport::new(&elements, &visibility, Ranks::alone());
     transport.send(&vec![20_000; elements.list().len()], &mut |_| true);

@@ -87,7 +87,11 @@ fn transfer(sides: [&Flat; 2], order: usize, eps: f64) -> Option<Transfer> {
     let blocks = blocks(&scene, &elements, eps);
     let count = elements.list()[0].basis.len();
     let values = block(&blocks, 0, 1).unwrap_or_else(|| vec![0.0; count * count]);
-    Some(Transfer { values, areas: [0, 1].map(|k| elements.list()[k].area), samples: blocks.account.samples })
+    Some(Transfer {
+        values,
+        areas: [0, 1].map(|k| elements.list()[k].area),
+        samples: blocks.statistics.samples,
+    })
 }
 
 /// 0 ≤ F ≤ 1 in both directions, within the accuracy asked.
@@ -143,7 +147,7 @@ fn additive(pair: &Pair) -> Verdict {
     require(error <= allowed, || {
         format!("√A G of the whole {one:e}, of its parts {sum:e}, allowed {allowed:e}")
     })?;
-    Ok(Some(blocks.account.samples))
+    Ok(Some(blocks.statistics.samples))
 }
 
 /// Lambert's contour integral gives the same exchange.
@@ -188,8 +192,8 @@ fn closed((faces, order, eps): &(Vec<Flat>, usize, f64)) -> Verdict {
             )
         })?;
     }
-    require(blocks.account.samples <= BUDGET, || format!("{} samples", blocks.account.samples))?;
-    Ok(Some(blocks.account.samples))
+    require(blocks.statistics.samples <= BUDGET, || format!("{} samples", blocks.statistics.samples))?;
+    Ok(Some(blocks.statistics.samples))
 }
 
 fn white((faces, order, eps): &(Vec<Flat>, usize, f64)) -> Verdict {
@@ -198,7 +202,7 @@ fn white((faces, order, eps): &(Vec<Flat>, usize, f64)) -> Verdict {
     let blocks = blocks(&scene, &elements, *eps);
     let error = furnace::error(&elements, &blocks);
     require(error <= 10.0 * eps, || format!("|B − 2| = {error:e}"))?;
-    Ok(Some(blocks.account.samples))
+    Ok(Some(blocks.statistics.samples))
 }
 
 fn asked_rooms(

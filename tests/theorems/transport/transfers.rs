@@ -1,6 +1,6 @@
 //! Transfers between two flat elements against exact ones, and what they cost.
 
-use radiosity::kernel::Account;
+use radiosity::kernel::BlockStatistics;
 use radiosity_geom::DVec3;
 use radiosity_test_support::compare::largest;
 use radiosity_test_support::data::{list, point, table};
@@ -29,12 +29,12 @@ fn form_factor(case: &Value) -> f64 {
     case["F"].as_str().and_then(|text| text.parse().ok()).expect("F is a decimal string")
 }
 
-fn transfer(pair: &[Flat; 2], order: usize, eps: f64) -> (Vec<f64>, Account) {
+fn transfer(pair: &[Flat; 2], order: usize, eps: f64) -> (Vec<f64>, BlockStatistics) {
     let scene = scene(pair).expect("the shapes are valid");
     let elements = elements(&scene, order).expect("the shapes have area");
     let blocks = blocks(&scene, &elements, eps);
     let count = elements.list()[0].basis.len();
-    (block(&blocks, 0, 1).unwrap_or_else(|| vec![0.0; count * count]), blocks.account)
+    (block(&blocks, 0, 1).unwrap_or_else(|| vec![0.0; count * count]), blocks.statistics)
 }
 
 /// A pair of the data files: its name, the surfaces, the first one's area and F.

@@ -6,7 +6,7 @@ use radiosity::SceneBuilder;
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{Cone, FULL_TURN, Torus};
 use radiosity::scene::Scene;
-use radiosity::visibility::Hiding;
+use radiosity::visibility::Shadows;
 use radiosity_test_support::scenes::grey;
 use radiosity_test_support::shapes::{ball, disk, plate, tube};
 use radiosity_test_support::solved::factors_of;
@@ -21,7 +21,7 @@ fn scene(build: impl FnOnce(&mut SceneBuilder, &radiosity::scene::NamedMaterial)
 /// asked.
 fn check(name: &str, scene: &Scene, known: &[(usize, usize, f64)]) {
     for eps in [3e-3, 3e-4] {
-        let found = factors_of(scene, Hiding::Auto, eps, eps);
+        let found = factors_of(scene, Shadows::Auto, eps, eps);
         let told = found.accuracy_reached.max(eps);
         for (i, j, exact) in known {
             let largest = found.row(*i).into_iter().fold(0.0, f64::max);
@@ -136,7 +136,7 @@ fn a_closed_pipe_sees_past_a_ball() {
         builder.surface("ball", ball, grey);
     });
     for eps in [3e-3, 3e-4] {
-        let found = factors_of(&scene, Hiding::Auto, eps, eps);
+        let found = factors_of(&scene, Shadows::Auto, eps, eps);
         let told = found.accuracy_reached.max(eps);
         assert!(told < 3.0 * eps, "{told} is told where {eps} is asked");
         for surface in 0..4 {

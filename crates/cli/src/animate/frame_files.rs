@@ -60,45 +60,28 @@ impl FrameFiles {
     ) -> Result<Self, CliError> {
         let fps = typed.or(of_scene).unwrap_or(FPS);
         let ending = name.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        let refused = |message: String, cure: &str| {
-            Err(CliError::refused(format!("{}: {message}", name.display()), cure))
-        };
+        let reserved = |path: &Path| loaded.apart(OutputFile::reserve(path, ranks)?);
         match ending.as_deref() {
-            Some("gif") if fps > FASTEST => refused(
-                format!("a .gif shows {FASTEST} pictures a second at the most, and {fps} were asked for"),
-                "add --fps 50, or write pictures of their own: frame-####.png",
-            ),
-            Some("gif") => Ok(Self::Gif {
-                output: loaded.apart(OutputFile::reserve(name, ranks)?)?,
-                fps,
-                size: [0; 2],
-                frames: Vec::new(),
-            }),
-            Some("png" | "exr") if typed.is_some() => refused(
-                "files have no speed".to_owned(),
-                "leave out --fps, or choose a film ending in .gif, .mp4 or .webm",
-            ),
-            Some(ending @ ("png" | "exr")) => match Pattern::of(name, ending == "exr") {
-                Some(pattern) => {
-                    loaded.apart(OutputFile::reserve(&pattern.path(first), ranks)?)?;
-                    Ok(Self::Files(pattern))
-                }
-                None => refused(
-                    "one name for all frames".to_owned(),
-                    "write #### where the number of the frame goes, as in frame-####.png",
-                ),
-            },
+            Some("gif") => {
+                require_speed_of_gif(name, fps)?;
+                Ok(Self::Gif { output: reserved(name)?, fps, size: [0; 2], frames: Vec::new() })
+            }
+            Some(ending @ ("png" | "exr")) => {
+                let pattern = Pattern::without_speed(name, ending == "exr", typed)?;
+                reserved(&pattern.path(first))?;
+                Ok(Self::Files(pattern))
+            }
             Some(ending) if let Some(container) = Container::of(ending) => {
                 if ranks.is_first() {
                     require_program(name)?;
                 }
-                let output = Some(loaded.apart(OutputFile::reserve(name, ranks)?)?);
-                Ok(Self::Encoded { output, container, fps, encoder: None })
+                Ok(Self::Encoded { output: Some(reserved(name)?), container, fps, encoder: None })
             }
-            _ => refused(
-                "the ending names no kind of pictures".to_owned(),
+            _ => Err(refused(
+                name,
+                "the ending names no kind of pictures",
                 "choose names such as frame-####.png or frame-####.exr, or a film ending in .gif, .mp4 or .webm",
-            ),
+            )),
         }
     }
 
@@ -138,9 +121,7 @@ impl FrameFiles {
                 }
                 let [width, height] = picture.size().map(|pixels| pixels as u16);
                 let mut frame = gif::Frame::from_rgb_speed(width, height, picture.codes(), SPEED);
-                // Each ends at the nearest unit to where it should: rounding does not add up.
-                let end = |picture: usize| (GIF_UNITS * picture as f64 / *fps).round();
-                frame.delay = (end(frames.len() + 1) - end(frames.len())) as u16;
+                frame.delay = delay(frames.len(), *fps);
                 *size = [width, height];
                 frames.push(frame);
                 Ok(())
@@ -173,7 +154,50 @@ impl FrameFiles {
     }
 }
 
+/// How long the picture of this number stays in a GIF. Each ends at the nearest unit to where it should:
+/// rounding does not add up.
+fn delay(picture: usize, fps: f64) -> u16 {
+    let end = |picture: usize| (GIF_UNITS * picture as f64 / fps).round();
+    (end(picture + 1) - end(picture)) as u16
+}
+
+/// Refuses what a name as typed asks for.
+fn refused(name: &Path, message: &str, cure: &str) -> CliError {
+    CliError::refused(format!("{}: {message}", name.display()), cure)
+}
+
+/// Refuses more pictures a second than viewers show of a GIF.
+fn require_speed_of_gif(name: &Path, fps: f64) -> Result<(), CliError> {
+    if fps <= FASTEST {
+        return Ok(());
+    }
+    Err(refused(
+        name,
+        &format!("a .gif shows {FASTEST} pictures a second at the most, and {fps} were asked for"),
+        "add --fps 50, or write pictures of their own: frame-####.png",
+    ))
+}
+
 impl Pattern {
+    /// The pattern of a name, of files that have no speed: none may be `typed`.
+    fn without_speed(name: &Path, is_exr: bool, typed: Option<f64>) -> Result<Self, CliError> {
+        if typed.is_some() {
+            return Err(refused(
+                name,
+                "files have no speed",
+                "leave out --fps, or choose a film ending in .gif, .mp4 or .webm",
+            ));
+        }
+        let missing = || {
+            refused(
+                name,
+                "one name for all frames",
+                "write #### where the number of the frame goes, as in frame-####.png",
+            )
+        };
+        Self::of(name, is_exr).ok_or_else(missing)
+    }
+
     /// The pattern of a name; None without a run of #, or with several.
     fn of(name: &Path, is_exr: bool) -> Option<Self> {
         let text = name.to_str()?;

@@ -125,7 +125,7 @@ fn classes() -> Vec<Class> {
             name: "Transfers",
             base: "TypedDict",
             about: "How transfers are integrated.",
-            options: without_masks(of::<TransferRequest>(&[], "")),
+            options: of::<TransferRequest>(&[], ""),
         },
         Class {
             name: "HeatMethod",
@@ -138,16 +138,6 @@ fn classes() -> Vec<Class> {
 
 fn together<const N: usize>(parts: [Vec<PythonOption>; N]) -> Vec<PythonOption> {
     parts.into_iter().flatten().collect()
-}
-
-/// Options of transfers: masks, which carry light, are refused there.
-fn without_masks(mut options: Vec<PythonOption>) -> Vec<PythonOption> {
-    for option in &mut options {
-        if let Kind::Values(values) = &mut option.kind {
-            values.retain(|value| value != "\"mask\"");
-        }
-    }
-    options
 }
 
 /// A truth value that the command states in another way.

@@ -101,29 +101,19 @@ impl Run {
         ];
         lines.extend(self.report.ranks.as_ref().map(RanksWork::to_string));
         lines.extend(self.report.checkpoint.as_ref().map(Checkpoint::to_string));
-        lines.push(format!(
-            "{}; row sums {} to {}",
-            balance(checks),
-            decimals(checks.row_sum_min, 4),
-            decimals(checks.row_sum_max, 4)
-        ));
+        lines.push(balance(checks) + &row_sums(checks));
         lines.extend(groups(&self.report.light_groups));
         lines.extend(remarks(&self.solved.scene));
         // The error that rays leave in the radiosity of elements is told with the blocks.
         let is_told = self.report.transport.kind != "exact" && self.aim() == Some(Aim::Solution);
         let estimate = self.report.accuracy_estimate.filter(|_| !is_told);
-        lines.extend(
-            estimate
-                .map(|estimate| format!("estimated relative error of {} {estimate:.1e}", self.estimated())),
-        );
+        let told = |estimate| format!("estimated relative error of {} {estimate:.1e}", self.estimated());
+        lines.extend(estimate.map(told));
         lines.extend(self.report.read_error.map(|error| error.to_string()));
         if self.start.progress.verbose {
             lines.extend(self.report.functionals.iter().map(minimum));
             lines.push(format!("pairs: {:?}", self.report.pairs));
-            lines.push(format!(
-                "closure {:.2e}, spectral bound {:.4}, largest seam jump {:.2e}",
-                checks.closure_max, checks.spectral_bound, checks.seam_jump_max
-            ));
+            lines.push(smoothness(checks));
         }
         lines.extend(self.report.planes.iter().flat_map(|plane| plane.lines(&self.report.unit)));
         lines.extend(self.report.warnings.iter().map(Warning::to_string));
@@ -136,6 +126,20 @@ impl Run {
 fn minimum(Functional { band, group, value }: &Functional) -> String {
     let group = group.as_ref().map_or_else(String::new, |group| format!(", light group '{group}'"));
     format!("variational functional of band '{band}'{group}: {value:.9e}")
+}
+
+/// What the line about the balance of power says of the sums of rows.
+fn row_sums(checks: &Checks) -> String {
+    let [least, most] = [checks.row_sum_min, checks.row_sum_max].map(|sum| decimals(sum, 4));
+    format!("; row sums {least} to {most}")
+}
+
+/// The line about what a solution misses of the constant 1 and of being continuous.
+fn smoothness(checks: &Checks) -> String {
+    format!(
+        "closure {:.2e}, spectral bound {:.4}, largest seam jump {:.2e}",
+        checks.closure_max, checks.spectral_bound, checks.seam_jump_max
+    )
 }
 
 /// The line about the balance of power.

@@ -40,6 +40,28 @@ fn read<'a>(
     let material: scheme::Material = json.parse(text, &format!("the material {index}"))?;
     let place = json.place(text);
     note(&material, place, model);
+    let reflectance = reflectance(&material, place, model);
+    let emission = emission(&material, place, model);
+    if !reflectance.iter().chain(&emission).all(|value| (0.0..=GREATEST).contains(value)) {
+        return refuse_at(
+            place,
+            format!(
+                "the material {index} has a factor below 0 or beyond measure, or a metallic factor above 1"
+            ),
+            "correct its colours; factors are from 0 to 1",
+        );
+    }
+    let name = material.name.filter(|name| !name.trim().is_empty());
+    let read = Material {
+        name: name.unwrap_or_else(|| format!("material-{index}")),
+        reflectance: reflectance.to_vec(),
+        emission: emission.to_vec(),
+    };
+    Ok((read, if material.double_sided { Sides::Both } else { Sides::Front }))
+}
+
+/// Diffuse reflectance of red, green and blue.
+fn reflectance(material: &scheme::Material, place: FilePlace, model: &mut Model) -> [f64; 3] {
     let pbr = &material.pbr_metallic_roughness;
     let metallic = match (pbr.metallic_roughness_texture, pbr.metallic_factor) {
         (Some(_), _) => 0.0,
@@ -57,24 +79,8 @@ fn read<'a>(
         model.note(TEXTURED, Some(place));
         diffuse *= UNKNOWN;
     }
-    let emission = emission(&material, place, model);
-    let [r, g, b, _] = base.unwrap_or([1.0; 4]).map(|value| value * diffuse);
-    if ![r, g, b].iter().chain(&emission).all(|value| (0.0..=GREATEST).contains(value)) {
-        return refuse_at(
-            place,
-            format!(
-                "the material {index} has a factor below 0 or beyond measure, or a metallic factor above 1"
-            ),
-            "correct its colours; factors are from 0 to 1",
-        );
-    }
-    let name = material.name.filter(|name| !name.trim().is_empty());
-    let read = Material {
-        name: name.unwrap_or_else(|| format!("material-{index}")),
-        reflectance: vec![r, g, b],
-        emission: emission.to_vec(),
-    };
-    Ok((read, if material.double_sided { Sides::Both } else { Sides::Front }))
+    let [r, g, b, _] = base.unwrap_or([1.0; 4]);
+    [r, g, b].map(|value| value * diffuse)
 }
 
 /// Exitance of red, green and blue: 0 where a texture tells what shines.

@@ -11,7 +11,7 @@ use serde_json::value::RawValue;
 use super::accessor::{Accessors, Data, NumberUse};
 use super::json::{Json, unlisted};
 use super::scheme::{self, Node, Primitive, Root};
-use super::triangles::Mode;
+use super::triangles::{Mode, Triangles};
 use crate::mesh::{Coat, Mesh};
 use crate::model::{Camera, Sides};
 use crate::names::UniqueNames;
@@ -210,17 +210,11 @@ impl<'a, 'b> Nodes<'a, 'b> {
         world: &DMat4,
         place: FilePlace,
     ) -> Result<(), Refusal> {
-        let lost = [
-            (primitive.targets.is_some(), "morph targets are left out"),
-            (primitive.attributes.colour.is_some(), "colours of vertices are left out"),
-        ];
         let Some(mode) = Mode::of(primitive.mode.unwrap_or(4)) else {
             self.mesh.model.note("points and lines are left out", Some(place));
             return Ok(());
         };
-        for (_, what) in lost.iter().filter(|lost| lost.0) {
-            self.mesh.model.note(*what, Some(place));
-        }
+        self.note_lost(primitive, place);
         let Some(position) = primitive.attributes.position else {
             self.mesh.model.note("primitives without positions are left out", Some(place));
             return Ok(());
@@ -228,33 +222,29 @@ impl<'a, 'b> Nodes<'a, 'b> {
         let points = self.accessors.data(position, NumberUse::Points, place)?;
         let indices =
             primitive.indices.map(|indices| self.accessors.data(indices, NumberUse::Indices, place));
-        let indices = indices.transpose()?;
+        let triangles = Triangles { mode, points, indices: indices.transpose()? };
         let coat = self.coat(primitive.material, object, place)?;
-        let corners = indices.as_ref().map_or(points.count, |indices| indices.count);
-        if mode == Mode::List && corners % 3 != 0 {
-            return refuse_at(
-                place,
-                format!("triangles have {corners} corners, no multiple of 3"),
-                "correct the count, or export the model again",
-            );
-        }
-        self.visit(mode.count(corners), place)?;
+        triangles.require_whole(place)?;
+        self.visit(triangles.count(), place)?;
         let is_mirrored = DMat3::from_mat4(*world).determinant() < 0.0;
-        for triangle in 0..mode.count(corners) {
-            let vertex = |number: usize| match &indices {
-                Some(indices) => indices.index(number).unwrap_or(usize::MAX),
-                None => number,
-            };
-            let [a, b, c] = mode.corners(triangle).map(vertex);
-            // Strips are joined by triangles that repeat a corner.
-            if mode != Mode::List && (a == b || b == c || c == a) {
-                continue;
-            }
-            let corners = corners_of(if is_mirrored { [c, b, a] } else { [a, b, c] }, &points, world);
+        for [a, b, c] in (0..triangles.count()).filter_map(|number| triangles.corners(number)) {
+            let corners = if is_mirrored { [c, b, a] } else { [a, b, c] };
+            let corners = corners_of(corners, &triangles.points, world);
             let added = corners.and_then(|corners| self.mesh.face(corners, coat, place));
             added.map_err(|refusal| refusal.at(place))?;
         }
         Ok(())
+    }
+
+    /// Notes what of a primitive is left out.
+    fn note_lost(&mut self, primitive: &Primitive, place: FilePlace) {
+        let lost = [
+            (primitive.targets.is_some(), "morph targets are left out"),
+            (primitive.attributes.colour.is_some(), "colours of vertices are left out"),
+        ];
+        for (_, what) in lost.iter().filter(|lost| lost.0) {
+            self.mesh.model.note(*what, Some(place));
+        }
     }
 
     /// Object, material and sides that all faces of a primitive have. Without a material, surfaces have none.

@@ -115,7 +115,7 @@ fn copied(elements: &Elements, blocks: &Blocks, values: impl Fn(usize, usize, &[
     }
     let open = (0..elements.list().len()).filter(|element| !blocks.is_complete(*element));
     open.for_each(|element| copy.leave_open(element));
-    copy.account = blocks.account.clone();
+    copy.statistics = blocks.statistics.clone();
     copy
 }
 

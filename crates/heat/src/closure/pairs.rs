@@ -39,7 +39,7 @@ impl Pairs {
             stored[place(row, column)] = true;
         }
         // Without rays, what is not stored is zero.
-        let has_rays = model.blocks().account.pairs.by_rays > 0;
+        let has_rays = model.blocks().statistics.pairs.by_rays > 0;
         let exact = |i: usize, j: usize| {
             check_interrupt();
             let pair = [&list[i], &list[j]];

@@ -12,7 +12,7 @@ use serde_json::json;
 use crate::{
     fields::{exactly, real, text},
     file::per_band::{AMOUNTS, PerBand},
-    keys::{Fields, Kind, Name, Table, Usual, keys},
+    keys::{DefaultValue, GivenFields, KeyTable, NameKey, ValueKind, keys},
     kinds::{POINT, TEXT, VECTOR},
     terms,
 };
@@ -20,20 +20,20 @@ use crate::{
 keys! {
     /// `[[luminaires]]`.
     LuminaireFile("A lamp by its intensity in each direction", terms::required("oneOf", &DISTRIBUTIONS); check) {
-        name: At<String> = Name, "Its name, given once in its list";
+        name: At<String> = NameKey, "Its name, given once in its list";
         position: DVec3 = POINT, "Where it is";
-        aim: Option<At<DVec3>> = VECTOR.or(Usual::Numbers(&[0.0, 0.0, -1.0])), "Where it aims";
+        aim: Option<At<DVec3>> = VECTOR.or(DefaultValue::Numbers(&[0.0, 0.0, -1.0])), "Where it aims";
         along: Option<At<DVec3>> = VECTOR, "The direction of the plane C = 0 of its photometric file";
-        extent: Option<At<ExtentFile>> = Kind::new(extent, extent_schema),
+        extent: Option<At<ExtentFile>> = ValueKind::new(extent, extent_schema),
             "What its light comes out of, across the aim: a disk, a rectangle, a line, or the opening of its photometric file";
         flux: Option<PerBand> = AMOUNTS, "All its light, W or lm";
         intensity: Option<PerBand> = AMOUNTS, "The peak of its intensity, W/sr or cd, instead of the flux";
         group: Option<At<String>> = TEXT, "Its light group";
         dimming: Option<At<f64>> =
-            Kind::number(real, terms::at_least_zero).or(Usual::Number(1.0)),
+            ValueKind::number(real, terms::at_least_zero).or(DefaultValue::Number(1.0)),
             "Factor on its light";
-        point: Option<PointFile> = Kind::new(PointFile::read, PointFile::schema), "";
-        spot: Option<Distribution> = Kind::new(spot, SpotFile::schema), "";
+        point: Option<PointFile> = ValueKind::new(PointFile::read, PointFile::schema), "";
+        spot: Option<Distribution> = ValueKind::new(spot, SpotFile::schema), "";
         photometry: Option<At<String>> = TEXT, "Path of a photometric file, .ies or .ldt, from the folder of this one";
         ..span: Span;
     }
@@ -48,13 +48,13 @@ keys! {
     /// `{ angle = 40, edge = 5 }` or `{ exponent = 2 }`.
     SpotFile("A cone of light, or a power of the cosine"; check_spot) {
         angle: Option<f64> =
-            Kind::number(real, || json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 360 })),
+            ValueKind::number(real, || json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 360 })),
             "Angle across the cone, to half the peak, degrees";
         edge: f64 =
-            Kind::number(real, || json!({ "minimum": 0, "maximum": 179 })).or(Usual::Number(0.0)),
+            ValueKind::number(real, || json!({ "minimum": 0, "maximum": 179 })).or(DefaultValue::Number(0.0)),
             "Angle over which the peak falls to nothing, degrees";
         exponent: Option<f64> =
-            Kind::number(real, || json!({ "minimum": 0, "maximum": 10000 })),
+            ValueKind::number(real, || json!({ "minimum": 0, "maximum": 10000 })),
             "Exponent n of the cosine, instead of angle and edge";
         ..span: Span;
     }
@@ -75,7 +75,7 @@ const DISTRIBUTIONS: [&str; 3] = ["point", "spot", "photometry"];
 const OF_TABLE: &str = "file";
 
 /// Light is spread in one way, and a table alone tells how much there is.
-fn check(own: &LuminaireFile, fields: &Fields<'_>) -> Result<(), Located> {
+fn check(own: &LuminaireFile, fields: &GivenFields<'_>) -> Result<(), Located> {
     if own.point.is_none() && own.spot.is_none() && own.photometry.is_none() {
         let fault = Fault::absent(
             "nothing says how the light is spread over directions",
@@ -122,7 +122,7 @@ fn extent_schema() -> serde_json::Value {
     json!({ "anyOf": [diameter["anyOf"][0], diameter["anyOf"][1], sides, { "const": OF_TABLE }] })
 }
 
-fn check_spot(own: &SpotFile, fields: &Fields<'_>) -> Result<(), Located> {
+fn check_spot(own: &SpotFile, fields: &GivenFields<'_>) -> Result<(), Located> {
     let other = ["angle", "edge"].into_iter().find_map(|key| Some((key, fields.get(key)?)));
     match (own.exponent, other) {
         (Some(_), Some((first, node))) => Err(Located::at(&node.span, Fault::exclusive(first, "exponent"))),

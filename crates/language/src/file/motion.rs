@@ -13,7 +13,10 @@ use serde_json::{Value, json};
 
 use crate::{
     fields::{exactly, list, points, real, texts, word},
-    keys::{Fields, Group, Key, Kind, Name, Or, OrEmpty, Table, Usual, keys},
+    keys::{
+        DefaultValue, EmptyByDefault, GivenFields, KeyGroup, KeySchema, KeyTable, NameKey, ValueKind,
+        WithDefault, keys,
+    },
     kinds::{POINT, TRUTH, VECTOR},
     terms,
 };
@@ -21,13 +24,13 @@ use crate::{
 keys! {
     /// `[[motion]]`.
     MotionFile("What moves together along a rigid path", terms::required("anyOf", &["translate", "rotate"])) {
-        name: At<String> = Name, "Its name, given once in the scene";
+        name: At<String> = NameKey, "Its name, given once in the scene";
         surfaces: Vec<At<String>> = NAMES, "Surfaces that move, by name; a * stands for any ending";
         instances: Vec<At<String>> = NAMES, "Instances that move with all that is in them";
         luminaires: Vec<At<String>> = NAMES, "Luminaires that move";
         camera: Option<At<bool>> = TRUTH, "The camera moves along";
-        translate: Option<TranslateFile> = Kind::new(TranslateFile::read, TranslateFile::schema), "";
-        rotate: Option<RotateFile> = Kind::new(RotateFile::read, RotateFile::schema), "";
+        translate: Option<TranslateFile> = ValueKind::new(TranslateFile::read, TranslateFile::schema), "";
+        rotate: Option<RotateFile> = ValueKind::new(RotateFile::read, RotateFile::schema), "";
         .._rigid: Rigid;
         ..span: Span;
     }
@@ -36,7 +39,7 @@ keys! {
 keys! {
     /// `translate = { … }`.
     TranslateFile("How far it is moved") {
-        points: At<Arc<Vec<DVec3>>> = Kind::new(points, || terms::list("vector", "", 2)).example(
+        points: At<Arc<Vec<DVec3>>> = ValueKind::new(points, || terms::list("vector", "", 2)).example(
             ", how far it has moved from where it rests, at least two points, each three numbers in brackets",
         ), "How far it is from where it rests";
         times: Option<At<Vec<f64>>> = TIMES, WHEN;
@@ -49,18 +52,18 @@ keys! {
     RotateFile("How far it is turned", one_notation(); check_turns) {
         center: DVec3 = POINT, "It stays where it is";
         axis: Option<At<DVec3>> = VECTOR, "The axis through the centre";
-        angles: Option<At<Vec<f64>>> = Kind::new(numbers, || terms::list("number", "", 2)),
+        angles: Option<At<Vec<f64>>> = ValueKind::new(numbers, || terms::list("number", "", 2)),
             "How far it is turned from where it rests, degrees";
-        turns: Option<At<Vec<[f64; 4]>>> = Kind::new(turns, turns_schema), "Rotations about several axes";
+        turns: Option<At<Vec<[f64; 4]>>> = ValueKind::new(turns, turns_schema), "Rotations about several axes";
         times: Option<At<Vec<f64>>> = TIMES, WHEN;
         curve: Curve = BETWEEN, "What is between two of them";
         ..span: Span;
     }
 }
 
-const NAMES: OrEmpty<Vec<At<String>>> = Kind::new(texts, names_schema).or_empty();
+const NAMES: EmptyByDefault<Vec<At<String>>> = ValueKind::new(texts, names_schema).or_empty();
 
-const TIMES: Kind<Vec<f64>> = Kind::new(numbers, || {
+const TIMES: ValueKind<Vec<f64>> = ValueKind::new(numbers, || {
     let time = terms::with(terms::reference("number"), "description", "A time".into());
     json!({ "type": "array", "items": time })
 });
@@ -70,8 +73,8 @@ const WHEN: &str = "When, in ascending order; at equal steps unless given";
 const CURVES: [(&str, Curve); 2] = [("line", Curve::Line), ("spline", Curve::Spline)];
 
 /// The curve between the values of a path.
-const BETWEEN: Or<Curve> =
-    Kind::new(curve, || terms::words(&CURVES.map(|(name, _)| name))).or(Usual::Word("line"));
+const BETWEEN: WithDefault<Curve> =
+    ValueKind::new(curve, || terms::words(&CURVES.map(|(name, _)| name))).or(DefaultValue::Word("line"));
 
 fn names_schema() -> Value {
     let name = terms::text("A name");
@@ -93,7 +96,7 @@ fn one_notation() -> Value {
 }
 
 /// Rotations about several axes go without the keys of one axis, which has to be given otherwise.
-fn check_turns(own: &RotateFile, fields: &Fields<'_>) -> Result<(), Located> {
+fn check_turns(own: &RotateFile, fields: &GivenFields<'_>) -> Result<(), Located> {
     fields.without("turns", &["axis", "angles", "curve"])?;
     match own {
         RotateFile { turns: None, axis: None, .. } => {
@@ -110,16 +113,16 @@ fn check_turns(own: &RotateFile, fields: &Fields<'_>) -> Result<(), Located> {
 #[derive(Debug)]
 pub(crate) struct Rigid;
 
-impl Group for Rigid {
+impl KeyGroup for Rigid {
     fn has(key: &str) -> bool {
         key == "scale"
     }
 
-    fn keys() -> Vec<Key> {
+    fn keys() -> Vec<KeySchema> {
         Vec::new()
     }
 
-    fn take(fields: &Fields<'_>) -> Result<Self, Located> {
+    fn take(fields: &GivenFields<'_>) -> Result<Self, Located> {
         let Some(scale) = fields.get("scale") else { return Ok(Rigid) };
         let cure = "leave scale out; what moves keeps its size and shape";
         Err(Located::at(&scale.span, Fault::conflict("a motion keeps all sizes", cure)))

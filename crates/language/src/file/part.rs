@@ -13,19 +13,19 @@ use serde_json::{Value, json};
 use crate::{
     fields::{counted, point, points},
     file::{luminaire::LuminaireFile, surface::SurfaceFile},
-    keys::{Entries, Kind, Name, Table, keys},
+    keys::{KeyTable, ListOfTables, NameKey, ValueKind, keys},
     kinds::{TEXT, TRANSFORM},
     terms::{reference, whole},
 };
 
 /// An instance without a name is called after its part and its number in the list.
-pub(crate) const INSTANCES: Entries = Entries { kind: "instance", called_after: Some("part") };
+pub(crate) const INSTANCES: ListOfTables = ListOfTables { kind: "instance", called_after: Some("part") };
 
 keys! {
     /// `[parts.NAME]`.
     PartFile("A group of surfaces and luminaires that instances put somewhere") {
-        surfaces: Vec<SurfaceFile> = Entries::of("surface"), "Its surfaces";
-        luminaires: Vec<LuminaireFile> = Entries::of("luminaire"), "Its luminaires";
+        surfaces: Vec<SurfaceFile> = ListOfTables::of("surface"), "Its surfaces";
+        luminaires: Vec<LuminaireFile> = ListOfTables::of("luminaire"), "Its luminaires";
         instances: Vec<InstanceFile> = INSTANCES, "Instances of other parts in it";
     }
 }
@@ -49,9 +49,9 @@ keys! {
     /// `[[instances]]`.
     InstanceFile("A part put somewhere") {
         part: At<String> = TEXT.example(", the name of one of [parts.…]"), "The name of the part";
-        name: At<String> = Name, "Its name, given once in its list";
+        name: At<String> = NameKey, "Its name, given once in its list";
         transform: Option<Motion> = TRANSFORM, "";
-        array: Option<ArrayFile> = Kind::new(rows, || reference("array")), "";
+        array: Option<ArrayFile> = ValueKind::new(rows, || reference("array")), "";
     }
 }
 
@@ -75,9 +75,9 @@ keys! {
     /// A row, `count = 5, step = [1, 0, 0]`, or up to three of them,
     /// `count = [3, 2], step = [[1, 0, 0], [0, 1, 0]]`.
     RowsFile("Copies in rows") {
-        count: Node = Kind::new(|node| Ok(node.clone()), count_schema).example(", a number, or up to three in brackets"),
+        count: Node = ValueKind::new(|node| Ok(node.clone()), count_schema).example(", a number, or up to three in brackets"),
             "Copies along each step";
-        step: Node = Kind::new(|node| Ok(node.clone()), step_schema).example(", a vector, or one for each number of count"),
+        step: Node = ValueKind::new(|node| Ok(node.clone()), step_schema).example(", a vector, or one for each number of count"),
             "From one copy to the next";
     }
 }

@@ -14,7 +14,7 @@ use crate::{
     fields::{exactly, list, number, real, whole, word},
     file::per_band::{AMOUNTS, PerBand, per_band},
     include::IMAGE,
-    keys::{Fields, Kind, Table, Usual, keys},
+    keys::{DefaultValue, GivenFields, KeyTable, ValueKind, keys},
     kinds::TEXT,
     terms,
 };
@@ -30,20 +30,20 @@ keys! {
     /// A table in place of numbers.
     PatternFile("What varies over a surface", terms::required("oneOf", &KINDS); check) {
         image: Option<At<String>> = TEXT, "Path of a picture, PNG or OpenEXR, from the folder of this file";
-        cells: Option<EachBand<Vec<Vec<At<f64>>>>> = Kind::new(|node| each_band(node, cells), cells_schema),
+        cells: Option<EachBand<Vec<Vec<At<f64>>>>> = ValueKind::new(|node| each_band(node, cells), cells_schema),
             "Rows of numbers from the top, v = 1, for all bands or for each";
-        polynomial: Option<EachBand<Vec<Term>>> = Kind::new(|node| each_band(node, terms), polynomial_schema),
+        polynomial: Option<EachBand<Vec<Term>>> = ValueKind::new(|node| each_band(node, terms), polynomial_schema),
             "Terms [i, j, c] of the sum of c u^i v^j, for all bands or for each";
-        scale: [f64; 2] = Kind::new(scale, scale_schema).or(Usual::Number(1.0)), "How often it fits along u and v";
-        offset: [f64; 2] = Kind::new(
+        scale: [f64; 2] = ValueKind::new(scale, scale_schema).or(DefaultValue::Number(1.0)), "How often it fits along u and v";
+        offset: [f64; 2] = ValueKind::new(
             |node| exactly(node, "the offset", "numbers, along u and along v", real),
             || terms::exactly(2, "number", ""),
-        ).or(Usual::Numbers(&[0.0; 2])), "How much of it is passed at u = −1, v = −1";
-        wrap: Wrap = Kind::new(wrap, || terms::words(&WRAPS.map(|(name, _)| name))).or(Usual::Word("repeat")),
+        ).or(DefaultValue::Numbers(&[0.0; 2])), "How much of it is passed at u = −1, v = −1";
+        wrap: Wrap = ValueKind::new(wrap, || terms::words(&WRAPS.map(|(name, _)| name))).or(DefaultValue::Word("repeat")),
             "What is beyond its border";
-        encoding: Option<Coding> = Kind::new(encoding, || terms::words(&ENCODINGS.map(|(name, _)| name))),
+        encoding: Option<Coding> = ValueKind::new(encoding, || terms::words(&ENCODINGS.map(|(name, _)| name))),
             "How the numbers of a picture stand for light";
-        factor: PerBand = AMOUNTS.or(Usual::Number(1.0)), "Times its numbers";
+        factor: PerBand = AMOUNTS.or(DefaultValue::Number(1.0)), "Times its numbers";
         ..span: Span;
     }
 }
@@ -98,7 +98,7 @@ impl PatternFile {
 }
 
 /// Patterns are of one kind, without the keys that say nothing of it.
-fn check(own: &PatternFile, fields: &Fields<'_>) -> Result<(), Located> {
+fn check(own: &PatternFile, fields: &GivenFields<'_>) -> Result<(), Located> {
     fields.at_most_one(&KINDS)?;
     own.kind()?;
     fields.without("cells", &["encoding"])?;

@@ -6,7 +6,7 @@ use radiosity_scene::{
     tree::Node,
 };
 
-use crate::{fields::number, keys::Kind, terms};
+use crate::{fields::number, keys::ValueKind, terms};
 
 /// One number for all bands, or a list with one per band.
 #[derive(Debug)]
@@ -16,7 +16,8 @@ pub(crate) enum PerBand {
 }
 
 /// Numbers from 0 on.
-pub(crate) const AMOUNTS: Kind<PerBand> = Kind::new(per_band, || terms::per_band(terms::at_least_zero(), ""));
+pub(crate) const AMOUNTS: ValueKind<PerBand> =
+    ValueKind::new(per_band, || terms::per_band(terms::at_least_zero(), ""));
 
 impl PerBand {
     /// Span of the number or of the list.

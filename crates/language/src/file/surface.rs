@@ -14,7 +14,7 @@ use crate::{
         sky::GlassFile,
         thermal::ConditionFile,
     },
-    keys::{Kind, Name, Table, keys},
+    keys::{KeyTable, NameKey, ValueKind, keys},
     kinds::{FLAG, TEXT, TRANSFORM, TRUTH},
     shape::{ShapeFile, one_shape},
     terms,
@@ -23,16 +23,16 @@ use crate::{
 keys! {
     /// `[[surfaces]]`.
     SurfaceFile("A surface, with exactly one shape", one_shape()) {
-        name: At<String> = Name, "Its name, given once in the scene";
+        name: At<String> = NameKey, "Its name, given once in the scene";
         material: Option<At<String>> = TEXT, "The name of its material";
         back_material: Option<At<String>> = TEXT, "The name of the material of its back, where it is two-sided";
         group: Option<At<String>> = TEXT, "Its light group";
         flux: Option<PerBand> = AMOUNTS, "Flux that it emits, W or lm, instead of its material's emission";
         opening: Option<At<bool>> = TRUTH, "It sends the light of the sky behind it";
-        glass: Option<At<GlassFile>> = Kind::new(GlassFile::read, GlassFile::schema), "";
-        order: Option<usize> = Kind::new(|node| counted(node, check_order), || terms::whole(0, MAX_ORDER, "")),
+        glass: Option<At<GlassFile>> = ValueKind::new(GlassFile::read, GlassFile::schema), "";
+        order: Option<usize> = ValueKind::new(|node| counted(node, check_order), || terms::whole(0, MAX_ORDER, "")),
             "Degree of the polynomials";
-        subdivide: Option<[usize; 2]> = Kind::new(
+        subdivide: Option<[usize; 2]> = ValueKind::new(
             |node| exactly(node, "subdivide", "numbers", |node| counted(node, check_parts)),
             || terms::with(terms::exactly(2, "number", ""), "items", terms::whole(1, MAX_PARTS, "Elements")),
         ), "Elements along u and v";

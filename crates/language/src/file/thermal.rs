@@ -9,29 +9,31 @@ use serde_json::json;
 
 use crate::{
     fields::{checked, real},
-    keys::{Fields, Kind, keys},
+    keys::{GivenFields, ValueKind, keys},
     kinds::TRUTH,
 };
 
 /// The emissivity of a material.
-pub(crate) const EMISSIVITY: Kind<f64> =
-    Kind::number(|node| checked(node, check_emissivity), || json!({ "exclusiveMinimum": 0, "maximum": 1 }));
+pub(crate) const EMISSIVITY: ValueKind<f64> = ValueKind::number(
+    |node| checked(node, check_emissivity),
+    || json!({ "exclusiveMinimum": 0, "maximum": 1 }),
+);
 
 keys! {
     /// The temperature or the flux of a surface, or of a material's surfaces: one of them, or none.
     ConditionFile("What is known of its heat"; check) {
         temperature: Option<f64> =
-            Kind::number(|node| checked(node, check_temperature), || json!({ "minimum": 0, "maximum": 1e6 })),
+            ValueKind::number(|node| checked(node, check_temperature), || json!({ "minimum": 0, "maximum": 1e6 })),
             "Temperature, K";
         heat_flux: Option<f64> =
-            Kind::number(real, || json!({ "minimum": -1e30, "maximum": 1e30 })),
+            ValueKind::number(real, || json!({ "minimum": -1e30, "maximum": 1e30 })),
             "Heat that it is given and sends out as radiation, W/m²";
         adiabatic: Option<bool> = TRUTH, "It sends out as much as it receives";
     }
 }
 
 /// `adiabatic = false` says nothing.
-fn check(own: &ConditionFile, fields: &Fields<'_>) -> Result<(), Located> {
+fn check(own: &ConditionFile, fields: &GivenFields<'_>) -> Result<(), Located> {
     let adiabatic: &[&'static str] = if own.adiabatic == Some(true) { &["adiabatic"] } else { &[] };
     fields.at_most_one(&[&["temperature", "heat_flux"], adiabatic].concat())
 }

@@ -12,7 +12,7 @@ use radiosity_geom::{
 
 use crate::{
     fields::{corners, list, points},
-    keys::{Kind, OrEmpty, keys},
+    keys::{EmptyByDefault, ValueKind, keys},
     kinds::{POINT, VECTOR},
     shape::form::{Built, Form, Modelled, one},
     terms,
@@ -23,7 +23,7 @@ type Outline = Arc<Vec<DVec3>>;
 
 const OUTLINE: &str = "Corners in order around the outline";
 
-const HOLES: OrEmpty<Vec<Outline>> = Kind::new(
+const HOLES: EmptyByDefault<Vec<Outline>> = ValueKind::new(
     |node| list(node)?.iter().map(points).collect(),
     || terms::list("outline", "Outlines of holes, in the plane and inside the outline", 0),
 )
@@ -43,7 +43,7 @@ keys! {
 keys! {
     QuadFile("Four corners, in a plane or not") {
         vertices: [DVec3; 4] =
-            Kind::new(|node| corners(node, "a quad", "vertices"), || terms::exactly(4, "point", OUTLINE))
+            ValueKind::new(|node| corners(node, "a quad", "vertices"), || terms::exactly(4, "point", OUTLINE))
                 .example(VERTICES), "";
         holes: Vec<Outline> = HOLES, "";
     }
@@ -52,14 +52,14 @@ keys! {
 keys! {
     TriangleFile("Three corners") {
         vertices: [DVec3; 3] =
-            Kind::new(|node| corners(node, "a triangle", "vertices"), || terms::exactly(3, "point", OUTLINE))
+            ValueKind::new(|node| corners(node, "a triangle", "vertices"), || terms::exactly(3, "point", OUTLINE))
                 .example(VERTICES), "";
     }
 }
 
 keys! {
     PolygonFile("A flat polygon") {
-        vertices: Outline = Kind::new(points, || terms::reference("outline")).example(VERTICES),
+        vertices: Outline = ValueKind::new(points, || terms::reference("outline")).example(VERTICES),
             "Corners in order around the outline, counter-clockwise seen from the front";
         holes: Vec<Outline> = HOLES, "";
     }

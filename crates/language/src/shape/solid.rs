@@ -7,7 +7,7 @@ use serde_json::{Value as Json, json};
 
 use crate::{
     fields::{exactly, list, point, text},
-    keys::{Fields, Kind, keys},
+    keys::{GivenFields, ValueKind, keys},
     kinds::{FLAG, POINT},
     shape::form::{Built, Form, Modelled},
     terms,
@@ -33,12 +33,12 @@ const FACES: [Face; 6] = [
 keys! {
     BoxFile("A cuboid along the axes, six surfaces", one_extent(); check) {
         origin: Option<DVec3> = POINT, "The corner of the lowest coordinates";
-        size: Option<DVec3> = Kind::new(point, size_schema), "Lengths along x, y and z";
+        size: Option<DVec3> = ValueKind::new(point, size_schema), "Lengths along x, y and z";
         corners: Option<[DVec3; 2]> =
-            Kind::new(|node| exactly(node, "corners", "points", point), || terms::exactly(2, "point", "")),
+            ValueKind::new(|node| exactly(node, "corners", "points", point), || terms::exactly(2, "point", "")),
             "Two opposite corners, instead of origin and size";
         inward: bool = FLAG, "Fronts inside, as in a room";
-        open: Vec<Face> = Kind::new(|node| list(node)?.iter().map(face).collect(), open_schema).or_empty(),
+        open: Vec<Face> = ValueKind::new(|node| list(node)?.iter().map(face).collect(), open_schema).or_empty(),
             "Faces that are left out";
     }
 }
@@ -60,7 +60,7 @@ fn one_extent() -> Json {
 }
 
 /// A box has a face, and `corners` or else `origin` and `size`.
-fn check(own: &BoxFile, fields: &Fields<'_>) -> Result<(), Located> {
+fn check(own: &BoxFile, fields: &GivenFields<'_>) -> Result<(), Located> {
     if let (None, Some(node)) = (own.faces().next(), fields.get("open")) {
         let fault = Fault::wrong_count("a box", "at least one face that is not open", 0);
         return Err(Located::at(&node.span, fault));

@@ -12,7 +12,7 @@ use radiosity_scene::{Fault, FaultKind, error::Located, place::At, tree::Node};
 
 use crate::{
     fields::{exactly, list, point, points, real, whole},
-    keys::{Fields, Kind, keys},
+    keys::{GivenFields, ValueKind, keys},
     kinds::VECTOR,
     shape::form::{Built, Form, one},
     terms,
@@ -21,13 +21,15 @@ use crate::{
 /// Control points or their weights, `net[i][j]` with i along u and j along v.
 type Net<T> = [[T; 4]; 4];
 
-const NET: Kind<Net<DVec3>> = Kind::new(net_of_points, || terms::exactly(4, "row", ""))
+const NET: ValueKind<Net<DVec3>> = ValueKind::new(net_of_points, || terms::exactly(4, "row", ""))
     .example(", four rows of four points, each three numbers in brackets");
 
 /// The control points of a cubic curve.
-pub(super) const CURVE: Kind<[DVec3; 4]> =
-    Kind::new(|node| exactly(node, "a curve", "control points", point), || terms::exactly(4, "point", ""))
-        .example(", four control points, each three numbers in brackets");
+pub(super) const CURVE: ValueKind<[DVec3; 4]> = ValueKind::new(
+    |node| exactly(node, "a curve", "control points", point),
+    || terms::exactly(4, "point", ""),
+)
+.example(", four control points, each three numbers in brackets");
 
 keys! {
     BezierFile("A bicubic Bézier patch") {
@@ -37,11 +39,11 @@ keys! {
 
 keys! {
     PatchesFile("Bicubic Bézier patches, each a surface"; check_patches) {
-        points: Arc<Vec<DVec3>> = Kind::new(points, || terms::list("point", "", 0))
+        points: Arc<Vec<DVec3>> = ValueKind::new(points, || terms::list("point", "", 0))
             .example(", a list of points, each three numbers in brackets"),
             "Control points, shared by the patches";
         patches: At<Vec<[At<u32>; 16]>> =
-            Kind::new(patches, || terms::list("patch", "", 1))
+            ValueKind::new(patches, || terms::list("patch", "", 1))
                 .example(", a list of patches, each 16 indices of points, counted from 0"),
             "The patches, each of 16 points";
     }
@@ -50,7 +52,7 @@ keys! {
 keys! {
     RationalFile("A rational bicubic Bézier patch") {
         points: Net<DVec3> = NET, "Four rows of four control points";
-        weights: Net<f64> = Kind::new(weights, || terms::exactly(4, "weights", ""))
+        weights: Net<f64> = ValueKind::new(weights, || terms::exactly(4, "weights", ""))
             .example(", four rows of four numbers above 0"),
             "Four rows of four weights";
     }
@@ -76,7 +78,7 @@ fn patches(node: &Node) -> Result<Vec<[At<u32>; 16]>, Located> {
 }
 
 /// There is a patch, and all points are there.
-fn check_patches(PatchesFile { points, patches }: &PatchesFile, _: &Fields<'_>) -> Result<(), Located> {
+fn check_patches(PatchesFile { points, patches }: &PatchesFile, _: &GivenFields<'_>) -> Result<(), Located> {
     if patches.value.is_empty() {
         let fault = Fault::wrong_count("the list of patches", "at least one patch", 0);
         return Err(Located::at(&patches.span, fault));

@@ -13,7 +13,7 @@ use serde_json::json;
 
 use crate::{
     fields::{Reader, angles, exactly, real},
-    keys::{Kind, Or, Usual, keys},
+    keys::{DefaultValue, ValueKind, WithDefault, keys},
     kinds::{POINT, POSITIVE, VECTOR},
     shape::{
         form::{Built, Form, Modelled, moved},
@@ -29,22 +29,23 @@ const AXIS: &str = "Direction and, where it has one, height of the axis";
 const TURN: &str = "From and to about the axis, degrees, at most once round";
 
 /// A range of angles in radians; all the way round if it is not given.
-const ANGLE: Or<[f64; 2]> = turn(|node| angles(node, "angle"));
-const TUBE_ANGLE: Or<[f64; 2]> = turn(|node| angles(node, "tube_angle"));
+const ANGLE: WithDefault<[f64; 2]> = turn(|node| angles(node, "angle"));
+const TUBE_ANGLE: WithDefault<[f64; 2]> = turn(|node| angles(node, "tube_angle"));
 
-const fn turn(read: Reader<[f64; 2]>) -> Or<[f64; 2]> {
-    Kind::new(read, || terms::exactly(2, "number", "")).or(Usual::Numbers(&[0.0, 360.0]))
+const fn turn(read: Reader<[f64; 2]>) -> WithDefault<[f64; 2]> {
+    ValueKind::new(read, || terms::exactly(2, "number", "")).or(DefaultValue::Numbers(&[0.0, 360.0]))
 }
 
 /// A radius that may be 0.
-const RADIUS_OR_NONE: Kind<f64> = Kind::number(real, || json!({ "minimum": 0 })).example(", a length");
+const RADIUS_OR_NONE: ValueKind<f64> =
+    ValueKind::number(real, || json!({ "minimum": 0 })).example(", a length");
 
 keys! {
     DiskFile("A disk, a ring or a sector") {
         center: DVec3 = POINT, MIDDLE;
         normal: DVec3 = VECTOR, "Direction of the front";
         radius: f64 = POSITIVE, "Radius";
-        inner_radius: f64 = RADIUS_OR_NONE.or(Usual::Number(0.0)), "Radius of a round hole in the middle";
+        inner_radius: f64 = RADIUS_OR_NONE.or(DefaultValue::Number(0.0)), "Radius of a round hole in the middle";
         angle: [f64; 2] = ANGLE, TURN;
     }
 }
@@ -72,8 +73,8 @@ keys! {
     SphereFile("A sphere or a zone of it, its front outside") {
         center: DVec3 = POINT, MIDDLE;
         radius: f64 = POSITIVE, "Radius";
-        axis: DVec3 = VECTOR.or(Usual::Numbers(&[0.0, 0.0, 1.0])), AXIS;
-        z: Option<[f64; 2]> = Kind::new(
+        axis: DVec3 = VECTOR.or(DefaultValue::Numbers(&[0.0, 0.0, 1.0])), AXIS;
+        z: Option<[f64; 2]> = ValueKind::new(
             |node| exactly(node, "z", "heights, lowest first", real),
             || terms::exactly(2, "number", ""),
         ), "Lowest and highest height along the axis, from the middle";

@@ -12,7 +12,7 @@ use std::sync::OnceLock;
 
 use radiosity_elements::patch::{Direction, Node, Patch};
 use radiosity_elements::rule::UnitRule;
-use radiosity_geom::{COINCIDENT, DVec3, Plane};
+use radiosity_geom::{COINCIDENT, DVec3, Plane, Rect};
 use radiosity_scene::Radiance;
 use radiosity_visibility::shadow_volume::Quad;
 use smallvec::SmallVec;
@@ -211,6 +211,11 @@ impl Cell {
             corners.pop();
         }
         corners
+    }
+
+    /// The parameters of its surface that it covers, if it is curved.
+    pub(crate) fn parameters(&self) -> Rect {
+        self.patch.parameters()
     }
 
     /// Whether the cell lies in a plane.

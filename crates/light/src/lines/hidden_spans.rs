@@ -7,7 +7,7 @@
 
 use std::borrow::Cow;
 
-use radiosity_geom::{Aabb, COINCIDENT, DVec3};
+use radiosity_geom::{Aabb, COINCIDENT, DVec3, Rect};
 use radiosity_visibility::shadow_volume::ShadowVolume;
 use radiosity_visibility::silhouette_mesh::{Ground, Quad, Region, SilhouetteMesh};
 use smallvec::{SmallVec, smallvec};
@@ -141,27 +141,28 @@ impl<'a> HiddenSpans<'a> {
     }
 
     /// Adds a curved blocker; `ground` is the unit normal under the eye if the eye lies on it, `is_turned` if
-    /// it lies on the other side than that of the mesh. `is_own`: the plane stands for a piece of the blocker
-    /// itself, and only quads well before it count.
+    /// it lies on the other side than that of the mesh. `own`: parameters of the piece of the blocker itself that
+    /// the plane stands for. Quads over them do not count: the plane may lie behind their chords, but behind
+    /// those of other quads only where it is behind the surface too.
     pub(crate) fn add_curved(
         &mut self,
         mesh: &'a SilhouetteMesh,
         ground: Option<DVec3>,
         is_turned: bool,
-        is_own: bool,
+        own: Option<&Rect>,
     ) {
-        let far = if is_own { 1.0 - self.plane.width() } else { f64::INFINITY };
         let side = if is_turned { -1.0 } else { 1.0 };
         let ground =
             ground.map(|normal| Ground { normal: side * normal, least: self.plane.rise(normal) / STEEPER });
         let ahead = Ahead { plane: &self.plane, ground };
         let (quads, heights) = (&mut self.quads, &mut self.heights);
         mesh.visit(&ahead, &mut |quad| {
-            let seen = quad.knots.map(|knot| self.plane.see(knot.position));
-            if seen.iter().all(|p| p.z <= far) {
-                heights.push(height(&seen));
-                quads.push(Facet { mesh, quad, seen });
+            if own.is_some_and(|parameters| quad.overlaps(parameters)) {
+                return;
             }
+            let seen = quad.knots.map(|knot| self.plane.see(knot.position));
+            heights.push(height(&seen));
+            quads.push(Facet { mesh, quad, seen });
         });
     }
 

@@ -108,13 +108,6 @@ impl ProjectionPlane {
             && self.sides.iter().all(|side| top(side.inward) > side.lowest)
     }
 
-    /// Largest distance of a corner of the polygon from the first one, over the first one's distance from the
-    /// eye.
-    pub(crate) fn width(&self) -> f64 {
-        let far = self.outline.iter().map(|[s, t]| s * self.along + t * self.across);
-        far.map(|y| y.length()).fold(0.0, f64::max) / self.origin.distance(self.eye)
-    }
-
     /// Least sine of the elevation of a corner above the plane through the eye with the unit normal `normal`.
     pub(crate) fn rise(&self, normal: DVec3) -> f64 {
         let corner = |[s, t]: &[f64; 2]| (self.at(*s, *t) - self.eye).normalize_or_zero().dot(normal);

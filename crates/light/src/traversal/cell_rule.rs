@@ -20,7 +20,7 @@ use radiosity_elements::patch::Node;
 use radiosity_geom::{DVec3, Plane};
 use radiosity_kernel::kernel;
 
-use crate::blockers::BlockerRange;
+use crate::blockers::{BlockerRange, CurvedPiece};
 use crate::cells::cell::{Cell, POINTS};
 use crate::lines::line_quadrature::LineQuadrature;
 use crate::receiver_point::ReceiverPoint;
@@ -228,9 +228,8 @@ impl Traversal<'_> {
         if stake <= pass.tolerance {
             return Estimate { weights: self.visible(pass, cell, weights, before), error: form };
         }
-        let Some(spans) =
-            self.shadows.hidden_spans(before, &cell.outline(), &cell.hull, Some(pass.tree.surface))
-        else {
+        let piece = CurvedPiece { surface: pass.tree.surface, parameters: cell.parameters() };
+        let Some(spans) = self.shadows.hidden_spans(before, &cell.outline(), &cell.hull, Some(piece)) else {
             return Estimate { weights: self.visible(pass, cell, weights, before), error: form };
         };
         if spans.is_empty() {

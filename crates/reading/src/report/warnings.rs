@@ -202,42 +202,57 @@ fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Wa
         // What exact pairs miss is a part of it.
         return rays(sampling.error).into_iter().collect();
     }
-    let mut warnings: Vec<Warning> = outcome
-        .worst_error
-        .filter(WorstError::is_real)
-        .map(|worst| inaccurate(scene, outcome, &worst))
-        .into_iter()
-        .collect();
-    let mut warn = |code: &str, message: Wording| warnings.push(Warning::general(code, message));
-    if outcome.pairs.unresolved > 0 {
-        warn(
-            "near-floor",
-            words(format!(
-                "{} pairs come so near each other, or touch in such a way, that splitting stopped: their blocks may \
-                 miss the accuracy asked; subdivide the surfaces there",
-                outcome.pairs.unresolved
-            )),
-        );
-    }
-    // The rules of 1993 have no accuracy.
-    let cure = |usual| if options.kernel.is_some() { words("choose the default kernel") } else { usual };
+    let worst = outcome.worst_error.filter(WorstError::is_real);
+    let warnings = [
+        worst.map(|worst| inaccurate(scene, outcome, &worst)),
+        unresolved(outcome),
+        row_sum(options, outcome),
+        spectral_bound(options, outcome),
+    ];
+    warnings.into_iter().flatten().collect()
+}
+
+/// A warning about pairs that were not split to the end.
+fn unresolved(outcome: &Outcome) -> Option<Warning> {
+    let message = || {
+        format!(
+            "{} pairs come so near each other, or touch in such a way, that splitting stopped: their blocks may \
+             miss the accuracy asked; subdivide the surfaces there",
+            outcome.pairs.unresolved
+        )
+    };
+    (outcome.pairs.unresolved > 0).then(|| Warning::general("near-floor", words(message())))
+}
+
+/// A warning about transfers that carry more light than is sent.
+fn row_sum(options: &Options, outcome: &Outcome) -> Option<Warning> {
     let excess = outcome.checks.row_sum_max - 1.0;
-    if excess > 10.0 * options.eps.max(if outcome.rays > 0 { options.shadow_eps } else { 0.0 }) {
-        let message = format!(
+    let message = || {
+        words(format!(
             "an element sends {:.2} % more than it has: its transfers miss the accuracy asked; ",
             100.0 * excess
-        );
-        let usual = words("lower ") + option("eps") + ", or subdivide surfaces that meet at small angles";
-        warn("row-sum", words(message) + cure(usual));
-    }
-    if outcome.checks.spectral_bound >= 1.0 {
-        let message = format!(
-            "the spectral radius is about {:.6}: quadrature is too coarse for so little loss; ",
-            outcome.checks.spectral_bound
-        );
-        warn("spectral-bound", words(message) + cure(words("lower ") + option("eps")));
-    }
-    warnings
+        ))
+    };
+    let usual = || words("lower ") + option("eps") + ", or subdivide surfaces that meet at small angles";
+    let allowed = 10.0 * options.eps.max(if outcome.rays > 0 { options.shadow_eps } else { 0.0 });
+    (excess > allowed).then(|| Warning::general("row-sum", message() + cure(options, usual())))
+}
+
+/// A warning about transfers whose light grows with each reflection.
+fn spectral_bound(options: &Options, outcome: &Outcome) -> Option<Warning> {
+    let bound = outcome.checks.spectral_bound;
+    let message = || {
+        words(format!(
+            "the spectral radius is about {bound:.6}: quadrature is too coarse for so little loss; "
+        ))
+    };
+    let usual = || words("lower ") + option("eps");
+    (bound >= 1.0).then(|| Warning::general("spectral-bound", message() + cure(options, usual())))
+}
+
+/// The cure of transfers that are not accurate enough. The rules of 1993 have no accuracy.
+fn cure(options: &Options, usual: Wording) -> Wording {
+    if options.kernel.is_some() { words("choose the default kernel") } else { usual }
 }
 
 /// A warning about transfers that miss what was asked.

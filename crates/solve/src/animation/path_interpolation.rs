@@ -26,7 +26,6 @@ use std::sync::Arc;
 use radiosity_core::dot;
 use radiosity_elements::{Element, Elements};
 use radiosity_scene::{Animation, Scene};
-use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 
 use crate::solution::Solution;
@@ -163,7 +162,7 @@ impl<'a> PathInterpolation<'a> {
 
     /// The frame of a scene with its light, the error of interpolation and the one that rays left.
     fn lit(&self, scene: Scene, solution: Solution, interpolated: Option<f64>, rays: f64) -> Frame {
-        let visibility = Visibility::new(&scene, self.sequence.options().into());
+        let visibility = self.sequence.options().visibility(&scene);
         Frame { scene, visibility, solution, interpolated, rays }
     }
 
@@ -190,23 +189,18 @@ impl<'a> PathInterpolation<'a> {
         [first, last]: [usize; 2],
         work: &Work<'_>,
     ) -> Result<Option<Segment>, AnimationError> {
-        let ends = [first as f64, last as f64];
-        let frames = last - first + 1;
+        let (ends, frames) = ([first as f64, last as f64], last - first + 1);
         let before = self.report().moments;
         for intervals in LEVELS {
             if 2 * intervals >= frames || self.patience == 0 {
                 return Ok(Some(Segment::by_frames(ends)));
             }
-            let point =
-                |k: usize| 0.5 * (ends[0] + ends[1] + (ends[1] - ends[0]) * chebyshev::point(k, intervals));
-            let nodes = (0..=intervals).map(|k| self.node(point(k), work));
+            let points: Vec<f64> = (0..=intervals).map(|k| point(ends, k, intervals)).collect();
+            let nodes = points.iter().map(|point| self.node(*point, work)).collect();
             // Between frames things may be where they cannot be.
-            let nodes: Vec<Arc<Node>> = match nodes.collect() {
-                Ok(nodes) => nodes,
-                Err(AnimationError::Scene(_)) => {
-                    return Ok(Some(Segment::by_frames(ends)));
-                }
-                Err(error) => return Err(error),
+            let nodes: Vec<Arc<Node>> = match nodes {
+                Err(AnimationError::Scene(_)) => return Ok(Some(Segment::by_frames(ends))),
+                nodes => nodes?,
             };
             if !are_alike(&nodes) {
                 break;
@@ -217,7 +211,6 @@ impl<'a> PathInterpolation<'a> {
             let segment = Segment { ends, nodes, error: Some(error) };
             let tolerance = self.tolerance.max(OF_NOISE * segment.noise());
             if error <= tolerance {
-                let points: Vec<f64> = (0..=intervals).map(point).collect();
                 let checked = self.checked(segment, farthest([first, last], &points), work)?;
                 if checked.error.is_some_and(|error| error <= tolerance) {
                     return Ok(Some(checked));
@@ -258,6 +251,11 @@ impl<'a> PathInterpolation<'a> {
         self.nodes.insert(moment.to_bits(), Arc::clone(&node));
         Ok(node)
     }
+}
+
+/// The Chebyshev point of a number between the ends of a segment.
+fn point([first, last]: [f64; 2], number: usize, intervals: usize) -> f64 {
+    0.5 * (first + last + (last - first) * chebyshev::point(number, intervals))
 }
 
 impl Segment {

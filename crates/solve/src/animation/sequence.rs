@@ -139,7 +139,7 @@ impl<'a> Sequence<'a> {
             || RayCounts { traced: outcome.sampling.map_or(0, |sampling| sampling.rays), recalled: 0 };
         let rays = self.kept.blocks.as_ref().map_or_else(traced, KeptBlocks::ray_counts);
         self.spent += self.share(&rays);
-        self.error = series_error(&model.blocks().account.remainders, &outcome.solution);
+        self.error = series_error(&model.blocks().statistics.remainders, &outcome.solution);
         self.report.take(&still, &outcome, rays);
         let frame = Frame::of(still, model.into_visibility(), outcome);
         Ok(Frame { interpolated: self.error, ..frame })

@@ -14,7 +14,7 @@ use radiosity_elements::cut_sizes;
 use radiosity_elements::{Discretization, Subdivide};
 use radiosity_scene::Scene;
 use radiosity_transport::price::{ElementPair, LEAST, price};
-use radiosity_visibility::{Hiding, Visibility};
+use radiosity_visibility::{Shadows, Visibility};
 
 use super::options::Options;
 use super::outline::Outline;
@@ -48,7 +48,7 @@ impl TransportChoice {
             _ if !options.basis.is_polynomial() => {
                 exact("the functions of this basis are held by polynomials that rays would not tell apart")
             }
-            _ if options.shadows == Hiding::Off => exact("rays always meet what stands in their way"),
+            _ if options.shadows == Shadows::Off => exact("rays always meet what stands in their way"),
             Transport::Exact => exact("asked for"),
             Transport::Sampled => sampled("asked for"),
             Transport::Auto if options.rays.is_some() => sampled("a number of rays is given"),

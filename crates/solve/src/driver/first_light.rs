@@ -10,7 +10,7 @@ use radiosity_light::first_bounce::{Bounce, CoatedBounce, DirectLightEntry, lit_
 use radiosity_published::bases::Subspace;
 use radiosity_published::zatz1993::masked_light::{MaskedLight, Setting};
 use radiosity_scene::Scene;
-use radiosity_visibility::{Shadows, Visibility};
+use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
 
 use super::emission::Emission;
@@ -161,14 +161,8 @@ pub fn masked_light(
     ranks: &Ranks,
 ) -> Option<MaskedLight> {
     let how = options.masks?;
-    let open = Visibility::new(scene, Shadows::Off);
-    let setting = Setting {
-        elements,
-        coatings,
-        visibility,
-        open: &open,
-        accuracy: options.accuracy(),
-        rules: options.kernel,
-    };
+    let open = Visibility::open(scene);
+    let (accuracy, rules) = (options.accuracy(), options.kernel);
+    let setting = Setting { elements, coatings, visibility, open: &open, accuracy, rules };
     Some(MaskedLight::new(&setting, how, ranks))
 }

@@ -9,11 +9,10 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use radiosity_elements::Elements;
 use radiosity_elements::mesh::Mesh;
-use radiosity_elements::{Discretization, Elements};
-use radiosity_kernel::{Account, Blocks};
+use radiosity_kernel::Blocks;
 use radiosity_published::bases::Subspace;
-use radiosity_published::bases::basis::Ground;
 use radiosity_scene::{Scene, SceneSurface};
 use radiosity_transport::KeptBlocks;
 use radiosity_visibility::Visibility;
@@ -26,16 +25,17 @@ use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
 
-use super::assembly::{Layout, carried, ground};
+use super::assembly::carried;
 use super::band_systems::{BandSystems, SolvedLight};
+use super::decisions::{AssemblyPlan, Decisions, Layout};
 use super::direct::Direct;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::{EnteringLight, FirstLight, LitScene};
-use super::memory_need::{MemoryNeed, peak_of_mesh, require_memory_of_mesh};
 use super::options::Options;
 use super::outcome::{Outcome, Stages, timed};
 use super::sampling::{Sampling, Subject};
+use super::solve_band::SolveCost;
 use super::transport_choice::TransportChoice;
 
 /// The elements of a scene and the blocks between them.
@@ -95,24 +95,12 @@ impl Model {
         kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        let plan = AssemblyPlan {
-            choice: Some(layout.choice.clone()),
-            how: Some(layout.how),
-            mesh: Some(&layout.mesh),
-        };
-        options.in_threads(work.ranks, || Self::assembled(scene, options, plan, kept, work))?
+        options.in_threads(work.ranks, || Self::assembled(scene, options, layout.plan(), kept, work))?
     }
 
     /// Bytes that the model of `scene` and its solution take at the most on each of these ranks, estimated.
     pub fn peak_memory(scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
-        let visibility = Visibility::new(scene, options.into());
-        let choice = TransportChoice::of(scene, options, || &visibility);
-        let rays = choice.sampled.then(|| options.ray_budget(scene));
-        let Ground { how, mesh } = ground(scene, &visibility, options, rays);
-        match mesh {
-            Some(mesh) => peak_of_mesh(scene, &how, &mesh, options, ranks),
-            None => (MemoryNeed { scene, how, options, rays, is_kept: false, ranks }).peak(),
-        }
+        AssemblyPlan::default().decided(scene, options).peak_memory(scene, options, ranks)
     }
 
     /// A model by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
@@ -131,49 +119,28 @@ impl Model {
     fn assembled(
         scene: &Scene,
         options: &Options,
-        AssemblyPlan { choice, how, mesh }: AssemblyPlan<'_>,
+        plan: AssemblyPlan<'_>,
         mut kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
+        let ranks = work.ranks;
         let mut seconds = Stages::default();
-        let is_known = how.is_some();
-        let (visibility, choice, rays, Ground { how, mesh: own }) = timed(&mut seconds.visibility, || {
-            let visibility = Visibility::new(scene, options.into());
-            let choice = choice.unwrap_or_else(|| TransportChoice::of(scene, options, || &visibility));
-            let rays = choice.sampled.then(|| options.ray_budget(scene));
-            let known = how.map(|how| Ground { how, mesh: None });
-            let ground = known.unwrap_or_else(|| ground(scene, &visibility, options, rays));
-            (visibility, choice, rays, ground)
-        });
+        let decisions = timed(&mut seconds.visibility, || plan.decided(scene, options));
         // The choice may depend on time or memory, which no fingerprint holds.
-        work.ranks.note_choice(&(options.neutral(), choice.sampled));
-        let is_refined = (mesh.is_some() && !is_known) || own.is_some();
-        let mesh = mesh.or(own.as_ref());
+        ranks.note_choice(&(options.neutral(), decisions.choice.sampled));
         work.report(Progress::Finished { stage: Stage::Visibility, took: seconds.visibility });
-        match mesh {
-            Some(mesh) if is_refined => require_memory_of_mesh(scene, &how, mesh, options, work.ranks)?,
-            _ => {
-                let is_kept = kept.is_some();
-                (MemoryNeed { scene, how, options, rays, is_kept, ranks: work.ranks }).require()?;
-            }
-        }
+        decisions.require_memory(scene, options, kept.is_some(), ranks)?;
         let before = kept.as_ref().and_then(|kept| kept.elements());
-        let elements = timed(&mut seconds.elements, || match before {
-            Some(before) => before.moved(scene),
-            None => match mesh {
-                Some(mesh) => Elements::of_mesh(scene, &how, mesh.clone()),
-                None => Elements::new(scene, &how),
-            },
-        })?;
+        let elements = timed(&mut seconds.elements, || elements(scene, &decisions, before))?;
         let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
-        let elements = Arc::new(elements);
         work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
-        let emissions = Emission::all(scene, elements.list());
-        let lit_scene =
-            LitScene { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
-        let by_rules = options.kernel.is_none() && !choice.sampled;
-        let first = timed(&mut seconds.direct, || FirstLight::of(&lit_scene, emissions, by_rules));
+        let Decisions { visibility, choice, rays, .. } = decisions;
+        let first = timed(&mut seconds.direct, || {
+            let lit_scene = LitScene { scene, elements: &elements, visibility: &visibility, options, ranks };
+            let by_rules = options.kernel.is_none() && !choice.sampled;
+            FirstLight::of(&lit_scene, Emission::all(scene, elements.list()), by_rules)
+        });
         if first.is_split {
             work.report(Progress::Finished { stage: Stage::Direct, took: seconds.direct });
         }
@@ -186,18 +153,8 @@ impl Model {
         }
         let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, kept));
         work.report(Progress::Finished { stage: Stage::Blocks, took: seconds.blocks });
-        Ok(Self {
-            scene: scene.clone(),
-            options: *options,
-            elements,
-            visibility,
-            blocks,
-            subspace,
-            choice,
-            sampling,
-            first,
-            seconds,
-        })
+        let (scene, options) = (scene.clone(), *options);
+        Ok(Self { scene, options, elements, visibility, blocks, subspace, choice, sampling, first, seconds })
     }
 
     /// Solves for the materials of `scene`, and the factors of its light groups. Its surfaces are those of
@@ -269,43 +226,44 @@ impl Model {
         })?;
         work.report(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
         let SolvedLight { light, before, costs, functionals } = lit;
-        let slowest = costs.iter().max_by_key(|cost| cost.iterations);
-        let (solver, iterations) =
-            slowest.map_or((self.options.solver.name, 0), |cost| (cost.solver, cost.iterations));
         let groups = self.groups(emissions, first, light);
         let before = before.map(|light| lit_before(&groups, light));
-        let before = before.map(|groups| Solution::of_groups(Arc::clone(&self.elements), scene, groups));
-        let solution = Solution::of_groups(Arc::clone(&self.elements), scene, groups);
+        let of_groups = |groups| Solution::of_groups(Arc::clone(&self.elements), scene, groups);
+        let (before, solution) = (before.map(of_groups), of_groups(groups));
         let solution = match self.options.bounces {
             Some(_) => solution.truncated(before),
             None => solution,
         };
+        Ok(Outcome { functionals, seconds, ..self.outcome(solution, &costs, work.ranks) })
+    }
+
+    /// A solution that took so much, with its checks.
+    fn outcome(&self, solution: Solution, costs: &[SolveCost], ranks: &Ranks) -> Outcome {
+        let slowest = costs.iter().max_by_key(|cost| cost.iterations);
         let powers = solution.powers().unwrap_or_default();
-        let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
-        let checks = Checks::with_powers(&solution, &self.blocks, powers, work.ranks);
-        let Account { pairs, samples, distinct, rays, accuracy_reached, worst_error, .. } =
-            self.blocks.account;
-        Ok(Outcome {
-            solution,
+        let checks = Checks::with_powers(&solution, &self.blocks, powers, ranks);
+        let statistics = &self.blocks.statistics;
+        Outcome {
             checks,
-            pairs,
-            samples,
-            distinct,
-            rays,
-            accuracy_reached,
-            worst_error,
-            solver,
-            iterations,
-            residual,
+            pairs: statistics.pairs,
+            samples: statistics.samples,
+            distinct: statistics.distinct,
+            rays: statistics.rays,
+            accuracy_reached: statistics.accuracy_reached,
+            worst_error: statistics.worst_error,
+            solver: slowest.map_or(self.options.solver.name, |cost| cost.solver),
+            iterations: slowest.map_or(0, |cost| cost.iterations),
+            residual: solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max),
             split: self.first.is_split,
             converged: costs.iter().all(|cost| cost.converged),
             choice: self.choice.clone(),
             unknowns: self.unknowns(),
-            functionals,
+            functionals: Vec::new(),
             sampling: self.sampling,
             links: None,
-            seconds,
-        })
+            seconds: self.seconds,
+            solution,
+        }
     }
 
     /// Number of coefficients per band.
@@ -355,17 +313,6 @@ impl Model {
     }
 }
 
-/// Decisions before a model is assembled.
-#[derive(Default)]
-struct AssemblyPlan<'a> {
-    /// The carrier of the pairs, if it is not left to the scene.
-    choice: Option<TransportChoice>,
-    /// Cuts of surfaces, if not those that the scene needs.
-    how: Option<Discretization>,
-    /// Cells of the surfaces, if not those that follow from `how`.
-    mesh: Option<&'a Mesh>,
-}
-
 /// Refuses what cannot carry the light of luminaires or of a sky.
 fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
     require_even(scene, options)?;
@@ -400,6 +347,20 @@ fn require_even(scene: &Scene, options: &Options) -> Result<(), Failure> {
         Some(own) => Err(Failure::NotEven { surface: own.name.clone(), basis: basis.name() }),
         None => Ok(()),
     }
+}
+
+/// The elements of `scene`; those that are known from `before`, where some surfaces stood elsewhere.
+fn elements(
+    scene: &Scene,
+    decisions: &Decisions<'_>,
+    before: Option<&Elements>,
+) -> Result<Arc<Elements>, Failure> {
+    let elements = match (before, decisions.mesh.as_deref()) {
+        (Some(before), _) => before.moved(scene),
+        (None, Some(mesh)) => Elements::of_mesh(scene, &decisions.how, mesh.clone()),
+        (None, None) => Elements::new(scene, &decisions.how),
+    };
+    Ok(Arc::new(elements?))
 }
 
 /// Span of the functions of the basis on `elements`; None where they are those of the elements.

@@ -8,7 +8,7 @@ use radiosity_published::zatz1993::masked_light::Masking;
 use radiosity_published::zatz1993::transfers;
 use radiosity_scene::Scene;
 use radiosity_solvers::method::Method;
-use radiosity_visibility::{Hiding, Shadows};
+use radiosity_visibility::{Shadows, Visibility};
 use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
@@ -49,7 +49,7 @@ pub struct Options {
     /// Accuracy of visibility within a block.
     pub shadow_eps: f64,
     /// Ways to find shadows between surfaces.
-    pub shadows: Hiding,
+    pub shadows: Shadows,
     /// Masking of direct light, as polynomials times shadow masks; None treats it as `direct` says.
     pub masks: Option<Masking>,
     /// The way in which direct light enters the solution.
@@ -94,7 +94,7 @@ impl Default for Options {
             transport: Transport::Auto,
             rays: None,
             shadow_eps: 3e-3,
-            shadows: Hiding::Auto,
+            shadows: Shadows::Auto,
             masks: None,
             direct: Direct::Auto,
             solver: &Method::AUTO,
@@ -113,6 +113,11 @@ impl Options {
     /// Accuracy of the blocks.
     pub fn accuracy(&self) -> Accuracy {
         Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
+    }
+
+    /// The obstacles of `scene`, as it is solved by these options, and read.
+    pub fn visibility(&self, scene: &Scene) -> Visibility {
+        Visibility::new(scene, self.shadows, self.accuracy().shadow_eps)
     }
 }
 
@@ -135,13 +140,6 @@ impl Options {
     pub(crate) fn ray_budget(&self, scene: &Scene) -> u64 {
         let usual = || usual_rays(scene.surfaces.len(), self.accuracy().shadow_eps);
         self.rays.unwrap_or_else(usual).min(MOST_RAYS)
-    }
-}
-
-impl From<&Options> for Shadows {
-    /// The shadows with which a scene is solved by these options, and read.
-    fn from(options: &Options) -> Self {
-        options.shadows.shadows(options.accuracy().shadow_eps)
     }
 }
 

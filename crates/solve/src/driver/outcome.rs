@@ -29,7 +29,7 @@ pub struct Outcome {
     /// Segments tested for visibility.
     pub rays: u64,
     /// Largest error that unresolved parts leave in a block, relative to its scale
-    /// ([`Account::accuracy_reached`](radiosity_kernel::Account)).
+    /// ([`BlockStatistics::accuracy_reached`](radiosity_kernel::BlockStatistics)).
     pub accuracy_reached: f64,
     /// The block whose error is the largest multiple of what was asked of it.
     pub worst_error: Option<WorstError>,

@@ -118,7 +118,7 @@ impl Subject<'_> {
         };
         let blocks = transport.blocks(Rays::All);
         let sampling = Sampling {
-            rays: blocks.account.rays,
+            rays: blocks.statistics.rays,
             planned: total,
             exact_pairs: transport.exact_pairs(),
             error: error.map(|error| error.hypot(of_exact)),

@@ -10,8 +10,10 @@ use radiosity_visibility::Visibility;
 use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
-use crate::gather::ray_gather::{RayGather, Receiver, usual_rays};
+use crate::gather::ray_count::usual_rays;
+use crate::gather::ray_gather::RayGather;
 use crate::gather::read_irradiance::ReadIrradiance;
+use crate::gather::receiver::Receiver;
 use crate::solution::Solution;
 
 /// Seconds of a ray; of a flat element behind flat things, and for each of those; of one that is curved or

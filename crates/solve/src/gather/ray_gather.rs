@@ -31,8 +31,6 @@ use std::ops::Range;
 
 use radiosity_elements::Element;
 use radiosity_elements::measure::WeightedNode;
-use radiosity_elements::patch::Patch;
-use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
 use radiosity_elements::sampling::kronecker;
 use radiosity_elements::sampling::lambert::lambert;
 use radiosity_elements::sampling::shift::{number_of, shift, shifted};
@@ -46,7 +44,9 @@ use radiosity_transport::tolerances::BATCHES;
 use radiosity_visibility::Visibility;
 use radiosity_work::interruption::check_interrupt_at;
 
+use crate::gather::ray_count::most_rays;
 use crate::gather::read_irradiance::{Deviation, ReadIrradiance};
+use crate::gather::receiver::Receiver;
 use crate::gather::walks::front_met;
 use crate::solution::{Solution, SurfacePlace};
 
@@ -77,24 +77,6 @@ const SMALL: f64 = 1.0;
 /// % in 14, 17, 23 and 28 s with polynomials everywhere, 10, 4 and 1.
 const SMALL_BEHIND_PIXELS: f64 = 10.0;
 
-/// Relative standard deviation times the number of rays to the power ¾: up to this in rooms. Measured in the
-/// Cornell box.
-const ROUGHNESS: f64 = 1.5;
-
-/// Most rays over their expected number; never more than [`MOST`] are sent: some ten seconds. Both are
-/// chosen.
-const PATIENCE: f64 = 16.0;
-const MOST: f64 = 1.6e7;
-
-/// Where light is read, and its rays start.
-#[derive(Debug)]
-pub enum Receiver {
-    /// Irradiance at a point.
-    Point(ReceiverPoint),
-    /// The mean over a patch of the surface of this index.
-    Patch(usize, AreaPreservingMap),
-}
-
 /// A solution whose light is gathered by rays.
 #[derive(Debug)]
 pub struct RayGather<'a> {
@@ -124,6 +106,14 @@ enum EndLight {
     Gathered(u64),
 }
 
+/// Where a ray meets the front of a surface.
+struct Met {
+    element: usize,
+    place: SurfacePlace,
+    /// Distance from where it began.
+    distance: f64,
+}
+
 /// Rays of either kind that the balance heuristic combines, per cosine-distributed ray.
 #[derive(Clone, Copy)]
 struct RayMix {
@@ -138,16 +128,6 @@ struct ToLamps<'a> {
     shares: &'a Shares<'a>,
     /// Number of them for each cosine-distributed ray.
     ratio: f64,
-}
-
-/// Cosine-distributed rays that an error of `eps` takes.
-pub(super) fn usual_rays(eps: f64) -> f64 {
-    (ROUGHNESS / eps).powf(4.0 / 3.0)
-}
-
-/// Most cosine-distributed rays for an error of `eps`.
-fn most_rays(eps: f64) -> u64 {
-    (PATIENCE * usual_rays(eps)).min(MOST) as u64
 }
 
 impl<'a> RayGather<'a> {
@@ -285,41 +265,52 @@ impl<'a> RayGather<'a> {
         end_light: EndLight,
         radiosity: &mut [f64],
     ) {
-        let Some((surface, hit)) = front_met(self.visibility, receiver, direction) else { return };
-        let elements = self.solution.elements();
-        let Some(element) = elements.at(surface, [hit.u, hit.v]) else { return };
-        let own = &elements.list()[element];
-        // What is covered shines only on what covers it.
-        if own.contact.is_some() && hit.t > self.touching {
-            return;
-        }
-        let position = receiver.position + hit.t * direction;
-        let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position };
-        let normal = || {
-            own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |plane| plane.normal)
-        };
+        let Some(Met { element, place, distance }) = self.met(receiver, direction) else { return };
+        let SurfacePlace { surface, position, parameters } = place;
+        let normal = || self.normal(element, &place);
         let weight = to_lamps.map_or(0.0, |rays| match rays.ratio * rays.shares.density(element) {
             0.0 => 1.0,
             density => {
-                let kernel = receiver.normal.dot(direction) * -normal().dot(direction) / (PI * hit.t * hit.t);
+                let cosines = receiver.normal.dot(direction) * -normal().dot(direction);
+                let kernel = cosines / (PI * distance * distance);
                 kernel / (kernel + density)
             }
         });
         let there = || ReceiverPoint::on(surface, position, normal());
-        let irradiance = self.arriving(element, &place, &there, hit.t, end_light);
+        let irradiance = self.arriving(element, &place, &there, distance, end_light);
         let beyond = self.solution.behind(element, &place).map(|(element, place)| {
             let there = || ReceiverPoint::on(place.surface, position, -normal());
-            self.arriving(element, &place, &there, hit.t, end_light)
+            self.arriving(element, &place, &there, distance, end_light)
         });
         let weight = weight * self.radiances.relative(surface, -direction);
         for (index, (out, band)) in radiosity.iter_mut().zip(self.solution.bands()).enumerate() {
             let coating = &band.coating;
-            let reflected = coating.reflectance_at(element, place.parameters) * irradiance[index];
+            let reflected = coating.reflectance_at(element, parameters) * irradiance[index];
             *out += reflected + weight * coating.exitance[element];
             if let Some(beyond) = &beyond {
                 *out += coating.transmittance(element) * beyond[index];
             }
         }
+    }
+
+    /// The front that a ray meets first; None where that is covered by another surface, and the ray does not
+    /// come from it: what is covered shines only on what covers it.
+    fn met(&self, receiver: &ReceiverPoint, direction: DVec3) -> Option<Met> {
+        let (surface, hit) = front_met(self.visibility, receiver, direction)?;
+        let elements = self.solution.elements();
+        let element = elements.at(surface, [hit.u, hit.v])?;
+        let is_hidden = elements.list()[element].contact.is_some() && hit.t > self.touching;
+        let position = receiver.position + hit.t * direction;
+        let place = SurfacePlace { surface, parameters: [hit.u, hit.v], position };
+        (!is_hidden).then_some(Met { element, place, distance: hit.t })
+    }
+
+    /// The normal at a place of an element.
+    fn normal(&self, element: usize, place: &SurfacePlace) -> DVec3 {
+        let elements = self.solution.elements();
+        let [u, v] = place.parameters;
+        let curved = || elements.shape(place.surface).jet(u, v).normal;
+        elements.list()[element].plane.map_or_else(curved, |plane| plane.normal)
     }
 
     /// An estimate of the irradiance (W m⁻²) per band where a ray ends, so far from where it began.
@@ -496,26 +487,4 @@ impl<'a> RayGather<'a> {
 /// Whether an element is smaller than a square of this width.
 fn is_small(element: &Element, width: f64) -> bool {
     element.area < width * width
-}
-
-impl Receiver {
-    /// The mean over a patch of the surface of this index.
-    pub fn over(surface: usize, patch: &Patch) -> Self {
-        Self::Patch(surface, AreaPreservingMap::of(std::slice::from_ref(patch)))
-    }
-
-    fn middle(&self) -> ReceiverPoint {
-        self.at([0.5; 2]).0
-    }
-
-    /// The point that two numbers in [0, 1] choose, and its weight.
-    fn at(&self, place: [f64; 2]) -> (ReceiverPoint, f64) {
-        match self {
-            Self::Point(receiver) => (*receiver, 1.0),
-            Self::Patch(surface, area_map) => {
-                let WeightedNode { node, weight } = area_map.point(place);
-                (ReceiverPoint::on(*surface, node.position, node.normal), weight)
-            }
-        }
-    }
 }

@@ -25,7 +25,6 @@ mod local;
 use std::sync::OnceLock;
 
 use radiosity_scene::Scene;
-use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 
 use crate::driver::{Failure, LightMethod, Options, Transport, TransportChoice};
@@ -67,7 +66,7 @@ impl Solved {
             return by_links(scene, options, &adaptation);
         }
         let made = OnceLock::new();
-        let visibility = || made.get_or_init(|| Visibility::new(&scene, options.into()));
+        let visibility = || made.get_or_init(|| options.visibility(&scene));
         let choose = || TransportChoice::of(&scene, options, visibility);
         let choice = options.in_threads(work.ranks, choose)?;
         if is_by_rays(&scene, options, goal, &choice) {

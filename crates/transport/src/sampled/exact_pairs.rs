@@ -9,7 +9,7 @@ use std::collections::HashSet;
 
 use radiosity_elements::Elements;
 use radiosity_kernel::blocks::held_rows::HeldRows;
-use radiosity_kernel::{Account, Accuracy, Blocks};
+use radiosity_kernel::{Accuracy, BlockStatistics, Blocks};
 use radiosity_visibility::Visibility;
 use radiosity_work::Work;
 use radiosity_work::interruption::check_interrupt;
@@ -82,9 +82,9 @@ impl ExactPairs {
         self.pairs.contains(&pair)
     }
 
-    /// Largest error of the exact blocks, as [`Account::accuracy_reached`].
+    /// Largest error of the exact blocks, as [`BlockStatistics::accuracy_reached`].
     pub(super) fn accuracy_reached(&self) -> f64 {
-        self.blocks.as_ref().map_or(0.0, |blocks| blocks.account.accuracy_reached)
+        self.blocks.as_ref().map_or(0.0, |blocks| blocks.statistics.accuracy_reached)
     }
 
     /// Number of pairs.
@@ -92,10 +92,11 @@ impl ExactPairs {
         self.pairs.len()
     }
 
-    /// The account of `blocks`: what the exact blocks cost, without rays, and what they miss.
+    /// Statistics of `blocks`: what the exact blocks cost, without rays, and what they miss.
     pub(super) fn add_reports(&self, blocks: &mut Blocks) {
         if let Some(exact) = &self.blocks {
-            blocks.account = Account { rays: 0, remainders: Vec::new(), ..exact.account.clone() };
+            blocks.statistics =
+                BlockStatistics { rays: 0, remainders: Vec::new(), ..exact.statistics.clone() };
         }
     }
 

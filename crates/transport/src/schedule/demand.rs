@@ -23,7 +23,7 @@ impl Unreached {
 
 /// Things between which view factors are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Whole {
+pub enum FactorEnds {
     /// Single elements.
     Element,
     /// Surfaces.
@@ -42,13 +42,13 @@ pub struct Demand<'a> {
     /// Accuracy of the blocks.
     pub accuracy: Accuracy,
     /// Things whose view factors have to be accurate where rays carry blocks.
-    pub whole: Whole,
+    pub whole: FactorEnds,
 }
 
 impl<'a> Demand<'a> {
     /// All pairs, accurate for the view factors of elements.
     pub fn all(elements: &'a Elements, visibility: &'a Visibility, accuracy: Accuracy) -> Self {
-        Self { elements, wanted: &|_, _| true, visibility, accuracy, whole: Whole::Element }
+        Self { elements, wanted: &|_, _| true, visibility, accuracy, whole: FactorEnds::Element }
     }
     /// The pairs that are `wanted` of it: a question about two elements, in ascending order.
     pub fn of(self, wanted: &'a (dyn Fn(usize, usize) -> bool + Sync)) -> Self {

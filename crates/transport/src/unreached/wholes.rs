@@ -9,12 +9,12 @@ use radiosity_elements::Element;
 use radiosity_kernel::blocks::FirstEntry;
 
 use super::ray_block::RayBlock;
-use crate::schedule::Whole;
+use crate::schedule::FactorEnds;
 use crate::tolerances::{BATCHES, DEVIATIONS};
 
 /// The wholes of a scene.
 pub(super) struct Wholes {
-    kind: Whole,
+    kind: FactorEnds,
     /// The whole of each element.
     of: Vec<usize>,
     /// The area of each whole.
@@ -22,10 +22,10 @@ pub(super) struct Wholes {
 }
 
 impl Wholes {
-    pub(super) fn new(list: &[Element], kind: Whole) -> Self {
+    pub(super) fn new(list: &[Element], kind: FactorEnds) -> Self {
         let of: Vec<usize> = match kind {
-            Whole::Element => (0..list.len()).collect(),
-            Whole::Surface => list.iter().map(|element| element.surface).collect(),
+            FactorEnds::Element => (0..list.len()).collect(),
+            FactorEnds::Surface => list.iter().map(|element| element.surface).collect(),
         };
         let mut areas = vec![0.0; of.iter().map(|whole| whole + 1).max().unwrap_or(0)];
         of.iter().zip(list).for_each(|(whole, element)| areas[*whole] += element.area);
@@ -75,7 +75,7 @@ impl Wholes {
         found: &mut [RayBlock],
         firsts: &[[f64; BATCHES]],
     ) {
-        if self.kind == Whole::Element {
+        if self.kind == FactorEnds::Element {
             found.iter_mut().for_each(|found| found.relative = self.relative(list, rows, found));
             return;
         }

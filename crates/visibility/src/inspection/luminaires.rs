@@ -52,7 +52,7 @@ pub(super) fn near_points(scene: &Scene) -> Vec<NearPoint> {
     if large.is_empty() {
         return Vec::new();
     }
-    let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
+    let visibility = Visibility::new(scene, Shadows::Rays, 1e-3);
     let near = |own: &Luminaire| {
         let fronts = lit(own, &visibility).filter(|met| met.front);
         let nearest = fronts.min_by(|a, b| a.hit.t.total_cmp(&b.hit.t))?;
@@ -73,7 +73,7 @@ pub(super) fn odd(scene: &Scene) -> Vec<Warning> {
     if scene.luminaires.is_empty() {
         return Vec::new();
     }
-    let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
+    let visibility = Visibility::new(scene, Shadows::Rays, 1e-3);
     let of_each = scene.luminaires.iter().flat_map(|own| {
         let dark = (own.emits() && !lights_a_front(own, &visibility)).then(|| {
             let message = "lights no front of a surface: it is within a body, behind a wall or outside the room; move it, \

@@ -23,11 +23,11 @@ use radiosity::Work;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
 use radiosity::solve::gather::Gather;
-use radiosity::solve::gather::ray_gather::{RayGather, Receiver};
+use radiosity::solve::gather::ray_gather::RayGather;
+use radiosity::solve::gather::receiver::Receiver;
 use radiosity::solve::solution::Solution;
 use radiosity::solve::solved::Solved;
 use radiosity::solve::{Failure, Options, Transport, solve};
-use radiosity::visibility::Visibility;
 use radiosity::work::Deadline;
 use rayon::prelude::*;
 
@@ -198,8 +198,7 @@ impl<'a> Truth<'a> {
     }
 
     fn gathered(&self, solution: &Solution) -> Vec<Vec<f64>> {
-        let visibility =
-            Visibility::new(self.scene, (&Options { shadow_eps: 1e-4, ..Options::default() }).into());
+        let visibility = (Options { shadow_eps: 1e-4, ..Options::default() }).visibility(self.scene);
         if self.by_rays {
             let gather = RayGather::new(solution, &visibility, BY_RAYS, false);
             let read = |point: &ReceiverPoint| gather.read(&Receiver::Point(*point)).irradiance;

@@ -9,7 +9,6 @@ use radiosity::reading::probe::{Probe, probe};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, in_threads, solve};
-use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 
 use crate::timed;
@@ -115,7 +114,7 @@ fn floor(scene: &Scene, way: &Way) -> Result<Floor, Box<dyn Error>> {
         ..Options::default()
     };
     let solution = solve(scene, &options, &Work::alone())?.solution;
-    let visibility = Visibility::new(scene, (&options).into());
+    let visibility = options.visibility(scene);
     let read = if way.gather.is_some() { ReadMode::Gather } else { ReadMode::Basis };
     let readings = in_threads(1, || {
         let reader = Reader::new(&solution, &visibility, read, way.gather.unwrap_or(way.eps));

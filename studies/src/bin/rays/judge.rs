@@ -107,7 +107,7 @@ impl<'a> Lit<'a> {
                 .collect::<Vec<_>>()
         };
         let emitters = shining.flat_map(nodes).collect();
-        Self { solution, visibility: Visibility::new(scene, Shadows::Rays(1e-3)), emitters }
+        Self { solution, visibility: Visibility::new(scene, Shadows::Rays, 1e-3), emitters }
     }
 
     fn irradiance(&self, point: &Point) -> f64 {

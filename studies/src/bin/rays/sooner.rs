@@ -126,7 +126,7 @@ fn tell(name: &str, what: &str, run: Run) -> Run {
 
 impl Subject {
     fn new(scene: &Scene) -> Result<Self, Box<dyn Error>> {
-        let visibility = Visibility::new(scene, Shadows::Outlines(TRUE));
+        let visibility = Visibility::new(scene, Shadows::Auto, TRUE);
         let elements = Elements::new(scene, &Discretization::uniform(2, 2))?;
         let coating = Coating::of(scene, elements.list(), 0);
         let blocks = assemble(

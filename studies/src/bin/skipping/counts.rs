@@ -3,7 +3,7 @@
 use radiosity::Work;
 use radiosity::solve::{Failure, Options, Outcome, solve};
 use radiosity::transport;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 
 use crate::judged::is_taken;
 use crate::subject::Subject;
@@ -31,7 +31,7 @@ fn naive_samples(subject: &Subject, pairs: usize) -> u64 {
     let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
     let every = if pairs > MANY_PAIRS { SAMPLED } else { 1 };
     let wanted = |i, j| (sends(i) || sends(j)) && is_taken([i, j], elements.list().len(), every);
-    let open = Visibility::new(scene, Shadows::Off);
+    let open = Visibility::open(scene);
     let accuracy = Options::default().accuracy();
     every as u64
         * transport::assemble(
@@ -39,7 +39,7 @@ fn naive_samples(subject: &Subject, pairs: usize) -> u64 {
             None,
             &Work::alone(),
         )
-        .account
+        .statistics
         .samples
 }
 

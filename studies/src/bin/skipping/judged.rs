@@ -6,7 +6,7 @@ use cpu_time::ProcessTime;
 use radiosity::Work;
 use radiosity::kernel::Accuracy;
 use radiosity::transport;
-use radiosity::visibility::{Hiding, Shadows, Visibility};
+use radiosity::visibility::{Shadows, Visibility};
 
 use crate::naive;
 use crate::subject::Subject;
@@ -76,7 +76,7 @@ impl<'a> Judged<'a> {
             shades: Table::new(),
             scale: 0.0,
         };
-        judged.open = judged.assemble(Hiding::Off, Accuracy { eps: exact, shadow_eps: exact }).blocks;
+        judged.open = judged.assemble(Shadows::Off, Accuracy { eps: exact, shadow_eps: exact }).blocks;
         let least = if all { 10.0 * exact } else { SHADED };
         judged.shades = if all { judged.differences(exact) } else { judged.sums() };
         // What differs by more than the rules may: something is hidden.
@@ -92,20 +92,20 @@ impl<'a> Judged<'a> {
 
     /// The shadows of all pairs, by what the library leaves of them.
     fn differences(&self, exact: f64) -> Table {
-        let found = self.assemble(Hiding::Auto, Accuracy { eps: exact, shadow_eps: exact }).blocks;
+        let found = self.assemble(Shadows::Auto, Accuracy { eps: exact, shadow_eps: exact }).blocks;
         self.open.keys().map(|pair| (*pair, shade(&self.open[pair], found.get(pair)))).collect()
     }
 
     /// The shadows of all pairs, each summed by itself.
     fn sums(&self) -> Table {
         let list = self.subject.elements.list();
-        let visibility = Visibility::new(&self.subject.scene, Shadows::Rays(SHADED));
+        let visibility = Visibility::new(&self.subject.scene, Shadows::Rays, SHADED);
         let shade = |pair: &Pair| naive::scattered([&list[pair.0], &list[pair.1]], &visibility, SCATTERED);
         self.open.keys().map(|pair| (*pair, shade(pair))).collect()
     }
 
     /// The blocks of all pairs that are judged, as the library makes them to this accuracy.
-    pub(crate) fn blocks(&self, hiding: Hiding, accuracy: Accuracy) -> Found {
+    pub(crate) fn blocks(&self, hiding: Shadows, accuracy: Accuracy) -> Found {
         let mut found = self.assemble(hiding, accuracy);
         for _ in 1..if found.seconds < SHORT { REPEATS } else { 1 } {
             found.seconds = found.seconds.min(self.assemble(hiding, accuracy).seconds);
@@ -113,9 +113,9 @@ impl<'a> Judged<'a> {
         found
     }
 
-    fn assemble(&self, hiding: Hiding, accuracy: Accuracy) -> Found {
+    fn assemble(&self, hiding: Shadows, accuracy: Accuracy) -> Found {
         let Subject { scene, elements, .. } = self.subject;
-        let visibility = Visibility::new(scene, hiding.shadows(accuracy.shadow_eps));
+        let visibility = Visibility::new(scene, hiding, accuracy.shadow_eps);
         let list = elements.list();
         let is_apart = |i: usize, j: usize| !list[i].bounds().overlaps(&list[j].bounds());
         let wanted =
@@ -127,7 +127,7 @@ impl<'a> Judged<'a> {
             &Work::alone(),
         );
         let seconds = start.elapsed().as_secs_f64();
-        let rays = blocks.account.rays;
+        let rays = blocks.statistics.rays;
         Found {
             blocks: blocks.iter().map(|block| ((block.row, block.column), block.values.to_vec())).collect(),
             rays,

@@ -3,7 +3,7 @@
 use cpu_time::ProcessTime;
 use radiosity::kernel::Accuracy;
 use radiosity::solve::Options;
-use radiosity::visibility::{Hiding, Shadows, Visibility};
+use radiosity::visibility::{Shadows, Visibility};
 
 use crate::judged::{Judged, Table};
 use crate::naive;
@@ -76,9 +76,9 @@ fn library(judged: &Judged) -> Option<Run> {
     let Options { eps, shadow_eps, .. } = Options::default();
     let [mostly_planar, _] = judged.subject.is_planar();
     let (eps, looser) = if judged.all { (eps, &LOOSER[..]) } else { (EPS_SOME, &LOOSER_SOME[..]) };
-    let open = judged.blocks(Hiding::Off, Accuracy { eps, shadow_eps });
+    let open = judged.blocks(Shadows::Off, Accuracy { eps, shadow_eps });
     let plain = open.seconds;
-    let run = |(way, hiding): (&str, Hiding), looser: f64| {
+    let run = |(way, hiding): (&str, Shadows), looser: f64| {
         let asked = looser * shadow_eps;
         let found = judged.blocks(hiding, Accuracy { eps, shadow_eps: asked });
         let [more, noise] = [found.seconds - plain, NOISE * plain];
@@ -93,7 +93,7 @@ fn library(judged: &Judged) -> Option<Run> {
             },
         )
     };
-    let ways = [("outlines", Hiding::Auto), ("rays", Hiding::Rays)];
+    let ways = [("outlines", Shadows::Auto), ("rays", Shadows::Rays)];
     // Blockers that bend have no outlines: both ways are the same.
     let ways = if mostly_planar { &ways[..] } else { &ways[1..] };
     let runs: Vec<Run> = ways.iter().flat_map(|way| looser.iter().map(|looser| run(*way, *looser))).collect();
@@ -102,7 +102,7 @@ fn library(judged: &Judged) -> Option<Run> {
 
 /// The naive program's first run that reaches the goal, or its last.
 fn naive_program(judged: &Judged) -> Run {
-    let visibility = Visibility::new(&judged.subject.scene, Shadows::Rays(GOAL));
+    let visibility = Visibility::new(&judged.subject.scene, Shadows::Rays, GOAL);
     let mut last = naive_run(judged, &visibility, POINTS[0]);
     for pair in POINTS.windows(2) {
         let growth = (pair[1] as f64 / pair[0] as f64).powi(4);

@@ -5,7 +5,6 @@ use std::error::Error;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
-use radiosity::visibility::Visibility;
 
 /// A scene with its elements at the defaults.
 pub(crate) struct Subject {
@@ -22,7 +21,7 @@ impl Subject {
         let setting = setting.map(parsed).transpose()?;
         let scene = radiosity::language::read(&radiosity::language::source(source, setting.as_slice())?)?;
         let Options { order, space, layers, .. } = Options::default();
-        let occluded = Visibility::new(&scene, (&Options::default()).into()).any_shadow();
+        let occluded = Options::default().visibility(&scene).any_shadow();
         let how = Discretization { order, space, subdivide: Subdivide::Auto { occluded }, layers };
         let elements = Elements::new(&scene, &how)?;
         Ok(Self { name: name.to_owned(), scene, elements })

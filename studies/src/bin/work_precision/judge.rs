@@ -10,7 +10,6 @@ use radiosity::scene::Scene;
 use radiosity::solve::solution::{Solution, SurfacePlace};
 use radiosity::solve::studies::error_norm::distance;
 use radiosity::solve::{Options, Outcome, in_threads, solve};
-use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 use radiosity_test_support::data;
 
@@ -104,7 +103,7 @@ fn result(study: &Study, trial: &Trial) -> (Outcome, Vec<Cell>) {
 }
 
 fn cells(scene: &Scene, outcome: &Outcome, options: &Options, kernel: Kernel) -> Vec<Cell> {
-    let visibility = Visibility::new(scene, options.into());
+    let visibility = options.visibility(scene);
     let read = if kernel == Kernel::Gathered { ReadMode::Gather } else { ReadMode::Basis };
     let read_all = || {
         let reader = Reader::new(&outcome.solution, &visibility, read, 1e-3);

@@ -22,7 +22,6 @@ use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads};
-use radiosity::visibility::Visibility;
 
 use crate::memory::megabytes;
 use crate::reproduction::{RULES, Reproduced, reproduced};
@@ -109,7 +108,7 @@ fn picture(
 ) -> Result<Taken, Box<dyn Error>> {
     let camera = scene.camera.clone().ok_or("the scene has no camera")?;
     let camera = Camera { width: SIZE[0], height: SIZE[1], ..camera };
-    let visibility = Visibility::new(scene, options.into());
+    let visibility = options.visibility(scene);
     let solution = &outcome.solution;
     let raster = in_threads(options.threads, || {
         render(solution, &visibility, &camera, 1, read, Quantity::Radiosity, &Work::alone())

@@ -36,7 +36,6 @@ use radiosity::reading::quantity::Quantity;
 use radiosity::reading::reader::ReadMode;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Direct, Options, in_threads};
-use radiosity::visibility::Visibility;
 
 use crate::reproduction::{HYBRID, reproduced};
 
@@ -73,7 +72,7 @@ pub(crate) fn figure_7(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
         read: ReadMode::GatherTwice,
     };
     let exact = picture(&reference)?;
-    let taken = ways()?.iter().map(|way| Ok((way.name, picture(way)?)));
+    let taken = ways()?.into_iter().map(|way| Ok((way.name, picture(&way)?)));
     let taken = taken.collect::<Result<Vec<_>, Box<dyn Error>>>()?;
     let floor = floor_pixels();
     writeln!(out, "| figures 7, 8 | floor, % | all, rms in % of the mean | largest, % |")?;
@@ -136,7 +135,7 @@ fn camera(scene: &Scene) -> Camera {
 fn picture(way: &Way) -> Result<Raster, Box<dyn Error>> {
     let scene = scene(way.orders);
     let outcome = reproduced(&scene, way.kernel, &way.options)?.outcome;
-    let visibility = Visibility::new(&scene, (&way.options).into());
+    let visibility = way.options.visibility(&scene);
     let (solution, camera) = (&outcome.solution, camera(&scene));
     let work = Work::alone();
     Ok(in_threads(way.options.threads, || {
@@ -148,7 +147,7 @@ fn picture(way: &Way) -> Result<Raster, Box<dyn Error>> {
 fn floor_pixels() -> Vec<bool> {
     let scene = scene([None; 2]);
     let floor = scene.surface_named("floor").expect("it is there");
-    let visibility = Visibility::new(&scene, (&Options::default()).into());
+    let visibility = Options::default().visibility(&scene);
     let view = Pinhole::new(&camera(&scene));
     let offsets = || (0..SAMPLES).map(|k| (f64::from(k) + 0.5) / f64::from(SAMPLES));
     let pixel = |index: u32| {

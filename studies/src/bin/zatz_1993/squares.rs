@@ -12,7 +12,7 @@ use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::published::zatz1993::transfers::{HybridReading, PaperRules, assemble};
 use radiosity::scene::Source;
 use radiosity::transport;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 
 const CELLS: usize = 500;
@@ -72,7 +72,7 @@ fn of_blocks(
         radiosity::language::read(&Source::new("section 6.1", &scene)).expect("two squares are a scene");
     let how = Discretization::uniform(order, 1);
     let elements = Elements::new(&scene, &how).expect("squares have area");
-    let visibility = Visibility::new(&scene, Shadows::Off);
+    let visibility = Visibility::open(&scene);
     let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-3 };
     let blocks = blocks(transport::Demand::all(&elements, &visibility, accuracy));
     let [receiver, source] = elements.list() else { panic!("one element a square") };

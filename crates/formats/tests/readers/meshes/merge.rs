@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use radiosity_formats::merge::coplanar;
+use radiosity_formats::merge;
 use radiosity_formats::model::{Model, Shape, Sides, Surface};
 use radiosity_test_support::random::seeded;
 
@@ -25,6 +25,13 @@ fn model(faces: &[Vec<DVec3>]) -> Model {
         surfaces: faces.iter().enumerate().map(surface).collect(),
         ..Model::default()
     }
+}
+
+/// Merges the coplanar faces of each object; the first letter of a name is its object.
+fn coplanar(model: &mut Model) {
+    let object = |surface: &Surface| usize::from(surface.name.starts_with('b'));
+    let mut objects = model.surfaces.iter().map(object).collect();
+    merge::coplanar(model, &mut objects);
 }
 
 /// Squares of a grid, each as two triangles, moved by `place`.

@@ -64,7 +64,7 @@ pub fn assemble(demand: Demand<'_>, rules: PaperRules, extra: usize, work: &Work
             count(&mut blocks, row == column, &outcome);
         }
         if let Outcome::Integrated(block) = outcome {
-            blocks.account.take_costs(&block.report);
+            blocks.statistics.take_costs(&block.report);
             blocks.push(row, column, &block.values);
         }
     }
@@ -72,7 +72,7 @@ pub fn assemble(demand: Demand<'_>, rules: PaperRules, extra: usize, work: &Work
 }
 
 fn count(blocks: &mut Blocks, same: bool, outcome: &Outcome) {
-    let pairs = &mut blocks.account.pairs;
+    let pairs = &mut blocks.statistics.pairs;
     pairs.total += usize::from(!same || matches!(outcome, Outcome::Integrated(_)));
     match outcome {
         Outcome::Unwanted => pairs.skipped_black += usize::from(!same),

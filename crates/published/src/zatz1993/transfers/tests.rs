@@ -42,7 +42,7 @@ fn flat(corners: &[[f64; 3]]) -> Element {
 /// Σ_j F_ij of each element.
 fn row_sums(scene: &Scene, order: usize, rules: Option<PaperRules>) -> Vec<f64> {
     let elements = elements(scene, order);
-    let visibility = Visibility::new(scene, Shadows::Outlines(1e-3));
+    let visibility = Visibility::new(scene, Shadows::Auto, 1e-3);
     let demand = Demand::all(&elements, &visibility, Accuracy { eps: 1e-3, shadow_eps: 1e-3 });
     let blocks = match rules {
         Some(rules) => assemble(demand, rules, rules.extra_points(), &Work::alone()),

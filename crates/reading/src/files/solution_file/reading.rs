@@ -168,7 +168,7 @@ struct MaskInputs<'a> {
 
 impl<'a> MaskInputs<'a> {
     fn of(scene: &'a Scene, elements: &'a Elements, options: &'a Options, ranks: &'a Ranks) -> Self {
-        let visibility = options.masks.map(|_| Visibility::new(scene, options.into()));
+        let visibility = options.masks.map(|_| options.visibility(scene));
         Self { scene, elements, options, visibility, ranks }
     }
 

@@ -43,7 +43,8 @@ use serde::{Deserialize, Serialize};
 
 use super::sensor::Sensor;
 use crate::gather::Gather;
-use crate::gather::ray_gather::{RayGather, Receiver};
+use crate::gather::ray_gather::RayGather;
+use crate::gather::receiver::Receiver;
 use crate::gather::walks::{SendingSide, WalkEnd, Walks};
 use crate::goal::Goal;
 use crate::solution::{Band, Solution};
@@ -204,10 +205,7 @@ pub(super) fn error_estimate(
     let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
     let gathered =
         ranks.map_by(PartName::SensorLight, &makers, |place| missed_light.gathered(&sensors[place]));
-    let begin = |(number, (sensor, gathered))| {
-        SensorWalks::new(sensor, number_of([number as f64, unknowns as f64]), gathered)
-    };
-    let mut found: Vec<SensorWalks> = sensors.iter().zip(gathered).enumerate().map(begin).collect();
+    let mut found = SensorWalks::begun(sensors, gathered, unknowns);
     let numbers = missed_light.numbers();
     let per_half = |walks: u64| walks.div_ceil(2 * sensors.len().max(1) as u64);
     let (mut made, mut now) = (0, per_half(numbers.first).max(FEWEST));
@@ -318,7 +316,14 @@ impl<'a> MissedLight<'a> {
 }
 
 impl<'a> SensorWalks<'a> {
-    /// The light of a sensor before walks: irradiance `gathered` there (W m⁻²), per band.
+    /// The light of sensors before walks: irradiance `gathered` at each (W m⁻²), per band.
+    fn begun(sensors: &'a [Sensor], gathered: Vec<Vec<f64>>, unknowns: usize) -> Vec<Self> {
+        let begin = |(number, (sensor, gathered))| {
+            Self::new(sensor, number_of([number as f64, unknowns as f64]), gathered)
+        };
+        sensors.iter().zip(gathered).enumerate().map(begin).collect()
+    }
+
     fn new(sensor: &'a Sensor, number: u64, gathered: Vec<f64>) -> Self {
         Self { sensor, number, light: SensorLight { gathered, parts: BTreeMap::new() } }
     }
@@ -436,7 +441,7 @@ mod tests {
         let options =
             Options { transport: Transport::Sampled, rays: Some(400_000), order: 2, ..Options::default() };
         let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
-        let visibility = Visibility::new(&scene, (&options).into());
+        let visibility = options.visibility(&scene);
         let sensors = Sensor::of_surfaces(&solution);
         let ends = [
             EndGather::Cells(CellEnds::new(&solution, &visibility, 1e-2)),

@@ -145,7 +145,7 @@ mod tests {
         let scene = radiosity_language::builtin("cornell-box").expect("it is built in");
         let options = Options { order: 2, ..Options::default() };
         let solution = solve(&scene, &options, &Work::alone()).expect("a solution").solution;
-        let visibility = Visibility::new(&scene, (&options).into());
+        let visibility = options.visibility(&scene);
         let mut sensors = Sensor::of_surfaces(&solution);
         sensors.retain(|sensor| sensor.point.position.z > 0.0);
         let worth = of_sensors(&solution, &visibility, &sensors, 1 << 21, Ranks::alone());

@@ -8,7 +8,7 @@ use crate::blocks::worst_error::WorstError;
 
 /// Counts, costs and errors of the blocks of a matrix.
 #[derive(Clone, Debug, Default)]
-pub struct Account {
+pub struct BlockStatistics {
     /// Numbers of pairs by contact and by reason of being skipped.
     pub pairs: PairCounts,
     /// Terms of all rules; logarithms for contour integrals. Blocks that are copies count like those they
@@ -29,7 +29,7 @@ pub struct Account {
     pub remainders: Vec<Remainder>,
 }
 
-impl Account {
+impl BlockStatistics {
     /// Takes the error of a block into account.
     pub fn record_error(&mut self, error: WorstError) {
         self.accuracy_reached = self.accuracy_reached.max(error.error);

@@ -1,0 +1,137 @@
+//! Decisions about a model before its elements are made: what carries its pairs, and how surfaces are cut.
+
+use std::borrow::Cow;
+
+use radiosity_elements::mesh::Mesh;
+use radiosity_elements::{Discretization, Subdivide, usual_mesh};
+use radiosity_published::bases::basis::Ground;
+use radiosity_scene::Scene;
+use radiosity_visibility::Visibility;
+use radiosity_work::ranks::Ranks;
+
+use super::failure::Failure;
+use super::memory_need::{MemoryNeed, peak_of_mesh, require_memory_of_mesh};
+use super::options::Options;
+use super::transport_choice::TransportChoice;
+
+/// The carrier of the pairs of a scene, and the cuts of its surfaces. Scenes that differ only in the places
+/// of some things share a layout: what carries the light of things that turn does not depend on how they
+/// stand to the axes.
+#[derive(Clone, Debug)]
+pub(crate) struct Layout {
+    choice: TransportChoice,
+    how: Discretization,
+    mesh: Mesh,
+}
+
+/// Decisions that are not left to the scene.
+#[derive(Default)]
+pub(super) struct AssemblyPlan<'a> {
+    /// The carrier of the pairs, if it is not left to the scene.
+    pub choice: Option<TransportChoice>,
+    /// Cuts of surfaces, if not those that the scene needs.
+    pub how: Option<Discretization>,
+    /// Cells of the surfaces, if not those that follow from `how`.
+    pub mesh: Option<&'a Mesh>,
+}
+
+/// All decisions about a scene.
+pub(super) struct Decisions<'a> {
+    pub visibility: Visibility,
+    /// The carrier of the pairs.
+    pub choice: TransportChoice,
+    /// Rays that carry the pairs, if any.
+    pub rays: Option<u64>,
+    /// Cuts of surfaces.
+    pub how: Discretization,
+    /// Cells of the surfaces, where they are known.
+    pub mesh: Option<Cow<'a, Mesh>>,
+    /// Whether there are other cells than follow from `how`.
+    is_refined: bool,
+}
+
+impl Layout {
+    /// Whether rays carry the pairs.
+    pub(crate) fn is_by_rays(&self) -> bool {
+        self.choice.sampled
+    }
+
+    /// The layout of `scene` by these options.
+    pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
+        let Decisions { choice, how, mesh, .. } = AssemblyPlan::default().decided(scene, options);
+        Self { choice, how, mesh: mesh.map_or_else(|| usual_mesh(scene, &how), Cow::into_owned) }
+    }
+
+    /// The plan of a model of this layout.
+    pub(super) fn plan(&self) -> AssemblyPlan<'_> {
+        AssemblyPlan { choice: Some(self.choice.clone()), how: Some(self.how), mesh: Some(&self.mesh) }
+    }
+}
+
+impl<'a> AssemblyPlan<'a> {
+    /// All decisions about `scene`.
+    pub(super) fn decided(self, scene: &Scene, options: &Options) -> Decisions<'a> {
+        let visibility = options.visibility(scene);
+        let choice = self.choice.unwrap_or_else(|| TransportChoice::of(scene, options, || &visibility));
+        let rays = choice.sampled.then(|| options.ray_budget(scene));
+        let is_known = self.how.is_some();
+        let Ground { how, mesh: own } = match self.how {
+            Some(how) => Ground { how, mesh: None },
+            None => ground(scene, &visibility, options, rays),
+        };
+        let is_refined = (self.mesh.is_some() && !is_known) || own.is_some();
+        let mesh = self.mesh.map(Cow::Borrowed).or(own.map(Cow::Owned));
+        Decisions { visibility, choice, rays, how, mesh, is_refined }
+    }
+}
+
+impl Decisions<'_> {
+    /// Bytes that the run takes at the most, estimated.
+    pub(super) fn peak_memory(&self, scene: &Scene, options: &Options, ranks: &Ranks) -> u64 {
+        match self.refined() {
+            Some(mesh) => peak_of_mesh(scene, &self.how, mesh, options, ranks),
+            None => self.need(scene, options, false, ranks).peak(),
+        }
+    }
+
+    /// Refuses a run that needs more memory than allowed; its blocks and rays may be kept for the next scene.
+    pub(super) fn require_memory(
+        &self,
+        scene: &Scene,
+        options: &Options,
+        is_kept: bool,
+        ranks: &Ranks,
+    ) -> Result<(), Failure> {
+        match self.refined() {
+            Some(mesh) => require_memory_of_mesh(scene, &self.how, mesh, options, ranks),
+            None => self.need(scene, options, is_kept, ranks).require(),
+        }
+    }
+
+    /// The cells that do not follow from the cuts of surfaces.
+    fn refined(&self) -> Option<&Mesh> {
+        self.mesh.as_deref().filter(|_| self.is_refined)
+    }
+
+    fn need<'a>(
+        &self,
+        scene: &'a Scene,
+        options: &'a Options,
+        is_kept: bool,
+        ranks: &'a Ranks,
+    ) -> MemoryNeed<'a> {
+        MemoryNeed { scene, how: self.how, options, rays: self.rays, is_kept, ranks }
+    }
+}
+
+/// The cuts of the scene, given the rays that carry its pairs, if any: into elements that hold the functions
+/// of the basis.
+fn ground(scene: &Scene, visibility: &Visibility, options: &Options, rays: Option<u64>) -> Ground {
+    let auto = || match rays {
+        Some(rays) => Subdivide::Graded { rays },
+        None => Subdivide::Auto { occluded: visibility.any_shadow() },
+    };
+    let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
+    let Options { basis, order, space, layers, eps, .. } = *options;
+    basis.ground(scene, &Discretization { order, space, subdivide, layers }, eps)
+}

@@ -1,0 +1,20 @@
+//! Numbers of rays by which light is gathered.
+
+/// Relative standard deviation times the number of rays to the power ¾: up to this in rooms. Measured in the
+/// Cornell box.
+const ROUGHNESS: f64 = 1.5;
+
+/// Most rays over their expected number; never more than [`MOST`] are sent: some ten seconds. Both are
+/// chosen.
+const PATIENCE: f64 = 16.0;
+const MOST: f64 = 1.6e7;
+
+/// Cosine-distributed rays that an error of `eps` takes.
+pub(super) fn usual_rays(eps: f64) -> f64 {
+    (ROUGHNESS / eps).powf(4.0 / 3.0)
+}
+
+/// Most cosine-distributed rays for an error of `eps`.
+pub(super) fn most_rays(eps: f64) -> u64 {
+    (PATIENCE * usual_rays(eps)).min(MOST) as u64
+}

@@ -1,0 +1,37 @@
+//! Receivers of gathered light: points and patches.
+
+use radiosity_elements::measure::WeightedNode;
+use radiosity_elements::patch::Patch;
+use radiosity_elements::sampling::area_preserving_map::AreaPreservingMap;
+use radiosity_light::receiver_point::ReceiverPoint;
+
+/// Where light is read, and its rays start.
+#[derive(Debug)]
+pub enum Receiver {
+    /// Irradiance at a point.
+    Point(ReceiverPoint),
+    /// The mean over a patch of the surface of this index.
+    Patch(usize, AreaPreservingMap),
+}
+
+impl Receiver {
+    /// The mean over a patch of the surface of this index.
+    pub fn over(surface: usize, patch: &Patch) -> Self {
+        Self::Patch(surface, AreaPreservingMap::of(std::slice::from_ref(patch)))
+    }
+
+    pub(super) fn middle(&self) -> ReceiverPoint {
+        self.at([0.5; 2]).0
+    }
+
+    /// The point that two numbers in [0, 1] choose, and its weight.
+    pub(super) fn at(&self, place: [f64; 2]) -> (ReceiverPoint, f64) {
+        match self {
+            Self::Point(receiver) => (*receiver, 1.0),
+            Self::Patch(surface, area_map) => {
+                let WeightedNode { node, weight } = area_map.point(place);
+                (ReceiverPoint::on(*surface, node.position, node.normal), weight)
+            }
+        }
+    }
+}
