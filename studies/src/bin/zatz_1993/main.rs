@@ -1,15 +1,15 @@
 //! The figures and the table of H. R. Zatz, "Galerkin radiosity" (1993), computed again.
 //!
 //! `cargo run --release -p radiosity-studies --bin zatz_1993 -- [PART ...]` prints Markdown, the paper's
-//! numbers beside those of its own rule (the hybrid, H1) and of ours: `figure-4` and `figure-5` (error against
-//! order of two squares), `table-1` (times and shots, with figures 6, 7, 8 and 12), `figure-7` (the shadow of
-//! figures 7 and 8, with docs/occluder-box-pictures.png and -differences.png), `figure-9` (the two boxes at
-//! orders 0, 1, 3 and 7; figure 11 is the second row of the picture it writes, docs/zatz-two-boxes.png; figure
-//! 10 is the mesh), `figure-13` (the temple); all unless said. No pairs are carried by rays: a run of which
-//! rays carry any fails.
+//! numbers beside those of its own rule (the hybrid, H1) and of ours: `figure-4` and `figure-5` (error
+//! against order of two squares), `table-1` (times and shots, with figures 6, 7, 8 and 12), `figure-7` (the
+//! shadow of figures 7 and 8, with docs/occluder-box-pictures.png and -differences.png), `figure-9` (the two
+//! boxes at orders 0, 1, 3 and 7; figure 11 is the second row of the picture it writes,
+//! docs/zatz-two-boxes.png; figure 10 is the mesh), `figure-13` (the temple); all unless said. No pairs are
+//! carried by rays: a run of which rays carry any fails.
 //!
-//! Only the squares are known to the last number: sizes, reflectances, cameras and stopping rules of the rooms
-//! were not published, and the scenes here are stand-ins of the same make.
+//! Only the squares are known to the last number: sizes, reflectances, cameras and stopping rules of the
+//! rooms were not published, and the scenes here are stand-ins of the same make.
 
 mod boxes;
 mod memory;

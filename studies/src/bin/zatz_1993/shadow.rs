@@ -1,11 +1,12 @@
 //! Figures 7 and 8: one shadow, seven ways, in the box with a lamp and a hovering panel.
 //!
-//! Writes docs/occluder-box-pictures.png and docs/occluder-box-differences.png, each of seven pictures side by
-//! side, and prints how far the radiosity of the floor's pixels is off (relative L2):
+//! Writes docs/occluder-box-pictures.png and docs/occluder-box-differences.png, each of seven pictures side
+//! by side, and prints how far the radiosity of the floor's pixels is off (relative L2):
 //!
 //! 1. polynomials alone, of order 4, on the floor 8, by the rules of 1993 (figure 7), and
 //! 2. by ours;
-//! 3. direct light times masks of 40 × 40 cells, order 8 on the lamp too, by the rules of 1993 (figure 8), and
+//! 3. direct light times masks of 40 × 40 cells, order 8 on the lamp too, by the rules of 1993 (figure 8),
+//! and
 //! 4. by ours;
 //! 5. with masks that average light instead of area;
 //! 6. direct light exact at every point, the rest from polynomials of the same orders (`--read direct`);

@@ -32,9 +32,9 @@ enum Outcome {
     Integrated(Block),
 }
 
-/// The blocks of a demand, whose accuracies the rules ignore: each ordered pair integrated with `extra` points
-/// per direction above the order. They are not symmetric. Ordered pairs are told; those of the blocks count
-/// unordered.
+/// The blocks of a demand, whose accuracies the rules ignore: each ordered pair integrated with `extra`
+/// points per direction above the order. They are not symmetric. Ordered pairs are told; those of the blocks
+/// count unordered.
 pub fn assemble(demand: Demand<'_>, rules: PaperRules, extra: usize, work: &Work<'_>) -> Blocks {
     let Demand { elements, wanted, visibility, .. } = demand;
     let (list, rule) = (elements.list(), Rule { rules, extra });

@@ -124,8 +124,8 @@ fn pieces_that_do_not_touch_along_an_edge_are_not_cut() {
 }
 
 /// In a closed room rows add up to 1. The paper's rule errs by 2 % where the edges of the screen are cut by
-/// hand, and by 7 % where they are not. H2, with an odd number of points, samples shadows in the very plane of
-/// the screen.
+/// hand, and by 7 % where they are not. H2, with an odd number of points, samples shadows in the very plane
+/// of the screen.
 #[test]
 fn rows_add_up_at_t_contacts() {
     for (rules, error) in [(H1, 0.02), (H3, 0.03), (H2, 0.05)] {
@@ -134,8 +134,8 @@ fn rows_add_up_at_t_contacts() {
     }
 }
 
-/// Polygons, with holes: what each element receives if all emit 1 is that of exact blocks, within the accuracy
-/// of the rule.
+/// Polygons, with holes: what each element receives if all emit 1 is that of exact blocks, within the
+/// accuracy of the rule.
 #[test]
 fn rows_of_polygons_with_holes_add_up_as_exact_ones() {
     for name in ["cornell-box", "occluder-box", "two-boxes"] {
