@@ -174,7 +174,9 @@ impl Solution {
     /// The report, in JSON.
     #[getter]
     fn report(&self) -> String {
-        serde_json::to_string(&self.report).expect("a report is plain data")
+        let mut report = self.report.clone();
+        report.compare_joints(&self.solved);
+        serde_json::to_string(&report).expect("a report is plain data")
     }
 
     /// Coefficients of the radiosity in the orthonormal bases of the elements: an array (bands, unknowns).

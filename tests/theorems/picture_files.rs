@@ -179,7 +179,7 @@ fn other_programs_get_means_and_are_told() {
     let text = room("reflectance = { cells = [[0.2, 0.4]] }\ntransmittance = 0.1")
         .replace("name = \"floor\"", "name = \"floor\"\ntwo_sided = true\nback_material = \"other\"");
     let text = format!("{text}\n[materials.other]\nreflectance = 0.3\ntransmittance = 0.1\n");
-    let model = radiosity::language::model(&typed(&text)).unwrap();
+    let model = radiosity::language::model(&typed(&text), None).unwrap();
     let floor = model.materials.iter().find(|own| own.name == "floor").expect("it is there");
     assert!((floor.reflectance[0] - 0.3).abs() < 1e-15);
     let notes: Vec<&str> = model.notes.iter().map(|note| note.text.as_str()).collect();

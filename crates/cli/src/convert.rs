@@ -1,6 +1,7 @@
 //! `radiosity convert`: a scene in another format, or a solution as a grid.
 
 use std::io::Write;
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -10,6 +11,7 @@ use radiosity_formats::{
     write::{WRITTEN, write},
 };
 use radiosity_reading::files::solution_file::{is_solution, read};
+use radiosity_request::ranges::Pieces;
 use radiosity_scene::{Notation, Scene, Source};
 use radiosity_work::ranks::Ranks;
 
@@ -19,7 +21,7 @@ use crate::{
 
 const EXAMPLES: &str = "\
 Scenes of other programs are repaired as for every verb, and each repair is told. What a format has no words for is left out, \
-and told too; surfaces that it has no shape for are refused, with their names. Comments are not kept.
+and told too; surfaces that it has no shape for are refused, with their names, unless --tessellate cuts them. Comments are not kept.
 
 A solution becomes .vtu: its polynomials on curved cells of VTK, for ParaView.
 
@@ -27,6 +29,7 @@ Examples:
   radiosity convert room.mgf room.toml --one-sided   a scene to work on, its materials by name
   radiosity convert kitchen.obj kitchen.json --unit mm --materials paint.toml
   radiosity convert cornell-box cornell.obj          a built-in scene, with cornell.mtl
+  radiosity convert teapot teapot.obj --tessellate 20  curved surfaces as flat pieces
   radiosity convert room.solution.json room.vtu      light that `radiosity solve` computed";
 
 /// Writes a scene in another format, .toml, .json, .mgf, .vs3 or .obj, or a solution as .vtu
@@ -40,6 +43,10 @@ pub(crate) struct ConvertArgs {
     /// a solution
     #[arg(value_name = "OUT")]
     pub(crate) output: PathBuf,
+
+    /// Curved surfaces become flat pieces between points of them, over so many cells along u and v
+    #[arg(long, value_name = "N")]
+    pub(crate) tessellate: Option<Pieces>,
 }
 
 /// A format that is written.
@@ -96,6 +103,12 @@ pub(crate) fn run(args: &ConvertArgs, ranks: &Ranks) -> Result<(), CliError> {
 
 /// Reads a solution and writes its grid.
 fn grid(args: &ConvertArgs, ranks: &Ranks) -> Result<(), CliError> {
+    if args.tessellate.is_some() {
+        return Err(CliError::refused(
+            "--tessellate cuts the surfaces of a scene, and a grid has the curved cells of a solution",
+            "leave it out",
+        ));
+    }
     let output = args.scene.reserve(&args.output, ranks)?;
     let request = args.scene.request();
     let text = request.text(ranks)?;
@@ -124,18 +137,22 @@ struct Texts {
 fn texts(args: &ConvertArgs, target: Target, materials: &str, ranks: &Ranks) -> Result<Texts, CliError> {
     let scene = args.scene.request().load(ranks)?;
     let mut remarks: Vec<String> = scene.imported().map(|own| own.lines().collect()).unwrap_or_default();
+    if let (Target::Own(notation), None) = (target, args.tessellate) {
+        check_includes(args, &scene)?;
+        return Ok(Texts { scene: radiosity_language::text(&scene, notation)?, materials: None, remarks });
+    }
+    let pieces = args.tessellate.and_then(|pieces| NonZeroUsize::new(u64::from(pieces) as usize));
+    let model: Model = radiosity_language::model(&scene, pieces)?;
+    let output = args.output.display();
+    remarks.extend(model.notes.iter().map(|note| format!("{output}: {}", note.text)));
     match target {
         Target::Own(notation) => {
-            check_includes(args, &scene)?;
-            Ok(Texts { scene: radiosity_language::text(&scene, notation)?, materials: None, remarks })
+            let scene = radiosity_language::model_text(&model, notation);
+            Ok(Texts { scene, materials: None, remarks })
         }
         Target::Foreign(format) => {
-            let model: Model = radiosity_language::model(&scene)?;
-            let written = write(format, &model, materials).map_err(|refusal| {
-                CliError::refused(format!("{}: {}", args.output.display(), refusal.cause), refusal.cure)
-            })?;
-            remarks
-                .extend(model.notes.iter().map(|note| format!("{}: {}", args.output.display(), note.text)));
+            let written = write(format, &model, materials)
+                .map_err(|refusal| CliError::refused(format!("{output}: {}", refusal.cause), refusal.cure))?;
             Ok(Texts { scene: written.text, materials: written.materials, remarks })
         }
     }

@@ -111,7 +111,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     run.finish(Some(&written))
 }
 
-/// What the camera sees.
+/// A picture as the camera takes it.
 struct Shot {
     read: ReadMode,
     raster: Raster,

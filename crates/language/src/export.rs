@@ -1,14 +1,15 @@
 //! Surfaces of a scene → a model, which scenes of other programs are written from.
 
 use std::collections::HashMap;
+use std::num::NonZeroUsize;
 
 use radiosity_formats::{
     model::{Camera as ModelCamera, Material as ModelMaterial, Model, Shape, Sides, Surface},
     names::UniqueNames,
 };
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, ShapeError};
 use radiosity_scene::{
-    Camera, Fault, SceneSurface,
+    Camera, Fault, Scene, SceneSurface,
     error::{Located, title},
 };
 
@@ -25,6 +26,9 @@ pub(super) struct Export<'a> {
     /// Indices of the materials in the model, by name and light (as bits).
     materials: HashMap<(&'a str, Vec<u64>), usize>,
     names: UniqueNames,
+    /// Cells along each parameter of a curved surface, of which each becomes a flat piece; None: curved surfaces
+    /// stay.
+    tessellation: Option<NonZeroUsize>,
     /// Surfaces of shapes that a model cannot hold.
     refused: Vec<ForeignSurface>,
 }
@@ -37,11 +41,18 @@ struct ForeignSurface {
 }
 
 impl<'a> Export<'a> {
-    /// An empty model for these surfaces, its bands and its unit.
-    pub(super) fn new(surfaces: &'a [SceneSurface], bands: &[String], unit: &str) -> Self {
-        let model = Model { bands: bands.to_vec(), unit: Some(unit.to_owned()), ..Model::default() };
-        let known = surfaces.iter().map(|surface| (surface.name.as_str(), surface)).collect();
-        Self { model, known, materials: HashMap::new(), names: UniqueNames::default(), refused: Vec::new() }
+    /// A model of this scene without surfaces, whose curved surfaces are to be cut into flat pieces, or to stay.
+    pub(super) fn new(scene: &'a Scene, tessellation: Option<NonZeroUsize>) -> Self {
+        let unit = Some(scene.unit.clone());
+        let model = Model { bands: scene.bands.clone(), unit, ..Model::default() };
+        Self {
+            model,
+            known: scene.surfaces.iter().map(|surface| (surface.name.as_str(), surface)).collect(),
+            materials: HashMap::new(),
+            names: UniqueNames::default(),
+            tessellation,
+            refused: Vec::new(),
+        }
     }
 
     /// Adds the camera of the scene, from whose coordinates `middle` was subtracted.
@@ -58,34 +69,39 @@ impl<'a> Export<'a> {
     /// Adds the surfaces of an entry of the scene.
     pub(super) fn add(&mut self, placed: &PlacedSurface<'_>) -> Result<(), Located> {
         let PlacedSurface { file, name, motion, .. } = placed;
-        let shapes = file
-            .shape
-            .models(motion)
-            .map_err(|error| Located::at(&file.shape.span, error.into()).within(|| title("surface", name)))?;
-        let Some(shapes) = shapes else {
+        let faulty =
+            |error: ShapeError| Located::at(&file.shape.span, error.into()).within(|| title("surface", name));
+        let Some(shapes) = file.shape.models(motion, self.tessellation).map_err(faulty)? else {
             self.refused.push(ForeignSurface { name: name.clone(), key: file.shape.kind });
             return Ok(());
         };
         if file.order.is_some() || file.subdivide.is_some() {
             self.model.note("orders and numbers of elements are left out", None);
         }
-        for (index, mut shape) in shapes.into_iter().enumerate() {
-            let name = file.shape.name(name, index);
-            if file.flip {
-                shape.turn_over();
-            }
-            if file.back_material.is_some() {
-                self.model.note("materials of backs are left out: both sides have that of the front", None);
-            }
-            let sides = if file.two_sided { Sides::Both } else { Sides::Front };
-            self.push(&name, shape, sides);
+        if file.back_material.is_some() {
+            self.model.note("materials of backs are left out: both sides have that of the front", None);
+        }
+        let sides = if file.two_sided { Sides::Both } else { Sides::Front };
+        for (index, parts) in shapes.into_iter().enumerate() {
+            self.push(&file.shape.name(name, index), parts, sides, file.flip);
         }
         Ok(())
     }
 
-    fn push(&mut self, name: &str, shape: Shape, sides: Sides) {
+    /// Adds the shapes that a surface is made of.
+    fn push(&mut self, name: &str, parts: Vec<Shape>, sides: Sides, is_flipped: bool) {
         let material = self.known.get(name).copied().and_then(|surface| self.material(surface));
-        self.model.surfaces.push(Surface { name: name.to_owned(), material, shape, sides, place: None });
+        let is_cut = parts.len() > 1;
+        if is_cut {
+            self.model.note("curved surfaces become flat pieces", None);
+        }
+        for (part, mut shape) in parts.into_iter().enumerate() {
+            if is_flipped {
+                shape.turn_over();
+            }
+            let name = if is_cut { format!("{name}-{part}") } else { name.to_owned() };
+            self.model.surfaces.push(Surface { name, material, shape, sides, place: None });
+        }
     }
 
     /// The index of the material of a surface; none where the scene gives it none.
@@ -122,7 +138,7 @@ impl<'a> Export<'a> {
                 let spelt = spelt.collect::<Vec<_>>().join(", ");
                 let more = if count > SPELT { format!(" and {} more", count - SPELT) } else { String::new() };
                 let cause = format!("other programs have no such shapes as {spelt}{more}");
-                let cure = "write the scene as .toml or .json, or leave these surfaces out";
+                let cure = "cut them into flat pieces (`convert --tessellate 20`), write the scene as .toml or .json, or leave them out";
                 Err(Located::nowhere(Fault::foreign(cause, cure)))
             }
         }

@@ -6,7 +6,10 @@ mod solid;
 mod spline;
 mod turned;
 
-use radiosity_geom::Motion;
+use std::num::NonZeroUsize;
+
+use radiosity_formats::model::Shape;
+use radiosity_geom::{Motion, ShapeError};
 use radiosity_scene::{
     Fault, FaultKind,
     error::Located,
@@ -19,8 +22,9 @@ use crate::{
     fields::Reader,
     keys::{GivenFields, KeyGroup, KeySchema, KeyTable},
     terms,
+    tessellation::pieces,
 };
-use form::{Built, Form, Modelled};
+use form::{Built, Form};
 
 /// A shape: its key, what reads its value, and the schema of that.
 struct Entry {
@@ -119,9 +123,21 @@ impl ShapeFile {
         self.form.surfaces(motion)
     }
 
-    /// Shapes of these surfaces in a model of another program; None if models have no such shape.
-    pub(super) fn models(&self, motion: &Motion) -> Modelled {
-        self.form.models(motion)
+    /// Shapes of each of these surfaces in a model of another program, curved ones cut into flat pieces over so
+    /// many cells each way, if told to; None if models have no such shape.
+    pub(super) fn models(
+        &self,
+        motion: &Motion,
+        tessellation: Option<NonZeroUsize>,
+    ) -> Result<Option<Vec<Vec<Shape>>>, ShapeError> {
+        if let Some(count) = tessellation {
+            let surfaces = self.form.surfaces(motion)?;
+            if surfaces.iter().any(|surface| surface.region().is_none()) {
+                return Ok(Some(surfaces.iter().map(|surface| pieces(surface.as_ref(), count)).collect()));
+            }
+        }
+        let shapes = self.form.models(motion)?;
+        Ok(shapes.map(|shapes| shapes.into_iter().map(|shape| vec![shape]).collect()))
     }
 
     /// The name of the surface at `index` of these, where the shape is called `base`.

@@ -1,5 +1,6 @@
 //! Writing scenes that were read: in this language, and as models of other programs.
 
+use std::num::NonZeroUsize;
 use std::sync::Arc;
 
 use radiosity_formats::model::Model;
@@ -9,6 +10,7 @@ use crate::export::Export;
 use crate::include::{self, FileTree};
 use crate::instances;
 use crate::language::Language;
+use crate::model_tree::tree;
 use crate::reading::as_typed;
 use crate::variables;
 
@@ -46,21 +48,33 @@ fn written(scene: &Scene) -> Result<&Source, SceneError> {
     }
 }
 
-/// The scene as another program would hold it, shapes as they were typed.
+/// A model in this language.
+pub fn model_text(model: &Model, notation: Notation) -> String {
+    notation.text(tree(model).top())
+}
+
+/// The scene as another program would hold it, shapes as they were typed, or curved ones cut into flat pieces
+/// over so many cells each way.
 ///
 /// # Errors
 /// [`FaultKind::Foreign`](radiosity_scene::FaultKind::Foreign) for shapes that other programs do not have, and for a scene that was made in code.
-pub fn model(scene: &Scene) -> Result<Model, SceneError> {
+pub fn model(scene: &Scene, tessellation: Option<NonZeroUsize>) -> Result<Model, SceneError> {
     let mut source = written(scene)?.clone();
     let language = Language::of(&source);
-    let model = include::trees(&mut source, language).and_then(|files| exported(scene, files, &source));
+    let model =
+        include::trees(&mut source, language).and_then(|files| exported(scene, files, &source, tessellation));
     model.map_err(|located| located.in_source(&source))
 }
 
 /// The model of the scene that was built of these trees.
-fn exported(scene: &Scene, files: Vec<FileTree>, source: &Source) -> Result<Model, Located> {
+fn exported(
+    scene: &Scene,
+    files: Vec<FileTree>,
+    source: &Source,
+    tessellation: Option<NonZeroUsize>,
+) -> Result<Model, Located> {
     let (file, _) = as_typed(files, source)?;
-    let mut export = Export::new(&scene.surfaces, &scene.bands, &scene.unit);
+    let mut export = Export::new(scene, tessellation);
     if let Some(camera) = &scene.camera {
         export.camera(camera, scene.middle);
     }

@@ -5,7 +5,7 @@ use radiosity_published::hierarchy::Counts;
 use radiosity_reading::checkpoint::Checkpoint;
 use radiosity_reading::digits::decimals;
 use radiosity_reading::rank_work::RanksWork;
-use radiosity_reading::report::{Report, Transport};
+use radiosity_reading::report::{NamedJump, Report, Transport};
 use radiosity_reading::warning::Warning;
 use radiosity_scene::LightGroup;
 use radiosity_solve::Functional;
@@ -87,6 +87,14 @@ impl Run {
         self.solved.options.bounces.map_or_else(String::new, limited)
     }
 
+    /// Words on the largest jump between surfaces; empty where none go on smoothly.
+    fn joint(&self) -> String {
+        let words = |NamedJump { jump, surfaces: [first, second] }: &NamedJump| {
+            format!(", across joints {jump:.2e} (\"{first}\", \"{second}\")")
+        };
+        self.report.joint_jump_max.as_ref().map_or_else(String::new, words)
+    }
+
     /// The lines; the last names what was `written`.
     pub(super) fn lines(&self, written: Option<&str>) -> Vec<String> {
         let Report { surfaces, elements, unknowns, checks, .. } = &self.report;
@@ -113,7 +121,7 @@ impl Run {
         if self.start.progress.verbose {
             lines.extend(self.report.functionals.iter().map(minimum));
             lines.push(format!("pairs: {:?}", self.report.pairs));
-            lines.push(smoothness(checks));
+            lines.push(smoothness(checks) + &self.joint());
         }
         lines.extend(self.report.planes.iter().flat_map(|plane| plane.lines(&self.report.unit)));
         lines.extend(self.report.warnings.iter().map(Warning::to_string));
@@ -128,7 +136,7 @@ fn minimum(Functional { band, group, value }: &Functional) -> String {
     format!("variational functional of band '{band}'{group}: {value:.9e}")
 }
 
-/// What the line about the balance of power says of the sums of rows.
+/// Words on the sums of rows, behind the balance of power.
 fn row_sums(checks: &Checks) -> String {
     let [least, most] = [checks.row_sum_min, checks.row_sum_max].map(|sum| decimals(sum, 4));
     format!("; row sums {least} to {most}")
