@@ -98,7 +98,18 @@ class Method(TypedDict, total=False):
         Size of each layer against the next, between 0 and 1 [default: 0.25].
 
     eps: float
-        Accuracy of the transfers between elements, between 0 and 1 [default: 1e-3; as `quality` says].
+        Accuracy of the transfers between elements, between 0 and 1; of hierarchical radiosity the greatest power of a link, in
+        parts of all that is emitted, or form factor [default: 1e-3; as `quality` says].
+
+    link_measure: "power" or "form-factor"
+        What `eps` bounds of a link of hierarchical radiosity [default: power].
+
+    link_rays: int
+        Rays that find what is hidden of a link of hierarchical radiosity [default: 16].
+
+    least_area: float
+        Part of the area of all surfaces up to which hierarchical radiosity does not cut faces [default: 1e-6; 1e-3 by form
+        factors].
 
     kernel: "default", "paper-legendre", "paper-hybrid", "paper-hybrid-h2", "paper-hybrid-h3" or "paper-printed"
         Rules of the transfers between elements; those of 1993 ignore `eps` [default: default].
@@ -114,6 +125,27 @@ class Method(TypedDict, total=False):
 
     preconditioner: "block" or "none"
         How cg and gmres precondition [default: block].
+
+    columns: "shot" or "all"
+        With solver="southwell", when a block column of the transfers is integrated [default: "shot"; "all" where rays carry the light, and wherever else the report says so].
+
+    shots: int
+        Stops after so many shots of solver="southwell" in each band and light group: the polynomials then hold what was shot and what has arrived [default: as many as `tolerance` takes].
+
+    ambient: bool
+        Adds to the light of `shots` the ambient term of Cohen 1988: what all further shots would bring, if it were the same everywhere.
+
+    at_once: "block" or "coefficient"
+        What jacobi, gauss-seidel and southwell relax at a time [default: block].
+
+    sweep: "forward" or "symmetric"
+        The order in which gauss-seidel visits the elements [default: forward].
+
+    relaxation: float
+        Factor of every correction of jacobi, richardson, gauss-seidel and southwell, between 0 and 2: above 1 overshoots [default: 1].
+
+    restart: int
+        Vectors that gmres keeps before it restarts [default: 50].
 
     bounces: int
         Light that was reflected so many times at the most before it arrives: 0 for light straight from emitters [default: all].
@@ -161,11 +193,21 @@ class Method(TypedDict, total=False):
     layers: int
     ratio: float
     eps: float
+    link_measure: Literal["power", "form-factor"]
+    link_rays: int
+    least_area: float
     kernel: Literal["default", "paper-legendre", "paper-hybrid", "paper-hybrid-h2", "paper-hybrid-h3", "paper-printed"]
     transport: Literal["auto", "exact", "sampled"]
     rays: int
     solver: str
     preconditioner: Literal["block", "none"]
+    columns: Literal["shot", "all"]
+    shots: int
+    ambient: bool
+    at_once: Literal["block", "coefficient"]
+    sweep: Literal["forward", "symmetric"]
+    relaxation: float
+    restart: int
     bounces: int
     tolerance: float
     max_iterations: int

@@ -19,6 +19,7 @@ OPTIONS = [
     ("cornell-box", {"order": 1, "eps": 1e-2, "shadow_eps": 0.1}, ["--order", "1", "--eps", "1e-2", "--shadow-eps", "0.1"]),
     ("empty-box", {"tensor": True, "order": 2, "layers": 1, "ratio": 0.3}, ["--tensor", "--order", "2", "--layers", "1", "--ratio", "0.3"]),
     ("two-boxes", {"method": "hierarchical", "eps": 3e-2}, ["--method", "hierarchical", "--eps", "3e-2"]),
+    ("empty-box", {"method": "hierarchical", "eps": 0.1, "link_measure": "form-factor", "least_area": 1e-2, "link_rays": 4}, ["--method", "hierarchical", "--eps", "0.1", "--link-measure", "form-factor", "--least-area", "1e-2", "--link-rays", "4"]),
     ("two-boxes", {"transport": "sampled", "rays": 100_000}, ["--transport", "sampled", "--rays", "100000"]),
     ("empty-box", {"basis": "linear", "subdivide": 4}, ["--basis", "linear", "--subdivide", "4"]),
     ("occluder-box", {"shadows": "mask", "mask_cells": 9, "order": 1}, ["--shadows", "mask", "--mask-cells", "9", "--order", "1"]),

@@ -29,6 +29,7 @@ def dark() -> Scene:
         (lambda: box(basis="constant", order=2), 'basis="constant" has no order=2: '),
         (lambda: box(basis="constant", order=2), "take finer cells: subdivide=8"),
         (lambda: box(mask_cells=9), 'mask_cells= does nothing without shadows="mask"'),
+        (lambda: box(link_rays=9), 'link_rays= does nothing without method="hierarchical"'),
         (lambda: box(ratio=0.3), "ratio= does nothing without layers="),
         (lambda: box(aim="solution"), "aim= does nothing without an accuracy"),
         (lambda: box(bounces=1).save("light.json"), "bounces=1: a solution is kept"),

@@ -248,6 +248,21 @@ fn numbers_of_what_is_not_asked_for_are_refused() {
             "--mask-average does nothing without --shadows mask",
             "help: add --shadows mask",
         ),
+        (
+            ["--link-measure", "form-factor"],
+            "--link-measure does nothing without --method hierarchical",
+            "help: add --method hierarchical, or leave --link-measure out",
+        ),
+        (
+            ["--link-rays", "9"],
+            "--link-rays does nothing without --method hierarchical",
+            "help: add --method hierarchical",
+        ),
+        (
+            ["--least-area", "1e-3"],
+            "--least-area does nothing without --method hierarchical",
+            "help: add --method hierarchical",
+        ),
     ];
     for (option, message, cure) in idle {
         refused(here, &[&["solve", "empty-box"], &option[..]].concat(), &[message, cure]);
@@ -347,6 +362,26 @@ fn hierarchical_radiosity_is_a_method_that_every_verb_reads() {
     }
 }
 
+/// Refine(Fe, Ae) of 1991: faces of at most a part of the area are not cut, whatever their form factors; and
+/// each link costs the rays that are asked for.
+#[test]
+fn links_have_the_least_area_measure_and_rays_that_are_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let links = |options: &[&str]| {
+        let args = ["solve", "empty-box", "--method", "hierarchical", "--link-measure", "form-factor"];
+        assert!(radiosity(here, &[&args[..], options, &["--report", "r.json"]].concat()).status.success());
+        let report = json(&here.join("r.json"));
+        let links = report["transport"]["links"]["links"].as_u64().unwrap();
+        (report["elements"].as_u64().unwrap(), links, report["shadow_rays"].as_u64().unwrap())
+    };
+    // Six squares, each a sixth of the area, between each other's edges: all are cut until they are small.
+    let [coarse, fine] = ["2e-2", "5e-3"].map(|area| links(&["--eps", "1e-2", "--least-area", area]));
+    assert_eq!((coarse.0, fine.0), (6 * 16, 6 * 64), "cells of 1/96 and 1/384 of the area");
+    // No form factor is above 1.
+    assert_eq!(links(&["--eps", "0.999", "--link-rays", "7"]), (6, 15, 105));
+}
+
 #[test]
 fn a_report_has_every_key_and_they_agree() {
     let folder = tempfile::tempdir().unwrap();
@@ -425,6 +460,53 @@ fn completions_name_the_verbs() {
             "{shell}"
         );
     }
+}
+
+#[test]
+fn shots_are_counted_with_the_columns_that_were_integrated() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let few = ["render", "empty-box", "--order", "1", "--size", "8x8", "--shots", "2"];
+    let run = radiosity(here, &[&few[..], &["--ambient", "--report", "r.json", "-o", "p.png"]].concat());
+    let message = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.success(), "{message}");
+    assert!(message.contains("2 shots leave") && message.contains("2 of 6 columns integrated"), "{message}");
+    assert!(message.contains("for which an ambient term stands"), "{message}");
+    let report = json(&here.join("r.json"));
+    assert_eq!((&report["shots"]["count"], &report["shots"]["columns"]), (&2.into(), &2.into()));
+    assert_eq!(report["shots"]["history"].as_array().unwrap().len(), 3);
+    assert_eq!(report["warnings"], Value::Array(Vec::new()));
+    let all = ["solve", "empty-box", "--order", "1", "--solver", "southwell", "--columns", "all"];
+    let run = radiosity(here, &all);
+    let message = String::from_utf8_lossy(&run.stderr);
+    assert!(
+        message.contains("all 6 columns integrated before the first shot: that was asked for"),
+        "{message}"
+    );
+}
+
+#[test]
+fn errors_are_drawn_against_shots_and_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let args = ["convergence", "empty-box", "--max-order", "1", "--shots", "8", "--format", "csv"];
+    let run = radiosity(folder.path(), &args);
+    let table = String::from_utf8_lossy(&run.stdout);
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let place = |name: &str| rows[0].iter().position(|own| *own == name).unwrap();
+    let column = |way: &str, name: &str| -> Vec<f64> {
+        let own = rows.iter().filter(|row| row[place("way")] == way);
+        own.map(|row| row[place(name)].parse().unwrap()).collect()
+    };
+    for way in ["shots", "shots-of-all"] {
+        assert_eq!(column(way, "shots"), [0.0, 1.0, 2.0, 4.0, 8.0]);
+        assert!(column(way, "error").is_sorted_by(|a, b| a > b), "{table}");
+    }
+    assert_eq!(column("shots", "columns"), [0.0, 1.0, 2.0, 4.0, 6.0]);
+    assert_eq!(column("shots-of-all", "columns"), [6.0; 5]);
+    assert_eq!(column("shots", "error"), column("shots-of-all", "error"));
+    let drawing = fs::read_to_string(folder.path().join("empty-box.svg")).unwrap();
+    assert!(drawing.contains(">shots<") && drawing.contains("time, s"), "{drawing}");
 }
 
 #[test]

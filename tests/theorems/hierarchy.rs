@@ -2,31 +2,23 @@
 
 use std::f64::consts::PI;
 
-use proptest::prelude::*;
 use radiosity::Work;
 use radiosity::elements::rule::UnitRule;
-use radiosity::elements::space::Space;
-use radiosity::elements::{Discretization, Element, Elements};
-use radiosity::geom::DVec3;
-use radiosity::geom::shapes::{Polygon, Sphere};
-use radiosity::kernel::{Accuracy, Blocks, PlacedBlock};
+use radiosity::elements::sampling::kronecker;
+use radiosity::geom::{DVec3, RayTree};
 use radiosity::published::hierarchy::harmonics::{HARMONICS, clamped_cosine, harmonics};
-use radiosity::published::hierarchy::linked_blocks::{LevelElement, LinkedBlocks};
-use radiosity::published::hierarchy::two_scale::TwoScale;
 use radiosity::published::hierarchy::{
-    BandSystem, Counts, Fields, Hierarchical, HierarchyError, HierarchyOptions, solve_hierarchically,
+    BandSystem, Counts, Fields, Hierarchical, HierarchyError, HierarchyOptions, Leaf, LinkMeasure,
+    solve_hierarchically,
 };
 use radiosity::scene::{NamedMaterial, Scene, SceneBuilder};
 use radiosity::solve::solved::Solved;
 use radiosity::solve::studies::adaptation::{Aim, Goal};
 use radiosity::solve::{LightMethod, Options, Outcome, in_threads};
-use radiosity::visibility::{Shadows, Visibility};
-use radiosity_core::legendre::{Half, two_scale};
-use radiosity_test_support::scenes::grey;
 use radiosity_test_support::scenes::{builtin, material};
 use radiosity_test_support::shapes::faces;
 use radiosity_test_support::shapes::{ball, plate};
-use radiosity_test_support::solved::{blocks_of, outcome_of, solved_of};
+use radiosity_test_support::solved::{outcome_of, solved_of};
 
 fn solved(scene: &Scene, options: &HierarchyOptions) -> Hierarchical {
     solve_hierarchically(scene, options, &|_| {}).expect("the scene can be solved")
@@ -153,7 +145,8 @@ fn push_is_the_transpose_of_pull_and_the_exchange_is_symmetric() {
 
 #[test]
 fn pull_keeps_constants_and_push_keeps_power() {
-    let solved = solved(&builtin("cornell-box"), &HierarchyOptions::default());
+    let options = HierarchyOptions { eps: 1e-3, ..HierarchyOptions::default() };
+    let solved = solved(&builtin("cornell-box"), &options);
     let hierarchy = solved.hierarchy();
     let up = hierarchy.pull(&vec![1.0; solved.leaves().len()]);
     assert!(up.faces.iter().all(|mean| (mean - 1.0).abs() < 1e-13));
@@ -173,7 +166,7 @@ fn pull_keeps_constants_and_push_keeps_power() {
 #[test]
 fn leaves_are_found_by_their_parameters() {
     let scene = builtin("cornell-box");
-    let solved = solved(&scene, &HierarchyOptions::default());
+    let solved = solved(&scene, &HierarchyOptions { eps: 1e-3, ..HierarchyOptions::default() });
     for (index, leaf) in solved.leaves().iter().enumerate() {
         // The middle of a cell that a hole cuts may belong to the hole; it is the cell's place all the same.
         assert_eq!(solved.hierarchy().leaf_at(leaf.surface, leaf.rect.center()), Some(index));
@@ -267,6 +260,83 @@ fn links_of_squares_keep_the_mean_of_even_light() {
         }
         let mean = mean_radiosity(&solved);
         assert!((mean - 2.0).abs() < 0.03, "{eps}: {mean}");
+    }
+}
+
+/// Greatest and least sum of the form factors of a leaf.
+fn row_sums(solved: &Hierarchical) -> [f64; 2] {
+    let power = solved.hierarchy().exchange(&vec![1.0; solved.leaves().len()]);
+    let sums = solved.leaves().iter().zip(power).map(|(leaf, power)| power / leaf.area);
+    sums.fold([f64::INFINITY, 0.0], |[least, most], sum| [least.min(sum), most.max(sum)])
+}
+
+/// In a closed room the form factors of every leaf add up to 1: the more nearly, the weaker links are. Without
+/// links handed down the greatest sum grew, from 1.31 to 1.43 and from 1.19 to 1.32.
+#[test]
+fn form_factors_of_every_leaf_tend_to_add_up_to_one() {
+    for (name, most) in [("empty-box", [0.3, 0.16]), ("two-boxes", [0.5, 0.3])] {
+        let deviations = [1e-2, 1e-3].map(|eps| {
+            let options = HierarchyOptions { eps, ..HierarchyOptions::default() };
+            let [least, most] = row_sums(&solved(&builtin(name), &options));
+            (1.0 - least).max(most - 1.0)
+        });
+        let [rough, fine] = deviations;
+        assert!(rough < most[0] && fine < most[1] && fine < 0.7 * rough, "{name}: {deviations:?}");
+    }
+}
+
+/// Part of the rays from a leaf, by the cosine, that meet the front of a surface.
+fn met(scene: &Scene, rays: &RayTree, leaf: &Leaf, count: u64) -> f64 {
+    let shape = &scene.surfaces[leaf.surface].shape;
+    let (mut met, mut all) = (0.0, 0.0);
+    for [a, b, c, d] in (0..count).map(kronecker::point::<4>) {
+        let within = |[low, high]: [f64; 2], share: f64| low + (high - low) * share;
+        let jet = shape.jet(within(leaf.rect.u, a), within(leaf.rect.v, b));
+        let (along, across) = jet.normal.any_orthonormal_pair();
+        let (sin, cos) = (2.0 * PI * c).sin_cos();
+        let direction = (along * cos + across * sin) * d.sqrt() + jet.normal * (1.0 - d).sqrt();
+        let area = jet.du.cross(jet.dv).length();
+        all += area;
+        let first = rays.nearest_from(leaf.surface, jet.position, direction);
+        met += if first.is_some_and(|first| first.front) { area } else { 0.0 };
+    }
+    met / all
+}
+
+/// The teapot's room is open, and its surfaces are curved: rays tell what the form factors of a leaf add up to.
+#[test]
+fn form_factors_of_leaves_add_up_to_what_rays_meet() {
+    let scene = builtin("teapot");
+    let rays = RayTree::new(scene.surfaces.iter().map(|surface| surface.shape.clone()).collect());
+    let deviations = [1e-2, 1e-3].map(|eps| {
+        let options = HierarchyOptions { eps, rays_per_link: 64, ..HierarchyOptions::default() };
+        let solved = solved(&scene, &options);
+        let power = solved.hierarchy().exchange(&vec![1.0; solved.leaves().len()]);
+        let (mut missed, mut areas, mut most) = (0.0, 0.0, 0.0f64);
+        for (leaf, power) in solved.leaves().iter().zip(power) {
+            let deviation = power / leaf.area - met(&scene, &rays, leaf, 1000);
+            missed += leaf.area * deviation.powi(2);
+            areas += leaf.area;
+            most = most.max(power / leaf.area);
+        }
+        // 1.12 at 1e-3, on the neck of the pot; why is not known.
+        assert!(most < 1.2, "{eps}: {most}");
+        f64::sqrt(missed / areas)
+    });
+    assert!(deviations[1] < deviations[0] && deviations[1] < 0.05, "{deviations:?}");
+}
+
+/// Every leaf of a furnace, not their mean alone, is as bright as the closed form says, by either measure.
+#[test]
+fn every_leaf_of_a_furnace_is_nearly_two() {
+    for (measure, falling) in [(LinkMeasure::Power, [1e-2, 1e-3]), (LinkMeasure::FormFactor, [0.1, 0.03])] {
+        let worst = falling.map(|eps| {
+            let usual = HierarchyOptions::default();
+            let options = HierarchyOptions { measure, eps, least_area: 1e-3, ..usual };
+            let solved = solved(&hall(1, true), &options);
+            solved.radiosity(0).iter().map(|b| (b - 2.0).abs()).fold(0.0, f64::max)
+        });
+        assert!(worst[1] < worst[0] && worst[1] < 0.3, "{measure:?}: {worst:?}");
     }
 }
 
@@ -415,151 +485,4 @@ fn options_out_of_range_are_refused() {
         let refused = solve_hierarchically(&builtin("furnace-cube"), &options, &|_| {});
         assert!(matches!(refused, Err(HierarchyError::Option { .. })), "{options:?}");
     }
-}
-
-fn cut(scene: &Scene, order: usize, space: Space, parts: usize) -> Elements {
-    let how = Discretization { space, ..Discretization::uniform(order, parts) };
-    Elements::new(scene, &how).expect("surfaces have area")
-}
-
-/// A scene of one surface of any shape.
-fn single(shape: impl radiosity::geom::Surface + 'static) -> Scene {
-    let (mut room, grey) = grey();
-    room.surface("single", shape, &grey);
-    room.build().expect("it has an area")
-}
-
-/// On a parallelogram H is ½ of the product of the matrices of the Legendre basis.
-#[test]
-fn parallelograms_have_the_two_scale_matrix_of_legendre_polynomials() {
-    const COUNT: usize = 5;
-    let halves = [Half::Left, Half::Right].map(two_scale::<COUNT>);
-    let side = DVec3::new(0.7, 1.3, 0.2);
-    let shape = plate(DVec3::ZERO, 3.0 * DVec3::X, side);
-    let scene = single(shape);
-    for space in [Space::Total, Space::Tensor] {
-        let [coarse, fine] = [1, 2].map(|parts| cut(&scene, COUNT - 1, space, parts));
-        let parent = &coarse.list()[0];
-        let degrees: Vec<(usize, usize)> = parent.basis.degrees().collect();
-        for child in fine.list() {
-            let [u, v] = child.rect.center().map(|middle| &halves[usize::from(middle > 0.0)]);
-            let scale = TwoScale::new(parent, child);
-            for (m, row) in scale.values().chunks_exact(degrees.len()).enumerate() {
-                for (k, h) in row.iter().enumerate() {
-                    let ((i, j), (p, q)) = (degrees[k], degrees[m]);
-                    let exact = 0.5 * u[i][p] * v[j][q];
-                    assert!((h - exact).abs() < 1e-13, "{space:?} {k} {m}: {h} {exact}");
-                }
-            }
-        }
-    }
-}
-
-/// B at a point of an element, from its coefficients in the orthonormal basis.
-fn value(element: &Element, coefficients: &[f64], position: DVec3, parameters: [f64; 2]) -> f64 {
-    element.evaluate(&element.basis.to_raw(coefficients), position, parameters)
-}
-
-/// Push keeps values at points and ∫ B²; pull undoes it and is its transpose.
-fn check_two_scale(scene: &Scene, order: usize, tolerance: f64) -> Result<(), TestCaseError> {
-    let [coarse, fine] = [1, 2].map(|parts| cut(scene, order, Space::Total, parts));
-    let parent = &coarse.list()[0];
-    let b = scattered(parent.basis.len(), order);
-    let (mut back, mut energy) = (vec![0.0; b.len()], 0.0);
-    for (index, child) in fine.list().iter().enumerate() {
-        let scale = TwoScale::new(parent, child);
-        let mut own = vec![0.0; child.basis.len()];
-        scale.push(&b, &mut own);
-        scale.pull(&own, &mut back);
-        energy += dot(&own, &own);
-        for patch in &child.patches {
-            let node = patch.node(0.3, 0.6);
-            let parameters = node.parameters.to_array();
-            let [above, below] = [(parent, &b), (child, &own)]
-                .map(|(element, b)| value(element, b, node.position, parameters));
-            prop_assert!((above - below).abs() < tolerance * norm(&b) / child.area.sqrt(), "{above} {below}");
-        }
-        let y = scattered(own.len(), index + 50);
-        let mut pulled = vec![0.0; b.len()];
-        scale.pull(&y, &mut pulled);
-        prop_assert!((dot(&pulled, &b) - dot(&y, &own)).abs() < 1e-14 * norm(&y) * norm(&b) * 10.0);
-    }
-    prop_assert!(distance(&back, &b) < tolerance * norm(&b), "pull undoes push: {back:?} {b:?}");
-    prop_assert!((energy / dot(&b, &b) - 1.0).abs() < tolerance, "{energy}");
-    Ok(())
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
-
-    #[test]
-    fn push_and_pull_keep_polynomials_on_any_quadrilateral(
-        order in 0..=4usize, corner in (0.6..1.5, 0.6..1.5), turn in -3.0..3.0, stretch in 0.2..5.0,
-    ) {
-        let turned = |x: f64, y: f64| {
-            let (sin, cos) = f64::sin_cos(turn);
-            stretch * DVec3::new(cos * x - sin * y, sin * x + cos * y, 0.3 * x)
-        };
-        let ring = vec![turned(0.0, 0.0), turned(1.0, 0.0), turned(corner.0, corner.1), turned(0.0, 1.0)];
-        let shape = Polygon::new(ring, Vec::new()).expect("it is convex");
-        check_two_scale(&single(shape), order, 1e-12)?;
-    }
-}
-
-#[test]
-fn push_and_pull_keep_polynomials_on_curved_surfaces_and_around_holes() {
-    let ball =
-        Sphere::new(DVec3::ONE, 2.0, DVec3::Z, [-1.0, 1.5], [0.3, 2.0]).expect("it is a part of a ball");
-    let at = |x: f64, y: f64| DVec3::new(x, y, 1.0);
-    let outer = vec![at(0.0, 0.0), at(4.0, 0.0), at(4.0, 3.0), at(0.0, 3.0)];
-    let hole = vec![at(0.5, 0.7), at(2.5, 0.7), at(2.0, 2.2)];
-    let holed = Polygon::new(outer, vec![hole]).expect("the hole lies inside");
-    for order in 0..=4 {
-        check_two_scale(&single(ball.clone()), order, 1e-11).expect("a part of a ball");
-        check_two_scale(&single(holed.clone()), order, 1e-12).expect("a polygon with a hole");
-    }
-}
-
-fn blocks(scene: &Scene, elements: &Elements, eps: f64) -> Blocks {
-    let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
-    blocks_of(elements, &Visibility::new(scene, Shadows::Auto, 3e-3), accuracy)
-}
-
-#[test]
-fn blocks_linked_at_the_leaves_are_the_flat_operator() {
-    for (name, order) in [("cornell-box", 0), ("furnace-cube", 0), ("furnace-cube", 2)] {
-        let scene = builtin(name);
-        let [whole, halves, quarters] = [1, 2, 4].map(|parts| cut(&scene, order, Space::Total, parts));
-        let flat = blocks(&scene, &quarters, 1e-3);
-        let mut linked = LinkedBlocks::new(&[&whole, &halves, &quarters]);
-        for PlacedBlock { row, column, values } in flat.iter() {
-            linked.link([row, column].map(|index| LevelElement { level: 2, index }), &values);
-        }
-        let x = scattered(flat.dim(), 3);
-        let (ours, theirs) = (linked.apply(&x), flat.apply(&x));
-        assert!(distance(&ours, &theirs) < 1e-13 * norm(&theirs), "{name}, order {order}");
-    }
-}
-
-/// The polynomials of an element are among those of its parts: its block is that of the parts, pulled from
-/// both sides.
-#[test]
-fn blocks_of_larger_elements_are_pulled_from_those_of_their_parts() {
-    let scene = builtin("furnace-cube");
-    let [coarse, fine] = [1, 2].map(|parts| cut(&scene, 2, Space::Total, parts));
-    let [large, small] = [&coarse, &fine].map(|elements| blocks(&scene, elements, 1e-9));
-    let levels = LinkedBlocks::new(&[&coarse, &fine]);
-    let b = scattered(large.dim(), 5);
-    let above = |coarse: Vec<f64>| [coarse, vec![0.0; small.dim()]].concat();
-    let restricted = levels.push(above(b.clone()));
-    let pulled = levels.pull(&small.apply(&restricted));
-    let direct = large.apply(&b);
-    assert!(distance(&pulled[..large.dim()], &direct) < 1e-7 * norm(&direct));
-    // Links between whole faces send the same polynomials as the blocks of these do.
-    let mut linked = LinkedBlocks::new(&[&coarse, &fine]);
-    for PlacedBlock { row, column, values } in large.iter() {
-        linked.link([row, column].map(|index| LevelElement { level: 0, index }), &values);
-    }
-    let received = levels.push(above(direct));
-    assert!(distance(&linked.apply(&restricted), &received) < 1e-13 * norm(&received));
 }

@@ -31,6 +31,7 @@ mod ranks;
 mod rounded;
 mod scene_format;
 mod shapes;
+mod shots;
 mod sources;
 mod tessellation;
 mod textures;

@@ -136,7 +136,7 @@ impl RenderArgs {
             true => (ReadMode::Basis, Quantity::Irradiance),
             false => {
                 let usual = || usual_read(solution, visibility, pixels(camera));
-                (self.read.unwrap_or_else(usual), self.style.show)
+                (self.run.method.read(self.read).unwrap_or_else(usual), self.style.show)
             }
         };
         let take = |solution: &Solution, visibility: &Visibility| {

@@ -18,10 +18,12 @@
 //! Pᵀ takes received power down. So T is symmetric, and (I − √ρ D T D √ρ) with D = A^−½ is the operator of
 //! `System` on constants; every solver takes it.
 //!
-//! A pair is linked where it carries less than `eps` of all emitted power by an upper estimate without
-//! visibility (`oracle`); else the larger node is split (`pair_refinement`). Links are refined again as
-//! radiosities become known. Then the number of links is of the order of the number of surfaces, not of its
-//! square (study `links`).
+//! A pair is linked where it carries less than `eps` of all emitted power, or a form factor of less than
+//! `eps`, by an upper estimate without visibility (`oracle`); else the larger node is split
+//! (`pair_refinement`). Links are refined again as radiosities become known. Then the number of links is of
+//! the order of the number of surfaces, not of its square (study `links`). At last a link is handed down to
+//! cells whose form factors differ by more than `eps` (`handing_down`), so that the form factors of a leaf add
+//! up to 1 in a closed scene.
 //!
 //! Covered parts of surfaces ([`radiosity_visibility::covered_parts`]) are no leaves of their own: rays find
 //! them dark. Footprints are cut out.
@@ -36,21 +38,20 @@ pub mod harmonics;
 mod face;
 mod grouping;
 mod tree;
+mod options;
+mod exchange;
 mod oracle;
 mod sight;
-mod exchange;
 mod pair_refinement;
 mod fields;
 mod links;
-mod options;
+mod handing_down;
 mod network;
 mod error;
 mod band_system;
 mod solution;
 mod driver;
 mod leaf_elements;
-pub mod two_scale;
-pub mod linked_blocks;
 
 pub use band_system::BandSystem;
 pub use driver::solve_hierarchically;
@@ -58,5 +59,5 @@ pub use error::HierarchyError;
 pub use fields::Fields;
 pub use leaf_elements::{LinkedElements, leaf_elements};
 pub use network::{Counts, Hierarchy, Leaf};
-pub use options::HierarchyOptions;
+pub use options::{HierarchyOptions, LinkMeasure};
 pub use solution::Hierarchical;

@@ -8,7 +8,7 @@ use radiosity_published::hierarchy::Counts;
 use radiosity_scene::{Fitted, Imported, LightGroup};
 use radiosity_solve::checks::{Checks, JointJump, joint_jump};
 use radiosity_solve::solved::Solved;
-use radiosity_solve::{Functional, Outcome};
+use radiosity_solve::{Functional, Outcome, Shots};
 use serde::Serialize;
 
 use crate::checkpoint::Checkpoint;
@@ -80,6 +80,9 @@ pub struct Report {
     pub accuracy_reached: f64,
     /// Estimated relative error of the radiosity, where an accuracy was wanted.
     pub accuracy_estimate: Option<f64>,
+    /// Shots, and columns of the transfers that were integrated for them, where light was shot.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shots: Option<Shots>,
     /// Way in which direct light entered: `split` or `projected`.
     pub direct: &'static str,
     /// Iterations of the solver, largest over the bands.
@@ -199,6 +202,7 @@ impl Report {
             shadow_rays: outcome.rays,
             accuracy_reached: outcome.accuracy_reached,
             accuracy_estimate: achieved.and_then(|achieved| achieved.estimate),
+            shots: outcome.shots.clone(),
             direct: if outcome.split { "split" } else { "projected" },
             iterations: outcome.iterations,
             residual: outcome.residual,

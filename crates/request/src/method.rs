@@ -6,9 +6,14 @@ use std::time::{Duration, Instant};
 use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
 use radiosity_published::bases::Basis;
+use radiosity_published::hierarchy::LinkMeasure;
 use radiosity_published::zatz1993::masked_light::{Average, Masking};
 use radiosity_reading::quality::Quality;
-use radiosity_solve::{Direct, LightMethod, Options, Preconditioning, Transport};
+use radiosity_reading::reader::ReadMode;
+use radiosity_solve::{
+    ColumnChoice, Direct, LightMethod, Linking, Options, Preconditioning, RelaxedAtOnce, Relaxing, ShotLimit,
+    SweepOrder, Transport,
+};
 use radiosity_solvers::method::Method;
 use radiosity_work::Deadline;
 use radiosity_work::ranks::Ranks;
@@ -80,9 +85,23 @@ pub struct MethodRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "Q"))]
     pub ratio: Option<Number<Fraction>>,
 
-    /// Accuracy of the transfers between elements, between 0 and 1 [default: 1e-3; as --quality says]
+    /// Accuracy of the transfers between elements, between 0 and 1; of hierarchical radiosity the greatest
+    /// power of a link, in parts of all that is emitted, or form factor [default: 1e-3; as --quality says]
     #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
     pub eps: Option<Number<Accuracy>>,
+
+    /// What --eps bounds of a link of hierarchical radiosity [default: power]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "WHAT"))]
+    pub link_measure: Option<LinkMeasure>,
+
+    /// Rays that find what is hidden of a link of hierarchical radiosity [default: 16]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub link_rays: Option<ranges::LinkRays>,
+
+    /// Part of the area of all surfaces up to which hierarchical radiosity does not cut faces [default: 1e-6;
+    /// 1e-3 by form factors]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "A"))]
+    pub least_area: Option<Number<Fraction>>,
 
     /// Rules of the transfers between elements; those of 1993 ignore --eps [default: default]
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODE"))]
@@ -104,6 +123,38 @@ pub struct MethodRequest {
     /// How cg and gmres precondition [default: block]
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub preconditioner: Option<Preconditioning>,
+
+    /// With --solver southwell, when a block column of the transfers is integrated [default: shot; all where
+    /// rays carry the light, and wherever else the summary says so]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "WHEN"))]
+    pub columns: Option<ColumnChoice>,
+
+    /// Stops after K shots of --solver southwell in each band and light group: the polynomials then hold what
+    /// was shot and what has arrived [default: as many as --tolerance takes]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "K"))]
+    pub shots: Option<ranges::ShotCount>,
+
+    /// Adds to the light of --shots the ambient term of Cohen 1988: what all further shots would bring, if it
+    /// were the same everywhere
+    #[cfg_attr(feature = "clap", arg(long))]
+    pub ambient: bool,
+
+    /// What jacobi, gauss-seidel and southwell relax at a time [default: block]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "WHAT"))]
+    pub at_once: Option<RelaxedAtOnce>,
+
+    /// The order in which gauss-seidel visits the elements [default: forward]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "ORDER"))]
+    pub sweep: Option<SweepOrder>,
+
+    /// Factor of every correction of jacobi, richardson, gauss-seidel and southwell, between 0 and 2: above 1
+    /// overshoots [default: 1]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "W"))]
+    pub relaxation: Option<Number<ranges::Relaxation>>,
+
+    /// Vectors that gmres keeps before it restarts [default: 50]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "K"))]
+    pub restart: Option<ranges::Restart>,
 
     /// Light that was reflected K times at the most before it arrives: 0 for light straight from emitters
     /// [default: all]
@@ -167,6 +218,7 @@ impl MethodRequest {
             subdivide: self.subdivide.unwrap_or_default().0,
             layers: self.graded_layers(),
             eps: self.eps.map_or(usual.eps, f64::from),
+            linking: self.linking(),
             kernel: self.kernel.unwrap_or_default().rules(),
             transport: self.transport.unwrap_or(usual.transport),
             rays: self.rays.map(u64::from),
@@ -174,8 +226,11 @@ impl MethodRequest {
             shadows: self.shadows.map_or(usual.shadows, LightShadows::found),
             masks: (self.shadows == Some(LightShadows::Mask)).then(|| self.masking()),
             direct: self.direct.unwrap_or(usual.direct),
-            solver: self.solver.unwrap_or(usual.solver),
+            solver: self.solver().unwrap_or(usual.solver),
             preconditioner: self.preconditioner.unwrap_or(usual.preconditioner),
+            relaxing: self.relaxing(),
+            columns: self.columns,
+            shots: self.shots.map(|shots| ShotLimit { count: shots.count(), ambient: self.ambient }),
             bounces: self.bounces.map(ranges::Bounces::count),
             tolerance: self.tolerance.map_or(usual.tolerance, f64::from),
             max_iterations: self.max_iterations.map_or(usual.max_iterations, ranges::Iterations::count),
@@ -185,11 +240,42 @@ impl MethodRequest {
         }
     }
 
+    /// The solver that was asked for, or follows from a number of shots.
+    pub(super) fn solver(&self) -> Option<&'static Method> {
+        self.solver.or(self.shots.map(|_| &Method::SOUTHWELL))
+    }
+
+    /// Ways of solvers that relax, and of gmres.
+    fn relaxing(&self) -> Relaxing {
+        let usual = Relaxing::default();
+        Relaxing {
+            at_once: self.at_once.unwrap_or(usual.at_once),
+            sweep: self.sweep.unwrap_or(usual.sweep),
+            relaxation: self.relaxation.map_or(usual.relaxation, f64::from),
+            restart: self.restart.map_or(usual.restart, ranges::Restart::count),
+        }
+    }
+
+    /// The reading that was asked for; of a number of shots the polynomials, which alone hold their light.
+    pub fn read(&self, asked: Option<ReadMode>) -> Option<ReadMode> {
+        asked.or(self.shots.map(|_| ReadMode::Basis))
+    }
+
     /// Graded layers of elements.
     pub(super) fn graded_layers(&self) -> Layers {
         Layers {
             count: self.layers.map_or(Layers::NONE.count, ranges::Layers::count),
             ratio: self.ratio.map_or(Layers::NONE.ratio, f64::from),
+        }
+    }
+
+    /// Links of hierarchical radiosity.
+    pub(super) fn linking(&self) -> Linking {
+        let usual = Linking::by(self.link_measure.unwrap_or_default());
+        Linking {
+            measure: usual.measure,
+            least_area: self.least_area.map_or(usual.least_area, f64::from),
+            rays_per_link: self.link_rays.map_or(usual.rays_per_link, ranges::LinkRays::count),
         }
     }
 

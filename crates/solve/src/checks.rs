@@ -18,6 +18,8 @@
 //! with the flux Φ of the luminaires. Where luminaires shine and nothing is split off it is ⟨b, c − G
 //! c⟩ + Φ − ∫ L dA, with their irradiance L.
 //!
+//! Light that waits to be shot is neither absorbed nor lost: B is then what was shot.
+//!
 //! Either way the lost power in a closed room shows how well the integrals agree.
 
 mod balance;
@@ -69,7 +71,7 @@ pub struct Checks {
     /// Power that leaves the scene.
     pub energy_lost: f64,
     /// Upper estimate of the spectral radius of ρG, largest over the bands; below 1 if the quadrature is
-    /// good.
+    /// good. 0 where columns of elements that reflect were not integrated.
     pub spectral_bound: f64,
     /// Largest jump of B across the seams inside a surface, relative to the larger of the two values.
     pub seam_jump_max: f64,
@@ -159,6 +161,9 @@ fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[
 /// is near it.
 fn spectral_bound(blocks: &dyn Carrier, coating: &Coating, ones: &[f64]) -> f64 {
     let starts = blocks.starts();
+    if (0..starts.len() - 1).any(|i| coating.scatters(i) && !blocks.is_complete(i)) {
+        return 0.0;
+    }
     let step = |v: &[f64]| match coating.transmits() {
         true => coating.reflected(starts, &blocks.apply(v)),
         false => coating.halved(starts, &blocks.apply(&coating.halved(starts, v))),

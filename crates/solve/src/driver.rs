@@ -29,12 +29,16 @@
 
 mod direct;
 mod preconditioning;
+mod relaxing;
+mod column_choice;
+mod shots;
 mod outline;
 pub mod memory_estimate;
 mod memory_reduction;
 mod failure;
 mod in_threads;
 mod light_method;
+mod linking;
 mod transport_choice;
 mod options;
 mod choose_transport;
@@ -46,7 +50,9 @@ mod sampling;
 mod assembly;
 mod first_light;
 mod outcome;
+mod shooting;
 mod band_systems;
+mod ready;
 mod model;
 mod by_links;
 
@@ -55,19 +61,23 @@ use radiosity_scene::Scene;
 use radiosity_work::Work;
 
 use by_links::solve_by_links;
+pub use column_choice::ColumnChoice;
 pub(crate) use decisions::Layout;
 pub use direct::Direct;
 pub use failure::Failure;
 pub use first_light::masked_light;
 pub use in_threads::in_threads;
 pub use light_method::LightMethod;
+pub use linking::Linking;
 pub use memory_reduction::MemoryReduction;
 pub use model::Model;
 pub use options::Options;
 pub(crate) use outcome::timed;
 pub use outcome::{Functional, Outcome, Stages};
 pub use preconditioning::Preconditioning;
+pub use relaxing::{RelaxedAtOnce, Relaxing, SweepOrder};
 pub use sampling::Sampling;
+pub use shots::{Shot, ShotLimit, Shots};
 pub use transport_choice::{MOST_RAYS, Transport, TransportChoice};
 
 /// Solves `scene`.
@@ -77,7 +87,7 @@ pub use transport_choice::{MOST_RAYS, Transport, TransportChoice};
 /// that cannot be started.
 pub fn solve(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
     match options.method {
-        LightMethod::Galerkin => Model::assemble(scene, options, work)?.solve(scene, work),
+        LightMethod::Galerkin => Model::solve_once(scene, options, work),
         LightMethod::Hierarchical => solve_by_links(scene, options, work),
     }
 }
@@ -94,5 +104,5 @@ pub(crate) fn solve_exactly(
     mesh: Option<&Mesh>,
     work: &Work<'_>,
 ) -> Result<Outcome, Failure> {
-    Model::assemble_exactly(scene, options, why, mesh, work)?.solve(scene, work)
+    Model::solve_exactly(scene, options, why, mesh, work)
 }

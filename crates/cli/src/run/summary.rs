@@ -8,9 +8,9 @@ use radiosity_reading::rank_work::RanksWork;
 use radiosity_reading::report::{NamedJump, Report, Transport};
 use radiosity_reading::warning::Warning;
 use radiosity_scene::LightGroup;
-use radiosity_solve::Functional;
 use radiosity_solve::checks::Checks;
 use radiosity_solve::studies::adaptation::Aim;
+use radiosity_solve::{Functional, ShotLimit, Shots};
 
 use super::Run;
 use crate::loaded::remarks;
@@ -87,6 +87,21 @@ impl Run {
         self.solved.options.bounces.map_or_else(String::new, limited)
     }
 
+    /// The line about shots and the columns that were integrated for them.
+    fn shots(&self, shots: &Shots) -> String {
+        let Shots { count, columns, of, all_first, unshot, .. } = shots;
+        let unshot = decimals(100.0 * unshot, 2);
+        let columns = match all_first {
+            None => format!("{columns} of {of} columns integrated, each when it was first shot"),
+            Some(why) => format!("all {of} columns integrated before the first shot: {why}"),
+        };
+        let ambient = match self.solved.options.shots {
+            Some(ShotLimit { ambient: true, .. }) => ", for which an ambient term stands",
+            _ => "",
+        };
+        format!("{count} shots leave {unshot} % of the power unshot{ambient}; {columns}")
+    }
+
     /// Words on the largest jump between surfaces; empty where none go on smoothly.
     fn joint(&self) -> String {
         let words = |NamedJump { jump, surfaces: [first, second] }: &NamedJump| {
@@ -107,6 +122,7 @@ impl Run {
             ),
             self.costs(),
         ];
+        lines.extend(self.report.shots.as_ref().map(|shots| self.shots(shots)));
         lines.extend(self.report.ranks.as_ref().map(RanksWork::to_string));
         lines.extend(self.report.checkpoint.as_ref().map(Checkpoint::to_string));
         lines.push(balance(checks) + &row_sums(checks));

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use super::band_system::BandSystem;
 use super::error::HierarchyError;
+use super::handing_down::HandingDown;
 use super::links::Link;
 use super::network::Hierarchy;
 use super::options::HierarchyOptions;
@@ -51,23 +52,18 @@ pub fn solve_hierarchically(
         HierarchyRun { scene, options, obstacles: RayTree::new(whole), links: Vec::new(), dropped: 0 };
     let mut tree = Tree::new(shapes);
     let mut light = run.emitted(&tree);
-    let mut solved = None;
-    for number in 1..=options.rounds {
-        if !run.refine(&mut tree, &mut light, number == 1) {
-            break;
-        }
-        observer.report(Progress::Done { stage: Stage::Blocks, done: number, of: options.rounds });
-        let hierarchy = Hierarchy::new(tree, &run.links, run.dropped, number);
-        let bands = run.solve(&hierarchy)?;
-        light = run.sent(&hierarchy, &bands);
-        if number == options.rounds {
-            return Ok(Hierarchical::new(hierarchy, bands));
-        }
+    let mut rounds = 0;
+    while rounds < options.rounds && run.refine(&mut tree, &mut light, rounds == 0) {
+        rounds += 1;
+        observer.report(Progress::Done { stage: Stage::Blocks, done: rounds, of: options.rounds });
+        let hierarchy = Hierarchy::new(tree, &run.links, run.dropped, rounds);
+        light = run.sent(&hierarchy, &run.solve(&hierarchy)?);
         tree = hierarchy.into_tree();
-        solved = Some((bands, number));
     }
-    let (bands, rounds) = solved.unwrap_or_default();
-    Ok(Hierarchical::new(Hierarchy::new(tree, &run.links, run.dropped, rounds), bands))
+    run.hand_down(&tree);
+    let hierarchy = Hierarchy::new(tree, &run.links, run.dropped, rounds);
+    let bands = run.solve(&hierarchy)?;
+    Ok(Hierarchical::new(hierarchy, bands))
 }
 
 fn check(options: &HierarchyOptions) -> Result<(), HierarchyError> {
@@ -105,7 +101,8 @@ impl HierarchyRun<'_> {
     /// what is found. Returns whether any pair was open, so that something changed.
     fn refine(&mut self, tree: &mut Tree, light: &mut [Vec<f64>], is_first: bool) -> bool {
         let least_area = self.options.least_area * tree.nodes().first().map_or(0.0, |root| root.area);
-        let oracle = Oracle { eps: self.options.eps, separation: self.options.separation };
+        let HierarchyOptions { measure, eps, separation, .. } = *self.options;
+        let oracle = Oracle { measure, eps, separation };
         let mut refinement = PairRefinement { tree, oracle, least_area, light, dropped: 0 };
         let too_bright = |link: &Link| refinement.is_too_bright(link.pair);
         let (open, kept): (Vec<Link>, Vec<Link>) = self.links.iter().partition(|link| too_bright(link));
@@ -124,6 +121,13 @@ impl HierarchyRun<'_> {
         self.links = kept;
         self.links.par_extend(made);
         true
+    }
+
+    /// Hands all links down to the cells whose form factors differ.
+    fn hand_down(&mut self, tree: &Tree) {
+        let (obstacles, rays, eps) = (&self.obstacles, self.options.rays_per_link, self.options.eps);
+        let handing = HandingDown { tree, obstacles, rays, eps };
+        self.links = self.links.par_iter().flat_map_iter(|link| handing.down(*link)).collect();
     }
 
     fn solve(&self, hierarchy: &Hierarchy) -> Result<Vec<LeafLight>, HierarchyError> {

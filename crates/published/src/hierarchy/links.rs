@@ -31,18 +31,20 @@ pub(crate) struct Link {
     pub pair: Pair,
     /// w (scene length² between faces, no unit between a face and a cluster, 1/length² between clusters).
     pub weight: f64,
+    /// w if nothing were hidden.
+    pub unhidden: f64,
 }
 
 impl Link {
     /// The link of two nodes, its visibility by `rays` rays.
     pub(crate) fn new(tree: &Tree, obstacles: &RayTree, pair: Pair, rays: usize) -> Self {
         check_interrupt();
-        let whole = unhidden(tree, pair);
-        let weight = match whole > 0.0 {
-            true => whole * visible_part(tree, obstacles, pair.map(|node| node as usize), rays),
+        let unhidden = unhidden(tree, pair);
+        let weight = match unhidden > 0.0 {
+            true => unhidden * visible_part(tree, obstacles, pair.map(|node| node as usize), rays),
             false => 0.0,
         };
-        Self { pair, weight }
+        Self { pair, weight, unhidden }
     }
 }
 
@@ -143,7 +145,7 @@ impl Links {
 
 /// The ends of a link, each with its node; one end of a link to itself.
 fn ends(link: &Link) -> impl Iterator<Item = (u32, End)> + use<> {
-    let Link { pair: [p, q], weight } = *link;
+    let Link { pair: [p, q], weight, .. } = *link;
     let back = (p != q).then_some((q, End { other: p, weight }));
     std::iter::once((p, End { other: q, weight })).chain(back)
 }

@@ -1,11 +1,29 @@
 //! Options of hierarchical radiosity: links, visibility and solver.
 
 use radiosity_solvers::method::Method;
+use serde::{Deserialize, Serialize};
+
+/// What of a pair of nodes is compared with `eps`: if it is more, the pair is not linked but refined.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
+pub enum LinkMeasure {
+    /// The power that one end sends to the other, in parts of all that the scene emits: the form factor times
+    /// area and brightness
+    #[default]
+    Power,
+    /// The form factor alone, dark or bright, as Hanrahan, Salzman and Aupperle (1991) begin
+    FormFactor,
+}
 
 /// Options of hierarchical radiosity.
 #[derive(Clone, Copy, Debug)]
 pub struct HierarchyOptions {
-    /// Greatest power of a link that is not refined, in parts of the power that the scene emits; above 0.
+    /// What is compared with `eps`.
+    pub measure: LinkMeasure,
+    /// Greatest power (in parts of the power that the scene emits) or form factor of a link that is not
+    /// refined, and greatest difference of the form factors of a face and of its cells under one link; above
+    /// 0.
     pub eps: f64,
     /// Faces up to this part of the area of all surfaces are not cut; above 0.
     pub least_area: f64,
@@ -27,6 +45,7 @@ impl Default for HierarchyOptions {
     /// sixteen rays, conjugate gradients to 1e-8.
     fn default() -> Self {
         Self {
+            measure: LinkMeasure::Power,
             eps: 1e-4,
             least_area: 1e-5,
             separation: 1.5,

@@ -9,12 +9,15 @@
 //!
 //! where h is the greatest height of the other node over the plane of a flat face. Weighted so by brightness
 //! (Smits, Arvo, Salesin 1992) a pair is linked if Φ in both directions and in all bands is at most eps of
-//! the power that the scene emits. A cluster is linked only to nodes from which its ball keeps apart.
+//! the power that the scene emits; unweighted, if both form factors F = Φ/(B_q A_q) are at most eps. A cluster
+//! is linked only to nodes from which its ball keeps apart.
 
 use std::f64::consts::PI;
 
 use radiosity_geom::COINCIDENT;
 
+use super::exchange::exchange;
+use super::options::LinkMeasure;
 use super::tree::{Node, Tree};
 
 /// Verdict about a pair of different nodes.
@@ -31,7 +34,9 @@ pub(crate) enum Verdict {
 /// When pairs are linked.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Oracle {
-    /// Greatest power of a link, in parts of the emitted power.
+    /// What is compared with `eps`.
+    pub measure: LinkMeasure,
+    /// Greatest power of a link, in parts of the emitted power, or its greatest form factor.
     pub eps: f64,
     /// Least distance of the centres of linked nodes of which one is a cluster, in sums of the radii.
     pub separation: f64,
@@ -56,19 +61,26 @@ impl Oracle {
         let cosines = [0, 1].map(|k| cosine(nodes[k], heights[k], distance));
         let shown = [0, 1].map(|k| cosines[k] * shown(nodes[k]));
         let sphere = PI * distance.powi(2) + shown[0].max(shown[1]);
-        let received = |k: usize| brightest(light, [q, p][k]) * cosines[1 - k] * shown[k] / sphere;
-        if received(0).max(received(1)) <= self.eps { Verdict::Link } else { Verdict::Split }
+        let sent = |k: usize| self.weight(light, [q, p][k]) * cosines[1 - k] * shown[k] / sphere;
+        if sent(0).max(sent(1)) <= self.eps { Verdict::Link } else { Verdict::Split }
     }
 
-    /// Whether the light that a node sends to itself is carried by one link.
-    pub(crate) fn links_itself(&self, light: &[Vec<f64>], node: usize) -> bool {
-        brightest(light, node) <= self.eps
+    /// Whether the light that a face sends to itself is carried by one link.
+    pub(crate) fn links_itself(&self, tree: &Tree, light: &[Vec<f64>], node: usize) -> bool {
+        let form_factor = match (&tree.nodes()[node].face, self.measure) {
+            (Some(face), LinkMeasure::FormFactor) => exchange(face, face) / tree.nodes()[node].area,
+            _ => 1.0,
+        };
+        self.weight(light, node) * form_factor <= self.eps
     }
-}
 
-/// The greatest power that a node sends, over the bands.
-fn brightest(light: &[Vec<f64>], node: usize) -> f64 {
-    light.iter().map(|band| band[node]).fold(0.0, f64::max)
+    /// Weight of the form factors from a node: its power, the greatest over the bands, or 1.
+    fn weight(&self, light: &[Vec<f64>], node: usize) -> f64 {
+        match self.measure {
+            LinkMeasure::Power => light.iter().map(|band| band[node]).fold(0.0, f64::max),
+            LinkMeasure::FormFactor => 1.0,
+        }
+    }
 }
 
 /// Greatest height of `other` over the plane of `node`; without bound where this is not flat.

@@ -51,7 +51,7 @@ impl PairRefinement<'_> {
     /// Whether a pair that is linked has to be refined.
     pub(crate) fn is_too_bright(&self, pair: Pair) -> bool {
         if pair[0] == pair[1] {
-            return !self.oracle.links_itself(self.light, pair[0] as usize);
+            return !self.oracle.links_itself(self.tree, self.light, pair[0] as usize);
         }
         self.judge(pair) == Verdict::Split && pair.iter().any(|node| self.can_split(*node))
     }
@@ -69,7 +69,7 @@ impl PairRefinement<'_> {
             return;
         }
         let is_face = face.is_some();
-        let is_dim = is_face && self.oracle.links_itself(self.light, index);
+        let is_dim = is_face && self.oracle.links_itself(self.tree, self.light, index);
         if is_dim || !self.divide(node) {
             is_face.then(|| found.push([node; 2]));
             return;

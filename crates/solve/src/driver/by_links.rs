@@ -19,6 +19,7 @@ use radiosity_work::{Progress, Stage, Work};
 
 use super::emission::Emission;
 use super::failure::Failure;
+use super::linking::Linking;
 use super::options::Options;
 use super::outcome::{Outcome, Stages, timed};
 use super::solve_band::SolveCost;
@@ -27,10 +28,6 @@ use crate::checks::{Balance, Checks};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
-
-/// Faces up to this part of the area of all surfaces are not cut: a bound of their number, where light is
-/// concentrated.
-const LEAST_AREA: f64 = 1e-6;
 
 /// The greatest power of a link at which clusters are linked from 1½ sums of their radii on, and how this
 /// distance grows with smaller powers. Chosen: the error of clusters falls with it, and not with the power.
@@ -81,6 +78,7 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
         choice: TransportChoice { sampled: false, why: "hierarchical radiosity was asked for".to_owned() },
         sampling: None,
         links: Some(counts),
+        shots: None,
         seconds,
     })
 }
@@ -90,9 +88,12 @@ fn linking(options: &Options) -> HierarchyOptions {
     let usual = HierarchyOptions::default();
     let solver = if options.solver.access == Access::BySize { usual.solver } else { options.solver };
     let farther = (USUAL / options.eps).max(1.0).powf(FARTHER);
+    let Linking { measure, least_area, rays_per_link } = options.linking;
     HierarchyOptions {
+        measure,
         eps: options.eps,
-        least_area: LEAST_AREA,
+        least_area,
+        rays_per_link,
         separation: usual.separation * farther,
         solver,
         tolerance: options.tolerance,
@@ -143,6 +144,7 @@ impl Run<'_> {
             .with_tolerance(self.options.tolerance)
             .with_max_iterations(self.options.max_iterations)
             .with_threads(self.ranks.threads(self.options.threads));
+        let settings = self.options.relaxing.set(settings);
         let solved = system.solve(self.solver, &settings);
         let failed = |source| Failure::Solver { band: self.scene.bands[band].clone(), source };
         let (radiosity, report) = solved.map_err(failed)?;

@@ -11,6 +11,6 @@ pub enum LightMethod {
     #[default]
     Galerkin,
     /// Constants on elements that the light asks for, with links between groups of them: hierarchical
-    /// radiosity, for those who compare; --eps is the greatest power of a link
+    /// radiosity, for those who compare; --eps is the greatest power of a link, or form factor
     Hierarchical,
 }

@@ -12,18 +12,22 @@ use radiosity_visibility::{Shadows, Visibility};
 use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
+use super::column_choice::ColumnChoice;
 use super::direct::Direct;
 use super::failure::Failure;
 use super::in_threads::in_threads;
 use super::light_method::LightMethod;
+use super::linking::Linking;
 use super::preconditioning::Preconditioning;
+use super::relaxing::Relaxing;
+use super::shots::ShotLimit;
 use super::transport_choice::{MOST_RAYS, Transport, usual_rays};
 
 /// Options of a solution: method, elements, accuracies, solver and means.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Options {
-    /// The method that finds the light. The hierarchical one takes of all others `eps`, the solver and the
-    /// threads.
+    /// The method that finds the light. The hierarchical one takes of all others `eps`, `linking`, the solver
+    /// and the threads.
     #[serde(default)]
     pub method: LightMethod,
     /// The functions that are summed: polynomials, or one of the bases of the variational form (Szirmay-Kalos
@@ -38,8 +42,11 @@ pub struct Options {
     pub subdivide: Option<usize>,
     /// Further cuts of the outermost cells of every surface, towards its sides.
     pub layers: Layers,
-    /// Accuracy of the kernel blocks.
+    /// Accuracy of the kernel blocks; by links, the greatest power or form factor of one.
     pub eps: f64,
+    /// The links of the hierarchical method.
+    #[serde(default, skip_serializing_if = "Linking::is_usual")]
+    pub linking: Linking,
     /// The rules of 1993 instead of those that keep `eps`.
     pub kernel: Option<transfers::PaperRules>,
     /// Carriers of pairs of elements.
@@ -60,6 +67,17 @@ pub struct Options {
     /// Preconditioner of cg and gmres.
     #[serde(default)]
     pub preconditioner: Preconditioning,
+    /// Ways of solvers that relax, and of gmres.
+    #[serde(default, skip_serializing_if = "Relaxing::is_usual")]
+    pub relaxing: Relaxing,
+    /// When columns of G are integrated for a solver that shoots; None: each when it is first shot, where
+    /// that can be.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub columns: Option<ColumnChoice>,
+    /// Shots after which the light of a solver that shoots is taken as it is; None for all that its tolerance
+    /// takes. Solution files hold all light.
+    #[serde(skip)]
+    pub shots: Option<ShotLimit>,
     /// Light that was reflected so many times at the most before it arrives, by the Galerkin method to no
     /// wanted accuracy; None for all. Solution files hold all light.
     #[serde(skip)]
@@ -90,6 +108,7 @@ impl Default for Options {
             subdivide: None,
             layers: Layers::NONE,
             eps: 1e-3,
+            linking: Linking::default(),
             kernel: None,
             transport: Transport::Auto,
             rays: None,
@@ -99,6 +118,9 @@ impl Default for Options {
             direct: Direct::Auto,
             solver: &Method::AUTO,
             preconditioner: Preconditioning::Block,
+            relaxing: Relaxing::default(),
+            columns: None,
+            shots: None,
             bounces: None,
             tolerance: 1e-8,
             max_iterations: 1000,

@@ -13,14 +13,14 @@
 //!
 //! Reference: S. Gortler, P. Schröder, M. Cohen, P. Hanrahan, *Wavelet radiosity*, SIGGRAPH 93 (1993), §4.
 
+use radiosity::elements::Element;
+use radiosity::elements::measure::{Measure, WeightedNode};
+use radiosity::elements::patch::Node;
 use radiosity_core::dot;
-use radiosity_elements::Element;
-use radiosity_elements::measure::{Measure, WeightedNode};
-use radiosity_elements::patch::Node;
 
 /// H of one child.
 #[derive(Clone, Debug)]
-pub struct TwoScale {
+pub(crate) struct TwoScale {
     parent: usize,
     /// H_mk, row by row.
     values: Vec<f64>,
@@ -28,7 +28,7 @@ pub struct TwoScale {
 
 impl TwoScale {
     /// H of two elements of one surface, the child a part of the parent.
-    pub fn new(parent: &Element, child: &Element) -> Self {
+    pub(crate) fn new(parent: &Element, child: &Element) -> Self {
         let order = parent.basis.order().max(child.basis.order());
         let measure = Measure::new(&child.patches, child.basis.space().chart_degree(order, &child.patches));
         let count = parent.basis.len();
@@ -42,20 +42,15 @@ impl TwoScale {
         Self { parent: count, values }
     }
 
-    /// H_mk, row by row: m of the child, k of the parent.
-    pub fn values(&self) -> &[f64] {
-        &self.values
-    }
-
     /// Adds H b of the parent's coefficients b to those of the child.
-    pub fn push(&self, parent: &[f64], child: &mut [f64]) {
+    pub(crate) fn push(&self, parent: &[f64], child: &mut [f64]) {
         for (row, child) in self.values.chunks_exact(self.parent).zip(child) {
             *child += dot(row, parent);
         }
     }
 
     /// Adds Hᵀ b of the child's coefficients b to those of the parent.
-    pub fn pull(&self, child: &[f64], parent: &mut [f64]) {
+    pub(crate) fn pull(&self, child: &[f64], parent: &mut [f64]) {
         for (row, b) in self.values.chunks_exact(self.parent).zip(child) {
             parent.iter_mut().zip(row).for_each(|(parent, h)| *parent += h * b);
         }

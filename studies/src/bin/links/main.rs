@@ -3,7 +3,8 @@
 //!
 //! `cargo run --release -p radiosity-studies --bin links > links.md`
 //!
-//! `halls` alone prints the halls, `cornell` alone the Cornell box. The halls are closed rooms in which boxes
+//! `halls` alone prints the halls, `cornell` alone the Cornell box, `orders` alone links of polynomials, with
+//! their curves in `docs/links.svg`. The halls are closed rooms in which boxes
 //! hover. Below their table stand the exponents p of y ~ surfacesᵖ between each row and the next, and the
 //! error of the smallest hall against elements of order 0 with blocks from many rays. An error is the root of
 //! the mean square, by area, of the errors of the surfaces' mean irradiances, in parts of the largest of
@@ -11,6 +12,14 @@
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 
+mod judge;
+mod levels;
+mod orders;
+mod rows;
+mod scales;
+mod two_scale;
+
+use std::error::Error;
 use std::time::Instant;
 
 use radiosity::published::hierarchy::{Counts, Hierarchical, HierarchyOptions, solve_hierarchically};
@@ -29,8 +38,8 @@ const RAYS: u64 = 30_000_000;
 /// Greatest powers of a link in the Cornell box.
 const FALLING: [f64; 6] = [3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4];
 
-fn main() -> Result<(), String> {
-    let chosen = words(&["halls", "cornell"])?;
+fn main() -> Result<(), Box<dyn Error>> {
+    let chosen = words(&["halls", "cornell", "rows", "orders"])?;
     let is_chosen = |name: &str| chosen.is_empty() || chosen.iter().any(|word| word == name);
     if is_chosen("halls") {
         halls();
@@ -38,6 +47,12 @@ fn main() -> Result<(), String> {
     }
     if is_chosen("cornell") {
         cornell();
+    }
+    if is_chosen("rows") {
+        rows::rows();
+    }
+    if is_chosen("orders") {
+        orders::orders("docs/links.svg")?;
     }
     Ok(())
 }
