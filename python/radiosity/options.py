@@ -111,7 +111,7 @@ class Method(TypedDict, total=False):
         Part of the area of all surfaces up to which hierarchical radiosity does not cut faces [default: 1e-6; 1e-3 by form
         factors].
 
-    kernel: "default", "paper-legendre" or "paper-hybrid"
+    kernel: "default", "paper-legendre", "paper-hybrid", "paper-hybrid-h2", "paper-hybrid-h3" or "paper-printed"
         Rules of the transfers between elements; those of 1993 ignore `eps` [default: default].
 
     transport: "auto", "exact" or "sampled"
@@ -200,7 +200,7 @@ class Method(TypedDict, total=False):
     link_measure: Literal["power", "form-factor"]
     link_rays: int
     least_area: float
-    kernel: Literal["default", "paper-legendre", "paper-hybrid"]
+    kernel: Literal["default", "paper-legendre", "paper-hybrid", "paper-hybrid-h2", "paper-hybrid-h3", "paper-printed"]
     transport: Literal["auto", "exact", "sampled"]
     rays: int
     solver: str

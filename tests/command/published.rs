@@ -21,10 +21,10 @@ fn masks_come_back_from_a_file() {
 }
 
 #[test]
-fn kernels_of_1993_know_parallelograms_only() {
+fn kernels_of_1993_know_total_degrees_only() {
     let folder = tempfile::tempdir().expect("a folder");
-    let args = ["grid", "cornell-box", "--kernel", "paper-hybrid"];
-    refused(folder.path(), &args, &["'floor'", "parallelogram", "choose the default kernel"]);
+    let args = ["grid", "cornell-box", "--kernel", "paper-hybrid", "--tensor"];
+    refused(folder.path(), &args, &["--kernel", "--tensor", "leave one of them out"]);
 }
 
 #[test]
@@ -36,6 +36,9 @@ fn kernels_are_the_rules_and_readings_that_their_names_say() {
         ("default", None),
         ("paper-legendre", Some(PaperRules::Legendre)),
         ("paper-hybrid", Some(PaperRules::Hybrid(HybridReading::H1))),
+        ("paper-hybrid-h2", Some(PaperRules::Hybrid(HybridReading::H2))),
+        ("paper-hybrid-h3", Some(PaperRules::Hybrid(HybridReading::H3))),
+        ("paper-printed", Some(PaperRules::Hybrid(HybridReading::Literal))),
     ];
     for (name, kernel) in rules {
         let outcome = outcome_of(&scene, &Options { order: 4, kernel, ..Options::default() });

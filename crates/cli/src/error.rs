@@ -175,7 +175,6 @@ impl CliError {
             | CliError::Refused { .. } => 2,
             CliError::Solve(
                 Failure::Elements(_)
-                | Failure::NoChart { .. }
                 | Failure::Unmasked { .. }
                 | Failure::NotDiffuse { .. }
                 | Failure::NotEven { .. }

@@ -88,7 +88,7 @@ impl Elements {
     /// # Errors
     /// A degree out of range, or a surface without area at the given degree.
     pub fn new(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
-        Self::of_shapes(scene, how, None, bare_shapes(scene), &covered_parts(scene))
+        Self::cut_into(scene, how, None)
     }
 
     /// Cuts `scene` into the cells of `mesh`, whatever `how` says of them, without its footprints.
@@ -96,20 +96,7 @@ impl Elements {
     /// # Errors
     /// As for [`Elements::new`].
     pub fn of_mesh(scene: &Scene, how: &Discretization, mesh: Mesh) -> Result<Self, ElementError> {
-        Self::of_shapes(scene, how, Some(mesh), bare_shapes(scene), &covered_parts(scene))
-    }
-
-    /// Cuts `scene` as `how` says, or into the cells of `mesh`, with whole surfaces whatever stands on them.
-    ///
-    /// # Errors
-    /// As for [`Elements::new`].
-    pub fn of_whole_surfaces(
-        scene: &Scene,
-        how: &Discretization,
-        mesh: Option<Mesh>,
-    ) -> Result<Self, ElementError> {
-        let whole = scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
-        Self::of_shapes(scene, how, mesh, whole, &[])
+        Self::cut_into(scene, how, Some(mesh))
     }
 
     /// The elements of this cut on the surfaces of `scene`, which are those of the scene that was cut, some
@@ -121,20 +108,15 @@ impl Elements {
         Self::cut(scene, &self.how, self.cells.clone(), bare_shapes(scene), &covered_parts(scene), Some(self))
     }
 
-    fn of_shapes(
-        scene: &Scene,
-        how: &Discretization,
-        mesh: Option<Mesh>,
-        shapes: Vec<Arc<dyn Surface>>,
-        covered_parts: &[CoveredPart],
-    ) -> Result<Self, ElementError> {
+    fn cut_into(scene: &Scene, how: &Discretization, mesh: Option<Mesh>) -> Result<Self, ElementError> {
         if !how.layers.is_valid() {
             return Err(ElementError::Layers { layers: how.layers });
         }
         let usual = usual_mesh(scene, how);
         let is_refined = mesh.as_ref().is_some_and(|mesh| *mesh != usual);
         let mesh = mesh.unwrap_or(usual);
-        Self::cut(scene, how, Cells { mesh, is_refined }, shapes, covered_parts, None)
+        let cells = Cells { mesh, is_refined };
+        Self::cut(scene, how, cells, bare_shapes(scene), &covered_parts(scene), None)
     }
 
     /// Cuts `shapes` into cells; elements of shapes that are those of `before`, and that

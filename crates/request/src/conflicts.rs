@@ -24,6 +24,7 @@ impl MethodRequest {
         check_idle(self)?;
         check_hierarchical(self)?;
         check_rays(self)?;
+        check_kernel(self)?;
         check_basis(self)?;
         check_bounces(self)?;
         check_shots(self)?;
@@ -114,6 +115,17 @@ fn check_rays(method: &MethodRequest) -> Result<(), Refusal> {
         (method.transport == Some(Transport::Exact)).then(|| set("transport", "exact")),
     ];
     refuse(rays, others)
+}
+
+/// Refuses polynomials of a degree in each coordinate for the rules of 1993, which know a total degree.
+fn check_kernel(method: &MethodRequest) -> Result<(), Refusal> {
+    match method.kernel.unwrap_or_default().rules() {
+        Some(_) => {
+            let tensor = method.tensor.then(|| option("tensor"));
+            refuse(option("kernel") + " with the rules of 1993", [tensor])
+        }
+        None => Ok(()),
+    }
 }
 
 /// Refuses a preconditioner for a solver that takes none.

@@ -62,7 +62,7 @@ impl clap::ValueEnum for LightShadows {
     }
 }
 
-/// `--kernel`. The paper's rules take N + 2 points a direction, which fits the numbers it prints.
+/// `--kernel`. The paper's rules take as many points a direction as fit the numbers it prints.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
@@ -72,18 +72,27 @@ pub enum Kernel {
     Default,
     /// Zatz 1993: N + 2 Gauss-Legendre points a direction for every pair
     PaperLegendre,
-    /// Zatz 1993: the same, with Gauss-Jacobi points on the receiver where two surfaces share an edge
+    /// Zatz 1993: the same, with Gauss-Jacobi points on the receiver where two surfaces share an edge, or are
+    /// cut to share one; of the readings of eq. 27 the nearest to the paper's numbers (H1)
     PaperHybrid,
+    /// The reading nearest to the paper's text (H2): N + 3 points, Gauss-Jacobi on the emitter too
+    PaperHybridH2,
+    /// A third reading (H3): as the first, weighted across the edge only
+    PaperHybridH3,
+    /// Eq. 27 as printed, which is wrong however many points: for comparison
+    PaperPrinted,
 }
 
 impl Kernel {
-    /// The rules of 1993 that the mode names. Of the readings of the hybrid, H1 fits the numbers the paper
-    /// prints best.
+    /// The rules of 1993 that the mode names.
     pub fn rules(self) -> Option<PaperRules> {
         match self {
             Kernel::Default => None,
             Kernel::PaperLegendre => Some(PaperRules::Legendre),
             Kernel::PaperHybrid => Some(PaperRules::Hybrid(HybridReading::H1)),
+            Kernel::PaperHybridH2 => Some(PaperRules::Hybrid(HybridReading::H2)),
+            Kernel::PaperHybridH3 => Some(PaperRules::Hybrid(HybridReading::H3)),
+            Kernel::PaperPrinted => Some(PaperRules::Hybrid(HybridReading::Literal)),
         }
     }
 }

@@ -11,8 +11,7 @@
 
 #![allow(clippy::print_stdout, reason = "the table is what it is for")]
 
-use radiosity::elements::Discretization;
-use radiosity::elements::Subdivide;
+use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::transport::{BlockWork, Cost, shared, work};
 use radiosity::{Options, Scene};
 
@@ -52,7 +51,7 @@ fn costs(scene: &Scene) -> Result<Vec<BlockWork>, Box<dyn std::error::Error>> {
     let visibility = options.visibility(scene);
     let subdivide = Subdivide::Auto { occluded: visibility.any_shadow() };
     let Options { order, space, layers, .. } = options;
-    let elements = options.elements(scene, &Discretization { order, space, subdivide, layers }, None)?;
+    let elements = Elements::new(scene, &Discretization { order, space, subdivide, layers })?;
     let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
     Ok(work(&elements, &sends, &visibility, options.accuracy()))
 }

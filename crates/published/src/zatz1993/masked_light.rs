@@ -34,6 +34,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::zatz1993::mask::Mask;
+use crate::zatz1993::transfers::{self, PaperRules};
 
 /// Rays along each direction of an emitter's patch, at centres of equal parts, in a plain average: 256 in
 /// all, each of which counts 0.4 %.
@@ -98,13 +99,31 @@ pub struct Setting<'a> {
     pub open: &'a Visibility,
     /// Accuracy of the blocks.
     pub accuracy: Accuracy,
+    /// The rules of 1993 instead of those that keep the accuracy.
+    pub rules: Option<PaperRules>,
+}
+
+impl Setting<'_> {
+    /// The blocks between the elements as far as they are wanted.
+    fn blocks(
+        &self,
+        visibility: &Visibility,
+        wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+        work: &Work<'_>,
+    ) -> Blocks {
+        let demand = transport::Demand::all(self.elements, visibility, self.accuracy).of(wanted);
+        match self.rules {
+            Some(rules) => transfers::assemble(demand, rules, rules.extra_points(), work),
+            None => transport::assemble(demand, None, work),
+        }
+    }
 }
 
 impl MaskedLight {
     /// The masked light of a scene.
     pub fn new(setting: &Setting, how: Masking, ranks: &Ranks) -> Self {
         let work = Work::among(ranks);
-        let Setting { elements, coatings, visibility, open, accuracy } = *setting;
+        let Setting { elements, coatings, visibility, open, accuracy, .. } = *setting;
         let list = elements.list();
         let eps = accuracy.shadow_eps;
         let (radiances, points) = (Radiances::default(), PointLights::default());
@@ -119,14 +138,9 @@ impl MaskedLight {
         let is_masked = |i: usize, h: usize| masks[i].iter().any(|(other, _)| *other == h);
         let either = |i: usize, h: usize| is_masked(i, h) || is_masked(h, i);
         let emits = |i: usize| coatings.iter().any(|coating| coating.exitance[i] > 0.0);
-        let free =
-            transport::assemble(transport::Demand::all(elements, open, accuracy).of(&either), None, &work);
+        let free = setting.blocks(open, &either, &work);
         let sends = |i: usize, h: usize| emits(i) && !is_masked(h, i) || emits(h) && !is_masked(i, h);
-        let rest = transport::assemble(
-            transport::Demand::all(elements, visibility, accuracy).of(&sends),
-            None,
-            &work,
-        );
+        let rest = setting.blocks(visibility, &sends, &work);
         let mut light = Self::dark(list, coatings.len());
         for emitter in (0..list.len()).filter(|i| emits(*i)) {
             let exitance: Vec<f64> = coatings.iter().map(|coating| coating.exitance[emitter]).collect();

@@ -6,7 +6,6 @@ use radiosity_scene::Scene;
 use radiosity_transport as transport;
 use radiosity_transport::{Demand, KeptBlocks};
 
-use super::failure::Failure;
 use super::sampling::{Sampling, Subject};
 
 /// The blocks, by that many rays or exactly; from `kept`, as far as it holds them.
@@ -15,22 +14,22 @@ pub(super) fn carried(
     subject: &Subject,
     rays: Option<u64>,
     kept: Option<&mut KeptBlocks>,
-) -> Result<(Blocks, Option<Sampling>), Failure> {
+) -> (Blocks, Option<Sampling>) {
     if let Some(rays) = rays {
         let (blocks, sampling) = subject.sample(rays, kept);
-        return Ok((blocks, Some(sampling)));
+        return (blocks, Some(sampling));
     }
-    Ok((blocks(scene, subject, kept)?, None))
+    (blocks(scene, subject, kept), None)
 }
 
-fn blocks(scene: &Scene, subject: &Subject, kept: Option<&mut KeptBlocks>) -> Result<Blocks, Failure> {
+fn blocks(scene: &Scene, subject: &Subject, kept: Option<&mut KeptBlocks>) -> Blocks {
     let Subject { elements, visibility, options, work, .. } = *subject;
     let Some(rules) = options.kernel else {
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
         let wanted = |a, b| sends(a) || sends(b);
         let demand = Demand::all(elements, visibility, options.accuracy()).of(&wanted);
-        return Ok(transport::assemble(demand, kept, work));
+        return transport::assemble(demand, kept, work);
     };
-    transfers::assemble(elements, visibility, rules, transfers::EXTRA_POINTS, work)
-        .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
+    let demand = Demand::all(elements, visibility, options.accuracy());
+    transfers::assemble(demand, rules, rules.extra_points(), work)
 }

@@ -15,15 +15,6 @@ pub enum Failure {
     /// The scene could not be cut into elements.
     #[error(transparent)]
     Elements(#[from] ElementError),
-    /// The rules of 1993 were asked for, but they do not know the shape of a surface.
-    #[error(
-        "surface '{surface}': the rules of 1993 know parallelograms and curved surfaces only, without holes: \
-         choose the default kernel, or cut the surface into parallelograms"
-    )]
-    NoChart {
-        /// Name of the surface.
-        surface: String,
-    },
     /// The light of a sky or a luminous area was to be carried as diffuse light is.
     #[error("{}", self.message())]
     NotDiffuse {

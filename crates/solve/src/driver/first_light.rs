@@ -162,6 +162,7 @@ pub fn masked_light(
 ) -> Option<MaskedLight> {
     let how = options.masks?;
     let open = Visibility::open(scene);
-    let setting = Setting { elements, coatings, visibility, open: &open, accuracy: options.accuracy() };
+    let (accuracy, rules) = (options.accuracy(), options.kernel);
+    let setting = Setting { elements, coatings, visibility, open: &open, accuracy, rules };
     Some(MaskedLight::new(&setting, how, ranks))
 }

@@ -130,15 +130,11 @@ impl Model {
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
         let ready = Ready::of(scene, options, plan, kept.as_deref(), work)?;
-        Self::carried(ready, kept, work)
+        Ok(Self::carried(ready, kept, work))
     }
 
     /// The model of a scene that is ready, with all its blocks.
-    fn carried(
-        mut ready: Ready,
-        mut kept: Option<&mut KeptBlocks>,
-        work: &Work<'_>,
-    ) -> Result<Self, Failure> {
+    fn carried(mut ready: Ready, mut kept: Option<&mut KeptBlocks>, work: &Work<'_>) -> Self {
         let Ready { scene, options, elements, visibility, rays, first, .. } = &ready;
         let bands = &Emission::by_band(first.emissions());
         let entries = first.reflected(first.emissions()).expect("the emission is the same");
@@ -148,10 +144,10 @@ impl Model {
             kept.move_to(scene, elements, visibility);
         }
         let mut took = Duration::ZERO;
-        let (blocks, sampling) = timed(&mut took, || carried(scene, &subject, *rays, kept))?;
+        let (blocks, sampling) = timed(&mut took, || carried(scene, &subject, *rays, kept));
         work.report(Progress::Finished { stage: Stage::Blocks, took });
         ready.seconds.blocks = took;
-        Ok(Self { ready, blocks, sampling })
+        Self { ready, blocks, sampling }
     }
 
     /// Solves `scene` as `plan` says; where the solver shoots, a column of the matrix is integrated when it
@@ -165,7 +161,7 @@ impl Model {
         let ready = Ready::of(scene, options, plan, None, work)?;
         match ready.is_lazy(work.ranks)? {
             true => Self::shot(ready, work),
-            false => Self::carried(ready, None, work)?.solved(scene, work),
+            false => Self::carried(ready, None, work).solved(scene, work),
         }
     }
 

@@ -1,9 +1,7 @@
 //! Options of a solution.
 
 use radiosity_elements::cells::Layers;
-use radiosity_elements::mesh::Mesh;
 use radiosity_elements::space::Space;
-use radiosity_elements::{Discretization, ElementError, Elements};
 use radiosity_kernel::Accuracy;
 use radiosity_published::bases::Basis;
 use radiosity_published::zatz1993::masked_light::Masking;
@@ -142,24 +140,6 @@ impl Options {
     /// The obstacles of `scene`, as it is solved by these options, and read.
     pub fn visibility(&self, scene: &Scene) -> Visibility {
         Visibility::new(scene, self.shadows, self.accuracy().shadow_eps)
-    }
-
-    /// The elements of `scene`, cut as `how` says or into the cells of `mesh`; for the rules of 1993, which
-    /// know no footprints, with whole surfaces.
-    ///
-    /// # Errors
-    /// As for [`Elements::new`].
-    pub fn elements(
-        &self,
-        scene: &Scene,
-        how: &Discretization,
-        mesh: Option<&Mesh>,
-    ) -> Result<Elements, ElementError> {
-        match mesh {
-            _ if self.kernel.is_some() => Elements::of_whole_surfaces(scene, how, mesh.cloned()),
-            Some(mesh) => Elements::of_mesh(scene, how, mesh.clone()),
-            None => Elements::new(scene, how),
-        }
     }
 }
 

@@ -61,7 +61,7 @@ impl Ready {
         work.report(Progress::Finished { stage: Stage::Visibility, took: seconds.visibility });
         decisions.require_memory(scene, options, kept.is_some(), work.ranks)?;
         let before = kept.and_then(|kept| kept.elements());
-        let elements = timed(&mut seconds.elements, || elements(scene, options, &decisions, before))?;
+        let elements = timed(&mut seconds.elements, || elements(scene, &decisions, before))?;
         let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
         work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
         let Decisions { visibility, choice, rays, .. } = decisions;
@@ -207,13 +207,13 @@ fn subspace(scene: &Scene, options: &Options, elements: &Elements) -> Option<Sub
 /// The elements of `scene`; those that are known from `before`, where some surfaces stood elsewhere.
 fn elements(
     scene: &Scene,
-    options: &Options,
     decisions: &Decisions<'_>,
     before: Option<&Elements>,
 ) -> Result<Arc<Elements>, Failure> {
-    let elements = match before.filter(|_| options.kernel.is_none()) {
-        Some(before) => before.moved(scene),
-        None => options.elements(scene, &decisions.how, decisions.mesh.as_deref()),
+    let elements = match (before, decisions.mesh.as_deref()) {
+        (Some(before), _) => before.moved(scene),
+        (None, Some(mesh)) => Elements::of_mesh(scene, &decisions.how, mesh.clone()),
+        (None, None) => Elements::new(scene, &decisions.how),
     };
     Ok(Arc::new(elements?))
 }

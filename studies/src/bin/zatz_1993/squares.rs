@@ -6,17 +6,13 @@
 use std::io::{self, Write};
 
 use radiosity::Work;
-use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
-use radiosity::kernel::Accuracy;
 use radiosity::kernel::irradiance::visible_polygon::irradiance;
-use radiosity::published::zatz1993::transfers::{
-    ChartedElement, EXTRA_POINTS, HybridReading, PaperRules, transfer,
-};
+use radiosity::kernel::{Accuracy, Blocks};
+use radiosity::published::zatz1993::transfers::{HybridReading, PaperRules, assemble};
 use radiosity::scene::Source;
 use radiosity::transport;
 use radiosity::visibility::Visibility;
-use radiosity_core::basis::total;
 use radiosity_geom::DVec3;
 
 const CELLS: usize = 500;
@@ -34,12 +30,6 @@ impl Emitter {
     /// Over the edge y = 0 of the receiver.
     fn perpendicular() -> Self {
         Self([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, 0.0]])
-    }
-
-    fn patch(self) -> Patch {
-        let corners = self.0.map(DVec3::from_array);
-        let normal = (corners[1] - corners[0]).cross(corners[3] - corners[0]).normalize();
-        Patch::Flat { corners, normal }
     }
 }
 
@@ -65,24 +55,13 @@ fn metric(exact: &[f64], galerkin: impl Fn([f64; 2]) -> f64) -> f64 {
     100.0 * sum / exact.len() as f64
 }
 
-/// The metric of the paper's rules with `points` points per direction.
-fn paper(emitter: Emitter, exact: &[f64], order: usize, points: usize, rules: PaperRules) -> f64 {
-    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
-    let receiver = Patch::Flat { corners, normal: DVec3::Z };
-    let charted = |patch| ChartedElement { patch, order, points };
-    let transfer = transfer(charted(&receiver), charted(&emitter.patch()), rules, None);
-    let count = total::count(order);
-    // The constant 1 has the coefficients (2, 0, 0, …).
-    let received: Vec<f64> = transfer.values.iter().step_by(count).map(|k| 2.0 * k).collect();
-    metric(exact, |[s, t]| {
-        let mut values = [0.0; total::count(ORDERS)];
-        total::values(order, s, t, &mut values[..count]);
-        values.iter().zip(&received).map(|(t, h)| t * h).sum()
-    })
-}
-
-/// The metric of this library's rules.
-fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
+/// The metric of the polynomial that arrives by `blocks`.
+fn of_blocks(
+    emitter: Emitter,
+    exact: &[f64],
+    order: usize,
+    blocks: impl Fn(transport::Demand<'_>) -> Blocks,
+) -> f64 {
     let scene = format!(
         "[materials.white]\nreflectance = 0.5\n\
          [[surfaces]]\nname = \"receiver\"\nmaterial = \"white\"\nquad = {{ vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }}\n\
@@ -95,12 +74,21 @@ fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
     let elements = Elements::new(&scene, &how).expect("squares have area");
     let visibility = Visibility::open(&scene);
     let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-3 };
-    let blocks =
-        transport::assemble(transport::Demand::all(&elements, &visibility, accuracy), None, &Work::alone());
+    let blocks = blocks(transport::Demand::all(&elements, &visibility, accuracy));
     let [receiver, source] = elements.list() else { panic!("one element a square") };
     let emitted = [vec![0.0; receiver.basis.len()], source.constant.clone()].concat();
     let raw = receiver.basis.to_raw(&blocks.apply(&emitted)[..receiver.basis.len()]);
     metric(exact, |place| receiver.evaluate(&raw, position(place), place))
+}
+
+/// The metric of the paper's rules.
+fn paper(emitter: Emitter, exact: &[f64], order: usize, rules: PaperRules) -> f64 {
+    of_blocks(emitter, exact, order, |demand| assemble(demand, rules, rules.extra_points(), &Work::alone()))
+}
+
+/// The metric of this library's rules.
+fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
+    of_blocks(emitter, exact, order, |demand| transport::assemble(demand, None, &Work::alone()))
 }
 
 /// Writes a row of a table, for the orders 0 to 9.
@@ -128,7 +116,7 @@ pub(crate) fn figure_4(out: &mut impl Write) -> io::Result<()> {
         let emitter = Emitter::parallel(d);
         let exact = exact(emitter);
         row(out, &format!("distance {d} l, rules of 1993"), quoted, |order| {
-            paper(emitter, &exact, order, order + EXTRA_POINTS, PaperRules::Legendre)
+            paper(emitter, &exact, order, PaperRules::Legendre)
         })?;
         row(out, &format!("distance {d} l, ours"), "", |order| ours(emitter, &exact, order))?;
     }
@@ -140,13 +128,15 @@ pub(crate) fn figure_5(out: &mut impl Write) -> io::Result<()> {
     header(out, "figure 5, error in %")?;
     let emitter = Emitter::perpendicular();
     let exact = exact(emitter);
-    for (name, rules, extra, quoted) in [
-        ("Legendre", PaperRules::Legendre, 2, "33.2 (N = 7)"),
-        ("hybrid H1", PaperRules::Hybrid(HybridReading::H1), 2, "1.4 (N = 4, 5)"),
-        ("hybrid H2, N + 3 points", PaperRules::Hybrid(HybridReading::H2), 3, "1.4 (N = 4, 5)"),
-        ("eq. 27 as printed", PaperRules::Hybrid(HybridReading::Literal), 2, ""),
+    let hybrid = PaperRules::Hybrid;
+    for (name, rules, quoted) in [
+        ("Legendre", PaperRules::Legendre, "33.2 (N = 7)"),
+        ("hybrid H1", hybrid(HybridReading::H1), "1.4 (N = 4, 5)"),
+        ("hybrid H2, N + 3 points", hybrid(HybridReading::H2), "1.4 (N = 4, 5)"),
+        ("hybrid H3", hybrid(HybridReading::H3), ""),
+        ("eq. 27 as printed", hybrid(HybridReading::Literal), ""),
     ] {
-        row(out, name, quoted, |order| paper(emitter, &exact, order, order + extra, rules))?;
+        row(out, name, quoted, |order| paper(emitter, &exact, order, rules))?;
     }
     row(out, "ours", "", |order| ours(emitter, &exact, order))
 }

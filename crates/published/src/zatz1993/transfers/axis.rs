@@ -1,57 +1,43 @@
-//! One parameter of one patch: points, weights, and the values of its functions there.
+//! The points of one parameter of one piece.
 //!
-//! For a weight W(x) = (1 − x)^α (1 + x)^β: Σ_a w_a f(x_a) = ∫₋₁¹ f W dx for polynomials f of
+//! For a weight W(x) = (1 − x)^α (1 + x)^β: Σ_a w_a f(x_a) = ½ ∫₋₁¹ f W dx for polynomials f of
 //! degree ≤ 2n − 1.
 
 use radiosity_core::gauss;
-use radiosity_core::jacobi::{self, Weight};
+use radiosity_core::jacobi::Weight;
 
-/// Points of one parameter on [−1, 1].
+/// The exponents of a weight that vanishes doubly at −1, where the edge lies.
+pub(super) const DOUBLE_ZERO: [u8; 2] = [0, 2];
+
+/// Points and weights of one parameter.
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
-    /// Exponents (α, β) for which the functions are orthonormal.
-    pub weight: [u8; 2],
-    /// x_a, ascending.
-    pub nodes: Vec<f64>,
-    /// w_a, point by point.
-    pub weights: Vec<f64>,
-    /// Function values, point by point.
-    values: Vec<f64>,
+    /// Points of the chart [0, 1], ascending: ½ (1 + x_a).
+    nodes: Vec<f64>,
+    weights: Vec<f64>,
 }
 
 impl Axis {
-    /// The `points`-point Gauss rule of `weight`, with the polynomials up to `order` orthonormal for it.
-    pub(super) fn new(order: usize, points: usize, weight: [u8; 2]) -> Self {
-        Self::of(order, points, weight, weight)
-    }
-
-    /// Points and weights of [`Self::new`] with orthonormal Legendre polynomials.
-    pub(super) fn with_legendre(order: usize, points: usize, weight: [u8; 2]) -> Self {
-        Self::of(order, points, weight, [0, 0])
-    }
-
-    fn of(order: usize, points: usize, rule: [u8; 2], functions: [u8; 2]) -> Self {
+    /// The `points`-point Gauss rule of the weight with these exponents.
+    pub(super) fn new(points: usize, [a, b]: [u8; 2]) -> Self {
         let (mut nodes, mut weights) = (vec![0.0; points], vec![0.0; points]);
-        let mut values = vec![0.0; points * (order + 1)];
-        gauss::jacobi(Weight::integer(rule[0], rule[1]), &mut nodes, &mut weights)
+        gauss::jacobi(Weight::integer(a, b), &mut nodes, &mut weights)
             .expect("a rule has at least one point");
-        for (x, out) in nodes.iter().zip(values.chunks_exact_mut(order + 1)) {
-            jacobi::orthonormal(Weight::integer(functions[0], functions[1]), *x, out);
-        }
-        Self { weight: functions, nodes, weights, values }
+        nodes.iter_mut().for_each(|x| *x = 0.5 * (1.0 + *x));
+        weights.iter_mut().for_each(|w| *w *= 0.5);
+        Self { nodes, weights }
     }
 
-    /// These points with the weight (1 − x)^α (1 + x)^β divided out: a rule for ∫ f dx.
-    pub(super) fn divided(mut self, [a, b]: [u8; 2]) -> Self {
+    /// These points with the weight (1 + x)² divided out: a rule for ½ ∫ f dx.
+    pub(super) fn divided(mut self) -> Self {
         for (x, w) in self.nodes.iter().zip(&mut self.weights) {
-            *w /= (1.0 - x).powi(i32::from(a)) * (1.0 + x).powi(i32::from(b));
+            *w /= (2.0 * x).powi(2);
         }
         self
     }
 
-    /// Function number `degree` at point number `point`.
-    pub(super) fn value(&self, point: usize, degree: usize) -> f64 {
-        let degrees = self.values.len() / self.nodes.len();
-        self.values[point * degrees + degree]
+    /// The points with their weights.
+    pub(super) fn iter(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.nodes.iter().copied().zip(self.weights.iter().copied())
     }
 }

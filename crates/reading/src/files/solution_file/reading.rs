@@ -76,7 +76,10 @@ impl SolutionFile {
             return Err(SolutionFault::Whole(Mismatch("the mesh")));
         }
         let how = checked(&self.discretization)?;
-        let elements = self.options.elements(&scene, how, self.mesh.as_ref())?;
+        let elements = match &self.mesh {
+            Some(mesh) => Elements::of_mesh(&scene, how, mesh.clone()),
+            None => Elements::new(&scene, how),
+        }?;
         check_elements(&self.elements, &scene, &elements)?;
         let groups = self.group_lights(&scene, &elements, ranks)?;
         let solution = Solution::of_groups(elements, &scene, groups);

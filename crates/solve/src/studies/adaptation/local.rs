@@ -5,6 +5,7 @@
 //! are. (W. Dörfler, *A convergent adaptive algorithm for Poisson's equation*, SIAM J. Numer. Anal. 33
 //! (1996), for the choice by a part of the whole.)
 
+use radiosity_elements::Elements;
 use radiosity_elements::mesh::{CellRefinement, Mesh};
 use radiosity_scene::Scene;
 
@@ -68,7 +69,7 @@ pub(super) fn locally(scene: Scene, options: &Options, adaptation: &Adaptation) 
         let next = planned(accuracy.max(NEXT * error), sharper);
         let elements = solution.elements();
         // Cuts may leave cells too thin for their order.
-        let cut = next.options.elements(&run.scene, elements.discretization(), Some(&mesh));
+        let cut = Elements::of_mesh(&run.scene, elements.discretization(), mesh.clone());
         let unknowns = cut.ok().map(|cut| cut.coefficients());
         let is_finer = |unknowns: &usize| *unknowns != elements.coefficients() || sharper != 1.0;
         let Some(unknowns) = unknowns.filter(is_finer) else { return Ok(Err(EndReason::Finest)) };

@@ -6,7 +6,7 @@
 
 use radiosity_elements::basis::HIGHEST_ORDER;
 use radiosity_elements::cells::Layers;
-use radiosity_elements::{Discretization, Subdivide};
+use radiosity_elements::{Discretization, Elements, Subdivide};
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 
@@ -88,5 +88,5 @@ impl Rung {
 fn unknowns(scene: &Scene, options: &Options, occluded: bool) -> Result<usize, Failure> {
     let Options { order, space, layers, .. } = *options;
     let subdivide = options.subdivide.map_or(Subdivide::Auto { occluded }, Subdivide::Uniform);
-    Ok(options.elements(scene, &Discretization { order, space, subdivide, layers }, None)?.coefficients())
+    Ok(Elements::new(scene, &Discretization { order, space, subdivide, layers })?.coefficients())
 }
