@@ -126,6 +126,27 @@ class Method(TypedDict, total=False):
     preconditioner: "block" or "none"
         How cg and gmres precondition [default: block].
 
+    columns: "shot" or "all"
+        With solver="southwell", when a block column of the transfers is integrated [default: "shot"; "all" where rays carry the light, and wherever else the report says so].
+
+    shots: int
+        Stops after so many shots of solver="southwell" in each band and light group: the polynomials then hold what was shot and what has arrived [default: as many as `tolerance` takes].
+
+    ambient: bool
+        Adds to the light of `shots` the ambient term of Cohen 1988: what all further shots would bring, if it were the same everywhere.
+
+    at_once: "block" or "coefficient"
+        What jacobi, gauss-seidel and southwell relax at a time [default: block].
+
+    sweep: "forward" or "symmetric"
+        The order in which gauss-seidel visits the elements [default: forward].
+
+    relaxation: float
+        Factor of every correction of jacobi, richardson, gauss-seidel and southwell, between 0 and 2: above 1 overshoots [default: 1].
+
+    restart: int
+        Vectors that gmres keeps before it restarts [default: 50].
+
     bounces: int
         Light that was reflected so many times at the most before it arrives: 0 for light straight from emitters [default: all].
 
@@ -180,6 +201,13 @@ class Method(TypedDict, total=False):
     rays: int
     solver: str
     preconditioner: Literal["block", "none"]
+    columns: Literal["shot", "all"]
+    shots: int
+    ambient: bool
+    at_once: Literal["block", "coefficient"]
+    sweep: Literal["forward", "symmetric"]
+    relaxation: float
+    restart: int
     bounces: int
     tolerance: float
     max_iterations: int

@@ -62,7 +62,7 @@ impl Shot {
             samples: given
                 .value::<ranges::Samples>("samples")?
                 .map_or(SAMPLES, |samples| samples.count() as u32),
-            read: given.value("read")?,
+            read: method.read(given.value("read")?),
             show: given.value("show")?.unwrap_or_default(),
             threads: given.value("threads")?.map_or(solved.options.threads, ranges::Threads::count),
             camera,

@@ -17,7 +17,7 @@ use radiosity::reading::read_error::ReadError;
 use radiosity::reading::reader::Reader;
 use radiosity::reading::report::Report;
 use radiosity::request::cells::require_cells;
-use radiosity::request::{KEPT, MethodRequest, ReadRequest, ranges, require_all_bounces};
+use radiosity::request::{KEPT, MethodRequest, ReadRequest, ranges, require_all_light};
 use radiosity::solve::solved::Solved;
 use radiosity::solve::{Failure, in_threads};
 use radiosity::work::Work;
@@ -174,7 +174,9 @@ impl Solution {
     /// The report, in JSON.
     #[getter]
     fn report(&self) -> String {
-        serde_json::to_string(&self.report).expect("a report is plain data")
+        let mut report = self.report.clone();
+        report.compare_joints(&self.solved);
+        serde_json::to_string(&report).expect("a report is plain data")
     }
 
     /// Coefficients of the radiosity in the orthonormal bases of the elements: an array (bands, unknowns).
@@ -286,8 +288,8 @@ impl Solution {
 
     /// Writes the solution as `radiosity solve` does: JSON that can be read back, or a grid of VTK.
     fn save(&self, py: Python<'_>, path: &str, is_grid: bool) -> PyResult<()> {
-        let cure = words("solve the scene without ") + option("bounces");
-        require_all_bounces(&self.method, KEPT, cure).map_err(Trouble::from)?;
+        let cure = |name: &'static str| words("solve the scene without ") + option(name);
+        require_all_light(&self.method, KEPT, cure).map_err(Trouble::from)?;
         py.detach(|| match is_grid {
             true => self.write_grid(path),
             false => self.write_json(path),

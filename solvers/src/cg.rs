@@ -57,7 +57,8 @@ impl Solver for Cg {
         };
         // The residual of a conjugate gradient may rise for long before it falls.
         let patience = 5 * problem.dim() + 100;
-        let watch = Watch { method: NAME, limit: settings.max_iterations, patience, keep_every: 1 };
+        let watch =
+            Watch { method: NAME, limit: settings.max_iterations, asked: None, patience, keep_every: 1 };
         iterate(&problem, &watch, &mut descent, x, settings, observer)
     }
 }

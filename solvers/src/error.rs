@@ -7,6 +7,8 @@ use std::fmt;
 pub enum Stop {
     /// The allowed number of iterations was used up.
     Iterations,
+    /// As many shots as were asked for are made.
+    Shots,
     /// The time budget was used up.
     Time,
     /// The residual no longer falls: the tolerance is below what rounding leaves, or the method is stuck.
@@ -19,6 +21,7 @@ impl fmt::Display for Stop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Iterations => "allow more iterations, or take a direct method",
+            Self::Shots => "allow more shots, or do not limit them",
             Self::Time => "time is up: allow more of it, or ask for less accuracy",
             Self::Stagnation => {
                 "the residual no longer falls: ask for less accuracy, or take a direct method"

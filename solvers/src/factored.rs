@@ -248,7 +248,7 @@ impl<'r, 'f> Refinement<'r, 'f> {
     fn observe(&mut self) {
         let (iteration, residual) = (self.history.len() - 1, self.residual());
         let work = self.factored.work(self.history.len());
-        let step = Step { iteration, residual, work, largest_unshot: None, ambient: None, x: self.x };
+        let step = Step { iteration, residual, work, unshot: None, x: self.x };
         (self.observer)(&step);
     }
 }

@@ -45,7 +45,8 @@ impl Solver for GaussSeidel {
             r: vec![0.0; problem.dim()],
             products: 0.0,
         };
-        let watch = Watch { method: NAME, limit: settings.max_iterations, patience: 100, keep_every: 1 };
+        let watch =
+            Watch { method: NAME, limit: settings.max_iterations, asked: None, patience: 100, keep_every: 1 };
         iterate(&problem, &watch, &mut sweeps, x, settings, observer)
     }
 }

@@ -55,7 +55,8 @@ impl Solver for Gmres {
             products: 0.0,
         };
         let patience = 2 * settings.restart.min(problem.dim()) + 100;
-        let watch = Watch { method: NAME, limit: settings.max_iterations, patience, keep_every: 1 };
+        let watch =
+            Watch { method: NAME, limit: settings.max_iterations, asked: None, patience, keep_every: 1 };
         iterate(&problem, &watch, &mut arnoldi, x, settings, observer)
     }
 }

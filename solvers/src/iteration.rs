@@ -39,8 +39,8 @@ pub(crate) trait Iteration {
     /// Different block columns used.
     fn columns(&self) -> usize;
 
-    /// Largest unshot measure, and the estimate of all that is still to come.
-    fn unshot(&self) -> Option<(f64, f64)> {
+    /// b − A x, where the method keeps it as what is still to be shot.
+    fn unshot(&self) -> Option<&[f64]> {
         None
     }
 }
@@ -50,6 +50,8 @@ pub(crate) struct Watch {
     pub(crate) method: &'static str,
     /// Most iterations.
     pub(crate) limit: usize,
+    /// Iterations that are asked for: after these the last x counts, not the best one.
+    pub(crate) asked: Option<usize>,
     /// Iterations without a new record after which the method may be stuck.
     pub(crate) patience: usize,
     /// Iterations between two checks whether `x` should be kept.
@@ -166,13 +168,11 @@ impl Run<'_> {
             self.best_residual = residual;
             self.best_iteration = done;
         }
-        let unshot = iteration.unshot();
         (self.observer)(&Step {
             iteration: done,
             residual,
             work: iteration.work(),
-            largest_unshot: unshot.map(|(largest, _)| largest),
-            ambient: unshot.map(|(_, ambient)| ambient),
+            unshot: iteration.unshot(),
             x,
         });
     }
@@ -184,6 +184,9 @@ impl Run<'_> {
         }
         if self.settings.time_budget.is_some_and(|budget| self.start.elapsed() >= budget) {
             return Err(Stop::Time.into());
+        }
+        if self.watch.asked.is_some_and(|asked| self.done() >= asked) {
+            return Err(Stop::Shots.into());
         }
         if residual > DIVERGED * self.history[0] || !residual.is_finite() {
             return Err(Stop::Divergence.into());
@@ -211,7 +214,10 @@ impl Run<'_> {
     /// Leaves the best iterate in `x`, with its recomputed residual.
     fn give_up(self, iteration: &mut dyn Iteration, x: &mut [f64], end: End) -> Result<Report, SolveError> {
         let exploded = exploded(x);
-        let residual = self.settle(iteration, x);
+        let residual = match end {
+            End::Stopped(Stop::Shots) => iteration.renew(x)?,
+            _ => self.settle(iteration, x),
+        };
         let stop = match end {
             End::Stopped(stop) => stop,
             End::Failed(SolveError::NonFinite { .. }) if exploded => Stop::Divergence,

@@ -185,7 +185,7 @@ impl Method {
     pub const SOUTHWELL: Self = Self {
         name: southwell::NAME,
         aliases: &["progressive", "shooting"],
-        summary: "shooting, largest residual first, of columns computed on demand",
+        summary: "shooting, brightest first; where exact blocks carry the light, a column is integrated when it is first shot",
         needs: Needs::PositiveDefiniteOrDominant,
         access: Access::Columns,
         cost: "one block column per shot",

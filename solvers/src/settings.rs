@@ -51,8 +51,9 @@ pub struct Settings<'a> {
     /// Most iterations: sweeps of jacobi and gauss-seidel, matrix products of cg and gmres; for southwell
     /// sweeps' worth of shots, one sweep being as many shots as there are blocks (or coefficients).
     pub max_iterations: usize,
-    /// Most shots of southwell, besides `max_iterations`.
-    pub max_shots: Option<usize>,
+    /// southwell: shots after which it ends with x as it is then ([`Stop::Shots`](crate::Stop::Shots)); None
+    /// for as many as the tolerance takes.
+    pub shots: Option<usize>,
     /// Threads of the direct methods, 0 for all there are. Never changes a bit of the result.
     pub threads: usize,
     /// The deadline, as time from its beginning: a solve gives up there, and x holds the best so far
@@ -85,7 +86,7 @@ impl Default for Settings<'_> {
         Self {
             tolerance: 1e-8,
             max_iterations: 1000,
-            max_shots: None,
+            shots: None,
             threads: 1,
             time_budget: None,
             cancel: None,
@@ -113,10 +114,10 @@ impl<'a> Settings<'a> {
         Self { max_iterations, ..self }
     }
 
-    /// These settings with another [`max_shots`](Self::max_shots).
+    /// These settings with another number of [`shots`](Self::shots).
     #[must_use]
-    pub fn with_max_shots(self, max_shots: impl Into<Option<usize>>) -> Self {
-        Self { max_shots: max_shots.into(), ..self }
+    pub fn with_shots(self, shots: impl Into<Option<usize>>) -> Self {
+        Self { shots: shots.into(), ..self }
     }
 
     /// These settings with another [`threads`](Self::threads).

@@ -16,10 +16,8 @@ pub struct Step<'a> {
     pub residual: f64,
     /// Matrix entries multiplied so far, divided by dim²: one for a product with the whole matrix.
     pub work: f64,
-    /// southwell: the largest measure still to be shot.
-    pub largest_unshot: Option<f64>,
-    /// southwell: the measure of all that is still to come, estimated for display only.
-    pub ambient: Option<f64>,
+    /// southwell: b − A x, what is still to be shot.
+    pub unshot: Option<&'a [f64]>,
     /// The unknowns at this point; for gmres, at its last restart.
     pub x: &'a [f64],
 }
@@ -47,7 +45,7 @@ pub struct Report {
 impl<'a> Step<'a> {
     /// The state `x` after so many iterations, at this relative residual; the rest is 0 or absent.
     pub fn new(iteration: usize, residual: f64, x: &'a [f64]) -> Self {
-        Self { iteration, residual, work: 0.0, largest_unshot: None, ambient: None, x }
+        Self { iteration, residual, work: 0.0, unshot: None, x }
     }
 }
 

@@ -11,10 +11,8 @@
 //! shots would send back.
 //!
 //! With A = I − K and r, x in the coefficients of an orthonormal basis T_l on elements of area element A, the
-//! weights w_l = ∬ |T_l| A du dv are those of eq. 25 of H. Zatz, *Galerkin radiosity*, SIGGRAPH 1993. A shot
-//! of measure m that leaves the total Σ M_l at T' instead of T sent back T' − (T − m); q, the ratio of all
-//! sent back to all shot, estimates how much each further shot will return, and Σ M_l / (1 − q) the remaining
-//! measure (the ambient term of Cohen, Chen, Wallace and Greenberg, SIGGRAPH 1988), for display only.
+//! weights w_l = ∬ |T_l| A du dv are those of eq. 25 of H. Zatz, *Galerkin radiosity*, SIGGRAPH 1993, for
+//! the progressive refinement of M. Cohen, S. Chen, J. Wallace and D. Greenberg, SIGGRAPH 1988.
 //!
 //! Converges for every first guess if A is symmetric positive definite and 0 < ω < 2, since every shot lowers
 //! (x − x*)ᵀ A (x − x*); with ω = 1 also if Σ_{i≠l} w_i |a_il| < w_l |a_ll| for every l, since every shot
@@ -52,10 +50,8 @@ impl Solver for Southwell {
         let sweep = shots.ranking.keys().len().max(1);
         let watch = Watch {
             method: NAME,
-            limit: settings
-                .max_iterations
-                .saturating_mul(sweep)
-                .min(settings.max_shots.unwrap_or(usize::MAX)),
+            limit: settings.max_iterations.saturating_mul(sweep),
+            asked: settings.shots,
             patience: 20 * sweep + 100,
             keep_every: sweep,
         };
@@ -78,9 +74,6 @@ struct Shots<'p> {
     used: Vec<bool>,
     /// Columns of entries multiplied.
     products: f64,
-    /// Measure shot, and measure sent back by these shots.
-    shot: f64,
-    returned: f64,
 }
 
 impl<'p> Shots<'p> {
@@ -100,8 +93,6 @@ impl<'p> Shots<'p> {
             pivots: (0..partition.len()).map(|_| None).collect(),
             used: vec![false; partition.len()],
             products: 0.0,
-            shot: 0.0,
-            returned: 0.0,
         }
     }
 
@@ -123,8 +114,8 @@ impl<'p> Shots<'p> {
         }
     }
 
-    /// Measures all items again; returns the sum of their measures.
-    fn measure(&mut self) -> f64 {
+    /// Measures all items again.
+    fn measure(&mut self) {
         for item in 0..self.ranking.keys().len() {
             let range = self.unknowns(item);
             let key = self.r[range.clone()].iter().zip(&self.weights[range]).map(|(r, w)| w * r.abs()).sum();
@@ -132,7 +123,6 @@ impl<'p> Shots<'p> {
                 self.ranking.set(item, key);
             }
         }
-        self.ranking.keys().iter().sum()
     }
 
     /// Shoots one item: x and r change together.
@@ -172,12 +162,9 @@ impl Iteration for Shots<'_> {
     }
 
     fn advance(&mut self, x: &mut [f64]) -> Result<f64, SolveError> {
-        let Some((item, shot)) = self.ranking.top() else { return Ok(0.0) };
-        let before: f64 = self.ranking.keys().iter().sum();
+        let Some((item, _)) = self.ranking.top() else { return Ok(0.0) };
         self.shoot(item, x)?;
-        let after = self.measure();
-        self.shot += shot;
-        self.returned += after - (before - shot);
+        self.measure();
         Ok(self.problem.relative(&self.r))
     }
 
@@ -189,9 +176,7 @@ impl Iteration for Shots<'_> {
         self.used.iter().filter(|used| **used).count()
     }
 
-    fn unshot(&self) -> Option<(f64, f64)> {
-        let total: f64 = self.ranking.keys().iter().sum();
-        let returned = if self.shot > 0.0 { (self.returned / self.shot).clamp(0.0, 0.999) } else { 0.0 };
-        Some((self.ranking.top()?.1, total / (1.0 - returned)))
+    fn unshot(&self) -> Option<&[f64]> {
+        Some(&self.r)
     }
 }

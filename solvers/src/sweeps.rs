@@ -20,7 +20,7 @@ pub(crate) fn sweep(
 ) -> Result<Report, SolveError> {
     let (relaxation, r) = (settings.relaxation, vec![0.0; problem.dim()]);
     let mut sweeps = Sweeps { problem, pivots, relaxation, r, products: 0.0 };
-    let watch = Watch { method, limit: settings.max_iterations, patience: 100, keep_every: 1 };
+    let watch = Watch { method, limit: settings.max_iterations, asked: None, patience: 100, keep_every: 1 };
     iterate(problem, &watch, &mut sweeps, x, settings, observer)
 }
 

@@ -500,6 +500,33 @@ fn what_goes_with_no_limit_of_reflections() {
 }
 
 #[test]
+fn what_goes_with_shots_and_columns() {
+    for (args, told) in [
+        ("solve --shots 3", &["--shots 3: a solution is kept", "type --shots to render"][..]),
+        ("render --shots 3 --solver cg", &["--shots does nothing without --solver southwell"]),
+        ("render --ambient", &["--ambient does nothing without --shots", "add --shots"]),
+        ("render --shots 3 --bounces 2", &["--shots does not go with --bounces"]),
+        ("grid --shots 3 --accuracy 0.1", &["--shots does not go with --accuracy"]),
+        ("grid --shots 3 --basis linear", &["--shots does not go with --basis linear"]),
+        ("render --shots 3 --read gather", &["light that was not shot", "take --read basis"]),
+        ("solve --columns all", &["--columns does nothing without --solver southwell"]),
+        ("solve --solver southwell --columns shot --rays 1000", &["--columns shot does not go with --rays"]),
+        (
+            "solve --solver southwell --columns shot --kernel paper-legendre",
+            &["--columns shot does not go with --kernel"],
+        ),
+        ("solve --solver cg --sweep symmetric", &["--sweep does nothing with --solver cg", "gauss-seidel"]),
+        ("solve --solver lu --relaxation 1.1", &["--relaxation does nothing with --solver lu"]),
+        ("solve --solver richardson --at-once block", &["--at-once does nothing with --solver richardson"]),
+        ("solve --solver cg --restart 9", &["--restart does nothing with --solver cg", "--solver gmres"]),
+        ("convergence --shots 3 --bases", &["--shots is a study of one order"]),
+        ("animate --shots 3", &["--shots 3: frames", "render --frame K --shots"]),
+    ] {
+        refused_command(&args.split(' ').collect::<Vec<_>>(), told);
+    }
+}
+
+#[test]
 fn unknown_solver() {
     refused_command(&["solve", "--solver", "gauss"], &["'gauss'", "lu", "gauss-seidel", "southwell"]);
 }
@@ -517,6 +544,10 @@ fn options_out_of_range() {
         ("--bounces", "-1"),
         ("--bounces", "1.5"),
         ("--preconditioner", "some"),
+        ("--shots", "-1"),
+        ("--columns", "some"),
+        ("--relaxation", "2"),
+        ("--restart", "0"),
         ("--shadows", "some"),
         ("--threads", "0"),
         ("--threads", "100000"),

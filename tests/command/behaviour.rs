@@ -463,6 +463,53 @@ fn completions_name_the_verbs() {
 }
 
 #[test]
+fn shots_are_counted_with_the_columns_that_were_integrated() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let few = ["render", "empty-box", "--order", "1", "--size", "8x8", "--shots", "2"];
+    let run = radiosity(here, &[&few[..], &["--ambient", "--report", "r.json", "-o", "p.png"]].concat());
+    let message = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.success(), "{message}");
+    assert!(message.contains("2 shots leave") && message.contains("2 of 6 columns integrated"), "{message}");
+    assert!(message.contains("for which an ambient term stands"), "{message}");
+    let report = json(&here.join("r.json"));
+    assert_eq!((&report["shots"]["count"], &report["shots"]["columns"]), (&2.into(), &2.into()));
+    assert_eq!(report["shots"]["history"].as_array().unwrap().len(), 3);
+    assert_eq!(report["warnings"], Value::Array(Vec::new()));
+    let all = ["solve", "empty-box", "--order", "1", "--solver", "southwell", "--columns", "all"];
+    let run = radiosity(here, &all);
+    let message = String::from_utf8_lossy(&run.stderr);
+    assert!(
+        message.contains("all 6 columns integrated before the first shot: that was asked for"),
+        "{message}"
+    );
+}
+
+#[test]
+fn errors_are_drawn_against_shots_and_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let args = ["convergence", "empty-box", "--max-order", "1", "--shots", "8", "--format", "csv"];
+    let run = radiosity(folder.path(), &args);
+    let table = String::from_utf8_lossy(&run.stdout);
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let rows: Vec<Vec<&str>> = table.lines().map(|line| line.split(',').collect()).collect();
+    let place = |name: &str| rows[0].iter().position(|own| *own == name).unwrap();
+    let column = |way: &str, name: &str| -> Vec<f64> {
+        let own = rows.iter().filter(|row| row[place("way")] == way);
+        own.map(|row| row[place(name)].parse().unwrap()).collect()
+    };
+    for way in ["shots", "shots-of-all"] {
+        assert_eq!(column(way, "shots"), [0.0, 1.0, 2.0, 4.0, 8.0]);
+        assert!(column(way, "error").is_sorted_by(|a, b| a > b), "{table}");
+    }
+    assert_eq!(column("shots", "columns"), [0.0, 1.0, 2.0, 4.0, 6.0]);
+    assert_eq!(column("shots-of-all", "columns"), [6.0; 5]);
+    assert_eq!(column("shots", "error"), column("shots-of-all", "error"));
+    let drawing = fs::read_to_string(folder.path().join("empty-box.svg")).unwrap();
+    assert!(drawing.contains(">shots<") && drawing.contains("time, s"), "{drawing}");
+}
+
+#[test]
 fn progressive_and_shooting_name_southwell() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["southwell", "progressive", "shooting"] {

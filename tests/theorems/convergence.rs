@@ -77,8 +77,13 @@ fn given(
     let band = |name: &String| {
         let coating = Coating::constant(vec![0.5; count], vec![7.0; count]);
         let direct = vec![0.0; irradiance.len()];
-        let coefficients =
-            Coefficients { irradiance: irradiance.clone(), radiosity: direct.clone(), direct, residual: 0.0 };
+        let coefficients = Coefficients {
+            irradiance: irradiance.clone(),
+            radiosity: direct.clone(),
+            direct,
+            residual: 0.0,
+            waiting: None,
+        };
         Band::new(name.clone(), &elements, coating, coefficients)
     };
     let bands = scene.bands.iter().map(band).collect();

@@ -22,12 +22,13 @@ use radiosity_request::MethodRequest;
 use radiosity_request::ReadRequest;
 use radiosity_request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity_request::ranges::{Fraction, Positive};
-use radiosity_request::require_all_bounces;
+use radiosity_request::require_all_light;
 use radiosity_solve::animation::follower::{FollowMode, Follower};
 use radiosity_solve::animation::frame::Frame;
 use radiosity_solve::{LightMethod, Options};
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
+use radiosity_work::wording::{option, words};
 
 use crate::{
     console,
@@ -141,7 +142,8 @@ impl AnimateArgs {
     fn check_method(&self, asked: &Options) -> Result<(), CliError> {
         self.method.check()?;
         let frames = "frames that follow each other hold all light";
-        require_all_bounces(&self.method, frames, "take single frames: render --frame K --bounces …")?;
+        let cure = |name: &'static str| words("take single frames: render --frame K ") + option(name) + " …";
+        require_all_light(&self.method, frames, cure)?;
         let refuse = |message: &str, cure: &str| Err(CliError::refused(message, cure));
         if self.method.wanted_accuracy().is_some() {
             return refuse(

@@ -61,7 +61,7 @@ impl Bake<'_> {
         let run = Run::solve(loaded, self.args, ranks)?;
         let (scene, solution) = (&run.solved.scene, &run.solved.outcome.solution);
         let usual = || usual_read(solution, run.solved.visibility(), texels);
-        let read = self.read.unwrap_or_else(usual);
+        let read = self.args.method.read(self.read).unwrap_or_else(usual);
         let (triangles, lightmap) = run.in_threads(|| {
             let lightmap = Lightmap::new(&run.solved, read, texels as usize, &run.work());
             (tessellation(scene, NEAR * diagonal(scene)), lightmap)

@@ -13,7 +13,7 @@ use radiosity_request::check_series;
 use radiosity_scene::Scene;
 use radiosity_solve::solution::Solution;
 use radiosity_solve::solved::Solved;
-use radiosity_solve::studies::convergence::{ConvergenceRun, Reference, RunSeries, convergence};
+use radiosity_solve::studies::convergence::{ConvergenceRun, Reference, RunSeries, convergence, shots};
 use radiosity_solve::studies::error_norm::distance;
 use radiosity_work::Work;
 use radiosity_work::ranks::Ranks;
@@ -39,6 +39,7 @@ use crate::{
         .help("Highest degree of the polynomials: the scene is solved at 0, 1, … N")),
     mut_arg("layers", |layers| layers.help("Most layers: every order is run on 0, 1, … L of them [default: 0]")),
     mut_arg("accuracy", |accuracy| accuracy.hide(true)),
+    mut_arg("shots", |shots| shots.help("Instead of orders, runs 0, 1, 2, 4, … K shots at order N, with each column integrated when it is first shot and with all before, and draws the errors against shots and time")),
 )]
 pub(crate) struct ConvergenceArgs {
     #[command(flatten)]
@@ -93,6 +94,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
         ));
     }
     args.check_basis()?;
+    args.check_shots()?;
     args.method.check()?;
     check_series(&args.method, &args.other_series())?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
@@ -103,13 +105,17 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded, ranks: &Ranks) -> Res
     let work = Work { ranks, observer: &progress, deadline: deadline.as_ref() };
     let options = args.method.options(ranks);
     let other = args.other_series();
+    let study = |reference: &Reference| match options.shots {
+        None => convergence(scene, &options, &other, reference, &work),
+        Some(most) => shots(scene, &options, most, reference, &work),
+    };
     let runs = match &reference {
-        None => convergence(scene, &options, &other, &Reference::FinestRun, &work)?,
+        None => study(&Reference::FinestRun)?,
         Some(Solved { outcome, .. }) => {
             let error = |solution: &Solution| {
                 distance(solution, &outcome.solution).expect("surfaces and bands were compared")
             };
-            convergence(scene, &options, &other, &Reference::Given(&error), &work)?
+            study(&Reference::Given(&error))?
         }
     };
     drop(progress);
@@ -130,6 +136,17 @@ impl ConvergenceArgs {
     fn other_series(&self) -> Vec<RunSeries> {
         let bases = RunSeries::BASES.into_iter().filter(|series| self.bases && !self.other.contains(series));
         self.other.iter().copied().chain(bases).collect()
+    }
+
+    /// Refuses other ways beside shots, which are a study of one order.
+    fn check_shots(&self) -> Result<(), CliError> {
+        if self.method.shots.is_none() || self.other_series().is_empty() {
+            return Ok(());
+        }
+        Err(CliError::refused(
+            "--shots is a study of one order, without other ways beside it",
+            "leave out --with and --bases, or --shots",
+        ))
     }
 
     /// Refuses a basis without orders, and one of those that are all compared.
@@ -187,7 +204,9 @@ fn drawing(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &[ConvergenceR
         1 => format!("order {} on 1 layer", run.order),
         layers => format!("order {} on {layers} layers", run.order),
     });
+    let is_by_shots = args.method.shots.is_some();
     let against = match &args.reference {
+        None if is_by_shots => "all light by all columns".to_owned(),
         None => format!("the finest run, {finest}"),
         Some(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
     };
@@ -195,8 +214,13 @@ fn drawing(args: &ConvergenceArgs, scene: &Scene, eps: f64, runs: &[ConvergenceR
         Some(_) => "the rules of 1993".to_owned(),
         None => format!("transfers to {eps:e}"),
     };
-    let caption = format!("L² difference from {against}; {accuracy}; numbers are orders");
-    chart(format!("{title}: error by order"), caption, runs).drawing()
+    let [by, about] = match args.method.shots {
+        None => ["order", "; numbers are orders"],
+        Some(_) if args.method.ambient => ["shots", "; with the ambient term"],
+        Some(_) => ["shots", ""],
+    };
+    let caption = format!("L² difference from {against}; {accuracy}{about}");
+    chart(format!("{title}: error by {by}"), caption, runs).drawing()
 }
 
 fn draw(drawing: &Drawing, kind: ChartFormat, output: &OutputFile) -> Result<(), CliError> {
@@ -207,8 +231,11 @@ fn draw(drawing: &Drawing, kind: ChartFormat, output: &OutputFile) -> Result<(),
 }
 
 fn table(runs: &[ConvergenceRun]) -> Table<'_> {
-    let counts = ["order", "layers", "elements", "unknowns", "samples", "rays"];
-    let mut columns: Vec<Column> = ["way"].into_iter().chain(counts).map(Column::text).collect();
+    let are_shot = runs.iter().any(|run| run.shots.is_some());
+    let counts = ["order", "layers", "elements", "unknowns"];
+    let of_shots = ["shots", "columns"].into_iter().filter(|_| are_shot);
+    let names = ["way"].into_iter().chain(counts).chain(of_shots).chain(["samples", "rays"]);
+    let mut columns: Vec<Column> = names.map(Column::text).collect();
     columns.extend([
         Column::numbers("seconds", "").with(Digits::Decimals(4)),
         Column::numbers("error", "").with(Digits::Mantissa(3)),
@@ -217,9 +244,10 @@ fn table(runs: &[ConvergenceRun]) -> Table<'_> {
     ]);
     let row = |run: &ConvergenceRun| {
         let counts = [run.order, run.layers, run.elements, run.unknowns].map(Value::from);
+        let shots = [run.shots, run.columns].into_iter().flatten().map(Value::from);
         let work = [run.samples, run.rays].map(Value::Count);
         let numbers = [run.seconds.into(), run.error.into(), run.rate.into(), run.energy.into()];
-        [run.series.name().into()].into_iter().chain(counts).chain(work).chain(numbers)
+        [run.series.name().into()].into_iter().chain(counts).chain(shots).chain(work).chain(numbers)
     };
     Table::new(columns, runs.iter().map(row))
 }

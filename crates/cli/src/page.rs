@@ -50,7 +50,7 @@ pub(crate) fn write(
     let texels = texels(parts, solution.bands().len());
     let pixels = PIXELS * (texels * parts) as u64;
     let usual = || usual_read(solution, run.solved.visibility(), pixels);
-    let read_by = read.unwrap_or_else(usual);
+    let read_by = args.method.read(read).unwrap_or_else(usual);
     let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &run.work()))?;
     output.write(|writer| write_viewer(&run.solved, &lightmap, start, writer))?;
     let notes = [rough(read, read_by), left_out(&run.solved.scene)].concat();

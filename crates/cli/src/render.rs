@@ -111,7 +111,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded, ranks: &Ranks) -> Result<()
     run.finish(Some(&written))
 }
 
-/// What the camera sees.
+/// A picture as the camera takes it.
 struct Shot {
     read: ReadMode,
     raster: Raster,
@@ -136,7 +136,7 @@ impl RenderArgs {
             true => (ReadMode::Basis, Quantity::Irradiance),
             false => {
                 let usual = || usual_read(solution, visibility, pixels(camera));
-                (self.read.unwrap_or_else(usual), self.style.show)
+                (self.run.method.read(self.read).unwrap_or_else(usual), self.style.show)
             }
         };
         let take = |solution: &Solution, visibility: &Visibility| {

@@ -220,6 +220,9 @@ impl Run {
     /// accuracy was not reached.
     pub(crate) fn finish(mut self, written: Option<&str>) -> Result<(), CliError> {
         let Start { ranks, progress, report_file, is_saved, started, .. } = &self.start;
+        if report_file.is_some() || progress.verbose {
+            self.report.compare_joints(&self.solved);
+        }
         self.report.seconds.output = self.ready.elapsed().as_secs_f64();
         self.report.seconds.total = started.elapsed().as_secs_f64();
         self.report.ranks = RanksWork::so_far(ranks, self.threads);

@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use radiosity_request::{KEPT, require_all_bounces};
+use radiosity_request::{KEPT, require_all_light};
 use radiosity_solve::{Outcome, Sampling};
 use radiosity_work::ranks::Ranks;
+use radiosity_work::wording::{option, words};
 
 use crate::{
     error::CliError,
@@ -41,7 +42,9 @@ pub(crate) struct SolveArgs {
 
 /// Solves the scene and writes the coefficients.
 pub(crate) fn run(args: &SolveArgs, loaded: Loaded, ranks: &Ranks) -> Result<(), CliError> {
-    require_all_bounces(&args.run.method, KEPT, "type --bounces to render, probe or grid, with the scene")?;
+    let cure =
+        |name: &'static str| words("type ") + option(name) + " to render, probe or grid, with the scene";
+    require_all_light(&args.run.method, KEPT, cure)?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene().name).into());
     let format = SolutionFormat::of(&path);
     format.check(&path, &args.run.method.options(ranks))?;

@@ -6,9 +6,9 @@ use radiosity_elements::Elements;
 use radiosity_kernel::PairCounts;
 use radiosity_published::hierarchy::Counts;
 use radiosity_scene::{Fitted, Imported, LightGroup};
-use radiosity_solve::checks::Checks;
+use radiosity_solve::checks::{Checks, JointJump, joint_jump};
 use radiosity_solve::solved::Solved;
-use radiosity_solve::{Functional, Outcome};
+use radiosity_solve::{Functional, Outcome, Shots};
 use serde::Serialize;
 
 use crate::checkpoint::Checkpoint;
@@ -80,6 +80,9 @@ pub struct Report {
     pub accuracy_reached: f64,
     /// Estimated relative error of the radiosity, where an accuracy was wanted.
     pub accuracy_estimate: Option<f64>,
+    /// Shots, and columns of the transfers that were integrated for them, where light was shot.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shots: Option<Shots>,
     /// Way in which direct light entered: `split` or `projected`.
     pub direct: &'static str,
     /// Iterations of the solver, largest over the bands.
@@ -90,6 +93,9 @@ pub struct Report {
     pub converged: bool,
     /// Self-checks.
     pub checks: Checks,
+    /// The largest jump of irradiance between surfaces that go on smoothly, where it was looked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint_jump_max: Option<NamedJump>,
     /// Figures of the sensors of planes.
     pub planes: Vec<PlaneFigures>,
     /// Errors of light that rays gathered at points.
@@ -128,6 +134,15 @@ impl Transport {
         let exact_pairs = outcome.sampling.map_or(0, |sampling| sampling.exact_pairs);
         Self { kind, why: outcome.choice.why.clone(), rays, exact_pairs, error, links: outcome.links }
     }
+}
+
+/// A jump of irradiance between two surfaces.
+#[derive(Clone, Debug, Serialize)]
+pub struct NamedJump {
+    /// The jump over the larger of the two irradiances.
+    pub jump: f64,
+    /// Names of the surfaces.
+    pub surfaces: [String; 2],
 }
 
 /// Wall time per stage, s.
@@ -187,11 +202,13 @@ impl Report {
             shadow_rays: outcome.rays,
             accuracy_reached: outcome.accuracy_reached,
             accuracy_estimate: achieved.and_then(|achieved| achieved.estimate),
+            shots: outcome.shots.clone(),
             direct: if outcome.split { "split" } else { "projected" },
             iterations: outcome.iterations,
             residual: outcome.residual,
             converged: outcome.converged,
             checks: outcome.checks,
+            joint_jump_max: None,
             planes: Vec::new(),
             read_error: None,
             warnings: warnings(solved),
@@ -203,6 +220,15 @@ impl Report {
     pub fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
         self.warnings.extend(error.and_then(|error| error.warning(asked)));
         self.read_error = error;
+    }
+
+    /// Looks for the largest jump of irradiance between surfaces that go on smoothly.
+    pub fn compare_joints(&mut self, Solved { scene, outcome, .. }: &Solved) {
+        let named = |JointJump { jump, surfaces }| NamedJump {
+            jump,
+            surfaces: surfaces.map(|surface: usize| scene.surfaces[surface].name.clone()),
+        };
+        self.joint_jump_max = joint_jump(&outcome.solution).map(named);
     }
 
     /// Adds the counts of a checkpoint, with a warning where its record is incomplete.

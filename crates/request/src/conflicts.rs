@@ -4,7 +4,8 @@ use radiosity_elements::cells::Layers;
 use radiosity_published::bases::Basis;
 use radiosity_published::zatz1993::masked_light::Masking;
 use radiosity_solve::studies::convergence::RunSeries;
-use radiosity_solve::{Direct, LightMethod, Preconditioning, Transport};
+use radiosity_solve::{ColumnChoice, Direct, LightMethod, Preconditioning, Transport};
+use radiosity_solvers::method::{Access, Method};
 use radiosity_visibility::Shadows;
 use radiosity_work::wording::{Wording, option, set, value, words};
 
@@ -25,6 +26,9 @@ impl MethodRequest {
         check_rays(self)?;
         check_basis(self)?;
         check_bounces(self)?;
+        check_shots(self)?;
+        check_columns(self)?;
+        check_relaxing(self)?;
         check_preconditioner(self)
     }
 }
@@ -114,7 +118,7 @@ fn check_rays(method: &MethodRequest) -> Result<(), Refusal> {
 
 /// Refuses a preconditioner for a solver that takes none.
 fn check_preconditioner(method: &MethodRequest) -> Result<(), Refusal> {
-    let solver = method.solver.map_or("auto", |solver| solver.name);
+    let solver = method.solver().map_or("auto", |solver| solver.name);
     if method.preconditioner == Some(Preconditioning::None) && !["auto", "cg", "gmres"].contains(&solver) {
         return Err(Refusal::new(
             option("preconditioner") + " does nothing with " + set("solver", solver),
@@ -169,6 +173,81 @@ fn check_bounces(method: &MethodRequest) -> Result<(), Refusal> {
     refuse(option("bounces"), unknown)
 }
 
+/// Refuses shots where light is not shot, or another number of terms is asked for.
+fn check_shots(method: &MethodRequest) -> Result<(), Refusal> {
+    if method.ambient && method.shots.is_none() {
+        return Err(Refusal::new(
+            option("ambient") + " does nothing without " + option("shots"),
+            words("add ") + set("shots", 10) + ", or leave " + option("ambient") + " out",
+        ));
+    }
+    if method.shots.is_none() {
+        return Ok(());
+    }
+    require_southwell(method, option("shots"))?;
+    let unknown = [
+        (method.method == Some(LightMethod::Hierarchical)).then(|| set("method", "hierarchical")),
+        method.wanted_accuracy().map(|_| option("accuracy")),
+        method.bounces.map(|_| option("bounces")),
+        other_basis(method),
+    ];
+    refuse(option("shots"), unknown)
+}
+
+/// Refuses a choice of columns where light is not shot, and columns integrated when they are shot where all
+/// are at hand before.
+fn check_columns(method: &MethodRequest) -> Result<(), Refusal> {
+    let Some(columns) = method.columns else { return Ok(()) };
+    require_southwell(method, option("columns"))?;
+    if columns == ColumnChoice::All {
+        return Ok(());
+    }
+    let unknown = [
+        (method.method == Some(LightMethod::Hierarchical)).then(|| set("method", "hierarchical")),
+        (method.transport == Some(Transport::Sampled)).then(|| set("transport", "sampled")),
+        method.rays.map(|_| option("rays")),
+        method.kernel.unwrap_or_default().rules().map(|_| option("kernel")),
+        method.bounces.map(|_| option("bounces")),
+        other_basis(method),
+    ];
+    refuse(set("columns", "shot"), unknown)
+}
+
+/// A basis whose functions reach over elements, if one is asked for.
+fn other_basis(method: &MethodRequest) -> Option<Wording> {
+    method.basis.filter(|basis| !basis.is_elementwise()).map(|basis| set("basis", basis.name()))
+}
+
+fn require_southwell(method: &MethodRequest, what: Wording) -> Result<(), Refusal> {
+    if method.solver().is_some_and(|solver| solver.access == Access::Columns) {
+        return Ok(());
+    }
+    let southwell = || set("solver", Method::SOUTHWELL.name);
+    Err(Refusal::new(
+        what.clone() + " does nothing without " + southwell() + ", which shoots light",
+        words("add ") + southwell() + ", or leave " + what + " out",
+    ))
+}
+
+/// Refuses ways of relaxing for a solver that does not take them.
+fn check_relaxing(method: &MethodRequest) -> Result<(), Refusal> {
+    let solver = method.solver().map_or("auto", |solver| solver.name);
+    let ways: [(bool, &str, &[&str]); 4] = [
+        (method.at_once.is_some(), "at-once", &["gauss-seidel", "jacobi", "southwell"]),
+        (method.sweep.is_some(), "sweep", &["gauss-seidel"]),
+        (method.relaxation.is_some(), "relaxation", &["gauss-seidel", "jacobi", "richardson", "southwell"]),
+        (method.restart.is_some(), "restart", &["gmres"]),
+    ];
+    let idle = ways.into_iter().find(|(is_typed, _, takers)| *is_typed && !takers.contains(&solver));
+    match idle {
+        Some((_, name, takers)) => Err(Refusal::new(
+            option(name) + " does nothing with " + set("solver", solver),
+            words("take ") + set("solver", takers[0]) + ", or leave " + option(name) + " out",
+        )),
+        None => Ok(()),
+    }
+}
+
 /// Refuses ways of a convergence study that do not go with what is asked of all.
 ///
 /// # Errors
@@ -177,7 +256,7 @@ pub fn check_series(method: &MethodRequest, series: &[RunSeries]) -> Result<(), 
     for series in series {
         let name = set("with", series.name());
         match series {
-            RunSeries::Uniform => {}
+            RunSeries::Uniform | RunSeries::Shots | RunSeries::ShotsOfAll => {}
             RunSeries::Constant | RunSeries::Linear | RunSeries::Harmonic => refuse(name, others(method))?,
             RunSeries::Hierarchical | RunSeries::Hp | RunSeries::Sampled => refuse(
                 name,
@@ -214,20 +293,23 @@ fn refuse(what: Wording, others: impl IntoIterator<Item = Option<Wording>>) -> R
     }
 }
 
-/// Why a solution is not kept whose reflections are limited.
+/// Why a solution is not kept whose reflections or shots are limited.
 pub const KEPT: &str = "a solution is kept for readers, who would gather from it as if it were all light";
 
-/// Refuses to keep light of the first reflections alone, which others would gather from as if it were all.
+/// Refuses to keep light of the first reflections or shots alone, which others would gather from as if it
+/// were all; the cure follows from the name of the option.
 ///
 /// # Errors
-/// Where reflections are limited.
-pub fn require_all_bounces(
+/// Where reflections or shots are limited.
+pub fn require_all_light(
     method: &MethodRequest,
     verb: &str,
-    cure: impl Into<Wording>,
+    cure: impl FnOnce(&'static str) -> Wording,
 ) -> Result<(), Refusal> {
-    match method.bounces {
+    let [bounces, shots] = [method.bounces.map(|own| own.count()), method.shots.map(|own| own.count())];
+    let limited = [("bounces", bounces), ("shots", shots)];
+    match limited.into_iter().find_map(|(name, count)| Some((name, count?))) {
         None => Ok(()),
-        Some(bounces) => Err(Refusal::new(set("bounces", bounces.count()) + format!(": {verb}"), cure)),
+        Some((name, count)) => Err(Refusal::new(set(name, count) + format!(": {verb}"), cure(name))),
     }
 }

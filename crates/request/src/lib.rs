@@ -25,7 +25,7 @@ mod scene;
 pub mod picture;
 pub mod cells;
 
-pub use conflicts::{KEPT, check_series, require_all_bounces};
+pub use conflicts::{KEPT, check_series, require_all_light};
 pub use method::MethodRequest;
 pub use modes::{Kernel, LightShadows};
 pub use reading::{ReadRequest, check_aim};

@@ -9,7 +9,11 @@ use radiosity_published::bases::Basis;
 use radiosity_published::hierarchy::LinkMeasure;
 use radiosity_published::zatz1993::masked_light::{Average, Masking};
 use radiosity_reading::quality::Quality;
-use radiosity_solve::{Direct, LightMethod, Linking, Options, Preconditioning, Transport};
+use radiosity_reading::reader::ReadMode;
+use radiosity_solve::{
+    ColumnChoice, Direct, LightMethod, Linking, Options, Preconditioning, RelaxedAtOnce, Relaxing, ShotLimit,
+    SweepOrder, Transport,
+};
 use radiosity_solvers::method::Method;
 use radiosity_work::Deadline;
 use radiosity_work::ranks::Ranks;
@@ -120,6 +124,38 @@ pub struct MethodRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub preconditioner: Option<Preconditioning>,
 
+    /// With --solver southwell, when a block column of the transfers is integrated [default: shot; all where
+    /// rays carry the light, and wherever else the summary says so]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "WHEN"))]
+    pub columns: Option<ColumnChoice>,
+
+    /// Stops after K shots of --solver southwell in each band and light group: the polynomials then hold what
+    /// was shot and what has arrived [default: as many as --tolerance takes]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "K"))]
+    pub shots: Option<ranges::ShotCount>,
+
+    /// Adds to the light of --shots the ambient term of Cohen 1988: what all further shots would bring, if it
+    /// were the same everywhere
+    #[cfg_attr(feature = "clap", arg(long))]
+    pub ambient: bool,
+
+    /// What jacobi, gauss-seidel and southwell relax at a time [default: block]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "WHAT"))]
+    pub at_once: Option<RelaxedAtOnce>,
+
+    /// The order in which gauss-seidel visits the elements [default: forward]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "ORDER"))]
+    pub sweep: Option<SweepOrder>,
+
+    /// Factor of every correction of jacobi, richardson, gauss-seidel and southwell, between 0 and 2: above 1
+    /// overshoots [default: 1]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "W"))]
+    pub relaxation: Option<Number<ranges::Relaxation>>,
+
+    /// Vectors that gmres keeps before it restarts [default: 50]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "K"))]
+    pub restart: Option<ranges::Restart>,
+
     /// Light that was reflected K times at the most before it arrives: 0 for light straight from emitters
     /// [default: all]
     #[cfg_attr(feature = "clap", arg(long, value_name = "K", allow_negative_numbers = true))]
@@ -190,8 +226,11 @@ impl MethodRequest {
             shadows: self.shadows.map_or(usual.shadows, LightShadows::found),
             masks: (self.shadows == Some(LightShadows::Mask)).then(|| self.masking()),
             direct: self.direct.unwrap_or(usual.direct),
-            solver: self.solver.unwrap_or(usual.solver),
+            solver: self.solver().unwrap_or(usual.solver),
             preconditioner: self.preconditioner.unwrap_or(usual.preconditioner),
+            relaxing: self.relaxing(),
+            columns: self.columns,
+            shots: self.shots.map(|shots| ShotLimit { count: shots.count(), ambient: self.ambient }),
             bounces: self.bounces.map(ranges::Bounces::count),
             tolerance: self.tolerance.map_or(usual.tolerance, f64::from),
             max_iterations: self.max_iterations.map_or(usual.max_iterations, ranges::Iterations::count),
@@ -199,6 +238,27 @@ impl MethodRequest {
             threads: self.threads.map_or(usual.threads, ranges::Threads::count),
             ..usual
         }
+    }
+
+    /// The solver that was asked for, or follows from a number of shots.
+    pub(super) fn solver(&self) -> Option<&'static Method> {
+        self.solver.or(self.shots.map(|_| &Method::SOUTHWELL))
+    }
+
+    /// Ways of solvers that relax, and of gmres.
+    fn relaxing(&self) -> Relaxing {
+        let usual = Relaxing::default();
+        Relaxing {
+            at_once: self.at_once.unwrap_or(usual.at_once),
+            sweep: self.sweep.unwrap_or(usual.sweep),
+            relaxation: self.relaxation.map_or(usual.relaxation, f64::from),
+            restart: self.restart.map_or(usual.restart, ranges::Restart::count),
+        }
+    }
+
+    /// The reading that was asked for; of a number of shots the polynomials, which alone hold their light.
+    pub fn read(&self, asked: Option<ReadMode>) -> Option<ReadMode> {
+        asked.or(self.shots.map(|_| ReadMode::Basis))
     }
 
     /// Graded layers of elements.

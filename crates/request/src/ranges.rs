@@ -24,7 +24,13 @@ pub type Bounces = WholeNumber<0, 1000>;
 pub type Rays = WholeNumber<1, MOST_RAYS>;
 
 /// Number of rays that find the visibility of a link. Chosen: with the most, shares are known to 1e-3.
-pub type LinkRays = Whole<1, 1_000_000>;
+pub type LinkRays = WholeNumber<1, 1_000_000>;
+
+/// Number of shots of a solver that shoots.
+pub type ShotCount = WholeNumber<0, { u32::MAX as u64 }>;
+
+/// Number of vectors that gmres keeps.
+pub type Restart = WholeNumber<1, 10_000>;
 
 /// Number of iterations of a solver.
 pub type Iterations = WholeNumber<1, { u32::MAX as u64 }>;
@@ -220,6 +226,18 @@ impl Range for Fraction {
 
     fn has(x: f64) -> bool {
         x > 0.0 && x < 1.0
+    }
+}
+
+/// Factors of corrections, between 0 and 2.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Relaxation {}
+
+impl Range for Relaxation {
+    const EXPECTED: &'static str = "expected a number above 0 and below 2, such as 1.2";
+
+    fn has(x: f64) -> bool {
+        x > 0.0 && x < 2.0
     }
 }
 

@@ -102,13 +102,13 @@ impl ReadRequest {
     /// The reading that was asked for; the rest as the quality says.
     pub fn plain(&self, method: &MethodRequest) -> ReadSettings {
         let usual = method.quality.unwrap_or_default().reading();
-        self.asked(usual, method.eps.map_or(usual.eps, f64::from))
+        self.asked(method, usual, method.eps.map_or(usual.eps, f64::from))
     }
 
     /// The reading that was asked for; the accuracy `eps` where none was, and the rest as in `usual`.
-    fn asked(&self, usual: ReadSettings, eps: f64) -> ReadSettings {
+    fn asked(&self, method: &MethodRequest, usual: ReadSettings, eps: f64) -> ReadSettings {
         ReadSettings {
-            read: self.read.unwrap_or(usual.read),
+            read: method.read(self.read).unwrap_or(usual.read),
             // Rays count no points.
             by: if self.samples.is_some() { GatherMethod::Cells } else { self.read_by.unwrap_or_default() },
             eps: self.read_eps.map_or(eps, f64::from),
@@ -126,7 +126,7 @@ impl ReadRequest {
         let asked = [method.eps.map(f64::from), method.wanted_accuracy().map(Goal::reading), saved]
             .into_iter()
             .flatten();
-        self.asked(usual, asked.fold(of_solution, f64::min))
+        self.asked(method, usual, asked.fold(of_solution, f64::min))
     }
 }
 
@@ -139,13 +139,21 @@ fn saved_accuracy(solved: &Solved) -> Option<f64> {
     }
 }
 
-/// Refuses an accuracy of gathered light where polynomials are read.
+/// Refuses an accuracy of gathered light where polynomials are read, and light of some shots where more than
+/// polynomials is read.
 ///
 /// # Errors
 /// If that is what was asked for.
 pub fn check_aim(read: Option<ReadMode>, method: &MethodRequest) -> Result<(), Refusal> {
     let is_of_gathered = method.wanted_accuracy().is_some() && method.aim != Some(AccuracyOf::Solution);
     match read {
+        Some(ReadMode::Direct | ReadMode::Gather | ReadMode::GatherTwice) if method.shots.is_some() => {
+            Err(Refusal::new(
+                option("shots")
+                    + " limits the light of the polynomials, and other readings add light that was not shot",
+                words("take ") + set("read", "basis") + ", or leave " + option("read") + " out",
+            ))
+        }
         Some(ReadMode::Basis | ReadMode::Direct) if is_of_gathered => Err(Refusal::new(
             option("accuracy")
                 + " is that of gathered light, and "

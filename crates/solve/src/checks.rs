@@ -18,9 +18,12 @@
 //! with the flux Φ of the luminaires. Where luminaires shine and nothing is split off it is ⟨b, c − G
 //! c⟩ + Φ − ∫ L dA, with their irradiance L.
 //!
+//! Light that waits to be shot is neither absorbed nor lost: B is then what was shot.
+//!
 //! Either way the lost power in a closed room shows how well the integrals agree.
 
 mod balance;
+mod seams;
 
 use radiosity_core::{dot, norm};
 use radiosity_elements::Element;
@@ -31,9 +34,11 @@ use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
 use crate::solution::powers::Powers;
-use crate::solution::{Band, Solution, SurfacePlace};
+use crate::solution::{Band, Solution};
 
 pub(crate) use balance::{Balance, BandLight};
+use seams::seam_jump;
+pub use seams::{JointJump, joint_jump};
 
 /// Most power iterations: enough for nine digits where the second eigenvalue is 0.6 of the first. Elsewhere
 /// the bound is wider.
@@ -66,7 +71,7 @@ pub struct Checks {
     /// Power that leaves the scene.
     pub energy_lost: f64,
     /// Upper estimate of the spectral radius of ρG, largest over the bands; below 1 if the quadrature is
-    /// good.
+    /// good. 0 where columns of elements that reflect were not integrated.
     pub spectral_bound: f64,
     /// Largest jump of B across the seams inside a surface, relative to the larger of the two values.
     pub seam_jump_max: f64,
@@ -156,6 +161,9 @@ fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[
 /// is near it.
 fn spectral_bound(blocks: &dyn Carrier, coating: &Coating, ones: &[f64]) -> f64 {
     let starts = blocks.starts();
+    if (0..starts.len() - 1).any(|i| coating.scatters(i) && !blocks.is_complete(i)) {
+        return 0.0;
+    }
     let step = |v: &[f64]| match coating.transmits() {
         true => coating.reflected(starts, &blocks.apply(v)),
         false => coating.halved(starts, &blocks.apply(&coating.halved(starts, v))),
@@ -179,49 +187,6 @@ fn spectral_bound(blocks: &dyn Carrier, coating: &Coating, ones: &[f64]) -> f64 
         v = next;
     }
     bound
-}
-
-fn seam_jump(solution: &Solution) -> f64 {
-    let elements = solution.elements();
-    let mut largest = 0.0f64;
-    for (index, element) in elements.list().iter().enumerate() {
-        for SeamPoint { parameters, across } in seam_points(element) {
-            let Some(other) = elements.across_seam(element.surface, parameters, across) else { continue };
-            let position = elements.shape(element.surface).jet(parameters[0], parameters[1]).position;
-            let place = SurfacePlace { surface: element.surface, parameters, position };
-            largest = largest.max(relative_jump(solution, index, other, &place));
-        }
-    }
-    largest
-}
-
-fn relative_jump(solution: &Solution, a: usize, b: usize, place: &SurfacePlace) -> f64 {
-    let jump = |band: usize| {
-        let (here, there) = (solution.radiosity(band, a, place), solution.radiosity(band, b, place));
-        let scale = here.abs().max(there.abs());
-        if scale > 0.0 { (here - there).abs() / scale } else { 0.0 }
-    };
-    (0..solution.bands().len()).map(jump).fold(0.0, f64::max)
-}
-
-/// A point on a side of an element's rectangle.
-struct SeamPoint {
-    /// (u, v).
-    parameters: [f64; 2],
-    /// Direction across the side, in (u, v).
-    across: [f64; 2],
-}
-
-/// Points on the far sides of an element's rectangle.
-fn seam_points(element: &Element) -> impl Iterator<Item = SeamPoint> {
-    let rect = element.rect;
-    [0.1, 0.3, 0.5, 0.7, 0.9].into_iter().flat_map(move |x| {
-        let (u, v) = (rect.u[0] + x * (rect.u[1] - rect.u[0]), rect.v[0] + x * (rect.v[1] - rect.v[0]));
-        [
-            SeamPoint { parameters: [rect.u[1], v], across: [1.0, 0.0] },
-            SeamPoint { parameters: [u, rect.v[1]], across: [0.0, 1.0] },
-        ]
-    })
 }
 
 #[cfg(test)]

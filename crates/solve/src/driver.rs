@@ -29,6 +29,9 @@
 
 mod direct;
 mod preconditioning;
+mod relaxing;
+mod column_choice;
+mod shots;
 mod outline;
 pub mod memory_estimate;
 mod memory_reduction;
@@ -47,7 +50,9 @@ mod sampling;
 mod assembly;
 mod first_light;
 mod outcome;
+mod shooting;
 mod band_systems;
+mod ready;
 mod model;
 mod by_links;
 
@@ -56,6 +61,7 @@ use radiosity_scene::Scene;
 use radiosity_work::Work;
 
 use by_links::solve_by_links;
+pub use column_choice::ColumnChoice;
 pub(crate) use decisions::Layout;
 pub use direct::Direct;
 pub use failure::Failure;
@@ -69,7 +75,9 @@ pub use options::Options;
 pub(crate) use outcome::timed;
 pub use outcome::{Functional, Outcome, Stages};
 pub use preconditioning::Preconditioning;
+pub use relaxing::{RelaxedAtOnce, Relaxing, SweepOrder};
 pub use sampling::Sampling;
+pub use shots::{Shot, ShotLimit, Shots};
 pub use transport_choice::{MOST_RAYS, Transport, TransportChoice};
 
 /// Solves `scene`.
@@ -79,7 +87,7 @@ pub use transport_choice::{MOST_RAYS, Transport, TransportChoice};
 /// that cannot be started.
 pub fn solve(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
     match options.method {
-        LightMethod::Galerkin => Model::assemble(scene, options, work)?.solve(scene, work),
+        LightMethod::Galerkin => Model::solve_once(scene, options, work),
         LightMethod::Hierarchical => solve_by_links(scene, options, work),
     }
 }
@@ -96,5 +104,5 @@ pub(crate) fn solve_exactly(
     mesh: Option<&Mesh>,
     work: &Work<'_>,
 ) -> Result<Outcome, Failure> {
-    Model::assemble_exactly(scene, options, why, mesh, work)?.solve(scene, work)
+    Model::solve_exactly(scene, options, why, mesh, work)
 }

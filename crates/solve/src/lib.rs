@@ -21,6 +21,7 @@ pub mod animation;
 pub mod view_factors;
 
 pub use driver::{
-    Direct, Failure, Functional, LightMethod, Linking, MOST_RAYS, MemoryReduction, Model, Options, Outcome,
-    Preconditioning, Sampling, Stages, Transport, TransportChoice, in_threads, solve,
+    ColumnChoice, Direct, Failure, Functional, LightMethod, Linking, MOST_RAYS, MemoryReduction, Model,
+    Options, Outcome, Preconditioning, RelaxedAtOnce, Relaxing, Sampling, Shot, ShotLimit, Shots, Stages,
+    SweepOrder, Transport, TransportChoice, in_threads, solve,
 };

@@ -47,6 +47,7 @@ mod vector;
 mod series;
 mod reduction;
 mod projected;
+pub(crate) mod shooting;
 pub mod ritz;
 
 use std::borrow::Cow;
@@ -104,6 +105,8 @@ pub struct Coefficients {
     /// ‖b − e − ρ h‖₂ / ‖e‖₂ with the solver's b before that substitution, black elements included; over the
     /// known radiosity ‖e + ρ d‖₂ where direct light d enters apart and that is more; 0 if nothing shines.
     pub residual: f64,
+    /// The part of b that has arrived and waits to be shot, where light was shot.
+    pub waiting: Option<Vec<f64>>,
 }
 
 impl Coefficients {
@@ -116,7 +119,7 @@ impl Coefficients {
         residual: f64,
     ) -> Self {
         let radiosity = radiosity(elements, coating, &irradiance);
-        Self { irradiance, direct, radiosity, residual }
+        Self { irradiance, direct, radiosity, residual, waiting: None }
     }
 }
 
@@ -296,14 +299,12 @@ impl<'a> System<'a> {
         let solved = sum(&self.known, unknown);
         let radiosity = radiosity(self.elements, self.coating, &irradiance);
         let residual = self.relative(distance(&solved, &radiosity));
-        Coefficients { irradiance, direct, radiosity, residual }
+        Coefficients { irradiance, direct, radiosity, residual, waiting: None }
     }
 
     /// The size of a radiosity over that of the known one.
     fn relative(&self, size: f64) -> f64 {
-        // Of what luminaires light, surfaces reflect a part first.
-        let scale = norm(&self.emitted).max(if self.apart.is_some() { norm(&self.known) } else { 0.0 });
-        if scale > 0.0 { size / scale } else { 0.0 }
+        relative_residual(size, &self.emitted, self.apart.as_ref().map(|_| &self.known[..]))
     }
 
     /// Whether I − √ρ G √ρ is symmetric.
@@ -431,6 +432,13 @@ impl Operator for Product<'_> {
     fn symmetric(&self) -> bool {
         !self.system.coating.transmits()
     }
+}
+
+/// The size of a radiosity over that of the emitted one, or of the known one where that is given and more: of
+/// what luminaires light, surfaces reflect a part first.
+fn relative_residual(size: f64, emitted: &[f64], known: Option<&[f64]>) -> f64 {
+    let scale = norm(emitted).max(known.map_or(0.0, norm));
+    if scale > 0.0 { size / scale } else { 0.0 }
 }
 
 /// Elements that reflect or transmit, ascending.

@@ -33,5 +33,5 @@ pub use kept_blocks::KeptBlocks;
 pub use kept_blocks::kept_rays::RayCounts;
 pub use known::{Known, KnownBlocks};
 pub use sampled::{Rays, SampledTransport};
-pub use schedule::{BlockWork, Cost, Demand, FactorEnds, shared, work};
+pub use schedule::{BlockWork, ColumnsAsShot, Cost, Demand, FactorEnds, shared, work};
 pub use unreached::FINEST as FINEST_BY_RAYS;

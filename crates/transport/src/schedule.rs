@@ -20,6 +20,7 @@ mod integration;
 mod kept;
 mod reciprocity;
 mod work;
+mod columns_as_shot;
 
 use radiosity_kernel::estimates::entry_bounds::{ROW_SHARE, SMALLEST_ENTRY};
 use radiosity_kernel::{Accuracy, Blocks, Remainder, WorstError};
@@ -27,6 +28,7 @@ use radiosity_work::Work;
 use radiosity_work::interruption::check_interrupt;
 
 use crate::kept_blocks::KeptBlocks;
+pub use columns_as_shot::ColumnsAsShot;
 pub(crate) use demand::Unreached;
 pub use demand::{Demand, FactorEnds};
 use integrated::{Integrated, IntegratedReport};
@@ -79,11 +81,7 @@ pub(crate) fn by_rules(
     blocks.statistics.pairs = pairs;
     let plan = schedule.plan(tasks);
     let mut integrated = schedule.integrate(&plan, kept.as_deref(), blocks.held(), work);
-    let outcomes = schedule.outcomes(&plan, &integrated);
-    integrated.deliver(&plan, &|index| outcomes[index].is_left, blocks.held());
-    let left = schedule.store(&mut blocks, &plan, &outcomes, &integrated);
-    let is_stored = |index: usize| !outcomes[index].is_left;
-    blocks.statistics.reciprocity = schedule.reciprocity(&plan, &is_stored, &integrated);
+    let left = schedule.gather(&mut blocks, &plan, &mut integrated);
     if let Some(kept) = kept {
         let own = plan.iter().filter(|planned| planned.source.is_own());
         let requests = own.map(|Planned { task, goal, .. }| goal.request(task, demand.visibility));
@@ -95,6 +93,21 @@ pub(crate) fn by_rules(
 }
 
 impl Schedule<'_> {
+    /// Stores the blocks of a plan with their statistics, and returns the pairs that are left to rays.
+    fn gather(
+        &self,
+        blocks: &mut Blocks,
+        plan: &[Planned],
+        integrated: &mut Integrated,
+    ) -> Vec<UnreachedPair> {
+        let outcomes = self.outcomes(plan, integrated);
+        integrated.deliver(plan, &|index| outcomes[index].is_left, blocks.held());
+        let left = self.store(blocks, plan, &outcomes, integrated);
+        let is_stored = |index: usize| !outcomes[index].is_left;
+        blocks.statistics.reciprocity = self.reciprocity(plan, &is_stored, integrated);
+        left
+    }
+
     /// The errors of all blocks, and whether rules or rays carry them.
     fn outcomes(&self, plan: &[Planned], integrated: &Integrated) -> Vec<RuleOutcome> {
         let mut rows = vec![0.0f64; self.list.len()];
@@ -152,13 +165,13 @@ impl Schedule<'_> {
             }
             let asked = asked(block.partly_hidden, self.accuracy);
             blocks.statistics.record_error(WorstError { pair, error: *error, asked, by_rays: false });
-            self.push(blocks, planned, plan, integrated);
+            self.push(blocks, planned, integrated);
         }
         left
     }
 
     /// Stores the block of a task and adds its cost.
-    fn push(&self, blocks: &mut Blocks, planned: &Planned, plan: &[Planned], integrated: &Integrated) {
+    fn push(&self, blocks: &mut Blocks, planned: &Planned, integrated: &Integrated) {
         let Planned { task, source, .. } = planned;
         let place = source.place();
         let IntegratedReport { block, largest, remainder } = integrated.report(place);
@@ -178,7 +191,7 @@ impl Schedule<'_> {
             _ if !blocks.holds(row, column) => blocks.pass(row, column),
             Source::Own(_) => blocks.push(row, column, integrated.values(place)),
             Source::Copy { first, .. } => {
-                let values = self.copied(task, &plan[*first].task, integrated.values(place));
+                let values = self.copied(task.pair(), *first, integrated.values(place));
                 blocks.push(row, column, &values);
             }
         }

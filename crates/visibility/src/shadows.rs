@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// as one block by rules. With a smaller value shadows take most of the time.
 const EXACT: f64 = 0.25;
 
-/// How it is found out what surfaces hide from each other.
+/// Ways to find out what surfaces hide from each other.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "lowercase")]

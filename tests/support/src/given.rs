@@ -18,6 +18,7 @@ pub fn even(scene: &Scene, order: usize, total: f64, direct: f64) -> Solution {
         direct: times(direct),
         radiosity: times(total),
         residual: 0.0,
+        waiting: None,
     };
     let band = Band::new("grey".into(), &elements, coating(scene, &elements), coefficients);
     Solution::new(elements, vec![band])

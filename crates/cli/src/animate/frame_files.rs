@@ -154,7 +154,7 @@ impl FrameFiles {
     }
 }
 
-/// How long the picture of this number stays in a GIF. Each ends at the nearest unit to where it should:
+/// Time for which the picture of this number stays in a GIF. Each ends at the nearest unit to where it should:
 /// rounding does not add up.
 fn delay(picture: usize, fps: f64) -> u16 {
     let end = |picture: usize| (GIF_UNITS * picture as f64 / fps).round();

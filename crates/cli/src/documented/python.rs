@@ -168,6 +168,12 @@ fn told_apart(arg: &Arg) -> Option<&'static str> {
         "bounces" => {
             "Light that was reflected so many times at the most before it arrives: 0 for light straight from emitters [default: all]"
         }
+        "columns" => {
+            "With solver=\"southwell\", when a block column of the transfers is integrated [default: \"shot\"; \"all\" where rays carry the light, and wherever else the report says so]"
+        }
+        "shots" => {
+            "Stops after so many shots of solver=\"southwell\" in each band and light group: the polynomials then hold what was shot and what has arrived [default: as many as `tolerance` takes]"
+        }
         "mask_cells" => "Cells of a shadow mask along each side, with shadows=\"mask\" [default: 40]",
         "quality" => {
             "Preset of order and accuracies, and of how finely points, planes and cells are read; single options go before it [default: \"default\"]"

@@ -5,12 +5,12 @@ use radiosity_published::hierarchy::Counts;
 use radiosity_reading::checkpoint::Checkpoint;
 use radiosity_reading::digits::decimals;
 use radiosity_reading::rank_work::RanksWork;
-use radiosity_reading::report::{Report, Transport};
+use radiosity_reading::report::{NamedJump, Report, Transport};
 use radiosity_reading::warning::Warning;
 use radiosity_scene::LightGroup;
-use radiosity_solve::Functional;
 use radiosity_solve::checks::Checks;
 use radiosity_solve::studies::adaptation::Aim;
+use radiosity_solve::{Functional, ShotLimit, Shots};
 
 use super::Run;
 use crate::loaded::remarks;
@@ -87,6 +87,29 @@ impl Run {
         self.solved.options.bounces.map_or_else(String::new, limited)
     }
 
+    /// The line about shots and the columns that were integrated for them.
+    fn shots(&self, shots: &Shots) -> String {
+        let Shots { count, columns, of, all_first, unshot, .. } = shots;
+        let unshot = decimals(100.0 * unshot, 2);
+        let columns = match all_first {
+            None => format!("{columns} of {of} columns integrated, each when it was first shot"),
+            Some(why) => format!("all {of} columns integrated before the first shot: {why}"),
+        };
+        let ambient = match self.solved.options.shots {
+            Some(ShotLimit { ambient: true, .. }) => ", for which an ambient term stands",
+            _ => "",
+        };
+        format!("{count} shots leave {unshot} % of the power unshot{ambient}; {columns}")
+    }
+
+    /// Words on the largest jump between surfaces; empty where none go on smoothly.
+    fn joint(&self) -> String {
+        let words = |NamedJump { jump, surfaces: [first, second] }: &NamedJump| {
+            format!(", across joints {jump:.2e} (\"{first}\", \"{second}\")")
+        };
+        self.report.joint_jump_max.as_ref().map_or_else(String::new, words)
+    }
+
     /// The lines; the last names what was `written`.
     pub(super) fn lines(&self, written: Option<&str>) -> Vec<String> {
         let Report { surfaces, elements, unknowns, checks, .. } = &self.report;
@@ -99,6 +122,7 @@ impl Run {
             ),
             self.costs(),
         ];
+        lines.extend(self.report.shots.as_ref().map(|shots| self.shots(shots)));
         lines.extend(self.report.ranks.as_ref().map(RanksWork::to_string));
         lines.extend(self.report.checkpoint.as_ref().map(Checkpoint::to_string));
         lines.push(balance(checks) + &row_sums(checks));
@@ -113,7 +137,7 @@ impl Run {
         if self.start.progress.verbose {
             lines.extend(self.report.functionals.iter().map(minimum));
             lines.push(format!("pairs: {:?}", self.report.pairs));
-            lines.push(smoothness(checks));
+            lines.push(smoothness(checks) + &self.joint());
         }
         lines.extend(self.report.planes.iter().flat_map(|plane| plane.lines(&self.report.unit)));
         lines.extend(self.report.warnings.iter().map(Warning::to_string));
@@ -128,7 +152,7 @@ fn minimum(Functional { band, group, value }: &Functional) -> String {
     format!("variational functional of band '{band}'{group}: {value:.9e}")
 }
 
-/// What the line about the balance of power says of the sums of rows.
+/// Words on the sums of rows, behind the balance of power.
 fn row_sums(checks: &Checks) -> String {
     let [least, most] = [checks.row_sum_min, checks.row_sum_max].map(|sum| decimals(sum, 4));
     format!("; row sums {least} to {most}")

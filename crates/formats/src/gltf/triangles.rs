@@ -80,7 +80,7 @@ impl Triangles<'_> {
     /// Refuses triangles that lack corners.
     pub(super) fn require_whole(&self, place: FilePlace) -> Result<(), Refusal> {
         let corners = self.vertices();
-        if self.mode != Mode::List || corners % 3 == 0 {
+        if self.mode != Mode::List || corners.is_multiple_of(3) {
             return Ok(());
         }
         refuse_at(

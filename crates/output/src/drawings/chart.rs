@@ -1,4 +1,4 @@
-//! The chart of a convergence study: error against unknowns and against time.
+//! The chart of a convergence study: error against unknowns, or shots, and against time.
 
 use radiosity_solve::studies::convergence::{ConvergenceRun, RunSeries};
 
@@ -7,7 +7,10 @@ use super::diagram::{COLOURS, Curve, Diagram, Dot, Panel};
 /// The diagram of `runs`, sorted by their way and by the number of layers; runs without an error above 0 are
 /// not shown. The caption tells what the errors are measured against.
 pub fn chart(title: String, caption: String, runs: &[ConvergenceRun]) -> Diagram {
-    let unknowns = panel(runs, "unknowns per band", |run| run.unknowns as f64);
+    let unknowns = match runs.iter().any(|run| run.shots.is_some()) {
+        true => panel(runs, "shots", |run| run.shots.unwrap_or(0) as f64),
+        false => panel(runs, "unknowns per band", |run| run.unknowns as f64),
+    };
     let time = panel(runs, "time, s", |run| run.seconds.max(1e-6));
     Diagram { title, caption, columns: 2, panels: vec![unknowns, time] }
 }
@@ -16,7 +19,8 @@ fn panel(runs: &[ConvergenceRun], label: &str, abscissa: impl Fn(&ConvergenceRun
     let groups = runs.chunk_by(|a, b| a.layers == b.layers && a.series == b.series);
     // A dot, with the order next to it where that is what changes.
     let dot = |run: &ConvergenceRun| {
-        let error = run.error.filter(|error| *error > 0.0)?;
+        // No shots have no place on a logarithmic axis.
+        let error = run.error.filter(|error| *error > 0.0 && run.shots != Some(0))?;
         let is_by_order = matches!(run.series, RunSeries::Uniform | RunSeries::Harmonic);
         let text = if is_by_order { run.order.to_string() } else { String::new() };
         Some(Dot { place: [abscissa(run), error], text })
@@ -39,6 +43,8 @@ fn name(run: &ConvergenceRun) -> String {
         (RunSeries::Constant, _) => "constants on cells".to_owned(),
         (RunSeries::Linear, _) => "tents on cells".to_owned(),
         (RunSeries::Harmonic, _) => "cosines over surfaces".to_owned(),
+        (RunSeries::Shots, _) => "columns as they are shot".to_owned(),
+        (RunSeries::ShotsOfAll, _) => "all columns first".to_owned(),
         (RunSeries::Sampled, _) => format!("order {} by rays", run.order),
         (RunSeries::Uniform, 0) => "whole elements".to_owned(),
         (RunSeries::Uniform, 1) => "1 layer".to_owned(),
@@ -58,6 +64,8 @@ mod tests {
             layers: 0,
             elements: 1,
             unknowns,
+            shots: None,
+            columns: None,
             samples: 1,
             rays: 0,
             seconds,

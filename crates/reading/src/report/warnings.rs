@@ -17,7 +17,9 @@ use crate::warning::Warning;
 /// The warnings of a solved scene.
 pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
     let Solved { scene, options, outcome, achieved, .. } = solved;
-    let unconverged = (!outcome.converged).then(|| unconverged(outcome));
+    // As many shots as were asked for end where they should.
+    let is_short = !outcome.converged && options.shots.is_none();
+    let unconverged = is_short.then(|| unconverged(outcome));
     let adapted = achieved.iter().flat_map(|achieved| adaptation(scene, achieved));
     let transfers = discretization(scene, options, outcome);
     unconverged

@@ -43,7 +43,8 @@ impl Balance {
     pub(crate) fn powers(&self, light: &[BandLight<'_>], entry: &DirectLightEntry) -> Powers {
         let mut sums = [Compensated::default(); 3];
         for (index, BandLight { coating, flux, coefficients }) in light.iter().enumerate() {
-            let Coefficients { irradiance, radiosity, .. } = coefficients;
+            let Coefficients { irradiance, radiosity, waiting, .. } = coefficients;
+            let waits = |k: usize| waiting.as_ref().map_or(0.0, |waiting| waiting[k]);
             sums[0].add(*flux);
             // What of it arrives is taken off below.
             sums[2].add(*flux);
@@ -59,16 +60,16 @@ impl Balance {
                 sums[0].add(exitance[k] * one);
                 sums[1].add(one * (irradiance[k] - scattered[k]));
                 match entry {
-                    DirectLightEntry::Carried => sums[2].add(radiosity[k] * lost),
+                    DirectLightEntry::Carried => sums[2].add((radiosity[k] - waits(k)) * lost),
                     DirectLightEntry::Lit(lit) => {
-                        sums[2].add(radiosity[k] * lost);
+                        sums[2].add((radiosity[k] - waits(k)) * lost);
                         sums[2].add(-one * lit[index][k]);
                     }
                     DirectLightEntry::Split(Bounce { direct, reflected }) => {
                         let (direct, once) = (direct[index][k], reflected[index][k]);
                         sums[2].add(one * (exitance[k] - direct));
                         sums[2].add(one * (beside[k] - once));
-                        sums[2].add((scattered[k] - beside[k]) * lost);
+                        sums[2].add((scattered[k] - beside[k] - waits(k)) * lost);
                     }
                 }
             }

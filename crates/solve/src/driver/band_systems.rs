@@ -15,6 +15,8 @@ use super::failure::Failure;
 use super::first_light::EnteringLight;
 use super::options::Options;
 use super::outcome::Functional;
+use super::shooting::ShotLight;
+use super::shots::Shots;
 use super::solve_band::{SolveCost, solve_band};
 
 /// The data from which the light of all bands follows.
@@ -37,6 +39,15 @@ pub(super) struct SolvedLight {
     pub before: Option<Vec<Vec<Coefficients>>>,
     pub costs: Vec<SolveCost>,
     pub functionals: Vec<Functional>,
+    /// Shots, where light was shot.
+    pub shots: Option<Shots>,
+}
+
+impl SolvedLight {
+    /// The light that was shot, with its coefficients.
+    pub(super) fn shot(light: Vec<Vec<Coefficients>>, ShotLight { costs, shots, .. }: ShotLight) -> Self {
+        Self { light, before: None, costs, functionals: Vec::new(), shots: Some(shots) }
+    }
 }
 
 impl BandSystems<'_> {
@@ -71,7 +82,7 @@ impl BandSystems<'_> {
             }
             costs.extend(cost);
         }
-        Ok(SolvedLight { light, before: None, costs, functionals })
+        Ok(SolvedLight { light, before: None, costs, functionals, shots: None })
     }
 
     /// The light of each emission that was reflected so many times at the most.
@@ -92,7 +103,7 @@ impl BandSystems<'_> {
         }
         let solver = Method::RICHARDSON.name;
         let costs = vec![SolveCost { solver, iterations: bounces, converged: true }];
-        SolvedLight { light, before, costs, functionals: Vec::new() }
+        SolvedLight { light, before, costs, functionals: Vec::new(), shots: None }
     }
 
     /// The systems of a band, one for each emission.

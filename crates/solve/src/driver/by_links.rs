@@ -78,6 +78,7 @@ fn by_links(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome
         choice: TransportChoice { sampled: false, why: "hierarchical radiosity was asked for".to_owned() },
         sampling: None,
         links: Some(counts),
+        shots: None,
         seconds,
     })
 }
@@ -143,6 +144,7 @@ impl Run<'_> {
             .with_tolerance(self.options.tolerance)
             .with_max_iterations(self.options.max_iterations)
             .with_threads(self.ranks.threads(self.options.threads));
+        let settings = self.options.relaxing.set(settings);
         let solved = system.solve(self.solver, &settings);
         let failed = |source| Failure::Solver { band: self.scene.bands[band].clone(), source };
         let (radiosity, report) = solved.map_err(failed)?;

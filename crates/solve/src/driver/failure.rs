@@ -49,6 +49,12 @@ pub enum Failure {
         /// Name of the first luminaire that shines.
         luminaire: String,
     },
+    /// Columns were to be integrated when they are first shot, and cannot be.
+    #[error("{}", self.message())]
+    AllFirst {
+        /// Why all are integrated first.
+        why: &'static str,
+    },
     /// The linear solver failed.
     #[error("band '{band}': {source}")]
     Solver {
@@ -125,6 +131,10 @@ impl Failure {
                     + option("shadows")
                     + ", direct light is then exact at every point"
             }
+            Self::AllFirst { why } => {
+                set("columns", "shot")
+                    + format!(": all columns are integrated before the first shot, as {why}")
+            }
             Self::Memory { needed, allowed, fits } => {
                 let [needed, allowed] = [needed, allowed].map(|bytes| *bytes as f64 / 1e6);
                 words(format!(
@@ -143,6 +153,9 @@ impl Failure {
     pub fn cure(&self) -> Option<Wording> {
         let more = || words("allow more with ") + option("memory");
         Some(match self {
+            Self::AllFirst { .. } => {
+                words("leave it out, or take ") + set("transport", "exact") + " where rays carry the light"
+            }
             Self::Memory { fits, .. } if fits.is_empty() => more() + ", or leave it out",
             Self::Memory { .. } => words("ask for one of these, or ") + more(),
             Self::Elements(ElementError::Layers { .. }) => {

@@ -12,30 +12,33 @@ use std::time::Duration;
 use radiosity_elements::Elements;
 use radiosity_elements::mesh::Mesh;
 use radiosity_kernel::Blocks;
+use radiosity_kernel::block_columns::ByColumn;
 use radiosity_published::bases::Subspace;
-use radiosity_scene::{Scene, SceneSurface};
-use radiosity_transport::KeptBlocks;
+use radiosity_scene::Scene;
+use radiosity_solvers::method::Access;
+use radiosity_transport::{ColumnsAsShot, KeptBlocks};
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
-use radiosity_work::wording::{option, set};
 use radiosity_work::{Progress, Stage, Work};
 
 use crate::checks::{Balance, Checks};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
+use crate::system::shooting::ambient;
 
 use super::assembly::carried;
 use super::band_systems::{BandSystems, SolvedLight};
-use super::decisions::{AssemblyPlan, Decisions, Layout};
-use super::direct::Direct;
+use super::decisions::{AssemblyPlan, Layout};
 use super::emission::Emission;
 use super::failure::Failure;
-use super::first_light::{EnteringLight, FirstLight, LitScene};
+use super::first_light::EnteringLight;
 use super::options::Options;
 use super::outcome::{Outcome, Stages, timed};
+use super::ready::{Ready, require_diffuse};
 use super::sampling::{Sampling, Subject};
-use super::solve_band::SolveCost;
+use super::shooting::ColumnSource;
+use super::shots::ShotLimit;
 use super::transport_choice::TransportChoice;
 
 /// The elements of a scene and the blocks between them.
@@ -57,19 +60,15 @@ use super::transport_choice::TransportChoice;
 /// ```
 #[derive(Debug)]
 pub struct Model {
-    /// The scene from which it was assembled.
-    scene: Scene,
-    options: Options,
-    elements: Arc<Elements>,
-    visibility: Visibility,
+    ready: Ready,
     blocks: Blocks,
-    /// Span of the functions of the basis; None where they are those of the elements.
-    subspace: Option<Subspace>,
-    choice: TransportChoice,
     sampling: Option<Sampling>,
-    /// Direct light and its first bounce, for the emission of the scene.
-    first: FirstLight,
-    seconds: Stages,
+}
+
+/// The emissions of a scene with their first light.
+struct Entered {
+    emissions: Vec<Emission>,
+    first: Vec<EnteringLight>,
 }
 
 impl Model {
@@ -103,58 +102,96 @@ impl Model {
         AssemblyPlan::default().decided(scene, options).peak_memory(scene, options, ranks)
     }
 
-    /// A model by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
-    pub(super) fn assemble_exactly(
+    /// Solves `scene` by exact blocks, for the reason `why`, between the elements of a refined mesh if there is
+    /// one.
+    pub(super) fn solve_exactly(
         scene: &Scene,
         options: &Options,
         why: &str,
         mesh: Option<&Mesh>,
         work: &Work<'_>,
-    ) -> Result<Self, Failure> {
+    ) -> Result<Outcome, Failure> {
         let choice = Some(TransportChoice { sampled: false, why: why.to_owned() });
         let plan = AssemblyPlan { choice, how: None, mesh };
-        options.in_threads(work.ranks, || Self::assembled(scene, options, plan, None, work))?
+        options.in_threads(work.ranks, || Self::solution(scene, options, plan, work))?
+    }
+
+    /// Solves `scene` once.
+    pub(super) fn solve_once(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
+        let plan = AssemblyPlan::default();
+        options.in_threads(work.ranks, || Self::solution(scene, options, plan, work))?
     }
 
     fn assembled(
         scene: &Scene,
         options: &Options,
         plan: AssemblyPlan<'_>,
+        kept: Option<&mut KeptBlocks>,
+        work: &Work<'_>,
+    ) -> Result<Self, Failure> {
+        let ready = Ready::of(scene, options, plan, kept.as_deref(), work)?;
+        Self::carried(ready, kept, work)
+    }
+
+    /// The model of a scene that is ready, with all its blocks.
+    fn carried(
+        mut ready: Ready,
         mut kept: Option<&mut KeptBlocks>,
         work: &Work<'_>,
     ) -> Result<Self, Failure> {
-        require_diffuse(scene, options)?;
-        let ranks = work.ranks;
-        let mut seconds = Stages::default();
-        let decisions = timed(&mut seconds.visibility, || plan.decided(scene, options));
-        // The choice may depend on time or memory, which no fingerprint holds.
-        ranks.note_choice(&(options.neutral(), decisions.choice.sampled));
-        work.report(Progress::Finished { stage: Stage::Visibility, took: seconds.visibility });
-        decisions.require_memory(scene, options, kept.is_some(), ranks)?;
-        let before = kept.as_ref().and_then(|kept| kept.elements());
-        let elements = timed(&mut seconds.elements, || elements(scene, options, &decisions, before))?;
-        let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
-        work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
-        let Decisions { visibility, choice, rays, .. } = decisions;
-        let first = timed(&mut seconds.direct, || {
-            let lit_scene = LitScene { scene, elements: &elements, visibility: &visibility, options, ranks };
-            let by_rules = options.kernel.is_none() && !choice.sampled;
-            FirstLight::of(&lit_scene, Emission::all(scene, elements.list()), by_rules)
-        });
-        if first.is_split {
-            work.report(Progress::Finished { stage: Stage::Direct, took: seconds.direct });
-        }
+        let Ready { scene, options, elements, visibility, rays, first, .. } = &ready;
         let bands = &Emission::by_band(first.emissions());
         let entries = first.reflected(first.emissions()).expect("the emission is the same");
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
-        let subject = Subject { elements: &elements, bands, entries, visibility: &visibility, options, work };
+        let subject = Subject { elements, bands, entries, visibility, options, work };
         if let Some(kept) = &mut kept {
-            kept.move_to(scene, &elements, &visibility);
+            kept.move_to(scene, elements, visibility);
         }
-        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, kept))?;
-        work.report(Progress::Finished { stage: Stage::Blocks, took: seconds.blocks });
-        let (scene, options) = (scene.clone(), *options);
-        Ok(Self { scene, options, elements, visibility, blocks, subspace, choice, sampling, first, seconds })
+        let mut took = Duration::ZERO;
+        let (blocks, sampling) = timed(&mut took, || carried(scene, &subject, *rays, kept))?;
+        work.report(Progress::Finished { stage: Stage::Blocks, took });
+        ready.seconds.blocks = took;
+        Ok(Self { ready, blocks, sampling })
+    }
+
+    /// Solves `scene` as `plan` says; where the solver shoots, a column of the matrix is integrated when it
+    /// is first shot, if it can be.
+    fn solution(
+        scene: &Scene,
+        options: &Options,
+        plan: AssemblyPlan<'_>,
+        work: &Work<'_>,
+    ) -> Result<Outcome, Failure> {
+        let ready = Ready::of(scene, options, plan, None, work)?;
+        match ready.is_lazy(work.ranks)? {
+            true => Self::shot(ready, work),
+            false => Self::carried(ready, None, work)?.solved(scene, work),
+        }
+    }
+
+    /// Shoots the light of a scene that is ready by columns that are integrated when they are first shot.
+    fn shot(mut ready: Ready, work: &Work<'_>) -> Result<Outcome, Failure> {
+        let mut took = Duration::ZERO;
+        let wanted = |a, b| ready.sends(a) || ready.sends(b);
+        let emissions = Emission::all(&ready.scene, ready.elements.list());
+        let first = ready.first_light(&ready.scene, &emissions, work.ranks);
+        let columns = ColumnsAsShot::new(ready.demand(&wanted));
+        let source = ColumnSource { columns: &columns, before: columns.seconds(), all_first: None };
+        let shooter = ready.shooter(&ready.scene, &emissions, &first);
+        let shot = timed(&mut took, || shooter.shot(source, work))?;
+        let integrated = columns.seconds();
+        let before = source.before;
+        let blocks = columns.into_blocks();
+        let light = shooter.light(&shot, &blocks);
+        ready.seconds.blocks = integrated;
+        ready.seconds.solve = (before + took).saturating_sub(integrated);
+        work.report(Progress::Finished { stage: Stage::Blocks, took: ready.seconds.blocks });
+        work.report(Progress::Finished { stage: Stage::Solve, took: ready.seconds.solve });
+        let seconds = ready.seconds;
+        let scene = ready.scene.clone();
+        let model = Self { ready, blocks, sampling: None };
+        let light = SolvedLight::shot(light, shot);
+        Ok(model.outcome(&scene, Entered { emissions, first }, light, seconds, work.ranks))
     }
 
     /// Solves for the materials of `scene`, and the factors of its light groups. Its surfaces are those of
@@ -166,12 +203,18 @@ impl Model {
     /// solver that fails or does not converge, or threads that cannot be started.
     pub fn solve(&self, scene: &Scene, work: &Work<'_>) -> Result<Outcome, Failure> {
         self.check(scene)?;
-        self.options.in_threads(work.ranks, || self.solved(scene, work))?
+        self.ready.options.in_threads(work.ranks, || self.solved(scene, work))?
+    }
+
+    /// This model, to be solved by so many shots.
+    pub(crate) fn with_shots(mut self, shots: Option<ShotLimit>) -> Self {
+        self.ready.options.shots = shots;
+        self
     }
 
     /// The elements of the model's surfaces.
     pub fn elements(&self) -> &Elements {
-        &self.elements
+        &self.ready.elements
     }
 
     /// The blocks between the elements.
@@ -181,12 +224,12 @@ impl Model {
 
     /// The visibility between the surfaces.
     pub fn visibility(&self) -> &Visibility {
-        &self.visibility
+        &self.ready.visibility
     }
 
     /// The visibility between the surfaces, when nothing else of the model is needed any more.
     pub(crate) fn into_visibility(self) -> Visibility {
-        self.visibility
+        self.ready.visibility
     }
 
     /// This model with blocks that were corrected.
@@ -196,10 +239,10 @@ impl Model {
 
     /// Refuses a scene of other surfaces, and light from surfaces whose blocks were left out.
     fn check(&self, scene: &Scene) -> Result<(), Failure> {
-        require_diffuse(scene, &self.options)?;
-        let (own, given) = (&self.scene.surfaces, &scene.surfaces);
+        require_diffuse(scene, &self.ready.options)?;
+        let (own, given) = (&self.ready.scene.surfaces, &scene.surfaces);
         let names = || given.iter().chain(own).map(|surface| surface.name.clone());
-        if own.len() != given.len() || self.scene.bands != scene.bands {
+        if own.len() != given.len() || self.ready.scene.bands != scene.bands {
             return Err(Failure::OtherSurface { surface: names().next_back().unwrap_or_default() });
         }
         for (own, given) in own.iter().zip(given) {
@@ -214,36 +257,69 @@ impl Model {
     }
 
     fn solved(&self, scene: &Scene, work: &Work<'_>) -> Result<Outcome, Failure> {
-        let mut seconds = self.seconds;
-        let emissions = Emission::all(scene, self.elements.list());
+        let mut seconds = self.ready.seconds;
+        let emissions = Emission::all(scene, self.ready.elements.list());
         let mut again = Duration::ZERO;
-        let first = timed(&mut again, || self.first_light(scene, &emissions, work.ranks));
+        let first = timed(&mut again, || self.ready.first_light(scene, &emissions, work.ranks));
         seconds.direct += again;
         let bands = self.bands(scene);
-        let lit = timed(&mut seconds.solve, || match self.options.bounces {
+        let options = &self.ready.options;
+        let shoots = options.solver.access == Access::Columns && self.ready.subspace.is_none();
+        let light = timed(&mut seconds.solve, || match options.bounces {
+            None if shoots => self.shot_from_all(scene, &emissions, &first, work),
             None => bands.solved(&emissions, &first, work),
             Some(bounces) => Ok(bands.bounced(&emissions, &first, bounces)),
         })?;
         work.report(Progress::Finished { stage: Stage::Solve, took: seconds.solve });
-        let SolvedLight { light, before, costs, functionals } = lit;
+        Ok(self.outcome(scene, Entered { emissions, first }, light, seconds, work.ranks))
+    }
+
+    /// Shoots light by columns of the blocks that are all there.
+    fn shot_from_all(
+        &self,
+        scene: &Scene,
+        emissions: &[Emission],
+        first: &[EnteringLight],
+        work: &Work<'_>,
+    ) -> Result<SolvedLight, Failure> {
+        let all = self.blocks.gathered();
+        let columns = ByColumn::of(&all);
+        let why = self.ready.all_first(work.ranks).unwrap_or("other light is solved for by them, too");
+        let source =
+            ColumnSource { columns: &columns, before: self.ready.seconds.blocks, all_first: Some(why) };
+        let shooter = self.ready.shooter(scene, emissions, first);
+        let shot = shooter.shot(source, work)?;
+        Ok(SolvedLight::shot(shooter.light(&shot, &self.blocks), shot))
+    }
+
+    /// The outcome for the light of a scene.
+    fn outcome(
+        &self,
+        scene: &Scene,
+        Entered { emissions, first }: Entered,
+        light: SolvedLight,
+        seconds: Stages,
+        ranks: &Ranks,
+    ) -> Outcome {
+        let SolvedLight { light, before, costs, functionals, shots } = light;
+        let slowest = costs.iter().max_by_key(|cost| cost.iterations);
+        let (solver, iterations) =
+            slowest.map_or((self.ready.options.solver.name, 0), |cost| (cost.solver, cost.iterations));
         let groups = self.groups(emissions, first, light);
         let before = before.map(|light| lit_before(&groups, light));
-        let of_groups = |groups| Solution::of_groups(Arc::clone(&self.elements), scene, groups);
-        let (before, solution) = (before.map(of_groups), of_groups(groups));
-        let solution = match self.options.bounces {
+        let before =
+            before.map(|groups| Solution::of_groups(Arc::clone(&self.ready.elements), scene, groups));
+        let solution = Solution::of_groups(Arc::clone(&self.ready.elements), scene, groups);
+        let solution = match self.ready.options.bounces {
             Some(_) => solution.truncated(before),
             None => solution,
         };
-        Ok(Outcome { functionals, seconds, ..self.outcome(solution, &costs, work.ranks) })
-    }
-
-    /// A solution that took so much, with its checks.
-    fn outcome(&self, solution: Solution, costs: &[SolveCost], ranks: &Ranks) -> Outcome {
-        let slowest = costs.iter().max_by_key(|cost| cost.iterations);
         let powers = solution.powers().unwrap_or_default();
+        let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
         let checks = Checks::with_powers(&solution, &self.blocks, powers, ranks);
         let statistics = &self.blocks.statistics;
         Outcome {
+            solution,
             checks,
             pairs: statistics.pairs,
             samples: statistics.samples,
@@ -251,50 +327,35 @@ impl Model {
             rays: statistics.rays,
             accuracy_reached: statistics.accuracy_reached,
             worst_error: statistics.worst_error,
-            solver: slowest.map_or(self.options.solver.name, |cost| cost.solver),
-            iterations: slowest.map_or(0, |cost| cost.iterations),
-            residual: solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max),
-            split: self.first.is_split,
+            solver,
+            iterations,
+            residual,
+            split: self.ready.first.is_split,
             converged: costs.iter().all(|cost| cost.converged),
-            choice: self.choice.clone(),
+            choice: self.ready.choice.clone(),
             unknowns: self.unknowns(),
-            functionals: Vec::new(),
+            functionals,
             sampling: self.sampling,
             links: None,
-            seconds: self.seconds,
-            solution,
+            shots,
+            seconds,
         }
     }
 
     /// Number of coefficients per band.
     fn unknowns(&self) -> usize {
-        self.subspace.as_ref().map_or_else(|| self.elements.coefficients(), Subspace::dim)
-    }
-
-    /// The first light of each emission: that of the scene it was assembled from, if it emits as much. With a
-    /// subspace, light that enters apart is projected on it.
-    fn first_light(&self, scene: &Scene, emissions: &[Emission], ranks: &Ranks) -> Vec<EnteringLight> {
-        let first = self.first.reflected(emissions).unwrap_or_else(|| {
-            let lit_scene = LitScene {
-                scene,
-                elements: &self.elements,
-                visibility: &self.visibility,
-                options: &self.options,
-                ranks,
-            };
-            let anew = Emission::all(scene, self.elements.list());
-            let first = FirstLight::as_split(&lit_scene, anew, self.first.is_split);
-            first.reflected(emissions).expect("the emission is the same")
-        });
-        match &self.subspace {
-            None => first,
-            Some(subspace) => first.into_iter().map(|own| own.within(subspace)).collect(),
-        }
+        self.ready.subspace.as_ref().map_or_else(|| self.ready.elements.coefficients(), Subspace::dim)
     }
 
     fn bands<'a>(&'a self, scene: &'a Scene) -> BandSystems<'a> {
-        let (elements, subspace) = (self.elements.list(), self.subspace.as_ref());
-        BandSystems { names: &scene.bands, elements, blocks: &self.blocks, subspace, options: &self.options }
+        let (elements, subspace) = (self.ready.elements.list(), self.ready.subspace.as_ref());
+        BandSystems {
+            names: &scene.bands,
+            elements,
+            blocks: &self.blocks,
+            subspace,
+            options: &self.ready.options,
+        }
     }
 
     /// The light of each emission with its balance of power.
@@ -304,69 +365,20 @@ impl Model {
         first: Vec<EnteringLight>,
         light: Vec<Vec<Coefficients>>,
     ) -> Vec<GroupLight> {
-        let balance = Balance::of(&self.elements, &self.blocks);
+        let elements = &self.ready.elements;
+        let balance = Balance::of(elements, &self.blocks);
         let lit = emissions.into_iter().zip(first).zip(light);
-        let group = |((emission, first), light): ((Emission, EnteringLight), Vec<_>)| {
-            emission.lit(&balance, &first.entry, light, first.masked)
+        let is_ambient = self.ready.options.shots.is_some_and(|shots| shots.ambient);
+        let group = |((emission, first), light): ((Emission, EnteringLight), Vec<Coefficients>)| {
+            let bands = light.iter().zip(&emission.coatings).filter(|_| is_ambient);
+            let around = bands.map(|(own, coating)| {
+                own.waiting.as_ref().map_or(0.0, |waiting| ambient(elements.list(), coating, waiting))
+            });
+            let around: Vec<f64> = around.collect();
+            emission.lit(&balance, &first.entry, light, first.masked).brightened(elements, &around)
         };
         lit.map(group).collect()
     }
-}
-
-/// Refuses what cannot carry the light of luminaires or of a sky.
-fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
-    require_even(scene, options)?;
-    let shines = scene.luminaires.iter().find(|own| own.emits()).filter(|_| options.masks.is_some());
-    if let Some(own) = shines {
-        return Err(Failure::Unmasked { luminaire: own.name.clone() });
-    }
-    let what = match options {
-        Options { masks: Some(_), .. } => set("shadows", "mask"),
-        Options { direct: Direct::Projected, .. } => set("direct", "projected"),
-        Options { kernel: Some(_), .. } => option("kernel") + " with the rules of 1993",
-        _ => return Ok(()),
-    };
-    match scene.surfaces.iter().find(|own| own.radiance.is_some()) {
-        Some(own) => {
-            let light = if own.is_opening() { "an opening to a sky" } else { "a luminaire" };
-            Err(Failure::NotDiffuse { surface: own.name.clone(), light, what })
-        }
-        None => Ok(()),
-    }
-}
-
-/// Refuses functions over several elements where S does not commute with their projection: power would be
-/// lost.
-fn require_even(scene: &Scene, options: &Options) -> Result<(), Failure> {
-    let basis = options.basis;
-    if basis.is_elementwise() {
-        return Ok(());
-    }
-    let varies = |own: &&SceneSurface| own.material.reflectance_pattern.is_some() || own.material.transmits();
-    match scene.surfaces.iter().find(varies) {
-        Some(own) => Err(Failure::NotEven { surface: own.name.clone(), basis: basis.name() }),
-        None => Ok(()),
-    }
-}
-
-/// The elements of `scene`; those that are known from `before`, where some surfaces stood elsewhere.
-fn elements(
-    scene: &Scene,
-    options: &Options,
-    decisions: &Decisions<'_>,
-    before: Option<&Elements>,
-) -> Result<Arc<Elements>, Failure> {
-    let elements = match before.filter(|_| options.kernel.is_none()) {
-        Some(before) => before.moved(scene),
-        None => options.elements(scene, &decisions.how, decisions.mesh.as_deref()),
-    };
-    Ok(Arc::new(elements?))
-}
-
-/// Span of the functions of the basis on `elements`; None where they are those of the elements.
-fn subspace(scene: &Scene, options: &Options, elements: &Elements) -> Option<Subspace> {
-    let degree = |surface: usize| scene.surfaces[surface].order.unwrap_or(options.order);
-    Subspace::new(options.basis, elements, &degree, options.space)
 }
 
 /// The groups with other `light`, by coefficients of each in each band.

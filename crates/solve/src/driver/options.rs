@@ -14,12 +14,15 @@ use radiosity_visibility::{Shadows, Visibility};
 use radiosity_work::ranks::Ranks;
 use serde::{Deserialize, Serialize};
 
+use super::column_choice::ColumnChoice;
 use super::direct::Direct;
 use super::failure::Failure;
 use super::in_threads::in_threads;
 use super::light_method::LightMethod;
 use super::linking::Linking;
 use super::preconditioning::Preconditioning;
+use super::relaxing::Relaxing;
+use super::shots::ShotLimit;
 use super::transport_choice::{MOST_RAYS, Transport, usual_rays};
 
 /// Options of a solution: method, elements, accuracies, solver and means.
@@ -66,6 +69,17 @@ pub struct Options {
     /// Preconditioner of cg and gmres.
     #[serde(default)]
     pub preconditioner: Preconditioning,
+    /// Ways of solvers that relax, and of gmres.
+    #[serde(default, skip_serializing_if = "Relaxing::is_usual")]
+    pub relaxing: Relaxing,
+    /// When columns of G are integrated for a solver that shoots; None: each when it is first shot, where
+    /// that can be.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub columns: Option<ColumnChoice>,
+    /// Shots after which the light of a solver that shoots is taken as it is; None for all that its tolerance
+    /// takes. Solution files hold all light.
+    #[serde(skip)]
+    pub shots: Option<ShotLimit>,
     /// Light that was reflected so many times at the most before it arrives, by the Galerkin method to no
     /// wanted accuracy; None for all. Solution files hold all light.
     #[serde(skip)]
@@ -106,6 +120,9 @@ impl Default for Options {
             direct: Direct::Auto,
             solver: &Method::AUTO,
             preconditioner: Preconditioning::Block,
+            relaxing: Relaxing::default(),
+            columns: None,
+            shots: None,
             bounces: None,
             tolerance: 1e-8,
             max_iterations: 1000,

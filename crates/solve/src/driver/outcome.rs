@@ -11,6 +11,7 @@ use crate::checks::Checks;
 use crate::solution::Solution;
 
 use super::sampling::Sampling;
+use super::shots::Shots;
 use super::transport_choice::TransportChoice;
 
 /// The solution with its cost and self-checks.
@@ -41,12 +42,13 @@ pub struct Outcome {
     pub residual: f64,
     /// Whether direct light was split off.
     pub split: bool,
-    /// Whether the solver converged in every band; if not, the solution is its best iterate.
+    /// Whether the solver converged in every band; if not, the solution is its best iterate, or what as many
+    /// shots as were asked for give.
     pub converged: bool,
     /// Number of coefficients per band.
     pub unknowns: usize,
     /// The variational functional at the solution, band by band and in each of all light groups; empty where
-    /// nothing was solved for.
+    /// nothing was solved for, or light was shot.
     pub functionals: Vec<Functional>,
     /// The carrier of the pairs of elements, and the reason for it.
     pub choice: TransportChoice,
@@ -54,6 +56,8 @@ pub struct Outcome {
     pub sampling: Option<Sampling>,
     /// Numbers of links, where hierarchical radiosity found the light.
     pub links: Option<Counts>,
+    /// Shots, where light was shot.
+    pub shots: Option<Shots>,
     /// Wall time of each stage.
     pub seconds: Stages,
 }
@@ -74,6 +78,7 @@ impl Outcome {
             residual: residuals.fold(0.0, f64::max),
             choice: self.choice.clone(),
             functionals: self.functionals.clone(),
+            shots: self.shots.clone(),
             solution,
             ..*self
         })

@@ -13,7 +13,7 @@ use super::options::Options;
 
 /// Least time of a linear system, after a deadline too, so that a small scene has a result. Chosen: a person
 /// waits as long without noticing.
-const LEAST: Duration = Duration::from_secs(1);
+pub(super) const LEAST: Duration = Duration::from_secs(1);
 
 /// The cost of a band's linear system.
 pub(super) struct SolveCost {
@@ -70,6 +70,7 @@ pub(super) fn solve_band(
             .with_cancel(interruption.as_ref().map(Interruption::flag))
             .with_time_budget(work.left().map(|left| left.max(LEAST)));
         settings.measure = measure.as_deref();
+        let settings = options.relaxing.set(settings);
         let mut observe = |step: &Step<'_>| {
             check_interrupt();
             observe(step);

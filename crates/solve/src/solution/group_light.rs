@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use radiosity_elements::Elements;
 use radiosity_published::zatz1993::masked_light::MaskedLight;
 
 use crate::system::Coefficients;
@@ -33,6 +34,19 @@ pub(super) struct DimmedGroup<'a> {
 }
 
 impl GroupLight {
+    /// This light with a uniform irradiance (W m⁻²) added in each band, on all `elements` that nothing covers;
+    /// none where `around` is empty. Its balance of power stays.
+    pub(crate) fn brightened(mut self, elements: &Elements, around: &[f64]) -> Self {
+        for (own, around) in self.bands.iter_mut().zip(around) {
+            let constants = elements.list().iter().flat_map(|element| {
+                let share = f64::from(u8::from(element.contact.is_none()));
+                element.constant.iter().map(move |c| share * c)
+            });
+            own.irradiance.iter_mut().zip(constants).for_each(|(h, c)| *h += around * c);
+        }
+        self
+    }
+
     /// Σ f x over the `parts` x with their `factors` f, all of one group and over the same functions, without
     /// masks.
     pub(crate) fn together<'a>(factors: &[f64], parts: impl Iterator<Item = &'a Self> + Clone) -> Self {

@@ -24,7 +24,9 @@ use radiosity_published::bases::Basis;
 use radiosity_scene::Scene;
 use radiosity_work::{Progress, Stage, Work};
 
-use crate::driver::{Failure, LightMethod, Options, Outcome, Transport, solve};
+use crate::driver::{
+    ColumnChoice, Failure, LightMethod, Model, Options, Outcome, ShotLimit, Shots, Transport, solve,
+};
 use crate::solution::Solution;
 use crate::solved::Solved;
 use crate::studies::adaptation::{Aim, Goal};
@@ -62,6 +64,12 @@ pub enum RunSeries {
     Linear,
     /// Cosines of higher and higher degree over whole surfaces.
     Harmonic,
+    /// More and more shots, each column integrated when it is first shot.
+    #[cfg_attr(feature = "clap", value(skip))]
+    Shots,
+    /// More and more shots, all columns integrated before.
+    #[cfg_attr(feature = "clap", value(skip))]
+    ShotsOfAll,
 }
 
 impl RunSeries {
@@ -78,6 +86,8 @@ impl RunSeries {
             RunSeries::Constant => "constant",
             RunSeries::Linear => "linear",
             RunSeries::Harmonic => "harmonic",
+            RunSeries::Shots => "shots",
+            RunSeries::ShotsOfAll => "shots-of-all",
         }
     }
 }
@@ -95,6 +105,10 @@ pub struct ConvergenceRun {
     pub elements: usize,
     /// Number of coefficients per band.
     pub unknowns: usize,
+    /// Shots, most of any band and light group, where light was shot.
+    pub shots: Option<usize>,
+    /// Columns of the transfers that were integrated, where light was shot.
+    pub columns: Option<usize>,
     /// Terms of the kernel's quadrature rules.
     pub samples: u64,
     /// Segments tested for visibility.
@@ -185,7 +199,8 @@ fn plan(options: &Options, other: &[RunSeries]) -> Vec<PlannedRun> {
         let by_cosines = |order| Options { basis: Basis::Harmonic, order, ..plain };
         let by_rays = |rays| Options { transport: Transport::Sampled, rays: Some(rays), ..plain };
         match series {
-            RunSeries::Uniform => Vec::new(),
+            // Shots are a study of their own.
+            RunSeries::Uniform | RunSeries::Shots | RunSeries::ShotsOfAll => Vec::new(),
             RunSeries::Hierarchical => LINKS.map(|eps| planned(by_links(eps), None)).into(),
             RunSeries::Hp => WANTED.map(|wanted| planned(Options { order: 0, ..plain }, Some(wanted))).into(),
             RunSeries::Sampled => RAYS.map(|rays| planned(by_rays(rays), None)).into(),
@@ -212,15 +227,63 @@ impl PlannedRun {
     fn solve(&self, scene: &Scene, work: &Work<'_>) -> Result<FinishedRun, Failure> {
         let begun = Instant::now();
         let Some(wanted) = self.wanted else {
-            let outcome = solve(scene, &self.options, work)?;
-            let stages = outcome.seconds;
-            let seconds = stages.elements + stages.visibility + stages.blocks + stages.direct + stages.solve;
-            return Ok(FinishedRun { outcome, seconds: seconds.as_secs_f64() });
+            return Ok(FinishedRun::of(solve(scene, &self.options, work)?));
         };
         let goal = Goal::new(wanted, Aim::Gathered);
         let outcome = Solved::to_accuracy(scene.clone(), &self.options, &goal, work)?.outcome;
         Ok(FinishedRun { outcome, seconds: begun.elapsed().as_secs_f64() })
     }
+}
+
+impl FinishedRun {
+    /// The run of an outcome, from elements to coefficients.
+    fn of(outcome: Outcome) -> Self {
+        let stages = outcome.seconds;
+        let seconds = stages.elements + stages.visibility + stages.blocks + stages.direct + stages.solve;
+        Self { outcome, seconds: seconds.as_secs_f64() }
+    }
+}
+
+/// Solves `scene` by 0, 1, 2, 4, … `most` shots: each time anew, columns integrated when they are first shot,
+/// where that can be; and by all columns, integrated once before. Errors are those of the polynomials from
+/// all light by all columns, unless there is another reference.
+///
+/// # Errors
+/// The first run that fails.
+pub fn shots(
+    scene: &Scene,
+    options: &Options,
+    most: ShotLimit,
+    reference: &Reference,
+    work: &Work<'_>,
+) -> Result<Vec<ConvergenceRun>, Failure> {
+    let of_all = Options { columns: Some(ColumnChoice::All), shots: None, ..*options };
+    let mut model = Model::assemble(scene, &of_all, work)?;
+    let all_light = model.solve(scene, work)?.solution;
+    let error = |solution: &Solution| match reference {
+        Reference::Given(error) => error(solution),
+        Reference::FinestRun => distance(solution, &all_light).expect("the runs are of one scene"),
+    };
+    let counts: Vec<usize> =
+        (0..).map(|k| (1 << k) / 2).take_while(|count| *count < most.count).chain([most.count]).collect();
+    let (mut shot, mut of_all_columns) = (Vec::new(), Vec::new());
+    for (done, count) in counts.iter().enumerate() {
+        work.report_done(Stage::Runs, PARTS * done / counts.len(), PARTS);
+        let limit = Some(ShotLimit { count: *count, ..most });
+        model = model.with_shots(limit);
+        let planned = |series| PlannedRun { series, options: *options, wanted: None };
+        let finished = |series, outcome: Outcome| {
+            let error = error(&outcome.solution);
+            run(&planned(series), &FinishedRun::of(outcome), Some(error))
+        };
+        of_all_columns.push(finished(RunSeries::ShotsOfAll, model.solve(scene, work)?));
+        if shot.len() == done {
+            let outcome = solve(scene, &Options { shots: limit, columns: None, ..*options }, work)?;
+            let is_lazy = outcome.shots.as_ref().is_some_and(Shots::are_lazy);
+            shot.extend(is_lazy.then(|| finished(RunSeries::Shots, outcome)));
+        }
+    }
+    Ok([shot, of_all_columns].concat())
 }
 
 fn runs(plan: &[PlannedRun], made: &[FinishedRun], reference: &Reference) -> Vec<ConvergenceRun> {
@@ -248,9 +311,12 @@ fn run(planned: &PlannedRun, made: &FinishedRun, error: Option<f64>) -> Converge
     let elements = made.outcome.solution.elements();
     let orders = elements.list().iter().map(|element| element.basis.order());
     let order = match planned.series {
-        RunSeries::Uniform | RunSeries::Constant | RunSeries::Linear | RunSeries::Harmonic => {
-            planned.options.order
-        }
+        RunSeries::Uniform
+        | RunSeries::Constant
+        | RunSeries::Linear
+        | RunSeries::Harmonic
+        | RunSeries::Shots
+        | RunSeries::ShotsOfAll => planned.options.order,
         _ => orders.max().unwrap_or(0),
     };
     ConvergenceRun {
@@ -259,6 +325,8 @@ fn run(planned: &PlannedRun, made: &FinishedRun, error: Option<f64>) -> Converge
         layers: planned.options.layers.count,
         elements: elements.list().len(),
         unknowns: made.outcome.unknowns,
+        shots: made.outcome.shots.as_ref().map(|shots| shots.count),
+        columns: made.outcome.shots.as_ref().map(|shots| shots.columns),
         samples: made.outcome.samples,
         rays: made.outcome.rays,
         seconds: made.seconds,

@@ -22,6 +22,12 @@ pub(super) struct IntegratedReport {
     pub(super) remainder: f64,
 }
 
+impl IntegratedReport {
+    fn of(block: &Arc<IntegratedBlock>) -> Self {
+        Self { block: block.block.report, largest: block.block.largest(), remainder: block.remainder }
+    }
+}
+
 /// The blocks that were integrated.
 #[derive(Debug)]
 pub(super) struct Integrated {
@@ -66,6 +72,12 @@ impl Integrated {
         all
     }
 
+    /// Blocks that one rank made, as far as they are.
+    pub(super) fn found(ranks: Ranks, blocks: Vec<Option<Arc<IntegratedBlock>>>) -> Self {
+        let reports = blocks.iter().map(|block| block.as_ref().map(IntegratedReport::of)).collect();
+        Self { makers: vec![0; blocks.len()], reports, blocks, ranks }
+    }
+
     /// None of so many blocks yet.
     fn none(ranks: Ranks, count: usize) -> Self {
         Self { makers: vec![0; count], reports: vec![None; count], blocks: vec![None; count], ranks }
@@ -82,12 +94,7 @@ impl Integrated {
         let me = self.ranks.number();
         let own = places.iter().zip(makers).filter(|(_, maker)| **maker == me);
         let made = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), make);
-        let report = |block: &Arc<IntegratedBlock>| IntegratedReport {
-            block: block.block.report,
-            largest: block.block.largest(),
-            remainder: block.remainder,
-        };
-        let reports = self.ranks.merged(makers, made.iter().map(report).collect());
+        let reports = self.ranks.merged(makers, made.iter().map(IntegratedReport::of).collect());
         let mut made = made.into_iter();
         for ((place, maker), report) in places.iter().zip(makers).zip(reports) {
             self.makers[*place] = *maker;

@@ -23,8 +23,8 @@ pub(super) struct Planned {
 pub(super) enum Source {
     /// Integrated for this task, at this place among all integrated blocks.
     Own(usize),
-    /// Equal to the block of the earlier task `first`, which is at this `place`.
-    Copy { first: usize, place: usize },
+    /// Equal to the block of the earlier task of these elements, which is at this `place`.
+    Copy { first: [usize; 2], place: usize },
 }
 
 impl Source {
@@ -73,7 +73,7 @@ impl Schedule<'_> {
         let mut own = 0;
         let mut source = |(index, copied): (usize, Option<usize>)| {
             if let Some(first) = copied {
-                return Source::Copy { first, place: places[first] };
+                return Source::Copy { first: tasks[first].pair(), place: places[first] };
             }
             places[index] = own;
             own += 1;
@@ -82,13 +82,19 @@ impl Schedule<'_> {
         confirmed.into_iter().enumerate().map(&mut source).collect()
     }
 
-    /// The block of `task`, from the `values` of the congruent task `first`.
-    pub(super) fn copied<'b>(&self, task: &Task, first: &Task, values: &'b [f64]) -> Cow<'b, [f64]> {
+    /// The block of the elements `pair`, from the `values` of that of the congruent elements `first`.
+    pub(super) fn copied<'b>(
+        &self,
+        pair: [usize; 2],
+        first: [usize; 2],
+        values: &'b [f64],
+    ) -> Cow<'b, [f64]> {
         // A single constant has neither sign nor order.
         if values.len() == 1 {
             return Cow::Borrowed(values);
         }
-        let [pose, other] = [task, first].map(|task| self.pose(task).expect("it was hashed"));
+        let pose = |[row, column]: [usize; 2]| self.pose_of(row, column).expect("it was hashed");
+        let [pose, other] = [pair, first].map(pose);
         Cow::Owned(pose.block_from(&other, values))
     }
 

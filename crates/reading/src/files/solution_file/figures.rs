@@ -100,6 +100,7 @@ impl Figures {
             residual: self.residual,
             split: self.split,
             converged: self.converged,
+            shots: None,
             seconds: Stages::default(),
         })
     }

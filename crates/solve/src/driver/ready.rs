@@ -1,0 +1,219 @@
+//! A scene ready for blocks: its elements, its visibility and its first light.
+
+use std::sync::Arc;
+
+use radiosity_elements::Elements;
+use radiosity_published::bases::Subspace;
+use radiosity_scene::{Scene, SceneSurface};
+use radiosity_solvers::method::Access;
+use radiosity_transport::{Demand, KeptBlocks};
+use radiosity_visibility::Visibility;
+use radiosity_work::ranks::Ranks;
+use radiosity_work::wording::{option, set};
+use radiosity_work::{Progress, Stage, Work};
+
+use super::column_choice::ColumnChoice;
+use super::decisions::{AssemblyPlan, Decisions};
+use super::direct::Direct;
+use super::emission::Emission;
+use super::failure::Failure;
+use super::first_light::{EnteringLight, FirstLight, LitScene};
+use super::options::Options;
+use super::outcome::{Stages, timed};
+use super::shooting::Shooter;
+use super::transport_choice::TransportChoice;
+
+/// A scene ready for blocks.
+#[derive(Debug)]
+pub(super) struct Ready {
+    /// The scene from which it was made.
+    pub scene: Scene,
+    pub options: Options,
+    pub elements: Arc<Elements>,
+    pub visibility: Visibility,
+    /// Span of the functions of the basis; None where they are those of the elements.
+    pub subspace: Option<Subspace>,
+    pub choice: TransportChoice,
+    /// Rays that carry the pairs, if rays do.
+    pub rays: Option<u64>,
+    /// Direct light and its first bounce, for the emission of the scene.
+    pub first: FirstLight,
+    pub seconds: Stages,
+}
+
+impl Ready {
+    /// The elements of `scene`, its visibility and first light.
+    ///
+    /// # Errors
+    /// A scene that cannot be cut into elements, or memory that does not suffice.
+    pub(super) fn of(
+        scene: &Scene,
+        options: &Options,
+        plan: AssemblyPlan<'_>,
+        kept: Option<&KeptBlocks>,
+        work: &Work<'_>,
+    ) -> Result<Self, Failure> {
+        require_diffuse(scene, options)?;
+        let mut seconds = Stages::default();
+        let decisions = timed(&mut seconds.visibility, || plan.decided(scene, options));
+        // The choice may depend on time or memory, which no fingerprint holds.
+        work.ranks.note_choice(&(options.neutral(), decisions.choice.sampled));
+        work.report(Progress::Finished { stage: Stage::Visibility, took: seconds.visibility });
+        decisions.require_memory(scene, options, kept.is_some(), work.ranks)?;
+        let before = kept.and_then(|kept| kept.elements());
+        let elements = timed(&mut seconds.elements, || elements(scene, options, &decisions, before))?;
+        let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
+        work.report(Progress::Finished { stage: Stage::Elements, took: seconds.elements });
+        let Decisions { visibility, choice, rays, .. } = decisions;
+        let emissions = Emission::all(scene, elements.list());
+        let lit_scene =
+            LitScene { scene, elements: &elements, visibility: &visibility, options, ranks: work.ranks };
+        let by_rules = options.kernel.is_none() && !choice.sampled;
+        let first = timed(&mut seconds.direct, || FirstLight::of(&lit_scene, emissions, by_rules));
+        if first.is_split {
+            work.report(Progress::Finished { stage: Stage::Direct, took: seconds.direct });
+        }
+        Ok(Self {
+            scene: scene.clone(),
+            options: *options,
+            elements,
+            visibility,
+            subspace,
+            choice,
+            rays,
+            first,
+            seconds,
+        })
+    }
+
+    /// The first light of each emission: that of the scene it was assembled from, if it emits as much. With a
+    /// subspace, light that enters apart is projected on it.
+    pub(super) fn first_light(
+        &self,
+        scene: &Scene,
+        emissions: &[Emission],
+        ranks: &Ranks,
+    ) -> Vec<EnteringLight> {
+        let first = self.first.reflected(emissions).unwrap_or_else(|| {
+            let lit_scene = LitScene {
+                scene,
+                elements: &self.elements,
+                visibility: &self.visibility,
+                options: &self.options,
+                ranks,
+            };
+            let anew = Emission::all(scene, self.elements.list());
+            let first = FirstLight::as_split(&lit_scene, anew, self.first.is_split);
+            first.reflected(emissions).expect("the emission is the same")
+        });
+        match &self.subspace {
+            None => first,
+            Some(subspace) => first.into_iter().map(|own| own.within(subspace)).collect(),
+        }
+    }
+
+    /// What shoots the light of a scene of these surfaces.
+    pub(super) fn shooter<'a>(
+        &'a self,
+        scene: &'a Scene,
+        emissions: &'a [Emission],
+        first: &'a [EnteringLight],
+    ) -> Shooter<'a> {
+        let elements = self.elements.list();
+        Shooter { names: &scene.bands, elements, emissions, first, options: &self.options }
+    }
+
+    /// Why all columns have to be integrated before the first shot of a solver that shoots, if they have to.
+    pub(super) fn all_first(&self, ranks: &Ranks) -> Option<&'static str> {
+        let Self { options, subspace, choice, .. } = self;
+        Some(match options {
+            _ if choice.sampled => "rays carry the light",
+            Options { kernel: Some(_), .. } => "the rules of 1993 make the whole matrix",
+            _ if subspace.is_some() => "functions of the basis reach over elements",
+            _ if !ranks.are_alone() => "several processes share the blocks",
+            _ if ranks.journal().is_some() => "blocks are kept in a checkpoint",
+            Options { columns: Some(ColumnChoice::All), .. } => "that was asked for",
+            _ => return None,
+        })
+    }
+
+    /// Whether the light is shot, each column integrated when it is first shot.
+    ///
+    /// # Errors
+    /// [`Failure::AllFirst`] where that is asked for and cannot be.
+    pub(super) fn is_lazy(&self, ranks: &Ranks) -> Result<bool, Failure> {
+        let shoots = self.options.solver.access == Access::Columns && self.options.bounces.is_none();
+        match self.all_first(ranks) {
+            Some(why) if shoots && self.options.columns == Some(ColumnChoice::Shot) => {
+                Err(Failure::AllFirst { why })
+            }
+            all_first => Ok(shoots && all_first.is_none()),
+        }
+    }
+
+    /// Whether an element sends light.
+    pub(super) fn sends(&self, element: usize) -> bool {
+        self.scene.surfaces[self.elements.list()[element].surface].material.sends()
+    }
+
+    /// The pairs of which an element is `wanted` that sends light.
+    pub(super) fn demand<'a>(&'a self, wanted: &'a (dyn Fn(usize, usize) -> bool + Sync)) -> Demand<'a> {
+        Demand::all(&self.elements, &self.visibility, self.options.accuracy()).of(wanted)
+    }
+}
+
+/// Refuses what cannot carry the light of luminaires or of a sky.
+pub(super) fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
+    require_even(scene, options)?;
+    let shines = scene.luminaires.iter().find(|own| own.emits()).filter(|_| options.masks.is_some());
+    if let Some(own) = shines {
+        return Err(Failure::Unmasked { luminaire: own.name.clone() });
+    }
+    let what = match options {
+        Options { masks: Some(_), .. } => set("shadows", "mask"),
+        Options { direct: Direct::Projected, .. } => set("direct", "projected"),
+        Options { kernel: Some(_), .. } => option("kernel") + " with the rules of 1993",
+        _ => return Ok(()),
+    };
+    match scene.surfaces.iter().find(|own| own.radiance.is_some()) {
+        Some(own) => {
+            let light = if own.is_opening() { "an opening to a sky" } else { "a luminaire" };
+            Err(Failure::NotDiffuse { surface: own.name.clone(), light, what })
+        }
+        None => Ok(()),
+    }
+}
+
+/// Refuses functions over several elements where S does not commute with their projection: power would be
+/// lost.
+fn require_even(scene: &Scene, options: &Options) -> Result<(), Failure> {
+    let basis = options.basis;
+    if basis.is_elementwise() {
+        return Ok(());
+    }
+    let varies = |own: &&SceneSurface| own.material.reflectance_pattern.is_some() || own.material.transmits();
+    match scene.surfaces.iter().find(varies) {
+        Some(own) => Err(Failure::NotEven { surface: own.name.clone(), basis: basis.name() }),
+        None => Ok(()),
+    }
+}
+
+/// Span of the functions of the basis on `elements`; None where they are those of the elements.
+fn subspace(scene: &Scene, options: &Options, elements: &Elements) -> Option<Subspace> {
+    let degree = |surface: usize| scene.surfaces[surface].order.unwrap_or(options.order);
+    Subspace::new(options.basis, elements, &degree, options.space)
+}
+
+/// The elements of `scene`; those that are known from `before`, where some surfaces stood elsewhere.
+fn elements(
+    scene: &Scene,
+    options: &Options,
+    decisions: &Decisions<'_>,
+    before: Option<&Elements>,
+) -> Result<Arc<Elements>, Failure> {
+    let elements = match before.filter(|_| options.kernel.is_none()) {
+        Some(before) => before.moved(scene),
+        None => options.elements(scene, &decisions.how, decisions.mesh.as_deref()),
+    };
+    Ok(Arc::new(elements?))
+}
