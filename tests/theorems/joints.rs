@@ -69,3 +69,11 @@ fn curved_surfaces_go_on_smoothly() {
     }
     assert!(high.jump < 0.5 * low.jump, "{low:?} {high:?}");
 }
+
+/// A floor of two halves, on whose joint a screen stands, is lit on one side of it alone: that is no jump.
+#[test]
+fn a_wall_on_a_joint_parts_it() {
+    let screen = "{ name = \"screen\", material = \"wall\", two_sided = true, \
+        parallelogram = { origin = [2, 0, 0], edge1 = [0, 3, 0], edge2 = [0, 0, 2.5] } }";
+    assert_eq!(jumps(&room(&[HALVES, screen].join(", ")), 2).1, None);
+}

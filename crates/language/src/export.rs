@@ -18,6 +18,14 @@ use crate::instances::PlacedSurface;
 /// Most names that a message spells out, with the key of each: a line or two of a terminal.
 const SPELT: usize = 4;
 
+/// Most surfaces of a model, as many as instances make.
+const MOST_SURFACES: usize = 1_000_000;
+
+fn too_many() -> Fault {
+    let cause = format!("with the pieces of this surface there are more than {MOST_SURFACES} surfaces");
+    Fault::foreign(cause, "cut curved surfaces into fewer pieces")
+}
+
 /// A model that grows by surfaces.
 pub(super) struct Export<'a> {
     model: Model,
@@ -26,6 +34,7 @@ pub(super) struct Export<'a> {
     /// Indices of the materials in the model, by name and light (as bits).
     materials: HashMap<(&'a str, Vec<u64>), usize>,
     names: UniqueNames,
+    surface_names: UniqueNames,
     /// Cells along each parameter of a curved surface, of which each becomes a flat piece; None: curved surfaces
     /// stay.
     tessellation: Option<NonZeroUsize>,
@@ -50,6 +59,7 @@ impl<'a> Export<'a> {
             known: scene.surfaces.iter().map(|surface| (surface.name.as_str(), surface)).collect(),
             materials: HashMap::new(),
             names: UniqueNames::default(),
+            surface_names: UniqueNames::default(),
             tessellation,
             refused: Vec::new(),
         }
@@ -85,7 +95,10 @@ impl<'a> Export<'a> {
         for (index, parts) in shapes.into_iter().enumerate() {
             self.push(&file.shape.name(name, index), parts, sides, file.flip);
         }
-        Ok(())
+        match self.model.surfaces.len() > MOST_SURFACES {
+            true => Err(Located::at(&file.shape.span, too_many())),
+            false => Ok(()),
+        }
     }
 
     /// Adds the shapes that a surface is made of.
@@ -99,7 +112,8 @@ impl<'a> Export<'a> {
             if is_flipped {
                 shape.turn_over();
             }
-            let name = if is_cut { format!("{name}-{part}") } else { name.to_owned() };
+            let wanted = if is_cut { format!("{name}-{part}") } else { name.to_owned() };
+            let name = self.surface_names.take(&wanted);
             self.model.surfaces.push(Surface { name, material, shape, sides, place: None });
         }
     }

@@ -41,9 +41,9 @@ pub type MaskCells = WholeNumber<1, 1000>;
 /// Number of pixels along a side of a picture, and of cells along a side of a surface, as in scenes.
 pub type Pixels = WholeNumber<1, { MAX_PIXELS as u64 }>;
 
-/// Number of cells along each parameter of a curved surface that becomes flat pieces. Chosen: a million pieces
-/// of a surface are more than any scene takes.
-pub type Pieces = WholeNumber<1, 1000>;
+/// Number of cells along each parameter of a curved surface that becomes flat pieces: of fewer than three around
+/// it nothing would be left of a closed one. Chosen: a million pieces of a surface are as many as a scene takes.
+pub type Pieces = WholeNumber<3, 1000>;
 
 /// Number of camera rays along a side of a pixel, or of points along a side of a cell.
 pub type Samples = WholeNumber<1, 64>;

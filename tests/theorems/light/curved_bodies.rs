@@ -4,6 +4,8 @@
 //! ball that shines, in a black room, what arrives at a sheet is integrated here over the directions towards
 //! the ball, less those that the sheet hides.
 
+#![expect(clippy::print_stdout, reason = "a table for people")]
+
 use std::f64::consts::{PI, TAU};
 use std::num::NonZeroUsize;
 use std::time::Instant;
@@ -293,6 +295,45 @@ fn light_does_not_pass_the_walls_of_a_gutter() {
     let readings = probe(&reader, &probes, solved.scene.middle, &Work::alone()).expect("points in the room");
     for (at, reading) in probes.iter().zip(readings) {
         assert!(reading.irradiance[0] < 2e-3, "{} at {}", reading.irradiance[0], at.position);
+    }
+}
+
+/// Closed black rooms that shine all around: 1 arrives at every place inside, at either accuracy.
+#[test]
+fn the_inside_of_round_rooms_is_lit_evenly() {
+    let rooms = [
+        ("sphere = { center = [0, 0, 0], radius = 1 }", [[0.0, 0.3, -0.2], [-0.2, 0.14, -0.95]]),
+        (
+            "torus = { center = [0, 0, 0], axis = [0, 0, 1], major = 0.8, minor = 0.3 }",
+            [[0.8, 0.0, 0.1], [0.1, -0.77, -0.05]],
+        ),
+        (
+            "revolution = { curve = [[0, 0, -1], [1.4, 0, -1], [1.4, 0, 1], [0, 0, 1]], center = [0, 0, 0], axis = [0, 0, 1] }",
+            [[0.3, 0.2, 0.1], [0.1, -0.49, 0.6]],
+        ),
+    ];
+    for (keys, points) in rooms {
+        let room = format!(
+            "materials.wall = {{ reflectance = 0, emission = 1 }}
+            surfaces = [{{ name = \"room\", material = \"wall\", flip = true, {keys} }}]"
+        );
+        let solved = solved_of(typed(&room), Options { order: 1, ..Options::default() });
+        let normals = [DVec3::Z, DVec3::new(0.83, 0.54, -0.14).normalize()];
+        let probes: Vec<Probe> = points
+            .iter()
+            .flat_map(|point| normals.map(|normal| Probe { position: DVec3::from_array(*point), normal }))
+            .collect();
+        for eps in [READ, 1e-4] {
+            let solution = &solved.outcome.solution;
+            let reader =
+                Reader::by(GatherMethod::Cells, solution, solved.visibility(), ReadMode::Gather, eps);
+            let readings =
+                probe(&reader, &probes, solved.scene.middle, &Work::alone()).expect("points inside");
+            for (at, reading) in probes.iter().zip(readings) {
+                let off = reading.irradiance[0] - 1.0;
+                assert!(off.abs() < 2e-3, "{keys}: {off:e} at {} to {eps:e}", at.position);
+            }
+        }
     }
 }
 

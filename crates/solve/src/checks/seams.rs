@@ -9,7 +9,7 @@
 //! light falls on both alike. Galerkin solutions jump by about their error (Zatz 1993, sections 9 and 10).
 
 use radiosity_elements::{Element, Elements};
-use radiosity_geom::{Aabb, Bvh, DVec3, PARALLEL_PLANES, Rect, sides, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, Foot, PARALLEL_PLANES, Rect, sides, touching};
 
 use crate::solution::{Solution, SurfacePlace};
 
@@ -60,36 +60,100 @@ pub(super) fn seam_jump(solution: &Solution) -> f64 {
     largest
 }
 
-/// The largest jump of E across the joints at which two surfaces go on smoothly; None without such joints. It
-/// takes about as long as the light of a large scene by rays.
+/// The largest jump of E across the joints at which two surfaces go on smoothly; None without such joints. Many
+/// surfaces take as long as their light by rays.
 pub fn joint_jump(solution: &Solution) -> Option<JointJump> {
-    let elements = solution.elements();
-    let boxes: Vec<Aabb> =
-        (0..elements.surfaces()).map(|surface| elements.shape(surface).bounds(&Rect::FULL)).collect();
-    let tree = Bvh::build(&boxes);
+    let joints = Joints::of(solution.elements());
     let irradiance = |band: usize, spot: &Spot| solution.irradiance(band, spot.element, &spot.place);
     let mut largest: Option<JointJump> = None;
-    for own in 0..boxes.len() {
-        let around = boxes[own].inflate(touching(boxes[own].diagonal(), 0.0));
-        let may_join = |other: &usize| *other != own && may_be_smooth(elements, [own, *other]);
-        let others: Vec<usize> = tree.near(&around).into_iter().filter(may_join).collect();
-        if others.is_empty() {
-            continue;
-        }
-        for spot in border(elements, own) {
-            let reach = |other: &&usize| touching(boxes[**other].diagonal(), 0.0);
-            let is_near =
-                |other: &&usize| boxes[**other].distance_squared(spot.place.position) <= reach(other).powi(2);
-            for other in others.iter().filter(is_near) {
-                let Some(beyond) = met(elements, &spot.place, *other) else { continue };
-                let jump = relative_jump(solution, &[spot, beyond], irradiance);
-                if largest.is_none_or(|largest| jump > largest.jump) {
-                    largest = Some(JointJump { jump, surfaces: [own.min(*other), own.max(*other)] });
-                }
+    for own in 0..joints.boxes.len() {
+        for spots in joints.of_surface(own) {
+            let jump = relative_jump(solution, &spots, irradiance);
+            let surfaces = spots.map(|spot| spot.place.surface);
+            if largest.is_none_or(|largest| jump > largest.jump) && !joints.are_parted(&spots) {
+                largest = Some(JointJump {
+                    jump,
+                    surfaces: [surfaces[0].min(surfaces[1]), surfaces[0].max(surfaces[1])],
+                });
             }
         }
     }
     largest
+}
+
+/// Surfaces by place.
+struct Joints<'a> {
+    elements: &'a Elements,
+    boxes: Vec<Aabb>,
+    tree: Bvh,
+}
+
+impl<'a> Joints<'a> {
+    fn of(elements: &'a Elements) -> Self {
+        let bounds = |surface| elements.shape(surface).bounds(&Rect::FULL);
+        let boxes: Vec<Aabb> = (0..elements.surfaces()).map(bounds).collect();
+        Self { elements, tree: Bvh::build(&boxes), boxes }
+    }
+
+    /// The places on the border of a surface at which others go on smoothly, on both of the surfaces.
+    fn of_surface(&self, own: usize) -> Vec<[Spot; 2]> {
+        let around = self.boxes[own].inflate(self.reach(own));
+        let may_join = |other: &usize| *other != own && may_be_smooth(self.elements, [own, *other]);
+        let others: Vec<usize> = self.tree.near(&around).into_iter().filter(may_join).collect();
+        if others.is_empty() {
+            return Vec::new();
+        }
+        let met = |spot: Spot| {
+            let beyond = others.iter().filter_map(move |other| self.met(&spot.place, *other));
+            beyond.map(move |beyond| [spot, beyond]).collect::<Vec<_>>()
+        };
+        border(self.elements, own).into_iter().flat_map(met).collect()
+    }
+
+    /// The spot of `surface` where a place of another one lies on it, with the same normal.
+    fn met(&self, place: &SurfacePlace, surface: usize) -> Option<Spot> {
+        let foot = self.touched(place, surface)?;
+        let [u, v] = place.parameters;
+        let normal = self.elements.shape(place.surface).jet(u, v).normal;
+        let there = self.elements.shape(surface).jet(foot.u, foot.v).normal;
+        if is_one_normal(normal, there) { spot(self.elements, surface, [foot.u, foot.v]) } else { None }
+    }
+
+    /// Whether a third surface stands on the joint, such as a wall between two rooms.
+    fn are_parted(&self, spots: &[Spot; 2]) -> bool {
+        let place = &spots[0].place;
+        let [u, v] = place.parameters;
+        let normal = self.elements.shape(place.surface).jet(u, v).normal;
+        let around = Aabb::around([place.position]).inflate(self.reach(place.surface));
+        self.tree
+            .near(&around)
+            .into_iter()
+            .filter(|third| spots.iter().all(|spot| spot.place.surface != *third))
+            .any(|third| {
+                let stands = |foot: Foot| {
+                    self.elements.shape(third).jet(foot.u, foot.v).normal.cross(normal).length()
+                        > PARALLEL_PLANES
+                };
+                self.touched(place, third).is_some_and(stands)
+            })
+    }
+
+    /// The place of `surface` on which another place lies, if it does.
+    fn touched(&self, place: &SurfacePlace, surface: usize) -> Option<Foot> {
+        let (shape, reach) = (self.elements.shape(surface), self.reach(surface));
+        if self.boxes[surface].distance_squared(place.position) > reach * reach {
+            return None;
+        }
+        if shape.region().is_some_and(|region| !region.contains(place.position)) {
+            return None;
+        }
+        Some(shape.project(place.position)).filter(|foot| foot.distance <= reach)
+    }
+
+    /// Distance below which a place lies on a surface (scene length).
+    fn reach(&self, surface: usize) -> f64 {
+        touching(self.boxes[surface].diagonal(), 0.0)
+    }
 }
 
 /// Largest jump of a quantity between two spots, over the bands.
@@ -151,20 +215,4 @@ fn spot(elements: &Elements, surface: usize, parameters: [f64; 2]) -> Option<Spo
     let element = elements.at(surface, inside).filter(|index| elements.list()[*index].contact.is_none())?;
     let position = elements.shape(surface).jet(parameters[0], parameters[1]).position;
     Some(Spot { element, place: SurfacePlace { surface, parameters, position } })
-}
-
-/// The spot of `surface` where a place of another one lies on it, with the same normal.
-fn met(elements: &Elements, place: &SurfacePlace, surface: usize) -> Option<Spot> {
-    let shape = elements.shape(surface);
-    let [u, v] = place.parameters;
-    let normal = elements.shape(place.surface).jet(u, v).normal;
-    if shape.region().is_some_and(|region| !region.contains(place.position)) {
-        return None;
-    }
-    let foot = shape.project(place.position);
-    let size = shape.bounds(&Rect::FULL).diagonal();
-    if foot.distance > touching(size, 0.0) || !is_one_normal(normal, shape.jet(foot.u, foot.v).normal) {
-        return None;
-    }
-    spot(elements, surface, [foot.u, foot.v])
 }
