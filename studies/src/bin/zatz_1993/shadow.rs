@@ -5,8 +5,7 @@
 //!
 //! 1. polynomials alone, of order 4, on the floor 8, by the rules of 1993 (figure 7), and
 //! 2. by ours;
-//! 3. direct light times masks of 40 × 40 cells, order 8 on the lamp too, by the rules of 1993 (figure 8),
-//! and
+//! 3. direct light times masks of 40 × 40 cells, order 8 on the lamp too, by the rules of 1993 (figure 8), and
 //! 4. by ours;
 //! 5. with masks that average light instead of area;
 //! 6. direct light exact at every point, the rest from polynomials of the same orders (`--read direct`);

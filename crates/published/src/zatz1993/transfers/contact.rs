@@ -15,7 +15,7 @@ pub(super) enum Contact<'a> {
     /// They share no edge.
     None,
     /// They share a whole side of both, at which they are charted with t = 0.
-    Edge([Piece<'a>; 2]),
+    Edge(Box<[Piece<'a>; 2]>),
     /// They share an edge that is no whole side of both, and are cut there.
     Cut([Vec<Piece<'a>>; 2]),
 }
@@ -24,7 +24,7 @@ impl<'a> Contact<'a> {
     /// The contact of two pieces.
     pub(super) fn of(p: &Piece<'a>, q: &Piece<'a>) -> Self {
         if let Some(edge) = common_side(p, q) {
-            return Self::Edge(edge);
+            return Self::Edge(Box::new(edge));
         }
         let Some(segment) = crossing(p, q) else { return Self::None };
         Self::Cut([cut(p, q, segment), cut(q, p, segment)])
