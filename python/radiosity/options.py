@@ -102,7 +102,7 @@ class Method(TypedDict, total=False):
         parts of all that is emitted, or form factor [default: 1e-3; as `quality` says].
 
     link_measure: "power" or "form-factor"
-        What `eps` bounds of a link of hierarchical radiosity [default: power].
+        The measure of a link that `eps` bounds, of hierarchical radiosity [default: power].
 
     link_rays: int
         Rays that find what is hidden of a link of hierarchical radiosity [default: 16].
@@ -139,7 +139,7 @@ class Method(TypedDict, total=False):
         everywhere.
 
     at_once: "block" or "coefficient"
-        What jacobi, gauss-seidel and southwell relax at a time [default: block].
+        Unknowns that jacobi, gauss-seidel and southwell relax at a time [default: block].
 
     sweep: "forward" or "symmetric"
         The order in which gauss-seidel visits the elements [default: forward].

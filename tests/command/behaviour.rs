@@ -475,7 +475,8 @@ fn shots_are_counted_with_the_columns_that_were_integrated() {
     let report = json(&here.join("r.json"));
     assert_eq!((&report["shots"]["count"], &report["shots"]["columns"]), (&2.into(), &2.into()));
     assert_eq!(report["shots"]["history"].as_array().unwrap().len(), 3);
-    assert_eq!(report["warnings"], Value::Array(Vec::new()));
+    assert_eq!(report["warnings"][0]["code"], "shots", "the light is partial");
+    assert_eq!(report["warnings"].as_array().unwrap().len(), 1);
     let all = ["solve", "empty-box", "--order", "1", "--solver", "southwell", "--columns", "all"];
     let run = radiosity(here, &all);
     let message = String::from_utf8_lossy(&run.stderr);

@@ -2,7 +2,8 @@
 //!
 //! In order: `tolerances`, `irradiance` (closed forms at a point), `moments` (sums over pairs of points),
 //! `contact` (how two patches meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix),
-//! `block_columns` (the matrix as light is shot), `rules` (quadrature for each kind of contact) and `terms` (kernels that are sums of terms).
+//! `block_columns` (the matrix as light is shot), `rules` (quadrature for each kind of contact) and `terms`
+//! (kernels that are sums of terms).
 //!
 //! Imports `core`, `geom`, `work`, `visibility` and `elements`.
 

@@ -18,7 +18,8 @@ use crate::variables;
 /// comments. Its text in the language of a scene of another program is that of [`load`](crate::load).
 ///
 /// # Errors
-/// [`FaultKind::Foreign`](radiosity_scene::FaultKind::Foreign) for a scene of a [`SceneBuilder`](radiosity_scene::SceneBuilder).
+/// [`FaultKind::Foreign`](radiosity_scene::FaultKind::Foreign) for a scene of a
+/// [`SceneBuilder`](radiosity_scene::SceneBuilder).
 pub fn text(scene: &Scene, notation: Notation) -> Result<String, SceneError> {
     let source = written(scene)?;
     let tree = include::tree_of(source, Language::of(source));
@@ -57,7 +58,8 @@ pub fn model_text(model: &Model, notation: Notation) -> String {
 /// over so many cells each way.
 ///
 /// # Errors
-/// [`FaultKind::Foreign`](radiosity_scene::FaultKind::Foreign) for shapes that other programs do not have, and for a scene that was made in code.
+/// [`FaultKind::Foreign`](radiosity_scene::FaultKind::Foreign) for shapes that other programs do not have, and
+/// for a scene that was made in code.
 pub fn model(scene: &Scene, tessellation: Option<NonZeroUsize>) -> Result<Model, SceneError> {
     let mut source = written(scene)?.clone();
     let language = Language::of(&source);

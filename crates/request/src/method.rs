@@ -90,17 +90,17 @@ pub struct MethodRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
     pub eps: Option<Number<Accuracy>>,
 
-    /// What --eps bounds of a link of hierarchical radiosity [default: power]
+    /// The measure of a link that --eps bounds, of hierarchical radiosity [default: power]
     #[cfg_attr(feature = "clap", arg(long, value_name = "WHAT"))]
     pub link_measure: Option<LinkMeasure>,
 
     /// Rays that find what is hidden of a link of hierarchical radiosity [default: 16]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", allow_negative_numbers = true))]
     pub link_rays: Option<ranges::LinkRays>,
 
     /// Part of the area of all surfaces up to which hierarchical radiosity does not cut faces [default: 1e-6;
     /// 1e-3 by form factors]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "A"))]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "A", allow_negative_numbers = true))]
     pub least_area: Option<Number<Fraction>>,
 
     /// Rules of the transfers between elements; those of 1993 ignore --eps [default: default]
@@ -131,7 +131,7 @@ pub struct MethodRequest {
 
     /// Stops after K shots of --solver southwell in each band and light group: the polynomials then hold what
     /// was shot and what has arrived [default: as many as --tolerance takes]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "K"))]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "K", allow_negative_numbers = true))]
     pub shots: Option<ranges::ShotCount>,
 
     /// Adds to the light of --shots the ambient term of Cohen 1988: what all further shots would bring, if it
@@ -139,7 +139,7 @@ pub struct MethodRequest {
     #[cfg_attr(feature = "clap", arg(long))]
     pub ambient: bool,
 
-    /// What jacobi, gauss-seidel and southwell relax at a time [default: block]
+    /// Unknowns that jacobi, gauss-seidel and southwell relax at a time [default: block]
     #[cfg_attr(feature = "clap", arg(long, value_name = "WHAT"))]
     pub at_once: Option<RelaxedAtOnce>,
 
@@ -149,11 +149,11 @@ pub struct MethodRequest {
 
     /// Factor of every correction of jacobi, richardson, gauss-seidel and southwell, between 0 and 2: above 1
     /// overshoots [default: 1]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "W"))]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "W", allow_negative_numbers = true))]
     pub relaxation: Option<Number<ranges::Relaxation>>,
 
     /// Vectors that gmres keeps before it restarts [default: 50]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "K"))]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "K", allow_negative_numbers = true))]
     pub restart: Option<ranges::Restart>,
 
     /// Light that was reflected K times at the most before it arrives: 0 for light straight from emitters

@@ -59,7 +59,8 @@ pub struct ViewFactors {
     pub rays: u64,
     /// Reciprocity over a sample of pairs that were integrated in both directions.
     pub reciprocity: Reciprocity,
-    /// Largest error that is left in the exchange of two elements ([`radiosity_kernel::BlockStatistics::accuracy_reached`]).
+    /// Largest error that is left in the exchange of two elements
+    /// ([`radiosity_kernel::BlockStatistics::accuracy_reached`]).
     pub accuracy_reached: f64,
     /// The two surfaces whose error is the largest multiple of what was asked.
     pub worst_error: Option<WorstError>,

@@ -35,7 +35,7 @@ const HALF: f64 = 3.0;
 /// Height of the points above the table (metres): a ray must not start below it.
 const ABOVE: f64 = 1e-3;
 
-/// What a run takes and finds.
+/// A run: its size, its time, and the light that it finds.
 struct Run {
     elements: usize,
     /// Solving and reading, wall time.
@@ -88,6 +88,7 @@ fn run(scene: Scene, rays: u64, read: f64) -> Result<Run, Box<dyn Error>> {
 
 /// Relative L2 difference.
 fn difference(light: &[f64], truth: &[f64]) -> f64 {
-    let squares = |of: &dyn Fn(f64, f64) -> f64| light.iter().zip(truth).map(|(a, b)| of(*a, *b)).sum::<f64>();
+    let squares =
+        |of: &dyn Fn(f64, f64) -> f64| light.iter().zip(truth).map(|(a, b)| of(*a, *b)).sum::<f64>();
     (squares(&|a, b| (a - b).powi(2)) / squares(&|_, b| b * b)).sqrt()
 }

@@ -99,7 +99,8 @@ impl Run {
             Some(ShotLimit { ambient: true, .. }) => ", for which an ambient term stands",
             _ => "",
         };
-        format!("{count} shots leave {unshot} % of the power unshot{ambient}; {columns}")
+        let made = if *count == 1 { "1 shot leaves".to_owned() } else { format!("{count} shots leave") };
+        format!("{made} {unshot} % of the power to be shot{ambient}; {columns}")
     }
 
     /// Words on the largest jump between surfaces; empty where none go on smoothly.
@@ -154,16 +155,21 @@ fn minimum(Functional { band, group, value }: &Functional) -> String {
 
 /// Words on the sums of rows, behind the balance of power.
 fn row_sums(checks: &Checks) -> String {
+    if checks.row_sum_max == 0.0 {
+        return String::new();
+    }
     let [least, most] = [checks.row_sum_min, checks.row_sum_max].map(|sum| decimals(sum, 4));
     format!("; row sums {least} to {most}")
 }
 
 /// The line about what a solution misses of the constant 1 and of being continuous.
 fn smoothness(checks: &Checks) -> String {
-    format!(
-        "closure {:.2e}, spectral bound {:.4}, largest seam jump {:.2e}",
-        checks.closure_max, checks.spectral_bound, checks.seam_jump_max
-    )
+    // No bound is known where columns are missing.
+    let bound = match checks.spectral_bound {
+        0.0 => String::new(),
+        bound => format!("spectral bound {bound:.4}, "),
+    };
+    format!("closure {:.2e}, {bound}largest seam jump {:.2e}", checks.closure_max, checks.seam_jump_max)
 }
 
 /// The line about the balance of power.

@@ -3,7 +3,7 @@
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
-/// What of a pair of nodes is compared with `eps`: if it is more, the pair is not linked but refined.
+/// Measure of a pair of nodes that is compared with `eps`: if it is more, the pair is not linked but refined.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 #[serde(rename_all = "kebab-case")]
@@ -19,7 +19,7 @@ pub enum LinkMeasure {
 /// Options of hierarchical radiosity.
 #[derive(Clone, Copy, Debug)]
 pub struct HierarchyOptions {
-    /// What is compared with `eps`.
+    /// The measure that is compared with `eps`.
     pub measure: LinkMeasure,
     /// Greatest power (in parts of the power that the scene emits) or form factor of a link that is not
     /// refined, and greatest difference of the form factors of a face and of its cells under one link; above

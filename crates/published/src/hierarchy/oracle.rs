@@ -34,7 +34,7 @@ pub(crate) enum Verdict {
 /// When pairs are linked.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Oracle {
-    /// What is compared with `eps`.
+    /// The measure that is compared with `eps`.
     pub measure: LinkMeasure,
     /// Greatest power of a link, in parts of the emitted power, or its greatest form factor.
     pub eps: f64,

@@ -24,6 +24,7 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
     let transfers = discretization(scene, options, outcome);
     unconverged
         .into_iter()
+        .chain(partial(options, outcome))
         .chain(adapted)
         .chain(transfers)
         .chain(power(solved))
@@ -60,7 +61,7 @@ fn power(solved: &Solved) -> Option<Warning> {
         }
         _ => return None,
     };
-    Some(Warning::general("power-balance", words(message) + "; " + cure_of_power(outcome)))
+    Some(Warning::general("power-balance", words(message) + "; " + cure_of_power(options, outcome)))
 }
 
 /// Why power is lost or found, and what helps. Transfers lose of the radiosity B that they carry what their
@@ -72,7 +73,7 @@ fn power(solved: &Solved) -> Option<Warning> {
 ///
 /// and nothing where rays made these sums agree. What is much more than that is direct light, which enters
 /// otherwise.
-fn cure_of_power(outcome: &Outcome) -> Wording {
+fn cure_of_power(options: &Options, outcome: &Outcome) -> Wording {
     let Outcome { checks, solution, .. } = outcome;
     let has_points = !solution.emitters().points.is_empty();
     let missed = match outcome.sampling {
@@ -95,13 +96,25 @@ fn cure_of_power(outcome: &Outcome) -> Wording {
             ) + set("direct", "projected")
         }
         _ => {
+            let rays = if outcome.links.is_some() { "link-rays" } else { "rays" };
+            let usual = words("lower ") + option("eps") + ", or send more " + option(rays);
             words(
-                "where surfaces reflect nearly all light, the error of the transfers counts once for every reflection: lower ",
-            ) + option("eps")
-                + ", or send more "
-                + option("rays")
+                "where surfaces reflect nearly all light, the error of the transfers counts once for every reflection: ",
+            ) + cure(options, usual)
         }
     }
+}
+
+/// A warning that the light is what a number of shots brought.
+fn partial(options: &Options, outcome: &Outcome) -> Option<Warning> {
+    let limit = options.shots?;
+    let waiting = outcome.shots.as_ref().map_or(0.0, |shots| shots.unshot);
+    let ambient = if limit.ambient { ", for which an ambient term stands" } else { "" };
+    let message = format!(
+        "the light is partial: after the shots that were asked for {:.0} % of the power to be shot waits{ambient}",
+        100.0 * waiting
+    );
+    (waiting > WAITING).then(|| Warning::general("shots", words(message)))
 }
 
 fn unconverged(outcome: &Outcome) -> Warning {
@@ -174,6 +187,9 @@ const BEYOND: f64 = 2.0;
 
 /// Errors of the transfers within which row sums count as 1.
 const CLOSED: f64 = 3.0;
+
+/// Part of the power that waits to be shot from which on light is told to be partial. Chosen.
+const WAITING: f64 = 1e-3;
 
 /// Error of the mean irradiances of elements above which more rays are advised. Chosen: light gathered from
 /// such elements at points was 3 % off in a classroom.

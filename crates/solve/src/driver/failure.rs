@@ -145,7 +145,11 @@ impl Failure {
         let more = || words("allow more with ") + option("memory");
         Some(match self {
             Self::AllFirst { .. } => {
-                words("leave it out, or take ") + set("transport", "exact") + " where rays carry the light"
+                words("leave it out, or what needs all columns: rays (")
+                    + set("transport", "exact")
+                    + " has none), "
+                    + option("checkpoint")
+                    + ", several processes, the rules of 1993"
             }
             Self::Memory { fits, .. } if fits.is_empty() => more() + ", or leave it out",
             Self::Memory { .. } => words("ask for one of these, or ") + more(),

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// The links of hierarchical radiosity, beside `eps`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Linking {
-    /// What of a pair is compared with `eps`.
+    /// The measure of a pair that is compared with `eps`.
     pub measure: LinkMeasure,
     /// Faces up to this part of the area of all surfaces are not cut.
     pub least_area: f64,

@@ -112,7 +112,7 @@ impl Ready {
         }
     }
 
-    /// What shoots the light of a scene of these surfaces.
+    /// The shooter of the light of a scene of these surfaces.
     pub(super) fn shooter<'a>(
         &'a self,
         scene: &'a Scene,

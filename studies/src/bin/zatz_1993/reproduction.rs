@@ -14,7 +14,7 @@ pub(crate) const HYBRID: PaperRules = PaperRules::Hybrid(HybridReading::H1);
 /// The rules that are held against each other, with their names.
 pub(crate) const RULES: [(&str, Option<PaperRules>); 2] = [("1993", Some(HYBRID)), ("ours", None)];
 
-/// What a run found, and its CPU time (s).
+/// The outcome of a run, and its CPU time (s).
 pub(crate) struct Reproduced {
     pub(crate) outcome: Outcome,
     pub(crate) seconds: f64,

@@ -34,9 +34,15 @@ fn rows(scene: &Scene, light: &LightPart) -> Vec<[String; 3]> {
         row("closure ‖c − G c‖, greatest", error(checks.closure_max), "0 in a closed scene"),
         row("reciprocity |A F − A F′|, greatest", error(checks.reciprocity_max), "0"),
         row("residual of the solver", error(report.residual), "0"),
-        row("spectral radius, estimate", decimals(checks.spectral_bound, 4), "below 1"),
-        row("jump of radiosity at seams, greatest", error(checks.seam_jump_max), "0 where light is smooth"),
     ];
+    // No radius is known where columns are missing.
+    let bound = Some(checks.spectral_bound).filter(|bound| *bound > 0.0);
+    rows.extend(bound.map(|bound| row("spectral radius, estimate", decimals(bound, 4), "below 1")));
+    rows.push(row(
+        "jump of radiosity at seams, greatest",
+        error(checks.seam_jump_max),
+        "0 where light is smooth",
+    ));
     rows.extend(
         report
             .transport

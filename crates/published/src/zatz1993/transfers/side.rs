@@ -81,8 +81,8 @@ impl Side {
         Self { nodes: points.nodes, rows }
     }
 
-    /// What each point adds to the coefficients of the element, if what arrives is replaced by the polynomial
-    /// nearest to it at the points: that is found in functions of the piece, and projected on those of the
+    /// The share of each point in the coefficients of the element, if the light that arrives is replaced by the
+    /// polynomial nearest to it at the points: that is found in functions of the piece, and projected on those of the
     /// element.
     fn nearest(piece: &Piece, points: Points) -> Self {
         let functions = if piece.is_whole {

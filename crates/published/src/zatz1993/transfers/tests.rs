@@ -125,10 +125,10 @@ fn pieces_that_do_not_touch_along_an_edge_are_not_cut() {
 
 /// In a closed room rows add up to 1. The paper's rule errs by 2 % where the edges of the screen are cut by
 /// hand, and by 7 % where they are not. H2, with an odd number of points, samples shadows in the very plane
-/// of the screen.
+/// of the screen, and it and H3 err by more, but less than without cuts.
 #[test]
 fn rows_add_up_at_t_contacts() {
-    for (rules, error) in [(H1, 0.02), (H3, 0.03), (H2, 0.05)] {
+    for (rules, error) in [(H1, 0.02), (H2, 0.05), (H3, 0.05)] {
         let sums = row_sums(&scene(TEE), 4, Some(rules));
         assert!(sums.iter().all(|sum| (sum - 1.0).abs() < error), "{rules:?}: {sums:.4?}");
     }
