@@ -1,12 +1,13 @@
 //! The language of scenes: texts, trees and built-in scenes in, valid scenes out.
 //!
 //! In order: `csv_rows` and `input` (bytes of files), `builtin` (the scenes that need no file), `fields`
-//! (values of a tree), `terms` of schemas, `keys` (each declared once, with reader and schema) and `kinds` of
-//! values, `formula` and `variables`, `json_text`, `polygon_list`, `language` and `toml_text` (text → tree),
-//! `include` (trees of several files), `model_tree` and `import` (scenes of other programs → tree), `tessellation`
-//! (curved → flat), `shape` and `file` (tree → as typed), `merging`, `instances`, `export` (a scene for other programs),
-//! `textures`, `validation`, `luminaires` and `motions` (as typed → parts of a scene), `reading` (all of that in its
-//! order) and `writing` (back), and `schema` (the same language for editors).
+//! (values of a tree), `terms` of schemas, `keys` (each declared once, with reader and schema) and `kinds`
+//! of values, `formula` and `variables`, `json_text`, `polygon_list`, `language` and `toml_text` (text →
+//! tree), `include` (trees of several files), `model_tree` and `import` (scenes of other programs → tree),
+//! `tessellation` (curved → flat), `shape` and `file` (tree → as typed), `merging`, `instances`, `export`
+//! (a scene for other programs), `textures`, `validation`, `luminaires` and `motions` (as typed → parts of
+//! a scene), `reading` (all of that in its order) and `writing` (back), and `schema` (the same language for
+//! editors).
 //!
 //! Imports `geom`, `work`, `photometry`, `formats` and `scene`.
 
