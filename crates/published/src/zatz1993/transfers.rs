@@ -43,7 +43,7 @@
 //!
 //! **T-contacts** (sections 4.2 and 9): where one flat piece ends on another, or only a part of two edges
 //! meets, both are cut, for this pair, along the line of contact and at its ends, until they have whole edges
-//! in common ([`contact`]). The paper cuts the surfaces themselves; here the functions stay those of the
+//! in common (`contact`). The paper cuts the surfaces themselves; here the functions stay those of the
 //! whole. Contacts along curves are ignored unless they are whole sides of both.
 //!
 //! G is not symmetric: receiver and emitter are treated differently, so each ordered pair is integrated by
