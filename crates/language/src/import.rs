@@ -24,7 +24,7 @@ use radiosity_work::{
     wording::{option, words},
 };
 
-use crate::{input, model_tree};
+use crate::{input, model_tree::model_text};
 
 /// Options of the import of scenes of other programs.
 #[derive(Clone, Debug, Default)]
@@ -121,7 +121,7 @@ impl Import {
     /// As [`Import::model`].
     pub(super) fn source(&self, file: &str, format: Format, ranks: &Ranks) -> Result<Source, SceneError> {
         let (model, imported) = self.model(file, format, ranks)?;
-        let text = Notation::Json.text(model_tree::tree(&model).top());
+        let text = model_text(&model, Notation::Json);
         // Places in messages are those of this text, not of the file.
         let origin = format!("{} (as read)", imported.file);
         Ok(Source::new(&origin, &text).made_from(imported))

@@ -44,6 +44,7 @@ mod schema;
 pub use builtin::Builtin;
 pub use builtin::Parameter;
 pub use import::Import;
+pub use model_tree::model_text;
 pub use reading::{builtin, builtins, load, read, read_with, source, source_by};
 pub use schema::schema;
-pub use writing::{model, model_text, text};
+pub use writing::{model, text};

@@ -2,10 +2,15 @@
 
 use radiosity_formats::model::{Camera, Model, Shape, Sides, Surface};
 use radiosity_geom::DVec3;
-use radiosity_scene::Tree;
+use radiosity_scene::{Notation, Tree};
+
+/// A model in this language.
+pub fn model_text(model: &Model, notation: Notation) -> String {
+    notation.text(tree(model).top())
+}
 
 /// The tree of a model.
-pub(super) fn tree(model: &Model) -> Tree {
+fn tree(model: &Model) -> Tree {
     let mut entries = Vec::new();
     entries.extend(model.title.as_ref().map(|title| ("title", Tree::text(title))));
     entries.push(("bands", Tree::list(model.bands.iter().map(Tree::text))));

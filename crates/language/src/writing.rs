@@ -10,7 +10,6 @@ use crate::export::Export;
 use crate::include::{self, FileTree};
 use crate::instances;
 use crate::language::Language;
-use crate::model_tree::tree;
 use crate::reading::as_typed;
 use crate::variables;
 
@@ -47,11 +46,6 @@ fn written(scene: &Scene) -> Result<&Source, SceneError> {
             "write the whole scene, without a frame; `render -o frame.glb` writes what a frame shows",
         )),
     }
-}
-
-/// A model in this language.
-pub fn model_text(model: &Model, notation: Notation) -> String {
-    notation.text(tree(model).top())
 }
 
 /// The scene as another program would hold it, shapes as they were typed, or curved ones cut into flat pieces
