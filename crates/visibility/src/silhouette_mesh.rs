@@ -217,14 +217,10 @@ impl Quad {
         self.rect.overlaps(parameters)
     }
 
-    /// Whether an eye sees the back of the surface at a corner of it.
-    pub fn shows_back(&self, eye: DVec3) -> bool {
-        self.knots.iter().any(|knot| knot.normal.dot(eye - knot.position) < 0.0)
-    }
-
-    /// Whether an eye sees the front of the surface at a corner of it.
-    pub fn shows_front(&self, eye: DVec3) -> bool {
-        self.knots.iter().any(|knot| knot.normal.dot(eye - knot.position) > 0.0)
+    /// Whether an eye sees the front of the surface, or its back, at a corner of it.
+    pub fn shows(&self, eye: DVec3, is_front: bool) -> bool {
+        let side = if is_front { 1.0 } else { -1.0 };
+        self.knots.iter().any(|knot| side * knot.normal.dot(eye - knot.position) > 0.0)
     }
 
     /// Whether an edge, from this corner to the next, lies on the border of the surface's parameters.

@@ -111,8 +111,8 @@ impl OwnPiece {
     /// Its own quads and those beside them do not: their chords lie before a surface that bends towards the eye.
     /// Either the quad is well before the plane, or the eye sees its other side, so that a fold lies between.
     fn may_be_hidden_by(&self, quad: &Quad, seen: &[DVec3; 4], plane: &ProjectionPlane) -> bool {
-        let is_beyond_fold =
-            || if self.is_turned { quad.shows_front(plane.eye) } else { quad.shows_back(plane.eye) };
+        // The front of the mesh is the other side of a piece that is turned.
+        let is_beyond_fold = || quad.shows(plane.eye, self.is_turned);
         let far = 1.0 - plane.width();
         seen.iter().all(|p| p.z <= far) || (!quad.overlaps(&self.parameters) && is_beyond_fold())
     }
