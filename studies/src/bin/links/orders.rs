@@ -119,18 +119,24 @@ fn by_links(scene: &Scene, order: usize, count: usize, judge: &Judge, runs: &mut
     };
     for eps in FALLING {
         let linked = levels.linked(eps, estimate);
-        let begun = Instant::now();
-        let irradiance = solved(scene, &levels, &linked);
-        let seconds = linked.seconds + begun.elapsed().as_secs_f64();
-        let (least, most) = row_sums(&levels, &linked);
-        let error = error(judge, &levels, &irradiance);
-        let Linked { links, numbers, .. } = linked;
-        println!(
-            "| links | {order} | {eps:.0e} | {} | {links} | {numbers} | {least:.3} to {most:.3} | {error:.2e} | {seconds:.2} |",
-            levels.leaves().coefficients()
-        );
-        runs.push(Run { order: Some(order), links, seconds, error });
+        let title = format!("links | {order} | {eps:.0e}");
+        runs.push(Run { order: Some(order), ..judged(scene, &title, &levels, &linked, judge) });
     }
+}
+
+/// Solves by these links, and prints a row of the table.
+fn judged(scene: &Scene, title: &str, levels: &Levels, linked: &Linked, judge: &Judge) -> Run {
+    let begun = Instant::now();
+    let irradiance = solved(scene, levels, linked);
+    let seconds = linked.seconds + begun.elapsed().as_secs_f64();
+    let (least, most) = row_sums(levels, linked);
+    let error = error(judge, levels, &irradiance);
+    let Linked { links, numbers, .. } = *linked;
+    println!(
+        "| {title} | {} | {links} | {numbers} | {least:.3} to {most:.3} | {error:.2e} | {seconds:.2} |",
+        levels.leaves().coefficients()
+    );
+    Run { order: None, links, seconds, error }
 }
 
 /// The coefficients of the irradiance, by gathering until nothing changes.
@@ -169,17 +175,8 @@ fn all_pairs(scene: &Scene, how: AllPairs, judge: &Judge, runs: &mut Vec<Run>) {
     let how = Discretization { layers: graded, ..Discretization::uniform(order, cuts) };
     let levels = Levels::new(scene, &[how]);
     let linked = levels.linked(0.0, |_, _| 0.0);
-    let begun = Instant::now();
-    let irradiance = solved(scene, &levels, &linked);
-    let seconds = linked.seconds + begun.elapsed().as_secs_f64();
-    let (least, most) = row_sums(&levels, &linked);
-    let error = error(judge, &levels, &irradiance);
-    let Linked { links, numbers, .. } = linked;
-    println!(
-        "| all pairs, {cuts} × {cuts}, {layers} layers | {order} | | {} | {links} | {numbers} | {least:.3} to {most:.3} | {error:.2e} | {seconds:.2} |",
-        levels.leaves().coefficients()
-    );
-    runs.push(Run { order: None, links, seconds, error });
+    let title = format!("all pairs, {cuts} × {cuts}, {layers} layers | {order} |");
+    runs.push(Run { order: None, ..judged(scene, &title, &levels, &linked, judge) });
 }
 
 /// The error of the irradiance with these coefficients.
