@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufWriter, Write};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use numpy::{PyArrayDyn, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -43,6 +43,8 @@ pub(crate) struct Solution {
     /// Whether the solution was read from a file.
     is_saved: bool,
     report: Report,
+    /// The report in JSON, made when it is first asked for.
+    told: OnceLock<String>,
 }
 
 /// Irradiances, and their standard deviations relative to them.
@@ -99,7 +101,7 @@ impl Solution {
     ) -> PyResult<Self> {
         let ReportedSolution { solved, report } = found;
         report.warnings.iter().try_for_each(|warning| warn(py, &warning.message))?;
-        Ok(Self { solved: Arc::new(solved), method, is_saved, report })
+        Ok(Self { solved: Arc::new(solved), method, is_saved, report, told: OnceLock::new() })
     }
 
     /// Reading of the solution as `given`, and number of threads.
@@ -173,10 +175,12 @@ impl Solution {
 
     /// The report, in JSON.
     #[getter]
-    fn report(&self) -> String {
-        let mut report = self.report.clone();
-        report.compare_joints(&self.solved);
-        serde_json::to_string(&report).expect("a report is plain data")
+    fn report(&self) -> &str {
+        self.told.get_or_init(|| {
+            let mut report = self.report.clone();
+            report.compare_joints(&self.solved);
+            serde_json::to_string(&report).expect("a report is plain data")
+        })
     }
 
     /// Coefficients of the radiosity in the orthonormal bases of the elements: an array (bands, unknowns).
