@@ -70,7 +70,7 @@ class Method(TypedDict, total=False):
         Preset of order and accuracies, and of how finely points, planes and cells are read; single options go before it [default:
         "default"].
 
-    method: "galerkin" or "hierarchical"
+    method: "galerkin", "collocation" or "hierarchical"
         Which algorithm finds the light [default: galerkin].
 
     basis: "legendre", "constant", "linear" or "harmonic"
@@ -187,7 +187,7 @@ class Method(TypedDict, total=False):
     """
 
     quality: Literal["quick", "default", "fine", "finest"]
-    method: Literal["galerkin", "hierarchical"]
+    method: Literal["galerkin", "collocation", "hierarchical"]
     basis: Literal["legendre", "constant", "linear", "harmonic"]
     order: int | Literal["auto"]
     accuracy: float

@@ -28,6 +28,17 @@ fn kernels_of_1993_know_total_degrees_only() {
 }
 
 #[test]
+fn collocation_knows_no_rays_and_no_estimates() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let others = ["--accuracy=1e-2", "--rays=1000", "--kernel=paper-hybrid", "--basis=linear"];
+    for other in others {
+        let args = ["grid", "empty-box", "--method", "collocation", other];
+        let name = &other[..other.find('=').expect("a value")];
+        refused(folder.path(), &args, &["collocation", name, "leave one of them out"]);
+    }
+}
+
+#[test]
 fn kernels_are_the_rules_and_readings_that_their_names_say() {
     let folder = tempfile::tempdir().expect("a folder");
     let args = ["grid", "empty-box", "--cells", "1x1", "--read", "basis", "--order", "4", "--kernel"];

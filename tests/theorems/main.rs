@@ -7,6 +7,7 @@ mod bases;
 mod bounces;
 mod boxes;
 mod builder;
+mod collocation;
 mod comments;
 mod convergence;
 mod documents;

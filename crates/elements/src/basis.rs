@@ -23,7 +23,7 @@ use radiosity_scene::MAX_ORDER;
 use super::columns::add_scaled;
 pub use super::frame::Frame;
 use super::measure::{Measure, WeightedNode};
-use super::patch::Patch;
+use super::patch::{Node, Patch};
 use super::products;
 use super::recurrence::{Recurrence, WeightedPoint};
 use super::rule::UnitRule;
@@ -177,6 +177,13 @@ impl AreaBasis {
             None => products::values(self.space, self.order, coordinates, out),
             Some(recurrence) => recurrence.values(coordinates, out),
         }
+    }
+
+    /// φ_k at a node, for all k.
+    pub fn values(&self, node: &Node) -> Vec<f64> {
+        let mut raw = vec![0.0; self.len()];
+        self.raw(self.frame.coordinates(node), &mut raw);
+        self.transform.chunks_exact(self.len()).map(|row| dot(row, &raw)).collect()
     }
 
     /// R_0, the same everywhere.

@@ -43,7 +43,7 @@
 //! In order: [`tolerances`], [`occluders`], `cells` (trees of cells), [`receiver_point`], [`lamps`] (targets
 //! of rays), `lines` (scan lines), `luminous_line`, [`point_lights`] and [`emitters`], `area_light`,
 //! `blockers`, `traversal`, [`direct`], `lamp_cells`, `light_sources` and [`penumbra`] (direct light by
-//! rays), `coats`, [`reflected`] and [`first_bounce`].
+//! rays), `coats`, [`reflected`], [`point_transfers`] and [`first_bounce`].
 //!
 //! Imports `core`, `geom`, `work`, `scene`, `visibility`, `elements` and `kernel`.
 
@@ -65,4 +65,5 @@ mod light_sources;
 pub mod penumbra;
 pub(crate) mod coats;
 pub mod reflected;
+pub mod point_transfers;
 pub mod first_bounce;

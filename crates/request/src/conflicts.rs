@@ -23,6 +23,7 @@ impl MethodRequest {
         check_time_limit(self)?;
         check_idle(self)?;
         check_hierarchical(self)?;
+        check_collocation(self)?;
         check_rays(self)?;
         check_kernel(self)?;
         check_basis(self)?;
@@ -99,6 +100,22 @@ fn check_hierarchical(method: &MethodRequest) -> Result<(), Refusal> {
         )),
         _ => Ok(()),
     }
+}
+
+/// Refuses what collocation does not know: light that no rule integrates, and estimates of its error.
+fn check_collocation(method: &MethodRequest) -> Result<(), Refusal> {
+    if method.method != Some(LightMethod::Collocation) {
+        return Ok(());
+    }
+    let unknown = [
+        method.kernel.unwrap_or_default().rules().map(|_| option("kernel")),
+        (method.shadows == Some(LightShadows::Mask)).then(|| set("shadows", "mask")),
+        (method.transport == Some(Transport::Sampled)).then(|| set("transport", "sampled")),
+        method.rays.map(|_| option("rays")),
+        method.wanted_accuracy().map(|_| option("accuracy")),
+        method.aim.as_ref().map(|_| option("for")),
+    ];
+    refuse(set("method", "collocation"), unknown)
 }
 
 /// Refuses rays together with the methods of 1993, which know none.
@@ -215,7 +232,7 @@ fn check_columns(method: &MethodRequest) -> Result<(), Refusal> {
         return Ok(());
     }
     let unknown = [
-        (method.method == Some(LightMethod::Hierarchical)).then(|| set("method", "hierarchical")),
+        other_method(method),
         (method.transport == Some(Transport::Sampled)).then(|| set("transport", "sampled")),
         method.rays.map(|_| option("rays")),
         method.kernel.unwrap_or_default().rules().map(|_| option("kernel")),
@@ -223,6 +240,15 @@ fn check_columns(method: &MethodRequest) -> Result<(), Refusal> {
         other_basis(method),
     ];
     refuse(set("columns", "shot"), unknown)
+}
+
+/// A method other than Galerkin's, if one is asked for.
+fn other_method(method: &MethodRequest) -> Option<Wording> {
+    match method.method? {
+        LightMethod::Galerkin => None,
+        LightMethod::Collocation => Some(set("method", "collocation")),
+        LightMethod::Hierarchical => Some(set("method", "hierarchical")),
+    }
 }
 
 /// A basis whose functions reach over elements, if one is asked for.
@@ -286,7 +312,7 @@ pub fn check_series(method: &MethodRequest, series: &[RunSeries]) -> Result<(), 
 fn others(method: &MethodRequest) -> [Option<Wording>; 8] {
     let has_no_degree = matches!(method.basis, Some(Basis::Constant | Basis::Linear));
     [
-        (method.method == Some(LightMethod::Hierarchical)).then(|| set("method", "hierarchical")),
+        other_method(method),
         method.wanted_accuracy().map(|_| option("accuracy")),
         method.aim.as_ref().map(|_| option("for")),
         method.kernel.unwrap_or_default().rules().map(|_| option("kernel")),

@@ -87,7 +87,7 @@ pub use transport_choice::{MOST_RAYS, Transport, TransportChoice};
 /// that cannot be started.
 pub fn solve(scene: &Scene, options: &Options, work: &Work<'_>) -> Result<Outcome, Failure> {
     match options.method {
-        LightMethod::Galerkin => Model::solve_once(scene, options, work),
+        LightMethod::Galerkin | LightMethod::Collocation => Model::solve_once(scene, options, work),
         LightMethod::Hierarchical => solve_by_links(scene, options, work),
     }
 }

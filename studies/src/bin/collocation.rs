@@ -1,7 +1,7 @@
-//! Tents by Ritz's method, and by collocation at the corners of cells, which the variational source takes for
-//! them: error, asymmetry, power.
+//! Galerkin's method beside collocation: polynomials (`--method collocation`), then tents by Ritz's method and
+//! by collocation at the corners of cells, which the variational source takes for them.
 //!
-//! Two unit squares of reflectance ½, of which one emits: parallel, or with a common edge at a right angle.
+//! Polynomials are compared by order in a box, in one with an obstacle, and in a can. Tents stand on two unit squares of reflectance ½, of which one emits: parallel, or with a common edge at a right angle.
 //! There the corners on the edge see the other square edge-on, where its irradiance has no value: collocation
 //! takes 0.
 
@@ -9,12 +9,14 @@
 
 use std::error::Error;
 
+use cpu_time::ProcessTime;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::rule::UnitRule;
 use radiosity::geom::DVec3;
 use radiosity::scene::Source;
 use radiosity::solve::solution::SurfacePlace;
-use radiosity::solve::{Direct, Options, Outcome, solve};
+use radiosity::solve::studies::error_norm::distance;
+use radiosity::solve::{Direct, LightMethod, Options, Outcome, Transport, solve};
 use radiosity::{Basis, Solution, Work};
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Dense, Partition, Settings};
@@ -24,6 +26,22 @@ const REFLECTANCE: f64 = 0.5;
 
 /// Points per direction on each cell.
 const POINTS: usize = 32;
+
+/// A can whose bottom shines.
+const CAN: &str = "
+materials.grey = { reflectance = 0.5 }
+materials.lamp = { reflectance = 0.5, emission = 1 }
+[[surfaces]]
+material = 'lamp'
+disk = { center = [0, 0, 0], normal = [0, 0, 1], radius = 1 }
+[[surfaces]]
+material = 'grey'
+disk = { center = [0, 0, 2], normal = [0, 0, -1], radius = 1 }
+[[surfaces]]
+material = 'grey'
+flip = true
+cylinder = { base = [0, 0, 0], axis = [0, 0, 2], radius = 1 }
+";
 
 /// A unit square with its origin, sides and normal; the first of two emits 1.
 struct Square {
@@ -165,13 +183,60 @@ fn asymmetry(values: &[f64]) -> f64 {
     pairs().map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest
 }
 
+/// Prints errors and lost power of polynomials on whole surfaces, by order.
+fn polynomials() -> Result<(), Box<dyn Error>> {
+    println!(
+        "| scene | order | Galerkin: error | power lost | seconds | collocation: error | power lost | seconds |"
+    );
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
+    let can = radiosity::language::read(&Source::new("can", CAN))?;
+    let scenes = [
+        ("empty-box", radiosity::builtin("empty-box")?),
+        ("occluder-box", radiosity::builtin("occluder-box")?),
+        ("can", can),
+    ];
+    for (name, scene) in scenes {
+        let options = |order, method| Options {
+            order,
+            method,
+            direct: Direct::Projected,
+            transport: Transport::Exact,
+            subdivide: Some(1),
+            eps: 1e-4,
+            shadow_eps: 1e-4,
+            ..Options::default()
+        };
+        let finest = Options { subdivide: Some(4), ..options(4, LightMethod::Galerkin) };
+        let exact = solve(&scene, &finest, &Work::alone())?.solution;
+        for order in 0..=6 {
+            print!("| {name} | {order} |");
+            for method in [LightMethod::Galerkin, LightMethod::Collocation] {
+                let start = ProcessTime::now();
+                let outcome = solve(&scene, &options(order, method), &Work::alone())?;
+                let seconds = start.elapsed().as_secs_f64();
+                let lost = 100.0 * outcome.checks.energy_lost / outcome.checks.energy_in;
+                print!(" {:.1e} | {lost:.2} % | {seconds:.3} |", distance(&outcome.solution, &exact)?);
+            }
+            println!();
+        }
+    }
+    Ok(())
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
+    polynomials()?;
+    tents()
+}
+
+/// Prints errors of tents by both methods.
+fn tents() -> Result<(), Box<dyn Error>> {
     let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
     let scenes = [
         ("parallel", [Square::new(DVec3::ZERO, [x, y]), Square::new(0.7 * z, [y, x])]),
         ("common edge", [Square::new(DVec3::ZERO, [x, y]), Square::new(DVec3::ZERO, [y, z])]),
     ];
-    println!("scene        cells  unknowns  Ritz       collocation  asymmetry");
+    println!("\n| tents | cells | unknowns | Ritz: error | collocation: error | asymmetry |");
+    println!("| --- | --- | --- | --- | --- | --- |");
     for (name, squares) in scenes {
         let text = format!(
             "materials.lamp = {{ reflectance = {REFLECTANCE}, emission = 1 }}\nmaterials.wall = {{ reflectance = {REFLECTANCE} }}\n{}{}",
@@ -197,7 +262,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let by_ritz = error(|square, u, v| radiosity(&ritz.solution, &squares, square, u, v), truth);
             let by_corners = error(|square, u, v| tents.value(square, u, v), truth);
             println!(
-                "{name:<12} {cells:>5}  {:>8}  {by_ritz:.2e}   {by_corners:.2e}     {:.2}",
+                "| {name} | {cells} | {} | {by_ritz:.1e} | {by_corners:.1e} | {:.2} |",
                 ritz.unknowns,
                 asymmetry(&values)
             );

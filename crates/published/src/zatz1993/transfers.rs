@@ -59,7 +59,9 @@ mod transfer;
 mod assembly;
 
 pub use assembly::assemble;
+pub(crate) use piece::Piece;
 pub use rules::{HybridReading, PaperRules};
+pub(crate) use side::Side;
 
 #[cfg(test)]
 mod tests;

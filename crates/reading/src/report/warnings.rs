@@ -6,7 +6,7 @@ use radiosity_scene::Scene;
 use radiosity_solve::solution::Band;
 use radiosity_solve::solved::Solved;
 use radiosity_solve::studies::adaptation::{Achieved, EndReason};
-use radiosity_solve::{Options, Outcome};
+use radiosity_solve::{LightMethod, Options, Outcome};
 use radiosity_visibility::inspection::Inspection;
 use radiosity_work::wording::{Wording, option, set, words};
 
@@ -268,9 +268,16 @@ fn spectral_bound(options: &Options, outcome: &Outcome) -> Option<Warning> {
     (bound >= 1.0).then(|| Warning::general("spectral-bound", message() + cure(options, usual())))
 }
 
-/// The cure of transfers that are not accurate enough. The rules of 1993 have no accuracy.
+/// The cure of transfers that are not accurate enough. The rules of 1993 have no accuracy, and collocation
+/// loses what interpolation errs.
 fn cure(options: &Options, usual: Wording) -> Wording {
-    if options.kernel.is_some() { words("choose the default kernel") } else { usual }
+    match options {
+        Options { kernel: Some(_), .. } => words("choose the default kernel"),
+        Options { method: LightMethod::Collocation, .. } => {
+            words("leave ") + set("method", "collocation") + " out, or take a higher " + option("order")
+        }
+        _ => usual,
+    }
 }
 
 /// A warning about transfers that miss what was asked.

@@ -1,11 +1,12 @@
 //! The blocks between the elements of a scene.
 
 use radiosity_kernel::Blocks;
-use radiosity_published::zatz1993::transfers;
+use radiosity_published::{collocation, zatz1993::transfers};
 use radiosity_scene::Scene;
 use radiosity_transport as transport;
 use radiosity_transport::{Demand, KeptBlocks};
 
+use super::light_method::LightMethod;
 use super::sampling::{Sampling, Subject};
 
 /// The blocks, by that many rays or exactly; from `kept`, as far as it holds them.
@@ -24,12 +25,15 @@ pub(super) fn carried(
 
 fn blocks(scene: &Scene, subject: &Subject, kept: Option<&mut KeptBlocks>) -> Blocks {
     let Subject { elements, visibility, options, work, .. } = *subject;
-    let Some(rules) = options.kernel else {
-        let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
-        let wanted = |a, b| sends(a) || sends(b);
-        let demand = Demand::all(elements, visibility, options.accuracy()).of(&wanted);
-        return transport::assemble(demand, kept, work);
-    };
-    let demand = Demand::all(elements, visibility, options.accuracy());
-    transfers::assemble(demand, rules, rules.extra_points(), work)
+    let all = Demand::all(elements, visibility, options.accuracy());
+    if let Some(rules) = options.kernel {
+        return transfers::assemble(all, rules, rules.extra_points(), work);
+    }
+    let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
+    let wanted = |a, b| sends(a) || sends(b);
+    let demand = all.of(&wanted);
+    match options.method {
+        LightMethod::Collocation => collocation::assemble(demand, work),
+        LightMethod::Galerkin | LightMethod::Hierarchical => transport::assemble(demand, kept, work),
+    }
 }

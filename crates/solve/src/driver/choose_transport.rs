@@ -16,6 +16,7 @@ use radiosity_scene::Scene;
 use radiosity_transport::price::{ElementPair, LEAST, price};
 use radiosity_visibility::{Shadows, Visibility};
 
+use super::light_method::LightMethod;
 use super::options::Options;
 use super::outline::Outline;
 use super::transport_choice::{Transport, TransportChoice, USUAL_ACCURACY, usual_rays};
@@ -44,6 +45,9 @@ impl TransportChoice {
         match options.transport {
             _ if options.kernel.is_some() || options.masks.is_some() => {
                 exact("the methods of 1993 know no rays")
+            }
+            _ if options.method == LightMethod::Collocation => {
+                exact("collocation takes the light of points, which rays do not tell")
             }
             _ if !options.basis.is_polynomial() => {
                 exact("the functions of this basis are held by polynomials that rays would not tell apart")

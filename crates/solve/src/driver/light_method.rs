@@ -10,6 +10,9 @@ pub enum LightMethod {
     /// Polynomials on elements, with transfers between all of them
     #[default]
     Galerkin,
+    /// As galerkin, but light that arrives is right at points of each element, and interpolated between them,
+    /// instead of right in the mean: for those who compare
+    Collocation,
     /// Constants on elements that the light asks for, with links between groups of them: hierarchical
     /// radiosity, for those who compare; --eps is the greatest power of a link, or form factor
     Hierarchical,

@@ -90,7 +90,7 @@ impl MemoryEstimate {
 
     /// The bytes by the rules of 1993, whose blocks are not symmetric: all of them are stored, and the
     /// matrix is dense.
-    pub(super) fn of_1993(scene: &Scene, how: &Discretization, solver: &Method) -> Self {
+    pub(super) fn unsymmetric(scene: &Scene, how: &Discretization, solver: &Method) -> Self {
         let sizes = cut_sizes(scene, how);
         let own = Self::of_blocks(scene, &sizes);
         let matrix = NUMBER * most_unknowns(scene, &sizes).pow(2);

@@ -32,7 +32,7 @@ impl MemoryNeed<'_> {
         let Self { scene, how, options, ranks, .. } = self;
         let estimate = match self.rays {
             Some(rays) => MemoryEstimate::of_rays(scene, how, options.solver, rays, ranks),
-            None if options.kernel.is_some() => MemoryEstimate::of_1993(scene, how, options.solver),
+            None if options.is_unsymmetric() => MemoryEstimate::unsymmetric(scene, how, options.solver),
             None => MemoryEstimate::of(scene, how, options.solver, ranks),
         };
         if self.is_kept { estimate.peak_with_kept() } else { estimate.peak() }

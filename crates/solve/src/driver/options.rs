@@ -137,6 +137,11 @@ impl Options {
         Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
     }
 
+    /// Whether each ordered pair of elements is integrated by itself, as published methods do.
+    pub(crate) fn is_unsymmetric(&self) -> bool {
+        self.kernel.is_some() || self.method == LightMethod::Collocation
+    }
+
     /// The obstacles of `scene`, as it is solved by these options, and read.
     pub fn visibility(&self, scene: &Scene) -> Visibility {
         Visibility::new(scene, self.shadows, self.accuracy().shadow_eps)

@@ -18,6 +18,7 @@ use super::direct::Direct;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::{EnteringLight, FirstLight, LitScene};
+use super::light_method::LightMethod;
 use super::options::Options;
 use super::outcome::{Stages, timed};
 use super::shooting::Shooter;
@@ -129,6 +130,7 @@ impl Ready {
         Some(match options {
             _ if choice.sampled => "rays carry the light",
             Options { kernel: Some(_), .. } => "the rules of 1993 make the whole matrix",
+            Options { method: LightMethod::Collocation, .. } => "collocation makes whole rows",
             _ if subspace.is_some() => "functions of the basis reach over elements",
             _ if !ranks.are_alone() => "several processes share the blocks",
             _ if ranks.journal().is_some() => "blocks are kept in a checkpoint",

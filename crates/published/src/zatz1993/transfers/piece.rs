@@ -10,7 +10,7 @@ const NO_PIECE: f64 = 1e-14;
 
 /// A piece of an element, charted by the square.
 #[derive(Clone, Debug)]
-pub(super) struct Piece<'a> {
+pub(crate) struct Piece<'a> {
     /// The element.
     pub element: &'a Element,
     /// The chart.
@@ -21,7 +21,7 @@ pub(super) struct Piece<'a> {
 
 impl<'a> Piece<'a> {
     /// The disjoint pieces that cover `element`.
-    pub(super) fn all(element: &'a Element) -> Vec<Self> {
+    pub(crate) fn all(element: &'a Element) -> Vec<Self> {
         let pieces: Vec<Patch> = element.patches.iter().flat_map(pieces_of).collect();
         let is_whole = pieces.len() == 1;
         pieces.into_iter().map(|patch| Self { element, patch, is_whole }).collect()

@@ -11,7 +11,7 @@ use super::rules::HybridReading;
 
 /// Points with a row of numbers each, one for each function of the element.
 #[derive(Clone, Debug)]
-pub(super) struct Side {
+pub(crate) struct Side {
     /// The points.
     pub nodes: Vec<Node>,
     /// The rows.
@@ -38,7 +38,7 @@ impl Points {
 impl Side {
     /// A receiver by Gauss–Legendre points: Σ_a C_k(a) H(a) is the part of this piece in
     /// ∫ φ_k H dA, or in the coefficient k of the projection in the parameters.
-    pub(super) fn receiving(piece: &Piece, points: usize) -> Self {
+    pub(crate) fn receiving(piece: &Piece, points: usize) -> Self {
         let axis = Axis::new(points, [0, 0]);
         let points = Points::of(&piece.patch, &[axis.clone(), axis]);
         if piece.patch.is_flat() { Self::weighted(piece, points) } else { Self::nearest(piece, points) }
@@ -73,7 +73,7 @@ impl Side {
     fn weighted(piece: &Piece, points: Points) -> Self {
         let basis = &piece.element.basis;
         let row = |(node, weight): (&Node, &f64)| {
-            let mut row = values(basis, node);
+            let mut row = basis.values(node);
             row.iter_mut().for_each(|value| *value *= weight * node.area);
             row
         };
@@ -100,7 +100,7 @@ impl Side {
             .nodes
             .iter()
             .zip(&roots)
-            .flat_map(|(node, root)| values(&functions, node).into_iter().map(move |value| root * value))
+            .flat_map(|(node, root)| functions.values(node).into_iter().map(move |value| root * value))
             .collect();
         let table = DMatrix::from_row_slice(points.nodes.len(), functions.len(), &table);
         let (orthogonal, upper) = table.qr().unpack();
@@ -114,21 +114,12 @@ impl Side {
     }
 }
 
-/// The functions of a basis at a node.
-fn values(basis: &AreaBasis, node: &Node) -> Vec<f64> {
-    let count = basis.len();
-    let mut raw = vec![0.0; count];
-    basis.raw(basis.frame().coordinates(node), &mut raw);
-    let rows = basis.transform().chunks_exact(count);
-    rows.map(|row| radiosity_core::dot(row, &raw)).collect()
-}
-
 /// ∫ φ_k ψ_m dA over a flat piece, φ the functions of its element and ψ its own.
 fn projection(piece: &Piece, own: &AreaBasis) -> DMatrix<f64> {
     let basis = &piece.element.basis;
     let mut integrals = DMatrix::zeros(basis.len(), own.len());
     for point in Measure::new(std::slice::from_ref(&piece.patch), basis.order()).points {
-        let (of_element, of_piece) = (values(basis, &point.node), values(own, &point.node));
+        let (of_element, of_piece) = (basis.values(&point.node), own.values(&point.node));
         for (k, m) in (0..basis.len()).flat_map(|k| (0..own.len()).map(move |m| (k, m))) {
             integrals[(k, m)] += point.weight * of_element[k] * of_piece[m];
         }
