@@ -309,7 +309,9 @@ fn form_factors_of_leaves_add_up_to_what_rays_meet() {
     let scene = builtin("teapot");
     let rays = RayTree::new(scene.surfaces.iter().map(|surface| surface.shape.clone()).collect());
     let deviations = [1e-2, 1e-3].map(|eps| {
-        let options = HierarchyOptions { eps, rays_per_link: 64, ..HierarchyOptions::default() };
+        // Clusters, which this distance keeps apart from all, add up to an eighth on the neck of the pot.
+        let usual = HierarchyOptions::default();
+        let options = HierarchyOptions { eps, rays_per_link: 64, separation: 100.0, ..usual };
         let solved = solved(&scene, &options);
         let power = solved.hierarchy().exchange(&vec![1.0; solved.leaves().len()]);
         let (mut missed, mut areas, mut most) = (0.0, 0.0, 0.0f64);
@@ -319,8 +321,7 @@ fn form_factors_of_leaves_add_up_to_what_rays_meet() {
             areas += leaf.area;
             most = most.max(power / leaf.area);
         }
-        // 1.12 at 1e-3, on the neck of the pot; why is not known.
-        assert!(most < 1.2, "{eps}: {most}");
+        assert!(most < 1.08, "{eps}: {most}");
         f64::sqrt(missed / areas)
     });
     assert!(deviations[1] < deviations[0] && deviations[1] < 0.05, "{deviations:?}");
