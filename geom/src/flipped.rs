@@ -1,6 +1,6 @@
 //! A surface turned over: same points, same parameters, front and back exchanged.
 
-use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
 /// The surface `base` with its normal reversed. Parameters and tangents stay, so that here the normal is −x_u
@@ -39,6 +39,10 @@ impl Surface for Flipped {
 
     fn ball(&self) -> Option<(DVec3, f64)> {
         self.base.ball()
+    }
+
+    fn solid(&self) -> Option<ConvexSolid> {
+        self.base.solid()
     }
 
     fn region(&self) -> Option<&PlanarRegion> {

@@ -36,6 +36,7 @@ mod touch;
 mod zeros;
 
 mod bvh;
+mod convex_solid;
 mod region;
 
 mod surface;
@@ -58,6 +59,7 @@ pub use clip::{
     clip_by_heights, clip_polygon, difference, distance_to_segment, intersection, overhang, polygon_area,
     polygon_width, sides,
 };
+pub use convex_solid::ConvexSolid;
 pub use flipped::Flipped;
 pub use glam::{DQuat, DVec2, DVec3};
 pub use hull::extreme_points;

@@ -3,7 +3,7 @@
 //! Such a motion maps tangents by σ R, normals by R, areas by σ². A ray is carried back and the base is hit
 //! where the moved surface is: t stays the same, since the direction is carried back unnormalised.
 
-use crate::{Aabb, Foot, Hit, Jet, Motion, PlanarRegion, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Foot, Hit, Jet, Motion, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
 /// The surface `base` after a motion; parameters and front go with it.
@@ -61,6 +61,10 @@ impl Surface for Placed {
 
     fn ball(&self) -> Option<(DVec3, f64)> {
         self.base.ball().map(|(center, radius)| (self.motion.point(center), self.motion.scale() * radius))
+    }
+
+    fn solid(&self) -> Option<ConvexSolid> {
+        self.base.solid().map(|solid| solid.moved(&self.motion))
     }
 
     fn region(&self) -> Option<&PlanarRegion> {

@@ -1,6 +1,6 @@
 //! A surface shared by several holders is a surface.
 
-use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -24,6 +24,10 @@ impl<S: Surface + ?Sized> Surface for Arc<S> {
 
     fn ball(&self) -> Option<(DVec3, f64)> {
         (**self).ball()
+    }
+
+    fn solid(&self) -> Option<ConvexSolid> {
+        (**self).solid()
     }
 
     fn region(&self) -> Option<&PlanarRegion> {

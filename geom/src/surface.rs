@@ -5,7 +5,7 @@
 //! everything else follows from these three, and a shape replaces what it knows in closed form.
 
 use crate::tolerances::ROUNDING;
-use crate::{Aabb, Hit, PlanarRegion, Ray, Rect, ShapeError};
+use crate::{Aabb, ConvexSolid, Hit, PlanarRegion, Ray, Rect, ShapeError};
 use glam::DVec3;
 use radiosity_core::gauss::{Legendre, Rule};
 use std::fmt::Debug;
@@ -69,6 +69,11 @@ pub trait Surface: Debug + Send + Sync {
 
     /// Centre and radius of the ball whose whole boundary the surface is, if it is one.
     fn ball(&self) -> Option<(DVec3, f64)> {
+        None
+    }
+
+    /// The convex solid on whose boundary the surface lies, where it is known.
+    fn solid(&self) -> Option<ConvexSolid> {
         None
     }
 

@@ -4,6 +4,7 @@
 
 mod among_others;
 mod contour;
+mod convex_rooms;
 mod curved;
 mod empty_box;
 mod flat;

@@ -8,7 +8,8 @@
 //!
 //! In order: [`tolerances`], [`blocker_edges`], [`bounding_ball`], [`shadow_volume`], `cloud`,
 //! `convex_bodies`, [`silhouette_mesh`], [`Shadows`] (ways to find them), `obstacle` (of what obstacles are
-//! made), `rays` and `whole` (what rays meet first, what hides as a whole), [`Visibility`], the noun of the
+//! made), `rays` and `whole` (what rays meet first, what hides as a whole), `within` (what lies in a convex
+//! solid), [`Visibility`], the noun of the
 //! crate; then what a scene says of itself: [`footprints`] (where bodies stand), [`covered_parts`] (flat
 //! surfaces on others) and [`inspection`] (contents, contacts, what looks wrong).
 //!
@@ -25,6 +26,7 @@ mod shadows;
 mod obstacle;
 mod rays;
 mod whole;
+mod within;
 pub mod footprints;
 pub mod covered_parts;
 pub mod inspection;
@@ -45,6 +47,7 @@ use obstacle::{Bend, Obstacle};
 pub use shadows::Shadows;
 use silhouette_mesh::SilhouetteMesh;
 use tolerances::{END, OWN_END};
+use within::lies_within;
 
 /// The surfaces of a scene as obstacles.
 #[derive(Debug)]
@@ -111,6 +114,21 @@ impl Visibility {
 
     /// [`Visibility::candidates`], so many of them at the most.
     pub fn some_candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2], most: usize) -> Vec<usize> {
+        let mut found = self.standing_between(a, b, surfaces);
+        found.retain(|index| !surfaces.iter().all(|surface| self.encloses(*index, *surface)));
+        self.reaching_between(&found, |index| self.own_hull(index), [a, b], most)
+    }
+
+    /// As [`Visibility::candidates`] between a part of `surface`, in the hull `a`, and points that lie on no
+    /// surface.
+    pub fn candidates_before_points(&self, a: &[DVec3], points: &[DVec3], surface: usize) -> Vec<usize> {
+        let found = self.standing_between(a, points, [surface; 2]);
+        self.reaching_between(&found, |index| self.own_hull(index), [a, points], usize::MAX)
+    }
+
+    /// The surfaces that reach into the box around two hulls and can stand between others, ascending: without
+    /// the two `surfaces` and their bodies.
+    fn standing_between(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2]) -> Vec<usize> {
         check_interrupt();
         let mut found = Vec::new();
         if self.shadows == Shadows::Off || self.standing.is_empty() {
@@ -124,7 +142,21 @@ impl Visibility {
             }
         });
         found.sort_unstable();
-        self.reaching_between(&found, |index| self.own_hull(index), [a, b], most)
+        found
+    }
+
+    /// Whether a surface lies on the boundary of a convex solid within which another one lies: it hides
+    /// nothing from there.
+    fn encloses(&self, surface: usize, other: usize) -> bool {
+        let Obstacle { solid: Some(solid), ball, enclosed, .. } = &self.obstacles[surface] else {
+            return false;
+        };
+        let tolerance = COINCIDENT * ball.radius();
+        let all = || {
+            let is_within = |index: &usize| lies_within(&*self.obstacles[*index].shape, solid, tolerance);
+            (0..self.obstacles.len()).filter(is_within).collect()
+        };
+        enclosed.get_or_init(all).binary_search(&other).is_ok()
     }
 
     /// `surfaces` sorted by their coordinates, so that the order does not depend on the scene's list.
@@ -142,19 +174,21 @@ impl Visibility {
             return Vec::new();
         }
         let [first, second] = surfaces;
-        let may_hide = |surface: usize, others: &[DVec3]| {
+        let may_hide = |surface: usize, other: usize, others: &[DVec3]| {
             let Obstacle { bend, looks, ball, .. } = &self.obstacles[surface];
             let is_outside =
                 |y: &DVec3| looks.iter().any(|look| look.height(*y) < -COINCIDENT * ball.radius());
             match bend {
                 Bend::Outward => false,
-                Bend::Inward => first != second && others.iter().any(is_outside),
+                Bend::Inward => {
+                    first != second && others.iter().any(is_outside) && !self.encloses(surface, other)
+                }
                 Bend::Mixed => true,
             }
         };
         let mut found: Vec<usize> = Vec::new();
-        found.extend(may_hide(first, b).then_some(first));
-        found.extend((second != first && may_hide(second, a)).then_some(second));
+        found.extend(may_hide(first, second, b).then_some(first));
+        found.extend((second != first && may_hide(second, first, a)).then_some(second));
         found.sort_unstable();
         found
     }
@@ -339,7 +373,8 @@ impl Visibility {
 /// The surfaces that can stand between two others, ascending.
 ///
 /// A planar surface with the whole scene on one side of its plane, such as a wall of a convex room, cannot.
-/// Nor can a slightly bent wall whose depth over its diagonal is below `eps`, the accuracy of the shadows.
+/// Nor can a curved wall on a convex solid within which the whole scene lies, such as that of a can, nor a
+/// slightly bent wall whose depth over its diagonal is below `eps`, the accuracy of the shadows.
 fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> Vec<usize> {
     let walls_in = |index: &usize| {
         let Obstacle { shape, hull, .. } = &obstacles[*index];
@@ -353,7 +388,12 @@ fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], eps: f64) -> 
         high - low <= touching(size, 0.0).max(eps * size)
             && (cloud.lies_below(-low, &reversed, size) || cloud.lies_below(high, &tangent, size))
     };
-    (0..obstacles.len()).filter(|index| !walls_in(index)).collect()
+    let encloses_all = |index: &usize| {
+        let Obstacle { solid: Some(solid), ball, .. } = &obstacles[*index] else { return false };
+        let tolerance = COINCIDENT * ball.radius();
+        obstacles.iter().all(|other| lies_within(&*other.shape, solid, tolerance))
+    };
+    (0..obstacles.len()).filter(|index| !walls_in(index) && !encloses_all(index)).collect()
 }
 
 /// The convex bodies that surfaces close.

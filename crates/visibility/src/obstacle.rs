@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use radiosity_geom::{COINCIDENT, DVec3, Jet, Plane, Rect, Surface};
+use radiosity_geom::{COINCIDENT, ConvexSolid, DVec3, Jet, Plane, Rect, Surface};
 
 use crate::bounding_ball::Ball;
 use crate::silhouette_mesh::SilhouetteMesh;
@@ -26,6 +26,10 @@ pub(super) struct Obstacle {
     pub(super) ball: Ball,
     /// Convex pieces of a planar obstacle; a single piece can hide a whole pair.
     pub(super) pieces: Option<Vec<Vec<DVec3>>>,
+    /// The convex solid on whose boundary it lies, if it is known.
+    pub(super) solid: Option<ConvexSolid>,
+    /// The surfaces within that solid, ascending; found when first needed.
+    pub(super) enclosed: OnceLock<Vec<usize>>,
     /// Position relative to its own tangent planes.
     pub(super) bend: Bend,
     /// Tangent planes at sampled points of a curved obstacle.
@@ -41,8 +45,9 @@ impl Obstacle {
         let jets = if pieces.is_some() { Vec::new() } else { looks(shape.as_ref()) };
         let bend = Bend::of(&jets);
         let looks = jets.iter().map(|jet| Plane { point: jet.position, normal: jet.normal }).collect();
-        let (shape, ball) = (Arc::clone(shape), Ball::around(&hull));
-        Self { shape, ball, hull, pieces, bend, looks, mesh: OnceLock::new() }
+        let (shape, ball, solid) = (Arc::clone(shape), Ball::around(&hull), shape.solid());
+        let (enclosed, mesh) = (OnceLock::new(), OnceLock::new());
+        Self { shape, ball, hull, pieces, solid, enclosed, bend, looks, mesh }
     }
 
     /// Whether it is one flat convex piece.

@@ -10,7 +10,7 @@
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_not_negative};
 use crate::roots::quadratic;
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Hit, Jet, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
 /// The wall of a circular cone or frustum, or a strip of it.
@@ -87,6 +87,12 @@ impl Surface for Cone {
     fn bounds(&self, rect: &Rect) -> Aabb {
         let ends = rect.v.map(|v| (self.radius_at(v), 0.5 * (1.0 + v) * self.height));
         self.turn.bounds(rect.u, |g, h| ends.map(|(x, z)| x * g + z * h).into_iter().fold(f64::MIN, f64::max))
+    }
+
+    fn solid(&self) -> Option<ConvexSolid> {
+        let (origin, axis) = (self.turn.origin, self.turn.axis());
+        let slope = (self.radius2 - self.radius1) / self.height;
+        Some(ConvexSolid::Cone { origin, axis, radius: self.radius1, slope })
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

@@ -7,7 +7,7 @@
 
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_positive};
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Hit, Jet, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
 /// The wall of a circular cylinder, or a strip of it.
@@ -41,6 +41,11 @@ impl Surface for Cylinder {
     fn bounds(&self, rect: &Rect) -> Aabb {
         let [low, high] = rect.v.map(|v| 0.5 * (1.0 + v) * self.height);
         self.turn.bounds(rect.u, |g, h| self.radius * g + (low * h).max(high * h))
+    }
+
+    fn solid(&self) -> Option<ConvexSolid> {
+        let (origin, axis) = (self.turn.origin, self.turn.axis());
+        Some(ConvexSolid::Cone { origin, axis, radius: self.radius, slope: 0.0 })
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

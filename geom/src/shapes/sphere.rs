@@ -6,7 +6,7 @@
 
 use super::turn::{Profile, Turn, arc_range};
 use super::{check_finite, check_positive};
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Hit, Jet, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
 /// A zone of a sphere, or a part of it between two meridians.
@@ -80,6 +80,10 @@ impl Surface for Sphere {
             && self.z[0] <= -self.radius * (1.0 - 1e-12)
             && self.z[1] >= self.radius * (1.0 - 1e-12);
         whole.then_some((self.turn.origin, self.radius))
+    }
+
+    fn solid(&self) -> Option<ConvexSolid> {
+        Some(ConvexSolid::Ball { center: self.turn.origin, radius: self.radius })
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

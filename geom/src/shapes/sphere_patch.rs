@@ -7,7 +7,7 @@
 
 use super::sphere::meet;
 use super::{check_finite, check_positive};
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, ConvexSolid, Hit, Jet, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -76,6 +76,10 @@ impl Surface for SpherePatch {
             }
         }
         bounds
+    }
+
+    fn solid(&self) -> Option<ConvexSolid> {
+        Some(ConvexSolid::Ball { center: self.center, radius: self.radius })
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

@@ -52,7 +52,7 @@ fn luminaires_cast_flat_shadows(sources: &[Emitters<'_>], visibility: &Visibilit
     let pairs = sources.iter().flat_map(|own| own.points.ends().map(|ends| (own.elements, ends)));
     for (elements, ends) in pairs {
         for element in elements.iter().filter(|element| element.contact.is_none()) {
-            let blockers = visibility.candidates(&element.hull, &ends, [element.surface; 2]);
+            let blockers = visibility.candidates_before_points(&element.hull, &ends, element.surface);
             if !visibility.are_planar(&blockers) {
                 return false;
             }
