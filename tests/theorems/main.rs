@@ -25,6 +25,7 @@ mod layering;
 mod light;
 mod materials;
 mod motions;
+mod opposed_plates;
 mod packages;
 mod picture_files;
 mod public;

@@ -37,3 +37,5 @@ pub mod solved;
 pub mod given;
 #[cfg(feature = "house")]
 pub mod direct;
+#[cfg(feature = "house")]
+pub mod opposed;

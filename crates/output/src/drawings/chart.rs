@@ -2,7 +2,7 @@
 
 use radiosity_solve::studies::convergence::{ConvergenceRun, RunSeries};
 
-use super::diagram::{COLOURS, Curve, Diagram, Dot, Panel};
+use super::diagram::{COLOURS, Curve, Diagram, Dot, Panel, Spacing};
 
 /// The diagram of `runs`, sorted by their way and by the number of layers; runs without an error above 0 are
 /// not shown. The caption tells what the errors are measured against.
@@ -33,7 +33,7 @@ fn panel(runs: &[ConvergenceRun], label: &str, abscissa: impl Fn(&ConvergenceRun
     };
     let axes = [label, "relative error of the radiosity"].map(str::to_owned);
     let curves = groups.zip(COLOURS.iter().cycle()).map(curve).collect();
-    Panel { title: String::new(), axes, curves }
+    Panel { title: String::new(), axes, along: Spacing::Logarithmic, curves }
 }
 
 fn name(run: &ConvergenceRun) -> String {

@@ -1,8 +1,9 @@
-//! Diagrams: panels of curves on logarithmic axes, with one legend.
+//! Diagrams: panels of curves over logarithmic or linear abscissas, with one legend.
 
 use super::drawing::{Drawing, Shape, Words};
-use super::nice_numbers::{ratios, round_above, round_below};
+use super::nice_numbers::{multiples, ratios, round_above, round_around, round_below};
 use super::picture::Colour;
+use super::tick::Tick;
 
 /// Colours that most eyes distinguish, in grey too (Okabe and Ito).
 pub const COLOURS: [Colour; 6] =
@@ -46,8 +47,19 @@ pub struct Panel {
     pub title: String,
     /// Quantities along and up.
     pub axes: [String; 2],
+    /// Spacing of the numbers along; those up are logarithmic.
+    pub along: Spacing,
     /// The curves, later ones above earlier ones.
     pub curves: Vec<Curve>,
+}
+
+/// Spacing of the numbers of an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spacing {
+    /// Equal lengths for equal ratios; numbers are positive.
+    Logarithmic,
+    /// Equal lengths for equal differences.
+    Linear,
 }
 
 /// A line through dots. The legend tells curves of equal labels once, in their first colour.
@@ -63,7 +75,7 @@ pub struct Curve {
     pub others: Vec<[f64; 2]>,
 }
 
-/// A dot at positive numbers.
+/// A dot at numbers that are positive where the axis is logarithmic.
 #[derive(Clone, Debug)]
 pub struct Dot {
     /// Along and up.
@@ -149,7 +161,10 @@ impl Panel {
         let [across, down] = [0, 1].map(|k| [left, top][k] + FREE[k][0]);
         let [right, foot] = [0, 1].map(|k| [left, top][k] + PANEL[k] - FREE[k][1]);
         let places = |k: usize| self.curves.iter().flat_map(move |curve| curve.numbers(k));
-        let axes = [Axis::around(places(0), [across, right]), Axis::around(places(1), [foot, down])];
+        let axes = [
+            Axis::around(places(0), self.along, [across, right]),
+            Axis::around(places(1), Spacing::Logarithmic, [foot, down]),
+        ];
         let middle = [0.5 * (across + right), 0.5 * (down + foot)];
         let upright = Words { upright: true, ..words(&self.axes[1], LINE, [left + 16.0, middle[1]], 0.5) };
         let titles = [
@@ -173,24 +188,26 @@ fn grid(axes: &[Axis; 2]) -> Vec<Shape> {
         let lines = [0, 1].map(|k| numbers(&axes[k]).into_iter().map(|x| rule(k, x)).collect::<Vec<_>>());
         Shape::Lines { lines: lines.concat(), width: 1.0, colour }
     };
-    let told = |axis: &Axis| ratios(axis.range).into_iter().map(|tick| tick.value).collect();
+    let told = |axis: &Axis| axis.ticks().into_iter().map(|tick| tick.value).collect();
     let lines = [both(&Axis::between, LIGHT), both(&told, BOLD), both(&|axis| vec![axis.range[0]], INK)];
     let [across, up] = [&axes[0], &axes[1]];
     let mut last = f64::NEG_INFINITY;
-    let below = ratios(across.range).into_iter().filter_map(|tick| {
+    let below = across.ticks().into_iter().filter_map(|tick| {
         let (place, half) = (across.at(tick.value), 0.25 * SMALL * (tick.text.chars().count() + 1) as f64);
         let is_free = place - half > last;
         last = if is_free { place + half } else { last };
         is_free.then(|| words(&tick.text, SMALL, [place, up.ends[0] + 12.0], 0.5))
     });
-    let beside = ratios(up.range)
+    let beside = up
+        .ticks()
         .into_iter()
         .map(|tick| words(&tick.text, SMALL, [across.ends[0] - 6.0, up.at(tick.value)], 1.0));
     lines.into_iter().chain(below.chain(beside).map(Shape::Text)).collect()
 }
 
-/// A logarithmic axis.
+/// An axis.
 struct Axis {
+    spacing: Spacing,
     /// Round numbers at its ends.
     range: [f64; 2],
     /// The places of its ends.
@@ -199,20 +216,43 @@ struct Axis {
 
 impl Axis {
     /// The axis around `numbers`, of any length where there are none.
-    fn around(numbers: impl Iterator<Item = f64>, ends: [f64; 2]) -> Self {
-        let [low, high] = numbers.fold([f64::INFINITY, 0.0], |[low, high], x| [x.min(low), x.max(high)]);
-        let [low, high] = if low <= high { [round_below(low), round_above(high)] } else { [1.0, 10.0] };
-        Self { range: [low, if high > low { high } else { 10.0 * low }], ends }
+    fn around(numbers: impl Iterator<Item = f64>, spacing: Spacing, ends: [f64; 2]) -> Self {
+        let [low, high] =
+            numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [x.min(low), x.max(high)]);
+        let range = match spacing {
+            _ if low > high => [1.0, 10.0],
+            Spacing::Linear => round_around([low, high]),
+            Spacing::Logarithmic => {
+                let [low, high] = [round_below(low), round_above(high)];
+                [low, if high > low { high } else { 10.0 * low }]
+            }
+        };
+        Self { spacing, range, ends }
     }
 
     /// The place of a number.
     fn at(&self, value: f64) -> f64 {
         let ([low, high], [first, last]) = (self.range, self.ends);
-        first + (last - first) * (value / low).ln() / (high / low).ln()
+        let part = match self.spacing {
+            Spacing::Linear => (value - low) / (high - low),
+            Spacing::Logarithmic => (value / low).ln() / (high / low).ln(),
+        };
+        first + (last - first) * part
     }
 
-    /// All numbers of one digit.
+    /// The numbers that are told.
+    fn ticks(&self) -> Vec<Tick> {
+        match self.spacing {
+            Spacing::Linear => multiples(self.range),
+            Spacing::Logarithmic => ratios(self.range),
+        }
+    }
+
+    /// All numbers of one digit, of a logarithmic axis.
     fn between(&self) -> Vec<f64> {
+        if self.spacing == Spacing::Linear {
+            return Vec::new();
+        }
         let [low, high] = self.range;
         let powers = low.log10().floor() as i32..=high.log10().ceil() as i32;
         let digits = powers.flat_map(|power| (1..10).map(move |digit| f64::from(digit) * 10f64.powi(power)));
@@ -230,10 +270,21 @@ mod tests {
 
     #[test]
     fn axes_have_round_ends_and_equal_lengths_for_equal_ratios() {
-        let axis = Axis::around([0.0213, 7.0, 0.5].into_iter(), [0.0, 300.0]);
+        let logarithmic =
+            |numbers: &[f64]| Axis::around(numbers.iter().copied(), Spacing::Logarithmic, [0.0, 300.0]);
+        let axis = logarithmic(&[0.0213, 7.0, 0.5]);
         assert_eq!(axis.range, [0.02, 8.0]);
         assert!((2.0 * axis.at(0.4) - 300.0).abs() < 1e-9, "√(0.02 · 8) is in the middle");
-        assert_eq!(Axis::around([5.0].into_iter(), [0.0; 2]).range, [5.0, 50.0]);
-        assert_eq!(Axis::around(std::iter::empty(), [0.0; 2]).range, [1.0, 10.0]);
+        assert_eq!(logarithmic(&[5.0]).range, [5.0, 50.0]);
+        assert_eq!(logarithmic(&[]).range, [1.0, 10.0]);
+    }
+
+    #[test]
+    fn linear_axes_have_equal_lengths_for_equal_differences() {
+        let axis = Axis::around([0.0, 3.0, 9.0].into_iter(), Spacing::Linear, [20.0, 200.0]);
+        assert_eq!(axis.range, [0.0, 9.0]);
+        assert_eq!([0.0, 4.5, 9.0].map(|x| axis.at(x)), [20.0, 110.0, 200.0]);
+        let told: Vec<f64> = axis.ticks().into_iter().map(|tick| tick.value).collect();
+        assert_eq!(told, [0.0, 2.0, 4.0, 6.0, 8.0]);
     }
 }

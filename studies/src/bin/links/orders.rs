@@ -7,7 +7,7 @@ use std::time::Instant;
 use radiosity::Scene;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::{Discretization, Element};
-use radiosity::output::drawings::diagram::{COLOURS, Curve, Diagram, Dot, Panel};
+use radiosity::output::drawings::diagram::{COLOURS, Curve, Diagram, Dot, Panel, Spacing};
 use radiosity_test_support::scenes::typed;
 
 use crate::judge::{Judge, Point};
@@ -216,6 +216,7 @@ fn panel(title: &str, axis: &str, runs: &[Run], along: impl Fn(&Run) -> f64) -> 
     Panel {
         title: title.to_owned(),
         axes: [axis.to_owned(), "relative error".to_owned()],
+        along: Spacing::Logarithmic,
         curves: curves.map(curve).into(),
     }
 }

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use radiosity::output::drawings::diagram::{COLOURS, Curve, Diagram, Dot, Panel};
+use radiosity::output::drawings::diagram::{COLOURS, Curve, Diagram, Dot, Panel, Spacing};
 
 /// A panel of lines through seconds and errors; `error` says what the ordinates are.
 pub(crate) fn panel(title: &str, error: &str, lines: impl IntoIterator<Item = Line>) -> Panel {
@@ -16,7 +16,8 @@ pub(crate) fn panel(title: &str, error: &str, lines: impl IntoIterator<Item = Li
         others: Vec::new(),
     };
     let curves = lines.into_iter().zip(COLOURS).map(curve).collect();
-    Panel { title: title.to_owned(), axes: ["time, s", error].map(str::to_owned), curves }
+    let axes = ["time, s", error].map(str::to_owned);
+    Panel { title: title.to_owned(), axes, along: Spacing::Logarithmic, curves }
 }
 
 /// A line with dots.

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use radiosity::output::drawings::diagram::{COLOURS, Curve, Diagram, Dot, Panel};
+use radiosity::output::drawings::diagram::{COLOURS, Curve, Diagram, Dot, Panel, Spacing};
 
 use crate::family::Family;
 use crate::front::Front;
@@ -66,5 +66,10 @@ fn panel(title: &str, work: Work, own: &[&Record]) -> Panel {
         }
     };
     let axes = [work.label(), "relative error"].map(str::to_owned);
-    Panel { title: title.to_owned(), axes, curves: Family::ALL.map(curve).into() }
+    Panel {
+        title: title.to_owned(),
+        axes,
+        along: Spacing::Logarithmic,
+        curves: Family::ALL.map(curve).into(),
+    }
 }
