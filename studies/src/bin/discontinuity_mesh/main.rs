@@ -1,11 +1,12 @@
 //! A discontinuity mesh beside masks and gathered light: error of the floor's light against time and unknowns.
 //!
 //! `cargo run --release -p radiosity-studies --bin discontinuity_mesh` prints tables and draws
-//! docs/discontinuity-mesh.svg, and the pieces of the floors in docs/discontinuity-mesh-floors.svg. Zatz (1993, 5.1 and 6.2) holds his masks against a mesh that is cut along the
-//! edges of shadows, with quadratic elements. Here all flat receivers are cut along the critical lines of the
-//! scene: where the planes through an occluder's edge and a lamp's corner, or a lamp's edge and an occluder's
-//! corner, meet them (`critical`), into convex pieces (`mesh`). Polynomials of order 2 on the pieces are the
-//! whole light; pieces are halved further until none is longer than told.
+//! docs/discontinuity-mesh.svg, and the pieces of the floors in docs/discontinuity-mesh-floors.svg. Zatz
+//! (1993, 5.1 and 6.2) holds his masks against a mesh that is cut along the edges of shadows, with quadratic
+//! elements. Here all flat receivers are cut along the critical lines of the scene: where the planes through
+//! an occluder's edge and a lamp's corner, or a lamp's edge and an occluder's corner, meet them (`critical`),
+//! into convex pieces (`mesh`). Polynomials of order 2 on the pieces are the whole light; pieces are halved
+//! further until none is longer than told.
 //!
 //! Errors are those of the floor's irradiance at 48 × 48 points off its holes, relative L2 over all bands,
 //! against the finest preset gathered twice. Seconds are those of CPU, of the solution and of reading the

@@ -36,7 +36,7 @@ pub(crate) fn meshed(scene: &Scene, occluders: &[&str], length: f64) -> Scene {
     cut
 }
 
-/// What cuts the surfaces of a scene.
+/// Lamps and occluders, along whose critical lines surfaces are cut.
 struct Knife<'a> {
     lamps: Vec<Body>,
     /// Occluders, with the start of the names of their surfaces.

@@ -38,7 +38,7 @@ pub(crate) struct Way {
     read: ReadMode,
 }
 
-/// What came of it.
+/// Size, error and time of a way.
 pub(crate) struct Run {
     pub(crate) label: &'static str,
     pub(crate) text: String,
