@@ -1,13 +1,16 @@
 //! Irradiance at points of all surfaces, gathered from fine polynomials, and errors against it.
 
+use radiosity::light::receiver_point::ReceiverPoint;
+use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::SceneSurface;
-use radiosity::solve::solved::Solved;
-use radiosity::solve::{Options, Transport};
+use radiosity::solve::{Options, Transport, solve};
 use radiosity::{Scene, Work};
 use radiosity_geom::DVec3;
 
 /// Points along each side of a surface.
 const POINTS: usize = 9;
+/// Accuracy of gathered light.
+const GATHERED: f64 = 2e-4;
 
 /// Where errors are measured, and the irradiance there.
 pub(crate) struct Judge {
@@ -24,22 +27,24 @@ pub(crate) struct Point {
 }
 
 impl Judge {
-    /// Irradiance gathered from polynomials of order 5.
-    pub(crate) fn new(scene: &Scene) -> Self {
-        let options =
-            Options { order: 5, shadow_eps: 1e-3, transport: Transport::Exact, ..Options::default() };
-        let exact = Solved::new(scene.clone(), options, &Work::alone()).expect("the scene can be solved");
+    /// Irradiance gathered from polynomials of this order, with the shadows between elements to `shadow_eps`.
+    pub(crate) fn new(scene: &Scene, order: usize, shadow_eps: f64) -> Self {
+        let options = Options { order, shadow_eps, transport: Transport::Exact, ..Options::default() };
+        let outcome = solve(scene, &options, &Work::alone()).expect("the scene can be solved");
+        let visibility = options.visibility(scene);
+        let reader = Reader::new(&outcome.solution, &visibility, ReadMode::Gather, GATHERED);
         let mut points = Vec::new();
         for (surface, own) in scene.surfaces.iter().enumerate() {
             for k in 0..POINTS * POINTS {
                 let place = |k: usize| (2 * k + 1) as f64 / POINTS as f64 - 1.0;
                 let parameters = [place(k % POINTS), place(k / POINTS)];
-                let elements = exact.outcome.solution.elements();
-                if elements.at(surface, parameters).is_none() {
+                let jet = own.shape.jet(parameters[0], parameters[1]);
+                let is_in_a_hole = own.shape.region().is_some_and(|region| !region.contains(jet.position));
+                if is_in_a_hole {
                     continue;
                 }
-                let jet = own.shape.jet(parameters[0], parameters[1]);
-                let exact = exact.irradiance_at(jet.position + 1e-6 * jet.normal, jet.normal)[0];
+                let receiver = ReceiverPoint::on(surface, jet.position, jet.normal);
+                let exact = reader.gathered(&receiver).expect("light is gathered").irradiance[0];
                 let area = jet.du.cross(jet.dv).length();
                 points.push(Point { surface, parameters, position: jet.position, area, exact });
             }

@@ -15,12 +15,9 @@ use crate::levels::{Levels, Linked, form_factor};
 
 /// Errors that a link may have, in parts of the power that the scene emits.
 const FALLING: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];
-/// Levels of elements of each order, from whole surfaces on.
-const LEVELS: [usize; 3] = [5, 4, 4];
 /// Elements of the runs by all pairs.
 const ALL_PAIRS: [AllPairs; 12] = [
     AllPairs { order: 0, cuts: 4, layers: 0 },
-    AllPairs { order: 0, cuts: 8, layers: 0 },
     AllPairs { order: 1, cuts: 2, layers: 0 },
     AllPairs { order: 1, cuts: 4, layers: 0 },
     AllPairs { order: 2, cuts: 2, layers: 0 },
@@ -28,10 +25,13 @@ const ALL_PAIRS: [AllPairs; 12] = [
     AllPairs { order: 3, cuts: 2, layers: 0 },
     AllPairs { order: 5, cuts: 1, layers: 0 },
     AllPairs { order: 5, cuts: 2, layers: 0 },
+    AllPairs { order: 0, cuts: 8, layers: 0 },
     AllPairs { order: 2, cuts: 1, layers: 1 },
     AllPairs { order: 3, cuts: 1, layers: 1 },
     AllPairs { order: 4, cuts: 1, layers: 2 },
 ];
+/// The first of them, for the scene with a bent sheet.
+const FEW: usize = 8;
 /// A bent sheet, two-sided, below a disk.
 const BENT: &str = r#"
 bands = ["grey"]
@@ -52,6 +52,18 @@ two_sided = true
 quad = { vertices = [[1, 1, 1], [2, 1, 1.3], [2, 2, 1], [1, 2, 1.4]] }
 "#;
 
+/// A scene, and what is made of it.
+struct Subject {
+    name: &'static str,
+    scene: Scene,
+    /// Levels of elements of the orders 0, 1 and 2, from whole surfaces on.
+    levels: [usize; 3],
+    falling: &'static [f64],
+    all_pairs: &'static [AllPairs],
+    /// Order of the solution whose light is gathered for the truth, and the accuracy of its shadows.
+    truth: (usize, f64),
+}
+
 /// Order, cuts along each side of a surface, and graded layers.
 #[derive(Clone, Copy)]
 struct AllPairs {
@@ -69,26 +81,40 @@ struct Run {
     error: f64,
 }
 
+/// Two rooms of flat surfaces, and one with a bent sheet, whose shadows take fifty times as long.
+fn subjects() -> [Subject; 3] {
+    let flat = |name| Subject {
+        name,
+        scene: radiosity::builtin(name).expect("the scene is built in"),
+        levels: [5, 4, 4],
+        falling: &FALLING,
+        all_pairs: &ALL_PAIRS,
+        truth: (5, 1e-3),
+    };
+    let bent = Subject {
+        name: "a bent sheet",
+        scene: typed(BENT),
+        levels: [4, 3, 3],
+        falling: &FALLING[..2],
+        all_pairs: &ALL_PAIRS[..FEW],
+        truth: (3, 3e-3),
+    };
+    [flat("empty-box"), flat("two-boxes"), bent]
+}
+
 /// Prints the tables of all scenes and draws their curves.
 pub(crate) fn orders(path: &str) -> Result<(), Box<dyn Error>> {
-    let builtin = |name: &str| radiosity::builtin(name).expect("the scene is built in");
-    let scenes = [
-        ("empty-box", builtin("empty-box")),
-        ("two-boxes", builtin("two-boxes")),
-        ("a bent sheet", typed(BENT)),
-    ];
     let mut panels = Vec::new();
-    for (name, scene) in &scenes {
-        println!("{name}:\n");
-        println!("| by | order | eps | unknowns | links | numbers | row sums | error | seconds |");
+    for Subject { name, scene, levels, falling, all_pairs, truth: (order, shadow_eps) } in &subjects() {
+        println!("| {name} | order | eps | unknowns | links | numbers | row sums | error | seconds |");
         println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- |");
-        let judge = Judge::new(scene);
+        let judge = Judge::new(scene, *order, *shadow_eps);
         let mut runs = Vec::new();
-        for (order, count) in LEVELS.into_iter().enumerate() {
-            by_links(scene, order, count, &judge, &mut runs);
+        for (order, count) in levels.iter().enumerate() {
+            by_links(scene, [order, *count], falling, &judge, &mut runs);
         }
-        for how in ALL_PAIRS {
-            all_pairs(scene, how, &judge, &mut runs);
+        for how in *all_pairs {
+            by_all_pairs(scene, *how, &judge, &mut runs);
         }
         println!();
         panels.push(panel(name, "links", &runs, |run| run.links as f64));
@@ -108,7 +134,7 @@ fn draw(path: &str, panels: &[Panel]) -> Result<(), Box<dyn Error>> {
     Ok(fs::write(path, diagram.drawing().svg())?)
 }
 
-fn by_links(scene: &Scene, order: usize, count: usize, judge: &Judge, runs: &mut Vec<Run>) {
+fn by_links(scene: &Scene, [order, count]: [usize; 2], falling: &[f64], judge: &Judge, runs: &mut Vec<Run>) {
     let levels = Levels::nested(scene, order, count);
     let brightness = judge.brightness(scene);
     let estimate = |p: &Element, q: &Element| {
@@ -117,7 +143,7 @@ fn by_links(scene: &Scene, order: usize, count: usize, judge: &Judge, runs: &mut
         let back = sent * q.area / p.area;
         (sent * power(q)).max(back * power(p)) * nearness.powi(order as i32 + 1)
     };
-    for eps in FALLING {
+    for &eps in falling {
         let linked = levels.linked(eps, estimate);
         let title = format!("links | {order} | {eps:.0e}");
         runs.push(Run { order: Some(order), ..judged(scene, &title, &levels, &linked, judge) });
@@ -169,7 +195,7 @@ fn row_sums(levels: &Levels, linked: &Linked) -> (f64, f64) {
     sums.fold((f64::INFINITY, 0.0), |(least, most), sum| (f64::min(least, sum), f64::max(most, sum)))
 }
 
-fn all_pairs(scene: &Scene, how: AllPairs, judge: &Judge, runs: &mut Vec<Run>) {
+fn by_all_pairs(scene: &Scene, how: AllPairs, judge: &Judge, runs: &mut Vec<Run>) {
     let AllPairs { order, cuts, layers } = how;
     let graded = Layers { count: layers, ..Layers::NONE };
     let how = Discretization { layers: graded, ..Discretization::uniform(order, cuts) };

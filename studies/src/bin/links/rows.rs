@@ -17,7 +17,7 @@ const FALLING: [(LinkMeasure, &[f64]); 2] =
 pub(crate) fn rows() {
     for name in ["empty-box", "two-boxes", "teapot"] {
         let scene = radiosity::builtin(name).expect("the scene is built in");
-        let judge = Judge::new(&scene);
+        let judge = Judge::new(&scene, 5, 1e-3);
         println!("{name}:\n");
         println!("| measure | eps | leaves | links | row sums | lost | error | seconds |");
         println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
