@@ -51,13 +51,6 @@ pub(crate) struct Run {
 
 /// All ways of the tables, those of a kind one after another.
 pub(crate) fn all(scene: &Scene, occluders: &[&str]) -> Result<Vec<Way>, Box<dyn Error>> {
-    let of_order = |order| Options {
-        order,
-        subdivide: Some(1),
-        transport: Transport::Exact,
-        direct: Direct::Projected,
-        ..Options::default()
-    };
     let by_order = |label, order, direct, read| Way {
         label,
         text: format!("order {order}"),
@@ -65,26 +58,49 @@ pub(crate) fn all(scene: &Scene, occluders: &[&str]) -> Result<Vec<Way>, Box<dyn
         options: Options { direct, ..of_order(order) },
         read,
     };
-    let floor = scene.surface_named("floor")?;
-    let side = scene.surfaces[floor].shape.corners()[0].distance(scene.surfaces[floor].shape.corners()[1]);
-    let mut ways: Vec<Way> =
-        ORDERS.map(|order| by_order("polynomials", order, Direct::Projected, ReadMode::Basis)).into();
-    for length in LENGTHS {
-        ways.push(Way {
-            label: "discontinuity mesh, order 2",
-            text: if length.is_finite() { format!("≤ {length} of the floor") } else { "as cut".to_owned() },
-            scene: meshed(scene, occluders, length * side),
-            options: of_order(QUADRATIC),
-            read: ReadMode::Basis,
-        });
+    let polynomials = ORDERS.map(|order| by_order("polynomials", order, Direct::Projected, ReadMode::Basis));
+    let direct = GATHERED.map(|order| by_order("--read direct", order, Direct::Split, ReadMode::Direct));
+    let gathered = GATHERED.map(|order| by_order("--read gather", order, Direct::Split, ReadMode::Gather));
+    let ways = polynomials.into_iter().chain(meshes(scene, occluders)?).chain(masks(scene)?);
+    Ok(ways.chain(direct).chain(gathered).collect())
+}
+
+/// Polynomials of an order on whole surfaces, all light in them.
+fn of_order(order: usize) -> Options {
+    Options {
+        order,
+        subdivide: Some(1),
+        transport: Transport::Exact,
+        direct: Direct::Projected,
+        ..Options::default()
     }
-    ways.extend(EVEN.map(|cells| Way {
+}
+
+/// Meshes cut along critical lines, and even ones.
+fn meshes(scene: &Scene, occluders: &[&str]) -> Result<Vec<Way>, Box<dyn Error>> {
+    let corners = scene.surfaces[scene.surface_named("floor")?].shape.corners();
+    let side = corners[0].distance(corners[1]);
+    let (options, read) = (of_order(QUADRATIC), ReadMode::Basis);
+    let cut = LENGTHS.map(|length| Way {
+        label: "discontinuity mesh, order 2",
+        text: if length.is_finite() { format!("≤ {length} of the floor") } else { "as cut".to_owned() },
+        scene: meshed(scene, occluders, length * side),
+        options,
+        read,
+    });
+    let even = EVEN.map(|cells| Way {
         label: "even mesh, order 2",
         text: format!("{cells} × {cells}"),
         scene: scene.clone(),
-        options: Options { subdivide: Some(cells), ..of_order(QUADRATIC) },
-        read: ReadMode::Basis,
-    }));
+        options: Options { subdivide: Some(cells), ..options },
+        read,
+    });
+    Ok(cut.into_iter().chain(even).collect())
+}
+
+/// Masks of both averages.
+fn masks(scene: &Scene) -> Result<Vec<Way>, Box<dyn Error>> {
+    let mut ways = Vec::new();
     for (label, average) in [("masks of 1993", Average::Plain), ("weighted masks", Average::Weighted)] {
         for cells in CELLS {
             let masking = Masking { cells: NonZeroUsize::new(cells).ok_or("no cells")?, average };
@@ -97,8 +113,6 @@ pub(crate) fn all(scene: &Scene, occluders: &[&str]) -> Result<Vec<Way>, Box<dyn
             });
         }
     }
-    ways.extend(GATHERED.map(|order| by_order("--read direct", order, Direct::Split, ReadMode::Direct)));
-    ways.extend(GATHERED.map(|order| by_order("--read gather", order, Direct::Split, ReadMode::Gather)));
     Ok(ways)
 }
 
