@@ -1,9 +1,9 @@
 //! Galerkin's method beside collocation: polynomials (`--method collocation`), then tents by Ritz's method and
 //! by collocation at the corners of cells, which the variational source takes for them.
 //!
-//! Polynomials are compared by order in a box, in one with an obstacle, and in a can. Tents stand on two unit squares of reflectance ½, of which one emits: parallel, or with a common edge at a right angle.
-//! There the corners on the edge see the other square edge-on, where its irradiance has no value: collocation
-//! takes 0.
+//! Polynomials are compared by order in a box, in one with an obstacle, and in a can. Tents stand on two unit
+//! squares of reflectance ½, of which one emits: parallel, or with a common edge at a right angle. There the
+//! corners on the edge see the other square edge-on, where its irradiance has no value: collocation takes 0.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 
