@@ -1,0 +1,85 @@
+//! Numbers that a text repeats from a table of a document.
+//!
+//! Behind such a number stands where it is from: a part of the command of the table, cells of the row, and the
+//! column.
+//!
+//! ```text
+//! at the defaults 0.22<!-- read_off → default → Gather 4, 2 → both, % --> %
+//! ```
+
+use crate::documents::block::{Block, Table, blocks};
+use crate::documents::number::{Number, Part, parts};
+use crate::documents::steps::{Kind, Step};
+
+const OPENED: &str = "<!-- ";
+const CLOSED: &str = " -->";
+const BETWEEN: &str = " → ";
+
+/// The text with its repeated numbers as the tables of these steps have them now, with as many digits as
+/// they are written with.
+///
+/// # Errors
+/// What repeats a cell that is not there, or more than one.
+pub fn renewed(text: &str, tables: &[Step]) -> Result<String, String> {
+    let mut pieces = text.split(OPENED);
+    let mut fresh = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let mark = piece.split(CLOSED).next().unwrap_or_default();
+        if mark.contains(BETWEEN) && !mark.contains('\n') {
+            renew(&mut fresh, mark, tables)?;
+        }
+        fresh += OPENED;
+        fresh += piece;
+    }
+    Ok(fresh)
+}
+
+/// Puts the number that `mark` names in place of the last one of a text.
+fn renew(text: &mut String, mark: &str, tables: &[Step]) -> Result<(), String> {
+    let line = text.rfind('\n').map_or(0, |end| end + 1);
+    let own = parts(&text[line..]).into_iter().last();
+    let Some(Part::Number(own)) = own else { return Err(format!("no number stands before '{mark}'")) };
+    let cell = cell(mark, tables)?;
+    let number = first_number(&cell).ok_or_else(|| format!("'{mark}' names '{cell}', which is no number"))?;
+    let (start, written) = (line + own.start, number.written_as(&own));
+    text.replace_range(start.., &written);
+    Ok(())
+}
+
+fn first_number(cell: &str) -> Option<Number<'_>> {
+    parts(cell).into_iter().find_map(|part| match part {
+        Part::Number(number) => Some(number),
+        Part::Word(_) => None,
+    })
+}
+
+/// The text of the cell that a mark names.
+fn cell(mark: &str, tables: &[Step]) -> Result<String, String> {
+    let words: Vec<&str> = mark.split(BETWEEN).map(str::trim).collect();
+    let [command, cells @ .., column] = &words[..] else { return Err(format!("'{mark}' names no cell")) };
+    let places = tables.iter().filter(|step| step.command.contains(command));
+    let found = places.flat_map(|step| match &step.kind {
+        Kind::Output(place) => blocks(&place.there),
+        _ => Vec::new(),
+    });
+    let mut found = found.filter_map(|block| match block {
+        Block::Table(table) => Some(in_table(&table, cells, column)),
+        Block::Line(_) => None,
+    });
+    let mut all: Vec<String> = found.by_ref().flatten().collect();
+    match (all.pop(), all.is_empty()) {
+        (Some(cell), true) => Ok(cell),
+        (None, _) => Err(format!("no table has what '{mark}' names")),
+        (Some(_), false) => Err(format!("'{mark}' names {} cells", all.len() + 1)),
+    }
+}
+
+/// The cells of a column in rows that hold these cells in this order.
+fn in_table(table: &Table, cells: &[&str], column: &str) -> Vec<String> {
+    let Some(at) = table.columns.iter().position(|own| own.name == column) else { return Vec::new() };
+    let holds = |row: &&Vec<String>| {
+        let mut rest = row.iter();
+        cells.iter().all(|cell| rest.any(|own| own == cell))
+    };
+    table.rows.iter().filter(holds).filter_map(|row| row.get(at).cloned()).collect()
+}
