@@ -57,20 +57,23 @@ fn main() -> Result<ExitCode, Fault> {
 fn tables(document: &str, request: &Request, stamp: &Stamp, wrong: &mut Vec<String>) -> Result<(), Fault> {
     let shell = Shell::at(Path::new("."));
     for k in 0..steps(&fs::read_to_string(document)?)?.len() {
-        let text = fs::read_to_string(document)?;
-        let step = steps(&text)?.swap_remove(k);
+        let step = steps(&fs::read_to_string(document)?)?.swap_remove(k);
         let Some(step) = request.wanted(step) else { continue };
-        let found = timed(&step.command, || shell.done(&step, true));
-        match (found, &step.kind) {
-            (Err(why), _) => wrong.push(why),
-            (Ok(fresh), Kind::Output(place)) if request.mode == Mode::Write => {
+        match timed(&step.command, || shell.done(&step, true)) {
+            Err(why) => wrong.push(why),
+            Ok(fresh) if request.mode != Mode::Write => {
+                compare(document, &step, &fresh, request.extent(), wrong);
+            }
+            Ok(fresh) => {
+                // Read again: the document may have changed while the command ran.
+                let text = fs::read_to_string(document)?;
+                let Kind::Output(place) = steps(&text)?.swap_remove(k).kind else { continue };
                 if fresh.trim().is_empty() {
                     wrong.push(format!("'{}' prints nothing", step.command));
                 } else {
-                    fs::write(document, with_output(&text, place, &fresh, Some(stamp)))?;
+                    fs::write(document, with_output(&text, &place, &fresh, Some(stamp)))?;
                 }
             }
-            (Ok(fresh), _) => compare(document, &step, &fresh, request.extent(), wrong),
         }
     }
     Ok(())

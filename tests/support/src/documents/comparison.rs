@@ -9,6 +9,9 @@ use std::fmt::{Display, Formatter, Result};
 use crate::documents::block::{Block, Column, Table, blocks};
 use crate::documents::number::{Part, agree, parts};
 
+/// Cells at most that name a row.
+const NAMING: usize = 5;
+
 /// How much of what stands in a document a command prints.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Extent {
@@ -124,8 +127,8 @@ fn place(rows: &[Vec<String>], row: &[String]) -> Option<usize> {
 
 fn compare_rows(columns: &[Column], there: &[String], now: &[String], found: &mut Vec<Difference>) {
     let cell = |row: &[String], k: usize| row.get(k).cloned().unwrap_or_default();
-    // The row is named up to the cell that is different.
-    let name = |k: usize| now[..k.clamp(1, now.len())].join(" | ");
+    // The row is named up to the cell that is different, by few cells.
+    let name = |k: usize| now[..k.clamp(1, NAMING).min(now.len())].join(" | ");
     for k in 0..there.len().max(now.len()) {
         let (column, there, now) = (columns.get(k), cell(there, k), cell(now, k));
         if column.is_some_and(|column| column.of_machine) || agree(&there, &now) {

@@ -121,17 +121,20 @@ impl<'a> Number<'a> {
     }
 }
 
-/// Whether two texts say the same: equal words, and numbers that agree, but for those before a unit of time.
+/// Whether two texts say the same: equal words, and numbers that agree. A number before a unit of time agrees with
+/// any before another.
 pub fn agree(there: &str, now: &str) -> bool {
     let [there, now] = [there, now].map(parts);
-    let is_time = |at: usize| {
-        let unit = there.get(at + 1);
-        unit.is_some_and(|unit| matches!(unit, Part::Word(word) if TIMES.contains(&word.trim_matches([',', ';', ')', '.']))))
-    };
+    let are_units = |at: usize| [&there, &now].iter().all(|parts| parts.get(at).is_some_and(is_unit_of_time));
     let mut pairs = there.iter().zip(&now).enumerate();
     there.len() == now.len()
-        && pairs.all(|(at, (there, now))| match (there, now) {
-            (Part::Number(there), Part::Number(now)) => is_time(at) || there.agrees(now),
-            _ => there == now,
+        && pairs.all(|(at, pair)| match pair {
+            (Part::Number(there), Part::Number(now)) => are_units(at + 1) || there.agrees(now),
+            (Part::Word(there), Part::Word(now)) => there == now || are_units(at),
+            _ => false,
         })
+}
+
+fn is_unit_of_time(part: &Part<'_>) -> bool {
+    matches!(part, Part::Word(word) if TIMES.contains(&word.trim_matches([',', ';', ')', '.'])))
 }
