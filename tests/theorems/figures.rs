@@ -5,6 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use radiosity_test_support::documents::comparison::{Difference, Extent, differences};
+use radiosity_test_support::documents::number::{Part, parts};
 use radiosity_test_support::documents::quotes::renewed;
 use radiosity_test_support::documents::shell::{TABLES, WALKS};
 use radiosity_test_support::documents::stamp::is_stamp;
@@ -168,4 +169,30 @@ fn documents_repeat_the_numbers_of_their_tables() {
         }
     }
     assert!(found > 20, "{found} numbers");
+}
+
+/// The bounds that a document names stand in the files of the tests.
+#[test]
+fn bounds_are_those_of_the_tests() {
+    let text = text("docs/measured.md");
+    let rows = text.lines().filter(|line| line.starts_with('|') && line.contains(".rs` |"));
+    let mut found = 0;
+    for row in rows {
+        let cells: Vec<&str> = row.split('|').collect();
+        let file = cells[4].split('`').rfind(|part| part.ends_with(".rs")).expect("it names a file");
+        let source = self::text(file);
+        let asserted: Vec<&str> = numbers(&source).collect();
+        for number in cells[2..4].iter().flat_map(|cell| numbers(cell)) {
+            found += 1;
+            assert!(asserted.contains(&number), "{file} has no {number}");
+        }
+    }
+    assert!(found > 8, "{found} bounds");
+}
+
+fn numbers(text: &str) -> impl Iterator<Item = &str> {
+    parts(text).into_iter().filter_map(|part| match part {
+        Part::Number(number) => Some(number.text),
+        Part::Word(_) => None,
+    })
 }
