@@ -7,7 +7,7 @@ use std::path::Path;
 use radiosity_test_support::documents::comparison::{Difference, Extent, differences};
 use radiosity_test_support::documents::number::{Part, parts};
 use radiosity_test_support::documents::quotes::renewed;
-use radiosity_test_support::documents::shell::{TABLES, WALKS};
+use radiosity_test_support::documents::shell::{QUOTING, TABLES, WALKS};
 use radiosity_test_support::documents::stamp::is_stamp;
 use radiosity_test_support::documents::steps::{Kind, Place, Step, steps};
 
@@ -160,7 +160,7 @@ fn numbers_are_repeated_as_they_stand_in_tables() {
 #[test]
 fn documents_repeat_the_numbers_of_their_tables() {
     let (steps, mut found) = (tables(), 0);
-    for document in TABLES.iter().chain(&WALKS) {
+    for document in TABLES.iter().chain(&WALKS).chain(&QUOTING) {
         let text = text(document);
         let fresh = renewed(&text, &steps).unwrap_or_else(|why| panic!("{document}: {why}"));
         found += text.matches(" → ").count();

@@ -27,7 +27,7 @@ use std::{env, fs};
 
 use radiosity_test_support::documents::comparison::{Extent, differences};
 use radiosity_test_support::documents::quotes::renewed;
-use radiosity_test_support::documents::shell::{Shell, TABLES, WALKS};
+use radiosity_test_support::documents::shell::{QUOTING, Shell, TABLES, WALKS};
 use radiosity_test_support::documents::stamp::Stamp;
 use radiosity_test_support::documents::steps::{Kind, Step, steps, with_output, with_stamp};
 
@@ -118,7 +118,11 @@ fn compare(document: &str, step: &Step, fresh: &str, extent: Extent, wrong: &mut
 
 /// Writes the numbers that texts repeat from tables.
 fn quotes(wrong: &mut Vec<String>) -> Result<(), Fault> {
-    let texts = TABLES.iter().chain(&WALKS).map(|document| Ok((*document, fs::read_to_string(document)?)));
+    let texts = TABLES
+        .iter()
+        .chain(&WALKS)
+        .chain(&QUOTING)
+        .map(|document| Ok((*document, fs::read_to_string(document)?)));
     let texts: Vec<(&str, String)> = texts.collect::<Result<_, Fault>>()?;
     let tables = texts.iter().map(|(_, text)| steps(text)).collect::<Result<Vec<_>, _>>()?.concat();
     for (document, text) in &texts {

@@ -1,7 +1,7 @@
 //! Numbers that a text repeats from a table of a document.
 //!
-//! Behind such a number stands where it is from: a part of the command of the table, cells of the row, and the
-//! column.
+//! Behind such a number stands where it is from: a part of the command of the table, cells of the row, the first of
+//! which may be the line above the table, and the column.
 //!
 //! ```text
 //! at the defaults 0.22<!-- read_off → default → Gather 4, 2 → both, % --> %
@@ -57,29 +57,30 @@ fn first_number(cell: &str) -> Option<Number<'_>> {
 fn cell(mark: &str, tables: &[Step]) -> Result<String, String> {
     let words: Vec<&str> = mark.split(BETWEEN).map(str::trim).collect();
     let [command, cells @ .., column] = &words[..] else { return Err(format!("'{mark}' names no cell")) };
-    let places = tables.iter().filter(|step| step.command.contains(command));
-    let found = places.flat_map(|step| match &step.kind {
-        Kind::Output(place) => blocks(&place.there),
-        _ => Vec::new(),
-    });
-    let mut found = found.filter_map(|block| match block {
-        Block::Table(table) => Some(in_table(&table, cells, column)),
-        Block::Line(_) => None,
-    });
-    let mut all: Vec<String> = found.by_ref().flatten().collect();
-    match (all.pop(), all.is_empty()) {
-        (Some(cell), true) => Ok(cell),
-        (None, _) => Err(format!("no table has what '{mark}' names")),
-        (Some(_), false) => Err(format!("'{mark}' names {} cells", all.len() + 1)),
+    let mut found = Vec::new();
+    for step in tables.iter().filter(|step| step.command.contains(command)) {
+        let Kind::Output(place) = &step.kind else { continue };
+        let mut title = String::new();
+        for block in blocks(&place.there) {
+            match block {
+                Block::Line(line) => title = line,
+                Block::Table(table) => found.extend(in_table(&title, &table, cells, column)),
+            }
+        }
+    }
+    match &found[..] {
+        [cell] => Ok(cell.clone()),
+        [] => Err(format!("no table has what '{mark}' names")),
+        _ => Err(format!("'{mark}' names {} cells", found.len())),
     }
 }
 
-/// The cells of a column in rows that hold these cells in this order.
-fn in_table(table: &Table, cells: &[&str], column: &str) -> Vec<String> {
+/// The cells of a column in rows that hold these cells in this order, behind the line above the table.
+fn in_table(title: &str, table: &Table, cells: &[&str], column: &str) -> Vec<String> {
     let Some(at) = table.columns.iter().position(|own| own.name == column) else { return Vec::new() };
     let holds = |row: &&Vec<String>| {
-        let mut rest = row.iter();
-        cells.iter().all(|cell| rest.any(|own| own == cell))
+        let mut rest = std::iter::once(title).chain(row.iter().map(String::as_str));
+        cells.iter().all(|cell| rest.any(|own| own == *cell))
     };
     table.rows.iter().filter(holds).filter_map(|row| row.get(at).cloned()).collect()
 }

@@ -18,6 +18,9 @@ pub const WALKS: [&str; 3] = ["README.md", "docs/room.md", "docs/enclosure.md"];
 /// Documents with the output of commands that are run in the root, each by itself.
 pub const TABLES: [&str; 2] = ["docs/measured.md", "benches/README.md"];
 
+/// Documents that repeat numbers of these tables.
+pub const QUOTING: [&str; 3] = ["docs/limits.md", "docs/theory/scale.md", "docs/theory/visibility.md"];
+
 /// How walks call the command where they do not call it by its name.
 const BY_CARGO: &str = "cargo run -qr -- ";
 
