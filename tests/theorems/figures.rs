@@ -61,12 +61,12 @@ fn a_unit_of_the_last_digit_is_no_difference_of_errors_and_is_one_of_counts() {
 
 #[test]
 fn a_difference_names_its_row_and_its_column() {
-    let found = changed("0.442 %", "0.5 %");
+    let found = changed("0.442 %", "0.512 %");
     let row = "quick, 2 × 2 | 574487".to_owned();
-    let [column, there, now] = ["error", "0.442 %", "0.5 %"].map(str::to_owned);
+    let [column, there, now] = ["error", "0.442 %", "0.512 %"].map(str::to_owned);
     assert_eq!(found, [Difference { row, column, there, now }]);
     let said = found[0].to_string();
-    assert_eq!(said, "row 'quick, 2 × 2 | 574487', column 'error': '0.442 %' there, '0.5 %' now");
+    assert_eq!(said, "row 'quick, 2 × 2 | 574487', column 'error': '0.442 %' there, '0.512 %' now");
 }
 
 #[test]
