@@ -1,8 +1,8 @@
 //! The README and the pages that lead from nothing to a result: their marked commands are run as they stand,
 //! and print what the pages say.
 //!
-//! `cargo run --release -p radiosity-studies --bin refresh -- PART` writes the page of which PART is a part
-//! of a command.
+//! `cargo run --release -p radiosity-studies --bin refresh -- PART` writes the page with a command that contains
+//! PART.
 
 use std::fs;
 use std::path::Path;
@@ -38,15 +38,15 @@ fn follow(page: &str) {
         let printed = shell.done(&step, false).unwrap_or_else(|why| panic!("{page}: {why}"));
         let Kind::Output(place) = step.kind else { continue };
         outputs += 1;
-        for difference in differences(&place.there, &printed, Extent::Whole) {
-            panic!("{page}: '{}', {difference}; {}", step.command, cure());
-        }
+        let found = differences(&place.there, &printed, Extent::Whole);
+        let found: Vec<String> = found.iter().map(ToString::to_string).collect();
+        assert!(found.is_empty(), "{page}: '{}', {}; {}", step.command, found.join("; "), cure());
     }
     assert!(outputs > 0, "{page} has commands");
 }
 
 fn cure() -> &'static str {
-    "`cargo run --release -p radiosity-studies --bin refresh -- PART` writes the page of which PART is a part of a command"
+    "`cargo run --release -p radiosity-studies --bin refresh -- PART` writes the page with a command that contains PART"
 }
 
 /// Commands that fill a line, below which no mark stands.

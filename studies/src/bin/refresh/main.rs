@@ -38,15 +38,16 @@ type Fault = Box<dyn Error>;
 
 fn main() -> Result<ExitCode, Fault> {
     let request = Request::of(env::args().skip(1))?;
-    let stamp = machine::stamp()?;
+    // None where nothing is written.
+    let stamp = if request.mode == Mode::Write { Some(machine::stamp()?) } else { None };
     let mut wrong = Vec::new();
     for document in TABLES {
-        tables(document, &request, &stamp, &mut wrong)?;
+        tables(document, &request, stamp.as_ref(), &mut wrong)?;
     }
     for document in WALKS {
-        walk(document, &request, &stamp, &mut wrong)?;
+        walk(document, &request, stamp.as_ref(), &mut wrong)?;
     }
-    if request.mode == Mode::Write {
+    if stamp.is_some() {
         quotes(&mut wrong)?;
     }
     wrong.iter().for_each(|why| eprintln!("{why}"));
@@ -54,14 +55,19 @@ fn main() -> Result<ExitCode, Fault> {
 }
 
 /// Makes or checks the places of a document that are wanted, each by itself.
-fn tables(document: &str, request: &Request, stamp: &Stamp, wrong: &mut Vec<String>) -> Result<(), Fault> {
+fn tables(
+    document: &str,
+    request: &Request,
+    stamp: Option<&Stamp>,
+    wrong: &mut Vec<String>,
+) -> Result<(), Fault> {
     let shell = Shell::at(Path::new("."));
     for k in 0..steps(&fs::read_to_string(document)?)?.len() {
         let step = steps(&fs::read_to_string(document)?)?.swap_remove(k);
         let Some(step) = request.wanted(step) else { continue };
         match timed(&step.command, || shell.done(&step, true)) {
             Err(why) => wrong.push(why),
-            Ok(fresh) if request.mode != Mode::Write => {
+            Ok(fresh) if stamp.is_none() => {
                 compare(document, &step, &fresh, request.extent(), wrong);
             }
             Ok(fresh) => {
@@ -71,7 +77,7 @@ fn tables(document: &str, request: &Request, stamp: &Stamp, wrong: &mut Vec<Stri
                 if fresh.trim().is_empty() {
                     wrong.push(format!("'{}' prints nothing", step.command));
                 } else {
-                    fs::write(document, with_output(&text, &place, &fresh, Some(stamp)))?;
+                    fs::write(document, with_output(&text, &place, &fresh, stamp))?;
                 }
             }
         }
@@ -80,7 +86,12 @@ fn tables(document: &str, request: &Request, stamp: &Stamp, wrong: &mut Vec<Stri
 }
 
 /// Makes or checks a page whose commands follow each other, where any of them is wanted.
-fn walk(document: &str, request: &Request, stamp: &Stamp, wrong: &mut Vec<String>) -> Result<(), Fault> {
+fn walk(
+    document: &str,
+    request: &Request,
+    stamp: Option<&Stamp>,
+    wrong: &mut Vec<String>,
+) -> Result<(), Fault> {
     let mut text = fs::read_to_string(document)?;
     let count = steps(&text)?.len();
     if !steps(&text)?.into_iter().any(|step| request.wanted(step).is_some()) {
@@ -88,19 +99,20 @@ fn walk(document: &str, request: &Request, stamp: &Stamp, wrong: &mut Vec<String
     }
     let root = env::current_dir()?;
     let shell = Shell::of_walk(&root, &machine::binaries()?)?;
-    let writes = request.mode == Mode::Write;
     for k in 0..count {
         let step = steps(&text)?.swap_remove(k);
-        match (timed(&step.command, || shell.done(&step, writes)), &step.kind) {
+        match (timed(&step.command, || shell.done(&step, stamp.is_some())), &step.kind) {
             (Err(why), _) => {
                 wrong.push(why);
                 return Ok(());
             }
-            (Ok(fresh), Kind::Output(place)) if writes => text = with_output(&text, place, &fresh, None),
+            (Ok(fresh), Kind::Output(place)) if stamp.is_some() => {
+                text = with_output(&text, place, &fresh, None)
+            }
             (Ok(fresh), _) => compare(document, &step, &fresh, Extent::Whole, wrong),
         }
     }
-    if writes {
+    if let Some(stamp) = stamp {
         fs::write(document, with_stamp(&text, stamp))?;
         for (name, file) in shell.pictures(&text) {
             fs::copy(file, Path::new(document).with_file_name(name))?;
@@ -126,10 +138,10 @@ fn quotes(wrong: &mut Vec<String>) -> Result<(), Fault> {
     let texts: Vec<(&str, String)> = texts.collect::<Result<_, Fault>>()?;
     let tables = texts.iter().map(|(_, text)| steps(text)).collect::<Result<Vec<_>, _>>()?.concat();
     for (document, text) in &texts {
-        match renewed(text, &tables) {
-            Ok(fresh) if fresh != *text => fs::write(document, fresh)?,
-            Ok(_) => {}
-            Err(why) => wrong.push(format!("{document}: {why}")),
+        let fresh = renewed(text, &tables);
+        wrong.extend(fresh.faults.iter().map(|why| format!("{document}: {why}")));
+        if fresh.text != *text {
+            fs::write(document, fresh.text)?;
         }
     }
     Ok(())

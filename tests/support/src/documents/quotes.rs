@@ -15,23 +15,28 @@ const OPENED: &str = "<!-- ";
 const CLOSED: &str = " -->";
 const BETWEEN: &str = " → ";
 
+/// A text whose repeated numbers are those of the tables.
+pub struct Renewed {
+    /// The text.
+    pub text: String,
+    /// Complaints about marks that name no cell, or more than one; the numbers before them are as they were.
+    pub faults: Vec<String>,
+}
+
 /// The text with its repeated numbers as the tables of these steps have them now, with as many digits as
 /// they are written with.
-///
-/// # Errors
-/// What repeats a cell that is not there, or more than one.
-pub fn renewed(text: &str, tables: &[Step]) -> Result<String, String> {
+pub fn renewed(text: &str, tables: &[Step]) -> Renewed {
     let mut pieces = text.split(OPENED);
-    let mut fresh = pieces.next().unwrap_or_default().to_owned();
+    let mut fresh = Renewed { text: pieces.next().unwrap_or_default().to_owned(), faults: Vec::new() };
     for piece in pieces {
         let mark = piece.split(CLOSED).next().unwrap_or_default();
         if mark.contains(BETWEEN) && !mark.contains('\n') {
-            renew(&mut fresh, mark, tables)?;
+            fresh.faults.extend(renew(&mut fresh.text, mark, tables).err());
         }
-        fresh += OPENED;
-        fresh += piece;
+        fresh.text += OPENED;
+        fresh.text += piece;
     }
-    Ok(fresh)
+    fresh
 }
 
 /// Puts the number that `mark` names in place of the last one of a text.
