@@ -1,8 +1,8 @@
 //! The README and the pages that lead from nothing to a result: their marked commands are run as they stand,
 //! and print what the pages say.
 //!
-//! `cargo run --release -p radiosity-studies --bin refresh -- PART` writes the page with a command that contains
-//! PART.
+//! `cargo run --release -p radiosity-studies --bin refresh -- PART` writes the page with a command that
+//! contains PART.
 
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,5 @@
-//! Figures of documents: changed ones are found, times never; every output says where it was made, and numbers that
-//! texts repeat are those of their tables.
+//! Figures of documents: changed ones are found, times never; every output says where it was made, and
+//! numbers that texts repeat are those of their tables.
 
 use std::fs;
 use std::path::Path;

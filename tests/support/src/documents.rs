@@ -17,8 +17,8 @@
 //! ```
 //!
 //! * `<!-- output, shown -->` indents what is printed by four blanks, so that it stays as it is.
-//! * `<!-- output, once -->` is made only where a part of its command is asked for: it takes long, or needs what
-//!   does not come with the sources.
+//! * `<!-- output, once -->` is made only where a part of its command is asked for: it takes long, or needs
+//!   what does not come with the sources.
 //! * `<!-- output; a part: COMMAND -->` names a command that prints a part of the rows soon.
 //! * `<!-- run -->`, without an end, runs the command for the files it writes; `<!-- drawn -->` does so where
 //!   pages are written, not where they are checked.

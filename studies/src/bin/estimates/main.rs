@@ -93,8 +93,8 @@ fn row(name: &str, elements: &str, begun: Instant, solution: &Solution, truth: &
     println!("| {name} | {elements} | {unknowns} | {seconds:.2} | {:.2e} |", truth.error(solution));
 }
 
-/// Prints the rows of a scene, those apart that need no more unknowns than the row before; returns estimates over
-/// errors.
+/// Prints the rows of a scene, those apart that need no more unknowns than the row before; returns estimates
+/// over errors.
 fn rows(case: &Case) -> Vec<f64> {
     let truth = Truth::of(case);
     let (mut ratios, mut before) = (Vec::new(), 0);

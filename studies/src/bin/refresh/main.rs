@@ -1,15 +1,16 @@
-//! Makes the figures, tables and outputs of the documents anew, or compares them, each by the command that the
-//! text names.
+//! Makes the figures, tables and outputs of the documents anew, or compares them, each by the command that
+//! the text names.
 //!
 //! `cargo run --release -p radiosity-studies --bin refresh -- [--check [--parts]] [PART OF A COMMAND]` goes
-//! through the documents with marks (`tests/support/src/documents.rs` says which marks there are): docs/measured.md
-//! and benches/README.md, about an hour for all commands, and README.md, docs/room.md and docs/enclosure.md, each
-//! of which is made as a whole. Every place, or page, gets the commit, the day and the machine.
+//! through the documents with marks (`tests/support/src/documents.rs` says which marks there are):
+//! docs/measured.md and benches/README.md, about an hour for all commands, and README.md, docs/room.md and
+//! docs/enclosure.md, each of which is made as a whole. Every place, or page, gets the commit, the day and
+//! the machine.
 //!
 //! `--check` writes nothing: it compares what is printed with what stands there, cell by cell, names what
-//! differs, and fails if anything does. Counts and words have to be equal, other numbers to agree to a unit of
-//! their last digit; columns at the right (`---:`), and numbers before a unit of time, depend on the machine
-//! and never differ. With `--parts` only the commands run that a mark gives for a part of its rows.
+//! differs, and fails if anything does. Counts and words have to be equal, other numbers to agree to a unit
+//! of their last digit; columns at the right (`---:`), and numbers before a unit of time, depend on the
+//! machine and never differ. With `--parts` only the commands run that a mark gives for a part of its rows.
 //!
 //! A command that fails leaves its place as it was. Commands run one after another, in the current folder,
 //! which has to be the root of the repository; a document is written after each.

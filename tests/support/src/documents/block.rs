@@ -25,8 +25,8 @@ pub struct Table {
 pub struct Column {
     /// Its name.
     pub name: String,
-    /// Whether it depends on the machine: times, whose names end with a unit of time; and memory of a process and
-    /// what is reckoned from times, which tables of Markdown have at the right (`---:`).
+    /// Whether it depends on the machine: times, whose names end with a unit of time; and memory of a process
+    /// and what is reckoned from times, which tables of Markdown have at the right (`---:`).
     pub of_machine: bool,
 }
 
@@ -37,7 +37,8 @@ impl Column {
     }
 }
 
-/// The parts of a text, as tables of Markdown, tables of text whose first line names a column `seconds`, and lines.
+/// The parts of a text, as tables of Markdown, tables of text whose first line names a column `seconds`, and
+/// lines.
 pub fn blocks(text: &str) -> Vec<Block> {
     let lines: Vec<&str> = text.lines().map(str::trim).collect();
     let mut blocks = Vec::new();

@@ -1,8 +1,8 @@
 //! Differences between what a command prints and what stands in a document.
 //!
 //! Times never differ: numbers before a unit of time, and columns that depend on the machine
-//! ([`Column::of_machine`]). Counts and words have to be equal, other numbers to agree to a unit of their last
-//! digit. A row is found by its first columns: it is the one with most of them equal.
+//! ([`Column::of_machine`]). Counts and words have to be equal, other numbers to agree to a unit of their
+//! last digit. A row is found by its first columns: it is the one with most of them equal.
 
 use std::fmt::{Display, Formatter, Result};
 

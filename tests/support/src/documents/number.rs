@@ -88,8 +88,8 @@ impl<'a> Number<'a> {
         Self { text, start, value, last_digit: (!is_count).then(|| 10f64.powi(exponent - decimals)) }
     }
 
-    /// Whether it says what `other` says: counts do where they are equal, other numbers where they are apart by
-    /// a unit of the last digit of either, or are roundings both.
+    /// Whether it says what `other` says: counts do where they are equal, other numbers where they are apart
+    /// by a unit of the last digit of either, or are roundings both.
     pub fn agrees(&self, other: &Self) -> bool {
         let apart = (self.value - other.value).abs();
         let is_rounding = |number: &Self| number.last_digit.is_some() && number.value.abs() < ROUNDING;
@@ -121,8 +121,8 @@ impl<'a> Number<'a> {
     }
 }
 
-/// Whether two texts say the same: equal words, and numbers that agree. A number before a unit of time agrees with
-/// any before another.
+/// Whether two texts say the same: equal words, and numbers that agree. A number before a unit of time agrees
+/// with any before another.
 pub fn agree(there: &str, now: &str) -> bool {
     let [there, now] = [there, now].map(parts);
     let are_units = |at: usize| [&there, &now].iter().all(|parts| parts.get(at).is_some_and(is_unit_of_time));

@@ -1,7 +1,7 @@
 //! Numbers that a text repeats from a table of a document.
 //!
-//! Behind such a number stands where it is from: a part of the command of the table, cells of the row, the first of
-//! which may be the line above the table, and the column.
+//! Behind such a number stands where it is from: a part of the command of the table, cells of the row, the
+//! first of which may be the line above the table, and the column.
 //!
 //! ```text
 //! at the defaults 0.22<!-- read_off → default → Gather 4, 2 → both, % --> %
