@@ -1,8 +1,8 @@
 //! View factors that an inner corner hides in part, at high accuracies.
 //!
-//! `cargo run --release -p radiosity-studies --bin inner_corner` prints the errors of the factor from an end of
-//! the L-shaped room of View3D's examples to the wall 3 away, against Gauss rules on the two smooth parts of
-//! the wall. Terms are evaluations of the kernel, or of logarithms in contours; seconds are of wall time.
+//! `cargo run --release -p radiosity-studies --bin inner_corner` prints the errors of the factor from an end
+//! of the L-shaped room of View3D's examples to the wall 3 away, against Gauss rules on the two smooth parts
+//! of the wall. Terms are evaluations of the kernel, or of logarithms in contours; seconds are of wall time.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

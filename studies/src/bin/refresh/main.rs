@@ -9,8 +9,9 @@
 //!
 //! `--check` writes nothing: it compares what is printed with what stands there, cell by cell, names what
 //! differs, and fails if anything does. Counts and words have to be equal, other numbers to agree to a unit
-//! of their last digit; columns at the right (`---:`), and numbers before a unit of time, depend on the
-//! machine and never differ. With `--parts` only the commands run that a mark gives for a part of its rows.
+//! of their last digit. Numbers before a unit of time, columns whose names end with one, and columns at the
+//! right (`---:`) depend on the machine and never differ. With `--parts` only the commands run that a mark
+//! gives for a part of its rows.
 //!
 //! A command that fails leaves its place as it was. Commands run one after another, in the current folder,
 //! which has to be the root of the repository; a document is written after each.
