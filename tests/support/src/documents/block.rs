@@ -82,7 +82,7 @@ fn plain(lines: &[&str]) -> Table {
     Table { columns: columns.collect(), rows: lines[1..].iter().map(|line| cells_of_text(line)).collect() }
 }
 
-/// What two blanks or more keep apart.
+/// Parts of a line with two blanks or more between them.
 fn cells_of_text(line: &str) -> Vec<String> {
     line.split("  ").map(str::trim).filter(|cell| !cell.is_empty()).map(str::to_owned).collect()
 }

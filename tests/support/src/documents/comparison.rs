@@ -28,9 +28,9 @@ pub struct Difference {
     pub row: String,
     /// The column's name; empty of rows and lines.
     pub column: String,
-    /// What stands in the document; empty where nothing does.
+    /// The text in the document; empty where none stands.
     pub there: String,
-    /// What is printed; empty where nothing is.
+    /// The text that is printed; empty where none is.
     pub now: String,
 }
 
