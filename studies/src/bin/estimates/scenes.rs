@@ -78,7 +78,7 @@ impl Case {
     }
 }
 
-/// Flat boxes, plates, things that hover or stand in rooms, then disks and a can.
+/// Flat things: boxes, plates, things that hover or stand in rooms.
 pub(crate) fn usual() -> Vec<Case> {
     let builtin = |name: &str| radiosity::builtin(name).expect("it is built in");
     vec![
@@ -94,15 +94,15 @@ pub(crate) fn usual() -> Vec<Case> {
         Case::flat("two-boxes", builtin("two-boxes"), 4, 6).to(1e-2),
         Case::flat("cornell-box", builtin("cornell-box"), 4, 6).to(3e-3),
         Case::flat("gap under a box", scene(&gap()), 3, 9).to(1e-2),
-        Case::round("disks", scene(&disks()), Some(8)),
-        Case::round("can", scene(&can()), Some(8)),
     ]
 }
 
-/// Curved things in rooms, which take longer.
+/// Curved things, whose light is gathered by rays, which takes longer.
 fn others() -> Vec<Case> {
     let builtin = |name: &str| radiosity::builtin(name).expect("it is built in");
     vec![
+        Case::round("disks", scene(&disks()), Some(8)),
+        Case::round("can", scene(&can()), Some(8)),
         Case::round("ball in a room", scene(&ball("[0.5, 0.5, 0.4]", 0.25)), Some(8)),
         Case::round("ball on the floor", scene(&ball("[0.5, 0.5, 0.25]", 0.25)), Some(8)),
         Case::round("ball near the floor", scene(&ball("[0.5, 0.5, 0.26]", 0.25)), Some(8)),
