@@ -17,7 +17,7 @@ pub(crate) enum Mode {
 /// All that is asked for.
 pub(crate) struct Request {
     pub(crate) mode: Mode,
-    /// A part of the commands that are run.
+    /// A part of the commands that are run, or their end where `$` follows.
     part: String,
 }
 
@@ -40,7 +40,10 @@ impl Request {
     /// The step as it is done, if it is wanted.
     pub(crate) fn wanted(&self, step: Step) -> Option<Step> {
         let is_once = matches!(&step.kind, Kind::Output(place) if place.is_once);
-        let is_wanted = step.command.contains(&self.part) && !(is_once && self.part.is_empty());
+        let is_wanted = match self.part.strip_suffix('$') {
+            Some(end) => step.command.ends_with(end),
+            None => step.command.contains(&self.part) && !(is_once && self.part.is_empty()),
+        };
         match (self.mode, step) {
             (Mode::CheckParts, Step { kind: Kind::Output(place), .. }) => {
                 let command = place.part.clone().filter(|_| is_wanted)?;
