@@ -103,7 +103,8 @@ fn walk(
     let shell = Shell::of_walk(&root, &machine::binaries()?)?;
     for k in 0..count {
         let step = steps(&text)?.swap_remove(k);
-        match (timed(&step.command, || shell.done(&step, stamp.is_some())), &step.kind) {
+        let told = if let Kind::File { name, .. } = &step.kind { name } else { &step.command };
+        match (timed(told, || shell.done(&step, stamp.is_some())), &step.kind) {
             (Err(why), _) => {
                 wrong.push(why);
                 return Ok(());
