@@ -46,7 +46,7 @@ fn main() {
     println!(
         "| scene | surfaces | rays | RayTree, M hits/s | built in, ms | obvhs, surfaces | obvhs, triangles |"
     );
-    println!("| --- | --- | --- | --- | --- | --- | --- |");
+    println!("| --- | --- | --- | ---: | ---: | ---: | ---: |");
     compare("hall", &hall());
     for name in ["classroom", "soda"] {
         let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../shared/scenes/mgf");

@@ -3,4 +3,5 @@
 
 pub mod boxes;
 pub mod memory;
+pub mod spread;
 pub mod words;

@@ -5,6 +5,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::{fs, iter};
 
+use radiosity_test_support::documents::stamp::is_stamp;
+
 /// Folders without documents or sources of the house.
 const ELSEWHERE: [&str; 3] = ["target", ".git", "node_modules"];
 
@@ -244,7 +246,8 @@ fn outputs_are_filled_in() {
             let (_, output) = place.split_once("-->").expect("the mark is closed");
             let output = output.split("<!--").next().unwrap_or_default();
             found += 1;
-            assert!(!output.trim().is_empty(), "{document}: output {found} is empty, make it anew");
+            let is_filled = output.lines().any(|line| !line.trim().is_empty() && !is_stamp(line));
+            assert!(is_filled, "{document}: output {found} is empty, make it anew");
         }
     }
     assert!(found > 5, "the outputs were found");

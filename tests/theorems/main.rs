@@ -11,6 +11,7 @@ mod collocation;
 mod comments;
 mod convergence;
 mod documents;
+mod figures;
 mod flux;
 mod front_door;
 mod fuzz;

@@ -104,7 +104,7 @@ fn main() {
     println!(
         "| scene | way | frames | solved | CPU s | CPU s a frame | frames/s | error | told | bits | rays traced | gain | afterwards | repaid |"
     );
-    println!("|{}", " --- |".repeat(14));
+    println!("|{}{}{}{}", " --- |".repeat(4), " ---: |".repeat(3), " --- |".repeat(4), " ---: |".repeat(3));
     let compared = |name: &str, scene: &Scene, options: &Options| {
         let count = frames.unwrap_or(scene.frames()).min(scene.frames());
         compare(name, scene, options, count);

@@ -67,9 +67,10 @@ fn table() {
     println!(
         "| order | surfaces | unknowns | pairs | skipped | partly hidden | MB of blocks | MB of matrix | MB at most | blocks, s | solve, s |"
     );
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- | ---: | --- | --- |");
     let exponents: Vec<String> = ORDERS.iter().map(|order| rows(*order)).collect();
-    println!("\n{}", exponents.join("\n"));
+    println!("\n| order | surfaces | memory p | blocks p | solver p |\n| --- | --- | ---: | ---: | ---: |");
+    println!("{}", exponents.join("\n"));
 }
 
 /// The rows of an order; tells how their figures grow.
@@ -121,7 +122,7 @@ fn exponents(order: usize, done: &[Row]) -> String {
     let [.., a, b] = done else { return String::new() };
     let power = |k: usize| exponent(a, b, |row: &Row| row.figures[k].max(1e-2));
     format!(
-        "Order {order}, {} to {} surfaces: memory p = {:.1}, blocks p = {:.1}, solver p = {:.1}.",
+        "| {order} | {} to {} | {:.1} | {:.1} | {:.1} |",
         a.surfaces,
         b.surfaces,
         power(0),

@@ -16,7 +16,7 @@ use radiosity::visibility::Visibility;
 
 fn main() {
     println!("| scene | order | ε | pairs | samples in the rules | evaluated | ms | ns each |");
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
+    println!("| --- | --- | --- | --- | --- | --- | --- | ---: |");
     for (cuts, order, eps) in
         [(1, 4, 1e-4), (1, 8, 1e-4), (2, 4, 1e-4), (5, 4, 1e-3), (5, 6, 1e-3), (5, 8, 1e-4), (16, 0, 1e-3)]
     {

@@ -28,6 +28,8 @@ pub mod compare;
 #[cfg(feature = "house")]
 pub mod folders;
 #[cfg(feature = "house")]
+pub mod documents;
+#[cfg(feature = "house")]
 pub mod data;
 #[cfg(feature = "house")]
 pub mod scenes;

@@ -20,7 +20,7 @@ const WANTED: f64 = 3e-2;
 /// Prints how time and memory grow with the number of surfaces.
 pub(crate) fn halls() -> Result<(), Box<dyn Error>> {
     println!("| surfaces | rays | solved in, s | MB at most | told |");
-    println!("| --- | --- | --- | --- | --- |");
+    println!("| --- | --- | --- | ---: | --- |");
     for grid in HALLS {
         let scene = room(grid);
         let options = Options { transport: Transport::Sampled, ..Options::default() };

@@ -9,6 +9,7 @@ use radiosity::solve::{Options, Outcome, Transport, solve};
 
 use crate::apart::{apart, means};
 use radiosity_studies::boxes::room;
+use radiosity_studies::spread::print_spread;
 
 /// Rays of the runs that are judged.
 const RAYS: [u64; 4] = [25_000, 100_000, 400_000, 1_600_000];
@@ -40,22 +41,26 @@ const BUILT_IN: [Study; 7] = [
 pub(crate) fn told(folder: Option<&Path>) -> Result<(), Box<dyn Error>> {
     println!("| scene | rays | told | true | told / true |");
     println!("| --- | --- | --- | --- | --- |");
+    let mut ratios = Vec::new();
     for Study { name, settings, cuts } in BUILT_IN {
         let scene = radiosity::language::read(&radiosity::language::source(name, settings)?)?;
         let settings: String = settings.iter().map(|(name, value)| format!(", {name} {value}")).collect();
-        judge(&format!("{name}{settings}"), &scene, cuts)?;
+        judge(&format!("{name}{settings}"), &scene, cuts, &mut ratios)?;
     }
-    judge("hall of 150 surfaces", &room(HALL), 1)?;
+    judge("hall of 150 surfaces", &room(HALL), 1, &mut ratios)?;
     for name in ["soda", "classroom"] {
         if let Some(folder) = folder {
             let path = folder.join(format!("{name}.json"));
-            judge(name, &radiosity::load(path.to_str().ok_or("the path is no text")?)?, 1)?;
+            let scene = radiosity::load(path.to_str().ok_or("the path is no text")?)?;
+            judge(name, &scene, 1, &mut ratios)?;
         }
     }
+    print_spread("told / true", ratios);
     Ok(())
 }
 
-fn judge(name: &str, scene: &Scene, cuts: usize) -> Result<(), Box<dyn Error>> {
+/// Prints the rows of a scene, and adds their ratios.
+fn judge(name: &str, scene: &Scene, cuts: usize, ratios: &mut Vec<f64>) -> Result<(), Box<dyn Error>> {
     let truth = irradiances(&by_rays(scene, cuts, FINER * RAYS[2])?);
     for rays in RAYS {
         let outcome = by_rays(scene, cuts, rays)?;
@@ -65,6 +70,7 @@ fn judge(name: &str, scene: &Scene, cuts: usize) -> Result<(), Box<dyn Error>> {
         let bands = found.iter().zip(&truth).map(|(found, truth)| apart(list, found, truth));
         let error = bands.fold(0.0, f64::max);
         let told = sampling.error.unwrap_or(f64::NAN);
+        ratios.push(told / error);
         println!(
             "| {name} | {} | {:.2} % | {:.2} % | {:.2} |",
             sampling.rays,

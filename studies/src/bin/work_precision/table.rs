@@ -18,7 +18,7 @@ const ORDERS: [usize; 5] = [1, 2, 3, 4, 6];
 pub(crate) fn print(out: &mut impl Write, studies: &[Study], records: &[Record]) -> io::Result<()> {
     let orders: String = ORDERS.iter().map(|order| format!(" order {order} |")).collect();
     writeln!(out, "| scene | error | constants, s |{orders} cheapest run | its s | speed-up |")?;
-    writeln!(out, "| --- | --- | --- |{} --- | --- | --- |", " --- |".repeat(ORDERS.len()))?;
+    writeln!(out, "| --- | --- | ---: |{} ---: | ---: | ---: |", " ---: |".repeat(ORDERS.len()))?;
     for study in studies {
         let own: Vec<&Record> = records.iter().filter(|record| record.scene == study.name).collect();
         let front =

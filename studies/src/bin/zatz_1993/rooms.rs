@@ -63,7 +63,7 @@ fn header(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
         out,
         "| figure | room | paper: CPU time | shots | rules | CPU time, s | ratio | shots | row sums | by rays | unknowns | memory, MB |"
     )?;
-    writeln!(out, "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")?;
+    writeln!(out, "| --- | --- | --- | --- | --- | --- | ---: | --- | --- | --- | --- | --- |")?;
     Ok(())
 }
 
