@@ -82,7 +82,7 @@ fn read_file(path: &str, factors: &BTreeMap<String, f64>) -> Result<ReportedSolu
         let cure = "solve it first: load(…).solve()";
         return Err(Trouble::new(format!("{}: this is no solution", text.origin), cure));
     }
-    let solved = solution_file::read(&text, Ranks::alone())?;
+    let solved = solution_file::read(&text)?;
     let solved = if factors.is_empty() { solved } else { solved.relight(&borrowed(factors))? };
     Ok(ReportedSolution::of(solved)?)
 }

@@ -91,7 +91,7 @@ fn text_of(solved: &Solved) -> String {
 fn what_was_read_is_written_as_it_was() {
     let text = text_of(&solved());
     assert!(is_solution(&text));
-    let again = read(&Source::new("a.json", &text), Ranks::alone()).unwrap();
+    let again = read(&Source::new("a.json", &text)).unwrap();
     assert_eq!(again.scene.name, "room");
     assert_eq!(text_of(&again), text);
 }
@@ -103,7 +103,7 @@ fn refined_elements_are_read_as_they_were() {
     let solved = Solved::to_accuracy(scene, &Options::default(), &goal, &Work::alone()).unwrap();
     assert!(solved.outcome.solution.elements().refined_mesh().is_some(), "the box needs refined elements");
     let text = text_of(&solved);
-    let again = read(&Source::new("a.json", &text), Ranks::alone()).unwrap();
+    let again = read(&Source::new("a.json", &text)).unwrap();
     assert_eq!(
         again.outcome.solution.elements().refined_mesh(),
         solved.outcome.solution.elements().refined_mesh()
@@ -111,7 +111,7 @@ fn refined_elements_are_read_as_they_were() {
     assert_eq!(text_of(&again), text);
     let mut file: Value = serde_json::from_str(&text).unwrap();
     file["mesh"][0] = json!({ "cut": { "across": "u", "at": 3.0, "parts": [{ "leaf": 2 }, { "leaf": 2 }] } });
-    let message = read(&Source::new("a.json", &file.to_string()), Ranks::alone()).unwrap_err().to_string();
+    let message = read(&Source::new("a.json", &file.to_string())).unwrap_err().to_string();
     assert!(message.contains("the mesh"), "{message}");
 }
 
@@ -146,7 +146,7 @@ fn a_reader_needs_nothing_but_the_file_to_evaluate_it() {
 fn refused(change: impl Fn(&mut Value)) -> String {
     let mut file: Value = serde_json::from_str(&text_of(&solved())).unwrap();
     change(&mut file);
-    read(&Source::new("a.json", &file.to_string()), Ranks::alone()).unwrap_err().to_string()
+    read(&Source::new("a.json", &file.to_string())).unwrap_err().to_string()
 }
 
 #[test]

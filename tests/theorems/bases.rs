@@ -385,7 +385,7 @@ fn solution_files_of_every_basis_are_read_as_they_were() {
         let text = serde_json::to_string(&file).expect("it is written");
         let source = radiosity::scene::Source::new("file", &text);
         let read =
-            radiosity::reading::files::solution_file::read(&source, Ranks::alone()).expect("it is read");
+            radiosity::reading::files::solution_file::read(&source).expect("it is read");
         assert_eq!(read.options.basis, basis);
         assert_eq!(read.outcome.unknowns, written.outcome.unknowns);
         for (before, after) in written.outcome.solution.bands().iter().zip(read.outcome.solution.bands()) {

@@ -260,7 +260,7 @@ fn solution_files_of_built_scenes_hold_no_text() {
     let options = Options { order: 0, ..Options::default() };
     let solved = solved_of(scene, options);
     let text = serde_json::to_string(&SolutionFile::new(&solved)).expect("is written");
-    let error = read(&Source::new("cube.json", &text), Ranks::alone()).expect_err("it cannot be read back");
+    let error = read(&Source::new("cube.json", &text)).expect_err("it cannot be read back");
     assert!(matches!(error.fault, SolutionFault::NoScene), "{error}");
     assert!(error.cure().contains("built in code"), "{}", error.cure());
 }

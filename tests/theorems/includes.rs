@@ -105,12 +105,12 @@ fn a_solution_needs_no_file() {
     let solved = solved_of(scene, Options { order: 1, eps: 0.3, ..Options::default() });
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
     drop(folder);
-    let again = read(&Source::new("a.json", &text), Ranks::alone()).unwrap();
+    let again = read(&Source::new("a.json", &text)).unwrap();
     assert_eq!(again.scene.surfaces.len(), 3);
     assert_eq!(serde_json::to_string(&SolutionFile::new(&again)).unwrap(), text);
     let mut file: serde_json::Value = serde_json::from_str(&text).unwrap();
     file["scene"]["included"] = serde_json::json!([]);
-    let message = read(&Source::new("a.json", &file.to_string()), Ranks::alone()).unwrap_err().to_string();
+    let message = read(&Source::new("a.json", &file.to_string())).unwrap_err().to_string();
     assert!(message.contains("cannot be included: the text is not that of a file"), "{message}");
 }
 

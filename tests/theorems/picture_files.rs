@@ -146,7 +146,7 @@ fn a_solution_needs_no_picture() {
     let solved = solved_of(scene.clone(), Options { threads: 1, ..Options::default() });
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
     folder.close().unwrap();
-    let reread = read(&Source::new("room.json", &text), Ranks::alone()).unwrap();
+    let reread = read(&Source::new("room.json", &text)).unwrap();
     for (own, other) in scene.surfaces.iter().zip(&reread.scene.surfaces) {
         assert_eq!(own.material, other.material);
         assert_eq!(own.other_side, other.other_side);
@@ -157,7 +157,7 @@ fn a_solution_needs_no_picture() {
     let (before, after) = text.split_once("\"base64\":\"").expect("it holds the picture");
     for damaged in [format!("{before}\"base64\":\"?{after}"), format!("{before}\"base64\":\"AAAA{after}")] {
         let error =
-            read(&Source::new("room.json", &damaged), Ranks::alone()).expect_err("the picture is damaged");
+            read(&Source::new("room.json", &damaged)).expect_err("the picture is damaged");
         assert!(error.to_string().contains("picture") || error.to_string().contains("PNG"), "{error}");
     }
 }

@@ -105,7 +105,7 @@ fn a_solution_of_a_tree_is_read_back() {
     let source = Source::of_tree("desk.csv", tree(&desk())).unwrap().set([("width", 3.0)]);
     let solved = solved_of(parsed(&source), Options::default());
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
-    let again = read(&Source::new("a.json", &text), Ranks::alone()).unwrap();
+    let again = read(&Source::new("a.json", &text)).unwrap();
     assert_eq!(held(&again.scene), held(&solved.scene));
     assert!((again.scene.surfaces[0].shape.area() - 3.0).abs() < 1e-12);
     assert_eq!(serde_json::to_string(&SolutionFile::new(&again)).unwrap(), text);

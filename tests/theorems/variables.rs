@@ -103,7 +103,7 @@ fn a_solution_keeps_what_was_set() {
     let scene = radiosity::language::read_with(&source, &[("width", 6.0), ("ceiling", 0.5)]).unwrap();
     let solved = solved_of(scene, Options { eps: 0.3, ..Options::default() });
     let text = serde_json::to_string(&SolutionFile::new(&solved)).unwrap();
-    let again = read(&Source::new("a.json", &text), Ranks::alone()).unwrap();
+    let again = read(&Source::new("a.json", &text)).unwrap();
     assert!((area(&again.scene) - 6.0 * 3.5).abs() < 1e-12);
     assert_eq!(again.scene.surfaces[1].factor(), 0.5);
     assert_eq!(serde_json::to_string(&SolutionFile::new(&again)).unwrap(), text);

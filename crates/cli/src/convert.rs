@@ -121,7 +121,7 @@ fn grid(args: &ConvertArgs, ranks: &Ranks) -> Result<(), CliError> {
     if args.scene.frame.is_some() {
         return Err(CliError::fixed(&text.origin, "--frame"));
     }
-    let solved = relit(read(&text, ranks)?, &request.later())?;
+    let solved = relit(read(&text)?, &request.later())?;
     let written = SolutionFormat::Vtu.write(&solved, &args.output, &output)?;
     console::tell(&[format!("wrote {written}")], ranks);
     Ok(())

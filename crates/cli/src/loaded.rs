@@ -69,7 +69,7 @@ impl Loaded {
         if let Some(option) = fixed.first().or(tolerance.as_ref()).or(frame.as_ref()) {
             return Err(CliError::fixed(&text.origin, option));
         }
-        let solved = relit(read(&text, ranks)?, &request.later())?;
+        let solved = relit(read(&text)?, &request.later())?;
         Ok(Self::new(source.path(), Content::Solved(solved.into()), started))
     }
 
@@ -84,7 +84,7 @@ impl Loaded {
             ));
         }
         let file = (path != "-").then(|| Path::new(path));
-        let solved = relit(read(&source, ranks)?, &borrowed(settings))?;
+        let solved = relit(read(&source)?, &borrowed(settings))?;
         Self::new(file, Content::Solved(solved.into()), started).required()
     }
 

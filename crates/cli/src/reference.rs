@@ -20,7 +20,7 @@ pub(crate) fn solution(path: &Path, scene: &Scene, ranks: &Ranks) -> Result<Solv
     if !is_solution(&text) {
         return Err(refused("it is no solution file"));
     }
-    let solved = read(&Source::new(&path.to_string_lossy(), &text), ranks)?;
+    let solved = read(&Source::new(&path.to_string_lossy(), &text))?;
     if solved.scene.bands != scene.bands {
         return Err(refused("it has other bands than the scene"));
     }

@@ -9,6 +9,7 @@ mod surface;
 mod luminaire;
 mod part;
 mod motion;
+mod mask;
 
 use radiosity_geom::DVec3;
 use radiosity_scene::{
@@ -32,6 +33,7 @@ use per_band::per_band;
 use thermal::{ConditionFile, EMISSIVITY};
 
 pub(super) use luminaire::{ExtentFile, LuminaireFile};
+pub(super) use mask::MaskFile;
 pub(super) use motion::{MotionFile, RotateFile, TranslateFile};
 pub(super) use part::{Content, CopyRow, InstanceFile, PartFile, RowsFile};
 pub(super) use pattern::{Amount, EachBand, PatternFile, PatternKind};
@@ -76,6 +78,8 @@ keys! {
         luminaires: Vec<LuminaireFile> = ListOfTables::of("luminaire"), "Lamps by their intensity in each direction";
         instances: Vec<InstanceFile> = INSTANCES, "Instances of parts";
         motion: Vec<MotionFile> = ListOfTables::of("motion"), "What moves, each along a path";
+        masks: Vec<MaskFile> = ListOfTables { kind: "mask", called_after: Some("receiver") },
+            "Pairs of surfaces whose light is masked with --shadows mask";
     }
 }
 

@@ -21,6 +21,7 @@ pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile
         whole.frames = whole.frames.take().or(file.frames);
         whole.fps = whole.fps.take().or(file.fps);
         put_before(&mut whole.motion, file.motion);
+        put_before(&mut whole.masks, file.masks);
         put_before(&mut whole.planes, file.planes);
         put_before(&mut whole.materials, file.materials);
         put_before(&mut whole.parts, file.parts);

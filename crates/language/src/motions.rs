@@ -6,7 +6,8 @@ use radiosity_geom::DVec3;
 use radiosity_scene::{
     Animation, AxisAngle, Clock, Fault, FaultKind, MoverDraft, RigidPath, Source, TimeFunction, Turn,
     error::{Located, title},
-    mover_draft::{MemberNames, MovableThings, MoverPlaces, NamedMember, movers},
+    member_names::{MemberNames, NamedMember},
+    mover_draft::{MovableThings, MoverPlaces, movers},
     place::{At, Span},
     surfaces::Maker,
 };

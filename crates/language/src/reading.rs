@@ -6,6 +6,7 @@ use radiosity_scene::{
     Fault, FaultKind, Scene, SceneError, SceneSurface, Source,
     error::Located,
     fault::{choice, nearest},
+    masked_pair::masked_pairs,
     surfaces::{Surfaces, fitted_surfaces},
     tree::{Node, Value, entry},
 };
@@ -209,6 +210,7 @@ fn assemble(mut file: SceneFile, variables: Vec<(String, f64)>, source: &Source)
         return Err(Located::at(&sky.span, fault).within(|| "sky".into()));
     }
     let movable = motions::movable(&surfaces, &makers, &lamps, file.camera.is_some());
+    let masks = masked_pairs(file.masks.iter().map(validation::mask).collect(), &movable.surfaces)?;
     let animation = motions::animation(&file, &movable, source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
     let mut scene = Scene::empty(stem(&source.origin), bands, unit);
@@ -219,6 +221,7 @@ fn assemble(mut file: SceneFile, variables: Vec<(String, f64)>, source: &Source)
     scene.luminaires = luminaires.into_iter().map(|own| own.about(middle)).collect();
     scene.variables = variables;
     scene.planes = planes;
+    scene.masks = masks;
     scene.camera = camera.map(|camera| camera.about(middle));
     scene.animation = animation.map(|animation| animation.about(middle));
     scene.origin = source.origin.to_string();

@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 
 use crate::{
     file::{
-        CameraFile, InstanceFile, LuminaireFile, MaterialFile, MotionFile, PartFile, PatternFile, PlaneFile,
+        CameraFile, InstanceFile, LuminaireFile, MaskFile, MaterialFile, MotionFile, PartFile, PatternFile, PlaneFile,
         RowsFile, SceneFile, SkyFile, SurfaceFile,
     },
     keys::KeyTable,
@@ -49,6 +49,7 @@ fn tables() -> Vec<(&'static str, Value)> {
         ("instance", InstanceFile::schema()),
         ("array", RowsFile::schema()),
         ("motion", MotionFile::schema()),
+        ("mask", MaskFile::schema()),
     ]
 }
 

@@ -4,11 +4,12 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{DVec3, Surface};
 use radiosity_scene::{
-    Camera, Fault, FaultKind, Glass, Material, Opening, SensorPlane, Sky, Source, Sun, SurfaceDraft, Thermal,
+    Camera, Fault, FaultKind, Glass, MaskedPairDraft, Material, Opening, SensorPlane, Sky, Source, Sun, SurfaceDraft, Thermal,
     bands::check_bands,
     covering::Covering,
     error::{Located, title},
     luminaire::across,
+    member_names::NamedMember,
     material::{check_emission, check_flux, check_reflectance, check_transmittance},
     place::At,
     sky::{check_elevation, check_irradiance, no_up},
@@ -17,7 +18,7 @@ use radiosity_scene::{
 };
 
 use crate::{
-    file::{Amount, CameraFile, GlassFile, MaterialFile, PerBand, PlaneFile, SkyFile, SunFile, SurfaceFile},
+    file::{Amount, CameraFile, GlassFile, MaskFile, MaterialFile, PerBand, PlaneFile, SkyFile, SunFile, SurfaceFile},
     instances::PlacedSurface,
     keys::NamedTable,
     textures::pattern,
@@ -61,6 +62,17 @@ pub(super) fn plane(NamedTable { name, file }: NamedTable<PlaneFile>) -> Result<
         let span = if fault.kind == FaultKind::NoDirection { &edges.span } else { &spacing.span };
         Located::at(span, fault).within(|| title)
     })
+}
+
+/// A chosen pair of a mask.
+pub(super) fn mask(file: &MaskFile) -> MaskedPairDraft {
+    let named = |name: &At<String>| NamedMember { name: name.value.clone(), span: Some(name.span.clone()) };
+    MaskedPairDraft {
+        emitter: named(&file.emitter),
+        receiver: named(&file.receiver),
+        cells: file.cells,
+        span: Some(file.span.clone()),
+    }
 }
 
 /// Every material, checked number by number.

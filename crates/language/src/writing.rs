@@ -87,6 +87,9 @@ fn exported(
     if scene.animation.is_some() {
         model.note("motions are left out: everything is at rest", None);
     }
+    if !scene.masks.is_empty() {
+        model.note("chosen shadow masks are left out", None);
+    }
     if !scene.planes.is_empty() {
         model.note("planes of sensors are left out", None);
     }

@@ -4,3 +4,7 @@
 pub mod transfers;
 mod mask;
 pub mod masked_light;
+pub mod masking;
+pub mod mask_setting;
+mod mask_samples;
+pub mod masked_pairs;

@@ -12,6 +12,7 @@ use radiosity_solve::{Functional, Outcome, Shots};
 use serde::Serialize;
 
 use crate::checkpoint::Checkpoint;
+use crate::masked_surfaces::MaskedSurfaces;
 use crate::plane_figures::PlaneFigures;
 use crate::rank_work::{RanksWork, peak_bytes};
 use crate::read_error::ReadError;
@@ -85,6 +86,9 @@ pub struct Report {
     pub shots: Option<Shots>,
     /// Way in which direct light entered: `split` or `projected`.
     pub direct: &'static str,
+    /// Shadow masks by pairs of surfaces, where direct light is masked.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub masks: Vec<MaskedSurfaces>,
     /// Iterations of the solver, largest over the bands.
     pub iterations: usize,
     /// ‖b − e − ρ h‖₂ / ‖e‖₂, largest over the bands.
@@ -204,6 +208,7 @@ impl Report {
             accuracy_estimate: achieved.and_then(|achieved| achieved.estimate),
             shots: outcome.shots.clone(),
             direct: if outcome.split { "split" } else { "projected" },
+            masks: MaskedSurfaces::of(scene, &outcome.solution),
             iterations: outcome.iterations,
             residual: outcome.residual,
             converged: outcome.converged,

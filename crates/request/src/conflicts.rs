@@ -2,7 +2,7 @@
 
 use radiosity_elements::cells::Layers;
 use radiosity_published::bases::Basis;
-use radiosity_published::zatz1993::masked_light::Masking;
+use radiosity_published::zatz1993::masking::Masking;
 use radiosity_solve::studies::convergence::RunSeries;
 use radiosity_solve::{ColumnChoice, Direct, LightMethod, Preconditioning, Transport};
 use radiosity_solvers::method::{Access, Method};

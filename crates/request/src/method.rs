@@ -7,7 +7,7 @@ use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
 use radiosity_published::bases::Basis;
 use radiosity_published::hierarchy::LinkMeasure;
-use radiosity_published::zatz1993::masked_light::{Average, Masking};
+use radiosity_published::zatz1993::masking::{Average, Masking};
 use radiosity_reading::quality::Quality;
 use radiosity_reading::reader::ReadMode;
 use radiosity_solve::{

@@ -15,7 +15,9 @@ use crate::{
     luminaire::Luminaire,
     luminous_surface::luminous_surfaces,
     material::Material,
-    mover_draft::{MemberNames, MovableThings, MoverDraft, movers},
+    masked_pair::{MaskedPairDraft, masked_pairs},
+    member_names::MemberNames,
+    mover_draft::{MovableThings, MoverDraft, movers},
     named_material::NamedMaterial,
     names::{UniqueNames, check_text},
     sensor_plane::SensorPlane,
@@ -52,6 +54,7 @@ pub struct SceneBuilder {
     luminaires: Vec<Luminaire>,
     clock: Option<Clock>,
     movers: Vec<MoverDraft>,
+    masks: Vec<MaskedPairDraft>,
 }
 
 impl SceneBuilder {
@@ -69,6 +72,7 @@ impl SceneBuilder {
             luminaires: Vec::new(),
             clock: None,
             movers: Vec::new(),
+            masks: Vec::new(),
         }
     }
 
@@ -133,6 +137,12 @@ impl SceneBuilder {
         self
     }
 
+    /// Chooses pairs of surfaces for shadow masks, where light is masked.
+    pub fn masks(&mut self, pair: MaskedPairDraft) -> &mut Self {
+        self.masks.push(pair);
+        self
+    }
+
     /// Gives the scene a camera, instead of one given before.
     pub fn camera(&mut self, camera: Camera) -> &mut Self {
         self.camera = Some(camera);
@@ -162,8 +172,8 @@ impl SceneBuilder {
     /// The scene, if everything in it is right.
     ///
     /// # Errors
-    /// The first thing wrong with bands, unit, planes, materials, luminaires, camera or surfaces, in this
-    /// order: a [`SceneError`] that names the part and has no place in a text.
+    /// The first thing wrong with bands, unit, planes, materials, luminaires, camera, surfaces, masks or
+    /// motions, in this order: a [`SceneError`] that names the part and has no place in a text.
     pub fn build(self) -> Result<Scene, SceneError> {
         let name = self.name.clone();
         self.assemble().map_err(|located| located.in_code(&name))
@@ -193,6 +203,7 @@ impl SceneBuilder {
             None => MemberNames::of_area(&own.front, &lamps),
         });
         let movable = MovableThings { surfaces: own.collect(), luminaires: lamps, camera: camera.is_some() };
+        let masks = masked_pairs(self.masks, &movable.surfaces)?;
         let animation = animation(self.clock, self.movers, &movable)?;
         Ok(Scene {
             middle,
@@ -202,6 +213,7 @@ impl SceneBuilder {
             bands: self.bands,
             unit: self.unit,
             planes: self.planes,
+            masks,
             variables: Vec::new(),
             camera: camera.map(|camera| camera.about(middle)),
             animation: animation.map(|animation| animation.about(middle)),

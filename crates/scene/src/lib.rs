@@ -29,7 +29,9 @@ mod pose;
 mod time_function;
 mod path;
 pub mod animation;
+pub mod member_names;
 pub mod mover_draft;
+pub mod masked_pair;
 mod light_group;
 mod distribution;
 mod extent;
@@ -72,6 +74,7 @@ pub use imported::Imported;
 pub use light_group::LightGroup;
 pub use luminaire::{Luminaire, Strength};
 pub use luminous_area::LuminousArea;
+pub use masked_pair::{MaskedPair, MaskedPairDraft};
 pub use material::Material;
 pub use mover_draft::MoverDraft;
 pub use named_material::NamedMaterial;
@@ -125,6 +128,8 @@ pub struct Scene {
     pub variables: Vec<(String, f64)>,
     /// Planes of sensors, in the coordinates that the scene was given in.
     pub planes: Vec<SensorPlane>,
+    /// Pairs of surfaces chosen for shadow masks, where light is masked.
+    pub masks: Vec<MaskedPair>,
     /// The name shown in messages: a path, `<stdin>`, or the name of a scene that is built in or made in
     /// code.
     pub origin: String,
@@ -149,6 +154,7 @@ impl Scene {
             animation: None,
             variables: Vec::new(),
             planes: Vec::new(),
+            masks: Vec::new(),
             source: None,
         }
     }

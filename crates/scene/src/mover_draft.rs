@@ -1,18 +1,16 @@
 //! Movers as they are given, by the names of what they move → movers of a scene, by indices.
 
-use std::{borrow::Borrow, collections::BTreeMap, sync::Arc};
+use std::{borrow::Borrow, collections::BTreeMap};
 
 use crate::{
     animation::{Animation, Clock, Mover},
     error::{Located, title},
     fault::Fault,
+    member_names::{MemberNames, NamedMember, NamesOf, UnknownName, found},
     names::UniqueNames,
     path::RigidPath,
     place::{Line, Place, Span},
 };
-
-/// The mark behind which a name may end in any way.
-const ANY_ENDING: char = '*';
 
 /// Surfaces, instances, luminaires and camera that move along one path, by name; see
 /// [`SceneBuilder::moves`](crate::SceneBuilder::moves).
@@ -25,15 +23,6 @@ pub struct MoverDraft {
     camera: Option<Option<Span>>,
     path: RigidPath,
     typed: Option<MoverPlaces>,
-}
-
-/// The name of something that moves, with its place in a file.
-#[derive(Clone, Debug)]
-pub struct NamedMember {
-    /// The name.
-    pub name: String,
-    /// Place of the name in a file; none if it was given in code.
-    pub span: Option<Span>,
 }
 
 /// The place of a mover in a file or a tree.
@@ -118,38 +107,6 @@ impl MoverDraft {
     }
 }
 
-/// The names by which a surface or a luminaire can be moved.
-#[derive(Debug, Default)]
-pub struct MemberNames {
-    /// Its own name, and the name of the entry that made it.
-    pub(super) names: Vec<String>,
-    /// Names of the instances that it is in.
-    pub(super) instances: Arc<[String]>,
-    /// Index of the luminaire whose area it is, if it is one.
-    luminaire: Option<usize>,
-}
-
-impl MemberNames {
-    /// Names of a thing with these names, in no instance.
-    pub fn named(names: impl Into<Vec<String>>) -> Self {
-        Self { names: names.into(), ..Self::default() }
-    }
-
-    /// The handles with the names of the instances that the thing is in.
-    pub fn within(self, instances: Arc<[String]>) -> Self {
-        Self { instances, ..self }
-    }
-
-    /// Names of the surface `name`, a side of the area of one of these luminaires.
-    pub fn of_area(name: &str, luminaires: &[Self]) -> Self {
-        let called = |name: &str| luminaires.iter().position(|own| own.names[0] == name);
-        let luminaire = called(name).or_else(|| called(name.strip_suffix(":back")?));
-        let instances = luminaire.map(|index| Arc::clone(&luminaires[index].instances));
-        let named = Self { luminaire, ..Self::named([name.to_owned()]) };
-        named.within(instances.unwrap_or_default())
-    }
-}
-
 /// Surfaces, luminaires and camera that can be moved, in the order of the scene.
 #[derive(Debug)]
 pub struct MovableThings {
@@ -183,11 +140,11 @@ pub fn movers(drafts: Vec<MoverDraft>, clock: Clock, movable: &MovableThings) ->
 impl MoverDraft {
     fn resolved(&self, movable: &MovableThings) -> Result<Mover, Located> {
         let surfaces =
-            self.found(&self.surfaces, &movable.surfaces, |own| &own.names, Fault::unknown_surface)?;
+            self.found(&self.surfaces, &movable.surfaces, MemberNames::own, Fault::unknown_surface)?;
         let luminaires =
-            self.found(&self.luminaires, &movable.luminaires, |own| &own.names, unknown_luminaire)?;
+            self.found(&self.luminaires, &movable.luminaires, MemberNames::own, unknown_luminaire)?;
         let all: Vec<&MemberNames> = movable.surfaces.iter().chain(&movable.luminaires).collect();
-        let in_instances = self.found(&self.instances, &all, |own| &own.instances, unknown_instance)?;
+        let in_instances = self.found(&self.instances, &all, MemberNames::of_instances, unknown_instance)?;
         let count = movable.surfaces.len();
         let (own, lamps): (Vec<_>, Vec<_>) = in_instances.into_iter().partition(|index| *index < count);
         // A luminaire goes with its area, and the area with the luminaire.
@@ -221,27 +178,10 @@ impl MoverDraft {
         &self,
         chosen: &[NamedMember],
         all: &[H],
-        names: fn(&MemberNames) -> &[String],
-        unknown: fn(&str, Vec<String>) -> Fault,
+        names: NamesOf,
+        unknown: UnknownName,
     ) -> Result<Vec<usize>, Located> {
-        let mut found = Vec::new();
-        for NamedMember { name, span } in chosen {
-            let means = |own: &String| match name.strip_suffix(ANY_ENDING) {
-                Some(stem) => own.starts_with(stem),
-                None => own == name,
-            };
-            let before = found.len();
-            let meant = all.iter().enumerate().filter(|(_, own)| names((*own).borrow()).iter().any(means));
-            found.extend(meant.map(|(index, _)| index));
-            if found.len() == before {
-                let mut known: Vec<String> =
-                    all.iter().flat_map(|own| names(own.borrow()).to_vec()).collect();
-                known.sort_unstable();
-                known.dedup();
-                return Err(self.located(span.as_ref(), unknown(name, known)));
-            }
-        }
-        Ok(found)
+        found(chosen, all, names, unknown).map_err(|(span, fault)| self.located(span.as_ref(), fault))
     }
 }
 

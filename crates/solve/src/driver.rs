@@ -65,7 +65,6 @@ pub use column_choice::ColumnChoice;
 pub(crate) use decisions::Layout;
 pub use direct::Direct;
 pub use failure::Failure;
-pub use first_light::masked_light;
 pub use in_threads::in_threads;
 pub use light_method::LightMethod;
 pub use linking::Linking;

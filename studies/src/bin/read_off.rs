@@ -15,7 +15,7 @@ use std::num::NonZeroUsize;
 use std::time::Instant;
 
 use radiosity::Work;
-use radiosity::published::zatz1993::masked_light::{Average, Masking};
+use radiosity::published::zatz1993::masking::{Average, Masking};
 use radiosity::reading::grid::{Cell, grid};
 use radiosity::reading::quality::{Quality, ReadSettings};
 use radiosity::reading::reader::{ReadMode, Reader};

@@ -10,7 +10,7 @@ use std::f64::consts::{PI, TAU};
 use std::num::NonZeroUsize;
 use std::time::Instant;
 
-use radiosity::published::zatz1993::masked_light::{Average, Masking};
+use radiosity::published::zatz1993::masking::{Average, Masking};
 use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::probe::{Probe, probe};
 use radiosity::reading::reader::{ReadMode, Reader};

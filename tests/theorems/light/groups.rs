@@ -2,7 +2,7 @@
 //! emit that much.
 
 use proptest::prelude::*;
-use radiosity::published::zatz1993::masked_light::{Average, Masking};
+use radiosity::published::zatz1993::masking::{Average, Masking};
 use radiosity::scene::{FaultKind, Scene, SceneError};
 use radiosity::solve::solved::{RelightError, Solved};
 use radiosity::solve::{Direct, Options, Transport};

@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 
 use radiosity::Work;
 use radiosity::light::direct::DirectLight;
-use radiosity::published::zatz1993::masked_light::{Average, Masking};
+use radiosity::published::zatz1993::masking::{Average, Masking};
 use radiosity::reading::grid::{Cell, Rates, grid};
 use radiosity::reading::reader::{ReadMode, Reader};
 use radiosity::scene::Scene;

@@ -138,6 +138,7 @@ impl Run {
         if self.start.progress.verbose {
             lines.extend(self.report.functionals.iter().map(minimum));
             lines.push(format!("pairs: {:?}", self.report.pairs));
+            lines.extend(self.report.masks.iter().map(|masks| format!("masked light of {masks}")));
             lines.push(smoothness(checks) + &self.joint());
         }
         lines.extend(self.report.planes.iter().flat_map(|plane| plane.lines(&self.report.unit)));

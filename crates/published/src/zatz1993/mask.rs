@@ -18,12 +18,14 @@
 
 use std::num::NonZeroUsize;
 
+use serde::{Deserialize, Serialize};
+
 /// The mask at coordinates in [−1, 1]²; None where the element is covered or does not reach.
 pub(super) type Sample<'a> = &'a dyn Fn([f64; 2]) -> Option<f64>;
 
 /// A function on an element with values in [0, 1], given at (cells + 1)² nodes, the second coordinate
 /// fastest.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Mask {
     cells: usize,
     values: Vec<f64>,
@@ -41,6 +43,27 @@ impl Mask {
         let places = || (0..count).map(place).zip(&known);
         let filled = (0..count).map(|index| known[index].or_else(|| nearest(place(index), places())));
         Some(Self { cells, values: filled.collect::<Option<_>>()? })
+    }
+
+    /// Whether there is a finite value at each node.
+    pub(super) fn is_valid(&self) -> bool {
+        let nodes = self.cells.checked_add(1).and_then(|nodes| nodes.checked_mul(nodes));
+        self.cells > 0 && nodes == Some(self.values.len()) && self.values.iter().all(|own| own.is_finite())
+    }
+
+    /// Cells along each side.
+    pub(super) fn cells(&self) -> usize {
+        self.cells
+    }
+
+    /// Mean over [−1, 1]².
+    pub(super) fn mean(&self) -> f64 {
+        let cells = self.cells;
+        let share = |k: usize| if k == 0 || k == cells { 0.5 } else { 1.0 };
+        let weighted = |(index, value): (usize, &f64)| {
+            share(index / (cells + 1)) * share(index % (cells + 1)) * value
+        };
+        self.values.iter().enumerate().map(weighted).sum::<f64>() / (cells * cells) as f64
     }
 
     /// Value at coordinates in [−1, 1]²; coordinates outside count as on the border.

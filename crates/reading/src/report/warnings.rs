@@ -29,6 +29,7 @@ pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
         .chain(transfers)
         .chain(power(solved))
         .chain(geometry(scene, outcome))
+        .chain(unused_masks(scene, options))
         .collect()
 }
 
@@ -103,6 +104,15 @@ fn cure_of_power(options: &Options, outcome: &Outcome) -> Wording {
             ) + cure(options, usual)
         }
     }
+}
+
+/// A warning that the scene chooses masks, and light is not masked.
+fn unused_masks(scene: &Scene, options: &Options) -> Option<Warning> {
+    if scene.masks.is_empty() || options.masks.is_some() {
+        return None;
+    }
+    let message = words("the scene chooses pairs for shadow masks, [[masks]], which have no effect without ");
+    Some(Warning::general("masks-unused", message + set("shadows", "mask")))
 }
 
 /// A warning that the light is what a number of shots brought.

@@ -40,6 +40,16 @@ pub enum Failure {
         /// Name of the first luminaire that shines.
         luminaire: String,
     },
+    /// A pair was chosen for a mask that no light goes between.
+    #[error("mask of '{emitter}' on '{receiver}': {why}")]
+    NoMask {
+        /// Name of the emitter, as it was typed.
+        emitter: String,
+        /// Name of the receiver, as it was typed.
+        receiver: String,
+        /// Why there is nothing to mask.
+        why: &'static str,
+    },
     /// Columns were to be integrated when they are first shot, and cannot be.
     #[error("{}", self.message())]
     AllFirst {
@@ -150,6 +160,9 @@ impl Failure {
                     + " has none), "
                     + option("checkpoint")
                     + ", several processes, the rules of 1993"
+            }
+            Self::NoMask { .. } => {
+                words("take the pair out of [[masks]], or name surfaces whose fronts see each other")
             }
             Self::Memory { fits, .. } if fits.is_empty() => more() + ", or leave it out",
             Self::Memory { .. } => words("ask for one of these, or ") + more(),

@@ -8,7 +8,9 @@ use radiosity_elements::patch::Node;
 use radiosity_light::emitters::Emitters;
 use radiosity_light::first_bounce::{Bounce, CoatedBounce, DirectLightEntry, lit_by};
 use radiosity_published::bases::Subspace;
-use radiosity_published::zatz1993::masked_light::{MaskedLight, Setting};
+use radiosity_published::zatz1993::mask_setting::Setting;
+use radiosity_published::zatz1993::masked_light::MaskedLight;
+use radiosity_published::zatz1993::masked_pairs::MaskedPairs;
 use radiosity_scene::Scene;
 use radiosity_visibility::Visibility;
 use radiosity_work::ranks::Ranks;
@@ -91,8 +93,9 @@ impl FirstLight {
 
     /// The first light of `emissions` where it is known whether direct light is masked or split off.
     pub(super) fn as_split(lit_scene: &LitScene<'_>, emissions: Vec<Emission>, is_split: bool) -> Self {
-        let sources =
-            emissions.iter().map(|emission| EmissionLight::of(lit_scene, emission, is_split)).collect();
+        let masks = masked_pairs(lit_scene, &emissions);
+        let of = |emission| EmissionLight::of(lit_scene, emission, masks.as_ref(), is_split);
+        let sources = emissions.iter().map(of).collect();
         Self { is_split, emissions, sources }
     }
 
@@ -109,10 +112,15 @@ impl FirstLight {
 
 impl EmissionLight {
     /// The source of an emission; `is_split` says whether direct light is masked or split off.
-    fn of(lit_scene: &LitScene<'_>, emission: &Emission, is_split: bool) -> Self {
-        let LitScene { scene, elements, visibility, options, ranks } = *lit_scene;
+    fn of(
+        lit_scene: &LitScene<'_>,
+        emission: &Emission,
+        masks: Option<&MaskedPairs>,
+        is_split: bool,
+    ) -> Self {
+        let LitScene { elements, visibility, options, ranks, .. } = *lit_scene;
         let sources = emission.emitters(elements.list());
-        let masked = masked_light(scene, elements, &sources.coatings, visibility, options, ranks);
+        let masked = masks.map(|masks| masks.light(elements, &sources.coatings));
         let direct = match &masked {
             Some(masked) => DirectEntry::Split(through_masks(lit_scene, &sources, masked)),
             None if is_split => {
@@ -151,18 +159,20 @@ fn through_masks(lit_scene: &LitScene<'_>, sources: &Emitters<'_>, masked: &Mask
     CoatedBounce::of(sources, lit_scene.visibility, &lit, lit_scene.options.shadow_eps, lit_scene.ranks)
 }
 
-/// The masked direct light, where masks are asked for.
-pub fn masked_light(
-    scene: &Scene,
-    elements: &Elements,
-    coatings: &[&Coating],
-    visibility: &Visibility,
-    options: &Options,
-    ranks: &Ranks,
-) -> Option<MaskedLight> {
+/// The masked pairs of a scene with these emissions, where masks are asked for.
+fn masked_pairs(lit_scene: &LitScene<'_>, emissions: &[Emission]) -> Option<MaskedPairs> {
+    let LitScene { scene, elements, visibility, options, ranks } = *lit_scene;
     let how = options.masks?;
     let open = Visibility::open(scene);
-    let (accuracy, rules) = (options.accuracy(), options.kernel);
-    let setting = Setting { elements, coatings, visibility, open: &open, accuracy, rules };
-    Some(MaskedLight::new(&setting, how, ranks))
+    let coatings: Vec<&Coating> = emissions.iter().flat_map(Emission::list).collect();
+    let setting = Setting {
+        elements,
+        coatings: &coatings,
+        chosen: &scene.masks,
+        visibility,
+        open: &open,
+        accuracy: options.accuracy(),
+        rules: options.kernel,
+    };
+    Some(MaskedPairs::new(&setting, how, ranks))
 }

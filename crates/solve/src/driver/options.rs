@@ -4,7 +4,7 @@ use radiosity_elements::cells::Layers;
 use radiosity_elements::space::Space;
 use radiosity_kernel::Accuracy;
 use radiosity_published::bases::Basis;
-use radiosity_published::zatz1993::masked_light::Masking;
+use radiosity_published::zatz1993::masking::Masking;
 use radiosity_published::zatz1993::transfers;
 use radiosity_scene::Scene;
 use radiosity_solvers::method::Method;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use radiosity_elements::Elements;
 use radiosity_published::bases::Subspace;
-use radiosity_scene::{Scene, SceneSurface};
+use radiosity_scene::{MaskedPair, Scene, SceneSurface};
 use radiosity_solvers::method::Access;
 use radiosity_transport::{Demand, KeptBlocks};
 use radiosity_visibility::Visibility;
@@ -20,6 +20,7 @@ use super::failure::Failure;
 use super::first_light::{EnteringLight, FirstLight, LitScene};
 use super::light_method::LightMethod;
 use super::options::Options;
+use super::outline::Outline;
 use super::outcome::{Stages, timed};
 use super::shooting::Shooter;
 use super::transport_choice::TransportChoice;
@@ -171,6 +172,9 @@ pub(super) fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Fa
     if let Some(own) = shines {
         return Err(Failure::Unmasked { luminaire: own.name.clone() });
     }
+    if options.masks.is_some() {
+        scene.masks.iter().try_for_each(|pair| require_light_between(scene, pair))?;
+    }
     let what = match options {
         Options { masks: Some(_), .. } => set("shadows", "mask"),
         Options { direct: Direct::Projected, .. } => set("direct", "projected"),
@@ -183,6 +187,24 @@ pub(super) fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Fa
             Err(Failure::NotDiffuse { surface: own.name.clone(), light, what })
         }
         None => Ok(()),
+    }
+}
+
+/// Refuses a pair that was chosen for a mask and that no light goes between.
+fn require_light_between(scene: &Scene, pair: &MaskedPair) -> Result<(), Failure> {
+    let refused = |why| {
+        let MaskedPair { emitter, receiver, .. } = pair;
+        Err(Failure::NoMask { emitter: emitter.clone(), receiver: receiver.clone(), why })
+    };
+    if !pair.emitters.iter().any(|own| scene.surfaces[*own].material.sends()) {
+        return refused("the emitter sends no light, it neither emits nor reflects");
+    }
+    let outlines = |list: &[usize]| list.iter().map(|own| Outline::of(&scene.surfaces[*own])).collect();
+    let [emitters, receivers]: [Vec<Outline>; 2] = [&pair.emitters, &pair.receivers].map(|list| outlines(list));
+    let receives = |emitter: &Outline| receivers.iter().any(|own| own.exchanges_with(emitter));
+    match emitters.iter().any(receives) {
+        true => Ok(()),
+        false => refused("their fronts do not see each other"),
     }
 }
 

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::io::Write;
 use std::num::NonZeroUsize;
 
-use radiosity::published::zatz1993::masked_light::{Average, Masking};
+use radiosity::published::zatz1993::masking::{Average, Masking};
 use radiosity::published::zatz1993::transfers::PaperRules;
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options};

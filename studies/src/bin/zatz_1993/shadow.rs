@@ -25,7 +25,7 @@ use radiosity::output::drawings::picture::Picture;
 use radiosity::output::drawings::scale::Scale;
 use radiosity::output::pictures::image::Image;
 use radiosity::output::pictures::tone::Tone;
-use radiosity::published::zatz1993::masked_light::{Average, Masking};
+use radiosity::published::zatz1993::masking::{Average, Masking};
 use radiosity::published::zatz1993::transfers::PaperRules;
 use radiosity::reading::difference::Difference;
 use radiosity::reading::pictures::pinhole::Pinhole;

@@ -41,6 +41,9 @@ pub enum SolutionFault {
     /// A solution of a scene that was built in code.
     #[error("it does not hold the text of its scene")]
     NoScene,
+    /// A solution of masked light by a program that did not write masks.
+    #[error("it does not hold its shadow masks")]
+    NoMasks,
     /// The scene in it is wrong.
     #[error("the scene in it: {0}")]
     Scene(Box<SceneError>),
@@ -71,6 +74,9 @@ impl SolutionError {
         match self.fault {
             SolutionFault::Version { .. } => {
                 "solve the scene again with this program, or read the file with the one that wrote it"
+            }
+            SolutionFault::NoMasks => {
+                "older programs made them again when they read the file: solve the scene again with this program"
             }
             SolutionFault::NoScene => "a scene built in code is solved where it is built",
             _ => "the file is damaged or was changed: solve the scene again",

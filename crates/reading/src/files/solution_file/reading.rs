@@ -6,16 +6,12 @@
 use std::sync::Arc;
 
 use base64::{Engine, prelude::BASE64_STANDARD as STANDARD};
-use radiosity_elements::coating::Coating;
 use radiosity_elements::{Discretization, Elements, Subdivide};
 use radiosity_published::zatz1993::masked_light::MaskedLight;
 use radiosity_scene::{MAX_PARTS, Scene, Source};
 use radiosity_solve::solution::Solution;
 use radiosity_solve::solution::group_light::{GroupLight, Incident};
 use radiosity_solve::solved::Solved;
-use radiosity_solve::{Options, driver::masked_light};
-use radiosity_visibility::Visibility;
-use radiosity_work::ranks::Ranks;
 use serde::Deserialize;
 
 use super::element::{SavedElement, same};
@@ -40,13 +36,12 @@ pub fn is_solution(text: &str) -> bool {
 }
 
 /// Reads a solution file: the scene, the options and the solution that it was written from, bit by bit.
-/// Shadow masks are made again, by these ranks.
 ///
 /// # Errors
 /// A text that is damaged, of another version, or does not fit the scene in it.
-pub fn read(source: &Source, ranks: &Ranks) -> Result<Solved, SolutionError> {
+pub fn read(source: &Source) -> Result<Solved, SolutionError> {
     parse(&source.text())
-        .and_then(|file| file.solved(ranks))
+        .and_then(|file| file.solved())
         .map_err(|fault| SolutionError { origin: source.origin.to_string(), fault })
 }
 
@@ -67,7 +62,7 @@ fn syntax(error: &serde_json::Error) -> SolutionFault {
 }
 
 impl SolutionFile {
-    fn solved(self, ranks: &Ranks) -> Result<Solved, SolutionFault> {
+    fn solved(self) -> Result<Solved, SolutionFault> {
         let scene = self.scene.read()?;
         if self.bands != scene.bands || self.figures.residuals.len() != scene.bands.len() {
             return Err(SolutionFault::Whole(Mismatch("the list of bands")));
@@ -81,7 +76,7 @@ impl SolutionFile {
             None => Elements::new(&scene, how),
         }?;
         check_elements(&self.elements, &scene, &elements)?;
-        let groups = self.group_lights(&scene, &elements, ranks)?;
+        let groups = self.group_lights(&scene, &elements)?;
         let solution = Solution::of_groups(elements, &scene, groups);
         for (index, own) in self.elements.iter().enumerate() {
             own.check_coating(&solution, index).map_err(|what| SolutionFault::Element { index, what })?;
@@ -96,19 +91,13 @@ impl SolutionFile {
 
 impl SolutionFile {
     /// The light of each group; all light as that of no group where there are none.
-    fn group_lights(
-        &self,
-        scene: &Scene,
-        elements: &Elements,
-        ranks: &Ranks,
-    ) -> Result<Vec<GroupLight>, SolutionFault> {
+    fn group_lights(&self, scene: &Scene, elements: &Elements) -> Result<Vec<GroupLight>, SolutionFault> {
         let mismatch = || SolutionFault::Whole(Mismatch("the list of light groups"));
         let is_there = |name: &str| self.groups.iter().any(|group| group.name.as_deref() == Some(name));
         if !scene.light_groups().iter().all(|group| is_there(&group.name)) {
             return Err(mismatch());
         }
         let bands = scene.bands.len();
-        let masks = MaskInputs::of(scene, elements, &self.options, ranks);
         if self.groups.is_empty() {
             let band = |band: usize| Incident {
                 irradiance: together(&self.elements, |own| &own.orthonormal.irradiance[band]),
@@ -117,7 +106,8 @@ impl SolutionFile {
             };
             let powers = self.figures.powers();
             let bands = (0..bands).map(band).collect();
-            return Ok(vec![GroupLight { group: None, bands, powers, masked: masks.light(None) }]);
+            let masked = self.masked(0, elements)?;
+            return Ok(vec![GroupLight { group: None, bands, powers, masked }]);
         }
         let count = self.groups.len();
         let fits = |own: &SavedElement| own.orthonormal.groups.len() == count;
@@ -131,9 +121,22 @@ impl SolutionFile {
                 residual: residuals[band],
             };
             let bands = (0..bands).map(band).collect();
-            GroupLight { group: name.clone(), bands, powers: *powers, masked: masks.light(name.as_deref()) }
+            let masked = self.masked(index, elements)?;
+            Ok(GroupLight { group: name.clone(), bands, powers: *powers, masked })
         };
-        Ok(self.groups.iter().enumerate().map(light).collect())
+        self.groups.iter().enumerate().map(light).collect()
+    }
+
+    /// The masked light of group number `index`, or of all light, if light is masked.
+    fn masked(&self, index: usize, elements: &Elements) -> Result<Option<Arc<MaskedLight>>, SolutionFault> {
+        if self.options.masks.is_none() {
+            return Ok(None);
+        }
+        let masked = self.masked.get(index).ok_or(SolutionFault::NoMasks)?;
+        match masked.is_of(elements.list(), self.bands.len()) {
+            true => Ok(Some(Arc::new(masked.clone()))),
+            false => Err(SolutionFault::Whole(Mismatch("the light through masks"))),
+        }
     }
 
     /// Compares the light of all groups, at their factors, with the irradiance in the file.
@@ -154,34 +157,6 @@ impl SolutionFile {
 /// Coefficients of all elements, one after the other.
 fn together<'a>(saved: &'a [SavedElement], own: impl Fn(&'a SavedElement) -> &'a [f64]) -> Vec<f64> {
     saved.iter().flat_map(|element| own(element).iter().copied()).collect()
-}
-
-/// The inputs from which shadow masks are made again.
-struct MaskInputs<'a> {
-    scene: &'a Scene,
-    elements: &'a Elements,
-    options: &'a Options,
-    /// Obstacles of the scene; None where there are no masks.
-    visibility: Option<Visibility>,
-    ranks: &'a Ranks,
-}
-
-impl<'a> MaskInputs<'a> {
-    fn of(scene: &'a Scene, elements: &'a Elements, options: &'a Options, ranks: &'a Ranks) -> Self {
-        let visibility = options.masks.map(|_| options.visibility(scene));
-        Self { scene, elements, options, visibility, ranks }
-    }
-
-    /// The masked light of a group, if there are masks.
-    fn light(&self, group: Option<&str>) -> Option<Arc<MaskedLight>> {
-        let visibility = self.visibility.as_ref()?;
-        let list = self.elements.list();
-        let coatings: Vec<Coating> = (0..self.scene.bands.len())
-            .map(|band| Coating::of_group(self.scene, list, band, group))
-            .collect();
-        let coatings: Vec<&Coating> = coatings.iter().collect();
-        masked_light(self.scene, self.elements, &coatings, visibility, self.options, self.ranks).map(Arc::new)
-    }
 }
 
 impl SavedScene {

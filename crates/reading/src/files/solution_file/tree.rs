@@ -5,8 +5,10 @@ use std::collections::BTreeMap;
 use base64::{Engine, prelude::BASE64_STANDARD as STANDARD};
 use radiosity_elements::Discretization;
 use radiosity_elements::mesh::Mesh;
+use radiosity_published::zatz1993::masked_light::MaskedLight;
 use radiosity_scene::{Scene, Source};
 use radiosity_solve::Options;
+use radiosity_solve::solution::Solution;
 use radiosity_solve::solution::group_light::GroupLight;
 use radiosity_solve::solution::powers::Powers;
 use radiosity_solve::solved::Solved;
@@ -53,6 +55,9 @@ pub struct SolutionFile {
     /// The light groups, not dimmed; empty where the scene has none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) groups: Vec<SavedGroup>,
+    /// Light through shadow masks, of each group or of all light; empty where nothing is masked.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) masked: Vec<MaskedLight>,
     pub(super) elements: Vec<SavedElement>,
 }
 
@@ -141,6 +146,14 @@ fn is_origin(middle: &[f64; 3]) -> bool {
     *middle == [0.0; 3]
 }
 
+/// The light through masks of each group of a solution, or of all its light.
+fn masked(solution: &Solution) -> Vec<MaskedLight> {
+    match solution.groups() {
+        [] => solution.masked().into_iter().cloned().collect(),
+        groups => groups.iter().filter_map(|group| group.masked.as_deref().cloned()).collect(),
+    }
+}
+
 /// The factors of the groups of `scene` that are dimmed.
 fn factors(scene: &Scene) -> BTreeMap<String, f64> {
     let dimmed = scene.light_groups().into_iter().filter(|group| group.factor != 1.0);
@@ -174,6 +187,7 @@ impl SolutionFile {
             mesh: outcome.solution.elements().refined_mesh().cloned(),
             figures: Figures::of(solved),
             groups: outcome.solution.groups().iter().map(SavedGroup::of).collect(),
+            masked: masked(&outcome.solution),
             elements: element::all(scene, &outcome.solution),
         }
     }
